@@ -1,0 +1,1 @@
+"""Three arithmetics behind one small protocol: float64, mpmath, and python-flint balls."""

@@ -1,0 +1,1 @@
+"""Other integrators, behind one interface: the paper's forward Euler first."""

@@ -1,0 +1,1 @@
+"""What the paper says, and what was found: the ledger of claims, their checks and the report."""
