@@ -1,0 +1,164 @@
+"""Energy: its rate in each mode, its level sets on S0, the critical level, and the contraction identity."""
+
+from functools import cache
+
+from sympy import (
+    Expr,
+    ImmutableMatrix,
+    Le,
+    Rational,
+    Symbol,
+    cancel,
+    diag,
+    diff,
+    factor,
+    simplify,
+    solve,
+    sqrt,
+)
+
+from theory.filippov import STATE, derivative_along, guard, half_width, sliding_field
+from theory.model import free_system, slip
+from theory.symbols import (
+    E0,
+    a1,
+    a2,
+    m1,
+    m2,
+    undamped,
+    v1,
+    v1_other,
+    v2,
+    v2_other,
+    x1,
+    x1_other,
+)
+
+# The friction of two solutions: values of the set-valued sign, each in [-1, 1].
+sigma, sigma_other = Symbol("sigma", real=True), Symbol(r"\tilde{\sigma}", real=True)
+
+
+def metric() -> ImmutableMatrix:
+    """Matrix of the energy inner product <z, z~> = a2 x x~ + m1 v1 v1~ + m2 v2 v2~ (twice J)."""
+    return ImmutableMatrix(diag(a2, m1, m2))
+
+
+def inner_product(first: ImmutableMatrix, second: ImmutableMatrix) -> Expr:
+    """The energy inner product of two states (x1, v1, v2)."""
+    return (first.T * metric() * second)[0]
+
+
+def energy() -> Expr:
+    """E of Section III, J: half the energy norm squared."""
+    return Rational(1, 2) * inner_product(STATE, STATE).expand()
+
+
+@cache
+def slip_rate(sign: int) -> Expr:
+    """dE/dt in slip with sgn(v1 - v2) = sign, W; with a1 = 0 this is (edot) as |v1 - v2| = sign (v1 - v2)."""
+    return simplify(derivative_along(slip(sign).field, energy()))
+
+
+@cache
+def stick_rate() -> Expr:
+    """dE/dt on S0 along Filippov's sliding field, W: zero when a1 = 0."""
+    return simplify(derivative_along(sliding_field(damped=True), energy()).subs(v2, v1))
+
+
+def on_surface() -> Expr:
+    """E on S, J, as a function of x1 and the common velocity v1."""
+    return energy().subs(v2, v1)
+
+
+@cache
+def level_semi_axis() -> Expr:
+    """Semi-axis along x1 of the ellipse {E = E0} on S, m: where the ellipse meets v1 = v2 = 0."""
+    return max(solve(on_surface().subs(v1, 0) - E0, x1), key=lambda root: root.subs({E0: 1, a2: 1}))
+
+
+@cache
+def critical_energy() -> Expr:
+    """E_cr, J: the level whose semi-axis is the half width of S0."""
+    return factor(solve(level_semi_axis() - half_width(), E0)[0])
+
+
+def closed_level_condition() -> Expr:
+    """{E = E0} on S lies in S0, so is a closed trajectory: semi-axis <= L."""
+    return Le(level_semi_axis(), half_width())
+
+
+@cache
+def semi_axis_margin() -> Expr:
+    """L^2 - semi-axis^2, m^2, as (E_cr - E0) times a positive factor: the condition and its converse."""
+    gap = critical_energy() - E0
+    return cancel((half_width() ** 2 - level_semi_axis() ** 2) / gap) * gap
+
+
+@cache
+def edge_speed_squared() -> Expr:
+    """v1^2 where {E = E0} on S meets the edges |x1| = L, as (E0 - E_cr) times a positive factor.
+
+    Positive exactly when E0 > E_cr: then the ellipse is cut into two arcs, v1 > 0 and v1 < 0.
+    """
+    square = Symbol("v^2", real=True)
+    level = on_surface().subs(v1, sqrt(square)).subs(x1, half_width())
+    gap = E0 - critical_energy()
+    return cancel(solve(level - E0, square)[0] / gap) * gap
+
+
+@cache
+def excess_on_surface() -> Expr:
+    """w = E/E_cr - 1 on S, dimensionless."""
+    return factor(on_surface() / critical_energy() - 1)
+
+
+def other(quantity: Expr) -> Expr:
+    """The same function of a second solution (tilde)."""
+    renamed = {x1: x1_other, v1: v1_other, v2: v2_other, sigma: sigma_other}
+    return quantity.subs(renamed, simultaneous=True)
+
+
+@cache
+def contraction_rate() -> Expr:
+    """Rate of half the squared energy distance of two solutions, from (e1)-(e3) set-valued friction, W."""
+    field = free_system(sigma)
+    return simplify(inner_product(STATE - other(STATE), field - other(field)).expand())
+
+
+@cache
+def contraction_terms() -> tuple[Expr, Expr]:
+    """Viscous and friction term whose sum is ``contraction_rate``; neither is ever positive.
+
+    The first is minus a square.  The friction term is -b (sigma - sigma~)(w - w~), see
+    ``monotonicity_terms``.
+    """
+    rate = contraction_rate()
+    friction = rate.subs(a1, 0)
+    return factor(rate.expand() - friction.expand()), factor(friction)
+
+
+def monotonicity_terms() -> tuple[Expr, Expr]:
+    """(sigma - sigma~)(w - w~) as two terms: (sigma - sigma~) w and (sigma~ - sigma) w~.
+
+    Where w > 0 friction has sigma = 1 >= sigma~, where w < 0 sigma = -1 <= sigma~: each term is >= 0.
+    """
+    relative = guard()
+    return (sigma - sigma_other) * relative, (sigma_other - sigma) * other(relative)
+
+
+@cache
+def linear_part() -> ImmutableMatrix:
+    """The metric times the matrix of (e1)-(e3) without friction: skew but for -a1 in the middle."""
+    field = free_system(sigma).subs(sigma, 0)
+    return ImmutableMatrix(metric() * field.jacobian(STATE))
+
+
+@cache
+def dwell_time_bound() -> Expr:
+    """Upper bound of the time a trajectory with E <= E0 stays in one half-space, s.
+
+    E >= m2 v2^2/2 confines v2 to an interval, which the constant rate v2' = +-b/m2 crosses in that time.
+    """
+    largest = sqrt(2 * E0 / diff(energy(), v2, 2))
+    rate = undamped(slip(1).field)[2]
+    return simplify(2 * largest / rate)
