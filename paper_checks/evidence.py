@@ -110,7 +110,8 @@ class Evidence:
 class Finding:
     """What a check returns; its texts are prose with LaTeX between ``$`` (inline) and ``$$`` (displayed).
 
-    A dollar itself is written with a backslash before it. Raises InvalidFindingError where the evidence does not carry the verdict.
+    A dollar itself is written with a backslash before it. Raises InvalidFindingError where the evidence does
+    not carry the verdict.
     """
 
     verdict: Verdict

@@ -1,0 +1,42 @@
+"""The ledger is complete, in paper order, and literal."""
+
+import pytest
+
+from paper_checks.errors import LedgerError
+from paper_checks.evidence import Verdict
+from paper_checks.ledger import CLAIMS, Claim
+from paper_checks.ledger.claim import in_order
+
+
+def claim(name="a", **changes):
+    return Claim(
+        **{"id": name, "section": "II", "where": "w", "statement": "s", "recorded": Verdict.HOLDS} | changes
+    )
+
+
+def test_the_sections_come_in_paper_order():
+    sections = [claim.section for claim in CLAIMS]
+    assert sections == sorted(sections, key=["II", "III", "IV", "V"].index)
+    assert [sections.count(name) for name in ("II", "III", "IV", "V")] == [4, 25, 13, 5]
+
+
+def test_every_statement_is_a_sentence_with_balanced_mathematics():
+    for row in CLAIMS:
+        assert row.statement.endswith("."), row.id
+        assert row.statement.count("$") % 2 == 0, row.id
+        assert row.where, row.id
+
+
+def test_no_verdict_on_record_is_open():
+    assert {row.recorded for row in CLAIMS} == {Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED}
+
+
+@pytest.mark.parametrize("name", ["", "Upper", "two words", "-a", "a--b", "a#b"])
+def test_an_id_must_be_fit_for_an_anchor(name):
+    with pytest.raises(LedgerError, match="claim id"):
+        claim(name)
+
+
+def test_an_id_is_taken_once():
+    with pytest.raises(LedgerError, match="taken twice: a"):
+        in_order([claim("a"), claim("b")], [claim("a")])
