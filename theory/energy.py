@@ -17,7 +17,7 @@ from sympy import (
     sqrt,
 )
 
-from theory.filippov import STATE, derivative_along, guard, half_width, sliding_field
+from theory.filippov import STATE, derivative_along, guard, half_width, load_threshold, sliding_field
 from theory.model import free_system, slip
 from theory.symbols import (
     E0,
@@ -104,6 +104,18 @@ def edge_speed_squared() -> Expr:
     level = on_surface().subs(v1, sqrt(square)).subs(x1, half_width())
     gap = E0 - critical_energy()
     return cancel(solve(level - E0, square)[0] / gap) * gap
+
+
+@cache
+def captive_energy() -> Expr:
+    """The largest level whose ellipse on S lies in the strip |a2 x1 + a1 v1| <= b M/m2 of a1 > 0, J.
+
+    The ellipse is x1 = A cos, v1 = B sin; the load on it has amplitude sqrt((a2 A)^2 + (a1 B)^2).  As E never
+    increases, sliding motion below this level stays in S0 for ever; for a1 = 0 it is E_cr.
+    """
+    speed_axis = sqrt(2 * E0 / diff(on_surface(), v1, 2))
+    amplitude = (a2 * level_semi_axis()) ** 2 + (a1 * speed_axis) ** 2
+    return factor(solve(amplitude - load_threshold() ** 2, E0)[0])
 
 
 @cache

@@ -117,11 +117,12 @@ def as_set(condition: Expr) -> ConditionSet:
 
 
 @cache
-def manifest_signs() -> dict[tuple[str, int], Expr]:
-    """Transversality products of (trans), (trans') with a sign that can be read off (a1 = 0).
+def manifest_signs(damped: bool = False) -> dict[tuple[str, int], Expr]:
+    """Transversality products of (trans), (trans') with a sign that can be read off.
 
     Keys are (part of S, sign of the field).  On S_+ and S_- the edge is at distance d > 0; on S0
-    x1 = L (lambda - mu) with lambda, mu >= 0 and lambda + mu = 1, so each product is a monomial.
+    x1 = L (lambda - mu) with lambda, mu >= 0 and lambda + mu = 1, so each product is a monomial or a sum
+    of terms of one sign.  With damping the same is said of load/a2 in the place of x1.
     """
     edge = half_width()
     places = {
@@ -132,7 +133,12 @@ def manifest_signs() -> dict[tuple[str, int], Expr]:
         ("sliding", 1): edge * (2 * upper - 1),
         ("sliding", -1): edge * (1 - 2 * lower),
     }
-    return {key: factor(transversality(key[1]).subs(x1, place)) for key, place in places.items()}
+    position = Symbol("x", real=True)
+    at = solve(load(damped) - a2 * position, x1)[0]
+    return {
+        (part, sign): factor(transversality(sign, damped).subs(x1, at.subs(position, place)))
+        for (part, sign), place in places.items()
+    }
 
 
 @cache

@@ -1,0 +1,159 @@
+"""Exact solutions of stick and slip, for a1 = 0 and for a1 > 0 in the three damping regimes.
+
+In each mode x1 obeys I x1'' + a1 x1' + a2 x1 = -s b with I = m1 and s = sgn(v1 - v2) in slip, I = M and
+no force in stick.  Solutions are written with the decay rate and a second rate, whose SI meaning
+``rates`` gives; ``residual`` substitutes a solution into eqs (3), (4) and the initial conditions.
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+from functools import cache
+
+from sympy import (
+    Expr,
+    Integer,
+    Symbol,
+    cos,
+    cosh,
+    diff,
+    exp,
+    expand,
+    integrate,
+    simplify,
+    sin,
+    sinh,
+    solve,
+    sqrt,
+)
+
+from theory.model import branch_named
+from theory.symbols import a1, a2, b, free, m1, m2, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
+
+decay = Symbol("beta", positive=True)  # decay rate a1/(2 I), 1/s
+rate = Symbol("omega", positive=True)  # angular frequency, or half distance of the real rates, 1/s
+
+
+class Regime(Enum):
+    """The damping regime of one mode, by the sign of a1^2 - 4 a2 I."""
+
+    UNDAMPED = "undamped"
+    UNDERDAMPED = "underdamped"
+    CRITICAL = "critically damped"
+    OVERDAMPED = "overdamped"
+
+
+@dataclass(frozen=True)
+class ModeSolution:
+    """Motion of both bodies in one mode as functions of t, x1(0), v1(0), x2(0), v2(0) (SI, exact)."""
+
+    mode: str
+    regime: Regime
+    x1: Expr
+    x2: Expr
+
+    @property
+    def v1(self) -> Expr:
+        """Velocity of body 1, m/s."""
+        return diff(self.x1, t)
+
+    @property
+    def v2(self) -> Expr:
+        """Velocity of body 2, m/s."""
+        return diff(self.x2, t)
+
+
+def inertia(mode: str) -> Expr:
+    """The mass that the spring moves in a mode ("stick", "slip+", "slip-"), kg."""
+    return total_mass() if mode == "stick" else m1
+
+
+def discriminant(mode: str) -> Expr:
+    """a1^2 - 4 a2 I, (N s/m)^2: negative underdamped, zero critical, positive overdamped."""
+    return a1**2 - 4 * a2 * inertia(mode)
+
+
+def rates(mode: str, regime: Regime) -> dict[Symbol, Expr]:
+    """SI meaning of ``decay`` and ``rate`` in a mode and regime; a rate that does not occur is absent."""
+    mass = inertia(mode)
+    if regime is Regime.UNDAMPED:
+        return {rate: sqrt(a2 / mass)}
+    meaning = {decay: a1 / (2 * mass)}
+    if regime is Regime.UNDERDAMPED:
+        meaning[rate] = sqrt(-discriminant(mode)) / (2 * mass)
+    if regime is Regime.OVERDAMPED:
+        meaning[rate] = sqrt(discriminant(mode)) / (2 * mass)
+    return meaning
+
+
+@cache
+def coefficients(mode: str, regime: Regime) -> dict[Symbol, Expr]:
+    """a1 and a2 by the rates: the inverse of ``rates``, polynomial, so that residuals become identities."""
+    mass = inertia(mode)
+    damping = Integer(0) if regime is Regime.UNDAMPED else solve(a1 / (2 * mass) - decay, a1)[0]
+    squared = {Regime.CRITICAL: Integer(0), Regime.OVERDAMPED: rate**2}.get(regime, -(rate**2))
+    stiffness = solve((discriminant(mode) - (2 * mass * rate) ** 2).subs({a1: damping, rate**2: squared}), a2)
+    return {a1: damping, a2: stiffness[0]}
+
+
+def decaying_pair(regime: Regime) -> tuple[Expr, Expr]:
+    """Two independent solutions of the homogeneous equation in a regime."""
+    if regime is Regime.UNDAMPED:
+        return cos(rate * t), sin(rate * t)
+    oscillation = {
+        Regime.UNDERDAMPED: (cos(rate * t), sin(rate * t)),
+        Regime.CRITICAL: (Integer(1), t),
+        Regime.OVERDAMPED: (cosh(rate * t), sinh(rate * t)),
+    }[regime]
+    return exp(-decay * t) * oscillation[0], exp(-decay * t) * oscillation[1]
+
+
+@cache
+def solution(mode: str, regime: Regime) -> ModeSolution:
+    """The solution of a mode: rest position plus the homogeneous solutions fitted to the initial state.
+
+    Raises KeyError for a mode other than "stick", "slip+" and "slip-".
+    """
+    field = branch_named(mode)
+    rest = solve(free(field.acceleration1).subs(v1, 0), x1)[0]
+    first, second = Symbol("C1"), Symbol("C2")
+    shape = decaying_pair(regime)
+    ansatz = rest + first * shape[0] + second * shape[1]
+    start = [(ansatz - x1_0).subs(t, 0), (diff(ansatz, t) - v1_0).subs(t, 0)]
+    position = ansatz.subs(solve(start, [first, second], dict=True)[0])
+    if mode == "stick":
+        return ModeSolution(mode, regime, position, x2_0 + position - x1_0)
+    velocity2 = v2_0 + integrate(field.acceleration2, t)
+    return ModeSolution(mode, regime, position, x2_0 + integrate(velocity2, t))
+
+
+def residual(found: ModeSolution) -> tuple[Expr, ...]:
+    """What a solution leaves in eq (3), eq (4) and the four initial conditions: all zero iff it is exact.
+
+    Equations (3), (4) are those of the branch; in stick the initial velocities are equal (v2(0) = v1(0)).
+    """
+    field = branch_named(found.mode)
+    along = {x1: found.x1, v1: found.v1}
+    equations = (
+        diff(found.x1, t, 2) - free(field.acceleration1).subs(along, simultaneous=True),
+        diff(found.x2, t, 2) - free(field.acceleration2).subs(along, simultaneous=True),
+    )
+    common = v1_0 if found.mode == "stick" else v2_0
+    initial = (found.x1 - x1_0, found.v1 - v1_0, found.x2 - x2_0, found.v2 - common)
+    system = equations + tuple(entry.subs(t, 0) for entry in initial)
+    known = coefficients(found.mode, found.regime)
+    return tuple(simplify(expand(entry.subs(known, simultaneous=True))) for entry in system)
+
+
+@cache
+def slip_guard(mode: str, regime: Regime) -> Expr:
+    """v1 - v2 along a slip, m/s: a decaying oscillation plus a line; its first zero ends the slip."""
+    found = solution(mode, regime)
+    return found.v1 - found.v2
+
+
+def friction_work(mode: str, regime: Regime) -> Expr:
+    """b times the relative displacement since t = 0 of a slip, J: the energy that the interface takes."""
+    found = solution(mode, regime)
+    sign = free(branch_named(mode).acceleration2) * m2 / b
+    displacement = (found.x1 - x1_0) - (found.x2 - x2_0)
+    return sign * b * displacement

@@ -1,0 +1,196 @@
+"""Near the critical orbit: the excursion in powers of the exit speed, the durations, the 1/t law (a1 = 0).
+
+All series are in epsilon = sqrt(w), the reduced speed on the ray, and are obtained from the closed forms of
+``theory.excursion`` by reverting h(theta) = epsilon/sqrt(q).  They are approximate: terms from
+epsilon^order on are dropped.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+
+from sympy import (
+    Expr,
+    Integer,
+    Symbol,
+    asin,
+    cancel,
+    cos,
+    expand,
+    limit,
+    pi,
+    series,
+    simplify,
+    sin,
+    solve,
+    sqrt,
+)
+
+from theory.closed_forms import Regime, rate, rates, solution
+from theory.energy import critical_energy
+from theory.excursion import displacement_of_angle, excursion, h, next_excess
+from theory.scaling import canonical_pair, half_width, stick_frequency, to_si
+from theory.symbols import epsilon, q, t, theta, v1_0, x1_0
+
+ORDER = 8  # enough for two terms beyond the leading one in w'
+
+
+def truncate(expression: Expr, variable: Symbol, order: int) -> Expr:
+    """The part of a polynomial below variable**order."""
+    polynomial = expand(expression)
+    return sum((polynomial.coeff(variable, n) * variable**n for n in range(order)), Integer(0))
+
+
+def taylor(expression: Expr, variable: Symbol, order: int) -> Expr:
+    """Taylor polynomial at 0 below variable**order."""
+    return expand(series(expression, variable, 0, order).removeO())
+
+
+@cache
+def slip_angle(order: int = ORDER) -> Expr:
+    """theta(epsilon): the reversion of h(theta) = epsilon/sqrt(q), dimensionless.
+
+    Solved by iterating theta -> theta - (h(theta) - u)/h'(0); each pass settles one more order.
+    """
+    polynomial = taylor(h(), theta, order)
+    slope = polynomial.coeff(theta, 1)
+    angle = Integer(0)
+    for _ in range(order):
+        angle = truncate(
+            angle - (compose(polynomial, angle, order) - epsilon / sqrt(q)) / slope, epsilon, order
+        )
+    return angle
+
+
+def compose(polynomial: Expr, inner: Expr, order: int) -> Expr:
+    """A polynomial in theta at theta = inner, a polynomial in epsilon, below epsilon**order (Horner)."""
+    value = Integer(0)
+    for power in reversed(range(order)):
+        value = truncate(value * inner + polynomial.coeff(theta, power), epsilon, order)
+    return value
+
+
+def in_speed(expression: Expr, order: int = ORDER) -> Expr:
+    """A closed form in theta as a series in epsilon below epsilon**order."""
+    return compose(taylor(expression, theta, order), slip_angle(order), order)
+
+
+@dataclass(frozen=True)
+class CycleSeries:
+    """One slip excursion from l_+ and the stick after it, as series in epsilon (dimensionless)."""
+
+    slip_angle: Expr
+    slip_duration: Expr
+    position: Expr
+    velocity: Expr
+    displacement: Expr
+    next_excess: Expr
+    stick_duration: Expr
+    cycle_duration: Expr
+
+
+@cache
+def stick_rotation() -> tuple[Expr, Expr]:
+    """(cos, sin) of the stick time from (X, V) at re-entry to the exit by l_-, solved from the stick motion.
+
+    Entries are functions of x10 = X, v10 = V and epsilon, the speed V = -epsilon of the next exit.
+    """
+    found = solution("stick", Regime.UNDAMPED)
+    unit = {rate: rates("stick", Regime.UNDAMPED)[rate].subs(canonical_pair(), simultaneous=True)}
+    cosine, sine = Symbol("c"), Symbol("s")
+    motion = [found.x1.subs(unit) + 1, found.v1.subs(unit) + epsilon]
+    motion = [simplify(entry).subs({cos(t): cosine, sin(t): sine}) for entry in motion]
+    angles = solve(motion, [cosine, sine], dict=True)[0]
+    return angles[cosine], angles[sine]
+
+
+@cache
+def cycle(order: int = ORDER) -> CycleSeries:
+    """The series of one excursion and the following stick, below epsilon**order (approximate)."""
+    one = excursion()
+    position, velocity = in_speed(one.position, order), in_speed(one.velocity, order)
+    excess_after = in_speed(next_excess(), order)
+    speed_after = taylor(epsilon * sqrt(expand(excess_after / epsilon**2)), epsilon, order - 1)
+    state = {x1_0: position, v1_0: velocity, epsilon: speed_after}
+    sine = taylor(stick_rotation()[1].subs(state, simultaneous=True), epsilon, order - 1)
+    # The rotation ends near pi, where the cosine is negative: the angle is pi - asin(sine).
+    small = taylor(asin(theta), theta, order - 1)
+    stick = truncate(pi - small.subs(theta, sine), epsilon, order - 1)
+    slip = sqrt(q) * slip_angle(order)
+    return CycleSeries(
+        slip_angle=slip_angle(order),
+        slip_duration=expand(slip),
+        position=position,
+        velocity=velocity,
+        displacement=q * in_speed(displacement_of_angle(), order),
+        next_excess=excess_after,
+        stick_duration=stick,
+        cycle_duration=truncate(stick + expand(slip), epsilon, order - 1),
+    )
+
+
+@cache
+def inverse_step() -> Expr:
+    """lim (1/w' - 1/w) as w -> 0, dimensionless: the constant gain of 1/w per excursion."""
+    after = cycle().next_excess
+    return cancel(limit(cancel((epsilon**2 - after) / (after * epsilon**2)), epsilon, 0))
+
+
+@cache
+def quadratic_coefficient() -> Expr:
+    """c in w' = w - c w^2 + ..., read off the series of w' in epsilon = sqrt(w)."""
+    return cancel(-cycle().next_excess.coeff(epsilon, 4))
+
+
+@cache
+def cycle_limit() -> Expr:
+    """Limit of the reduced duration of slip plus stick as w -> 0."""
+    return limit(cycle().cycle_duration, epsilon, 0)
+
+
+@cache
+def reduced_rate_constant() -> Expr:
+    """lim tau w, dimensionless.
+
+    1/w gains ``inverse_step`` in the limit per ``cycle_limit`` of time, so 1/(tau w) tends to their quotient
+    (Stolz-Cesaro); it does not depend on where w started.
+    """
+    return cancel(cycle_limit() / inverse_step())
+
+
+@cache
+def rate_constant() -> Expr:
+    """lim t (E - E_cr) in SI, J s, for every trajectory that never merges; independent of E(0)."""
+    return simplify(critical_energy() * to_si(reduced_rate_constant()) / stick_frequency())
+
+
+@dataclass(frozen=True)
+class CriticalLimits:
+    """Limits along a trajectory that tends to the critical orbit (SI, exact): seconds, metres, m/s."""
+
+    stick_duration: Expr
+    slip_duration: Expr
+    exit_position: Expr
+    exit_velocity: Expr
+    entry_position: Expr
+    entry_velocity: Expr
+
+
+@cache
+def critical_limits() -> CriticalLimits:
+    """Limits for w -> 0 of the durations and of the exit and entry points on the side of l_+."""
+    found = cycle()
+    length, frequency = half_width(), stick_frequency()
+    speed = length * frequency
+    return CriticalLimits(
+        stick_duration=limit(found.stick_duration, epsilon, 0) / frequency,
+        slip_duration=limit(found.slip_duration, epsilon, 0) / frequency,
+        exit_position=length,
+        exit_velocity=limit(epsilon, epsilon, 0) * speed,
+        entry_position=limit(found.position, epsilon, 0) * length,
+        entry_velocity=limit(found.velocity, epsilon, 0) * speed,
+    )
+
+
+def excess_ratio_limit() -> Expr:
+    """lim w'/w as w -> 0, dimensionless: 1, so the decay is slower than every exponential."""
+    return limit(cancel(cycle().next_excess / epsilon**2), epsilon, 0)

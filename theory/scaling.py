@@ -1,0 +1,118 @@
+"""Reduced (dimensionless) coordinates, derived by substitution from the SI fields.
+
+X = x1/L, V_i = v_i/(L Omega), tau = Omega t with L the half width of S0 and Omega the frequency of stick.
+For a1 = 0 one parameter is left, the mass fraction q = m1/M; with a1 > 0 the damping ratio zeta besides.
+"""
+
+from functools import cache
+
+from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, simplify, solve, sqrt
+
+from theory.energy import critical_energy, energy, slip_rate
+from theory.filippov import load, load_threshold, phi, sliding_field
+from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, total_mass, undamped, v1, v2, x1, zeta
+
+# Units of the reduced coordinates as free symbols: length (m), frequency (rad/s), mass (kg).
+L, Omega, M = Symbol("L", positive=True), Symbol("Omega", positive=True), Symbol("M", positive=True)
+
+
+def half_width() -> Expr:
+    """The unit of length L, m: the load at which adhesion gives way over the stiffness."""
+    return load_threshold() / a2
+
+
+@cache
+def stick_frequency() -> Expr:
+    """The unit of frequency Omega, rad/s, read off the undamped sliding field."""
+    return sqrt(-diff(sliding_field()[1], x1))
+
+
+@cache
+def damping_ratio() -> Expr:
+    """zeta, dimensionless: the damping of stick relative to the critical one."""
+    rate = -diff(sliding_field(damped=True)[1], v1)
+    return simplify(rate / (2 * stick_frequency()))
+
+
+@cache
+def parameters() -> dict[Symbol, Expr]:
+    """SI parameters by reduced ones and units: m1, m2, a2, b, a1 by q, zeta, M, Omega, L (exact)."""
+    masses = {m1: q * M, m2: r * M}
+    stiffness = solve(stick_frequency() - Omega, a2)[0].subs(masses)
+    force = solve((half_width() - L).subs(masses), b)[0].subs(a2, stiffness)
+    viscosity = solve(damping_ratio() - zeta, a1)[0].subs(masses).subs(a2, stiffness)
+    return {**masses, a2: simplify(stiffness), b: simplify(force), a1: simplify(viscosity)}
+
+
+def to_reduced(expression: Expr) -> Expr:
+    """An SI expression of state and parameters in reduced coordinates; its unit remains in M, Omega, L."""
+    state = {x1: L * X, v1: L * Omega * V1, v2: L * Omega * V2}
+    return simplify(expression.subs(state, simultaneous=True).subs(parameters(), simultaneous=True))
+
+
+def to_si(expression: Expr) -> Expr:
+    """A reduced expression in SI symbols: q, zeta, X, V1, V2 by their definitions."""
+    unit_of_speed = half_width() * stick_frequency()
+    definitions = {
+        X: x1 / half_width(),
+        V1: v1 / unit_of_speed,
+        V2: v2 / unit_of_speed,
+        q: m1 / total_mass(),
+        zeta: damping_ratio(),
+    }
+    return expression.subs(definitions, simultaneous=True)
+
+
+def reduced_field(field: ImmutableMatrix) -> ImmutableMatrix:
+    """A field on (x1, v1, v2) as d(X, V1, V2)/dtau, dimensionless: no unit may remain."""
+    units = (L * Omega, L * Omega**2, L * Omega**2)
+    return ImmutableMatrix(
+        [cancel(to_reduced(entry) / unit) for entry, unit in zip(field, units, strict=True)]
+    )
+
+
+@cache
+def reduced_slip(sign: int, damped: bool = False) -> ImmutableMatrix:
+    """d(X, V1, V2)/dtau in slip with sgn(V1 - V2) = sign, dimensionless."""
+    return reduced_field(phi(sign, damped))
+
+
+@cache
+def reduced_stick(damped: bool = False) -> ImmutableMatrix:
+    """d(X, V1, V2)/dtau in stick, dimensionless."""
+    return reduced_field(sliding_field(damped))
+
+
+@cache
+def reduced_load(damped: bool = False) -> Expr:
+    """The load over its threshold, dimensionless: S0 is where its absolute value is at most 1."""
+    return cancel(to_reduced(load(damped) / load_threshold()))
+
+
+@cache
+def reduced_energy() -> Expr:
+    """E/E_cr in reduced coordinates, dimensionless."""
+    return cancel(to_reduced(energy() / critical_energy()))
+
+
+def excess() -> Expr:
+    """w = E/E_cr - 1 in reduced coordinates, dimensionless."""
+    return reduced_energy() - 1
+
+
+@cache
+def excess_rate(sign: int, damped: bool = False) -> Expr:
+    """dw/dtau in slip with sgn(V1 - V2) = sign, dimensionless."""
+    rate = slip_rate(sign) if damped else undamped(slip_rate(sign))
+    return factor(cancel(to_reduced(rate / critical_energy()) / Omega))
+
+
+def canonical_pair() -> dict[Symbol, Expr]:
+    """SI parameters for which L = Omega = M = 1: its SI formulas are the reduced ones."""
+    return {symbol: value.subs({L: 1, M: 1, Omega: 1}) for symbol, value in parameters().items()}
+
+
+def units_of_canonical_pair() -> tuple[Expr, ...]:
+    """L, Omega and M of the canonical pair: (1, 1, 1) if the scaling is consistent."""
+    sizes = (half_width(), stick_frequency(), total_mass())
+    return tuple(simplify(size.subs(canonical_pair(), simultaneous=True)) for size in sizes)
