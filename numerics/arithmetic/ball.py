@@ -1,0 +1,187 @@
+"""python-flint balls: the rigorous arithmetic. Every number encloses the true one; comparisons mean "proven"."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from typing import Any
+
+import flint
+from flint import arb
+
+from numerics.arithmetic.newton import bracketed_newton
+from numerics.arithmetic.protocol import Sign
+from numerics.errors import EventUndecided
+
+_BITS_PER_DIGIT = math.log2(10)
+_START_BITS = 64
+
+
+class Ball:
+    """flint.arb balls with `digits` working decimal digits, behind the Arithmetic protocol."""
+
+    name = "ball"
+
+    def __init__(self, digits: int) -> None:
+        """Fix the working precision in decimal digits."""
+        self.digits = digits
+        self.bits = math.ceil(digits * _BITS_PER_DIGIT) + 8
+
+    @contextmanager
+    def context(self) -> Iterator[None]:
+        """Set flint's process-wide precision, and restore it whatever happens."""
+        with _precision(self.bits):
+            yield
+
+    def number(self, value: Fraction | int) -> arb:
+        """Return a ball that contains an exact rational."""
+        return arb(flint.fmpq(value.numerator, value.denominator))
+
+    def sign(self, x: arb) -> Sign:
+        """Return the proven sign of x; ZERO only for the exact zero; UNDECIDED if x straddles it or is not finite."""
+        if x.is_finite():
+            if x > 0:
+                return Sign.POSITIVE
+            if x < 0:
+                return Sign.NEGATIVE
+            if x.is_zero():
+                return Sign.ZERO
+        return Sign.UNDECIDED
+
+    def ceiling(self, x: arb) -> int | None:
+        """Return the least integer >= every point of x, None if the points of x do not agree on it."""
+        if not x.is_finite():
+            return None
+        value = x.ceil().unique_fmpz()
+        return None if value is None else int(value)
+
+    def sqrt(self, x: arb) -> arb:
+        """Return an enclosure of the square root of the points of x that are >= 0."""
+        return x.sqrt() if x > 0 or x.is_zero() else x.max(arb(0)).sqrt()
+
+    def exp(self, x: arb) -> arb:
+        """Return an enclosure of e^x."""
+        return x.exp()
+
+    def expm1(self, x: arb) -> arb:
+        """Return an enclosure of e^x - 1."""
+        return x.expm1()
+
+    def log(self, x: arb) -> arb:
+        """Return an enclosure of the natural logarithm."""
+        return x.log()
+
+    def cos_sin(self, x: arb) -> tuple[arb, arb]:
+        """Return enclosures of (cos x, sin x)."""
+        sine, cosine = x.sin_cos()
+        return cosine, sine
+
+    def atan2(self, y: arb, x: arb) -> arb:
+        """Return an enclosure of the angle of the point (x, y)."""
+        return arb.atan2(y, x)
+
+    def pi(self) -> arb:
+        """Return an enclosure of pi."""
+        return arb.pi()
+
+    def versine(self, x: arb) -> arb:
+        """Return an enclosure of 1 - cos x = 2 sin^2(x/2)."""
+        half = (x / 2).sin()
+        return 2 * half * half
+
+    def sine_deficit(self, x: arb) -> arb:
+        """Return an enclosure of x - sin x that is tight relative to its value (mean value form)."""
+        return _mean_value(x, lambda p: p - p.sin(), self.versine, cancelled=2)
+
+    def cosine_deficit(self, x: arb) -> arb:
+        """Return an enclosure of x^2/2 - 1 + cos x that is tight relative to its value (mean value form)."""
+        return _mean_value(x, lambda p: p * p / 2 - 1 + p.cos(), self.sine_deficit, cancelled=4)
+
+    def root(
+        self, function: Callable[[arb], arb], slope: Callable[[arb], arb], lower: arb, upper: arb
+    ) -> arb:
+        """Return an enclosure of the root, proved to exist and to be the only one between lower and upper.
+
+        The function must be decreasing between lower and upper; its signs there are proved here, the root is
+        approximated with doubling precision, and one interval Newton step encloses it.
+        Raises EventUndecided if a sign, the slope or the inclusion is not proved at this precision.
+        """
+        for end, expected in ((lower, Sign.POSITIVE), (upper, Sign.NEGATIVE)):
+            value = function(end)
+            if self.sign(value) is not expected:
+                raise EventUndecided("sign of the guard at an end of its bracket", self.text(value), self.digits)
+        return self._enclose(function, slope, self._approximate(function, slope, lower, upper), lower, upper)
+
+    def _approximate(self, function: Any, slope: Any, lower: arb, upper: arb) -> arb:
+        """Return an exact point near the root: bracketed at low precision, then Newton with doubling precision."""
+        with _precision(min(self.bits, _START_BITS)):
+            x = bracketed_newton(
+                lambda p: function(p).mid(), lambda p: slope(p).mid(), lower.mid(), upper.mid(), arb(2) ** -40
+            ).mid()
+        bits = 36
+        while bits < self.bits:
+            bits = min(2 * bits, self.bits)
+            with _precision(min(self.bits, bits + 32)):
+                correction = (function(x) / slope(x)).mid()
+                if correction.is_finite():
+                    x = (x - correction).mid()
+        return x
+
+    def _enclose(self, function: Any, slope: Any, x: arb, lower: arb, upper: arb) -> arb:
+        value = function(x)
+        width = 2 * (abs(value) / abs(slope(x))).upper() + abs(x) * arb(2) ** -self.bits
+        for _ in range(8):
+            region = arb(x, width.upper())
+            inside = region > lower and region < upper
+            derivative = slope(region)
+            if inside and derivative < 0:
+                step = x - value / derivative
+                if region.contains_interior(step):
+                    return step
+            width = 4 * width
+        raise EventUndecided("existence of the guard's root near its approximation", self.text(x), self.digits)
+
+    def to_float(self, x: arb) -> float:
+        """Return the binary64 number nearest to the midpoint of x."""
+        return float(x.mid())
+
+    def text(self, x: arb, digits: int = 6) -> str:
+        """Return x as text with its radius."""
+        return str(x.str(digits))
+
+
+@contextmanager
+def _precision(bits: int) -> Iterator[None]:
+    before = flint.ctx.prec
+    flint.ctx.prec = bits
+    try:
+        yield
+    finally:
+        flint.ctx.prec = before
+
+
+def _mean_value(x: arb, function: Any, slope: Any, cancelled: int) -> arb:
+    """Return function(mid x) +- rad(x) max|slope(x)|, the first with the bits that cancel near 0 added.
+
+    Direct evaluation of x - sin x on a ball would double its radius; the true variation is only rad * (1 - cos x).
+    """
+    if not x.is_finite():
+        return function(x)
+    middle = x.mid()
+    missing = max(0, -_magnitude_bits(middle))
+    if missing > 64 * flint.ctx.prec:  # far below the working precision: the plain ball is honest and cheap
+        return function(x)
+    with _precision(flint.ctx.prec + cancelled * missing + 16):
+        value = function(middle)
+    radius = x.rad()
+    return +value if radius.is_zero() else +value + arb(0, (radius * abs(slope(x))).upper())
+
+
+def _magnitude_bits(x: arb) -> int:
+    """Return e with |x| < 2^e and |x| >= 2^(e-2), for an exact finite x; 0 for zero."""
+    if x.is_zero():
+        return 0
+    mantissa, exponent = x.man_exp()
+    return int(abs(mantissa)).bit_length() + int(exponent)

@@ -1,0 +1,95 @@
+"""What an arithmetic must offer. Algorithms take the arithmetic first and are written once for all three."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import AbstractContextManager
+from enum import Enum
+from fractions import Fraction
+from typing import Any, Protocol
+
+from numerics.errors import EventUndecided
+
+Number = Any
+"""float, mpmath.mpf or flint.arb: what an arithmetic computes with."""
+
+
+class Sign(Enum):
+    """The only answers to "what sign has this number?"; an enclosure that straddles zero has none of the first three."""
+
+    NEGATIVE = -1
+    ZERO = 0
+    POSITIVE = 1
+    UNDECIDED = None
+
+
+class Arithmetic(Protocol):
+    """Numbers and the functions that the flow needs, at a fixed working precision.
+
+    Every function is accurate relative to its own value over its whole range; the ball arithmetic encloses.
+    Numbers support + - * / and unary minus among themselves and with int.
+    """
+
+    name: str
+    digits: int
+
+    def context(self) -> AbstractContextManager[object]:
+        """Return a context manager under which numbers of this arithmetic may be computed with."""
+
+    def number(self, value: Fraction | int) -> Number:
+        """Return the number nearest to an exact rational, or an enclosure of it. Raises OutOfRange."""
+
+    def sign(self, x: Number) -> Sign:
+        """Return the sign of x, UNDECIDED if it is not proven (or x is not finite)."""
+
+    def ceiling(self, x: Number) -> int | None:
+        """Return the least integer >= x, None if that is not decided."""
+
+    def sqrt(self, x: Number) -> Number:
+        """Return the square root of x >= 0."""
+
+    def exp(self, x: Number) -> Number:
+        """Return e^x."""
+
+    def expm1(self, x: Number) -> Number:
+        """Return e^x - 1 without cancellation."""
+
+    def log(self, x: Number) -> Number:
+        """Return the natural logarithm of x > 0."""
+
+    def cos_sin(self, x: Number) -> tuple[Number, Number]:
+        """Return (cos x, sin x)."""
+
+    def atan2(self, y: Number, x: Number) -> Number:
+        """Return the angle of the point (x, y) in (-pi, pi]."""
+
+    def pi(self) -> Number:
+        """Return pi."""
+
+    def versine(self, x: Number) -> Number:
+        """Return 1 - cos x without cancellation."""
+
+    def sine_deficit(self, x: Number) -> Number:
+        """Return x - sin x without cancellation."""
+
+    def cosine_deficit(self, x: Number) -> Number:
+        """Return x^2/2 - 1 + cos x without cancellation."""
+
+    def root(
+        self, function: Callable[[Number], Number], slope: Callable[[Number], Number], lower: Number, upper: Number
+    ) -> Number:
+        """Return the root of a decreasing function between lower and upper, where it is > 0 and < 0."""
+
+    def to_float(self, x: Number) -> float:
+        """Return the binary64 number nearest to x (to its midpoint, for a ball)."""
+
+    def text(self, x: Number, digits: int = 6) -> str:
+        """Return x as text for a message, with its radius if it has one."""
+
+
+def decide_sign(arithmetic: Arithmetic, x: Number, question: str) -> int:
+    """Return -1, 0 or +1, the proven sign of x; raises EventUndecided carrying the question otherwise."""
+    sign = arithmetic.sign(x)
+    if sign is Sign.UNDECIDED:
+        raise EventUndecided(question, arithmetic.text(x), arithmetic.digits)
+    return int(sign.value)

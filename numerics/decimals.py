@@ -1,0 +1,68 @@
+"""Exact decimals: the only way a number enters a scene.
+
+`0.005` means 1/200 here, not the nearest binary64 number. That difference decides whether a pair at rest on the
+edge of the sliding region sticks for ever. The grammar and the limits are checked on the text, before anything
+is converted, so a hostile exponent costs nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Rational, Real
+
+from numerics.errors import InvalidScene
+
+MAX_EXPONENT = 1000
+MAX_CHARACTERS = 1000
+_DECIMAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE]([+-]?[0-9]+))?", re.ASCII)
+
+
+def exact_decimal(value: object, name: str) -> Fraction:
+    """Return `value` as the exact rational number that its decimal text denotes.
+
+    Accepts int, Fraction, Decimal, decimal text, and float (read as its shortest decimal text, so 0.005 is 1/200).
+    Raises InvalidScene naming the quantity `name` for anything else: bool, nan, inf, other text, magnitudes
+    beyond 10^+-1000, and texts longer than 1000 characters.
+
+    >>> exact_decimal("0.005", "x1"), exact_decimal(0.005, "x1"), exact_decimal("-1e-3", "x1")
+    (Fraction(1, 200), Fraction(1, 200), Fraction(-1, 1000))
+    """
+    if isinstance(value, str):
+        return _from_text(value.strip(), name)
+    if isinstance(value, Decimal) or (isinstance(value, Real) and not isinstance(value, (bool, Rational))):
+        return _from_text(str(value) if isinstance(value, Decimal) else repr(float(value)), name)
+    if isinstance(value, Rational) and not isinstance(value, bool):
+        return _checked_size(Fraction(value), name)
+    raise InvalidScene(f"{name} must be a decimal number, not {_shown(value)}; write it as 0.05 or 5e-2")
+
+
+def _from_text(text: str, name: str) -> Fraction:
+    if len(text) > MAX_CHARACTERS:
+        raise InvalidScene(f"{name} has {len(text)} characters; at most {MAX_CHARACTERS} are read; round it")
+    match = _DECIMAL.fullmatch(text)
+    if match is None:
+        raise InvalidScene(f"{name} must be a finite decimal number, not {_shown(text)}; write 0.05 or 5e-2")
+    exponent = match.group(1) or "0"
+    if len(exponent) > 6 or abs(int(exponent)) > MAX_EXPONENT:
+        raise InvalidScene(
+            f"{name} = {_shown(text)} has an exponent beyond +-{MAX_EXPONENT}; choose units that bring it into range"
+        )
+    return _checked_size(Fraction(text), name)
+
+
+def _checked_size(value: Fraction, name: str) -> Fraction:
+    bits = int((MAX_EXPONENT + MAX_CHARACTERS) * 3.33)
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) > bits:
+        raise InvalidScene(
+            f"{name} needs more than {MAX_EXPONENT + MAX_CHARACTERS} digits to write down; "
+            "round it, or choose units that bring it into range"
+        )
+    return value
+
+
+def _shown(value: object) -> str:
+    """Return a value as text that is safe on one line of an error message."""
+    text = repr(value)
+    return text if len(text) <= 40 else text[:36] + "...'"

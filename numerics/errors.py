@@ -1,0 +1,35 @@
+"""Everything that can go wrong, as types: a caller can tell a bad scene from an undecided event."""
+
+from __future__ import annotations
+
+
+class NumericsError(Exception):
+    """Base of every error that this package raises on purpose."""
+
+
+class InvalidScene(NumericsError, ValueError):
+    """A scene that describes no pair: the message names the quantity, its value, the bound and the remedy."""
+
+
+class EventUndecided(NumericsError):
+    """An order or a sign that the working precision does not settle.
+
+    Attributes: `question` is what had to be decided, `enclosure` the number whose sign is not known (as text),
+    `digits` the working precision in decimal digits.
+    """
+
+    def __init__(self, question: str, enclosure: str, digits: int) -> None:
+        """Keep the question, the enclosure that does not answer it, and the precision it was asked at."""
+        self.question, self.enclosure, self.digits = question, enclosure, digits
+        super().__init__(
+            f"undecided at {digits} working digits: {question} (enclosure {enclosure}); "
+            "raise the precision, or the data sit exactly on the boundary"
+        )
+
+
+class PrecisionExhausted(NumericsError):
+    """The digits asked for were not reached below the cap on the working precision."""
+
+
+class OutOfRange(NumericsError, OverflowError):
+    """A number of this scene does not fit the arithmetic; another arithmetic may hold it."""

@@ -1,0 +1,97 @@
+"""The undamped slip: after one change of variables it is the same motion for every pair.
+
+For a slip of sign s put sigma = -s, angle theta = tau/sqrt(q), and from its start
+    gap    d = (sigma X - 1)/q          signed distance beyond the edge of the sliding region that it may leave by
+    push   u = sigma V1/sqrt(q)
+    guard  k = s (V1 - V2)/sqrt(q)      positive while the slip lasts, k(0) = g
+Then (1 + d, u) turns on a circle and, with versine = 1 - cos, sine_deficit = theta - sin theta, both free of cancellation,
+    k(theta)  = g + d sin + u versine - sine_deficit,       k' = d(theta)
+    d(theta)  = d - (1 + d) versine + u sin
+    u(theta)  = u - u versine - (1 + d) sin
+    K(theta)  = g theta + d versine + u sine_deficit - (theta^2/2 - versine)
+where K is the integral of k: the bodies have slid q K (in units of L) and E/E_cr has dropped by 2 r q K.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from numerics.arithmetic.protocol import Arithmetic, Number, Sign, decide_sign
+from numerics.errors import EventUndecided
+
+
+@dataclass(frozen=True, slots=True)
+class SlipFlow:
+    """An undamped slip in the variables above; all dimensionless. `on_surface` says that g = 0 and d >= 0 exactly."""
+
+    arithmetic: Arithmetic
+    guard_at_start: Number
+    gap_at_start: Number
+    push_at_start: Number
+    on_surface: bool
+
+    def guard(self, theta: Number) -> Number:
+        """Return k(theta)."""
+        arithmetic = self.arithmetic
+        _, sine = arithmetic.cos_sin(theta)
+        turning = self.gap_at_start * sine + self.push_at_start * arithmetic.versine(theta)
+        return (turning - arithmetic.sine_deficit(theta)) + self.guard_at_start
+
+    def gap(self, theta: Number) -> Number:
+        """Return d(theta) = k'(theta)."""
+        _, sine = self.arithmetic.cos_sin(theta)
+        drop = (1 + self.gap_at_start) * self.arithmetic.versine(theta)
+        return self.gap_at_start + (self.push_at_start * sine - drop)
+
+    def push(self, theta: Number) -> Number:
+        """Return u(theta)."""
+        cosine, sine = self.arithmetic.cos_sin(theta)
+        return self.push_at_start * cosine - (1 + self.gap_at_start) * sine
+
+    def slid(self, theta: Number) -> Number:
+        """Return K(theta), the integral of the guard."""
+        arithmetic = self.arithmetic
+        grown = self.gap_at_start * arithmetic.versine(theta) + self.push_at_start * arithmetic.sine_deficit(theta)
+        return (grown - arithmetic.cosine_deficit(theta)) + self.guard_at_start * theta
+
+    def first_contact(self) -> Number:
+        """Return the first theta > 0 with k = 0 and k < 0 after it: the end of the slip.
+
+        k' = A cos(theta - phase) - 1 vanishes at phase +- lean + 2 pi j, so the pieces on which k is monotone are
+        explicit; its local minima fall by 2 pi from one to the next, so the first one below zero is known without
+        visiting the others. The root lies on the decreasing piece before it, and is the first.
+        A minimum that is not proved to be above or below zero is a graze: EventUndecided.
+        """
+        lower, upper = self._bracket()
+        return self.arithmetic.root(self.guard, self.gap, lower, upper)
+
+    def _bracket(self) -> tuple[Number, Number]:
+        arithmetic, d, u = self.arithmetic, self.gap_at_start, self.push_at_start
+        excess = d * (2 + d) + u * u  # A^2 - 1
+        if not self.on_surface and decide_sign(arithmetic, excess, "does the guard of this slip turn at all?") <= 0:
+            return arithmetic.number(0), self.guard_at_start + u + 3  # monotone: k <= g + u + A - theta, A <= 1
+        lean = arithmetic.atan2(arithmetic.sqrt(excess), arithmetic.number(1))
+        phase = arithmetic.atan2(u, 1 + d)
+        turn = 2 * arithmetic.pi()
+        if self.on_surface:
+            # From the surface k rises to its maximum at phase + lean and is negative at the next minimum, since
+            # k(2 pi) = -2 pi: a slip that starts on the surface always ends within one turn.
+            return phase + lean, phase - lean + turn
+        minimum_at_zero = self.guard_at_start + u - arithmetic.sqrt(excess) + (lean - phase)  # k(phase - lean)
+        index = self._first_minimum_below_zero(phase - lean, minimum_at_zero / turn)
+        minimum = phase - lean + turn * index
+        maximum = minimum - turn + 2 * lean
+        start_is_later = arithmetic.to_float(maximum) <= 0  # then the start itself, where k = g > 0, is the left end
+        return (arithmetic.number(0) if start_is_later else maximum), minimum
+
+    def _first_minimum_below_zero(self, first: Number, turns: Number) -> int:
+        """Return the index j of the first minimum first + 2 pi j > 0 at which k = 2 pi (turns - j) is negative."""
+        arithmetic = self.arithmetic
+        least = 1 if arithmetic.sign(first) is not Sign.POSITIVE else 0
+        if least and arithmetic.sign(first) is Sign.UNDECIDED and arithmetic.sign(turns) is not Sign.POSITIVE:
+            raise EventUndecided("is the guard's minimum next to the start before it?", arithmetic.text(first), 0)
+        index = arithmetic.ceiling(turns)
+        if index is None:
+            question = "does the slip touch the switching surface without crossing it (a graze)?"
+            raise EventUndecided(question, arithmetic.text(turns), arithmetic.digits)
+        return max(least, index)

@@ -1,0 +1,126 @@
+"""The solver: an explicit mode state machine, locate -> flow -> snap -> record. It never samples."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Literal
+
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.float64 import Float64
+from numerics.arithmetic.multiprecision import Multiprecision
+from numerics.arithmetic.protocol import Arithmetic, decide_sign
+from numerics.errors import EventUndecided, PrecisionExhausted
+from numerics.modes import event_kind
+from numerics.motion import Motion
+from numerics.scaling import Frame
+from numerics.scene import Scene
+from numerics.start import initial_motion
+from numerics.trajectory import Event, Segment, Status, Trajectory
+
+ArithmeticName = Literal["float64", "mpmath", "ball"]
+MAX_EVENTS = 250_000
+MAX_DIGITS = 20_000
+_GUARD_DIGITS = 12
+
+
+def solve(
+    scene: Scene,
+    *,
+    digits: int | None = None,
+    arithmetic: ArithmeticName | None = None,
+    max_events: int = MAX_EVENTS,
+    max_digits: int = MAX_DIGITS,
+    progress: Callable[[int, float], None] | None = None,
+) -> Trajectory:
+    """Solve a scene and return its Trajectory.
+
+    With `digits` = N, balls are used and the working precision is raised until every event time and state and the
+    final state are enclosed to N right digits: the event sequence is then proved. Without it, float64 is used (or
+    `arithmetic`; mpmath then works with `digits` or 30). `progress(events, fraction)` is called now and then.
+
+    Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
+    reached), OutOfRange (a number does not fit float64), ValueError (bad arguments).
+    """
+    for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
+        if value is not None and value < 1:
+            raise ValueError(f"{name} = {value} must be at least 1")
+    chosen = arithmetic or ("float64" if digits is None else "ball")
+    if chosen == "float64":
+        if digits is not None:
+            raise ValueError("float64 works with 53 bits; leave digits out, or ask for arithmetic='ball'")
+        return integrate(scene, Float64(), max_events, progress)
+    if chosen == "mpmath":
+        return integrate(scene, Multiprecision((digits or 30) + _GUARD_DIGITS), max_events, progress)
+    if chosen == "ball":
+        return _solve_to_digits(scene, digits or 15, max_events, max_digits, progress)
+    raise ValueError(f"arithmetic = {chosen!r} is not one of float64, mpmath, ball")
+
+
+def _solve_to_digits(
+    scene: Scene, digits: int, max_events: int, max_digits: int, progress: Callable[[int, float], None] | None
+) -> Trajectory:
+    """Raise the working precision until `digits` digits are right; the digits lost in one try are added in the next."""
+    from numerics.accuracy import proved_digits
+
+    working = digits + _GUARD_DIGITS
+    while True:
+        if working > max_digits:
+            raise PrecisionExhausted(
+                f"{digits} right digits need more than {max_digits} working digits; raise max_digits (--max-digits)"
+            )
+        undecided: EventUndecided | None = None
+        try:
+            trajectory = integrate(scene, Ball(working), max_events, progress)
+            reached = proved_digits(trajectory)
+        except EventUndecided as error:
+            undecided, reached = error, 0
+        if undecided is None and reached >= digits:
+            return Trajectory(
+                trajectory.scene, trajectory.frame, trajectory.segments, trajectory.events, trajectory.status, digits
+            )
+        if undecided is not None and working * 2 > max_digits:
+            raise undecided
+        working = max(working + (digits - reached) + 5, working * 2 if undecided else 0)
+
+
+def integrate(
+    scene: Scene,
+    arithmetic: Arithmetic,
+    max_events: int = MAX_EVENTS,
+    progress: Callable[[int, float], None] | None = None,
+) -> Trajectory:
+    """Solve a scene once, in one arithmetic at its working precision. Raises EventUndecided, OutOfRange."""
+    with arithmetic.context():
+        frame = Frame(arithmetic, scene.pair)
+        horizon = frame.rate * arithmetic.number(scene.until)
+        segments: list[Segment] = []
+        events: list[Event] = []
+        motion: Motion = initial_motion(frame, scene)
+        start = arithmetic.number(0)
+        while True:
+            duration = motion.duration()  # locate
+            if duration is None:
+                status = Status.STUCK_FOR_EVER
+                break
+            end = start + duration
+            if decide_sign(arithmetic, end - horizon, "does the next event come before the horizon?") > 0:
+                status = Status.REACHED_HORIZON
+                break
+            if len(events) == max_events:
+                status = Status.EVENT_LIMIT
+                break
+            segments.append(Segment(motion, start, end))
+            following = motion.successor()  # flow and snap
+            events.append(_event(frame, motion, following, end))
+            motion, start = following, end
+            if progress is not None and len(events) % 1000 == 0:
+                progress(len(events), arithmetic.to_float(end / horizon))
+        if status is not Status.EVENT_LIMIT:
+            segments.append(Segment(motion, start, horizon))
+        return Trajectory(scene, frame, tuple(segments), tuple(events), status)
+
+
+def _event(frame: Frame, before: Motion, after: Motion, tau: object) -> Event:
+    reduced = after.state(frame.arithmetic.number(0))
+    kind = event_kind(before.mode, after.mode)
+    return Event(frame.si_time(tau), kind, before.mode, after.mode, frame.si_state(reduced), reduced)

@@ -1,0 +1,54 @@
+"""The motion that an initial state starts with; which one is decided on exact rationals."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from numerics.modes import Mode, mode_at_start
+from numerics.motion import Motion
+from numerics.scaling import Frame
+from numerics.scene import Scene
+from numerics.slip_flow import SlipFlow
+from numerics.undamped import UndampedSlip, UndampedStick
+from numerics.viscous import ViscousSlip, ViscousStick
+
+
+def initial_motion(frame: Frame, scene: Scene) -> Motion:
+    """Return the motion that follows the initial state of a scene. Raises OutOfRange."""
+    mode, start = mode_at_start(scene), frame.initial(scene)
+    if scene.pair.a1 > 0:
+        if mode is Mode.STICK:
+            return ViscousStick(frame, scene.law, start)
+        return ViscousSlip(frame, scene.law, mode.sign, start, rising=_guard_rises(scene, mode.sign))
+    X = scene.initial.x1 / scene.pair.half_width
+    if mode is Mode.STICK:
+        edge = -1 if X < 0 else 1
+        return UndampedStick(frame, scene.law, start, edge, frame.arithmetic.number(edge * X - 1))
+    return _undamped_slip(frame, scene, mode.sign, X)
+
+
+def _undamped_slip(frame: Frame, scene: Scene, sign: int, X: Fraction) -> UndampedSlip:
+    arithmetic, pair, at, side = frame.arithmetic, scene.pair, scene.initial, -sign
+    start = frame.initial(scene)
+    relative = arithmetic.number(sign * (at.v1 - at.v2) / pair.half_width) / frame.rate
+    flow = SlipFlow(
+        arithmetic,
+        guard_at_start=relative / frame.sqrt_q,
+        gap_at_start=arithmetic.number((side * X - 1) * pair.mass / pair.m1),
+        push_at_start=side * start.V1 / frame.sqrt_q,
+        on_surface=at.v1 == at.v2,
+    )
+    return UndampedSlip(frame, scene.law, side, flow, start.Z, start.w)
+
+
+def _guard_rises(scene: Scene, sign: int) -> bool:
+    """Return whether s (v1 - v2) grows right after the start of a viscous slip of sign s; exact.
+
+    With P the load, q f' = -(s P + 1); where that vanishes f'' has the sign of -(a1 L/M + s v1); where that vanishes
+    too, f''' < 0.
+    """
+    pair, at = scene.pair, scene.initial
+    load = (pair.a2 * at.x1 + pair.a1 * at.v1) / (pair.a2 * pair.half_width)
+    slope = -(sign * load + 1)
+    curvature = -(pair.a1 * pair.half_width / pair.mass + sign * at.v1)
+    return slope > 0 or (slope == 0 and curvature > 0)

@@ -1,0 +1,230 @@
+"""The result of solving a scene: exact segments joined by events. Nothing is sampled until somebody asks."""
+
+from __future__ import annotations
+
+import bisect
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.protocol import Arithmetic, Number, Sign
+from numerics.modes import EventKind, Mode
+from numerics.motion import Motion
+from numerics.scaling import Frame, ReducedState
+from numerics.scene import Scene
+
+Side = Literal["left", "right"]
+
+
+class Status(Enum):
+    """How a solve ended; the value is the sentence the user reads."""
+
+    REACHED_HORIZON = "reached the horizon"
+    STUCK_FOR_EVER = "reached the horizon; the pair has stuck for ever"
+    EVENT_LIMIT = "stopped at the cap on events before the horizon; raise max_events (--max-events)"
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """One mode of motion from reduced time `start` to `end`, with its closed-form motion."""
+
+    motion: Motion
+    start: Number
+    end: Number
+
+    @property
+    def mode(self) -> Mode:
+        """Return the mode of the segment."""
+        return self.motion.mode
+
+    @property
+    def length(self) -> Number:
+        """Return its reduced duration."""
+        return self.end - self.start
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """A change of mode: time t (s), its kind, the modes it joins, and (x1, v1, x2, v2) in SI units."""
+
+    t: Number
+    kind: EventKind
+    before: Mode
+    after: Mode
+    y: tuple[Number, Number, Number, Number]
+    reduced: ReducedState
+
+
+@dataclass(frozen=True, slots=True)
+class EnergyLedger:
+    """Where the energy went, J: initial - final against b int |v1 - v2| dt + a1 int v1^2 dt, each in closed form.
+
+    `residual` = initial - final - friction - viscous: rounding only, and an enclosure of 0 for balls.
+    """
+
+    initial: Number
+    final: Number
+    friction: Number
+    viscous: Number
+    residual: Number
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """A solved scene, in the words of SciPy's solution objects and with the physics beside them.
+
+    Rows of `y` are x1, v1 (m, m/s) and x2, v2; columns belong to `t` (s): start, events, end. With float64 they are
+    float arrays, otherwise object arrays of the arithmetic's numbers (enclosures for balls).
+    """
+
+    scene: Scene
+    frame: Frame
+    segments: tuple[Segment, ...]
+    events: tuple[Event, ...]
+    status: Status
+    digits: int | None = None
+    """Right decimal digits of every event and of the final state, where they were asked for and proved."""
+
+    @property
+    def arithmetic(self) -> Arithmetic:
+        """Return the arithmetic it was solved in."""
+        return self.frame.arithmetic
+
+    @property
+    def message(self) -> str:
+        """Return the sentence that says how the solve ended."""
+        return self.status.value
+
+    @property
+    def success(self) -> bool:
+        """Return whether the horizon was reached."""
+        return self.status is not Status.EVENT_LIMIT
+
+    @property
+    def modes(self) -> tuple[Mode, ...]:
+        """Return the itinerary: the mode of every segment."""
+        return tuple(segment.mode for segment in self.segments)
+
+    @property
+    def event_kinds(self) -> tuple[EventKind, ...]:
+        """Return the kinds of the events in their order."""
+        return tuple(event.kind for event in self.events)
+
+    @cached_property
+    def final(self) -> ReducedState:
+        """Return the reduced state at the end."""
+        last = self.segments[-1]
+        with self.arithmetic.context():
+            return last.motion.state(last.length)
+
+    @cached_property
+    def t(self) -> NDArray[Any]:
+        """Return the times of start, events and end, s, shape (m,)."""
+        with self.arithmetic.context():
+            taus = [self.segments[0].start, *(segment.end for segment in self.segments)]
+            return self._array([self.frame.si_time(tau) for tau in taus])
+
+    @cached_property
+    def y(self) -> NDArray[Any]:
+        """Return the states at `t`, shape (4, m)."""
+        with self.arithmetic.context():
+            states = [segment.motion.state(self.arithmetic.number(0)) for segment in self.segments]
+            return self._array([self.frame.si_state(state) for state in [*states, self.final]]).T
+
+    @cached_property
+    def energy(self) -> NDArray[Any]:
+        """Return the energy at `t`, J, shape (m,), formed from the states."""
+        with self.arithmetic.context():
+            states = [segment.motion.state(self.arithmetic.number(0)) for segment in self.segments]
+            return self._array([self.frame.energy(state) for state in [*states, self.final]])
+
+    @property
+    def t_events(self) -> tuple[NDArray[Any], ...]:
+        """Return the event times by kind, in the order of EventKind (entry, exit, crossing), each of shape (k,)."""
+        return tuple(self._array([event.t for event in self.events if event.kind is kind]) for kind in EventKind)
+
+    @property
+    def y_events(self) -> tuple[NDArray[Any], ...]:
+        """Return the event states by kind, each of shape (k, 4)."""
+        return tuple(
+            self._array([event.y for event in self.events if event.kind is kind]).reshape(-1, 4)
+            for kind in EventKind
+        )
+
+    @cached_property
+    def ledger(self) -> EnergyLedger:
+        """Return the energy ledger of the whole run."""
+        with self.arithmetic.context():
+            friction = viscous = self.arithmetic.number(0)
+            for segment in self.segments:
+                losses = segment.motion.losses(segment.length)
+                friction, viscous = friction + losses[0], viscous + losses[1]
+            unit = self.frame.critical_energy
+            friction, viscous = unit * friction, unit * viscous
+            initial, final = self.arithmetic.number(self.scene.energy), self.frame.energy(self.final)
+            return EnergyLedger(initial, final, friction, viscous, initial - final - friction - viscous)
+
+    def sol(self, t: Any, side: Side = "right") -> NDArray[Any]:
+        """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, n) for a sequence.
+
+        t is exact (int, Fraction, or a float taken as its binary value); `side` says which segment answers at an
+        event, where the state is continuous but the accelerations jump. Enclosures for balls: where the segment is
+        not decided, both answer. Raises ValueError outside [0, end].
+        """
+        with self.arithmetic.context():
+            if np.ndim(t) == 0:
+                return self._array(self.frame.si_state(self.reduced(t, side)))
+            columns = [self.frame.si_state(self.reduced(one, side)) for one in t]
+            return self._array(columns).reshape(-1, 4).T
+
+    def reduced(self, t: Any, side: Side = "right") -> ReducedState:
+        """Return the reduced state at time t (s); as `sol`."""
+        with self.arithmetic.context():
+            tau = self.frame.rate * self._time(t)
+            states = [self.segments[i].motion.state(tau - self.segments[i].start) for i in self._segments_at(tau, side)]
+            first, *rest = states
+            for other in rest:
+                first = ReducedState(*(one.union(two) for one, two in zip(first, other, strict=True)))
+            return first
+
+    def mode_at(self, t: Any, side: Side = "right") -> Mode:
+        """Return the mode at time t (s); at an event the one on the given side."""
+        with self.arithmetic.context():
+            return self.segments[self._segments_at(self.frame.rate * self._time(t), side)[-1]].mode
+
+    def _time(self, t: Any) -> Number:
+        exact = Fraction(t) if isinstance(t, str) else Fraction(*(t.as_integer_ratio()))
+        end = self.frame.arithmetic.to_float(self.frame.si_time(self.segments[-1].end))
+        if not 0 <= exact <= max(self.scene.until if self.success else Fraction(0), Fraction(end)):
+            raise ValueError(f"t = {float(exact):g} s is outside the solved time [0, {end:g}] s; solve further")
+        return self.arithmetic.number(exact)
+
+    @cached_property
+    def _starts(self) -> list[float]:
+        return [self.arithmetic.to_float(segment.start) for segment in self.segments]
+
+    def _segments_at(self, tau: Number, side: Side) -> Sequence[int]:
+        """Return the index of the segment that holds tau, or the neighbours among which balls do not decide."""
+        arithmetic = self.arithmetic
+        find = bisect.bisect_right if side == "right" else bisect.bisect_left
+        index = max(0, find(self._starts, arithmetic.to_float(tau)) - 1)
+        if arithmetic.name != "ball":
+            return [index]
+        near = range(max(0, index - 1), min(len(self.segments), index + 2))
+        return [i for i in near if self._may_hold(i, tau)] or [index]
+
+    def _may_hold(self, index: int, tau: Number) -> bool:
+        """Return whether it is not excluded that segment `index` holds tau."""
+        segment, last = self.segments[index], index == len(self.segments) - 1
+        before = self.arithmetic.sign(tau - segment.start) is Sign.NEGATIVE
+        after = not last and self.arithmetic.sign(segment.end - tau) is Sign.NEGATIVE
+        return not before and not after
+
+    def _array(self, values: Any) -> NDArray[Any]:
+        return np.array(values, dtype=float if self.arithmetic.name == "float64" else object)

@@ -1,0 +1,116 @@
+"""Stick and slip for a1 = 0, chained through the variables in which each is free of cancellation."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from numerics.arithmetic.protocol import Number, decide_sign
+from numerics.modes import Mode, mode_after_contact, slip_mode
+from numerics.motion import Motion
+from numerics.scaling import Frame, ReducedState
+from numerics.scene import Law
+from numerics.slip_flow import SlipFlow
+
+
+class UndampedSlip:
+    """A slip with a1 = 0; `side` = -sign(v1 - v2) is the edge of S0 that its gap is measured from."""
+
+    def __init__(self, frame: Frame, law: Law, side: int, flow: SlipFlow, Z: Number, w: Number) -> None:
+        """Start a slip from its slip variables, its relative displacement and its energy excess."""
+        self.frame, self.law, self.side, self.flow, self.Z, self.w = frame, law, side, flow, Z, w
+        self.mode = slip_mode(-side)
+
+    @cached_property
+    def _contact(self) -> Number:
+        """The slip angle at which the bodies meet in velocity again."""
+        return self.flow.first_contact()
+
+    def duration(self) -> Number:
+        """Return the reduced time of the first contact with the switching surface; it always comes."""
+        return self.frame.sqrt_q * self._contact
+
+    def state(self, tau: Number) -> ReducedState:
+        """Return the state at reduced time tau after the start."""
+        frame, flow, side = self.frame, self.flow, self.side
+        theta = tau / frame.sqrt_q
+        return ReducedState(
+            X=side * (1 + frame.q * flow.gap(theta)),
+            V1=side * frame.sqrt_q * flow.push(theta),
+            V2=side * frame.sqrt_q * self._driven_push(theta),
+            Z=self.Z - side * frame.q * flow.slid(theta),
+            w=self.w - self.losses(tau)[0],
+        )
+
+    def _driven_push(self, theta: Number) -> Number:
+        """Return sigma V2/sqrt(q): body 2 feels a constant force."""
+        return (self.flow.push_at_start - theta) + self.flow.guard_at_start
+
+    def losses(self, tau: Number) -> tuple[Number, Number]:
+        """Return (2 r q K, 0): friction only."""
+        frame = self.frame
+        return 2 * frame.r * frame.q * self.flow.slid(tau / frame.sqrt_q), frame.arithmetic.number(0)
+
+    def successor(self) -> Motion:
+        """Return the stick phase, or the slip of the other sign, that follows the first contact."""
+        frame, side, theta = self.frame, self.side, self._contact
+        gap, push = self.flow.gap(theta), self._driven_push(theta)
+        at = self.state(frame.sqrt_q * theta)
+        beyond = -(2 + frame.q * gap)
+        after = mode_after_contact(frame.arithmetic, self.law, -side, beyond, -push)
+        if after is Mode.STICK:
+            start = ReducedState(at.X, at.V2, at.V2, at.Z, at.w)
+            return UndampedStick(frame, self.law, start, side, frame.q * gap)
+        flow = SlipFlow(frame.arithmetic, frame.arithmetic.number(0), beyond / frame.q, -push, on_surface=True)
+        return UndampedSlip(frame, self.law, -side, flow, at.Z, at.w)
+
+
+class UndampedStick:
+    """A stick phase with a1 = 0: one rotation. Its start is X = edge (1 + offset), V1 = V2."""
+
+    mode = Mode.STICK
+
+    def __init__(self, frame: Frame, law: Law, start: ReducedState, edge: int, offset: Number) -> None:
+        """Start a stick phase; `offset` is kept apart from X because X - edge would cancel next to the edge."""
+        self.frame, self.law, self.start, self.edge, self.offset = frame, law, start, edge, offset
+
+    def duration(self) -> Number | None:
+        """Return the reduced time to the exit ray, None for E <= E_cr (or the law that never lets go).
+
+        The exit on side sigma is at (1, sqrt w) in (sigma X, sigma V); with a = sigma X and v = sigma V the angle
+        to it has sine and cosine proportional to (1-a)((1+a)/(v + sqrt w) + sqrt w) and a + v sqrt w: no term cancels.
+        """
+        if self.law is Law.THREE_VALUED_SGN or self._excess_sign <= 0:
+            return None
+        side, root = self._exit_side, self.frame.arithmetic.sqrt(self.start.w)
+        near, far = -self.offset, 2 + self.offset
+        below, above = (near, far) if side == self.edge else (far, near)  # 1 - a and 1 + a
+        v = side * self.start.V1
+        sine = below * (above / (v + root) + root)
+        return self.frame.arithmetic.atan2(sine, side * self.start.X + v * root)
+
+    @cached_property
+    def _excess_sign(self) -> int:
+        return decide_sign(self.frame.arithmetic, self.start.w, "is the energy above the critical energy?")
+
+    @cached_property
+    def _exit_side(self) -> int:
+        return decide_sign(self.frame.arithmetic, self.start.V1, "which way does the stuck pair move?")
+
+    def state(self, tau: Number) -> ReducedState:
+        """Return the state at reduced time tau: a rotation of (X, V)."""
+        start = self.start
+        cosine, sine = self.frame.arithmetic.cos_sin(tau)
+        velocity = start.V1 * cosine - start.X * sine
+        return ReducedState(start.X * cosine + start.V1 * sine, velocity, velocity, start.Z, start.w)
+
+    def losses(self, tau: Number) -> tuple[Number, Number]:
+        """Return (0, 0): stick conserves energy."""
+        zero = self.frame.arithmetic.number(0)
+        return zero, zero
+
+    def successor(self) -> Motion:
+        """Return the slip that starts on the exit ray: gap 0 and guard 0 exactly, push sqrt(w/q)."""
+        arithmetic, side = self.frame.arithmetic, self._exit_side
+        zero, push = arithmetic.number(0), arithmetic.sqrt(self.start.w) / self.frame.sqrt_q
+        flow = SlipFlow(arithmetic, zero, zero, push, on_surface=True)
+        return UndampedSlip(self.frame, self.law, side, flow, self.start.Z, self.start.w)
