@@ -13,13 +13,13 @@ from sympy import (
     Expr,
     Integer,
     Symbol,
+    cancel,
     cos,
     cosh,
     diff,
     exp,
     expand,
     integrate,
-    simplify,
     sin,
     sinh,
     solve,
@@ -141,7 +141,8 @@ def residual(found: ModeSolution) -> tuple[Expr, ...]:
     initial = (found.x1 - x1_0, found.v1 - v1_0, found.x2 - x2_0, found.v2 - common)
     system = equations + tuple(entry.subs(t, 0) for entry in initial)
     known = coefficients(found.mode, found.regime)
-    return tuple(simplify(expand(entry.subs(known, simultaneous=True))) for entry in system)
+    # Linear in the independent functions t, exp, cos, ... with rational coefficients: cancelling decides.
+    return tuple(cancel(expand(entry.subs(known, simultaneous=True))) for entry in system)
 
 
 @cache

@@ -1,0 +1,153 @@
+"""Energy rates, the critical level and its converse, contraction, against printed formulas and samples."""
+
+import pytest
+from sympy import Abs, Matrix, Rational, S, cos, diff, limit, simplify, sin, sqrt
+
+from theory import energy, filippov
+from theory.closed_forms import Regime, coefficients, friction_work, rates, residual, slip_guard, solution
+from theory.symbols import (
+    E0,
+    a1,
+    a2,
+    b,
+    m1,
+    m2,
+    t,
+    total_mass,
+    undamped,
+    v1,
+    v1_0,
+    v1_other,
+    v2,
+    v2_0,
+    v2_other,
+    x1,
+    x1_0,
+)
+
+PRINTED_CRITICAL = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)
+SIGNS = pytest.mark.parametrize("sign", [1, -1])
+
+
+def test_the_printed_energy(same):
+    assert same(energy.energy(), a2 * x1**2 / 2 + m1 * v1**2 / 2 + m2 * v2**2 / 2)
+
+
+@SIGNS
+def test_the_printed_rates(sign, same, near_misses):
+    printed = -b * sign * (v1 - v2)
+    assert same(undamped(energy.slip_rate(sign)), printed)
+    assert same(energy.slip_rate(sign), printed - a1 * v1**2)
+    assert not any(same(undamped(energy.slip_rate(sign)), wrong) for wrong in near_misses(printed))
+    # sign (v1 - v2) is |v1 - v2| in the half-space of that sign.
+    inside = {v1: v2 + sign * E0}
+    assert same(printed.subs(inside), -b * Abs(v1 - v2).subs(inside))
+
+
+def test_stick_conserves_energy_but_for_viscosity(same):
+    assert same(energy.stick_rate(), -a1 * v1**2)
+
+
+@pytest.mark.parametrize("mode", ["slip+", "slip-"])
+def test_energy_along_the_exact_slip_balances_friction_work(mode):
+    found = solution(mode, Regime.UNDAMPED)
+    along = {x1: found.x1, v1: found.v1, v2: found.v2}
+    spent = energy.energy().subs(along, simultaneous=True)
+    gained = spent - spent.subs(t, 0) + friction_work(mode, Regime.UNDAMPED)
+    assert simplify(gained.subs(coefficients(mode, Regime.UNDAMPED))) == 0
+    wrong = spent - spent.subs(t, 0) - friction_work(mode, Regime.UNDAMPED)
+    assert simplify(wrong.subs(coefficients(mode, Regime.UNDAMPED))) != 0
+
+
+def test_the_printed_critical_energy(same, near_misses):
+    assert same(energy.critical_energy(), PRINTED_CRITICAL)
+    assert not any(same(energy.critical_energy(), wrong) for wrong in near_misses(PRINTED_CRITICAL))
+
+
+def test_condition_and_converse(same):
+    gap = PRINTED_CRITICAL - E0
+    assert same(energy.semi_axis_margin(), filippov.half_width() ** 2 - energy.level_semi_axis() ** 2)
+    assert simplify(energy.semi_axis_margin() / gap).is_positive
+    assert simplify(energy.edge_speed_squared() / -gap).is_positive
+    condition = energy.closed_level_condition()
+    for factor, closed in ((Rational(99, 100), True), (S.One, True), (Rational(101, 100), False)):
+        numbers = {m1: S(2), m2: S(3), a2: S(5), b: S(7)}
+        assert condition.subs(E0, factor * PRINTED_CRITICAL).subs(numbers) == closed
+
+
+def test_the_level_set_is_an_ellipse_on_s(same):
+    angle = x1_0
+    speed_axis = sqrt(2 * E0 / total_mass())
+    point = {x1: energy.level_semi_axis() * cos(angle), v1: speed_axis * sin(angle)}
+    assert same(energy.on_surface().subs(point), E0)
+
+
+def test_the_stick_orbit_stays_on_its_level():
+    found = solution("stick", Regime.UNDAMPED)
+    assert set(residual(found)) == {0}
+    level = energy.on_surface().subs({x1: found.x1, v1: found.v1}, simultaneous=True)
+    assert simplify(diff(level, t).subs(coefficients("stick", Regime.UNDAMPED))) == 0
+
+
+def test_excess_is_zero_at_the_critical_level(same):
+    assert same(energy.excess_on_surface(), energy.on_surface() / PRINTED_CRITICAL - 1)
+
+
+def test_captive_energy_is_where_the_ellipse_touches_the_strip(same):
+    level = energy.captive_energy()
+    assert same(limit(level, a1, 0), PRINTED_CRITICAL)
+    # Where the ellipse touches the strip, v1/x1 is that of the gradients of E on S and of the load.
+    common = filippov.load_threshold() / (a2 + a1**2 / total_mass())
+    touching = {x1: common, v1: common * a1 / total_mass()}
+    load = filippov.load(damped=True)
+    gradients = Matrix([energy.on_surface(), load]).jacobian([x1, v1]).subs(touching)
+    assert simplify(gradients.det()) == 0
+    assert same(load.subs(touching), filippov.load_threshold())
+    assert same(energy.on_surface().subs(touching), level)
+
+
+def test_contraction_identity(same, near_misses):
+    viscous, friction = energy.contraction_terms()
+    printed_viscous = -a1 * (v1 - v1_other) ** 2
+    relative = (v1 - v2) - (v1_other - v2_other)
+    printed_friction = -b * (energy.sigma - energy.sigma_other) * relative
+    assert same(viscous, printed_viscous)
+    assert same(friction, printed_friction)
+    assert same(energy.contraction_rate(), viscous + friction)
+    assert not any(same(viscous, wrong) for wrong in near_misses(printed_viscous))
+    assert same(-friction / b, sum(energy.monotonicity_terms()))
+
+
+@pytest.mark.parametrize("first", [-1, 0, 1])
+@pytest.mark.parametrize("second", [-1, 0, 1])
+def test_monotonicity_terms_are_nonnegative_for_set_valued_friction(first, second):
+    values = {-1: [-1], 0: [-1, Rational(-1, 3), 0, 1], 1: [1]}
+    for sigma in values[first]:
+        for sigma_other in values[second]:
+            numbers = {v1: first, v2: 0, v1_other: second, v2_other: 0}
+            friction = {energy.sigma: sigma, energy.sigma_other: sigma_other}
+            assert all(term.subs(numbers | friction) >= 0 for term in energy.monotonicity_terms())
+
+
+def test_the_linear_part_is_skew_but_for_the_damper():
+    matrix = energy.linear_part()
+    assert matrix + matrix.T == Matrix([[0, 0, 0], [0, -2 * a1, 0], [0, 0, 0]])
+
+
+def test_the_dwell_time_bound_holds_along_exact_slips():
+    numbers = {m1: S(2), m2: S(1), a2: S(3), b: Rational(1, 2)}
+    guard = slip_guard("slip+", Regime.UNDAMPED)
+    meaning = {rate: value.subs(numbers) for rate, value in rates("slip+", Regime.UNDAMPED).items()}
+    for start in ((0, 2, 0), (1, 3, -1), (-2, 1, -2)):
+        initial = dict(zip((x1_0, v1_0, v2_0), start, strict=True))
+        level = energy.energy().subs(dict(zip((x1, v1, v2), start, strict=True))).subs(numbers)
+        bound = energy.dwell_time_bound().subs(numbers).subs(E0, level)
+        values = guard.subs(numbers).subs(initial).subs(meaning)
+        sampled = [values.subs(t, bound * Rational(step, 50)).evalf() for step in range(1, 51)]
+        assert min(sampled) < 0
+
+
+def test_the_dwell_time_bound_is_the_width_of_the_interval_of_v2_over_its_rate(same, near_misses):
+    expected = 2 * sqrt(2 * E0 * m2) / b
+    assert same(energy.dwell_time_bound(), expected)
+    assert not any(same(energy.dwell_time_bound(), wrong) for wrong in near_misses(expected))

@@ -1,0 +1,185 @@
+"""The slip excursion: exact identities, signs on the whole range of angles, and 40-digit events."""
+
+import mpmath
+import pytest
+from sympy import Integer, Rational, S, cos, diff, expand, integrate, limit, pi, simplify, sin, sqrt
+
+from theory import excursion as exc
+from theory import scaling
+from theory.symbols import V1, V2, X, a2, epsilon, h_value, m1, overshoot, q, r, tau, theta
+
+ANGLES = [Rational(1, 1000), Rational(1, 2), S(2), S(3), Rational(9, 2), S(6), Rational(628, 100)]
+FRACTIONS = [Rational(1, 20), Rational(1, 2), Rational(19, 20)]
+
+
+def identical(left, right):
+    """Equality by the decision procedure, confirmed in 40 digits at angles of the range."""
+    difference = left - right
+    exact = exc.half_tangent_form(difference) == 0
+    numbers = [
+        {theta: angle, q: Rational(1, 3), epsilon: Rational(2, 7), h_value: S(2)} for angle in ANGLES[1:4]
+    ]
+    numeric = all(abs(difference.subs(point).evalf(40)) < 1e-30 for point in numbers)
+    assert exact == numeric
+    return exact
+
+
+def test_the_slip_solves_the_reduced_field():
+    slip = exc.slip_from_outside()
+    along = {X: slip.X, V1: slip.V1, V2: slip.V2}
+    for sign, solved in ((-1, True), (1, False)):
+        field = scaling.reduced_slip(sign).subs(along, simultaneous=True)
+        rates = [
+            diff(entry.subs(theta, tau / sqrt(q)), tau).subs(tau, sqrt(q) * theta) for entry in along.values()
+        ]
+        left = [simplify(value - expected) == 0 for value, expected in zip(rates, field, strict=True)]
+        assert all(left) == solved
+    start = [entry.subs(theta, 0) for entry in along.values()]
+    assert [expand(entry) for entry in start] == [1 + overshoot, epsilon, epsilon]
+
+
+def test_the_guard_and_its_factors():
+    guard = exc.slip_from_ray().guard
+    square, simple = exc.guard_factors()
+    assert identical(guard, square * simple)
+    assert not identical(guard, square * (simple + 2 * epsilon / sqrt(q)))
+    assert [limit(diff(square, theta, n), theta, 0) for n in (0, 1)] == [0, 0]
+    assert identical(exc.guard_of_u(), theta - sin(theta) - h_value * (1 - cos(theta)))
+
+
+def test_the_guard_from_outside():
+    u = epsilon / sqrt(q)
+    printed = overshoot / q * sin(theta) + u * (1 - cos(theta)) - (theta - sin(theta))
+    assert expand(-exc.slip_from_outside().guard / sqrt(q) - printed) == 0
+
+
+def test_h_grows_from_zero_to_infinity():
+    assert exc.h_limits() == (0, S.Infinity)
+    assert identical(exc.h(), (theta - sin(theta)) / (1 - cos(theta)))
+    assert identical(exc.h_slope(), diff(exc.h(), theta))
+    assert identical(exc.h_slope(), (2 * (1 - cos(theta)) - theta * sin(theta)) / (1 - cos(theta)) ** 2)
+    assert not identical(exc.h_slope(), (2 * (1 - cos(theta)) + theta * sin(theta)) / (1 - cos(theta)) ** 2)
+    assert all(exc.h_slope().subs(theta, angle).evalf(40) > 0 for angle in ANGLES)
+
+
+def test_the_half_angle_form_has_a_manifest_sign():
+    factor, increment = exc.half_angle_slope()
+    phi = exc.angle
+    assert simplify(factor - 1 / sin(phi) ** 3) == 0
+    assert increment.subs(phi, 0) == 0
+    assert simplify(diff(increment, phi) - phi * sin(phi)) == 0
+    for angle in ANGLES:
+        product = (factor * increment).subs(phi, angle / 2) - exc.h_slope().subs(theta, angle)
+        assert abs(product.evalf(40)) < 1e-25
+
+
+def test_the_end_of_the_excursion():
+    one = exc.excursion()
+    height = exc.h()
+    assert identical(one.start_velocity, sqrt(q) * height)
+    assert identical(one.position, 1 - q * (1 - cos(theta)) + q * height * sin(theta))
+    assert identical(one.velocity, sqrt(q) * (height - theta))
+    assert identical(one.excess, q * height**2)
+    assert not identical(one.position, 1 - q * (1 - cos(theta)) - q * height * sin(theta))
+    # Both bodies end with the same velocity.
+    slip = exc.slip_from_ray()
+    assert identical(slip.V1.subs(epsilon, one.start_velocity), slip.V2.subs(epsilon, one.start_velocity))
+
+
+def test_displacement_and_energy():
+    one = exc.excursion()
+    printed = (theta - sin(theta)) ** 2 / (1 - cos(theta)) - theta**2 / 2 + 1 - cos(theta)
+    assert identical(exc.displacement_of_angle(), printed)
+    assert exc.energy_balance() == 0
+    assert identical(one.next_excess, exc.next_excess())
+    assert identical(exc.next_excess(), exc.h() ** 2 * q - 2 * r * q * printed)
+    assert not identical(one.next_excess, exc.h() ** 2 * q - r * q * printed)
+    assert not identical(one.next_excess, exc.h() ** 2 * q - 2 * q * q * printed)
+
+
+def test_displacement_is_the_integral_of_the_guard_at_numbers():
+    numbers = {q: Rational(1, 3), epsilon: sqrt(Rational(1, 3)) * exc.h().subs(theta, 2)}
+    guard = exc.slip_from_ray().guard.subs(numbers)
+    path = -integrate(guard, (theta, 0, 2)) * sqrt(Rational(1, 3))
+    expected = exc.excursion().displacement.subs(numbers).subs(theta, 2)
+    assert abs((path - expected).evalf(40)) < 1e-35
+
+
+def test_factored_slopes():
+    first, second = exc.displacement_slope()
+    assert identical(diff(exc.displacement_of_angle(), theta), first * second)
+    assert first == theta - sin(theta)
+    factors = exc.next_excess_slope()
+    assert identical(diff(exc.next_excess(), theta), factors[0] * factors[1] * factors[2] * factors[3])
+    assert identical(factors[3], 1 - r * (1 - cos(theta)))
+    inward = exc.inward_step()
+    assert identical(1 - exc.excursion().position, inward[0] * inward[1] * inward[2])
+    assert inward[1] == 1 - cos(theta)
+
+
+@pytest.mark.parametrize("fraction", FRACTIONS)
+def test_after_an_excursion_the_pair_is_inside_the_edge(fraction):
+    one = exc.excursion()
+    for angle in ANGLES:
+        at = {q: fraction, theta: angle}
+        assert one.position.subs(at).evalf(40) < 1
+        assert one.displacement.subs(at).evalf(40) > 0
+        assert one.next_excess.subs(at).evalf(40) < one.excess.subs(at).evalf(40)
+
+
+@pytest.mark.parametrize("fraction", [Rational(1, 2), Rational(3, 4)])
+def test_a_lighter_driven_body_is_never_captured_by_an_excursion(fraction):
+    after = exc.excursion().next_excess
+    assert all(after.subs({q: fraction, theta: angle}).evalf(40) > 0 for angle in ANGLES)
+
+
+def test_a_heavier_driven_body_can_be_captured():
+    after = exc.excursion().next_excess.subs(q, Rational(1, 20))
+    assert min(after.subs(theta, angle).evalf(40) for angle in ANGLES) < 0
+
+
+@pytest.mark.parametrize(
+    ("mass_fraction", "speed"), [("0.5", "0.1"), ("0.2", "1"), ("0.9", "3"), ("0.05", "0.01")]
+)
+def test_against_the_event_of_the_flow(mass_fraction, speed):
+    """The first zero of the guard after its start, bracketed and bisected in 40 digits, in raw form."""
+    with mpmath.workdps(40):
+        fraction, start = mpmath.mpf(mass_fraction), mpmath.mpf(speed)
+        scale = mpmath.sqrt(fraction)
+
+        def guard(angle):
+            return start * (mpmath.cos(angle) - 1) + scale * (angle - mpmath.sin(angle))
+
+        inner = start / scale / 10  # before the event, as theta >= u there
+        assert guard(inner) < 0
+        outer = inner
+        while guard(outer) < 0:
+            outer += mpmath.mpf(1) / 50
+        end = mpmath.findroot(guard, (outer - mpmath.mpf(1) / 50, outer), solver="anderson", tol=1e-70)
+        position = 1 - fraction * (1 - mpmath.cos(end)) + scale * start * mpmath.sin(end)
+        velocity = start - scale * end
+        excess = position**2 + velocity**2 - 1
+        known = {q: Rational(mass_fraction), theta: S(mpmath.nstr(end, 40))}
+        one = exc.excursion()
+        expected = {
+            one.start_velocity: start,
+            one.position: position,
+            one.velocity: velocity,
+            one.next_excess: excess,
+        }
+        for value, reached in expected.items():
+            assert abs(mpmath.mpf(str(value.subs(known).evalf(40))) - reached) < mpmath.mpf(10) ** -30
+
+
+def test_the_duration_in_si(same):
+    assert same(exc.duration_in_si(), theta * sqrt(m1 / a2))
+    in_units = scaling.to_si(exc.excursion().duration) / scaling.stick_frequency()
+    assert same(in_units, exc.duration_in_si())
+
+
+def test_the_half_tangent_form_decides():
+    assert exc.half_tangent_form(sin(theta) ** 2 + cos(theta) ** 2 - 1) == 0
+    assert exc.half_tangent_form(sin(2 * theta) - 2 * sin(theta) * cos(theta)) == 0
+    assert exc.half_tangent_form(sin(theta) - theta) != 0
+    assert exc.half_tangent_form(Integer(1) - cos(theta)) != 0
+    assert limit(exc.h(), theta, pi) == pi / 2

@@ -1,0 +1,165 @@
+"""S, its parts, the sliding field and the exits, against the printed formulas and the exact slips."""
+
+import pytest
+from sympy import Matrix, Rational, S, diff, limit, series, simplify
+
+from theory import filippov
+from theory.closed_forms import Regime, coefficients, slip_guard
+from theory.symbols import (
+    a1,
+    a2,
+    b,
+    distance,
+    lower,
+    m1,
+    m2,
+    t,
+    total_mass,
+    undamped,
+    upper,
+    v1,
+    v1_0,
+    v2,
+    v2_0,
+    x1,
+    x1_0,
+)
+
+PRINTED_HALF_WIDTH = b * (m1 + m2) / (a2 * m2)
+NUMBERS = {m1: Rational(3, 2), m2: Rational(2, 3), a1: Rational(1, 7), a2: S(5), b: Rational(3, 4)}
+EDGE = PRINTED_HALF_WIDTH.subs(NUMBERS)
+BOTH = pytest.mark.parametrize("damped", [False, True])
+SIDES = pytest.mark.parametrize("side", [1, -1])
+
+
+def test_the_printed_fields_and_normal():
+    for sign in (1, -1):
+        printed = Matrix([v1, -a2 * x1 / m1 - sign * b / m1, sign * b / m2])
+        assert simplify(filippov.phi(sign) - printed) == Matrix([0, 0, 0])
+        assert simplify(filippov.phi(-sign) - printed) != Matrix([0, 0, 0])
+    assert filippov.normal() == Matrix([0, 1, -1])
+
+
+@SIDES
+def test_the_product_is_the_field_times_the_normal(side, same, near_misses):
+    product = (filippov.phi(side).T * filippov.normal())[0].subs(v2, v1)
+    printed = -(a2 * m2 * x1 + side * b * total_mass()) / (m1 * m2)
+    assert same(filippov.transversality(side), product)
+    assert same(filippov.transversality(side), printed)
+    assert not any(same(filippov.transversality(side), wrong) for wrong in near_misses(printed))
+
+
+def test_half_width_and_threshold(same, near_misses):
+    assert same(filippov.half_width(), PRINTED_HALF_WIDTH)
+    assert same(filippov.load_threshold(), a2 * PRINTED_HALF_WIDTH)
+    assert not any(same(filippov.half_width(), wrong) for wrong in near_misses(PRINTED_HALF_WIDTH))
+
+
+@BOTH
+def test_manifest_signs(damped):
+    signs = filippov.manifest_signs(damped)
+    assert signs["plus", 1].is_negative
+    assert signs["plus", -1].is_negative
+    assert signs["minus", 1].is_positive
+    assert signs["minus", -1].is_positive
+    assert signs["sliding", 1].is_nonpositive
+    assert signs["sliding", -1].is_nonnegative
+    assert signs["sliding", 1].has(upper)
+    assert signs["sliding", -1].has(lower)
+    assert signs["plus", 1].has(distance)
+
+
+def test_the_signs_of_trans_at_numbers():
+    def products(position):
+        return [filippov.transversality(sign).subs(NUMBERS).subs(x1, position) for sign in (1, -1)]
+
+    assert all(product < 0 for product in products(EDGE * Rational(11, 10)))
+    assert all(product > 0 for product in products(-EDGE * Rational(11, 10)))
+    for position in (-EDGE, -EDGE / 2, S(0), EDGE):
+        plus, minus = products(position)
+        assert plus <= 0 <= minus
+
+
+@pytest.mark.parametrize(
+    ("state", "part"),
+    [
+        ((EDGE, 1, 1), "sliding"),
+        ((EDGE, 1, 1), "ray_plus"),
+        ((-EDGE, -1, -1), "ray_minus"),
+        ((-EDGE, 0, 0), "sliding"),
+        ((2 * EDGE, 1, 1), "plus"),
+        ((-2 * EDGE, 1, 1), "minus"),
+    ],
+)
+def test_parts_of_the_surface(state, part):
+    condition = getattr(filippov.surface(), part).subs(NUMBERS)
+    assert condition.subs(dict(zip((x1, v1, v2), state, strict=True))) == True  # noqa: E712
+    off_surface = (state[0], state[1] + 1, state[2])
+    assert condition.subs(dict(zip((x1, v1, v2), off_surface, strict=True))) == False  # noqa: E712
+
+
+@pytest.mark.parametrize(("state", "part"), [((EDGE, -1, -1), "ray_plus"), ((EDGE, 0, 0), "ray_plus")])
+def test_a_ray_has_no_points_with_inward_velocity(state, part):
+    condition = getattr(filippov.surface(), part).subs(NUMBERS)
+    assert condition.subs(dict(zip((x1, v1, v2), state, strict=True))) == False  # noqa: E712
+
+
+def test_a_part_is_a_set_of_states():
+    sliding = filippov.as_set(filippov.surface().sliding.subs(NUMBERS))
+    assert (S(0), S(1), S(1)) in sliding
+    assert (S(0), S(1), S(2)) not in sliding
+
+
+@BOTH
+def test_the_convex_combination_is_tangent_and_its_weight_fits_on_s0_only(damped, same):
+    alpha = filippov.sliding_weight(damped)
+    mixed = alpha * filippov.transversality(1, damped) + (1 - alpha) * filippov.transversality(-1, damped)
+    assert simplify(mixed) == 0
+    assert same(filippov.weight_margin(damped), alpha * (1 - alpha))
+    edge = filippov.load_threshold()
+    assert same(filippov.weight_margin(damped), (edge**2 - filippov.load(damped) ** 2) / (4 * edge**2))
+
+
+@BOTH
+def test_the_sliding_field_moves_both_bodies_as_one(damped, same):
+    position, first, second = filippov.sliding_field(damped)
+    assert position == v1
+    assert same(first, second)
+    assert same(first, -filippov.load(damped) / total_mass())
+
+
+@BOTH
+@SIDES
+def test_exit_by_the_ray_goes_into_the_half_space_of_the_other_sign(damped, side):
+    contact = filippov.edge_contact(side, damped)
+    tangent = side * a1 * b / (a2 * m2) if damped else S(0)
+    beyond = tangent + side * distance  # further out than the tangency, so on the ray
+    assert contact.first == 0
+    assert (side * simplify(contact.second.subs(v1, beyond))).is_negative
+    assert (side * simplify(contact.second.subs(v1, tangent - side * distance))).is_positive
+    assert simplify(contact.second.subs(v1, tangent)) == 0
+    assert (side * simplify(contact.third.subs(v1, tangent))).is_positive
+    assert (side * simplify(filippov.edge_speed_rate(side, damped).subs(v1, beyond))).is_positive
+
+
+@SIDES
+def test_edge_contact_is_the_taylor_expansion_of_the_exact_slip(side):
+    mode = {1: "slip-", -1: "slip+"}[side]
+    for regime, damped in ((Regime.UNDAMPED, False), (Regime.CRITICAL, True)):
+        known = coefficients(mode, regime)
+        position = (side * filippov.load_threshold() - (a1 * v1 if damped else 0)) / a2
+        exact = slip_guard(mode, regime).subs({x1_0: position, v1_0: v1, v2_0: v1}, simultaneous=True)
+        contact = filippov.edge_contact(side, damped)
+        taylor = series(exact.subs(known), t, 0, 3).removeO()
+        expected = contact.first * t + contact.second * t**2 / 2
+        assert simplify((taylor - expected).subs(known)) == 0
+        third = diff(exact, t, 3).subs(t, 0)
+        assert simplify((third - contact.third).subs(known)) == 0
+
+
+def test_damping_to_zero_gives_the_undamped_objects(same):
+    for sign in (1, -1):
+        assert same(limit(filippov.transversality(sign, damped=True), a1, 0), filippov.transversality(sign))
+        assert same(
+            undamped(filippov.edge_contact(sign, damped=True).second), filippov.edge_contact(sign).second
+        )

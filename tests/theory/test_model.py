@@ -1,0 +1,157 @@
+"""The closed form (3), (4) and its branches: signum at numbers, forces, the printed equations."""
+
+from dataclasses import replace
+
+import pytest
+from sympy import Abs, Rational, S, simplify
+
+from theory import model
+from theory.symbols import (
+    a1,
+    a2,
+    acceleration1,
+    acceleration2,
+    b,
+    free,
+    m1,
+    m2,
+    sgn,
+    total_mass,
+    u,
+    undamped,
+    v1,
+    v2,
+    x1,
+)
+
+PARAMETERS = {
+    m1: Rational(3, 2),
+    m2: Rational(2, 3),
+    a1: Rational(1, 7),
+    a2: S(5),
+    b: Rational(3, 4),
+    u: S(0),
+}
+THRESHOLD = Rational(3, 4) * (Rational(3, 2) + Rational(2, 3)) / Rational(2, 3)  # b M/m2
+
+# States that realise each branch: (x1, v1, v2); at v1 = 0 the load is a2 x1.
+STATES = {
+    "stick": [(THRESHOLD / 6, 0, 0), (Rational(1, 9), Rational(-1, 5), Rational(-1, 5)), (0, 0, 0)],
+    "half adhesion": [(THRESHOLD / 5, 0, 0), (-THRESHOLD / 5, 0, 0)],
+    "broken adhesion": [(THRESHOLD / 4, 0, 0), (-3 * THRESHOLD, 0, 0)],
+    "slip+": [(2, 1, 0), (Rational(1, 100), 0, -1), (-9, 0, -1)],
+    "slip-": [(2, 0, 1), (Rational(1, 100), -1, 0), (-9, -1, 0)],
+}
+
+
+def evaluated(equation, found, state):
+    """An equation at numbers, with sgn replaced by its definition (1), never by an assumed value."""
+    numbers = PARAMETERS | dict(zip((x1, v1, v2), map(S, state), strict=True))
+    motion = {acceleration1: found.acceleration1, acceleration2: found.acceleration2}
+    return equation.subs(motion).subs(numbers).replace(sgn, model.signum)
+
+
+def satisfies(found, state):
+    equations = (model.driving_equation(), model.driven_equation())
+    return all(evaluated(equation, found, state) == 0 for equation in equations)
+
+
+@pytest.mark.parametrize(("value", "expected"), [(-2, -1), (Rational(-1, 10**30), -1), (0, 0), (7, 1)])
+def test_signum_takes_three_values(value, expected):
+    assert model.signum(S(value)) == expected
+
+
+def test_there_are_five_branches_and_slip_ignores_the_second_bracket():
+    assert [found.name for found in model.branches()] == list(STATES)
+    assert {found.name for found in model.branches() if found.stiction_sign is None} == {"slip+", "slip-"}
+
+
+@pytest.mark.parametrize("name", STATES)
+def test_a_branch_solves_the_closed_form_where_its_signs_hold(name):
+    assert all(satisfies(model.branch_named(name), state) for state in STATES[name])
+
+
+@pytest.mark.parametrize("name", STATES)
+def test_a_branch_solves_the_closed_form_nowhere_else(name):
+    elsewhere = [state for other, states in STATES.items() if other != name for state in states if state[0]]
+    assert not any(satisfies(model.branch_named(name), state) for state in elsewhere)
+
+
+@pytest.mark.parametrize("name", STATES)
+def test_a_wrong_acceleration_is_noticed(name):
+    found = model.branch_named(name)
+    state = STATES[name][0]
+    for fault in (-1, 2):
+        assert not satisfies(replace(found, acceleration1=fault * found.acceleration1), state)
+        assert not satisfies(replace(found, acceleration2=fault * found.acceleration2 + fault), state)
+
+
+def test_forces_are_equal_and_opposite_in_the_two_modes_only():
+    balanced = {found.name for found in model.branches() if found.force_imbalance == 0}
+    assert balanced == {"stick", "slip+", "slip-"}
+
+
+def test_broken_adhesion_leaves_a_force_on_one_body_alone(same):
+    found = model.branch_named("broken adhesion")
+    assert found.acceleration2 == 0
+    assert found.force_on_second == 0
+    assert same(found.force_on_first, -m2 * found.acceleration1)
+    half = model.branch_named("half adhesion")
+    assert same(half.acceleration2, half.acceleration1 / 2)
+    assert same(half.force_imbalance, -m2 * half.acceleration1 / 2)
+
+
+def test_momentum_of_the_pair_changes_by_spring_damper_and_control_alone(same):
+    for name in ("stick", "slip+", "slip-"):
+        found = model.branch_named(name)
+        assert same(m1 * found.acceleration1 + m2 * found.acceleration2, u - a1 * v1 - a2 * x1)
+
+
+def test_the_friction_in_slip_opposes_the_relative_motion():
+    assert [model.slip(sign).force_on_first for sign in (1, -1)] == [-b, b]
+    assert [model.slip(sign).force_on_second for sign in (1, -1)] == [b, -b]
+
+
+def test_free_system_agrees_with_the_branches_off_the_surface_and_not_on_it(same):
+    for sign in (1, -1):
+        assert all(
+            same(left, right)
+            for left, right in zip(model.free_system(sign), model.slip(sign).field, strict=True)
+        )
+    assert not same(model.free_system(0)[1], model.stick().field[1])
+    # The set-valued sign that makes both accelerations equal gives stick.
+    adhesion = -m2 * free(a1 * v1 + a2 * x1) / (total_mass() * b)
+    assert all(
+        same(left, right)
+        for left, right in zip(model.free_system(adhesion), model.stick().field, strict=True)
+    )
+
+
+def test_stiction_condition_is_the_load_below_its_threshold():
+    condition = undamped(free(model.stiction_condition()))
+    assert simplify(condition.lhs - a2 * Abs(x1) / total_mass()) == 0
+    assert condition.rhs == b / m2
+
+
+def test_the_printed_equations_5_and_6(same):
+    relative = sgn(v1 - v2)
+    first, second = model.case_study_closed_form()
+    assert same(
+        first.subs(relative, x1), (-(200 * x1 + b * relative) / (2 - Abs(relative))).subs(relative, x1)
+    )
+    assert simplify(second - ((1 - Abs(relative)) * acceleration1 + b * relative)) == 0
+
+
+def test_the_printed_equations_7_and_8(same, near_misses):
+    assert model.case_study_mode(0) == (-100 * x1, -100 * x1)
+    for sign in (1, -1):
+        first, second = model.case_study_mode(sign)
+        assert same(first, -200 * x1 - sign * b)
+        assert same(second, sign * b)
+        assert not any(same(second, wrong) for wrong in near_misses(sign * b))
+    assert model.case_study_eigenfrequency() == 10
+
+
+def test_an_unknown_branch_is_an_error():
+    with pytest.raises(KeyError):
+        model.branch_named("roll")

@@ -1,0 +1,161 @@
+"""The asymptotics: series against 60-digit excursions, and the 1/t law against the iterated map."""
+
+import mpmath
+import pytest
+from sympy import Rational, S, limit, pi, simplify, sqrt
+
+from theory import near_critical as near
+from theory.excursion import excursion, h
+from theory.symbols import a2, b, epsilon, m1, m2, q, r, theta, total_mass, v1_0, x1_0
+
+FRACTIONS = ["0.5", "0.2", "0.9"]
+
+
+def exact_excursion(fraction, angle):
+    """(eps, X, V, w', stick duration) at a slip angle, from typed formulas in mpmath."""
+    height = (angle - mpmath.sin(angle)) / (1 - mpmath.cos(angle))
+    start = mpmath.sqrt(fraction) * height
+    position = 1 - fraction * (1 - mpmath.cos(angle)) + fraction * height * mpmath.sin(angle)
+    velocity = mpmath.sqrt(fraction) * (height - angle)
+    after = position**2 + velocity**2 - 1
+    leave = mpmath.atan2(mpmath.sqrt(after), -1)
+    enter = mpmath.atan2(-velocity, position)
+    return start, position, velocity, after, leave - enter
+
+
+def value(expression, fraction, start):
+    return mpmath.mpf(
+        str(expression.subs({q: Rational(fraction), epsilon: S(mpmath.nstr(start, 60))}).evalf(60))
+    )
+
+
+def test_the_leading_order(same, near_misses):
+    found = near.cycle()
+    w = epsilon**2
+
+    def lowest(expression, order):
+        return expression.series(epsilon, 0, order).removeO()
+
+    assert same(lowest(found.slip_angle, 2), 3 * epsilon / sqrt(q))
+    assert same(lowest(found.position, 4), 1 - 3 * w / 2)
+    assert same(lowest(found.velocity, 2), -2 * epsilon)
+    assert same(lowest(found.displacement, 5), 9 * w**2 / (8 * q))
+    printed = w - 9 * r / (4 * q) * w**2
+    assert same(lowest(found.next_excess, 6), printed)
+    assert not any(same(lowest(found.next_excess, 6), wrong) for wrong in near_misses(printed))
+    assert same(lowest(found.stick_duration, 2), pi - 3 * epsilon)
+    assert same(lowest(found.cycle_duration, 3), pi)
+
+
+@pytest.mark.parametrize("fraction", FRACTIONS)
+def test_every_series_has_its_order(fraction):
+    """Halving the angle divides the error by 2^order or more: the coefficients kept are all right."""
+    found = near.cycle()
+    series = [found.slip_angle, found.position, found.velocity, found.next_excess, found.stick_duration]
+    with mpmath.workdps(60):
+        errors = []
+        for angle in (mpmath.mpf("1e-3"), mpmath.mpf("5e-4")):
+            start, *rest = exact_excursion(mpmath.mpf(fraction), angle)
+            exact = [angle, *rest]
+            errors.append([abs(value(s, fraction, start) - e) for s, e in zip(series, exact, strict=True)])
+        orders = [mpmath.log(coarse / fine, 2) for coarse, fine in zip(*errors, strict=True)]
+    least = [near.ORDER] * 4 + [near.ORDER - 1]
+    assert all(order > expected - 0.1 for order, expected in zip(orders, least, strict=True))
+
+
+def test_the_cycle_is_slip_plus_stick(same):
+    found = near.cycle()
+    total = found.slip_duration + found.stick_duration
+    assert same(total.series(epsilon, 0, near.ORDER - 1).removeO(), found.cycle_duration)
+    assert same(found.slip_duration, sqrt(q) * found.slip_angle)
+
+
+def test_the_reversion_solves_h(same):
+    back = near.compose(near.taylor(h(), theta, near.ORDER), near.slip_angle(), near.ORDER)
+    assert same(back, epsilon / sqrt(q))
+
+
+def test_the_stick_rotation_is_a_rotation_on_one_level(same):
+    """cos^2 + sin^2 = 1 exactly where entry and exit have the same energy: X^2 + V^2 = 1 + epsilon^2."""
+    cosine, sine = near.stick_rotation()
+    norm = (cosine**2 + sine**2) * (x1_0**2 + v1_0**2)
+    assert same(norm, 1 + epsilon**2)
+
+
+def test_the_rate_law(same, near_misses):
+    assert same(near.quadratic_coefficient(), 9 * r / (4 * q))
+    assert same(near.inverse_step(), near.quadratic_coefficient())
+    assert near.cycle_limit() == pi
+    assert near.excess_ratio_limit() == 1
+    assert same(near.reduced_rate_constant(), 4 * pi * q / (9 * r))
+    mass = total_mass()
+    printed = b**2 * mass**2 / (2 * a2 * m2**2) * (4 * pi / 9) * (m1 / m2) * sqrt(mass / a2)
+    assert same(near.rate_constant(), printed)
+    assert not any(same(near.rate_constant(), wrong) for wrong in near_misses(printed))
+    assert near.rate_constant().free_symbols == {m1, m2, a2, b}
+
+
+def test_the_inverse_step_from_the_closed_forms_without_series():
+    one = excursion()
+    gain = simplify(one.next_excess)
+    for fraction in (Rational(1, 2), Rational(1, 5)):
+        at = {q: fraction, theta: Rational(1, 10**6)}
+        before, after = one.excess.subs(at).evalf(80), gain.subs(at).evalf(80)
+        assert abs(1 / after - 1 / before - near.inverse_step().subs(q, fraction)) < 1e-10
+
+
+def angle_of(height):
+    """Newton's method for h(theta) = height, from the leading order; for heights below 1."""
+    angle = min(3 * height, mpmath.mpf(2))
+    for _ in range(6):
+        sine, versine = mpmath.sin(angle), 1 - mpmath.cos(angle)
+        angle -= ((angle - sine) / versine - height) * versine**2 / (2 * versine - angle * sine)
+    return angle
+
+
+@pytest.mark.parametrize("fraction", FRACTIONS)
+@pytest.mark.parametrize("first", ["0.05", "0.25"])
+def test_the_law_along_the_iterated_map(fraction, first):
+    """1/w grows by 1/constant per unit of time from different starts; the error decays as log(n)/n."""
+    share, cycles = mpmath.mpf(fraction), 1500
+    before = excess = mpmath.mpf(first) ** 2
+    time = mpmath.mpf(0)
+    with mpmath.workdps(25):
+        for _ in range(cycles):
+            angle = angle_of(mpmath.sqrt(excess / share))
+            *_, excess, stick = exact_excursion(share, angle)
+            time += stick + mpmath.sqrt(share) * angle
+    constant = mpmath.mpf(str(near.reduced_rate_constant().subs(q, Rational(fraction)).evalf(20)))
+    measured = time / (1 / excess - 1 / before)
+    assert abs(measured / constant - 1) < 2 * mpmath.log(cycles) / cycles
+    assert abs(measured / (2 * constant) - 1) > 0.3
+
+
+def test_the_limits_of_the_paper(same, near_misses):
+    found = near.critical_limits()
+    mass = total_mass()
+    printed = pi * sqrt(mass / a2)
+    assert same(found.stick_duration, printed)
+    assert not any(same(found.stick_duration, wrong) for wrong in near_misses(printed))
+    assert found.slip_duration == 0
+    for position in (found.exit_position, found.entry_position):
+        assert same(position, b * mass / (a2 * m2))
+    assert (found.exit_velocity, found.entry_velocity) == (0, 0)
+
+
+def test_the_displacements_of_all_excursions_have_a_finite_sum():
+    """|X1 - X2| per excursion is (9/8q) w^2, and w decays as 1/n: the terms decay as 1/n^2."""
+    share = near.cycle().displacement / epsilon**4
+    assert limit(share, epsilon, 0) == Rational(9, 8) / q
+
+
+def test_other_orders_are_consistent(same):
+    short, long = near.slip_angle(4), near.slip_angle(6)
+    assert same(long.series(epsilon, 0, 4).removeO(), short)
+    assert not same(long, short)
+
+
+def test_truncation_and_composition(same):
+    polynomial = 1 + theta + theta**2
+    assert same(near.truncate(polynomial, theta, 2), 1 + theta)
+    assert same(near.compose(polynomial, 2 * epsilon, 3), 1 + 2 * epsilon + 4 * epsilon**2)
