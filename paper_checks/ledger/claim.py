@@ -16,9 +16,10 @@ _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 class Claim:
     """One statement of the paper.
 
-    `id` is permanent: it names the row, its anchor in the report and its tests. `where` is the paper's own
-    label or place; `statement` says what the paper literally says there, in prose with ``$LaTeX$``; `recorded`
-    is the verdict that `run` compares with. Raises LedgerError where the id is not lower-case words and hyphens.
+    `id` is permanent: it names the row, its anchor in the report and its tests. `where` is the paper's
+    own label or place; `statement` says what the paper literally says there, in prose with ``$LaTeX$``;
+    `recorded` is the verdict that `run` compares with. Raises LedgerError where the id is not lower-case
+    words joined by hyphens.
     """
 
     id: str

@@ -20,7 +20,8 @@ EXAMPLE_SYSTEM = (
         SECTION,
         "eqs. (5), (6)",
         r"For $u=0$ the dynamics (3)–(4) reduces to the autonomous system "
-        r"$\ddot{x}_1=-\bigl(2-|\mathrm{sgn}(\dot{z})|\bigr)^{-1}\bigl(200\,x_1+b\,\mathrm{sgn}(\dot{z})\bigr)$, "
+        r"$\ddot{x}_1=-\bigl(2-|\mathrm{sgn}(\dot{z})|\bigr)^{-1}"
+        r"\bigl(200\,x_1+b\,\mathrm{sgn}(\dot{z})\bigr)$, "
         r"$\ddot{x}_2=\bigl(1-|\mathrm{sgn}(\dot{z})|\bigr)\ddot{x}_1+b\,\mathrm{sgn}(\dot{z})$.",
         Verdict.HOLDS_CORRECTED,
     ),

@@ -1,0 +1,73 @@
+"""Identities pass, near misses fail at a point, and a silent simplifier is no pass."""
+
+import pytest
+import sympy as sp
+
+from paper_checks import exact
+from paper_checks.evidence import EvidenceKind
+from paper_checks.exact import identity
+
+x, y = sp.symbols("x y", real=True)
+m = sp.Symbol("m", positive=True)
+k = sp.Symbol("k", integer=True)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ((x + y) ** 2, x**2 + 2 * x * y + y**2),
+        (1 / (1 - x) - 1, x / (1 - x)),
+        (sp.sin(x) ** 2, 1 - sp.cos(x) ** 2),
+        (sp.sqrt(m**2), m),
+        (sp.cos(sp.pi * k) ** 2, 1),
+        (sp.Matrix([x * (x + 1), 0]), sp.Matrix([x**2 + x, 0])),
+        (sp.Matrix([x - x]), 0),
+        (sp.Abs(x) ** 2, x**2),
+    ],
+)
+def test_an_identity_passes(left, right):
+    evidence = identity("identity", left, right)
+    assert evidence.passed is True, evidence.value
+    assert evidence.kind is EvidenceKind.EXACT
+    assert evidence.cases >= 5
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ((x + y) ** 2, x**2 + 2 * x * y - y**2),
+        (sp.sqrt(x**2), x),
+        (sp.sin(x), x),
+        (sp.Matrix([x, y]), sp.Matrix([x, x])),
+        (m**2, m**2 + sp.Rational(1, 10**40)),
+        (sp.exp(x), sp.exp(x) * (1 + sp.Rational(1, 10**30))),
+        (1, 2),
+    ],
+)
+def test_a_near_miss_fails_and_names_the_point(left, right):
+    evidence = identity("near miss", left, right)
+    assert evidence.passed is False
+    assert evidence.value.startswith("difference")
+
+
+def test_a_silent_simplifier_is_no_pass(monkeypatch):
+    monkeypatch.setattr(exact, "simplifies_to_zero", lambda expression: False)
+    assert identity("silent", x, x).passed is None
+
+
+def test_no_point_is_no_pass():
+    pole = sp.Mul(x, sp.Pow(sp.Add(y, -y, evaluate=False), -1, evaluate=False), evaluate=False)
+    evidence = identity("pole everywhere", pole, pole * 2)
+    assert evidence.passed is None
+
+
+def test_the_same_seed_gives_the_same_evidence():
+    assert identity("s", x, y, seed=3) == identity("s", x, y, seed=3)
+    assert identity("s", x, y, seed=3) != identity("s", x, y, seed=4)
+
+
+def test_points_meet_the_assumptions():
+    negative = sp.Symbol("v", negative=True)
+    assert (
+        identity("sign", sp.Abs(negative) + m + sp.Abs(k), -negative + sp.Abs(m) + sp.Abs(k)).passed is True
+    )
