@@ -107,6 +107,18 @@ def edge_speed_squared() -> Expr:
 
 
 @cache
+def arc_speed_terms() -> tuple[Expr, Expr]:
+    """v1^2 on {E = E0} on S as ``edge_speed_squared`` plus a term (L^2 - x1^2) that is >= 0 on S0.
+
+    For E0 > E_cr their sum is positive, so v1 keeps its sign on each arc: the one with v1 > 0 runs from
+    x1 = -L to the ray l_+, the other from x1 = L to l_-.
+    """
+    square = Symbol("v^2", real=True)
+    level = solve(on_surface().subs(v1, sqrt(square)) - E0, square)[0]
+    return edge_speed_squared(), factor(level - edge_speed_squared())
+
+
+@cache
 def captive_energy() -> Expr:
     """The largest level whose ellipse on S lies in the strip |a2 x1 + a1 v1| <= b M/m2 of a1 > 0, J.
 

@@ -29,7 +29,7 @@ from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
 from theory.scaling import canonical_pair, half_width, stick_frequency, to_si
-from theory.symbols import epsilon, q, t, theta, v1_0, x1_0
+from theory.symbols import epsilon, q, t, theta, v1_0, w, x1_0
 
 ORDER = 8  # enough for two terms beyond the leading one in w'
 
@@ -55,9 +55,7 @@ def slip_angle(order: int = ORDER) -> Expr:
     slope = polynomial.coeff(theta, 1)
     angle = Integer(0)
     for _ in range(order):
-        angle = truncate(
-            angle - (compose(polynomial, angle, order) - epsilon / sqrt(q)) / slope, epsilon, order
-        )
+        angle = truncate(angle - (compose(polynomial, angle, order) - epsilon / sqrt(q)) / slope, epsilon, order)
     return angle
 
 
@@ -125,6 +123,36 @@ def cycle(order: int = ORDER) -> CycleSeries:
         next_excess=excess_after,
         stick_duration=stick,
         cycle_duration=truncate(stick + expand(slip), epsilon, order - 1),
+    )
+
+
+@dataclass(frozen=True)
+class LeadingOrder:
+    """The first terms of one excursion from l_+ with excess w, SI: s, m, m/s, m, J (approximate)."""
+
+    duration: Expr
+    position: Expr
+    velocity: Expr
+    displacement: Expr
+    energy_lost: Expr
+
+
+@cache
+def leading_order() -> LeadingOrder:
+    """Duration, re-entry point, relative displacement and energy lost to leading order in w."""
+    found, length, frequency = cycle(), half_width(), stick_frequency()
+
+    def first_term(expression: Expr, unit: Expr) -> Expr:
+        reduced = expression.as_leading_term(epsilon)
+        return unit * to_si(reduced).subs(epsilon, sqrt(w))
+
+    inward = first_term(found.position - 1, length)
+    return LeadingOrder(
+        duration=simplify(first_term(found.slip_duration, 1 / frequency)),
+        position=length + simplify(inward),
+        velocity=simplify(first_term(found.velocity, length * frequency)),
+        displacement=simplify(first_term(found.displacement, length)),
+        energy_lost=simplify(first_term(epsilon**2 - found.next_excess, critical_energy())),
     )
 
 

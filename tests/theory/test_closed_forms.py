@@ -28,9 +28,7 @@ def test_every_planted_fault_leaves_something(mode, regime):
     faults = [
         replace(found, x1=-found.x1),
         replace(found, x1=2 * found.x1),
-        replace(
-            found, x1=found.x1.subs(rate, 2 * rate) if regime is not Regime.CRITICAL else found.x1 * exp(t)
-        ),
+        replace(found, x1=found.x1.subs(rate, 2 * rate) if regime is not Regime.CRITICAL else found.x1 * exp(t)),
         replace(found, x2=found.x2 + t**2 / 2),
         replace(found, x2=-found.x2),
         replace(found, mode="slip+" if mode == "slip-" else "slip-"),

@@ -82,6 +82,14 @@ def test_the_level_set_is_an_ellipse_on_s(same):
     assert same(energy.on_surface().subs(point), E0)
 
 
+def test_the_velocity_keeps_its_sign_on_a_supercritical_arc(same):
+    at_edge, rest = energy.arc_speed_terms()
+    assert same(rest, a2 * (filippov.half_width() ** 2 - x1**2) / total_mass())
+    level = energy.on_surface().subs(v1, sqrt(v1_0)).subs(v1_0, at_edge + rest)
+    assert same(level, E0)
+    assert not same(level, 2 * E0)
+
+
 def test_the_stick_orbit_stays_on_its_level():
     found = solution("stick", Regime.UNDAMPED)
     assert set(residual(found)) == {0}

@@ -16,9 +16,7 @@ def identical(left, right):
     """Equality by the decision procedure, confirmed in 40 digits at angles of the range."""
     difference = left - right
     exact = exc.half_tangent_form(difference) == 0
-    numbers = [
-        {theta: angle, q: Rational(1, 3), epsilon: Rational(2, 7), h_value: S(2)} for angle in ANGLES[1:4]
-    ]
+    numbers = [{theta: angle, q: Rational(1, 3), epsilon: Rational(2, 7), h_value: S(2)} for angle in ANGLES[1:4]]
     numeric = all(abs(difference.subs(point).evalf(40)) < 1e-30 for point in numbers)
     assert exact == numeric
     return exact
@@ -29,9 +27,7 @@ def test_the_slip_solves_the_reduced_field():
     along = {X: slip.X, V1: slip.V1, V2: slip.V2}
     for sign, solved in ((-1, True), (1, False)):
         field = scaling.reduced_slip(sign).subs(along, simultaneous=True)
-        rates = [
-            diff(entry.subs(theta, tau / sqrt(q)), tau).subs(tau, sqrt(q) * theta) for entry in along.values()
-        ]
+        rates = [diff(entry.subs(theta, tau / sqrt(q)), tau).subs(tau, sqrt(q) * theta) for entry in along.values()]
         left = [simplify(value - expected) == 0 for value, expected in zip(rates, field, strict=True)]
         assert all(left) == solved
     start = [entry.subs(theta, 0) for entry in along.values()]
@@ -138,9 +134,7 @@ def test_a_heavier_driven_body_can_be_captured():
     assert min(after.subs(theta, angle).evalf(40) for angle in ANGLES) < 0
 
 
-@pytest.mark.parametrize(
-    ("mass_fraction", "speed"), [("0.5", "0.1"), ("0.2", "1"), ("0.9", "3"), ("0.05", "0.01")]
-)
+@pytest.mark.parametrize(("mass_fraction", "speed"), [("0.5", "0.1"), ("0.2", "1"), ("0.9", "3"), ("0.05", "0.01")])
 def test_against_the_event_of_the_flow(mass_fraction, speed):
     """The first zero of the guard after its start, bracketed and bisected in 40 digits, in raw form."""
     with mpmath.workdps(40):

@@ -160,6 +160,4 @@ def test_edge_contact_is_the_taylor_expansion_of_the_exact_slip(side):
 def test_damping_to_zero_gives_the_undamped_objects(same):
     for sign in (1, -1):
         assert same(limit(filippov.transversality(sign, damped=True), a1, 0), filippov.transversality(sign))
-        assert same(
-            undamped(filippov.edge_contact(sign, damped=True).second), filippov.edge_contact(sign).second
-        )
+        assert same(undamped(filippov.edge_contact(sign, damped=True).second), filippov.edge_contact(sign).second)

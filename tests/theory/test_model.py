@@ -115,16 +115,12 @@ def test_the_friction_in_slip_opposes_the_relative_motion():
 def test_free_system_agrees_with_the_branches_off_the_surface_and_not_on_it(same):
     for sign in (1, -1):
         assert all(
-            same(left, right)
-            for left, right in zip(model.free_system(sign), model.slip(sign).field, strict=True)
+            same(left, right) for left, right in zip(model.free_system(sign), model.slip(sign).field, strict=True)
         )
     assert not same(model.free_system(0)[1], model.stick().field[1])
     # The set-valued sign that makes both accelerations equal gives stick.
     adhesion = -m2 * free(a1 * v1 + a2 * x1) / (total_mass() * b)
-    assert all(
-        same(left, right)
-        for left, right in zip(model.free_system(adhesion), model.stick().field, strict=True)
-    )
+    assert all(same(left, right) for left, right in zip(model.free_system(adhesion), model.stick().field, strict=True))
 
 
 def test_stiction_condition_is_the_load_below_its_threshold():
@@ -136,9 +132,7 @@ def test_stiction_condition_is_the_load_below_its_threshold():
 def test_the_printed_equations_5_and_6(same):
     relative = sgn(v1 - v2)
     first, second = model.case_study_closed_form()
-    assert same(
-        first.subs(relative, x1), (-(200 * x1 + b * relative) / (2 - Abs(relative))).subs(relative, x1)
-    )
+    assert same(first.subs(relative, x1), (-(200 * x1 + b * relative) / (2 - Abs(relative))).subs(relative, x1))
     assert simplify(second - ((1 - Abs(relative)) * acceleration1 + b * relative)) == 0
 
 

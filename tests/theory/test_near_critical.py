@@ -6,7 +6,7 @@ from sympy import Rational, S, limit, pi, simplify, sqrt
 
 from theory import near_critical as near
 from theory.excursion import excursion, h
-from theory.symbols import a2, b, epsilon, m1, m2, q, r, theta, total_mass, v1_0, x1_0
+from theory.symbols import a2, b, epsilon, m1, m2, q, r, theta, total_mass, v1_0, w, x1_0
 
 FRACTIONS = ["0.5", "0.2", "0.9"]
 
@@ -24,23 +24,21 @@ def exact_excursion(fraction, angle):
 
 
 def value(expression, fraction, start):
-    return mpmath.mpf(
-        str(expression.subs({q: Rational(fraction), epsilon: S(mpmath.nstr(start, 60))}).evalf(60))
-    )
+    return mpmath.mpf(str(expression.subs({q: Rational(fraction), epsilon: S(mpmath.nstr(start, 60))}).evalf(60)))
 
 
 def test_the_leading_order(same, near_misses):
     found = near.cycle()
-    w = epsilon**2
+    excess = epsilon**2
 
     def lowest(expression, order):
         return expression.series(epsilon, 0, order).removeO()
 
     assert same(lowest(found.slip_angle, 2), 3 * epsilon / sqrt(q))
-    assert same(lowest(found.position, 4), 1 - 3 * w / 2)
+    assert same(lowest(found.position, 4), 1 - 3 * excess / 2)
     assert same(lowest(found.velocity, 2), -2 * epsilon)
-    assert same(lowest(found.displacement, 5), 9 * w**2 / (8 * q))
-    printed = w - 9 * r / (4 * q) * w**2
+    assert same(lowest(found.displacement, 5), 9 * excess**2 / (8 * q))
+    printed = excess - 9 * r / (4 * q) * excess**2
     assert same(lowest(found.next_excess, 6), printed)
     assert not any(same(lowest(found.next_excess, 6), wrong) for wrong in near_misses(printed))
     assert same(lowest(found.stick_duration, 2), pi - 3 * epsilon)
@@ -159,3 +157,19 @@ def test_truncation_and_composition(same):
     polynomial = 1 + theta + theta**2
     assert same(near.truncate(polynomial, theta, 2), 1 + theta)
     assert same(near.compose(polynomial, 2 * epsilon, 3), 1 + 2 * epsilon + 4 * epsilon**2)
+
+
+def test_the_leading_order_in_si(same, near_misses):
+    found = near.leading_order()
+    mass = total_mass()
+    length, frequency = b * mass / (a2 * m2), sqrt(a2 / mass)
+    printed = {
+        found.duration: 3 * sqrt(w / a2 * mass),
+        found.position: length * (1 - 3 * w / 2),
+        found.velocity: -2 * length * frequency * sqrt(w),
+        found.displacement: Rational(9, 8) * mass / m1 * w**2 * length,
+        found.energy_lost: Rational(9, 4) * m2 / m1 * w**2 * b**2 * mass**2 / (2 * a2 * m2**2),
+    }
+    assert all(same(derived, expected) for derived, expected in printed.items())
+    assert same(found.energy_lost, b * found.displacement)
+    assert not any(same(found.energy_lost, wrong) for wrong in near_misses(printed[found.energy_lost]))

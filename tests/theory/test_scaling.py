@@ -75,9 +75,7 @@ def test_parameters_invert_the_definitions(same):
 def test_way_back(same):
     assert same(scaling.to_si(scaling.reduced_energy()), energy.energy() / energy.critical_energy())
     assert same(scaling.to_si(X), x1 / filippov.half_width())
-    assert same(
-        scaling.to_si(scaling.reduced_load(damped=True)), (a2 * x1 + a1 * v1) * m2 / (b * total_mass())
-    )
+    assert same(scaling.to_si(scaling.reduced_load(damped=True)), (a2 * x1 + a1 * v1) * m2 / (b * total_mass()))
     assert scaling.to_si(V1 - V2).has(v2)
 
 

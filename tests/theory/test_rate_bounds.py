@@ -1,0 +1,85 @@
+"""The manifest signs behind the 1/t bound and the absence of merging, and the bounds at numbers."""
+
+import pytest
+from sympy import Rational, S, cos, cot, diff, limit, pi, simplify, sin
+
+from theory import near_critical, rate_bounds
+from theory.excursion import angle, displacement_of_angle, excursion, h, next_excess_slope
+from theory.symbols import q, r, theta
+
+ANGLES = [Rational(1, 1000), Rational(1, 3), S(1), pi / 2]
+FRACTIONS = [Rational(1, 50), Rational(1, 2), Rational(49, 50)]
+
+
+def close(expression, **choices):
+    point = {theta: choices.get("theta", S(1)), q: choices.get("q", Rational(1, 3)), angle: Rational(1, 2)}
+    return abs(expression.subs(point).evalf(40)) < 1e-30
+
+
+def test_reentry_depth():
+    depth = rate_bounds.reentry_depth()
+    assert close(depth - (1 - excursion().position))
+    assert close(depth - q * (2 - theta * cot(theta / 2)))
+    assert not close(depth - q * (2 + theta * cot(theta / 2)))
+    # Between 0 and 2q: theta cot(theta/2) is 0 at pi, 2 at 0, and decreases as x cot x does.
+    assert limit(depth, theta, 0) == 0
+    assert simplify(depth.subs(theta, pi * Rational(999, 1000)).evalf() / q) < 2
+
+
+def test_the_density_is_the_ratio_of_differentials():
+    density = rate_bounds.dissipation_density()
+    assert close(density - (1 - cos(theta)) / h() ** 2)
+    assert close(diff(displacement_of_angle(), theta) - density * h() ** 3 * diff(h(), theta))
+    assert not close(density - (1 - cos(theta)) / h())
+    assert rate_bounds.density_at_zero() == Rational(9, 2)
+
+
+def test_the_density_decreases():
+    positive, increment = rate_bounds.density_slope()
+    slope = diff(rate_bounds.dissipation_density(), theta).subs(theta, 2 * angle)
+    assert close(slope - positive * increment)
+    assert not close(slope + positive * increment)
+    assert increment.subs(angle, 0) == 0
+    first, second = rate_bounds.density_increment_slope()
+    assert close(diff(increment, angle) - first * second)
+    assert close(second - (sin(2 * angle) - 2 * angle) / 2)
+    for half in (Rational(1, 10), S(1), S(3)):
+        assert positive.subs(angle, half).evalf(40) > 0
+        assert increment.subs(angle, half).evalf(40) < 0
+        assert second.subs(angle, half).evalf(40) < 0
+
+
+def test_the_inverse_step_is_that_of_the_excursion():
+    one = excursion()
+    exact = rate_bounds.inverse_step()
+    for fraction in FRACTIONS:
+        assert close(exact - (1 / one.next_excess - 1 / one.excess), q=fraction)
+        assert not close(exact / 2 - (1 / one.next_excess - 1 / one.excess), q=fraction)
+
+
+@pytest.mark.parametrize("fraction", FRACTIONS)
+def test_the_bounds_hold_for_every_smaller_angle(fraction):
+    lower, upper = (bound.subs(q, fraction) for bound in rate_bounds.inverse_step_bounds())
+    exact = rate_bounds.inverse_step().subs(q, fraction)
+    for largest in ANGLES:
+        for part in (Rational(1, 100), Rational(1, 2), S(1)):
+            value = exact.subs(theta, part * largest).evalf(50)
+            assert lower.subs(theta, largest).evalf(50) <= value <= upper.subs(theta, largest).evalf(50)
+
+
+def test_the_bounds_close_on_the_constant_of_the_law(same):
+    for bound in rate_bounds.inverse_step_bounds():
+        assert same(limit(bound, theta, 0), near_critical.inverse_step())
+        assert same(limit(bound, theta, 0), 9 * r / (4 * q))
+
+
+@pytest.mark.parametrize("fraction", FRACTIONS)
+def test_no_excursion_merges_below_the_level(fraction, same):
+    assert same(rate_bounds.no_merging_excess(), q * (pi / 2 - 1) ** 2)
+    one = excursion()
+    assert close((one.excess - rate_bounds.no_merging_excess()).subs(theta, pi / 2), q=fraction)
+    for part in ANGLES:
+        at = {theta: part, q: fraction}
+        assert 0 < one.next_excess.subs(at).evalf(40) < one.excess.subs(at).evalf(40)
+        assert -1 < one.position.subs(at).evalf(40) < 1
+        assert next_excess_slope()[3].subs(at).evalf(40) > 0

@@ -1,0 +1,80 @@
+"""Two-sided bounds of one excursion from a ray, behind the 1/t law and the absence of merging (a1 = 0).
+
+All statements are for slip angles 0 < theta <= theta_0 <= pi/2; each rests on a form whose sign is manifest.
+As w decreases from one excursion to the next, so does theta: a bound for the first holds for all that follow.
+"""
+
+from functools import cache
+
+from sympy import Expr, cos, diff, expand_trig, factor, limit, pi, simplify, sin, sqrt, tan
+
+from theory.excursion import angle, displacement_of_angle, excursion, h, h_slope, half_tangent, half_tangent_form
+from theory.symbols import q, r, theta
+
+
+@cache
+def reentry_depth() -> Expr:
+    """1 - X at re-entry as q(2 - theta cot(theta/2)), dimensionless.
+
+    For theta <= pi it lies between 0 and 2q < 2: the excursion ends in the interior of S0.
+    """
+    return half_tangent_form(1 - excursion().position).subs(half_tangent, tan(theta / 2))
+
+
+@cache
+def dissipation_density() -> Expr:
+    """rho(theta) = D'/(h^3 h'): displacement per fourth power of the exit speed, D = integral of rho h^3 dh."""
+    density = half_tangent_form(diff(displacement_of_angle(), theta) / (h() ** 3 * h_slope()))
+    # Only even powers of k = tan(theta/2) are left.
+    return factor(simplify(density.subs(half_tangent, sqrt((1 - cos(theta)) / (1 + cos(theta))))))
+
+
+@cache
+def density_at_zero() -> Expr:
+    """The limit of rho at theta = 0, its supremum on (0, 2 pi)."""
+    return limit(dissipation_density(), theta, 0)
+
+
+@cache
+def density_slope() -> tuple[Expr, Expr]:
+    """rho' at theta = 2 phi as a factor, positive on 0 < phi < pi, times an increment that is negative there.
+
+    The increment is 0 at phi = 0 and has the derivative ``density_increment_slope``.
+    """
+    increment = 3 * angle * cos(angle) - 3 * sin(angle) + sin(angle) ** 3
+    half_angle = expand_trig(diff(dissipation_density(), theta).subs(theta, 2 * angle))
+    return simplify(half_angle / increment), increment
+
+
+@cache
+def density_increment_slope() -> tuple[Expr, Expr]:
+    """Derivative of the increment as 3 sin phi > 0 times sin phi cos phi - phi < 0: rho decreases."""
+    slope = diff(density_slope()[1], angle)
+    return 3 * sin(angle), simplify(slope / (3 * sin(angle)))
+
+
+@cache
+def inverse_step() -> Expr:
+    """1/w' - 1/w of one excursion, exact in theta: (2r/q)(D/h^4)/(1 - 2r D/h^2)."""
+    path, height = displacement_of_angle(), h()
+    return 2 * r / q * (path / height**4) / (1 - 2 * r * path / height**2)
+
+
+def inverse_step_bounds() -> tuple[Expr, Expr]:
+    """Lower and upper bound of 1/w' - 1/w for all slip angles up to theta (here theta_0 <= pi/2).
+
+    rho(theta_0) <= rho <= rho(0) bounds D/h^4 by a fourth of each; D' = h (1 - cos theta) h' bounds D/h^2 by
+    (1 - cos theta_0)/2.  Both bounds tend to the constant of the 1/t law as theta_0 -> 0.
+    """
+    lower = 2 * r / q * dissipation_density() / 4
+    upper = 2 * r / q * density_at_zero() / 4 / (1 - r * (1 - cos(theta)))
+    return lower, upper
+
+
+def no_merging_excess() -> Expr:
+    """A level of w, dimensionless: from a ray at or below it every excursion ends in S0 with 0 < w' < w.
+
+    It is w at theta = pi/2, where dw'/dtheta > 0 for every q and re-entry is inside S0: "slightly higher than
+    E_cr" made explicit.  Larger values may also do.
+    """
+    return factor((q * h() ** 2).subs(theta, pi / 2))
