@@ -31,10 +31,13 @@ def exact_decimal(value: object, name: str) -> Fraction:
     """
     if isinstance(value, str):
         return _from_text(value.strip(), name)
-    if isinstance(value, Decimal) or (isinstance(value, Real) and not isinstance(value, (bool, Rational))):
-        return _from_text(str(value) if isinstance(value, Decimal) else repr(float(value)), name)
-    if isinstance(value, Rational) and not isinstance(value, bool):
-        return _checked_size(Fraction(value), name)
+    if isinstance(value, Decimal):
+        return _from_text(str(value), name)
+    if not isinstance(value, bool):
+        if isinstance(value, (int, Rational)):
+            return _checked_size(Fraction(value), name)
+        if isinstance(value, Real):
+            return _from_text(repr(float(value)), name)
     raise InvalidScene(f"{name} must be a decimal number, not {_shown(value)}; write it as 0.05 or 5e-2")
 
 

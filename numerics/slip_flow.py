@@ -4,7 +4,7 @@ For a slip of sign s put sigma = -s, angle theta = tau/sqrt(q), and from its sta
     gap    d = (sigma X - 1)/q          signed distance beyond the edge of the sliding region that it may leave by
     push   u = sigma V1/sqrt(q)
     guard  k = s (V1 - V2)/sqrt(q)      positive while the slip lasts, k(0) = g
-Then (1 + d, u) turns on a circle and, with versine = 1 - cos, sine_deficit = theta - sin theta, both free of cancellation,
+Then (1 + d, u) turns on a circle and, with versine = 1 - cos and sine_deficit = theta - sin, free of cancellation,
     k(theta)  = g + d sin + u versine - sine_deficit,       k' = d(theta)
     d(theta)  = d - (1 + d) versine + u sin
     u(theta)  = u - u versine - (1 + d) sin

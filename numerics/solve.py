@@ -76,7 +76,12 @@ def _solve_to_digits(
             undecided, reached = error, 0
         if undecided is None and reached >= digits:
             return Trajectory(
-                trajectory.scene, trajectory.frame, trajectory.segments, trajectory.events, trajectory.status, digits
+                trajectory.scene,
+                trajectory.frame,
+                trajectory.segments,
+                trajectory.events,
+                trajectory.status,
+                digits,
             )
         if undecided is not None and working * 2 > max_digits:
             raise undecided

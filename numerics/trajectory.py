@@ -153,8 +153,7 @@ class Trajectory:
     def y_events(self) -> tuple[NDArray[Any], ...]:
         """Return the event states by kind, each of shape (k, 4)."""
         return tuple(
-            self._array([event.y for event in self.events if event.kind is kind]).reshape(-1, 4)
-            for kind in EventKind
+            self._array([event.y for event in self.events if event.kind is kind]).reshape(-1, 4) for kind in EventKind
         )
 
     @cached_property

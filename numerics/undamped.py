@@ -103,7 +103,7 @@ class UndampedStick:
         velocity = start.V1 * cosine - start.X * sine
         return ReducedState(start.X * cosine + start.V1 * sine, velocity, velocity, start.Z, start.w)
 
-    def losses(self, tau: Number) -> tuple[Number, Number]:
+    def losses(self, tau: Number) -> tuple[Number, Number]:  # noqa: ARG002
         """Return (0, 0): stick conserves energy."""
         zero = self.frame.arithmetic.number(0)
         return zero, zero

@@ -16,7 +16,13 @@ from numerics.viscous_contact import Guard, first_contact
 
 def stick_oscillator(frame: Frame) -> Oscillator:
     """Return X'' + 2 zeta X' + X = 0, the stick flow."""
-    return _oscillator(frame, frame.two_zeta / 2, frame.arithmetic.number(1), frame.stick_discriminant, frame.arithmetic.number(1))
+    return _oscillator(
+        frame,
+        frame.two_zeta / 2,
+        frame.arithmetic.number(1),
+        frame.stick_discriminant,
+        frame.arithmetic.number(1),
+    )
 
 
 def slip_oscillator(frame: Frame) -> Oscillator:
@@ -24,9 +30,7 @@ def slip_oscillator(frame: Frame) -> Oscillator:
     return _oscillator(frame, frame.two_zeta / 2 / frame.q, 1 / frame.q, frame.slip_discriminant, frame.q)
 
 
-def _oscillator(
-    frame: Frame, decay: Number, stiffness: Number, discriminant: Fraction, scale: Number
-) -> Oscillator:
+def _oscillator(frame: Frame, decay: Number, stiffness: Number, discriminant: Fraction, scale: Number) -> Oscillator:
     arithmetic = frame.arithmetic
     regime = (discriminant > 0) - (discriminant < 0)
     frequency = arithmetic.sqrt(arithmetic.number(abs(discriminant))) / scale

@@ -100,7 +100,7 @@ def _turning_points(guard: Guard) -> Iterator[Number]:
         count += 1
         if count > MAX_PIECES:
             raise OutOfRange(
-                f"one slip lasts more than {MAX_PIECES} half oscillations; shorten it (a smaller |v1 - v2|) or set a1 = 0"
+                f"one slip lasts more than {MAX_PIECES} half oscillations; make |v1 - v2| smaller or set a1 = 0"
             )
         point = None if step is None else point + step
     yield last

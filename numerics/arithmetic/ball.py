@@ -99,9 +99,7 @@ class Ball:
         """Return an enclosure of x^2/2 - 1 + cos x that is tight relative to its value (mean value form)."""
         return _mean_value(x, lambda p: p * p / 2 - 1 + p.cos(), self.sine_deficit, cancelled=4)
 
-    def root(
-        self, function: Callable[[arb], arb], slope: Callable[[arb], arb], lower: arb, upper: arb
-    ) -> arb:
+    def root(self, function: Callable[[arb], arb], slope: Callable[[arb], arb], lower: arb, upper: arb) -> arb:
         """Return an enclosure of the root, proved to exist and to be the only one between lower and upper.
 
         The function must be decreasing between lower and upper; its signs there are proved here, the root is

@@ -56,7 +56,7 @@ class Multiprecision:
 
     def cos_sin(self, x: Any) -> tuple[Any, Any]:
         """Return (cos x, sin x)."""
-        return mpmath.cos_sin(x)  # type: ignore[no-any-return]
+        return mpmath.cos_sin(x)
 
     def atan2(self, y: Any, x: Any) -> Any:
         """Return the angle of the point (x, y)."""
@@ -82,9 +82,7 @@ class Multiprecision:
             value = x * x / 2 - 1 + mpmath.cos(x)
         return +value
 
-    def root(
-        self, function: Callable[[Any], Any], slope: Callable[[Any], Any], lower: Any, upper: Any
-    ) -> Any:
+    def root(self, function: Callable[[Any], Any], slope: Callable[[Any], Any], lower: Any, upper: Any) -> Any:
         """Return the root of a decreasing function, bracketed throughout."""
         return bracketed_newton(function, slope, lower, upper, tolerance=mpmath.ldexp(1, 1 - mpmath.mp.prec))
 

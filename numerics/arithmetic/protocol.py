@@ -15,7 +15,7 @@ Number = Any
 
 
 class Sign(Enum):
-    """The only answers to "what sign has this number?"; an enclosure that straddles zero has none of the first three."""
+    """The only answers to "what sign has this number?"; an enclosure that straddles zero has no proven one."""
 
     NEGATIVE = -1
     ZERO = 0
@@ -76,7 +76,11 @@ class Arithmetic(Protocol):
         """Return x^2/2 - 1 + cos x without cancellation."""
 
     def root(
-        self, function: Callable[[Number], Number], slope: Callable[[Number], Number], lower: Number, upper: Number
+        self,
+        function: Callable[[Number], Number],
+        slope: Callable[[Number], Number],
+        lower: Number,
+        upper: Number,
     ) -> Number:
         """Return the root of a decreasing function between lower and upper, where it is > 0 and < 0."""
 

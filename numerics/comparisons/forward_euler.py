@@ -1,0 +1,74 @@
+"""The paper's integrator: explicit Euler with a fixed step, for both readings of the friction law.
+
+It is here to be compared with, not to be trusted: it meets v1 = v2 exactly at most at its start, so its stick is
+chatter, and in stick its energy grows by a factor of 1 + (step Omega)^2 each step.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.scene import Law, Scene
+
+
+@dataclass(frozen=True)
+class EulerRun:
+    """Samples of a forward Euler run: t (n,) s, y (4, n) with rows x1, v1, x2, v2 in SI units; approximate."""
+
+    scene: Scene
+    step: float
+    t: NDArray[np.float64]
+    y: NDArray[np.float64]
+
+    @property
+    def chatter(self) -> int:
+        """Return how often sgn(v1 - v2) flips between consecutive steps that both lie in |a2 x1 + a1 v1| <= a2 L."""
+        pair = self.scene.pair
+        sign = np.sign(self.y[1] - self.y[3])
+        load = np.abs(float(pair.a2) * self.y[0] + float(pair.a1) * self.y[1])
+        inside = load <= float(pair.a2 * pair.half_width)
+        return int(np.count_nonzero((sign[1:] * sign[:-1] < 0) & inside[1:] & inside[:-1]))
+
+    @property
+    def exact_contacts(self) -> int:
+        """Return at how many steps v1 = v2 holds exactly."""
+        return int(np.count_nonzero(self.y[1] == self.y[3]))
+
+    @property
+    def energy(self) -> NDArray[np.float64]:
+        """Return E at every step, J."""
+        pair = self.scene.pair
+        x1, v1, _, v2 = self.y
+        return (float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2
+
+
+def forward_euler(scene: Scene, step: float) -> EulerRun:
+    """Integrate a scene with the explicit Euler method of the given step (s) > 0. Raises ValueError.
+
+    Where v1 = v2 holds exactly: the law `three-valued-sgn` uses the stick branch of eqs (5)-(6), generalised to any
+    masses; the law `filippov` uses it inside the sliding region only, and the slip field that leads away outside.
+    """
+    steps = round(float(scene.until) / step) if step > 0 else 0
+    if steps < 1:
+        raise ValueError(f"step = {step:g} s must lie between 0 and the horizon {float(scene.until):g} s")
+    pair, at = scene.pair, scene.initial
+    m1, m2, a1, a2, b = (float(value) for value in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
+    held, literal = b * (m1 + m2) / m2, scene.law is Law.THREE_VALUED_SGN
+    y = np.empty((4, steps + 1))
+    x1, v1, x2, v2 = float(at.x1), float(at.v1), float(at.x2), float(at.v2)
+    y[:, 0] = x1, v1, x2, v2
+    for n in range(1, steps + 1):
+        load = a2 * x1 + a1 * v1
+        sign = (v1 > v2) - (v1 < v2)
+        if sign == 0 and not literal and abs(load) > held:
+            sign = -1 if load > 0 else 1
+        if sign:
+            dv1, dv2 = -(load + b * sign) / m1, b * sign / m2
+        else:
+            dv1 = dv2 = -load / (m1 + m2)
+        x1, v1, x2, v2 = x1 + step * v1, v1 + step * dv1, x2 + step * v2, v2 + step * dv2
+        y[:, n] = x1, v1, x2, v2
+    return EulerRun(scene, step, np.linspace(0.0, step * steps, steps + 1), y)

@@ -1,0 +1,129 @@
+"""A trajectory as JSON, CSV or NumPy archive. Files appear whole under their name or not at all."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from numerics.arithmetic.protocol import Number
+from numerics.comparison import as_fraction, distance, require_same_sequence
+from numerics.rendering import ball_text, right_digits_text
+from numerics.solve import solve
+from numerics.trajectory import Trajectory
+
+STATE_NAMES = ("x1", "v1", "x2", "v2")
+Written = dict[str, str]
+
+
+def as_record(trajectory: Trajectory) -> dict[str, Any]:
+    """Return a trajectory as the JSON object of the interface: decimal strings of right digits, radii beside balls.
+
+    For float64 and mpmath the right digits are found by solving once more in balls; raises SequenceDiffers if the
+    two event sequences differ, so that no wrong itinerary is ever printed.
+    """
+    write = _ball_writer(trajectory) if trajectory.arithmetic.name == "ball" else _point_writer(trajectory)
+    rows = list(_rows(trajectory, write))
+    return {
+        "status": trajectory.status.name.lower().replace("_", "-"),
+        "message": trajectory.message,
+        "arithmetic": trajectory.arithmetic.name,
+        "digits": trajectory.digits if trajectory.digits is not None else trajectory.arithmetic.digits,
+        "events": rows[:-1],
+        "final": rows[-1],
+    }
+
+
+def _rows(trajectory: Trajectory, write: Callable[[str, Number, int], Written]) -> Iterator[dict[str, str]]:
+    """Yield one record an event, and then the final state's."""
+    with trajectory.arithmetic.context():
+        for index, event in enumerate(trajectory.events):
+            row = write("t", event.t, index)
+            row |= {"from": event.before.value, "to": event.after.value}
+            for name, value in zip(STATE_NAMES, event.y, strict=True):
+                row |= write(name, value, index)
+            yield row
+        final = trajectory.final
+        last = trajectory.segments[-1]
+        row = write("t", trajectory.frame.si_time(last.end), -1) | {"mode": last.mode.value}
+        values = (*trajectory.frame.si_state(final), trajectory.frame.energy(final), final.w)
+        for name, value in zip((*STATE_NAMES, "energy", "energy_excess"), values, strict=True):
+            row |= write(name, value, -1)
+        yield row
+
+
+def _ball_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written]:
+    digits = trajectory.digits or trajectory.arithmetic.digits
+
+    def write(name: str, value: Number, index: int) -> Written:  # noqa: ARG001
+        text, radius = ball_text(value, digits)
+        return {name: text, f"{name}_radius": radius}
+
+    return write
+
+
+def _point_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written]:
+    """Return a writer that cuts each number where it parts from a ball solve of the same scene."""
+    digits = 17 if trajectory.arithmetic.name == "float64" else trajectory.arithmetic.digits
+    balls = solve(trajectory.scene, digits=digits + 3, arithmetic="ball", max_events=max(len(trajectory.events), 1))
+    require_same_sequence(trajectory, balls)
+    with balls.arithmetic.context():
+        rows = [dict(zip(("t", *STATE_NAMES), (event.t, *event.y), strict=True)) for event in balls.events]
+        final, frame = balls.final, balls.frame
+        values = (frame.si_time(balls.segments[-1].end), *frame.si_state(final), frame.energy(final), final.w)
+        rows.append(dict(zip(("t", *STATE_NAMES, "energy", "energy_excess"), values, strict=True)))
+
+    def write(name: str, value: Number, index: int) -> Written:
+        with balls.arithmetic.context():
+            return {name: right_digits_text(as_fraction(value), distance(value, rows[index][name]), digits)}
+
+    return write
+
+
+def as_csv(trajectory: Trajectory) -> str:
+    """Return the events and the final state as CSV text, the columns of the JSON records."""
+    record = as_record(trajectory)
+    rows = [{"from": "", "to": "", **event} for event in record["events"]]
+    last = dict(record["final"])
+    rows.append({"from": last.pop("mode"), "to": "", **last})
+    columns = list(dict.fromkeys(key for row in rows for key in row))
+    buffer = io.StringIO()
+    writer = csv.DictWriter(buffer, columns, restval="", lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    return buffer.getvalue()
+
+
+def write_npz(trajectory: Trajectory, path: Path) -> None:
+    """Write t (m,), y (4, m), energy (m,), modes and event_kinds as a NumPy archive of plain arrays (binary64)."""
+    number = trajectory.arithmetic.to_float
+    with trajectory.arithmetic.context(), whole_file(path) as file:
+        np.savez(
+            file,
+            t=np.vectorize(number, otypes=[float])(trajectory.t),
+            y=np.vectorize(number, otypes=[float])(trajectory.y),
+            energy=np.vectorize(number, otypes=[float])(trajectory.energy),
+            modes=np.array([mode.value for mode in trajectory.modes]),
+            event_kinds=np.array([kind.value for kind in trajectory.event_kinds], dtype=str),
+        )
+
+
+@contextmanager
+def whole_file(path: Path) -> Iterator[Any]:
+    """Open a binary file that takes its name only when the block ends well; otherwise nothing is left behind."""
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            yield file
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise

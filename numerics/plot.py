@@ -1,0 +1,56 @@
+"""A quick look at one trajectory: both velocities and the energy against time, events marked."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from numerics.export import whole_file
+from numerics.modes import EventKind
+from numerics.trajectory import Trajectory
+
+MARKERS = {EventKind.ENTRY: ("o", "entry"), EventKind.EXIT: ("^", "exit"), EventKind.CROSSING: ("x", "crossing")}
+FORMATS = (".svg", ".pdf", ".png")
+
+
+def sample_times(trajectory: Trajectory, points: int = 2000) -> Any:
+    """Return increasing times (s) that resolve every segment and contain the events; for drawing only."""
+    to_float = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+    events = to_float(trajectory.t)
+    return np.union1d(np.linspace(events[0], events[-1], points), events)
+
+
+def draw(trajectory: Trajectory) -> Any:
+    """Return a matplotlib figure: v1 and v2 (m/s), and E - E_cr (J), against t (s)."""
+    from matplotlib.figure import Figure
+
+    to_float = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+    times = sample_times(trajectory)
+    y = to_float(trajectory.sol(np.minimum(times, to_float(trajectory.t)[-1])))
+    figure = Figure(figsize=(8, 5.5), layout="constrained")
+    velocity, energy = figure.subplots(2, 1, sharex=True)
+    velocity.plot(times, y[1], label="$v_1$", lw=1.2)
+    velocity.plot(times, y[3], label="$v_2$", lw=1.2)
+    for kind, (marker, label) in MARKERS.items():
+        index = list(EventKind).index(kind)
+        t, at = to_float(trajectory.t_events[index]), trajectory.y_events[index]
+        if len(t):
+            velocity.plot(t, to_float(at[:, 3]), marker, color="black", ms=4, mfc="none", label=label)
+    velocity.set_ylabel("velocity (m/s)")
+    velocity.legend(loc="upper right", ncols=5, fontsize="small")
+    pair = trajectory.scene.pair
+    a2, m1, m2 = float(pair.a2), float(pair.m1), float(pair.m2)
+    excess = (a2 * y[0] ** 2 + m1 * y[1] ** 2 + m2 * y[3] ** 2) / 2 - float(pair.critical_energy)
+    energy.plot(times, excess, color="tab:green", lw=1.2)
+    energy.axhline(0, color="gray", lw=0.8)
+    energy.set(xlabel="t (s)", ylabel="$E - E_{cr}$ (J)")
+    return figure
+
+
+def write_plot(trajectory: Trajectory, path: Path) -> None:
+    """Write the drawing to a .svg, .pdf or .png file."""
+    figure = draw(trajectory)
+    with whole_file(path) as file:
+        figure.savefig(file, format=path.suffix[1:])

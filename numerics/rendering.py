@@ -1,0 +1,49 @@
+"""Numbers as decimal text that carries the digits that are right, no more.
+
+A ball is printed with its radius, rounded outwards: [text - radius, text + radius] contains the true value. A float64
+or mpmath number is compared with a ball from an independent solve, and cut where the two part.
+"""
+
+from __future__ import annotations
+
+from decimal import ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
+from fractions import Fraction
+
+from flint import arb
+
+_SPARE_DIGITS = 3
+"""Printed beyond the digits asked for, so that rounding the text costs none of them."""
+
+
+def ball_text(x: arb, digits: int) -> tuple[str, str]:
+    """Return (text, radius) of a ball: `digits` significant digits and a few spare ones, radius in 3 digits upwards."""
+    text = str(x.mid().str(digits + _SPARE_DIGITS, radius=False))
+    return text, _upwards(abs(x - arb(text)).upper())
+
+
+def _wide(digits: int, rounding: str) -> Context:
+    """Return a decimal context whose exponents cannot overflow here."""
+    return Context(prec=digits, rounding=rounding, Emax=10**15, Emin=-(10**15))
+
+
+def _upwards(bound: arb) -> str:
+    """Return an exact ball >= 0 as decimal text of 3 digits that is not smaller."""
+    if bound.is_zero():
+        return "0"
+    mantissa, exponent = (int(part) for part in bound.man_exp())
+    context = _wide(40, ROUND_CEILING)
+    exact = context.multiply(Decimal(mantissa), context.power(Decimal(2), Decimal(exponent)))
+    # 40 digits leave room for the rounding of the power, which decimal does not direct
+    return str(_wide(3, ROUND_CEILING).create_decimal(exact * (1 + Decimal("1e-30"))))
+
+
+def right_digits_text(value: Fraction, error: arb, most: int) -> str:
+    """Return an exact number as text cut to the digits that an error bound leaves right, at most `most` of them."""
+    context = _wide(max(most, 1), ROUND_HALF_EVEN)
+    text = context.divide(Decimal(value.numerator), Decimal(value.denominator))
+    if error.is_zero() or text == 0:
+        return str(text)
+    place = Decimal(_upwards(error.upper())).adjusted() + 1
+    if place <= int(text.as_tuple().exponent):
+        return str(text)
+    return str(text.quantize(Decimal((0, (1,), place)), context=_wide(most + 2, ROUND_HALF_EVEN)))
