@@ -131,9 +131,18 @@ class Finding:
 
     @property
     def strongest(self) -> EvidenceKind | None:
-        """The strongest kind among the evidence that passed."""
-        kinds = [item.kind for item in self.evidence if item.passed]
-        return max(kinds, key=lambda kind: kind.strength, default=None)
+        """The strongest kind that carries the verdict.
+
+        A refuted or corrected claim stands on two legs, counterexample and correction: the weaker one counts.
+        """
+        legs = [_strongest(self.evidence, about) for about in (Subject.COUNTEREXAMPLE, Subject.CORRECTION)]
+        standing = [kind for kind in legs if kind] or [_strongest(self.evidence, Subject.CLAIM)]
+        return min((kind for kind in standing if kind), key=lambda kind: kind.strength, default=None)
+
+
+def _strongest(evidence: tuple[Evidence, ...], about: Subject) -> EvidenceKind | None:
+    kinds = [item.kind for item in evidence if item.passed and item.about is about]
+    return max(kinds, key=lambda kind: kind.strength, default=None)
 
 
 def _decided(evidence: tuple[Evidence, ...], about: Subject) -> bool:

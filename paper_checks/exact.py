@@ -45,11 +45,7 @@ def identity(
                 text = f"difference {sp.N(value, 8)} at {where or 'no symbols'}"
                 return _evidence(statement, False, tried, text, assumptions)
     zero = all(simplifies_to_zero(difference) for difference in differences)
-    text = (
-        f"difference simplifies to 0; zero at {tried} rational points"
-        if zero
-        else "the simplifier does not reach 0"
-    )
+    text = f"difference simplifies to 0; zero at {tried} rational points" if zero else "the simplifier does not reach 0"
     if zero and inexact:
         text += f" (to {DIGITS - 15} digits at {inexact} of them)"
     return _evidence(statement, True if zero else None, tried, text, assumptions)
@@ -66,9 +62,7 @@ def simplifies_to_zero(expression: sp.Expr) -> bool:
     return False
 
 
-def _evidence(
-    statement: str, passed: bool | None, cases: int, value: str, assumptions: tuple[str, ...]
-) -> Evidence:
+def _evidence(statement: str, passed: bool | None, cases: int, value: str, assumptions: tuple[str, ...]) -> Evidence:
     return Evidence(EvidenceKind.EXACT, "sympy", statement, passed, cases, value, assumptions)
 
 

@@ -26,14 +26,10 @@ def script(statements: Iterable[sp.Basic], also: Iterable[sp.Symbol] = ()) -> st
     the reals.
     """
     formulas = list(statements)
-    symbols = sorted(
-        set(also).union(*(formula.free_symbols for formula in formulas)), key=lambda symbol: symbol.name
-    )
+    symbols = sorted(set(also).union(*(formula.free_symbols for formula in formulas)), key=lambda symbol: symbol.name)
     names = [symbol.name for symbol in symbols]
     if len(set(names)) != len(names):
-        raise NotPolynomialError(
-            f"two symbols of one name and different assumptions among {', '.join(names)}"
-        )
+        raise NotPolynomialError(f"two symbols of one name and different assumptions among {', '.join(names)}")
     lines = ["(set-logic QF_NRA)"]
     lines += [f"(declare-const {_name(symbol)} Real)" for symbol in symbols]
     lines += [f"(assert {fact})" for symbol in symbols for fact in _facts(symbol)]
@@ -74,9 +70,7 @@ def term(expression: sp.Basic) -> str:
 def _power(expression: sp.Pow) -> str:
     base, exponent = expression.args
     if not (isinstance(exponent, sp.Integer) and exponent > 0):
-        raise NotPolynomialError(
-            f"the power {expression} is not polynomial: clear denominators, name roots as symbols"
-        )
+        raise NotPolynomialError(f"the power {expression} is not polynomial: clear denominators, name roots as symbols")
     factor = term(base)
     return f"(* {' '.join([factor] * int(exponent))})"
 

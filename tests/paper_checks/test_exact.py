@@ -68,6 +68,4 @@ def test_the_same_seed_gives_the_same_evidence():
 
 def test_points_meet_the_assumptions():
     negative = sp.Symbol("v", negative=True)
-    assert (
-        identity("sign", sp.Abs(negative) + m + sp.Abs(k), -negative + sp.Abs(m) + sp.Abs(k)).passed is True
-    )
+    assert identity("sign", sp.Abs(negative) + m + sp.Abs(k), -negative + sp.Abs(m) + sp.Abs(k)).passed is True

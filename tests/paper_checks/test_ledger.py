@@ -9,9 +9,7 @@ from paper_checks.ledger.claim import in_order
 
 
 def claim(name="a", **changes):
-    return Claim(
-        **{"id": name, "section": "II", "where": "w", "statement": "s", "recorded": Verdict.HOLDS} | changes
-    )
+    return Claim(**{"id": name, "section": "II", "where": "w", "statement": "s", "recorded": Verdict.HOLDS} | changes)
 
 
 def test_the_sections_come_in_paper_order():

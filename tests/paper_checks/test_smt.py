@@ -130,9 +130,7 @@ def test_a_missing_solver_is_named(monkeypatch, missing):
 def test_a_time_limit_is_kept():
     letters = sp.symbols("a:h", real=True)
     hard = sum(letter**7 for letter in letters) > sp.prod(letters) ** 3
-    assert (
-        prove("hard", [sp.Eq(sum(letter**5 for letter in letters), 1)], hard, seconds=0.05).passed is not True
-    )
+    assert prove("hard", [sp.Eq(sum(letter**5 for letter in letters), 1)], hard, seconds=0.05).passed is not True
 
 
 def test_the_text_is_exact_and_the_same_for_both():

@@ -1,0 +1,181 @@
+"""The command line: `python -m paper_checks [run] [ID ...]`, `list`, `report`."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from paper_checks.ledger import Claim
+    from paper_checks.report.files import Figures
+    from paper_checks.runner import Row
+
+# Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
+
+COMMANDS = ("run", "list", "report")
+USAGE, UNCHECKED, INTERRUPTED = 2, 3, 130
+EPILOGUE = (
+    "Exit codes: 0 every verdict is the recorded one; 1 some verdict differs; 2 usage; "
+    "3 something stays unchecked, as a tool or a figure is missing."
+)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command and return the exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    if not words or words[0] not in (*COMMANDS, "-h", "--help"):
+        words.insert(0, "run")
+    options = _parser().parse_args(words)
+    if hasattr(sys.stdout, "reconfigure"):
+        sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        code: int = options.command(options)
+        sys.stdout.flush()
+    except KeyboardInterrupt:
+        _complain("interrupted")
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader has gone; what is still buffered must not raise again at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    return code
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python -m paper_checks",
+        description="Check every claim of the paper. Without a command: run.",
+        epilog=EPILOGUE,
+    )
+    commands = parser.add_subparsers(required=True, metavar="{run,list,report}")
+    run = commands.add_parser("run", help="check the claims, print verdicts and evidence", epilog=EPILOGUE)
+    run.add_argument("ids", nargs="*", metavar="ID", help="claims to check; all without it (see list)")
+    run.add_argument("--json", action="store_true", help="print a JSON list")
+    run.add_argument("--times", action="store_true", help="show how long each claim took")
+    run.set_defaults(command=_run)
+    claims = commands.add_parser("list", help="print the claims and the verdicts on record")
+    claims.add_argument("--json", action="store_true", help="print a JSON list")
+    claims.set_defaults(command=_list)
+    report = commands.add_parser("report", help="write the report", epilog=EPILOGUE)
+    report.add_argument("--out", type=Path, default=Path("report-out"), metavar="DIR", help="default: %(default)s")
+    report.add_argument("--format", choices=("html", "latex"), default="html", help="default: %(default)s")
+    report.set_defaults(command=_report)
+    for command in (run, report):
+        command.add_argument("--seed", type=int, default=0, metavar="N", help="of random cases; default: %(default)s")
+    return parser
+
+
+def _run(options: argparse.Namespace) -> int:
+    from paper_checks.runner import exit_code
+
+    claims = _chosen(options.ids)
+    if claims is None:
+        return USAGE
+    rows = _rows(claims, options.seed)
+    if options.json:
+        from paper_checks.report import json
+
+        sys.stdout.write(json.render(rows))
+    else:
+        from paper_checks.report.terminal import print_rows
+
+        print_rows(_console(), rows, times=options.times)
+    return exit_code(rows)
+
+
+def _list(options: argparse.Namespace) -> int:
+    from paper_checks.ledger import CLAIMS
+
+    if options.json:
+        from paper_checks.report import json
+
+        sys.stdout.write(json.render_claims(CLAIMS))
+    else:
+        from paper_checks.report.terminal import print_claims
+
+        print_claims(_console(), CLAIMS)
+    return 0
+
+
+def _report(options: argparse.Namespace) -> int:
+    from paper_checks.ledger import CLAIMS
+    from paper_checks.report.files import write
+    from paper_checks.runner import exit_code
+
+    rows = _rows(CLAIMS, options.seed)
+    complaints: list[str] = []
+    try:
+        path = write(options.out, options.format, rows, _figures(), complaints.append)
+    except OSError as error:
+        _complain(f"the report cannot be written: {error}")
+        return USAGE
+    for complaint in complaints:
+        _complain(complaint)
+    print(path)
+    return exit_code(rows) or (UNCHECKED if complaints else 0)
+
+
+def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
+    """Return the claims with these ids in ledger order; None, with one line on stderr, where one is unknown."""
+    from paper_checks.ledger import CLAIMS
+
+    known = [claim.id for claim in CLAIMS]
+    for name in ids:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, n=3, cutoff=0.5)
+            hint = f"did you mean {', '.join(near)}?" if near else "`list` prints the ids"
+            _complain(f"unknown claim {name!r}; {hint}")
+            return None
+    return tuple(claim for claim in CLAIMS if not ids or claim.id in ids)
+
+
+def _rows(claims: Sequence[Claim], seed: int) -> list[Row]:
+    """Run the checks, with progress on stderr where that is a terminal."""
+    from paper_checks.registry import Context, load_checks
+    from paper_checks.runner import run
+
+    registry, context = load_checks(), Context(seed)
+    if not sys.stderr.isatty():
+        return run(claims, registry, context)
+    from rich.console import Console
+
+    with Console(stderr=True).status("") as status:
+        return run(claims, registry, context, _counting(len(claims), status.update))
+
+
+def _counting(total: int, show: Callable[[str], None]) -> Callable[[Claim], None]:
+    begun = 0
+
+    def progress(claim: Claim) -> None:
+        nonlocal begun
+        begun += 1
+        show(f"{begun}/{total} {claim.id}")
+
+    return progress
+
+
+def _figures() -> Figures:
+    from paper_checks.figures import FIGURES
+
+    return FIGURES
+
+
+def _console() -> Console:
+    from rich.console import Console
+
+    return Console(highlight=False, soft_wrap=False)
+
+
+def _complain(message: str) -> None:
+    print(f"paper_checks: {message}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

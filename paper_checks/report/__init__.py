@@ -1,0 +1,1 @@
+"""The ledger joined to its evidence, for a reader: terminal, JSON, HTML and LaTeX."""

@@ -1,0 +1,44 @@
+"""Writes the report and its figures, each file whole or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+
+from matplotlib.figure import Figure
+
+from paper_checks import atomic
+from paper_checks.report import html, latex, vector
+from paper_checks.runner import Row
+
+Figures = Mapping[str, Callable[[], Figure]]
+"""How each figure is drawn, by the name that findings give it."""
+
+
+def write(folder: Path, form: str, rows: Sequence[Row], figures: Figures, complain: Callable[[str], None]) -> Path:
+    """Write the report in `form` (`html` or `latex`) into the folder and return its main file.
+
+    A figure that cannot be drawn is told to `complain`, and the report goes without it. Raises OSError.
+    """
+    drawn = dict(_drawn(rows, figures, complain))
+    if form == "html":
+        page = folder / "report.html"
+        atomic.write(page, html.render(rows, {name: vector.svg(figure) for name, figure in drawn.items()}))
+        return page
+    for name, figure in drawn.items():
+        atomic.write(folder / f"{name}.pdf", vector.pdf(figure))
+    source = folder / "report.tex"
+    atomic.write(source, latex.render(rows, {name: f"{name}.pdf" for name in drawn}))
+    return source
+
+
+def _drawn(rows: Sequence[Row], figures: Figures, complain: Callable[[str], None]) -> Iterator[tuple[str, Figure]]:
+    """Yield the figures that the findings name, in their order."""
+    for name in dict.fromkeys(row.finding.figure for row in rows if row.finding.figure):
+        if name not in figures:
+            complain(f"the figure {name} is not known")
+            continue
+        try:
+            yield name, figures[name]()
+        except Exception as error:  # noqa: BLE001  one figure's failure must not cost the reader the report
+            complain(f"the figure {name} was not drawn: {type(error).__name__}: {error}")

@@ -1,0 +1,109 @@
+"""Prose with LaTeX in it, for each kind of reader: MathML, plain text, LaTeX.
+
+Mathematics stands between `$` (inline) or `$$` (displayed); a backslash before it makes a dollar literal.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from enum import Enum
+from html import escape
+
+from latex2mathml.converter import convert
+
+from paper_checks.report.unicode_mathematics import spoken
+
+_PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)
+_LEFT_OVER = re.compile(r">\s*\\[A-Za-z]+")
+_TEX_SPECIAL = re.compile(r"[&%#_{}~^\\$<>|]")
+_TEX_ESCAPES = {
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+}
+_TEX_CHARACTERS = {
+    "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≈": r"\approx", "±": r"\pm", "∓": r"\mp", "×": r"\times",
+    "·": r"\cdot", "→": r"\to", "∞": r"\infty", "−": "-", "²": "^2", "³": "^3", "√": r"\surd",
+    "∈": r"\in", "π": r"\pi", "τ": r"\tau", "Ω": r"\Omega", "Φ": r"\Phi", "Δ": r"\Delta", "θ": r"\theta", "ζ": r"\zeta",
+}  # fmt: skip
+
+
+class UnreadableMathematicsError(ValueError):
+    """LaTeX that cannot be turned into MathML."""
+
+
+class Piece(Enum):
+    """What a stretch of a text is."""
+
+    PROSE = "prose"
+    INLINE = "inline"
+    DISPLAY = "display"
+
+
+def pieces(text: str) -> Iterator[tuple[Piece, str]]:
+    """Split a text into prose and mathematics; dollars without a partner stay in the prose."""
+    end = 0
+    for match in _PIECES.finditer(text):
+        if match.start() > end:
+            yield Piece.PROSE, text[end : match.start()].replace(r"\$", "$")
+        kind = Piece.DISPLAY if match["display"] else Piece.INLINE
+        yield kind, (match["display"] or match["inline"]).strip()
+        end = match.end()
+    if end < len(text):
+        yield Piece.PROSE, text[end:].replace(r"\$", "$")
+
+
+def mathml(latex: str, *, display: bool = False) -> str:
+    """Return the MathML element; raises UnreadableMathematicsError."""
+    try:
+        element = convert(latex, display="block" if display else "inline")
+    except Exception as error:
+        raise UnreadableMathematicsError(f"{latex!r}: {type(error).__name__}: {error}") from error
+    if left_over := _LEFT_OVER.search(element):
+        raise UnreadableMathematicsError(f"{latex!r}: the command {left_over[0].lstrip('>')} is not known")
+    return element
+
+
+def html(text: str) -> str:
+    """Return the text as HTML phrasing content; mathematics that cannot be read stays visible, as code."""
+    return "".join(_html_piece(kind, content) for kind, content in pieces(text))
+
+
+def _html_piece(kind: Piece, content: str) -> str:
+    if kind is Piece.PROSE:
+        return escape(content)
+    try:
+        element = mathml(content, display=kind is Piece.DISPLAY)
+    except UnreadableMathematicsError:
+        return f"<code>{escape(content)}</code>"
+    return f'<span class="display">{element}</span>' if kind is Piece.DISPLAY else element
+
+
+def plain(text: str) -> str:
+    """Return the text for a terminal, mathematics in Unicode."""
+    return "".join(content if kind is Piece.PROSE else spoken(content) for kind, content in pieces(text))
+
+
+def latex(text: str) -> str:
+    """Return the text as LaTeX source; what is special to TeX in the prose is escaped."""
+    return "".join(_latex_piece(kind, content) for kind, content in pieces(text))
+
+
+def _latex_piece(kind: Piece, content: str) -> str:
+    if kind is Piece.PROSE:
+        escaped = _TEX_SPECIAL.sub(lambda match: _TEX_ESCAPES.get(match[0], "\\" + match[0]), content)
+        return "".join(map(_latex_character, escaped))
+    return f"${content}$" if kind is Piece.INLINE else f"\\[{content}\\]"
+
+
+def _latex_character(character: str) -> str:
+    """Return the character as pdfTeX can set it; one that it has no glyph for is named, not dropped."""
+    if character in _TEX_CHARACTERS:
+        return f"${_TEX_CHARACTERS[character]}$"
+    if character < "\u0180" or character in "–—‘’“”…":
+        return character
+    return f"[U+{ord(character):04X}]"

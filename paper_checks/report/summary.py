@@ -1,0 +1,60 @@
+"""What every form of the report says alike: titles, findings first, sections, kinds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from paper_checks.evidence import Finding, Verdict
+from paper_checks.runner import Row
+
+TITLE = "Dynamics of inertial pair coupled via frictional interface: its claims, checked"
+PAPER = (
+    "Every claim of the paper by M. Ruderman, A. Zagvozdkin and D. Rachinskii, in its order, with the verdict, "
+    "the evidence and the corrected statement where one is needed."
+)
+OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
+HEADINGS = {
+    Verdict.REFUTED: "Refuted",
+    Verdict.HOLDS_CORRECTED: "Holds after a correction",
+    Verdict.UNDECIDED: "Undecided",
+    Verdict.UNCHECKED: "Unchecked",
+}
+
+
+def findings_first(rows: Sequence[Row]) -> Iterator[tuple[Verdict, str, list[tuple[Row, str]]]]:
+    """Yield, for each verdict that is news, its heading and its rows with one sentence each."""
+    for verdict, heading in HEADINGS.items():
+        chosen = [(row, first_sentence(row.finding.reason)) for row in rows if row.finding.verdict is verdict]
+        if chosen:
+            yield verdict, heading, chosen
+
+
+def sections(rows: Sequence[Row]) -> list[str]:
+    """Return the sections that the rows come from, in their order."""
+    return list(dict.fromkeys(row.claim.section for row in rows))
+
+
+def kind(finding: Finding) -> str:
+    """Return the strongest kind of evidence that passed, or a dash."""
+    return finding.strongest.value if finding.strongest else "–"
+
+
+def first_sentence(text: str) -> str:
+    """Return the text up to the first full stop that ends a sentence, outside mathematics.
+
+    >>> first_sentence("At t = 4.7 s, i.e. late. Then more.")
+    'At t = 4.7 s, i.e. late.'
+    >>> first_sentence("With $a. B$ it fails. Then more.")
+    'With $a. B$ it fails.'
+    """
+    head, _, rest = text.partition(". ")
+    while rest and _goes_on(head, rest):
+        more, _, rest = rest.partition(". ")
+        head = f"{head}. {more}"
+    return head.rstrip(".") + "."
+
+
+def _goes_on(head: str, rest: str) -> bool:
+    abbreviated = head.endswith(("i.e", "e.g", "cf", "eq", "eqs", "Eq", "Eqs", "Fig"))
+    inside = (head.count("$") - head.count(r"\$")) % 2 == 1
+    return abbreviated or inside or rest[0].islower()

@@ -1,0 +1,115 @@
+"""The rows as a table on the terminal; plain text where the output is piped."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+from rich.console import Console
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from paper_checks.evidence import Verdict
+from paper_checks.ledger import Claim
+from paper_checks.report.mathematics import plain
+from paper_checks.report.summary import OUTCOMES, first_sentence, kind
+from paper_checks.runner import Row
+
+STYLES = {
+    Verdict.HOLDS: "green",
+    Verdict.HOLDS_CORRECTED: "yellow",
+    Verdict.REFUTED: "red",
+    Verdict.UNDECIDED: "magenta",
+    Verdict.UNCHECKED: "bright_black",
+}
+
+
+ROOM_FOR_REASONS = 120
+"""Columns from which on the table carries the reasons too; below, it would fold them into ribbons."""
+
+
+def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) -> None:
+    """Print one row: its whole story. Print several: the table, the findings, and the count of verdicts."""
+    if len(rows) == 1:
+        _print_story(console, rows[0])
+    else:
+        console.print(_table(rows, console.width >= ROOM_FOR_REASONS, times))
+        _print_findings(console, rows)
+    for row in rows:
+        if not row.as_recorded:
+            found, recorded = row.finding.verdict.value, row.claim.recorded.value
+            _say(console, f"differs from the record: {row.claim.id} is {found}, recorded {recorded}")
+    counts = Counter(row.finding.verdict for row in rows)
+    _say(console, ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict]))
+
+
+def print_claims(console: Console, claims: Iterable[Claim]) -> None:
+    """Print the claims, with the verdict on record and the place in the paper."""
+    table = _empty_table("claim", "recorded")
+    table.add_column("where")
+    for claim in claims:
+        table.add_row(Text(claim.id), _coloured(claim.recorded), Text(claim.where))
+    console.print(table)
+
+
+def _empty_table(*titles: str) -> Table:
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for title in titles:
+        table.add_column(title, no_wrap=True)
+    return table
+
+
+def _coloured(verdict: Verdict) -> Text:
+    return Text(verdict.value, STYLES[verdict])
+
+
+def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
+    """Ids, verdicts and kinds keep their width; places and reasons fold into what is left."""
+    table = _empty_table("claim", "verdict", "evidence")
+    table.add_column("where", ratio=1)
+    if reasons:
+        table.add_column("reason", ratio=3)
+    if times:
+        table.add_column("seconds", justify="right", no_wrap=True)
+    for row in rows:
+        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row.finding)), Text(row.claim.where)]
+        cells += [Text(plain(first_sentence(row.finding.reason)))] if reasons else []
+        cells += [Text(f"{row.seconds:.1f}")] if times else []
+        table.add_row(*cells)
+    return table
+
+
+def _print_findings(console: Console, rows: Sequence[Row]) -> None:
+    """Print a sentence for each claim that does not simply hold."""
+    console.print()
+    for row in rows:
+        if row.finding.verdict is not Verdict.HOLDS:
+            reason = plain(first_sentence(row.finding.reason))
+            console.print(Text.assemble((row.claim.id, "bold"), " ", _coloured(row.finding.verdict)))
+            console.print(Padding(Text(reason), (0, 0, 0, 2)))
+    console.print()
+
+
+def _print_story(console: Console, row: Row) -> None:
+    finding = row.finding
+    console.print(Text(row.claim.id, "bold"), Text(finding.verdict.value, STYLES[finding.verdict]))
+    texts = {
+        f"The paper ({row.claim.where})": row.claim.statement,
+        "Reason": finding.reason,
+        "Corrected": finding.corrected,
+        "Counterexample": finding.counterexample,
+        "Missing": finding.missing,
+    }
+    for title, text in texts.items():
+        if text:
+            _say(console, f"{title}: {plain(text)}")
+    for item in finding.evidence:
+        value = f" [{plain(item.value)}]" if item.value else ""
+        cases = f", {item.cases} cases" if item.cases != 1 else ""
+        head = f"- {item.kind.value} ({item.engine}{cases}), {item.about.value}, {OUTCOMES[item.passed]}: "
+        _say(console, head + plain(item.statement) + value)
+
+
+def _say(console: Console, text: str) -> None:
+    console.print(Text(text))

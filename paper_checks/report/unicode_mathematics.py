@@ -1,0 +1,73 @@
+"""LaTeX mathematics as one line of Unicode, for terminals. Readable, not complete."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+_WORDS = {
+    "leqslant": "≤", "leq": "≤", "le": "≤", "geqslant": "≥", "geq": "≥", "ge": "≥", "neq": "≠", "ne": "≠",
+    "approx": "≈", "sim": "~", "pm": "±", "mp": "∓", "times": "×", "cdot": "·", "cdots": "⋯", "ldots": "…",
+    "to": "→", "rightarrow": "→", "mapsto": "↦", "Rightarrow": "⇒", "implies": "⇒", "iff": "⇔", "infty": "∞",
+    "in": "∈", "notin": "∉", "cap": "∩", "cup": "∪", "subset": "⊂", "vee": "∨", "wedge": "∧", "emptyset": "∅",
+    "forall": "∀", "exists": "∃", "int": "∫", "sum": "∑", "partial": "∂", "langle": "⟨", "rangle": "⟩",
+    "lVert": "‖", "rVert": "‖", "Vert": "‖", "lvert": "|", "rvert": "|", "ell": "ℓ", "quad": "  ", "qquad": "    ",
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "varepsilon": "ε", "epsilon": "ε", "zeta": "ζ",
+    "eta": "η", "theta": "θ", "lambda": "λ", "mu": "μ", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ",
+    "phi": "φ", "varphi": "φ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Phi": "Φ", "Omega": "Ω", "Sigma": "Σ",
+}  # fmt: skip
+_SUBSCRIPTS = str.maketrans("0123456789+-", "₀₁₂₃₄₅₆₇₈₉₊₋")
+_SUPERSCRIPTS = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
+_ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "bar": "\u0304", "hat": "\u0302", "tilde": "\u0303"}
+_GROUP = r"\{([^{}]*)\}"
+
+
+def spoken(latex: str) -> str:
+    r"""Return LaTeX mathematics as Unicode text.
+
+    >>> spoken(r"\ddot{x}_1 \leqslant \tfrac{b}{m_1+m_2}\sqrt{a}")
+    'ẍ₁ ≤b/(m₁+m₂) √(a)'
+    """
+    text = re.sub(r"\\(?:left|right|[bB]ig[lr]?|[bB]igg[lr]?|displaystyle|limits)(?![A-Za-z])\s*\.?", "", latex)
+    text = re.sub(r"\\([{}])", lambda match: {"{": "\ue000", "}": "\ue001"}[match[1]], text)
+    text = re.sub(r"\\([A-Za-z]+)\s*", lambda match: _WORDS.get(match[1], match[0]), text)
+    previous = None
+    while text != previous:
+        previous = text
+        text = _without_innermost_groups(text)
+    text = re.sub(r"\\([A-Za-z]+)\s*", r"\1", text)
+    text = re.sub(r"\\[,;:!]|\\ ", " ", text).replace("\\\\", "; ").replace("&", " ")
+    text = re.sub(r"\ue004(?=[\w√(])", " ", text).replace("\ue004", "")
+    for private, visible in (("\ue000", "{"), ("\ue001", "}"), ("\ue002", "_"), ("\ue003", "^")):
+        text = text.replace(private, visible)
+    return " ".join(text.split())
+
+
+def _without_innermost_groups(text: str) -> str:
+    text = re.sub(rf"\\[td]?frac\s*{_GROUP}\s*{_GROUP}", lambda m: f"{_whole(m[1])}/{_alone(m[2])}\ue004", text)
+    text = re.sub(rf"\\sqrt\s*{_GROUP}", r"√(\1)", text)
+    text = re.sub(rf"\\(dot|ddot|bar|hat|tilde)\s*(?:{_GROUP}|([A-Za-z]))", _accented, text)
+    text = re.sub(rf"\\(?:mathrm|mathbf|mathbb|mathcal|mathit|text|operatorname)\s*{_GROUP}", r"\1", text)
+    text = re.sub(rf"([_^])(?:{_GROUP}|([0-9A-Za-z+-]))", _raised_or_lowered, text)
+    return re.sub(r"\\(?:begin|end)\{[a-z*]+\}", " ", text)
+
+
+def _whole(text: str) -> str:
+    return text if re.fullmatch(r"[\w|]+", text) else f"({text})"
+
+
+def _alone(text: str) -> str:
+    """Put a denominator in parentheses, but for a number or one letter with its index."""
+    return text if re.fullmatch(r"\d+|[^\W\d][₀-₉]*", text) else f"({text})"
+
+
+def _accented(match: re.Match[str]) -> str:
+    return unicodedata.normalize("NFC", (match[2] or match[3]) + _ACCENTS[match[1]])
+
+
+def _raised_or_lowered(match: re.Match[str]) -> str:
+    content = match[2] if match[2] is not None else match[3]
+    if re.fullmatch(r"[0-9+-]+", content):
+        return content.translate(_SUBSCRIPTS if match[1] == "_" else _SUPERSCRIPTS)
+    mark = "\ue002" if match[1] == "_" else "\ue003"
+    return mark + (content if re.fullmatch(r"\w+|.", content) else f"({content})")

@@ -1,0 +1,111 @@
+"""A small ledger with a finding of every verdict, heavy mathematics and hostile texts."""
+
+import pytest
+from matplotlib.figure import Figure
+
+from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict
+from paper_checks.ledger import Claim
+from paper_checks.registry import Registry
+from paper_checks.runner import Row
+
+EXACT = Evidence(
+    EvidenceKind.EXACT,
+    "sympy",
+    r"$\frac{d}{dt}\Bigl(\tfrac{1}{2}a_2x_1^2+\tfrac{1}{2}m_1v_1^2+\tfrac{1}{2}m_2v_2^2\Bigr)+b\,|v_1-v_2|=0$",
+    True,
+    5,
+    "difference simplifies to 0; zero at 5 rational points",
+)
+SMT = Evidence(
+    EvidenceKind.SMT,
+    "z3 and cvc5",
+    r"$\Phi_+\cdot n_S<0$ on $S_+$",
+    True,
+    value="negation unsat in both, assumptions alone sat in both",
+    assumptions=(r"$x_1>\frac{b(m_1+m_2)}{a_2m_2}$", "$v_1=v_2$"),
+)
+BALL = Evidence(
+    EvidenceKind.ENCLOSURE,
+    "python-flint",
+    r"the slip ends at $t\in[0.0812,0.0813]$ s",
+    True,
+    3,
+    "0.08127496301884623117390165432890012345678901234567890123456789 +/- 1e-60",
+)
+SAMPLE = Evidence(EvidenceKind.PROPERTY, "hypothesis", "$w$ never increases", True, 500)
+FAILED = Evidence(EvidenceKind.SMT, "z3 and cvc5", "the statement as printed", False, value="x_1 = 1, b = 1/2")
+
+DERIVATION = (
+    r"Off $S$ the friction force is $\mp b$, hence with $E=\tfrac{1}{2}(a x_1^2+m_1v_1^2+m_2v_2^2)$: "
+    r"$$\dot E = a x_1 v_1 + v_1\bigl(-a x_1 - b\,\mathrm{sign}(v_1-v_2)\bigr) + v_2 b\,\mathrm{sign}(v_1-v_2) "
+    r"= -b\,|v_1-v_2| \leqslant 0.$$",
+    r"With $h(\theta)=\frac{\theta-\sin\theta}{1-\cos\theta}$ one excursion maps "
+    r"$$w' = q\left(h(\theta)^2 - 2 r\left(\frac{(\theta-\sin\theta)^2}{1-\cos\theta}-\frac{\theta^2}{2}"
+    r"+1-\cos\theta\right)\right),\qquad \lim_{t\to\infty} t\,(E-E_{cr}) = \frac{4\pi}{9}\frac{m_1}{m_2}"
+    r"\sqrt{\frac{M}{a_2}}\,E_{cr}.$$",
+    r"$$\begin{pmatrix}\dot{x}_1\\ \dot{v}_1\\ \dot{v}_2\end{pmatrix}=\begin{cases}\Phi_+ & v_1>v_2\\ "
+    r"\Phi_- & v_1<v_2\end{cases}$$",
+)
+LONG = (
+    r"As printed the bound $|\ddot{x}_1|<b\,m_2^{-1}$ fails: at $x_1=0.006$, $b=0.5$ the common acceleration is "
+    r"$a_2|x_1|/(m_1+m_2)=0.6>0.5=b/m_2$, so that the bodies cannot stick. "
+    "The rest of this reason is long, so that the page has to wrap it more than once: it names the branch, the "
+    "place, the law under which it fails and the one under which it holds, and what a reader should take from it."
+)
+
+
+def claim(name, recorded=Verdict.HOLDS, section="III", where="after (edot)", statement="$E$ decreases."):
+    return Claim(name, section, where, statement, recorded)
+
+
+@pytest.fixture
+def rows():
+    corrected = r"$|\ddot{x}_1|\leqslant b\,m_2^{-1}$ on $S_0$ with $|x_1|\leqslant \frac{b(m_1+m_2)}{a_2m_2}$."
+    counter = r"$x_1(0)=0.006$, $b=0.5$: $\ddot{x}_1=-0.6$."
+    both = (FAILED, BALL.as_counterexample(), SMT.as_correction())
+    return [
+        Row(
+            claim("energy-rate", statement=r"$\dot{E} = -b\,|v_1-v_2|\leqslant 0$ along every trajectory."),
+            Finding(Verdict.HOLDS, "An identity.", (EXACT, SMT), derivation=DERIVATION, figure="sine"),
+        ),
+        Row(
+            claim("example-stiction-never-violated", Verdict.REFUTED, "IV", "after eq. (6)", LONG),
+            Finding(Verdict.REFUTED, LONG, both, corrected, counter, DERIVATION, "sine"),
+            1.25,
+        ),
+        Row(
+            claim("stiction-bracket", Verdict.HOLDS_CORRECTED, "II", "eq. (4)"),
+            Finding(Verdict.HOLDS_CORRECTED, LONG, both, corrected, counter),
+        ),
+        Row(
+            claim("rate-one-over-t"),
+            Finding(Verdict.UNDECIDED, "Samples only.", (SAMPLE,), figure="lost", missing="a proof of $w\\to 0$"),
+        ),
+        Row(
+            claim("hostile", section="V", where='<script>alert("1")</script> & $x<y$'),
+            Finding(Verdict.UNCHECKED, r"<b>100%</b> & \$5 $\foo{x}$ $unpaired #_^~{}\ ẋ ≤", missing="z3 <missing>"),
+        ),
+    ]
+
+
+@pytest.fixture
+def registry(rows):
+    """Checks that return the rows' findings."""
+    registry = Registry(row.claim.id for row in rows)
+    for row in rows:
+        registry.check(row.claim.id)(lambda context, finding=row.finding: finding)
+    return registry
+
+
+def _sine():
+    figure = Figure(figsize=(6, 2.5))
+    axes = figure.subplots()
+    axes.plot([0, 1, 2, 3], [0, 0.8, 0.9, 0.1], label="$v_1$")
+    axes.set_xlabel("$t$ in s")
+    axes.legend()
+    return figure
+
+
+@pytest.fixture
+def figures():
+    return {"sine": _sine}
