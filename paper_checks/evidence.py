@@ -136,8 +136,8 @@ class Finding:
         A refuted or corrected claim stands on two legs, counterexample and correction: the weaker one counts.
         """
         legs = [_strongest(self.evidence, about) for about in (Subject.COUNTEREXAMPLE, Subject.CORRECTION)]
-        standing = [kind for kind in legs if kind] or [_strongest(self.evidence, Subject.CLAIM)]
-        return min((kind for kind in standing if kind), key=lambda kind: kind.strength, default=None)
+        standing = [kind for kind in legs if kind]
+        return min(standing, key=lambda kind: kind.strength, default=_strongest(self.evidence, Subject.CLAIM))
 
 
 def _strongest(evidence: tuple[Evidence, ...], about: Subject) -> EvidenceKind | None:

@@ -58,7 +58,7 @@ def _whole(text: str) -> str:
 
 def _alone(text: str) -> str:
     """Put a denominator in parentheses, but for a number or one letter with its index."""
-    return text if re.fullmatch(r"\d+|[^\W\d][₀-₉]*", text) else f"({text})"
+    return text if re.fullmatch(r"\d+|[^\W\d](?:_?\w)?", text) else f"({text})"
 
 
 def _accented(match: re.Match[str]) -> str:

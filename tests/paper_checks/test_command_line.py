@@ -1,0 +1,127 @@
+"""The command line: its default, its exit codes, its one clear line for each mistake."""
+
+import json
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+import paper_checks.__main__ as command_line
+import paper_checks.figures as figures_module
+import paper_checks.ledger as ledger_module
+from paper_checks import registry as registry_module
+from paper_checks.__main__ import main
+from paper_checks.ledger import CLAIMS
+
+
+@pytest.fixture
+def small(monkeypatch, rows, registry, figures):
+    """The small ledger in the place of the real one."""
+    monkeypatch.setattr(ledger_module, "CLAIMS", tuple(row.claim for row in rows))
+    monkeypatch.setattr(registry_module, "load_checks", lambda: registry)
+    monkeypatch.setattr(figures_module, "FIGURES", figures)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (["energy-rate"], 0),
+        (["run", "energy-rate", "stiction-bracket"], 0),
+        (["--seed", "3", "energy-rate"], 0),
+        (["rate-one-over-t"], 1),
+        (["hostile"], 3),
+        ([], 1),
+    ],
+)
+def test_run_is_the_default_and_the_exit_code_tells(small, capsys, arguments, code):
+    assert main(arguments) == code
+    captured = capsys.readouterr()
+    assert "\x1b" not in captured.out
+    assert captured.err == ""
+
+
+def test_json_comes_in_ledger_order(small, capsys):
+    main(["--json", "stiction-bracket", "energy-rate"])
+    assert [item["id"] for item in json.loads(capsys.readouterr().out)] == ["energy-rate", "stiction-bracket"]
+
+
+def test_an_unknown_id_gets_one_line_that_suggests(small, capsys):
+    assert main(["energy-rat"]) == 2
+    captured = capsys.readouterr()
+    assert captured.err == "paper_checks: unknown claim 'energy-rat'; did you mean energy-rate?\n"
+    assert captured.out == ""
+
+
+def test_list_prints_every_claim(capsys):
+    assert main(["list"]) == 0
+    out = capsys.readouterr().out
+    assert all(claim.id in out for claim in CLAIMS)
+    assert main(["list", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)[0]["recorded"] == "holds-corrected"
+
+
+@pytest.mark.parametrize("form", ["html", "latex"])
+def test_report_writes_and_complains(small, capsys, tmp_path, form):
+    assert main(["report", "--out", str(tmp_path), "--format", form]) == 1
+    captured = capsys.readouterr()
+    assert captured.out.strip().startswith(str(tmp_path))
+    assert captured.err == "paper_checks: the figure lost is not known\n"
+
+
+def test_a_folder_that_cannot_be_written_is_one_line(small, capsys, tmp_path):
+    (tmp_path / "file").write_text("")
+    assert main(["report", "--out", str(tmp_path / "file")]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+@pytest.mark.parametrize("arguments", [["run", "--nonsense"], ["report", "--format", "pdf"], ["--seed", "x"]])
+def test_usage_errors(arguments):
+    with pytest.raises(SystemExit) as stop:
+        main(arguments)
+    assert stop.value.code == 2
+
+
+def test_an_interruption_is_130(monkeypatch, capsys):
+    def interrupted(options):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command_line, "_run", interrupted)
+    assert main([]) == 130
+    assert capsys.readouterr().err == "paper_checks: interrupted\n"
+
+
+def test_help_imports_nothing_heavy():
+    program = (
+        "import sys, contextlib, paper_checks.__main__ as m\n"
+        "with contextlib.suppress(SystemExit): m.main(['--help'])\n"
+        "print(sorted({'sympy', 'z3', 'cvc5', 'flint', 'matplotlib', 'rich', 'numpy'} & set(sys.modules)))"
+    )
+    result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert result.stdout.endswith("[]\n")
+    assert "Exit codes" in result.stdout
+
+
+def test_a_closed_pipe_is_no_error():
+    command = f"{sys.executable} -m paper_checks list | head -n 1"
+    result = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
+    assert result.stderr == ""
+    assert result.stdout.startswith("claim")
+
+
+def test_ctrl_c_ends_the_process_cleanly():
+    program = (
+        "import sys, time, paper_checks.registry as r, paper_checks.__main__ as m\n"
+        "def slow():\n    print('begun', flush=True)\n    time.sleep(60)\n"
+        "r.load_checks = slow\nsys.exit(m.main([]))"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    assert process.stdout.readline() == "begun\n"
+    time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=20)
+    assert (process.returncode, out, err) == (130, "", "paper_checks: interrupted\n")
