@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from numerics.trajectory import Trajectory
 
 OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
-_EPILOG = """exit codes: 0 solved; 1 undecided or out of reach (the message says what to do); 2 usage or an invalid scene
+_EPILOG = """exit codes: 0 solved; 1 undecided or out of reach (the message says what to do); 2 usage, or invalid scene
 SCENE is a TOML file or a shipped scene; `python -m numerics scenes` lists them."""
 
 

@@ -49,7 +49,10 @@ class SlipFlow:
         return self.push_at_start * cosine - (1 + self.gap_at_start) * sine
 
     def slid(self, theta: Number) -> Number:
-        """Return K(theta), the integral of the guard."""
+        """Return K(theta), the integral of the guard; its slope is the guard, so at a contact it is stationary."""
+        return self.arithmetic.mean_value(self._slid, self.guard, theta)
+
+    def _slid(self, theta: Number) -> Number:
         arithmetic = self.arithmetic
         grown = self.gap_at_start * arithmetic.versine(theta) + self.push_at_start * arithmetic.sine_deficit(theta)
         return (grown - arithmetic.cosine_deficit(theta)) + self.guard_at_start * theta

@@ -15,9 +15,12 @@ from numerics.slip_flow import SlipFlow
 class UndampedSlip:
     """A slip with a1 = 0; `side` = -sign(v1 - v2) is the edge of S0 that its gap is measured from."""
 
-    def __init__(self, frame: Frame, law: Law, side: int, flow: SlipFlow, Z: Number, w: Number) -> None:
+    def __init__(
+        self, frame: Frame, law: Law, side: int, flow: SlipFlow, Z: Number, w: Number, *, from_ray: bool = False
+    ) -> None:
         """Start a slip from its slip variables, its relative displacement and its energy excess."""
         self.frame, self.law, self.side, self.flow, self.Z, self.w = frame, law, side, flow, Z, w
+        self.from_ray = from_ray
         self.mode = slip_mode(-side)
 
     @cached_property
@@ -54,7 +57,7 @@ class UndampedSlip:
         """Return the stick phase, or the slip of the other sign, that follows the first contact."""
         frame, side, theta = self.frame, self.side, self._contact
         gap, push = self.flow.gap(theta), self._driven_push(theta)
-        at = self.state(frame.sqrt_q * theta)
+        at = self.state(frame.sqrt_q * theta)._replace(w=self._excess_after_contact())
         beyond = -(2 + frame.q * gap)
         after = mode_after_contact(frame.arithmetic, self.law, -side, beyond, -push)
         if after is Mode.STICK:
@@ -62,6 +65,28 @@ class UndampedSlip:
             return UndampedStick(frame, self.law, start, side, frame.q * gap)
         flow = SlipFlow(frame.arithmetic, frame.arithmetic.number(0), beyond / frame.q, -push, on_surface=True)
         return UndampedSlip(frame, self.law, -side, flow, at.Z, at.w)
+
+    def _excess_after_contact(self) -> Number:
+        """Return w at the first contact, w - 2 r q K.
+
+        From a ray everything is a function of w alone, and dw'/dw = 1 - r versine(theta) < 1: taken as that function,
+        enclosures do not grow from one excursion to the next, however many there are.
+        """
+        frame, theta = self.frame, self._contact
+        if not self.from_ray:
+            return self.w - self.losses(frame.sqrt_q * theta)[0]
+        arithmetic = frame.arithmetic
+
+        def after(w: Number) -> Number:
+            return w - 2 * frame.r * frame.q * ray_flow(frame, w).slid(theta)
+
+        return arithmetic.mean_value(after, lambda _: 1 - frame.r * arithmetic.versine(theta), self.w)
+
+
+def ray_flow(frame: Frame, w: Number) -> SlipFlow:
+    """Return the slip variables on an exit ray with energy excess w: gap 0 and guard 0 exactly, push sqrt(w/q)."""
+    zero = frame.arithmetic.number(0)
+    return SlipFlow(frame.arithmetic, zero, zero, frame.arithmetic.sqrt(w) / frame.sqrt_q, on_surface=True)
 
 
 class UndampedStick:
@@ -109,8 +134,7 @@ class UndampedStick:
         return zero, zero
 
     def successor(self) -> Motion:
-        """Return the slip that starts on the exit ray: gap 0 and guard 0 exactly, push sqrt(w/q)."""
-        arithmetic, side = self.frame.arithmetic, self._exit_side
-        zero, push = arithmetic.number(0), arithmetic.sqrt(self.start.w) / self.frame.sqrt_q
-        flow = SlipFlow(arithmetic, zero, zero, push, on_surface=True)
-        return UndampedSlip(self.frame, self.law, side, flow, self.start.Z, self.start.w)
+        """Return the slip that starts on the exit ray."""
+        start = self.start
+        flow = ray_flow(self.frame, start.w)
+        return UndampedSlip(self.frame, self.law, self._exit_side, flow, start.Z, start.w, from_ray=True)

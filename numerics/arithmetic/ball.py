@@ -141,6 +141,12 @@ class Ball:
             width = 4 * width
         raise EventUndecided("existence of the guard's root near its approximation", self.text(x), self.digits)
 
+    def mean_value(self, function: Callable[[arb], arb], slope: Callable[[arb], arb], x: arb) -> arb:
+        """Return function(mid x) +- rad(x) max|slope(x)|, an enclosure of function(x) for a differentiable function."""
+        if not x.is_finite():
+            return function(x)
+        return function(x.mid()) + arb(0, (x.rad() * abs(slope(x))).upper())
+
     def to_float(self, x: arb) -> float:
         """Return the binary64 number nearest to the midpoint of x."""
         return float(x.mid())

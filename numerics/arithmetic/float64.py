@@ -105,6 +105,10 @@ class Float64:
         """Return the root of a decreasing function, bracketed throughout, to the last bits."""
         return bracketed_newton(function, slope, lower, upper, tolerance=2.0**-53)
 
+    def mean_value(self, function: Callable[[float], float], slope: Callable[[float], float], x: float) -> float:  # noqa: ARG002
+        """Return function(x): a point needs no mean value."""
+        return function(x)
+
     def to_float(self, x: float) -> float:
         """Return x."""
         return x

@@ -84,6 +84,9 @@ class Arithmetic(Protocol):
     ) -> Number:
         """Return the root of a decreasing function between lower and upper, where it is > 0 and < 0."""
 
+    def mean_value(self, function: Callable[[Number], Number], slope: Callable[[Number], Number], x: Number) -> Number:
+        """Return function(x); for a ball by the mean value form, whose radius is rad(x) max|slope(x)| and no more."""
+
     def to_float(self, x: Number) -> float:
         """Return the binary64 number nearest to x (to its midpoint, for a ball)."""
 
