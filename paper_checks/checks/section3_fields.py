@@ -1,0 +1,217 @@
+"""Section III, the model as a Filippov system: equivalence, fields, energy rates."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.exact import identity
+from paper_checks.polynomial import cleared
+from paper_checks.registry import Context, check
+from paper_checks.smt import prove
+from theory.energy import energy, sigma, slip_rate, stick_rate
+from theory.filippov import derivative_along, half_width, load_threshold, phi, sliding_field
+from theory.model import branches, free_system, slip, stick
+from theory.symbols import a1, a2, b, m1, m2, undamped, v1, v2, x1
+
+
+def printed_field(sign: int) -> sp.ImmutableMatrix:
+    """Return Phi_+ (sign 1) or Phi_- (sign -1) as the paper prints it."""
+    return sp.ImmutableMatrix([v1, -a2 / m1 * x1 - sign * b / m1, sign * b / m2])
+
+
+@check("vector-fields")
+def vector_fields(context: Context, printed=printed_field) -> Finding:  # type: ignore[no-untyped-def]
+    """Compare the printed components with the slip branches of (3), (4)."""
+    evidence = [
+        identity(
+            f"$\\Phi_{name}$ is the slip branch of (3), (4) in $\\Omega_{name}$",
+            phi(sign),
+            printed(sign),
+            seed=context.seed,
+        )
+        for name, sign in (("-", -1), ("+", 1))
+    ]
+    jump = identity(
+        r"$\Phi_+-\Phi_-=(0,-2b/m_1,2b/m_2)\neq 0$: discontinuous on $S$",
+        phi(1) - phi(-1),
+        sp.ImmutableMatrix([0, -2 * b / m1, 2 * b / m2]),
+        seed=context.seed,
+    )
+    return conclude(
+        Verdict.HOLDS,
+        "Solving (3) and (4) for the accelerations with the sign of the relative velocity put to 1 and to -1 gives the "
+        "printed components; they jump across the switching surface.",
+        *evidence,
+        jump,
+        derivation=tuple(f"$$\\Phi_{name}={sp.latex(phi(sign).T)}$$" for name, sign in (("-", -1), ("+", 1))),
+    )
+
+
+@check("filippov-equivalence")
+def filippov_equivalence(context: Context) -> Finding:
+    """Compare the two systems off S, inside S0, and on the rest of S."""
+    literal = undamped(free_system(sp.Integer(0)))
+    adhesion = sp.Lt(cleared(undamped(stick().field)[1] ** 2 - (b / m2) ** 2), 0, evaluate=False)
+    inside = sp.Lt(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
+    spurious = [one for one in branches() if one.name in ("half adhesion", "broken adhesion")]
+    off_surface = [
+        identity(
+            f"off $S$ the field of (3), (4) with $a_1=u=0$ is that of (e1)–(e3), sign {sign:+d}",
+            undamped(slip(sign).field),
+            undamped(free_system(sp.Integer(sign))),
+            seed=context.seed,
+        ).as_correction()
+        for sign in (1, -1)
+    ]
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "The two systems have the same solutions if (e1)–(e3) is read in Filippov's sense, as Section III does. Read with "
+        "the three-valued signum of eq. (1), which the text prefers, (e1)–(e3) has no solution through the interior of "
+        "$S_0$ with $x_1\\neq 0$: on $S$ it would have to stay there, but its accelerations differ. On $S$ outside the "
+        "open strip the right sides differ too, at isolated instants only.",
+        *off_surface,
+        identity(
+            "on $S_0$ the adhesion branch of (3), (4) is Filippov's sliding field",
+            undamped(stick().field),
+            sliding_field(),
+            seed=context.seed,
+        ).as_correction(),
+        prove("adhesion, $|\\ddot x_1|<b/m_2$, implies $|x_1|<L$", [adhesion], inside).as_correction(),
+        prove("$|x_1|<L$ implies adhesion, $|\\ddot x_1|<b/m_2$", [inside], adhesion).as_correction(),
+        *(_leaves_surface(one, context).as_correction() for one in spurious),
+        identity(
+            "with sgn(0) = 0 in (e1)–(e3), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",
+            literal[1] - literal[2],
+            -a2 * x1 / m1,
+            seed=context.seed,
+        ).as_counterexample(),
+        corrected="With $a_1=u=0$, the solutions of (2)–(4) (absolutely continuous, equations met at almost every time) "
+        "are exactly the solutions of (e1)–(e3) in Filippov's sense.",
+        counterexample="$m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (e1)–(e3) with "
+        "sgn(0) = 0 asks for $\\dot v_1=-0.8$, $\\dot v_2=0$ on $S$ and for a return to $S$ off it.",
+        derivation=(
+            "A solution of (3)–(4) spends almost every instant of $\\{t:\\dot z=0\\}$ with $\\ddot z=0$, so only a branch "
+            "with $\\ddot x_1=\\ddot x_2$ can last: adhesion, which is Filippov's sliding field.",
+            f"$$\\text{{sliding field}}={sp.latex(sliding_field().T)}$$",
+            "Conversely the Filippov solution slides only in $S_0$, and at $|x_1|=L$ only at isolated times, where "
+            "$v_1\\neq 0$ or $\\ddot x_1\\neq 0$.",
+        ),
+    )
+
+
+def _leaves_surface(branch, context: Context) -> Evidence:  # type: ignore[no-untyped-def]
+    """Return that a spurious branch has x1'' - x2'' a nonzero multiple of x1'': it cannot last on S."""
+    share = {"half adhesion": sp.Rational(1, 2), "broken adhesion": sp.Integer(1)}[branch.name]
+    return identity(
+        f"in the branch with {branch.name}, $\\ddot x_1-\\ddot x_2={sp.latex(share)}\\,\\ddot x_1\\neq 0$: it lasts no time",
+        branch.acceleration1 - branch.acceleration2,
+        share * branch.acceleration1,
+        seed=context.seed,
+    )
+
+
+def energy_identity(context: Context) -> Evidence:
+    """Return that dE/dt = -b sigma (v1 - v2) for every value of the set-valued sign, (edot) for every solution."""
+    return identity(
+        r"$\dot E=-b\,\sigma\,(v_1-v_2)$ for every $\sigma\in[-1,1]$ that friction may take, so $\dot E=-b|v_1-v_2|$ for "
+        r"every $\sigma\in\mathrm{Sign}(v_1-v_2)$",
+        derivative_along(undamped(free_system(sigma)), energy()),
+        -b * sigma * (v1 - v2),
+        seed=context.seed,
+    )
+
+
+@check("energy-rate")
+def energy_rate(context: Context) -> Finding:
+    """Derive dE/dt along the fields of both half-spaces and of the sliding region."""
+    modes = [
+        identity(
+            f"in slip of sign {sign:+d}, $\\dot E=-b\\,({sign:+d})(v_1-v_2)$",
+            undamped(slip_rate(sign)),
+            -b * sign * (v1 - v2),
+            seed=context.seed,
+        )
+        for sign in (1, -1)
+    ]
+    return conclude(
+        Verdict.HOLDS,
+        "Along every value that set-valued friction can take, the chain rule gives $-b\\sigma(v_1-v_2)$, and "
+        "$\\sigma(v_1-v_2)=|v_1-v_2|$. As the right side is continuous, $E$ is continuously differentiable along every "
+        "trajectory, events included.",
+        energy_identity(context),
+        *modes,
+        identity(r"on $S_0$, $\dot E=0$ along the sliding field", undamped(stick_rate()), 0, seed=context.seed),
+        prove(
+            "$-b\\,|v_1-v_2|\\leqslant 0$ (case $v_1\\geqslant v_2$; the other is its mirror)",
+            [sp.Ge(v1, v2)],
+            sp.Le(-b * (v1 - v2), 0, evaluate=False),
+        ),
+        derivation=(
+            f"$$E={sp.latex(energy())}$$",
+            f"$$\\dot E={sp.latex(sp.factor(derivative_along(undamped(free_system(sigma)), energy())))}$$",
+        ),
+    )
+
+
+@check("energy-dissipation-places")
+def energy_dissipation_places(context: Context) -> Finding:
+    """Strict decrease off S, conservation on S."""
+    return conclude(
+        Verdict.HOLDS,
+        "The rate $-b|v_1-v_2|$ is negative exactly where the velocities differ.",
+        energy_identity(context),
+        prove(
+            "in $\\Omega_+$, $\\dot E<0$", [sp.Gt(v1, v2)], sp.Lt(cleared(undamped(slip_rate(1))), 0, evaluate=False)
+        ),
+        prove(
+            "in $\\Omega_-$, $\\dot E<0$", [sp.Lt(v1, v2)], sp.Lt(cleared(undamped(slip_rate(-1))), 0, evaluate=False)
+        ),
+        identity(r"on $S$, $\dot E=0$", undamped(slip_rate(1)).subs(v2, v1), 0, seed=context.seed),
+        derivation=("$$\\dot E<0\\iff v_1\\neq v_2$$",),
+    )
+
+
+@check("viscous-no-direct-effect")
+def viscous_no_direct_effect(context: Context) -> Finding:
+    """Show that the sliding region and the adhesion force depend on a1."""
+    from numerics.modes import Mode, mode_at_start
+    from numerics.scene import Pair, Scene, State
+    from paper_checks.evidence import EvidenceKind
+
+    start = State(x1="0.006", v1="-0.3", v2="-0.3")
+    modes = [mode_at_start(Scene(Pair(m1=1, m2=1, a1=damping, a2=200, b="0.5"), start, until=1)) for damping in (0, 1)]
+    example = Evidence(
+        EvidenceKind.EXACT,
+        "rational arithmetic",
+        "at $x_1=0.006$, $v_1=v_2=-0.3$ ($m_1=m_2=1$, $a_2=200$, $b=0.5$) the pair slips with $a_1=0$ and sticks with $a_1=1$",
+        modes == [Mode.SLIP_MINUS, Mode.STICK],
+        2,
+        ", ".join(mode.value for mode in modes),
+    )
+    force = stick().force_on_second
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "The damper is dissipative, and the friction force of slip does not contain $a_1$. The force that adhesion needs "
+        "does, so the damper tilts the sliding region: it decides at which states the pair sticks.",
+        example.as_counterexample(),
+        identity(
+            "adhesion needs the interface force $-m_2(a_2x_1+a_1v_1)/(m_1+m_2)$ on body 2 (at $u=0$)",
+            force.subs(sp.Symbol("u", real=True), 0),
+            -m2 * (a2 * x1 + a1 * v1) / (m1 + m2),
+            seed=context.seed,
+        ).as_correction(),
+        identity(
+            "the edge of $S_0$ is at the load $b(m_1+m_2)/m_2$", load_threshold(), b * (m1 + m2) / m2, seed=context.seed
+        ).as_correction(),
+        prove(
+            "$-a_1v_1^2\\leqslant 0$: the damper dissipates",
+            [],
+            sp.Le(-a1 * v1**2, 0, evaluate=False),
+        ).as_correction(),
+        corrected="Viscous damping of the driving body is dissipative and does not enter the friction force of slip; it "
+        "changes adhesion, whose region becomes $|a_2x_1+a_1v_1|\\leqslant b(m_1+m_2)/m_2$.",
+        counterexample="$m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1=0.006$, $v_1=v_2=-0.3$: $a_2x_1=1.2>1$ slips without the "
+        "damper; with $a_1=1$ the load is $1.2-0.3=0.9<1$ and the pair sticks.",
+        derivation=(f"$$f_{{\\text{{adhesion}}}}={sp.latex(force)}$$",),
+    )

@@ -1,0 +1,255 @@
+"""Section III, the switching surface: transversality, the sliding region, the critical energy, exits and returns."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.exact import identity
+from paper_checks.polynomial import cleared
+from paper_checks.registry import Context, check
+from paper_checks.smt import prove
+from theory.energy import (
+    critical_energy,
+    edge_speed_squared,
+    energy,
+    level_semi_axis,
+    on_surface,
+    semi_axis_margin,
+    stick_rate,
+)
+from theory.filippov import STATE, edge_contact, half_width, normal, phi, sliding_field, sliding_weight, transversality
+from theory.symbols import E0, a2, b, m1, m2, undamped, v1, v2, x1
+
+HALF_SPACES = (("+", 1), ("-", -1))
+
+
+def beyond(side: int, *, strict: bool = True) -> sp.Basic:
+    """Return the condition side x1 > L (or >=), cleared of its denominator."""
+    margin = cleared(side * x1 - half_width())
+    return sp.Gt(margin, 0, evaluate=False) if strict else sp.Ge(margin, 0, evaluate=False)
+
+
+def within() -> list[sp.Basic]:
+    """Return the conditions |x1| <= L of S0, cleared of their denominators."""
+    return [sp.Le(cleared(side * x1 - half_width()), 0, evaluate=False) for side in (1, -1)]
+
+
+def product(sign: int) -> sp.Expr:
+    """Return Phi_sign . n_S times m1 m2 > 0."""
+    return cleared(transversality(sign))
+
+
+def outside_proofs() -> list[Evidence]:
+    """Return the four proofs of (trans)."""
+    return [
+        prove(
+            f"$\\Phi_{name}\\cdot n_S{relation}0$ on $S_{part}$",
+            [beyond(side)],
+            sp.Lt(side * product(sign), 0, evaluate=False),
+        )
+        for part, side, relation in (("+", 1, "<"), ("-", -1, ">"))
+        for name, sign in HALF_SPACES
+    ]
+
+
+def strip_proofs() -> list[Evidence]:
+    """Return the two proofs of (trans')."""
+    return [
+        prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", within(), sp.Ge(product(-1), 0, evaluate=False)),
+        prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", within(), sp.Le(product(1), 0, evaluate=False)),
+    ]
+
+
+def _products() -> tuple[str, ...]:
+    return tuple(f"$$\\Phi_{name}\\cdot n_S={sp.latex(transversality(sign))}$$" for name, sign in HALF_SPACES)
+
+
+@check("transversality-outside")
+def transversality_outside(context: Context) -> Finding:
+    """Prove (trans) for all parameters."""
+    return conclude(
+        Verdict.HOLDS,
+        "Both products are $-(a_2m_2x_1\\pm b(m_1+m_2))/(m_1m_2)$: beyond either edge the spring term outweighs friction.",
+        *outside_proofs(),
+        identity(
+            "$n_S$ is the gradient of $v_1-v_2$: it points from $\\Omega_-$ to $\\Omega_+$",
+            normal(),
+            sp.ImmutableMatrix([0, 1, -1]),
+            seed=context.seed,
+        ),
+        derivation=(*_products(), f"$$L={sp.latex(half_width())}$$"),
+    )
+
+
+@check("transversality-strip")
+def transversality_strip(context: Context) -> Finding:
+    """Prove (trans') for all parameters, and that it is sharp at the edges."""
+    return conclude(
+        Verdict.HOLDS,
+        "The two products differ by $2b(m_1+m_2)/(m_1m_2)>0$; each vanishes at one edge of the strip only.",
+        *strip_proofs(),
+        identity(
+            "$\\Phi_-\\cdot n_S$ vanishes at $x_1=L$", transversality(-1).subs(x1, half_width()), 0, seed=context.seed
+        ),
+        identity(
+            "$\\Phi_+\\cdot n_S$ vanishes at $x_1=-L$", transversality(1).subs(x1, -half_width()), 0, seed=context.seed
+        ),
+        derivation=_products(),
+    )
+
+
+@check("sliding-region")
+def sliding_region(context: Context) -> Finding:
+    """Filippov's weight lies in [0, 1] exactly on S0, and the sliding field conserves energy."""
+    weight = sliding_weight()
+    inside = sp.Ge(cleared(weight * (1 - weight)), 0, evaluate=False)
+    return conclude(
+        Verdict.HOLDS,
+        "A convex combination of both fields is tangent to $S$ exactly on $S_0$. It is unique, as the two products always "
+        "differ; its motion is that of one mass $m_1+m_2$ on the spring and keeps $E$, a positive definite quadratic form.",
+        *strip_proofs(),
+        prove("on $S_0$ the weight lies in $[0,1]$", within(), inside),
+        prove("a weight in $[0,1]$ implies $S_0$ (upper edge)", [inside], within()[0]),
+        prove("a weight in $[0,1]$ implies $S_0$ (lower edge)", [inside], within()[1]),
+        identity(
+            "the combination with that weight is tangent to $S$",
+            weight * transversality(1) + (1 - weight) * transversality(-1),
+            0,
+            seed=context.seed,
+        ),
+        identity(
+            "the sliding field is $(v_1,-a x_1/(m_1+m_2),-a x_1/(m_1+m_2))$",
+            sliding_field(),
+            sp.ImmutableMatrix([v1, -a2 * x1 / (m1 + m2), -a2 * x1 / (m1 + m2)]),
+            seed=context.seed,
+        ),
+        identity(r"$\dot E=0$ along it", undamped(stick_rate()), 0, seed=context.seed),
+        identity(
+            "$2E=a x_1^2+m_1v_1^2+m_2v_2^2$: its level sets are ellipsoids",
+            2 * energy(),
+            a2 * x1**2 + m1 * v1**2 + m2 * v2**2,
+            seed=context.seed,
+        ),
+        derivation=(
+            f"$$\\alpha={sp.latex(weight)}$$",
+            f"$$\\dot{{({sp.latex(STATE.T)})}}={sp.latex(sliding_field().T)}$$",
+        ),
+    )
+
+
+def level_stays_inside() -> Evidence:
+    """Return the proof that on S a point with E <= E_cr has |x1| <= L."""
+    level = sp.Le(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+    return prove(
+        "on $S$, $E\\leqslant E_{cr}$ implies $|x_1|\\leqslant L$",
+        [level],
+        sp.Le(cleared(x1**2 - half_width() ** 2), 0, evaluate=False),
+    )
+
+
+@check("critical-energy")
+def critical_energy_claim(context: Context, printed: sp.Expr = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)) -> Finding:
+    """Prove the condition and its converse, and compare the derived level with the printed one."""
+    above = sp.Gt(cleared(E0 - critical_energy()), 0, evaluate=False)
+    return conclude(
+        Verdict.HOLDS,
+        "The ellipse $\\{E=E_0\\}\\cap S$ has the semi-axis $\\sqrt{2E_0/a}$ along $x_1$; it lies in $S_0$ exactly if that is "
+        "at most $L$. At $E_0=0$ the ellipse is the equilibrium, which the paper counts among the periodic trajectories.",
+        identity(
+            "$E_{cr}$, solved from semi-axis $=L$, is the printed value", critical_energy(), printed, seed=context.seed
+        ),
+        level_stays_inside(),
+        identity(
+            "the end of the semi-axis has $E=E_0$",
+            on_surface().subs({x1: level_semi_axis(), v1: 0}),
+            E0,
+            seed=context.seed,
+        ),
+        prove(
+            "conversely $E_0>E_{cr}$ puts the end of the semi-axis beyond $L$",
+            [above],
+            sp.Gt(cleared(level_semi_axis() ** 2 - half_width() ** 2), 0, evaluate=False),
+        ),
+        identity(
+            "$L^2-\\mathrm{semi\\text{-}axis}^2=2(E_{cr}-E_0)/a$",
+            half_width() ** 2 - level_semi_axis() ** 2,
+            semi_axis_margin(),
+            seed=context.seed,
+        ),
+        derivation=(
+            f"$$\\text{{semi-axis}}={sp.latex(level_semi_axis())},\\qquad L={sp.latex(half_width())}$$",
+            f"$$E_{{cr}}={sp.latex(critical_energy())}$$",
+        ),
+    )
+
+
+@check("supercritical-arcs")
+def supercritical_arcs(context: Context) -> Finding:
+    """Two arcs, each left by its ray into the half-space that the paper names."""
+    contact = edge_contact(1)
+    above = sp.Gt(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+    mirrored = phi(-1).subs({x1: -x1, v1: -v1, v2: -v2}, simultaneous=True)
+    return conclude(
+        Verdict.HOLDS,
+        "Above $E_{cr}$ no point of the level in $S_0$ has $v_1=0$, so it falls into an arc with $v_1>0$, which runs to "
+        "$\\ell_+$, and one with $v_1<0$, which runs to $\\ell_-$. On $\\ell_+$ the field $\\Phi_-$ touches $S$ and curves into "
+        "$\\Omega_-$, while $\\Phi_+$ points into $\\Omega_-$ too: the exit is the only motion.",
+        prove("on $S_0$ with $E>E_{cr}$: $v_1\\neq 0$", [above, *within()], sp.Ne(v1, 0, evaluate=False)),
+        identity(
+            "on the edges the level has $v_1^2=2(E_0-E_{cr})/(m_1+m_2)$",
+            edge_speed_squared(),
+            2 * (E0 - critical_energy()) / (m1 + m2),
+            seed=context.seed,
+        ),
+        identity("$x_1$ grows along the arc with $v_1>0$: $\\dot x_1=v_1$", sliding_field()[0], v1, seed=context.seed),
+        identity(
+            "on $\\ell_+$, $\\Phi_-\\cdot n_S=0$: the guard has a double root", contact.first, 0, seed=context.seed
+        ),
+        prove(
+            "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
+            [sp.Gt(v1, 0)],
+            sp.Lt(cleared(contact.second), 0, evaluate=False),
+        ),
+        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], sp.Lt(product(1), 0, evaluate=False)),
+        identity(
+            "the mirror image $(x,v)\\to(-x,-v)$ takes $\\Phi_-$ to $\\Phi_+$, so $\\ell_-$ is left into $\\Omega_+$",
+            -mirrored,
+            phi(1),
+            seed=context.seed,
+        ),
+        derivation=(
+            f"$$\\ddot g|_{{\\ell_+}}={sp.latex(contact.second)}$$",
+            f"$$v_1^2|_{{|x_1|=L}}={sp.latex(edge_speed_squared())}$$",
+        ),
+    )
+
+
+@check("return-alternatives")
+def return_alternatives(context: Context) -> Finding:
+    """From Omega_- a trajectory can only arrive where Phi_-.n >= 0."""
+    contact = edge_contact(1)
+    arrives = sp.Ge(product(-1), 0, evaluate=False)
+    mirrored = phi(-1).subs({x1: -x1, v1: -v1, v2: -v2}, simultaneous=True)
+    return conclude(
+        Verdict.HOLDS,
+        "In $\\Omega_-$ the guard $v_1-v_2$ is negative, so where it reaches 0 its rate $\\Phi_-\\cdot n_S$ is not negative: "
+        "the point has $x_1\\leqslant L$. On $S_-$ both products are positive and the crossing is transversal; the rest is "
+        "$S_0$. The degenerate case is a graze of $\\ell_+$ from $\\Omega_-$: the trajectory enters $S_0$ at one point of the "
+        "ray and leaves by that ray at once, an arc of length 0.",
+        prove(
+            "arrival from $\\Omega_-$, $\\Phi_-\\cdot n_S\\geqslant 0$, implies $x_1\\leqslant L$: $p\\in S_-\\cup S_0$",
+            [arrives],
+            within()[0],
+        ),
+        *outside_proofs(),
+        *strip_proofs(),
+        identity(
+            "the mirror image takes $\\Phi_-$ to $\\Phi_+$: the same from $\\Omega_+$",
+            -mirrored,
+            phi(1),
+            seed=context.seed,
+        ),
+        identity("at $x_1=L$ the arrival is tangential, $\\Phi_-\\cdot n_S=0$", contact.first, 0, seed=context.seed),
+        derivation=_products(),
+    )
