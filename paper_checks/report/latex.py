@@ -12,6 +12,7 @@ from paper_checks.runner import Row
 PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
+\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \usepackage[a4paper,margin=25mm]{geometry}
 \usepackage{amsmath,amssymb,graphicx,longtable}
 \usepackage[hidelinks,pdfcreator={},pdfproducer={}]{hyperref}
@@ -62,7 +63,7 @@ def _table(rows: Sequence[Row]) -> str:
         for row in rows
     )
     return (
-        "\\subsection*{Claims}\n\\begin{longtable}{@{}p{0.35\\textwidth}p{0.27\\textwidth}ll@{}}\n"
+        "\\subsection*{Claims}\n\\begin{longtable}{@{}p{0.35\\textwidth}p{0.25\\textwidth}ll@{}}\n"
         f"Claim & Where & Verdict & Evidence \\\\ \\hline \\endhead\n{lines}\n\\end{{longtable}}"
     )
 

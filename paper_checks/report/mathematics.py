@@ -31,6 +31,7 @@ _SIGN_AFTER_OPERATOR = re.compile(
     r"<mo>(?P<sign>&#x02212;|&#x0002B;|&#x000B1;|&#x02213;)</mo>"
 )
 _NAMED_FUNCTION = re.compile(r"(<m[io]>(?:sin|cos|tan|exp|log|ln|max|min)</m[io]>)(?=<m(?!o))")
+_LONG_NUMBER = re.compile(r"\d{24,}")
 _TEX_SPECIAL = re.compile(r"[&%#_{}~^\\$<>|]")
 _TEX_ESCAPES = {
     "\\": r"\textbackslash{}",
@@ -141,8 +142,12 @@ def latex(text: str) -> str:
 def _latex_piece(kind: Piece, content: str) -> str:
     if kind is Piece.PROSE:
         escaped = _TEX_SPECIAL.sub(lambda match: _TEX_ESCAPES.get(match[0], "\\" + match[0]), content)
-        return "".join(map(_latex_character, escaped))
+        return _LONG_NUMBER.sub(_breakable, "".join(map(_latex_character, escaped)))
     return f"${content}$" if kind is Piece.INLINE else f"\\[{content}\\]"
+
+
+def _breakable(number: re.Match[str]) -> str:
+    return r"\allowbreak{}".join(re.findall(".{1,8}", number[0]))
 
 
 def _latex_character(character: str) -> str:

@@ -56,6 +56,7 @@ def test_prose_is_escaped():
     assert "<script" not in html(r"$\text{<script>}$")
     assert "<script" not in html(r"$\text{<script></script>}$")
     assert latex("100% & #_^~{}\\") == (r"100\% \& \#\_\textasciicircum{}\textasciitilde{}\{\}\textbackslash{}")
+    assert latex("0." + "1" * 24) == r"0.11111111\allowbreak{}11111111\allowbreak{}11111111"
     assert latex("x ≤ y ẋ") == r"x $\leq$ y [U+1E8B]"
 
 
