@@ -40,6 +40,9 @@ def test_mathematics_becomes_mathml():
     assert 'display="block"' in html("$$x$$")
     assert "<mo>&#x02A7D;</mo>" in mathml(r"a\leqslant b")
     assert '<mo form="prefix">&#x02212;</mo>' in mathml("a=-b")
+    assert '<mo form="prefix">&#x02212;</mo>' in mathml(r"0,\,-1")
+    assert mathml(r"\bigl(a\bigr)").count('lspace="0"') == 2
+    assert "\\" not in mathml(r"\Bigl\{a\Bigr\}")
     assert '<mo form="prefix">' not in mathml("(a)-b")
     assert '<mo form="prefix">' not in mathml("|a|-b")
 
