@@ -26,7 +26,7 @@ _ELEMENTS = {
 }
 _LETTER = re.compile(r"<mi>(&#x[0-9A-F]+;|\W)</mi>")
 _BAR = '<mo stretchy="false">&#x0007C;</mo>'
-_BIG_FENCE = re.compile(r'<mo ([^>]*fence="true" minsize[^>]*)>\\?([^<]*)</mo>')
+_FENCE = re.compile(r'<mo ([^>]*fence="true"[^>]*)>\\?([^<]*)</mo>')
 _SIGN_AFTER_OPERATOR = re.compile(
     r"(?P<before><mo[^>]*>(?!&#x00029;|&#x0005D;|&#x0007D;|&#x02016;|[|)\]}])[^<]*</mo>)"
     r"(?P<space>(?:<mspace[^>]*/>)?)<mo>(?P<sign>&#x02212;|&#x0002B;|&#x000B1;|&#x02213;)</mo>"
@@ -105,7 +105,7 @@ def _objection_to(element: str) -> str | None:
 def _spaced(element: str) -> str:
     """Mend what the converter leaves to chance: relations set as letters, bars and signs spaced as infixes."""
     element = _LETTER.sub(lambda match: f"<mo>{match[1]}</mo>" if _is_relation(match[1]) else match[0], element)
-    element = _BIG_FENCE.sub(r'<mo lspace="0" rspace="0" \1>\2</mo>', element)
+    element = _FENCE.sub(r'<mo lspace="0" rspace="0" \1>\2</mo>', element)
     element = element.replace(_BAR, '<mo stretchy="false" lspace="0" rspace="0">|</mo>')
     element = _NAMED_FUNCTION.sub(r'\1<mspace width="0.167em"/>', element)
     return _SIGN_AFTER_OPERATOR.sub(r'\g<before>\g<space><mo form="prefix">\g<sign></mo>', element)
