@@ -1,0 +1,73 @@
+"""Evidence from balls: a scene solved with a proved event sequence, and what its enclosures prove."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+from flint import arb, fmpq
+from sympy import Expr, Rational
+
+from numerics.modes import Mode
+from numerics.scene import Scene
+from numerics.solve import solve
+from numerics.trajectory import Trajectory
+from paper_checks.evidence import Evidence, EvidenceKind
+
+ENGINE = "python-flint"
+DIGITS = 25
+SHOWN = 12
+"""Digits at which a ball is printed; its radius stands beside them."""
+
+
+@lru_cache(maxsize=64)
+def solved(scene: Scene, digits: int = DIGITS) -> Trajectory:
+    """Return the trajectory of a scene in balls, every event and state enclosed to `digits` right digits.
+
+    Raises EventUndecided or PrecisionExhausted: then nothing was proved.
+    """
+    return solve(scene, digits=digits)
+
+
+def exact(value: Rational | int) -> arb:
+    """Return a ball around a rational number."""
+    rational = Rational(value)
+    return arb(fmpq(int(rational.p), int(rational.q)))
+
+
+def ball(expression: Expr, bits: int = 200) -> arb:
+    """Return a ball around the value of a sympy constant: evaluated with guard digits, their error as its radius."""
+    digits = int(bits * 0.301)
+    value = expression.evalf(digits + 10)
+    size = abs(value) + 1
+    return arb(str(value), str((size * 10 ** (-Rational(digits))).evalf(5)))
+
+
+def compare(statement: str, left: arb, relation: str, right: arb) -> Evidence:
+    """Check left < right, or left > right, for all points of two balls.
+
+    Passed is True where that is proved, False where the contrary is proved, None where the balls overlap.
+    """
+    holds, fails = {"<": (left < right, left >= right), ">": (left > right, left <= right)}[relation]
+    passed = True if holds else False if fails else None
+    return _evidence(statement, passed, f"{text(left)} {relation} {text(right)}")
+
+
+def agree(statement: str, one: arb, other: arb, radius: Rational) -> Evidence:
+    """Check |one - other| < radius for all points of two balls."""
+    return compare(statement, abs(one - other), "<", exact(radius))
+
+
+def itinerary(statement: str, trajectory: Trajectory, modes: Sequence[Mode]) -> Evidence:
+    """Check that the proved sequence of modes begins with the given ones."""
+    found = trajectory.modes[: len(modes)]
+    return _evidence(statement, found == tuple(modes), ", ".join(mode.value for mode in found), len(modes))
+
+
+def text(value: arb) -> str:
+    """Return a ball with its radius, as plain text."""
+    return str(value.str(SHOWN))
+
+
+def _evidence(statement: str, passed: bool | None, value: str, cases: int = 1) -> Evidence:
+    return Evidence(EvidenceKind.ENCLOSURE, ENGINE, statement, passed, cases, value)

@@ -1,0 +1,19 @@
+"""Formulas of a derivation, set from the expressions that were checked."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+
+def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
+    """Return the displayed equation with the LaTeX `left` and an expression of theory on the right.
+
+    >>> equation("E", sp.Symbol("m_1") ** 2)
+    '$$E=m_{1}^{2}$$'
+    """
+    return f"$${left}{relation}{sp.latex(right)}$$"
+
+
+def inline(expression: sp.Basic | int) -> str:
+    """Return an expression of theory as inline mathematics."""
+    return f"${sp.latex(expression)}$"

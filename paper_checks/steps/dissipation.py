@@ -1,0 +1,152 @@
+"""Dissipation in every mode, and why with a1 > 0 every trajectory ends in a stick that lasts. For a1 >= 0."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.evidence import Evidence
+from paper_checks.exact import identity
+from paper_checks.polynomial import cleared
+from paper_checks.smt import prove
+from theory.energy import captive_energy, energy, on_surface, slip_rate, stick_rate
+from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
+from theory.model import branch_named, free_system, slip
+from theory.symbols import a1, a2, b, m1, m2, total_mass, v1, v2, x1
+
+
+def admissible(expression: sp.Basic) -> sp.Basic:
+    """Return the expression with a1 >= 0 instead of theory's a1 > 0."""
+    return expression.subs(a1, sp.Symbol("a1", nonnegative=True))
+
+
+# Bounds of |x1| (m) and |v1| (m/s) on {E <= E(0)}.
+P, Q = sp.symbols("P Q", nonnegative=True)
+
+
+@cache
+def energy_rate(mode: str) -> Evidence:
+    """dE/dt in slip+, slip- and stick is -b |z'| - a1 v1^2."""
+    if mode == "stick":
+        return identity("in stick $\\dot E=-a_1v_1^2$", stick_rate(), -a1 * v1**2)
+    sign = int(branch_named(mode).relative_sign)
+    return identity(
+        f"where $\\mathrm{{sgn}}(\\dot z)={sign}$, $\\dot E=-b|\\dot z|-a_1v_1^2$ with $|\\dot z|={sign}\\cdot"
+        "(v_1-v_2)$",
+        slip_rate(sign),
+        -b * sign * guard() - a1 * v1**2,
+    )
+
+
+@cache
+def energy_never_grows() -> Evidence:
+    """The right side is never positive; negative wherever z' != 0."""
+    velocity = sp.Symbol("w", positive=True)
+    rate = admissible(slip_rate(1)).subs(v2, v1 - velocity)
+    return prove("that rate is negative for $\\dot z=w>0$", [], sp.Lt(sp.expand(rate), 0, evaluate=False))
+
+
+@cache
+def state_is_bounded() -> Evidence:
+    """On {E <= E0} with 2 E0 = a2 P^2 the driving body has |x1| <= P (the same for v1 with m1 Q^2)."""
+    below = sp.Le(sp.expand(2 * energy() - a2 * P**2), 0, evaluate=False)
+    return prove("$2E\\leqslant a_2P^2$ implies $|x_1|\\leqslant P$", [below], sp.Le(sp.Abs(x1), P))
+
+
+@cache
+def speed_is_bounded() -> Evidence:
+    """On {E <= E0} with 2 E0 = m1 Q^2 the driving body has |v1| <= Q."""
+    below = sp.Le(sp.expand(2 * energy() - m1 * Q**2), 0, evaluate=False)
+    return prove("$2E\\leqslant m_1Q^2$ implies $|v_1|\\leqslant Q$", [below], sp.Le(sp.Abs(v1), Q))
+
+
+def lipschitz_constant() -> sp.Expr:
+    """Return the bound of |z''| on {E <= E0}, m/s^2: spring, damper and friction at their largest."""
+    return (a2 * P + a1 * Q) / m1 + b * (1 / m1 + 1 / m2)
+
+
+@cache
+def relative_acceleration_is_bounded(sign: int) -> Evidence:
+    """In slip |z''| <= K; in stick z'' = 0."""
+    acceleration = derivative_along(slip(sign).field, guard())
+    force = sp.Symbol("p", real=True)  # a2 x1 + a1 v1, at most F in absolute value
+    largest = sp.Symbol("F", nonnegative=True)
+    at_load = acceleration.subs(x1, (force - a1 * v1) / a2)
+    bound = lipschitz_constant().subs(P, (largest - a1 * Q) / a2)
+    margins = [sp.Ge(admissible(cleared(bound - side * at_load)), 0, evaluate=False) for side in (1, -1)]
+    return prove(
+        f"where $\\mathrm{{sgn}}(\\dot z)={sign}$, $|\\ddot z|\\leqslant K=(a_2P+a_1Q)/m_1+b(1/m_1+1/m_2)$ "
+        "(here $p=a_2x_1+a_1v_1$, $F=a_2P+a_1Q$)",
+        [sp.Le(sp.Abs(force), largest)],
+        sp.And(*margins),
+    )
+
+
+def in_every_mode() -> tuple[Evidence, ...]:
+    """Return the steps that hold mode by mode: E falls, the state and z'' are bounded."""
+    return (
+        *(energy_rate(mode) for mode in ("slip+", "slip-", "stick")),
+        energy_never_grows(),
+        state_is_bounded(),
+        speed_is_bounded(),
+        *(relative_acceleration_is_bounded(sign) for sign in (1, -1)),
+    )
+
+
+REST = (
+    "With $a_1>0$ also $\\int v_1^2\\,dt<\\infty$, and $v_1$ is Lipschitz continuous, so $v_1\\to 0$; with "
+    "$\\dot z\\to 0$ also $v_2\\to 0$. As $E$ converges, $|x_1|$ does, and so $x_1$ (it is continuous).",
+    "In every mode the total momentum obeys $\\frac{d}{dt}(m_1v_1+m_2v_2)=-a_2x_1-a_1v_1$. It tends to 0, so the limit "
+    "of $x_1$ can only be 0: $E\\to 0$ along every trajectory.",
+    "From some time on $E$ is below the captive level. A slip ends in finite time on $S$, where the level lies in the "
+    "strip $|a_2x_1+a_1v_1|\\leqslant b(m_1+m_2)/m_2$; the pair sticks there and, as $E$ does not grow, for ever.",
+)
+
+
+@cache
+def momentum_rate() -> Evidence:
+    """The interface is an inner force: spring and damper alone change the total momentum, in slip and in stick."""
+    set_valued = free_system(sp.Symbol("sigma", real=True))
+    return identity(
+        "$\\frac{d}{dt}(m_1v_1+m_2v_2)=-(a_2x_1+a_1v_1)$ for every value of the friction force",
+        m1 * set_valued[1] + m2 * set_valued[2],
+        -load(damped=True),
+    )
+
+
+@cache
+def stick_momentum_rate() -> Evidence:
+    """The same in stick."""
+    return identity(
+        "in stick too, $(m_1+m_2)\\dot v_1=-(a_2x_1+a_1v_1)$",
+        total_mass() * sliding_field(damped=True)[1],
+        -load(damped=True),
+    )
+
+
+@cache
+def captive_margin() -> Evidence:
+    """On S, 2 E (a2 + a1^2/M) exceeds the squared load by a square; at the captive level it is the threshold's."""
+    steepness = a2 + a1**2 / total_mass()
+    return identity(
+        "on $S$, $2E\\,(a_2+a_1^2/M)-(a_2x_1+a_1v_1)^2=\\frac{a_2}{M}(Mv_1-a_1x_1)^2$ with $M=m_1+m_2$",
+        2 * steepness * on_surface() - load(damped=True) ** 2,
+        a2 / total_mass() * (total_mass() * v1 - a1 * x1) ** 2,
+    )
+
+
+@cache
+def captive_level() -> Evidence:
+    """At the captive level the left side is the square of the threshold."""
+    steepness = a2 + a1**2 / total_mass()
+    return identity(
+        "with $E$ at the captive level, $2E\\,(a_2+a_1^2/M)=(bM/m_2)^2$: below it, $S$ is met inside the strip",
+        2 * steepness * captive_energy(),
+        load_threshold() ** 2,
+    )
+
+
+def rest() -> tuple[Evidence, ...]:
+    """Return all steps of `REST`."""
+    return (momentum_rate(), stick_momentum_rate(), captive_margin(), captive_level())
