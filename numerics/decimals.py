@@ -14,6 +14,9 @@ from numbers import Rational, Real
 
 from numerics.errors import InvalidScene
 
+Exact = int | float | str | Decimal | Rational
+"""What can be read as an exact decimal."""
+
 MAX_EXPONENT = 1000
 MAX_CHARACTERS = 1000
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE]([+-]?[0-9]+))?", re.ASCII)
@@ -67,5 +70,8 @@ def _checked_size(value: Fraction, name: str) -> Fraction:
 
 def _shown(value: object) -> str:
     """Return a value as text that is safe on one line of an error message."""
-    text = repr(value)
+    try:
+        text = repr(value)
+    except ValueError:  # an array that holds an int beyond Python's limit on decimal text
+        text = f"a {type(value).__name__}"
     return text if len(text) <= 40 else text[:36] + "...'"

@@ -5,12 +5,11 @@ All quantities are SI and exact rationals (see decimals.py). A scene is frozen: 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
-from typing import Any
 
-from numerics.decimals import exact_decimal
+from numerics.decimals import Exact, exact_decimal
 from numerics.errors import InvalidScene
 
 
@@ -23,7 +22,7 @@ class Law(Enum):
     """sgn(0) = 0 as in eqs (5)-(6): whenever v1 = v2 the pair sticks, whatever force that takes (Section IV)."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Pair:
     """The two bodies and what joins them.
 
@@ -35,11 +34,11 @@ class Pair:
     m2: Fraction
     a2: Fraction
     b: Fraction
-    a1: Fraction = Fraction(0)
+    a1: Fraction
 
-    def __post_init__(self) -> None:
-        """Read every field as an exact decimal and check its bound."""
-        _read_fields(self)
+    def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0) -> None:
+        """Read every parameter as an exact decimal and check its bound."""
+        _keep(self, m1=m1, m2=m2, a2=a2, b=b, a1=a1)
         for name in ("m1", "m2", "a2", "b"):
             if getattr(self, name) <= 0:
                 raise InvalidScene(f"{name} = {_short(getattr(self, name))} must be > 0; give a positive {name}")
@@ -62,21 +61,21 @@ class Pair:
         return self.a2 * self.half_width**2 / 2
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class State:
     """Positions x1, x2 (m) and velocities v1, v2 (m/s) of the two bodies, exact. Raises InvalidScene."""
 
-    x1: Fraction = Fraction(0)
-    v1: Fraction = Fraction(0)
-    x2: Fraction = Fraction(0)
-    v2: Fraction = Fraction(0)
+    x1: Fraction
+    v1: Fraction
+    x2: Fraction
+    v2: Fraction
 
-    def __post_init__(self) -> None:
-        """Read every field as an exact decimal."""
-        _read_fields(self)
+    def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
+        """Read every coordinate as an exact decimal."""
+        _keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, init=False)
 class Scene:
     """A pair, its state at t = 0, the friction law and the horizon `until` (s) > 0. Raises InvalidScene.
 
@@ -88,16 +87,18 @@ class Scene:
     pair: Pair
     initial: State
     until: Fraction
-    law: Law = Law.FILIPPOV
+    law: Law
 
-    def __post_init__(self) -> None:
+    def __init__(self, pair: Pair, initial: State, until: Exact, law: Law | str = Law.FILIPPOV) -> None:
         """Check the parts and read the horizon and the law."""
-        if not isinstance(self.pair, Pair) or not isinstance(self.initial, State):
+        if not isinstance(pair, Pair) or not isinstance(initial, State):
             raise InvalidScene("a scene is made of a Pair and a State; build them first")
-        object.__setattr__(self, "until", exact_decimal(self.until, "until"))
+        object.__setattr__(self, "pair", pair)
+        object.__setattr__(self, "initial", initial)
+        _keep(self, until=until)
         if self.until <= 0:
             raise InvalidScene(f"until = {_short(self.until)} must be > 0; give the horizon in seconds")
-        object.__setattr__(self, "law", read_law(self.law))
+        object.__setattr__(self, "law", read_law(law))
 
     @property
     def energy(self) -> Fraction:
@@ -117,12 +118,14 @@ def read_law(law: object) -> Law:
         return Law(law)
     except ValueError:
         names = ", ".join(f'"{one.value}"' for one in Law)
-        raise InvalidScene(f"law = {str(law)[:40]!r} is not one of {names}") from None
+        given = repr(law) if isinstance(law, str) else f"a {type(law).__name__}"  # a huge int has no text
+        raise InvalidScene(f"law = {given[:40]} is not one of {names}") from None
 
 
-def _read_fields(record: Any) -> None:
-    for field in fields(record):
-        object.__setattr__(record, field.name, exact_decimal(getattr(record, field.name), field.name))
+def _keep(record: object, **values: Exact) -> None:
+    """Store values in a frozen record, as exact rationals."""
+    for name, value in values.items():
+        object.__setattr__(record, name, exact_decimal(value, name))
 
 
 def _short(value: Fraction) -> str:

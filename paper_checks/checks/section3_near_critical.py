@@ -1,0 +1,217 @@
+"""Section III, close to the critical orbit: durations, end points, no merging, the 1/t law."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+
+from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
+from paper_checks.exact import identity
+from paper_checks.excursions import (
+    angle_of_excursion,
+    enclosed_creep,
+    enclosed_rate,
+    never_merges,
+    no_merging_at_any_energy,
+)
+from paper_checks.registry import Context, check
+from paper_checks.smt import prove
+from theory.energy import critical_energy
+from theory.near_critical import (
+    critical_limits,
+    cycle,
+    cycle_limit,
+    excess_ratio_limit,
+    inverse_step,
+    quadratic_coefficient,
+    rate_constant,
+)
+from theory.symbols import a2, b, epsilon, m1, m2, q, r
+
+EVENTUALLY = (
+    "The limit set is the whole critical ellipse. Near its crossing of $x_1=0$ both fields push to $S$, so the trajectory is on "
+    "$S_0$ there from some time on; it then sticks up to a ray, which it leaves with a small excess $w$, and the excursion "
+    "ends inside $S_0$ again."
+)
+
+
+def _series(name: str, expression: sp.Expr) -> str:
+    return f"$${name}={sp.latex(expression)}+\\cdots,\\qquad \\varepsilon=\\sqrt w$$"
+
+
+@check("stick-durations")
+def stick_durations(context: Context) -> Finding:
+    """The stick time is a rotation by pi less what the re-entry point and the ray take off."""
+    return conclude(
+        Verdict.HOLDS,
+        EVENTUALLY + " The stick time is that of a rotation from a point near one end point to the other.",
+        *never_merges(),
+        identity(
+            r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a}$",
+            critical_limits().stick_duration,
+            sp.pi * sp.sqrt((m1 + m2) / a2),
+            seed=context.seed,
+        ),
+        _enclosed_durations(),
+        derivation=(_series(r"\Omega(\tau_k-t_k)", sp.series(cycle().stick_duration, epsilon, 0, 4).removeO()),),
+    )
+
+
+@check("slip-durations")
+def slip_durations(context: Context) -> Finding:
+    """The slip time is sqrt(q) times the angle with h(theta) = u, which tends to 0."""
+    return conclude(
+        Verdict.HOLDS,
+        EVENTUALLY + " The slip time is $3\\sqrt w/\\Omega$ to leading order.",
+        *angle_of_excursion(),
+        *never_merges(),
+        identity("$t_{k+1}-\\tau_k\\to 0$", critical_limits().slip_duration, 0, seed=context.seed),
+        identity(
+            "its leading term is $3\\varepsilon$ in units of $1/\\Omega$",
+            sp.limit(cycle().slip_duration / epsilon, epsilon, 0),
+            3,
+            seed=context.seed,
+        ),
+        _enclosed_durations(),
+        derivation=(_series(r"\Omega(t_{k+1}-\tau_k)", sp.series(cycle().slip_duration, epsilon, 0, 4).removeO()),),
+    )
+
+
+def _enclosed_durations(w: Fraction = Fraction(1, 10**12)) -> Evidence:
+    """Enclose slip and stick at one small excess: slip within 1e-5 of 3 sqrt(w), stick within 1e-5 of pi."""
+    from numerics.arithmetic.ball import Ball
+    from numerics.excursion_map import excursions
+    from numerics.scaling import Frame
+    from numerics.scene import Pair
+
+    arithmetic = Ball(40)
+    with arithmetic.context():
+        frame = Frame(arithmetic, Pair(m1=1, m2=1, a2=200, b="0.05"))
+        one = next(excursions(frame, arithmetic.number(w)))
+        assert one.stick is not None  # it creeps: w is far below the merging level
+        small = arithmetic.number(Fraction(1, 10**5))
+        right = abs(one.slip / (3 * arithmetic.sqrt(one.w)) - 1) < small and abs(one.stick - arithmetic.pi()) < small
+        text = f"slip {one.slip.mid().str(12, radius=False)}, stick {one.stick.mid().str(15, radius=False)}"
+    return Evidence(
+        EvidenceKind.ENCLOSURE,
+        "numerics, balls",
+        r"at $w=10^{-12}$, $m_1=m_2$: slip within $10^{-5}$ of $3\sqrt w$ (relative), stick within $10^{-5}$ of $\pi$ (units $1/\Omega$)",
+        bool(right),
+        1,
+        text,
+    )
+
+
+@check("exits-near-endpoints")
+def exits_near_endpoints(context: Context) -> Finding:
+    """Exit and entry points tend to the corner."""
+    limits = critical_limits()
+    length = b * (m1 + m2) / (a2 * m2)
+    return conclude(
+        Verdict.HOLDS,
+        EVENTUALLY
+        + " Exits are at $x_1=\\pm L$ with $|v_1|=L\\Omega\\sqrt w$; entries at $|x_1|=L(1-\\tfrac32w+\\dots)$ with "
+        '$|v_1|=2L\\Omega\\sqrt w+\\dots$. "All" is meant for large $k$, as the limits before it: finitely many earlier '
+        "entries may lie anywhere in $S_0$ (the first entry of figure-4a is at $x_1=0.706L$).",
+        *never_merges(),
+        identity("exit points tend to $(L,0)$: position", limits.exit_position, length, seed=context.seed),
+        identity("exit points tend to $(L,0)$: velocity", limits.exit_velocity, 0, seed=context.seed),
+        identity("entry points tend to $(L,0)$: position", limits.entry_position, length, seed=context.seed),
+        identity("entry points tend to $(L,0)$: velocity", limits.entry_velocity, 0, seed=context.seed),
+        derivation=(
+            _series("X_{entry}", sp.series(cycle().position, epsilon, 0, 4).removeO()),
+            _series("V_{entry}", sp.series(cycle().velocity, epsilon, 0, 4).removeO()),
+        ),
+    )
+
+
+@check("no-merging-near-critical")
+def no_merging_near_critical(context: Context) -> Finding:  # noqa: ARG001
+    """Every excursion from a ray with w <= q (pi/2 - 1)^2 ends in S0 with 0 < w' < w."""
+    return conclude(
+        Verdict.HOLDS,
+        "From $S_0$ above $E_{cr}$ the pair reaches a ray with its energy unchanged. If $w=E_0/E_{cr}-1\\leqslant q(\\pi/2-1)^2$, "
+        "$q=m_1/(m_1+m_2)$, the excursion ends inside $S_0$ with $0<w'<w$, and so do all that follow: the energy never reaches "
+        '$E_{cr}$, so by the dichotomy the trajectory tends to the critical orbit without merging. "Slightly" may thus be '
+        "read as this explicit level; for $m_2\\leqslant m_1$ an excursion that re-enters $S_0$ never merges at any energy.",
+        *angle_of_excursion(),
+        *never_merges(),
+        no_merging_at_any_energy(),
+        enclosed_creep(Fraction(1, 2), Fraction(1, 10), 100),
+        enclosed_creep(Fraction(1, 100), Fraction(3, 1000), 100),
+        derivation=(
+            "$$w'=q\\bigl(h^2-2rD\\bigr),\\qquad \\frac{dw'}{d\\theta}=2q\\,h\\,h'\\,\\bigl(1-r(1-\\cos\\theta)\\bigr)$$",
+            "$$E_0\\leqslant E_{cr}\\Bigl(1+\\frac{m_1}{m_1+m_2}\\bigl(\\tfrac{\\pi}{2}-1\\bigr)^2\\Bigr)\\ \\Rightarrow\\ \\text{no merging}$$",
+        ),
+    )
+
+
+@check("slower-than-exponential")
+def slower_than_exponential(context: Context) -> Finding:
+    """w'/w tends to 1 while an excursion and its stick take a time that tends to pi/Omega."""
+    return conclude(
+        Verdict.HOLDS,
+        "The excess after one excursion over that before tends to 1, and the time of a cycle tends to $\\pi/\\Omega$, so "
+        "$w\\,e^{\\lambda t}\\to\\infty$ for every $\\lambda>0$.",
+        *never_merges(),
+        identity("$w'/w\\to 1$ as $w\\to 0$", excess_ratio_limit(), 1, seed=context.seed),
+        identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), sp.pi, seed=context.seed),
+        derivation=(_series("w'", sp.series(cycle().next_excess, epsilon, 0, 7).removeO()),),
+    )
+
+
+def printed_rate_constant() -> sp.Expr:
+    """Return the sharp constant of the 1/t law as the report states it, J s."""
+    return b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2) * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
+
+
+@check("rate-one-over-t")
+def rate_one_over_t(context: Context) -> Finding:
+    """The bound cannot hold as t -> 0; from any positive time on it does, with one limit for all starts."""
+    c1, above, now = sp.symbols("c_1 e_0 e", positive=True)
+    t = sp.Symbol("t", positive=True)
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "As written, for all $t$, the lower bound fails near $t=0$: $c_1/t$ is unbounded there, while $E(t)-E_{cr}\\leqslant "
+        "E(0)-E_{cr}$. From any $t_0>0$ on it holds. More is true: $1/w$ gains $9r/(4q)$ per excursion in the limit, and an "
+        "excursion takes $\\pi/\\Omega$ in the limit, so $t(E-E_{cr})$ has a limit, which does not depend on $E(0)$.",
+        prove(
+            "$c_1/t\\leqslant E(t)-E_{cr}\\leqslant E(0)-E_{cr}=:e_0$ fails at $t=c_1/(2e_0)$, whatever $c_1>0$",
+            [sp.Eq(2 * above * t, c1), sp.Le(now, above)],
+            sp.Gt(c1, now * t, evaluate=False),
+        ).as_counterexample(),
+        *(one.as_correction() for one in never_merges()),
+        identity(
+            "$1/w'-1/w\\to 9r/(4q)$ as $w\\to 0$", inverse_step(), 9 * r / (4 * q), seed=context.seed
+        ).as_correction(),
+        identity(
+            "equivalently $w'=w-\\tfrac{9r}{4q}w^2+\\dots$", quadratic_coefficient(), 9 * r / (4 * q), seed=context.seed
+        ).as_correction(),
+        identity(
+            "the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), sp.pi, seed=context.seed
+        ).as_correction(),
+        identity(
+            "so (Stolz–Cesàro) $t\\,(E-E_{cr})\\to E_{cr}\\,\\tfrac{4\\pi}{9}\\tfrac{m_1}{m_2}\\sqrt{(m_1+m_2)/a}$",
+            rate_constant(),
+            printed_rate_constant(),
+            seed=context.seed,
+        ).as_correction(),
+        identity(
+            "with $E_{cr}$ as derived", critical_energy(), b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2), seed=context.seed
+        ).as_correction(),
+        enclosed_rate(Fraction(1, 2), Fraction(1, 2), 1000, Fraction(1, 20)).as_correction(),
+        enclosed_rate(Fraction(1, 2), Fraction(1, 10), 1000, Fraction(1, 20)).as_correction(),
+        corrected="For every such solution and every $t_0>0$ there are $0<c_1<c_2$ with $c_1/t\\leqslant E(t)-E_{cr}\\leqslant c_2/t$ "
+        "for $t\\geqslant t_0$, and $\\lim_{t\\to\\infty}t\\,(E(t)-E_{cr})=E_{cr}\\,\\frac{4\\pi}{9}\\,\\frac{m_1}{m_2}"
+        "\\sqrt{\\frac{m_1+m_2}{a}}$, whatever $E(0)$ is.",
+        counterexample="Any solution with $E(0)>E_{cr}$ and any $c_1>0$: at $t=c_1/(2(E(0)-E_{cr}))$ the lower bound asks for "
+        "$E(t)-E_{cr}\\geqslant 2(E(0)-E_{cr})$, but energy never increases.",
+        derivation=(
+            _series("w'", sp.series(cycle().next_excess, epsilon, 0, 7).removeO()),
+            f"$$\\lim_{{t\\to\\infty}}t\\,(E-E_{{cr}})={sp.latex(rate_constant())}$$",
+            "Between two exits $w$ lies between $w_{k+1}$ and $w_k$, whose ratio tends to 1, as does $t_{k+1}/t_k$: the limit "
+            "along the exits is the limit in $t$. A continuous positive $t\\,w(t)$ with a positive limit is bounded from both "
+            "sides on $[t_0,\\infty)$.",
+        ),
+    )

@@ -1,0 +1,83 @@
+"""Section III, last paragraph: the pair with a1 > 0."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from paper_checks import arguments
+from paper_checks.evidence import Finding, Verdict, conclude
+from paper_checks.exact import identity
+from paper_checks.polynomial import cleared
+from paper_checks.registry import Context, check
+from paper_checks.smt import prove
+from paper_checks.steps import dissipation
+from theory.energy import slip_rate, stick_rate
+from theory.filippov import sliding_field
+from theory.scaling import damping_ratio
+from theory.symbols import a1, a2, b, m1, m2, v1, v2, x1
+
+
+@check("viscous-energy-rate")
+def viscous_energy_rate(context: Context) -> Finding:
+    """Derive dE/dt with a1 > 0 along both slip fields and the sliding field."""
+    modes = [
+        identity(
+            f"in slip of sign {sign:+d}, $\\dot E=-b\\,({sign:+d})(v_1-v_2)-a_1v_1^2$",
+            slip_rate(sign),
+            -b * sign * (v1 - v2) - a1 * v1**2,
+            seed=context.seed,
+        )
+        for sign in (1, -1)
+    ]
+    return conclude(
+        Verdict.HOLDS,
+        "The chain rule along each slip field and along the sliding field gives the printed rate.",
+        *arguments.energy_decreases(),
+        *modes,
+        identity(r"on $S_0$, $\dot E=-a_1v_1^2$", stick_rate(), -a1 * v1**2, seed=context.seed),
+        derivation=(f"$$\\dot E|_{{S_0}}={sp.latex(stick_rate())}$$",),
+    )
+
+
+@check("viscous-origin-stable")
+def viscous_origin_stable(context: Context) -> Finding:
+    """Global asymptotic stability for every a1 > 0; a spiral exactly below the critical damping of stick."""
+    field = sliding_field(damped=True)
+    matrix = sp.Matrix(field[:2]).jacobian([x1, v1])
+    discriminant = matrix.trace() ** 2 - 4 * matrix.det()
+    return conclude(
+        Verdict.HOLDS,
+        "The origin is globally asymptotically stable for every $a_1>0$, small or not: two solutions never move apart, and "
+        "$E\\to 0$ along every trajectory. Below the captive level the pair sticks for ever, so every trajectory merges in "
+        "finite time into the damped motion inside $S_0$. That motion is a spiral exactly if $a_1<2\\sqrt{a_2(m_1+m_2)}$, "
+        'which makes "relatively small" precise.',
+        *arguments.energy_decreases(),
+        *arguments.contraction(),
+        *arguments.meets_surface(),
+        *dissipation.rest(),
+        identity(
+            "in $S_0$ the eigenvalues have the discriminant $(a_1^2-4a_2M)/M^2$, $M=m_1+m_2$",
+            discriminant,
+            (a1**2 - 4 * a2 * (m1 + m2)) / (m1 + m2) ** 2,
+            seed=context.seed,
+        ),
+        identity(
+            "so the damping ratio is $a_1/(2\\sqrt{a_2M})$",
+            damping_ratio(),
+            a1 / (2 * sp.sqrt(a2 * (m1 + m2))),
+            seed=context.seed,
+        ),
+        prove(
+            "both eigenvalues have negative real part: trace $<0$, determinant $>0$",
+            [],
+            sp.And(
+                sp.Lt(cleared(matrix.trace()), 0, evaluate=False),
+                sp.Gt(cleared(matrix.det()), 0, evaluate=False),
+                evaluate=False,
+            ),
+        ),
+        derivation=(
+            *dissipation.REST,
+            f"$$\\dot{{\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}}}={sp.latex(matrix)}\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}$$",
+        ),
+    )
