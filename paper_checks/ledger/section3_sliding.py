@@ -13,7 +13,7 @@ SLIDING = (
         r"Taking $a_1=0$ is justified by the fact that the viscous damping of the driving body, "
         r"$a_1\dot{x}_1$, is always dissipative and does not directly affect the interaction of the "
         r"inertial pair.",
-        Verdict.REFUTED,
+        Verdict.HOLDS_CORRECTED,
     ),
     Claim(
         "filippov-equivalence",
