@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Mapping
 
 import sympy as sp
@@ -11,32 +12,53 @@ from paper_checks.evidence import Evidence, EvidenceKind
 Point = Mapping[sp.Symbol, "sp.Rational | int"]
 """Exact values of symbols, SI units; anything but a rational is refused."""
 
+Relation = tuple["sp.Expr | int", str, "sp.Expr | int"]
+"""Left side, one of < <= = != >= >, right side."""
 
-def exhibit(statement: str, point: Point, *relations: sp.Basic) -> Evidence:
-    """Check that all relations hold at a rational point.
+_OPERATORS = {
+    "<": (operator.lt, "<"),
+    "<=": (operator.le, r"\leqslant"),
+    "=": (operator.eq, "="),
+    "!=": (operator.ne, r"\neq"),
+    ">=": (operator.ge, r"\geqslant"),
+    ">": (operator.gt, ">"),
+}
 
-    Passed is True where each relation becomes true between rationals there, False where one becomes false, None
-    where one stays open (a symbol without a value) or there is none. Raises TypeError for an inexact value.
+
+def exhibit(statement: str, point: Point, *relations: Relation) -> Evidence:
+    """Check that all relations hold at a rational point; the value shows both sides of each there.
+
+    Passed is True where they hold, False where one fails, None where a side is no rational number there (a symbol
+    without a value) or there is no relation. Raises TypeError for an inexact value, KeyError for another operator.
     """
     values = {symbol: sp.sympify(value) for symbol, value in point.items()}
     for symbol, value in values.items():
         if not value.is_Rational:
             raise TypeError(f"{symbol} = {value} is not a rational number: write sp.Rational('0.006')")
-    found = [_decided(relation, values) for relation in relations]
-    passed = False if False in found else None if None in found else True
-    text = ", ".join(f"${_shown(relation, values)}$" for relation in relations)
-    return Evidence(EvidenceKind.EXACT, "rational arithmetic", statement, passed, len(relations), text)
+    answers, texts = [], []
+    for left, relation, right in relations:
+        function, sign = _OPERATORS[relation]
+        sides = [sp.simplify(sp.sympify(side).subs(values)) for side in (left, right)]
+        rational = all(side.is_Rational for side in sides)
+        answers.append(bool(function(*sides)) if rational else None)
+        texts.append(f"${sp.latex(sides[0])}{sign}{sp.latex(sides[1])}$")
+    passed = False if False in answers else None if None in answers or not answers else True
+    engine = "rational arithmetic"
+    return Evidence(EvidenceKind.EXACT, engine, statement, passed, len(relations), ", ".join(texts))
 
 
-def _decided(relation: sp.Basic, values: dict[sp.Symbol, sp.Expr]) -> bool | None:
-    answer = relation.subs(values)
-    return {sp.true: True, sp.false: False}.get(answer)
+def value_at(expression: sp.Expr, point: Point) -> str:
+    """Return the exact value of an expression at a point as a decimal, or as a fraction where no decimal ends.
 
-
-def _shown(relation: sp.Basic, values: dict[sp.Symbol, sp.Expr]) -> str:
-    """Return both sides at the point with the relation between them, as LaTeX."""
-    if not isinstance(relation, sp.core.relational.Relational):
-        return str(sp.latex(relation.subs(values)))
-    sides = [sp.latex(sp.simplify(side.subs(values))) for side in relation.args]
-    signs = {"<=": r"\leq", ">=": r"\geq", "==": "=", "!=": r"\neq"}
-    return f"{sides[0]} {signs.get(relation.rel_op, relation.rel_op)} {sides[1]}"
+    Raises ValueError where it is no rational number there.
+    """
+    value = sp.simplify(expression.subs(dict(point)))
+    if not value.is_Rational:
+        raise ValueError(f"{expression} has no rational value at the point: {value}")
+    rest = sp.factorint(value.q)
+    decimals = max(rest.get(2, 0), rest.get(5, 0))
+    if set(rest) - {2, 5}:
+        return str(value)
+    digits = str(abs(value) * 10**decimals).rjust(decimals + 1, "0")
+    text = digits if not decimals else f"{digits[:-decimals]}.{digits[-decimals:]}"
+    return f"-{text}" if value < 0 else text

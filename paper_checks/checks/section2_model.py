@@ -1,0 +1,217 @@
+"""Section II, eqs (3), (4): the branches of the closed form, the stiction bracket, the force between the bodies."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.exact import identity
+from paper_checks.exhibit import exhibit, value_at
+from paper_checks.formula import equation
+from paper_checks.points import EDGE, FIGURE_3A, INSIDE
+from paper_checks.registry import Context, check
+from paper_checks.steps.solutions import (
+    edge_is_isolated,
+    spurious_branch,
+    spurious_branches_leave,
+    stick_is_filippov,
+    stick_region,
+)
+from theory.model import (
+    RELATIVE_SIGN,
+    STICTION_SIGN,
+    branch_named,
+    branches,
+    driven_equation,
+    driving_equation,
+)
+from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, u, v1, x1
+
+SPURIOUS = ("half adhesion", "broken adhesion")
+
+
+def leaves_the_surface() -> tuple[Evidence, ...]:
+    """Return the steps that let the spurious branches last no time in the free system."""
+    return (*(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave(), edge_is_isolated())
+
+
+def mode_equations(sign: int) -> sp.Matrix:
+    """Return the text's modes as left minus right side, N: (i) for sign 0, (ii) for sign 1 and -1."""
+    mass = m1 + m2 if sign == 0 else m1
+    first = mass * acceleration1 + a1 * v1 + a2 * x1 + b * sign - u
+    second = acceleration1 - acceleration2 if sign == 0 else m2 * acceleration2 - b * sign
+    return sp.Matrix([first, second])
+
+
+def is_mode(name: str) -> Evidence:
+    """Substitute the branch's accelerations into the equations of the text's mode."""
+    found = branch_named(name)
+    motion = {acceleration1: found.acceleration1, acceleration2: found.acceleration2}
+    mode = "(i)" if name == "stick" else "(ii)"
+    return identity(
+        f"the branch {name} of (3), (4) is mode {mode} of the text",
+        mode_equations(int(found.relative_sign)).subs(motion),
+        0,
+    )
+
+
+@check("modes-from-closed-form")
+def modes_from_closed_form(_: Context) -> Finding:
+    """Solve (3), (4) for every pair of signs and compare the branches with the two modes."""
+    broken, half = branch_named("broken adhesion"), branch_named("half adhesion")
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "Putting each of the nine pairs of values of the two signs into (3), (4) and solving for the accelerations gives "
+        f"{len(branches())} different branches, not two. Three are the modes of the text: stick, and slip in either "
+        "direction. The others occur at $\\dot z=0$ where the second bracket of (4) is 0 or 1/2: body 1 carries the "
+        "total mass, yet body 2 is not accelerated with it. With $u=0$ they last no time, so the motion of the free "
+        "system is made of the two modes only.",
+        exhibit(
+            "at the start of Fig. 3 (a) (3), (4) give $\\ddot x_1\\neq\\ddot x_2$, $(m_1+m_2)\\,\\ddot x_1=-a_2x_1$: the "
+            "total mass and no adhesion",
+            FIGURE_3A,
+            (sp.Abs(broken.acceleration1), ">", b / m2),
+            ((m1 + m2) * broken.acceleration1, "=", -a2 * x1),
+            (broken.acceleration2, "=", 0),
+        ).as_counterexample(),
+        exhibit(
+            "at $x_1=0.005$, at rest, $|\\ddot x_1|=b/m_2$ and $\\ddot x_2=\\ddot x_1/2$",
+            EDGE,
+            (sp.Abs(half.acceleration1), "=", b / m2),
+            (half.acceleration2, "=", half.acceleration1 / 2),
+            (half.acceleration1, "!=", 0),
+        ).as_counterexample(),
+        *(is_mode(name).as_correction() for name in ("stick", "slip+", "slip-")),
+        stick_region().as_correction(),
+        *(item.as_correction() for item in leaves_the_surface()),
+        corrected="For $\\dot z\\neq 0$ (3), (4) are mode (ii). For $\\dot z=0$ they are mode (i) where "
+        "$|\\ddot x_1|<b/m_2$; where $|\\ddot x_1|>b/m_2$ body 2 is left without acceleration, and where "
+        "$|\\ddot x_1|=b/m_2$ with half of it. The free system is in these two branches at isolated instants only.",
+        counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, $u=0$ with $x_1=0.006$, $\\dot x_1=\\dot x_2=0$, the "
+        f"start of Fig. 3 (a): (3), (4) give $\\ddot x_1={value_at(broken.acceleration1, FIGURE_3A)}$ and "
+        f"$\\ddot x_2={value_at(broken.acceleration2, FIGURE_3A)}$, neither mode (i) nor mode (ii).",
+        derivation=tuple(
+            f"Branch {one.name}: $$\\ddot{{x}}_1={sp.latex(one.acceleration1)},\\qquad "
+            f"\\ddot{{x}}_2={sp.latex(one.acceleration2)}$$"
+            for one in branches()
+        ),
+    )
+
+
+def bracket(relative_sign: int, stiction_sign: int) -> sp.Expr:
+    """Return the factor with which (4) hands m2 x1'' on to body 2, dimensionless."""
+    values = {RELATIVE_SIGN: sp.Integer(relative_sign), STICTION_SIGN: sp.Integer(stiction_sign)}
+    return sp.diff(driven_equation().subs(values), acceleration1) / m2
+
+
+@check("stiction-bracket")
+def stiction_bracket(_: Context) -> Finding:
+    """Evaluate the brackets of (4) for <, = and >, and find where stick satisfies the friction law."""
+    stuck = branch_named("stick")
+    at_zero = {relation: bracket(0, sign) for relation, sign in (("<", -1), ("=", 0), (">", 1))}
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "The inequality is printed the wrong way round: $|\\ddot x_1|>b/m_2$ is the violation, the stiction condition is "
+        "$|\\ddot x_1|\\leqslant b/m_2$, since adhesion needs the force $m_2|\\ddot x_1|$ and friction gives at most $b$. "
+        "The second bracket of (4) is 1 for $<$ and 0 for $>$, as meant; at equality, where $\\mathrm{sgn}(0)=0$, it is "
+        "1/2, which is neither adhesion nor release. The first bracket decouples as said.",
+        exhibit(
+            "at $x_1=0.004$ the condition as printed, $|\\ddot x_1|>b/m_2$, is violated, yet (4) keeps adhesion",
+            INSIDE,
+            (sp.Abs(stuck.acceleration1), "<=", b / m2),
+            (stuck.acceleration2, "=", stuck.acceleration1),
+            (bracket(0, -1), "=", 1),
+        ).as_counterexample(),
+        exhibit(
+            "at $x_1=0.005$, $|\\ddot x_1|=b/m_2$: (4) gives $\\ddot x_2=\\ddot x_1/2$",
+            EDGE,
+            (sp.Abs(stuck.acceleration1), "=", b / m2),
+            (branch_named("half adhesion").acceleration2, "=", stuck.acceleration1 / 2),
+        ).as_counterexample(),
+        identity(
+            "at $\\dot z=0$ the brackets of (4) are $1$, $1/2$, $0$ for $|\\ddot x_1|<,\\,=,\\,>b/m_2$",
+            sp.Matrix(list(at_zero.values())),
+            sp.Matrix([1, sp.Rational(1, 2), 0]),
+        ).as_correction(),
+        identity(
+            "for $\\dot z\\neq 0$ they are $0$, whatever $|\\ddot x_1|$ is",
+            sp.Matrix([bracket(sign, stiction) for sign in (1, -1) for stiction in (-1, 0, 1)]),
+            sp.zeros(6, 1),
+        ).as_correction(),
+        identity(
+            "adhesion needs the force $m_2\\ddot x_1$ on body 2: friction can give it where $|\\ddot x_1|\\leqslant b/m_2$",
+            stuck.force_on_second,
+            m2 * stuck.acceleration1,
+        ).as_correction(),
+        stick_is_filippov().as_correction(),
+        stick_region().as_correction(),
+        corrected="At $\\dot z=0$, (4) keeps adhesion where $|\\ddot x_1|<b/m_2$, breaks it where $|\\ddot x_1|>b/m_2$, and "
+        "hands on half of the adhesion force where $|\\ddot x_1|=b/m_2$. The stiction condition of Coulomb's law is "
+        "$|\\ddot x_1|\\leqslant b/m_2$, equality included; $|\\ddot x_1|>b/m_2$ is its violation.",
+        counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, both bodies at rest. At $x_1=0.004$, "
+        f"$|\\ddot x_1|={value_at(abs(stuck.acceleration1), INSIDE)}<b/m_2$: the printed condition is violated, and the "
+        f"bodies adhere. At $x_1=0.005$, $|\\ddot x_1|={value_at(abs(stuck.acceleration1), EDGE)}=b/m_2$: "
+        f"$\\ddot x_2={value_at(branch_named('half adhesion').acceleration2, EDGE)}=\\ddot x_1/2$.",
+        derivation=(
+            equation("0", driven_equation()),
+            f"At $\\dot z=0$, for $|\\ddot x_1|<,\\,=,\\,>b/m_2$: $${sp.latex(sp.Matrix(list(at_zero.values())).T)}$$",
+            equation(r"\ddot{x}_1|_{\dot{z}=0}", stuck.acceleration1),
+        ),
+    )
+
+
+@check("interface-force-balance")
+def interface_force_balance(_: Context) -> Finding:
+    """Compare, branch by branch, the interface forces that Newton's law finds on the two bodies."""
+    broken, half = branch_named("broken adhesion"), branch_named("half adhesion")
+    return conclude(
+        Verdict.REFUTED,
+        "Newton's law gives the interface force on each body as its mass times its acceleration, less the other forces "
+        "on it. The two are opposite in slip and in stick. In the branch $\\dot z=0$, $|\\ddot x_1|>b/m_2$ the driving body "
+        "feels $-m_2\\ddot x_1$, as it carries both masses in (3), while (4) gives body 2 no force at all; at equality body 2 "
+        "gets half. These branches last no time in the free system, so the error does no harm there.",
+        exhibit(
+            "at the start of Fig. 3 (a) the interface pushes body 1 and does not push body 2",
+            FIGURE_3A,
+            (sp.Abs(broken.acceleration1), ">", b / m2),
+            (broken.force_on_first, "=", sp.Rational(3, 5)),
+            (broken.force_on_second, "=", 0),
+        ).as_counterexample(),
+        exhibit(
+            "at $x_1=0.005$ the forces on body 1 and body 2 do not add up to 0",
+            EDGE,
+            (sp.Abs(half.acceleration1), "=", b / m2),
+            (half.force_on_second, "=", -half.force_on_first / 2),
+            (half.force_imbalance, "!=", 0),
+        ).as_counterexample(),
+        *(
+            identity(
+                f"in the branch {name} the forces on both bodies add up to 0", branch_named(name).force_imbalance, 0
+            ).as_correction()
+            for name in ("stick", "slip+", "slip-")
+        ),
+        identity(
+            "with broken adhesion their sum is $-m_2\\ddot x_1$",
+            broken.force_imbalance,
+            -m2 * broken.acceleration1,
+        ).as_correction(),
+        identity(
+            "with half adhesion it is $-m_2\\ddot x_1/2$", half.force_imbalance, -m2 * half.acceleration1 / 2
+        ).as_correction(),
+        *(item.as_correction() for item in leaves_the_surface()),
+        corrected="The forces that (3), (4) put on the two bodies are equal and opposite for $\\dot z\\neq 0$ and for "
+        "$\\dot z=0$, $|\\ddot x_1|<b/m_2$. At $\\dot z=0$ with $|\\ddot x_1|\\geqslant b/m_2$ they are not; the free system "
+        "is there at isolated instants only, so it conserves the balance of momentum at almost every time.",
+        counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, $x_1=0.006$, at rest: the interface force on body 1 is "
+        f"$m_1\\ddot x_1+a_2x_1={value_at(broken.force_on_first, FIGURE_3A)}$, on body 2 $m_2\\ddot x_2="
+        f"{value_at(broken.force_on_second, FIGURE_3A)}$.",
+        derivation=(
+            equation("0", driving_equation()),
+            equation("0", driven_equation()),
+            *(
+                f"Branch {one.name}: $$f_1={sp.latex(one.force_on_first)},\\qquad "
+                f"f_2={sp.latex(one.force_on_second)},\\qquad f_1+f_2={sp.latex(one.force_imbalance)}$$"
+                for one in branches()
+            ),
+        ),
+    )

@@ -1,0 +1,124 @@
+"""Section II, eq. (1): what the three-valued signum allows at zero relative velocity, and what it does not."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from numerics.modes import Mode
+from numerics.scene_file import load_scene
+from paper_checks.enclosure import compare, exact, itinerary, solved, text
+from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.exact import identity
+from paper_checks.exhibit import exhibit, value_at
+from paper_checks.formula import equation
+from paper_checks.points import EXAMPLE_PAIR, FIGURE_3A, INSIDE
+from paper_checks.registry import Context, check
+from paper_checks.steps import solutions
+from theory.closed_forms import Regime, residual, solution
+from theory.filippov import sliding_field, transversality
+from theory.model import branch_named, case_study_mode, free_system
+from theory.symbols import a2, b, m1, m2, t, u, v1, x1
+
+# The control under which eq. (4) stays at its equality: the path of stick with the acceleration b/m2 from rest.
+PATH = EXAMPLE_PAIR[b] * t**2 / (2 * EXAMPLE_PAIR[m2])
+CONTROL = EXAMPLE_PAIR[b] * (EXAMPLE_PAIR[m1] + EXAMPLE_PAIR[m2]) / EXAMPLE_PAIR[m2] + EXAMPLE_PAIR[a2] * PATH
+
+
+def no_solution_inside() -> Evidence:
+    """(e1)-(e3) with sgn(0) = 0 at a point inside S0: neither staying on S nor leaving it is possible."""
+    literal = free_system(sp.Integer(0))
+    return exhibit(
+        "with $\\mathrm{sgn}(0)=0$ in (e1)–(e3), at $x_1=0.004$ at rest: both fields point to $S$, so a solution must stay "
+        "on it, where $\\dot v_1\\neq\\dot v_2$",
+        INSIDE,
+        (transversality(1), "<", 0),
+        (transversality(-1), ">", 0),
+        (literal[1] - literal[2], "!=", 0),
+    )
+
+
+def two_solutions() -> tuple[Evidence, ...]:
+    """(5), (6) from the start of Fig. 3 (a): a stick and a slip, both by substitution."""
+    slipping = solved(load_scene("figure-3a"))
+    stuck, loose = (solution(mode, Regime.UNDAMPED) for mode in ("stick", "slip-"))
+    return (
+        identity(
+            "a pair that sticks for ever satisfies (5), (6) (stick, by substitution)", sp.Matrix(residual(stuck)), 0
+        ),
+        identity(
+            "a pair that slips with $\\dot z<0$ satisfies them too (slip, by substitution)",
+            sp.Matrix(residual(loose)),
+            0,
+        ),
+        itinerary("from the start of Fig. 3 (a) the slip has $\\dot z<0$ at first", slipping, [Mode.SLIP_MINUS]),
+        compare("and until a time $t_1>0$", slipping.events[0].t, ">", exact(0)),
+    )
+
+
+def controlled(name: str, offset: sp.Expr) -> sp.Expr:
+    """Return z'' of a branch under `CONTROL` at x1 = path + offset, v1 = velocity of the path (m/s^2)."""
+    found = branch_named(name)
+    place = {**EXAMPLE_PAIR, u: CONTROL, x1: PATH + offset, v1: sp.diff(PATH, t)}
+    return sp.expand((found.acceleration1 - found.acceleration2).subs(place))
+
+
+def no_solution_under_control() -> tuple[Evidence, ...]:
+    """(3), (4) with a control: each branch contradicts itself."""
+    place = {**EXAMPLE_PAIR, u: CONTROL, x1: PATH, v1: sp.diff(PATH, t)}
+    offset = sp.Symbol("delta", real=True)
+    return (
+        identity(
+            "with $u=1+50t^2$ from rest, $\\dot z=0$ gives $x_1=t^2/4$ and $\\ddot x_1=b/m_2$ for all $t$",
+            branch_named("half adhesion").acceleration1.subs(place),
+            (b / m2).subs(EXAMPLE_PAIR),
+        ),
+        identity(
+            "there (4) leaves half of the adhesion: $\\ddot z=1/4\\neq 0$",
+            controlled("half adhesion", sp.Integer(0)),
+            sp.Rational(1, 4),
+        ),
+        identity("with $\\dot z>0$ it gives $\\ddot z=0$ at $x_1=t^2/4$", controlled("slip+", sp.Integer(0)), 0),
+        identity(
+            "with $\\dot z<0$ it gives $\\ddot z=2-200\\delta$ at $x_1=t^2/4+\\delta$: positive near $\\delta=0$",
+            controlled("slip-", offset),
+            2 - 200 * offset,
+        ),
+    )
+
+
+@check("sgn-three-valued")
+def sgn_three_valued(_: Context) -> Finding:
+    """Existence and uniqueness at z' = 0 in (3)-(4), in (e1)-(e3) with sgn(0) = 0, and in (5)-(6)."""
+    first_contact = solved(load_scene("figure-3a")).events[0].t
+    literal = free_system(sp.Integer(0))
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "For the free system (3)–(4) the conclusion is right: every initial state has exactly one solution forward in "
+        "time, the Filippov solution. But it is the total mass in (3) and the stiction bracket in (4) that bring this "
+        "about, not $\\mathrm{sgn}(0)=0$. Put into Coulomb's law alone, (e1)–(e3), the three-valued signum leaves no "
+        "solution through the interior of $S_0$ with $x_1\\neq 0$; where the bracket is dropped, (5)–(6), solutions are "
+        "not unique; and under a control that holds $|\\ddot x_1|=b/m_2$, (3)–(4) itself has none.",
+        no_solution_inside().as_counterexample(),
+        *(item.as_counterexample() for item in two_solutions()),
+        *(item.as_counterexample() for item in no_solution_under_control()),
+        *(item.as_correction() for item in solutions.same_solutions()),
+        corrected="For $u=0$ and every initial state, (3)–(4) has exactly one solution forward in time (absolutely "
+        "continuous, equations met at almost every time): the solution of (e1)–(e3) in Filippov's sense, where "
+        "$\\mathrm{sgn}(0)$ is the whole interval $[-1,1]$.",
+        counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. (e1)–(e3) with $\\mathrm{sgn}(0)=0$ from $x_1=0.004$ at "
+        f"rest: $\\dot v_1={value_at(literal[1], INSIDE)}$ and $\\dot v_2=0$ on $S$, while off $S$ both fields lead back: no "
+        "solution. (5)–(6) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ for ever, and a slip with "
+        f"$\\dot z<0$ until $t_1=$ {text(first_contact)} s: two solutions. (3)–(4) with $u=1+50t^2$ from rest at 0: none.",
+        derivation=(
+            *solutions.ARGUMENT,
+            equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{\dot{z}=0}", sliding_field(damped=True).T),
+            "No solution with $u=1+50t^2$: for a short time $\\dot z<0$ is impossible, as $\\ddot z>0$ there. While "
+            "$\\dot z\\geqslant 0$, $x_1=t^2/4$ (a linear equation with zero data for the difference). Then $\\dot z$ cannot "
+            "grow, as $\\ddot z=0$ where $\\dot z>0$; and it cannot stay 0, as $\\ddot z=1/4$ where $\\dot z=0$.",
+            "Both solutions of (5)–(6): with $\\dot z=0$ and with $\\dot z<0$ they read "
+            f"$${sp.latex(sp.Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
+            f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], FIGURE_3A)}"
+            "<0$.",
+        ),
+        figure=None,
+    )
