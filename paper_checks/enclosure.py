@@ -11,7 +11,7 @@ from sympy import Expr, Rational
 from numerics.modes import Mode
 from numerics.scene import Scene
 from numerics.solve import solve
-from numerics.trajectory import Trajectory
+from numerics.trajectory import Status, Trajectory
 from paper_checks.evidence import Evidence, EvidenceKind
 
 ENGINE = "python-flint"
@@ -58,10 +58,22 @@ def agree(statement: str, one: arb, other: arb, radius: Rational) -> Evidence:
     return compare(statement, abs(one - other), "<", exact(radius))
 
 
+def within(statement: str, value: arb, lower: str, upper: str) -> Evidence:
+    """Check lower < value < upper for all points of a ball; the bounds are decimals, read exactly."""
+    low, high = exact(Rational(lower)), exact(Rational(upper))
+    inside, outside = value > low and value < high, value <= low or value >= high
+    return _evidence(statement, True if inside else False if outside else None, text(value))
+
+
 def itinerary(statement: str, trajectory: Trajectory, modes: Sequence[Mode]) -> Evidence:
     """Check that the proved sequence of modes begins with the given ones."""
     found = trajectory.modes[: len(modes)]
     return _evidence(statement, found == tuple(modes), ", ".join(mode.value for mode in found), len(modes))
+
+
+def stuck_for_ever(statement: str, trajectory: Trajectory) -> Evidence:
+    """Check that from its last event on the pair is proved to stick for ever."""
+    return _evidence(statement, trajectory.status is Status.STUCK_FOR_EVER, trajectory.message)
 
 
 def text(value: arb) -> str:

@@ -116,27 +116,35 @@ def first_exit(trajectory: Trajectory) -> Event:
     raise ValueError("the trajectory has no exit from S0; solve further")
 
 
-def relative_speed_bound(trajectory: Trajectory) -> arb:
-    """Return 2 sqrt(q) (u - arctan u) L Omega, m/s, for the first exit: |z'| is never larger after it."""
-    frame, event = trajectory.frame, first_exit(trajectory)
+def relative_speed_bound(trajectory: Trajectory, after: Event) -> arb:
+    """Return 2 sqrt(q) (u - arctan u) L Omega, m/s, for an exit: |z'| is never larger after it."""
+    frame = trajectory.frame
     with trajectory.arithmetic.context():
-        u = (event.reduced.w / frame.q).sqrt()
+        u = (after.reduced.w / frame.q).sqrt()
         return 2 * frame.sqrt_q * (u - u.atan()) * frame.speed
 
 
-def never_merges(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
-    """Return all steps of `ARGUMENT` for a scene in balls; `name` says which. Raises ValueError where m2 > m1."""
+def every_excursion() -> tuple[Evidence, ...]:
+    """Return the steps of `ARGUMENT` that hold for every pair with m2 <= m1."""
+    return (excess_after(), last_factor_is_positive(), h_increases(), reentry_is_inside(), largest_excess())
+
+
+def starts_below(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
+    """Return that a scene in balls meets the assumption at its first exit; `name` says which scene.
+
+    Raises ValueError where m2 > m1, or the trajectory has no exit.
+    """
     if trajectory.scene.pair.m2 > trajectory.scene.pair.m1:
         raise ValueError("the argument needs m2 <= m1")
     excess = first_exit(trajectory).reduced.w
     with trajectory.arithmetic.context():
         largest = trajectory.frame.q * arb.pi() ** 2 / 4
     return (
-        excess_after(),
-        last_factor_is_positive(),
-        h_increases(),
-        reentry_is_inside(),
-        largest_excess(),
         compare(f"{name}: $w>0$ at the first exit", excess, ">", exact(0)),
         compare(f"{name}: $w<q\\pi^2/4$ at the first exit", excess, "<", largest),
     )
+
+
+def never_merges(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
+    """Return all steps of `ARGUMENT` for a scene in balls. Raises as `starts_below`."""
+    return (*every_excursion(), *starts_below(trajectory, name))
