@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from fractions import Fraction
+
 from sympy import Rational, Symbol
 
-from theory.symbols import a1, a2, b, m1, m2, u, v1, v2, x1
+from numerics.scene import Law, Pair, Scene, State
+from theory.symbols import a1, a2, b, m1, m2, u, v1, v2, x1, x2
+
+Values = Mapping[Symbol, Rational | int]
 
 # Unit masses on a spring of 200 N/m, b = 0.5 N, no damper, no control: the pair of Section IV; S0 is |x1| <= 0.005.
 EXAMPLE_PAIR: dict[Symbol, Rational | int] = {m1: 1, m2: 1, a1: 0, a2: 200, b: Rational(1, 2), u: 0}
@@ -19,3 +25,19 @@ def at_rest(position: str) -> dict[Symbol, Rational | int]:
 FIGURE_3A = at_rest("0.006")
 INSIDE = at_rest("0.004")
 EDGE = at_rest("0.005")
+
+
+def scene_at(point: Values, until: str, law: Law = Law.FILIPPOV) -> Scene:
+    """Return the scene that starts at a point, with the horizon `until` (s); x1, v1, x2, v2 default to 0.
+
+    Raises KeyError where the point has no value for a parameter, ValueError where it has a control.
+    """
+    if point.get(u, 0) != 0:
+        raise ValueError("a scene is free: u must be 0")
+
+    def value(symbol: Symbol, default: int | None = None) -> Fraction:
+        found = point[symbol] if default is None else point.get(symbol, default)
+        return Fraction(str(found))
+
+    pair = Pair(m1=value(m1), m2=value(m2), a1=value(a1), a2=value(a2), b=value(b))
+    return Scene(pair, State(value(x1, 0), value(v1, 0), value(x2, 0), value(v2, 0)), Fraction(until), law)

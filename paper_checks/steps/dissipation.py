@@ -21,6 +21,15 @@ def admissible(expression: sp.Basic) -> sp.Basic:
     return expression.subs(a1, sp.Symbol("a1", nonnegative=True))
 
 
+SYNCHRONISATION = (
+    "In every mode $\\dot E=-b|\\dot z|-a_1v_1^2\\leqslant 0$, so $E$ has a limit $E_\\infty\\geqslant 0$, and "
+    "$b\\int_t^\\infty|\\dot z|\\,ds\\leqslant E(t)-E_\\infty$. In particular $x_1-x_2$ has a limit.",
+    "On $\\{E\\leqslant E(0)\\}$ the state is bounded, hence $|\\ddot z|\\leqslant K$ in every mode: $\\dot z$ is "
+    "Lipschitz continuous with the constant $K$.",
+    "If $|\\dot z(t)|=\\eta$, then $|\\dot z|\\geqslant\\eta-Ks$ at the time $t+s$: the triangle below has the area "
+    "$\\eta^2/(2K)$. Hence $$|\\dot z(t)|^2\\leqslant\\frac{2K}{b}\\,\\bigl(E(t)-E_\\infty\\bigr)\\to 0.$$",
+)
+
 # Bounds of |x1| (m) and |v1| (m/s) on {E <= E(0)}.
 P, Q = sp.symbols("P Q", nonnegative=True)
 
@@ -83,14 +92,31 @@ def relative_acceleration_is_bounded(sign: int) -> Evidence:
     )
 
 
+@cache
+def stick_keeps_together() -> Evidence:
+    """In stick z'' = 0."""
+    return identity("in stick $\\ddot z=0$", derivative_along(sliding_field(damped=True), guard()), 0)
+
+
+@cache
+def price_of_relative_speed() -> Evidence:
+    """The relative displacement that a relative speed eta costs before it can be gone."""
+    speed, rate = sp.symbols("eta K", positive=True)
+    time = sp.Symbol("s", nonnegative=True)
+    area = sp.integrate(speed - rate * time, (time, 0, speed / rate))
+    return identity("$\\int_0^{\\eta/K}(\\eta-Ks)\\,ds=\\eta^2/(2K)$", area, speed**2 / (2 * rate))
+
+
 def in_every_mode() -> tuple[Evidence, ...]:
-    """Return the steps that hold mode by mode: E falls, the state and z'' are bounded."""
+    """Return all steps of `SYNCHRONISATION`, mode by mode."""
     return (
         *(energy_rate(mode) for mode in ("slip+", "slip-", "stick")),
         energy_never_grows(),
         state_is_bounded(),
         speed_is_bounded(),
         *(relative_acceleration_is_bounded(sign) for sign in (1, -1)),
+        stick_keeps_together(),
+        price_of_relative_speed(),
     )
 
 

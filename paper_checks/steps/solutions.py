@@ -14,7 +14,7 @@ from paper_checks.exact import identity
 from paper_checks.smt import prove
 from theory.energy import contraction_rate, contraction_terms, sigma, sigma_other
 from theory.filippov import derivative_along, load, load_threshold, sliding_field
-from theory.model import branch_named, free_system, slip, stick
+from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, driven_equation, free_system, slip, stick
 from theory.symbols import a1, a2, acceleration1, b, free, m2, total_mass, v1, v1_other, v2, v2_other
 
 ARGUMENT = (
@@ -27,6 +27,23 @@ ARGUMENT = (
     "Existence is Filippov's theorem (the set-valued right side is bounded on bounded sets, convex and closed). Two "
     "solutions never move apart in the energy norm, so forward in time there is only one.",
 )
+
+
+def adhesion_factor(relative_sign: int, stiction_sign: int) -> sp.Expr:
+    """Return the factor with which the brackets of (4) hand m2 x1'' on to body 2, dimensionless, for both signs."""
+    values = {RELATIVE_SIGN: sp.Integer(relative_sign), STICTION_SIGN: sp.Integer(stiction_sign)}
+    return sp.diff(driven_equation().subs(values), acceleration1) / m2
+
+
+@cache
+def bracket_is_off_in_slip() -> Evidence:
+    """For z' != 0 the first bracket of (4) is 0, whatever the second is."""
+    factors = [adhesion_factor(sign, stiction) for sign in (1, -1) for stiction in (-1, 0, 1)]
+    return identity(
+        "for $\\dot z\\neq 0$ the brackets of (4) are $0$, whatever $|\\ddot x_1|$ is",
+        sp.Matrix(factors),
+        sp.zeros(len(factors), 1),
+    )
 
 
 @cache

@@ -1,0 +1,160 @@
+"""Section IV-A, eqs (5) to (8): the eigenfrequency, the reduction from (3), (4), the two modes."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from paper_checks.evidence import Finding, Verdict, conclude
+from paper_checks.exact import identity
+from paper_checks.exhibit import exhibit, value_at
+from paper_checks.formula import equation
+from paper_checks.points import FIGURE_3A
+from paper_checks.registry import Context, check
+from paper_checks.smt import prove
+from paper_checks.steps.solutions import bracket_is_off_in_slip
+from theory.closed_forms import Regime, rate, rates, residual, solution
+from theory.energy import stick_rate
+from theory.model import (
+    CASE_STUDY,
+    RELATIVE_SIGN,
+    STICTION_SIGN,
+    branch_named,
+    case_study_eigenfrequency,
+    case_study_mode,
+    driven_equation,
+    driving_equation,
+)
+from theory.symbols import acceleration1, acceleration2, b, t, undamped, x1, x1_0, x2_0
+
+# sgn(z') and sgn(|x1''| - b/m2) as symbols, so that an identity holds for whatever values they have.
+s, bracket_sign = sp.symbols("s sigma", real=True)
+
+
+def printed_reduction() -> sp.Matrix:
+    """Return the right sides of (5), (6) as printed, with s for sgn(z') and x1'' kept in (6); m/s^2."""
+    first = -1 / (2 - sp.Abs(s)) * (200 * x1 + b * s)
+    second = (1 - sp.Abs(s)) * acceleration1 + b * s
+    return sp.Matrix([first, second])
+
+
+def derived_reduction() -> sp.Matrix:
+    """Return the same from (3), (4) with unit masses, a1 = u = 0, a2 = 200, the second sign of (4) kept."""
+    values = {RELATIVE_SIGN: s, STICTION_SIGN: bracket_sign}
+    first = sp.solve(driving_equation().subs(values).subs(CASE_STUDY), acceleration1)[0]
+    second = sp.solve(driven_equation().subs(values).subs(CASE_STUDY), acceleration2)[0]
+    return sp.Matrix([first, second])
+
+
+def printed_modes(sign: int) -> sp.Matrix:
+    """Return the left minus right sides of (7) (sign 0) or (8) (the upper sign is sgn(z') = 1), as printed."""
+    if sign == 0:
+        return sp.Matrix([2 * acceleration1 + 200 * x1, acceleration2 - acceleration1])
+    return sp.Matrix([acceleration1 + 200 * x1 + sign * b, acceleration2 - sign * b])
+
+
+@check("example-eigenfrequency")
+def example_eigenfrequency(_: Context, printed: int = 10) -> Finding:
+    """Derive the frequency of stick and put the oscillation into (7)."""
+    oscillation = [sp.cos(printed * t), sp.sin(printed * t)]
+    stick_frequency = rates("stick", Regime.UNDAMPED)[rate].subs(CASE_STUDY)
+    return conclude(
+        Verdict.HOLDS,
+        "With the second body resting on the first, (3) is $2\\ddot x_1+200\\,x_1=0$: the frequency is "
+        "$\\sqrt{a_2/(m_1+m_2)}=\\sqrt{200/2}$ rad/s. Alone, in slip, the driving body would oscillate with $\\sqrt{200}$ "
+        "rad/s.",
+        identity(f"the frequency of (7) is {printed} rad/s", case_study_eigenfrequency(), printed),
+        identity(f"$\\sqrt{{a_2/(m_1+m_2)}}={printed}$ for the example", stick_frequency, printed),
+        identity(
+            f"$\\cos {printed}t$ and $\\sin {printed}t$ satisfy $2\\ddot x_1+200\\,x_1=0$",
+            sp.Matrix([2 * sp.diff(one, t, 2) + 200 * one for one in oscillation]),
+            0,
+        ),
+        derivation=(
+            equation(r"\ddot{x}_1", case_study_mode(0)[0]),
+            f"$$\\omega={sp.latex(rates('stick', Regime.UNDAMPED)[rate])}={sp.latex(case_study_eigenfrequency())}$$",
+        ),
+    )
+
+
+@check("example-reduction")
+def example_reduction(_: Context) -> Finding:
+    """Derive (5) and (6) with the stiction bracket left open, and find where (6) follows."""
+    derived, printed = derived_reduction(), printed_reduction()
+    broken, literal = branch_named("broken adhesion"), case_study_mode(0)
+    acceleration = sp.Symbol("A", real=True)
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "(5) follows from (3) without a condition. (6) follows from (4) for $\\dot z\\neq 0$, and at $\\dot z=0$ only where "
+        "the second bracket of (4) is 1: where $|\\ddot x_1|<b$, that is $|x_1|<b/100$. Elsewhere on $\\dot z=0$ (4) leaves "
+        "body 2 without acceleration, or at equality with half of it, while (6) makes it stick whatever force that takes.",
+        exhibit(
+            "at the start of Fig. 3 (a), $x_1=0.006$, $b=0.5$, (4) gives $\\ddot x_2=0$ and (6) gives $\\ddot x_2\\neq 0$",
+            FIGURE_3A,
+            (sp.Abs(broken.acceleration1), ">", b),
+            (broken.acceleration2, "=", 0),
+            (literal[1], "=", literal[0]),
+            (literal[1], "<", 0),
+        ).as_counterexample(),
+        identity("(5) is (3), for every value $s$ of $\\mathrm{sgn}(\\dot z)$", derived[0], printed[0]).as_correction(),
+        identity(
+            "(6) is (4) where the second bracket is 1", derived[1].subs(bracket_sign, -1), printed[1]
+        ).as_correction(),
+        identity(
+            "with $\\mathrm{sgn}(\\dot z)=0,\\,1,\\,-1$ they give the same accelerations",
+            sp.Matrix([printed.subs(s, sign).subs(acceleration1, case_study_mode(sign)[0]) for sign in (0, 1, -1)]),
+            sp.Matrix([sp.Matrix(case_study_mode(sign)) for sign in (0, 1, -1)]),
+        ).as_correction(),
+        bracket_is_off_in_slip().as_correction(),
+        identity(
+            "at $\\dot z=0$, (6) and (4) differ by $\\frac{1}{2}(1+\\sigma)\\,\\ddot x_1$, "
+            "$\\sigma=\\mathrm{sgn}(|\\ddot x_1|-b)$",
+            (printed[1] - derived[1]).subs(s, 0),
+            (1 + bracket_sign) * acceleration1 / 2,
+        ).as_correction(),
+        prove(
+            "in stick $|\\ddot x_1|<b$ exactly where $|x_1|<b/100$",
+            [sp.Eq(acceleration, literal[0])],
+            sp.Equivalent(sp.Lt(sp.Abs(acceleration), b), sp.Lt(100 * sp.Abs(x1), b)),
+        ).as_correction(),
+        corrected="(3)–(4) reduce to (5) and, where $\\dot z\\neq 0$ or $|x_1|<b/100$, to (6). At $\\dot z=0$ with "
+        "$|x_1|>b/100$, (4) gives $\\ddot x_2=0$; with $|x_1|=b/100$, $\\ddot x_2=\\ddot x_1/2$.",
+        counterexample="$b=0.5$, $x_1=0.006$, both bodies at rest, the start of Fig. 3 (a): (4) gives "
+        f"$\\ddot x_2={value_at(broken.acceleration2, FIGURE_3A)}$, (6) gives "
+        f"$\\ddot x_2=\\ddot x_1={value_at(literal[1], FIGURE_3A)}$.",
+        derivation=(
+            "With $s=\\mathrm{sgn}(\\dot z)$ and $\\sigma=\\mathrm{sgn}(|\\ddot x_1|-b)$, (3) and (4) become",
+            equation(r"\ddot{x}_1", derived[0]),
+            equation(r"\ddot{x}_2", derived[1]),
+        ),
+    )
+
+
+@check("example-two-modes")
+def example_two_modes(_: Context) -> Finding:
+    """Put sgn(z') = 0, 1, -1 into (5), (6), and solve the first mode."""
+    motions = {
+        sign: dict(zip((acceleration1, acceleration2), case_study_mode(sign), strict=True)) for sign in (0, 1, -1)
+    }
+    together = solution("stick", Regime.UNDAMPED)
+    return conclude(
+        Verdict.HOLDS,
+        "(7) and (8) are (5) and (6) with the signum at 0 and at $\\pm 1$, upper signs for $\\dot z>0$. In (7) both bodies "
+        "move by the same oscillation and $x_1-x_2$ keeps its initial value; energy is conserved. Read with the set-valued "
+        "signum, (7) lasts only while $|x_1|\\leqslant b/100$.",
+        identity("$\\mathrm{sgn}(\\dot z)=0$ in (5), (6) gives (7)", printed_modes(0).subs(motions[0]), 0),
+        identity("$\\mathrm{sgn}(\\dot z)=1$ gives (8), upper signs", printed_modes(1).subs(motions[1]), 0),
+        identity("$\\mathrm{sgn}(\\dot z)=-1$ gives (8), lower signs", printed_modes(-1).subs(motions[-1]), 0),
+        identity("the closed form of stick satisfies (3), (4), by substitution", sp.Matrix(residual(together)), 0),
+        identity("in it $x_1-x_2$ is constant", together.x1 - together.x2, x1_0 - x2_0),
+        identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
+        identity("undamped: $\\dot E=0$", undamped(stick_rate()), 0),
+        derivation=(
+            f"(7): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={sp.latex(case_study_mode(0))}$$",
+            *(
+                f"(8), $\\mathrm{{sgn}}(\\dot z)={sign}$: $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={sp.latex(case_study_mode(sign))}$$"
+                for sign in (1, -1)
+            ),
+            equation("x_1(t)", together.x1),
+            equation("x_2(t)", together.x2),
+        ),
+    )

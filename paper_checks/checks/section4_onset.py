@@ -1,0 +1,229 @@
+"""Section IV-A, the text after eqs (6) and (8): when the stiction condition fails, when relative motion sets in."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from numerics.modes import Mode
+from numerics.scene_file import load_scene
+from paper_checks.arguments import leaves_above_critical
+from paper_checks.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
+from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.exact import identity
+from paper_checks.exhibit import exhibit, value_at
+from paper_checks.formula import equation
+from paper_checks.points import EXAMPLE_PAIR, FIGURE_3A, INSIDE, scene_at
+from paper_checks.polynomial import cleared
+from paper_checks.registry import Context, check
+from paper_checks.smt import prove
+from paper_checks.steps import dissipation
+from paper_checks.steps.solutions import bracket_is_off_in_slip, stick_region
+from theory.closed_forms import Regime, rate, rates, residual, solution
+from theory.energy import critical_energy, edge_speed_squared, energy, on_surface, slip_rate, stick_rate
+from theory.filippov import derivative_along, edge_contact, half_width
+from theory.model import CASE_STUDY, case_study_mode, slip, stick
+from theory.symbols import E0, a2, b, free, m1, m2, undamped, v1, v2, x1
+
+FIGURE_3B = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.15"), v2: 0}
+TOGETHER = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.03"), v2: sp.Rational("0.03")}
+
+
+def subcritical_level() -> sp.Basic:
+    """Return E <= E_cr on S (a1 = 0), cleared of its denominator."""
+    return sp.Le(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+
+
+@check("example-stiction-never-violated")
+def example_stiction_never_violated(_: Context) -> Finding:
+    """Evaluate |x1''| against b/m2 in both modes of the example."""
+    literal, slipping = case_study_mode(0)[0], case_study_mode(1)[0]
+    contact = solved(load_scene("figure-4a")).events[0]
+    at_contact = -(exact(200) * contact.y[0] + exact(load_scene("figure-4a").pair.b))
+    stuck = free(stick().acceleration1)
+    return conclude(
+        Verdict.REFUTED,
+        "Nothing in (5), (6) bounds $|\\ddot x_1|$. The paper's own start of Fig. 3 (a) has $\\dot z=0$ and "
+        "$|\\ddot x_1|>b/m_2$, so there the dropped switching would act; (6) makes the pair stick all the same. In slip the "
+        "bound fails as well, already at the start of Fig. 3 (b), but there the first bracket of (4) is 0 and nothing "
+        "follows. What is true: below the critical energy the condition holds whenever $\\dot z=0$.",
+        exhibit(
+            "at the start of Fig. 3 (a), $\\dot z=0$ and $|\\ddot x_1|>b/m_2$ by (5)",
+            FIGURE_3A,
+            (sp.Abs(literal), ">", b / m2),
+        ).as_counterexample(),
+        exhibit(
+            "at the start of Fig. 3 (b), in slip, $|\\ddot x_1|=b/m_2$, not less",
+            FIGURE_3B,
+            (sp.Abs(slipping), "=", b / m2),
+        ).as_counterexample(),
+        compare(
+            "in Fig. 4 (a), just before the first event, $|\\ddot x_1|>b/m_2=0.05$",
+            abs(at_contact),
+            ">",
+            exact(load_scene("figure-4a").pair.b),
+        ).as_counterexample(),
+        prove(
+            "with $a_1=u=0$ and $\\dot z=0$, $E\\leqslant E_{cr}$ implies $|\\ddot x_1|\\leqslant b/m_2$",
+            [subcritical_level()],
+            sp.Le(cleared(undamped(stuck) ** 2 - (b / m2) ** 2), 0, evaluate=False),
+        ).as_correction(),
+        stick_region().as_correction(),
+        bracket_is_off_in_slip().as_correction(),
+        corrected="Where $\\dot z\\neq 0$ the acceleration-dependent switching of (4) has no effect. Where $\\dot z=0$ it acts "
+        "exactly if $|x_1|\\geqslant b/100$; it does not act if $E\\leqslant E_{cr}=b^2/100$ (but for $|\\ddot x_1|=b/m_2$ at "
+        "$E=E_{cr}$), nor in any stick phase of (3)–(4).",
+        counterexample="$b=0.5$, $x_1=0.006$, both bodies at rest, the start of Fig. 3 (a): $|\\ddot x_1|="
+        f"{value_at(abs(literal), FIGURE_3A)}>{value_at(b / m2, FIGURE_3A)}=b/m_2$.",
+        derivation=(
+            equation(r"\ddot{x}_1|_{\dot{z}=0}", literal),
+            equation(r"\ddot{x}_1|_{\dot{z}>0}", slipping),
+            equation("L", half_width().subs(CASE_STUDY)),
+            equation("E_{cr}", critical_energy().subs(CASE_STUDY)),
+        ),
+    )
+
+
+def stays_together() -> tuple[Evidence, ...]:
+    """With v1 = v2 and E <= E_cr the pair sticks for ever (a1 = 0)."""
+    inside = sp.Le(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
+    return (
+        prove("with $\\dot z=0$, $E\\leqslant E_{cr}$ implies $|x_1|\\leqslant L$", [subcritical_level()], inside),
+        identity("stick conserves $E$", undamped(stick_rate()), 0),
+    )
+
+
+def comes_apart() -> tuple[Evidence, ...]:
+    """With v1 = v2 and E > E_cr relative motion sets in: on the level the edge is reached, with a speed."""
+    above = sp.Gt(cleared(E0 - critical_energy()), 0, evaluate=False)
+    contact = edge_contact(1)
+    return (
+        prove(
+            "with $E_0>E_{cr}$ the speed on the edge $|x_1|=L$ is not 0: $v_1^2>0$",
+            [above],
+            sp.Gt(cleared(edge_speed_squared()), 0, evaluate=False),
+        ),
+        identity("on the ray $\\ell_+$ the relative velocity of slip starts with a double root", contact.first, 0),
+        *leaves_above_critical(),
+        prove(
+            "and with $\\ddot{(v_1-v_2)}<0$: the pair slips at once",
+            [sp.Gt(v1, 0)],
+            sp.Lt(cleared(contact.second), 0, evaluate=False),
+        ),
+    )
+
+
+@check("example-onset")
+def example_onset(_: Context) -> Finding:
+    """Exhibit starts with energy that stick for ever, and say which starts come apart."""
+    resting = solved(scene_at(INSIDE, "1000"))
+    return conclude(
+        Verdict.REFUTED,
+        "Stored energy does not ensure relative motion: from rest inside $S_0$ the pair oscillates as one body for ever, "
+        "under the Filippov law, under (3)–(4) and under (5)–(6). Friction lets go only if the spring can pull with more "
+        "than it holds. Read literally, (5)–(6) with $\\dot x_1=\\dot x_2$ never need to leave $\\dot z=0$.",
+        exhibit(
+            "at $x_1=0.004$, at rest, $b=0.5$: energy is stored, but less than $E_{cr}$",
+            INSIDE,
+            (energy(), ">", 0),
+            (energy(), "<", critical_energy()),
+        ).as_counterexample(),
+        stuck_for_ever("from there the pair sticks for ever", resting).as_counterexample(),
+        itinerary("its itinerary is one stick phase", resting, [Mode.STICK]).as_counterexample(),
+        exhibit(
+            "the same with a velocity, $\\dot x_1=\\dot x_2=0.03$ at $x_1=0$",
+            TOGETHER,
+            (v1, "!=", 0),
+            (energy(), "<", critical_energy()),
+        ).as_counterexample(),
+        stuck_for_ever("from there it sticks for ever too", solved(scene_at(TOGETHER, "1000"))).as_counterexample(),
+        identity(
+            "stick satisfies (3)–(4) and (5)–(6), by substitution",
+            sp.Matrix(residual(solution("stick", Regime.UNDAMPED))),
+            0,
+        ).as_counterexample(),
+        *(item.as_correction() for item in (*stays_together(), *comes_apart())),
+        corrected="Under (3)–(4) the bodies move relative to each other at some time exactly if $\\dot x_1(0)\\neq\\dot x_2(0)$ "
+        "or $E(0)>E_{cr}$; for the example, $\\dot x_1(0)=\\dot x_2(0)=v$ stays together for ever exactly if "
+        "$100\\,x_1(0)^2+v^2\\leqslant b^2/100$. They do so at once exactly if $\\dot x_1(0)\\neq\\dot x_2(0)$, or "
+        "$|x_1(0)|>L=b/100$, or the start is on an exit ray, $x_1(0)=\\pm L$ with $\\pm v>0$.",
+        counterexample="$b=0.5$, $x_1=0.004$, both bodies at rest: $E=$ "
+        f"${value_at(energy(), INSIDE)}<{value_at(critical_energy(), INSIDE)}=E_{{cr}}$. The motion is "
+        "$x_1=0.004\\cos 10t$, $x_1-x_2$ constant, for ever; friction has to give at most "
+        f"${value_at(abs(case_study_mode(0)[1]), INSIDE)}<0.5$ N.",
+        derivation=(
+            equation("E|_S", on_surface()),
+            equation("E_{cr}", critical_energy()),
+            equation(r"v_1^2|_{|x_1|=L}", edge_speed_squared()),
+            equation(r"x_1(t)", solution("stick", Regime.UNDAMPED).x1),
+        ),
+    )
+
+
+# A slip of the example that lasts for more than a period of body 1, and one state in which friction drives body 1.
+LONG_SLIP = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.1"), v2: -1}
+DRIVEN = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("-0.1"), v2: sp.Rational("-0.2")}
+
+
+def amplitude_squared(sign: int) -> sp.Expr:
+    """Return the squared amplitude of body 1 about its rest position in slip, m^2."""
+    rest = sp.solve(case_study_mode(sign)[0], x1)[0]
+    stiffness = -sp.diff(case_study_mode(sign)[0], x1)
+    return (x1 - rest) ** 2 + v1**2 / stiffness
+
+
+def amplitude_is_constant(sign: int) -> Evidence:
+    """In (8) with one sign body 1 is an undamped oscillator."""
+    field = slip(sign).field.subs(CASE_STUDY)
+    return identity(
+        f"in (8) with $\\mathrm{{sgn}}(\\dot z)={sign}$ the amplitude of $x_1$ about its rest position is constant",
+        derivative_along(field, amplitude_squared(sign)),
+        0,
+    )
+
+
+@check("example-damped-oscillations")
+def example_damped_oscillations(_: Context) -> Finding:
+    """Show which part of (8) damps what, and prove that z' -> 0."""
+    trajectory = solved(scene_at(LONG_SLIP, "10"))
+    with trajectory.arithmetic.context():
+        period = ball(2 * sp.pi / rates("slip+", Regime.UNDAMPED)[rate].subs(CASE_STUDY))
+    own_energy = (a2 * x1**2 + m1 * v1**2) / 2
+    own_rate = derivative_along(slip(1).field, own_energy)
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "While the sign keeps, (8) is an undamped oscillation of body 1 about $\\mp b/200$ and a steady acceleration of "
+        "body 2: no oscillation of $(x_1,\\dot x_1)$ is damped, and when $\\dot x_1$ has the sign of the force friction even "
+        "feeds body 1. It is the total energy that falls, by $b|\\dot z|$, and this synchronises the bodies: $\\dot z\\to 0$ "
+        "and $x_1-x_2\\to\\mathrm{const}$ hold for every initial state (Filippov law; see "
+        "synchronisation-all-parameters and relative-displacement-limit).",
+        *(amplitude_is_constant(sign).as_counterexample() for sign in (1, -1)),
+        itinerary(
+            "from $x_1=0$, $\\dot x_1=0.1$, $\\dot x_2=-1$ the pair slips with $\\dot z>0$",
+            trajectory,
+            [Mode.SLIP_PLUS],
+        ).as_counterexample(),
+        compare(
+            "for longer than the period $2\\pi/\\sqrt{200}$ s of body 1, which so returns to its start undamped",
+            trajectory.events[0].t,
+            ">",
+            period,
+        ).as_counterexample(),
+        exhibit(
+            "at $x_1=0$, $\\dot x_1=-0.1$, $\\dot x_2=-0.2$ friction feeds energy into body 1",
+            DRIVEN,
+            (v1 - v2, ">", 0),
+            (own_rate, ">", 0),
+        ).as_counterexample(),
+        *(item.as_correction() for item in dissipation.in_every_mode()),
+        corrected="With a constant sign (8) is an undamped oscillation of $(x_1,\\dot x_1)$ about $x_1=\\mp b/200$; the total "
+        "energy falls at the rate $b|\\dot z|$, and the alternation of slip and stick takes the amplitude of body 1 down. "
+        "For every initial state $\\dot z\\to 0$ and $x_1-x_2\\to\\mathrm{const}$.",
+        counterexample="$b=0.5$, $x_1=0$, $\\dot x_1=0.1$, $\\dot x_2=-1$: body 1 oscillates for "
+        f"{text(trajectory.events[0].t)} s, more than its period {text(period)} s, with an unchanged amplitude.",
+        derivation=(
+            *(equation(f"A^2|_{{\\mathrm{{sgn}}(\\dot{{z}})={sign}}}", amplitude_squared(sign)) for sign in (1, -1)),
+            equation(r"\frac{d}{dt}\frac{a_2x_1^2+m_1v_1^2}{2}\Big|_{\dot{z}>0}", sp.factor(undamped(own_rate))),
+            equation(r"\dot{E}|_{\dot{z}>0}", undamped(slip_rate(1))),
+            *dissipation.SYNCHRONISATION,
+        ),
+    )
