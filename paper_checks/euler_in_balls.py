@@ -7,13 +7,21 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import decide_sign
 from numerics.scene import Scene
+from numerics.scene_file import load_scene
 
+STEPS = tuple(Fraction(text) for text in ("1e-2", "1e-3", "2e-4", "1e-4", "5e-5", "1e-5"))
+"""The steps tried, s."""
+COARSE = Fraction(1, 1000)
+"""A step, s, from which on the first adhesion of Fig. 4 (a) comes more than a second late, if ever."""
+HORIZONS = {"figure-3b": 1, "figure-4b-b02": 2, "figure-4a": 5}
+"""How far each scene is run, s: past its first adhesion."""
 DIGITS = 80
 """Working digits; the balls of a rotation widen by about 14 digits in a second of the case study."""
 
@@ -75,3 +83,9 @@ def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
         v2 = v1 - relative
         energy = number(pair.a2) * x1 * x1 + number(pair.m1) * v1 * v1 + number(pair.m2) * v2 * v2
         return EulerRun(step, steps, contact, chatter, adhesion, largest, energy / number(2 * scene.energy))
+
+
+@cache
+def run(name: str, step: Fraction) -> EulerRun:
+    """Return forward Euler of a shipped scene of `HORIZONS` with a step (s); two seconds longer where it is coarse."""
+    return euler_in_balls(load_scene(name), step, Fraction(HORIZONS[name] + (2 if step >= COARSE else 0)))

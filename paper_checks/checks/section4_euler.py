@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
-from functools import cache
 
 import sympy as sp
 from flint import arb, fmpq
@@ -13,7 +12,7 @@ from numerics.comparisons.forward_euler import forward_euler
 from numerics.scene import Scene
 from numerics.scene_file import load_scene
 from paper_checks.enclosure import ENGINE, compare, solved, stuck_for_ever, text, within
-from paper_checks.euler_in_balls import EulerRun, euler_in_balls
+from paper_checks.euler_in_balls import COARSE, HORIZONS, STEPS, run
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.polynomial import cleared
@@ -23,18 +22,6 @@ from theory.filippov import half_width, phi, sliding_field
 from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
 
 step = sp.Symbol("h", positive=True)
-
-STEPS = tuple(Fraction(text) for text in ("1e-2", "1e-3", "2e-4", "1e-4", "5e-5", "1e-5"))
-HORIZONS = {"figure-3b": 1, "figure-4b-b02": 2, "figure-4a": 5}
-"""How far each scene is run, s: past its first adhesion."""
-COARSE = Fraction(1, 1000)
-"""A step, s, from which on the first adhesion of Fig. 4 (a) comes more than a second late, if ever."""
-
-
-@cache
-def run(name: str, h: Fraction) -> EulerRun:
-    """Return forward Euler of a shipped scene with step h (s), each sign proved."""
-    return euler_in_balls(load_scene(name), h, Fraction(HORIZONS[name] + (2 if h >= COARSE else 0)))
 
 
 @check("euler-reproduces-figures")

@@ -1,0 +1,85 @@
+"""Fig. 4 (a): both velocities against time, the exact solution beside forward Euler, and the printed 4.7 s in close-up."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from numerics.modes import Mode
+from numerics.trajectory import Trajectory
+from paper_checks.drawing.style import (
+    BODY_1,
+    BODY_2,
+    MM,
+    SLIDING,
+    STEP_TEXT,
+    euler,
+    mark_events,
+    new_figure,
+    samples,
+    solved,
+    thinned,
+)
+
+UNTIL = Fraction(6)
+PRINTED = 4.7
+"""The paper's time of synchronisation, s."""
+
+
+def figure_4a() -> Figure:
+    """Draw v1 and v2 for b = 0.05 N from v1(0) = 0.15 m/s."""
+    figure = new_figure(8.2, 7.2)
+    rows = figure.subplots(3, 1)
+    exact, run = solved("figure-4a", UNTIL), euler("figure-4a-literal", UNTIL)
+    t, y = samples(exact)
+    euler_t, euler_v1, euler_v2 = thinned(run, (1, 3))
+    for axes, title, at, v1, v2 in (
+        (rows[0], "exact", t, MM * y[1], MM * y[3]),
+        (rows[1], f"forward Euler on (5), (6), step {STEP_TEXT}", euler_t, euler_v1, euler_v2),
+    ):
+        axes.plot(at, v1, color=BODY_1, label="$\\dot x_1$")
+        axes.plot(at, v2, color=BODY_2, ls=(0, (5, 1.2)), label="$\\dot x_2$")
+        axes.set(title=title, xlim=(0, float(UNTIL)), ylim=(-160, 225), xlabel="$t$ (s)", ylabel="velocity (mm/s)")
+        axes.axvline(PRINTED, color="#b3007d", lw=1, ls=":", label="printed: $t\\approx 4.7$ s")
+    _linear_decay(rows[0], exact)
+    mark_events(rows[0], exact, 3)
+    _close_up(rows[2], exact)
+    rows[0].legend(loc="upper right", ncols=4)
+    figure.suptitle("Fig. 4 (a): $b=0.05$ N, $\\dot x_1(0)=150$ mm/s, else 0", fontsize=10)
+    return figure
+
+
+def _linear_decay(axes: Any, exact: Trajectory) -> None:
+    """Draw what an oscillator loses to Coulomb friction in a cycle, 4b/sqrt(a2 m1), from the first positive peak of v1 on."""
+    pair = exact.scene.pair
+    rate, cycle = MM * 4 * float(pair.b) / float(pair.a2 * pair.m1) ** 0.5, 2 * np.pi / float(pair.a2 / pair.m1) ** 0.5
+    t, y = samples(exact)
+    first = np.argmax(np.where(t > cycle / 2, y[1], -np.inf))
+    peak = MM * y[1, first]
+    end = t[first] + cycle * peak / rate
+    axes.plot([t[first], end], [peak, 0], color="#777777", lw=0.9, label=r"$-4b/\sqrt{a_2m_1}$ a cycle")
+
+
+def _close_up(axes: Any, exact: Trajectory) -> None:
+    """Draw z' of both about the printed time; grey where the exact solution sticks."""
+    t, y = samples(exact)
+    axes.plot(t, MM * (y[1] - y[3]), color="black", label="exact")
+    run = euler("figure-4a-literal", UNTIL)
+    axes.plot(run.t, MM * (run.y[1] - run.y[3]), color="#2e8b3d", ls=(0, (4, 1.2)), label=f"Euler, {STEP_TEXT}")
+    label: str | None = "exact solution sticks"
+    for segment, start, end in zip(exact.modes, exact.t, exact.t[1:], strict=False):
+        if segment is Mode.STICK:
+            axes.axvspan(start, end, color=SLIDING, zorder=0, linewidth=0, label=label)
+            label = None
+    axes.axvline(PRINTED, color="#b3007d", lw=1, ls=":", label="printed: $t\\approx 4.7$ s")
+    axes.set(
+        xlim=(4.4, 5.6),
+        ylim=(-6, 6),
+        xlabel="$t$ (s)",
+        ylabel="$\\dot z$ (mm/s)",
+        title="close-up: the relative velocity about the printed time",
+    )
+    axes.legend(loc="upper right", ncols=4)
