@@ -1,12 +1,12 @@
-"""Section III, where trajectories go: the statements about all of them, by written-out arguments."""
+"""Section III, where trajectories go: the statements about all of them, by written-out capture."""
 
 from __future__ import annotations
 
-from paper_checks import arguments
 from paper_checks.evidence import Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.registry import Context, check
 from paper_checks.samples import dichotomy_samples
+from paper_checks.steps import capture
 from theory.energy import stick_rate
 from theory.symbols import undamped
 
@@ -20,8 +20,8 @@ def infinitely_many_crossings(context: Context) -> Finding:  # noqa: ARG001
         "in $\\Omega_+$ or $\\Omega_-$ lasts at most $2\\sqrt{2Em_2}/b$, since there $v_2$ changes at a constant rate and is "
         "bounded by the energy. So the times at which a trajectory is on $S$ have no last one; one that sticks is on $S$ at "
         "every instant.",
-        *arguments.energy_decreases(),
-        *arguments.meets_surface(),
+        *capture.energy_decreases(),
+        *capture.meets_surface(),
         derivation=(
             "$$m_2v_2^2\\leqslant 2E(0),\\quad |\\dot v_2|=b/m_2\\ \\Rightarrow\\ T\\leqslant\\frac{2\\sqrt{2E(0)m_2}}{b}$$",
         ),
@@ -37,11 +37,11 @@ def dichotomy(context: Context) -> Finding:
         "is never left: the trajectory merges. Otherwise $E$ decreases to a limit $E_\\infty\\geqslant E_{cr}$. The limit set "
         "is compact and, as solutions depend continuously on their start, invariant; $E=E_\\infty$ on it, so it lies in $S$, "
         "and no trajectory stays on $S$ above $E_{cr}$. Hence $E_\\infty=E_{cr}$, and the limit set is the critical ellipse.",
-        *arguments.energy_decreases(),
-        *arguments.contraction(),
-        *arguments.meets_surface(),
-        arguments.stays_below_critical(),
-        *arguments.leaves_above_critical(),
+        *capture.energy_decreases(),
+        *capture.contraction(),
+        *capture.meets_surface(),
+        capture.stays_below_critical(),
+        *capture.leaves_above_critical(),
         identity(
             r"on $S_0$, $\dot E=0$: the level sets there are orbits", undamped(stick_rate()), 0, seed=context.seed
         ),
@@ -63,7 +63,7 @@ def relative_displacement_limit(context: Context) -> Finding:  # noqa: ARG001
         Verdict.HOLDS,
         "$b\\int_0^\\infty|v_1-v_2|\\,dt=E(0)-E_\\infty\\leqslant E(0)$: the path of $x_1-x_2$ has finite length, so it "
         "converges. The bodies slide by exactly $(E(0)-E_\\infty)/b$ in all.",
-        *arguments.energy_decreases(),
+        *capture.energy_decreases(),
         derivation=("$$\\int_0^\\infty|\\dot x_1-\\dot x_2|\\,dt=\\frac{E(0)-E_\\infty}{b}<\\infty$$",),
     )
 
@@ -76,11 +76,11 @@ def global_stability(context: Context) -> Finding:  # noqa: ARG001
         "The set is compact and invariant. As no two solutions move apart in the energy norm, the distance of a trajectory "
         "to it never grows (stability), and by the dichotomy it tends to 0 (attraction). The same shows that every single "
         "periodic orbit is stable; none attracts on its own. The statement is about $(x_1,v_1,v_2)$: $x_2$ drifts to a limit.",
-        *arguments.energy_decreases(),
-        *arguments.contraction(),
-        *arguments.meets_surface(),
-        arguments.stays_below_critical(),
-        *arguments.leaves_above_critical(),
+        *capture.energy_decreases(),
+        *capture.contraction(),
+        *capture.meets_surface(),
+        capture.stays_below_critical(),
+        *capture.leaves_above_critical(),
         derivation=(
             "$$\\frac{d}{dt}\\tfrac12\\|y-\\tilde y\\|_E^2=-a_1(v_1-\\tilde v_1)^2-b(\\sigma-\\tilde\\sigma)"
             "\\bigl((v_1-v_2)-(\\tilde v_1-\\tilde v_2)\\bigr)\\leqslant 0$$",

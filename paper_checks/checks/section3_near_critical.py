@@ -8,15 +8,15 @@ import sympy as sp
 
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
 from paper_checks.exact import identity
-from paper_checks.excursions import (
+from paper_checks.registry import Context, check
+from paper_checks.smt import prove
+from paper_checks.steps.excursions import (
     angle_of_excursion,
     enclosed_creep,
     enclosed_rate,
     never_merges,
     no_merging_at_any_energy,
 )
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
 from theory.energy import critical_energy
 from theory.near_critical import (
     critical_limits,

@@ -9,6 +9,7 @@ from paper_checks.exact import identity
 from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
+from paper_checks.steps import capture
 from theory.energy import (
     critical_energy,
     edge_speed_squared,
@@ -138,16 +139,6 @@ def sliding_region(context: Context) -> Finding:
     )
 
 
-def level_stays_inside() -> Evidence:
-    """Return the proof that on S a point with E <= E_cr has |x1| <= L."""
-    level = sp.Le(cleared(on_surface() - critical_energy()), 0, evaluate=False)
-    return prove(
-        "on $S$, $E\\leqslant E_{cr}$ implies $|x_1|\\leqslant L$",
-        [level],
-        sp.Le(cleared(x1**2 - half_width() ** 2), 0, evaluate=False),
-    )
-
-
 @check("critical-energy")
 def critical_energy_claim(context: Context, printed: sp.Expr = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)) -> Finding:
     """Prove the condition and its converse, and compare the derived level with the printed one."""
@@ -159,7 +150,7 @@ def critical_energy_claim(context: Context, printed: sp.Expr = b**2 * (m1 + m2) 
         identity(
             "$E_{cr}$, solved from semi-axis $=L$, is the printed value", critical_energy(), printed, seed=context.seed
         ),
-        level_stays_inside(),
+        capture.stays_below_critical(),
         identity(
             "the end of the semi-axis has $E=E_0$",
             on_surface().subs({x1: level_semi_axis(), v1: 0}),

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks import arguments
 from paper_checks.evidence import Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
-from paper_checks.steps import dissipation
+from paper_checks.steps import capture, dissipation
 from theory.energy import slip_rate, stick_rate
 from theory.filippov import sliding_field
 from theory.scaling import damping_ratio
@@ -32,7 +31,7 @@ def viscous_energy_rate(context: Context) -> Finding:
     return conclude(
         Verdict.HOLDS,
         "The chain rule along each slip field and along the sliding field gives the printed rate.",
-        *arguments.energy_decreases(),
+        *capture.energy_decreases(),
         *modes,
         identity(r"on $S_0$, $\dot E=-a_1v_1^2$", stick_rate(), -a1 * v1**2, seed=context.seed),
         derivation=(f"$$\\dot E|_{{S_0}}={sp.latex(stick_rate())}$$",),
@@ -51,9 +50,9 @@ def viscous_origin_stable(context: Context) -> Finding:
         "$E\\to 0$ along every trajectory. Below the captive level the pair sticks for ever, so every trajectory merges in "
         "finite time into the damped motion inside $S_0$. That motion is a spiral exactly if $a_1<2\\sqrt{a_2(m_1+m_2)}$, "
         'which makes "relatively small" precise.',
-        *arguments.energy_decreases(),
-        *arguments.contraction(),
-        *arguments.meets_surface(),
+        *capture.energy_decreases(),
+        *capture.contraction(),
+        *capture.meets_surface(),
         *dissipation.rest(),
         identity(
             "in $S_0$ the eigenvalues have the discriminant $(a_1^2-4a_2M)/M^2$, $M=m_1+m_2$",

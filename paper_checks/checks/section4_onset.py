@@ -6,7 +6,6 @@ import sympy as sp
 
 from numerics.modes import Mode
 from numerics.scene_file import load_scene
-from paper_checks.arguments import leaves_above_critical
 from paper_checks.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
 from paper_checks.evidence import Evidence, Finding, Verdict, conclude
 from paper_checks.exact import identity
@@ -17,6 +16,7 @@ from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
 from paper_checks.steps import dissipation
+from paper_checks.steps.capture import leaves_above_critical
 from paper_checks.steps.solutions import bracket_is_off_in_slip, stick_region
 from theory.closed_forms import Regime, rate, rates, residual, solution
 from theory.energy import critical_energy, edge_speed_squared, energy, on_surface, slip_rate, stick_rate

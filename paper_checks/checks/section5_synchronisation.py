@@ -14,7 +14,6 @@ from numerics.scene import Pair, Scene
 from numerics.scene_file import load_scene
 from numerics.solve import solve
 from numerics.trajectory import Trajectory
-from paper_checks.arguments import meets_surface
 from paper_checks.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
 from paper_checks.exact import identity
@@ -23,6 +22,7 @@ from paper_checks.points import EXAMPLE_PAIR, scene_at
 from paper_checks.registry import Context, check
 from paper_checks.samples import random_pair, random_state
 from paper_checks.steps import dissipation, perpetual_slips
+from paper_checks.steps.capture import meets_surface
 from theory.energy import captive_energy, critical_energy, slip_rate, stick_rate
 from theory.filippov import surface
 from theory.symbols import a1, a2, b, m1, m2, undamped, v1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cache
 from itertools import islice
 
 import sympy as sp
@@ -14,39 +15,34 @@ from numerics.scene import Pair
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity
 from paper_checks.smt import prove
-from theory.excursion import (
-    angle,
-    displacement_of_angle,
-    displacement_slope,
-    energy_balance,
-    excursion,
-    guard_factors,
-    guard_of_u,
-    h,
-    h_limits,
-    h_slope,
-    half_angle_slope,
-    half_tangent_form,
-    next_excess,
-    next_excess_slope,
+from theory.excursion import angle, excursion, guard_of_u, h, h_limits, h_slope, half_angle_slope, half_tangent_form
+from theory.rate_bounds import no_merging_excess
+from theory.return_map import (
+    depth,
+    depth_slope_residual,
+    in_trigonometry,
+    return_map_residuals,
+    return_map_slope_residual,
 )
-from theory.rate_bounds import no_merging_excess, reentry_depth
 from theory.symbols import h_value, q, theta
 
 
 def vanishes(statement: str, expression: sp.Expr) -> Evidence:
     """Return that an expression in theta, sin theta, cos theta is 0: decided by its form in theta and tan(theta/2)."""
-    form = half_tangent_form(expression.subs(sp.tan(theta / 2), sp.sin(theta) / (1 + sp.cos(theta))))
+    form = half_tangent_form(expression)
     value = "0 as a fraction in theta, tan(theta/2)" if form == 0 else f"{form}"
     return Evidence(EvidenceKind.EXACT, "sympy", statement, form == 0, 1, value)
 
 
-def angle_of_excursion() -> list[Evidence]:
+@cache
+def angle_of_excursion() -> tuple[Evidence, ...]:
     """The excursion ends at the one angle with h(theta) = u; h rises from 0 to infinity on (0, 2 pi)."""
-    factor, increment = half_angle_slope()
-    return [
+    _, increment = half_angle_slope()
+    at_zero, at_full_turn = h_limits()
+    return (
         vanishes(
-            r"the guard is $(1-\cos\theta)(h(\theta)-u)$: its double root at the start divided out",
+            r"the guard is $(1-\cos\theta)(h(\theta)-u)$, $h=\frac{\theta-\sin\theta}{1-\cos\theta}$: its double root at "
+            "the start divided out",
             guard_of_u() - (1 - sp.cos(theta)) * (h() - h_value),
         ),
         identity(
@@ -55,53 +51,44 @@ def angle_of_excursion() -> list[Evidence]:
             increment / sp.sin(angle) ** 3,
         ),
         identity(
-            r"$\sin\varphi-\varphi\cos\varphi$ has the derivative $\varphi\sin\varphi>0$ on $(0,\pi)$ and is 0 at 0, so $h'>0$",
-            sp.diff(increment, angle),
-            angle * sp.sin(angle),
+            r"$\sin\varphi-\varphi\cos\varphi$ is 0 at 0 and has the derivative $\varphi\sin\varphi>0$ on $(0,\pi)$, so $h'>0$",
+            sp.Matrix([increment.subs(angle, 0), sp.diff(increment, angle)]),
+            sp.Matrix([0, angle * sp.sin(angle)]),
         ),
-        identity(r"$\sin\varphi-\varphi\cos\varphi=0$ at $\varphi=0$", increment.subs(angle, 0), 0),
         Evidence(
             EvidenceKind.EXACT,
             "sympy",
             r"$h\to 0$ as $\theta\to 0$ and $h\to\infty$ as $\theta\to 2\pi$",
-            h_limits() == (0, sp.oo),
+            (at_zero, at_full_turn) == (0, sp.oo),
             2,
-            f"limits {h_limits()[0]} and {'unbounded' if h_limits()[1] == sp.oo else h_limits()[1]}",
+            f"limits {at_zero} and {'unbounded' if at_full_turn == sp.oo else at_full_turn}",
         ),
-        identity("the positive factor of $h'$ is $1/\\sin^3\\varphi$", factor, 1 / sp.sin(angle) ** 3),
-        vanishes(
-            "the guard's double root is $1-\\cos\\theta$ up to a constant",
-            guard_factors()[0] / guard_factors()[0].subs(theta, sp.pi) * 2 - (1 - sp.cos(theta)),
-        ),
-    ]
+    )
 
 
-def never_merges() -> list[Evidence]:
+@cache
+def never_merges() -> tuple[Evidence, ...]:
     """From a ray with w <= q (pi/2 - 1)^2 an excursion ends inside S0 with 0 < w' < w, for every mass ratio."""
     cosine, fraction = sp.symbols("c q", real=True)
-    slope = sp.prod(next_excess_slope())
-    step = sp.prod(displacement_slope())
-    return [
-        vanishes(r"$dw'/d\theta=2q\,h\,h'\,(1-r(1-\cos\theta))$", sp.diff(next_excess(), theta) - slope),
+    before, after = return_map_residuals()
+    return (
+        vanishes(r"with $y=w/q$: $y=h^2$ at the start of the slip", before),
+        vanishes(
+            r"and $y'=h^2-r\,c^2$ after it, $c(\theta)=2-\theta\cot(\theta/2)$, $r=m_2/(m_1+m_2)$; so $w'<w$", after
+        ),
+        vanishes(r"$dw'/dw=1-r(1-\cos\theta)$", return_map_slope_residual()),
         prove(
-            r"$1-r(1-\cos\theta)>0$ for $\theta\leqslant\pi/2$ and every mass ratio, so $w'$ rises with $\theta$ from 0",
+            r"$1-r(1-\cos\theta)>0$ for $\theta\leqslant\pi/2$ and every mass ratio, so $w'$ rises with $w$ from 0",
             [sp.Gt(fraction, 0), sp.Lt(fraction, 1), sp.Ge(cosine, 0), sp.Le(cosine, 1)],
             sp.Gt(1 - (1 - fraction) * (1 - cosine), 0, evaluate=False),
         ),
-        identity("$w'\\to 0$ as $\\theta\\to 0$", sp.limit(next_excess(), theta, 0, "+"), 0),
-        vanishes("$w-w'=2r\\,q\\,D(\\theta)$: the friction work", energy_balance()),
-        vanishes(r"$D'=(\theta-\sin\theta)\,h'>0$, so $w'<w$", sp.diff(displacement_of_angle(), theta) - step),
-        identity("$D\\to 0$ as $\\theta\\to 0$", sp.limit(displacement_of_angle(), theta, 0, "+"), 0),
+        vanishes(r"$c'=h>0$: the depth grows from 0", depth_slope_residual()),
         vanishes(
-            r"at re-entry $1-X=q(2-\theta\cot(\theta/2))$, which lies in $(0,2)$ for $\theta\leqslant\pi$: inside $S_0$",
-            1 - excursion().position - reentry_depth(),
+            r"at re-entry $1-X=q\,c(\theta)$, in $(0,2)$ for $\theta\leqslant\pi$ as $c(\pi)=2$: inside $S_0$",
+            1 - excursion().position - q * in_trigonometry(depth()),
         ),
-        identity(
-            r"the level at $\theta=\pi/2$ is $w=q(\pi/2-1)^2$",
-            no_merging_excess(),
-            q * (sp.pi / 2 - 1) ** 2,
-        ),
-    ]
+        identity(r"the level at $\theta=\pi/2$ is $w=q(\pi/2-1)^2$", no_merging_excess(), q * (sp.pi / 2 - 1) ** 2),
+    )
 
 
 def no_merging_at_any_energy() -> Evidence:

@@ -1,0 +1,89 @@
+"""Steps towards the dichotomy: the switching surface is met again and again, and E_cr decides what happens there."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.evidence import Evidence
+from paper_checks.exact import identity
+from paper_checks.polynomial import cleared
+from paper_checks.smt import prove
+from paper_checks.steps import dissipation, solutions
+from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, sigma
+from theory.filippov import derivative_along, half_width, phi, transversality
+from theory.model import free_system
+from theory.symbols import E0, a1, b, m1, m2, v1, v2, x1
+
+
+@cache
+def energy_rate() -> Evidence:
+    """dE/dt for every value of set-valued friction."""
+    return identity(
+        r"$\dot E=-b\,\sigma\,(v_1-v_2)-a_1v_1^2$ for every $\sigma$ that set-valued friction may take, and "
+        r"$\sigma(v_1-v_2)=|v_1-v_2|$",
+        derivative_along(free_system(sigma), energy()),
+        -b * sigma * (v1 - v2) - a1 * v1**2,
+    )
+
+
+def energy_decreases() -> tuple[Evidence, ...]:
+    """E never increases, and falls wherever the bodies slide."""
+    return energy_rate(), dissipation.energy_never_grows()
+
+
+def contraction() -> tuple[Evidence, ...]:
+    """Two solutions never move apart: forward uniqueness, continuity in the start, stability of every orbit."""
+    return solutions.contraction(), solutions.never_apart()
+
+
+@cache
+def meets_surface() -> tuple[Evidence, ...]:
+    """A stay in one half-space lasts at most 2 sqrt(2 E m2)/b: body 2 accelerates steadily, its energy is bounded."""
+    gained = sp.Symbol("k", nonnegative=True)  # v2 gained during the stay
+    bounds = [sp.Le(m2 * speed**2, 2 * E0) for speed in (v2, v2 + gained)]
+    return (
+        identity(r"$\dot v_2=\pm b/m_2$ in $\Omega_\pm$", sp.Matrix([phi(1)[2], phi(-1)[2]]), sp.Matrix([b, -b]) / m2),
+        prove(r"$m_2v_2^2\leqslant 2E$", [sp.Le(2 * energy(), 2 * E0)], sp.Le(m2 * v2**2, 2 * E0)),
+        prove(r"so $v_2$ can gain at most $\sqrt{8E/m_2}$", bounds, sp.Le(m2 * gained**2, 8 * E0)),
+        identity(
+            r"a stay in $\Omega_\pm$ lasts at most $2\sqrt{2Em_2}/b$", dwell_time_bound(), 2 * sp.sqrt(2 * E0 * m2) / b
+        ),
+    )
+
+
+@cache
+def stays_below_critical() -> Evidence:
+    """On S, E <= E_cr implies |x1| <= L: the pair can only stick, for ever, as E never increases."""
+    level = sp.Le(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+    inside = sp.Le(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
+    return prove(r"on $S$, $E\leqslant E_{cr}$ implies $|x_1|\leqslant L$", [level], inside)
+
+
+@cache
+def leaves_above_critical() -> tuple[Evidence, ...]:
+    """No trajectory stays on S with E > E_cr: outside S0 both fields leave, in S0 the level reaches an exit ray."""
+    above = sp.Gt(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+    within = [sp.Le(cleared(side * x1 - half_width()), 0, evaluate=False) for side in (1, -1)]
+    outside = sp.Gt(cleared(x1 - half_width()), 0, evaluate=False)
+    leaving = (sp.Lt(cleared(transversality(sign)), 0, evaluate=False) for sign in (1, -1))
+    return (
+        prove(
+            r"in $S_0$ with $E>E_{cr}$: $v_1\neq 0$, so $x_1$ runs monotonically to an edge",
+            [above, *within],
+            sp.Ne(v1, 0, evaluate=False),
+        ),
+        prove(
+            r"$\Phi_\pm\cdot n_S<0$ on $S_+$ (on $S_-$ by the mirror image): no stay on $S$ outside $S_0$",
+            [outside],
+            sp.And(*leaving),
+        ),
+    )
+
+
+@cache
+def edge_speed() -> Evidence:
+    """The level meets the edges with v1^2 = 2 (E0 - E_cr)/M."""
+    square = on_surface().subs(x1, half_width()) - critical_energy()
+    return identity(r"on the edges $(m_1+m_2)v_1^2=2(E-E_{cr})$", 2 * square, (m1 + m2) * v1**2)
