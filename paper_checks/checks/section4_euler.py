@@ -31,7 +31,7 @@ def euler_reproduces_figures(context: Context) -> Finding:
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "Forward Euler does produce what the figures are said to show, but two different laws: Fig. 3 (a) is the stuck solution "
-        "of (5)–(6) read literally, kept because the run starts at $\\dot z=0$ exactly; Figs. 3 (b) and 4 are chatter about "
+        "of (5)–(6) read literally, kept because the run starts at $\\dot z=0$ exactly; Fig. 3 (b) and Fig. 4 are chatter about "
         "$\\dot z=0$, which no step ever meets, and this chatter imitates Filippov's sliding, not the branch sgn = 0 of (5)–(6), "
         "which would stick for ever at the first contact. And the step matters: in Fig. 4 (a) a step of 0.01 s makes the "
         "oscillation grow, 0.001 s first sticks at 6.33 s, 0.0002 s and 0.0001 s at 4.772 s, and only below that at the true "

@@ -1,0 +1,124 @@
+"""Section IV-B: the verdicts, and faults that must turn them."""
+
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+
+import pytest
+
+from numerics.comparisons.forward_euler import forward_euler
+from numerics.scene import Pair, Scene, State
+from numerics.scene_file import load_scene
+from paper_checks.checks import section4_euler, section4_numerical_results, section4_velocities
+from paper_checks.enclosure import solved
+from paper_checks.euler_in_balls import STEPS, euler_in_balls, run
+from paper_checks.evidence import Verdict
+from paper_checks.registry import Context
+from paper_checks.runner import decide
+from paper_checks.steps.perpetual_slips import never_merges
+
+from .conftest import doubled, finding_of, negated, recorded, squared, unreadable
+
+CHECKS = {
+    "figure-3a-permanent-stiction": section4_numerical_results.permanent_stiction,
+    "figure-3b-synchronises": section4_numerical_results.synchronises,
+    "figure-4a-constant-damping-rate": section4_velocities.damping_rate,
+    "figure-4a-saw-tooth": section4_velocities.saw_tooth,
+    "figure-4a-synchronisation-time": section4_velocities.synchronisation_time,
+    "figure-4b-convergence": section4_numerical_results.convergence,
+    "euler-reproduces-figures": section4_euler.euler_reproduces_figures,
+}
+
+
+@pytest.mark.parametrize("claim_id", CHECKS)
+def test_the_verdict_is_the_one_on_record(claim_id):
+    finding = finding_of(CHECKS[claim_id])
+    assert finding.verdict.value == recorded(claim_id), finding.missing
+    assert unreadable(finding) == []
+
+
+OTHER_SCENES = [
+    ("figure-3a-permanent-stiction", {"start": Fraction(5, 1000)}),  # on the edge: it does stick for ever
+    ("figure-3a-permanent-stiction", {"start": Fraction(7, 1000)}),
+    ("figure-3b-synchronises", {"speed": Fraction(8, 100)}),  # merges at its first contact
+    ("figure-4b-convergence", {"speed": Fraction(5, 1000)}),  # merges: it takes no infinite time
+    ("figure-4a-constant-damping-rate", {"friction": Fraction(2, 10)}),
+    ("figure-4a-saw-tooth", {"friction": Fraction(6, 100)}),
+    ("figure-4a-synchronisation-time", {"friction": Fraction(6, 100)}),
+    ("figure-4a-synchronisation-time", {"time": Fraction(456, 100)}),  # inside the first adhesion
+]
+
+
+@pytest.mark.parametrize(("claim_id", "changed"), OTHER_SCENES)
+def test_another_scene_does_not_carry_the_verdict(claim_id, changed):
+    finding = decide([named(partial(CHECKS[claim_id], **changed))], Context())
+    assert finding.verdict is Verdict.UNDECIDED
+
+
+def named(check):
+    """A partial with the name that an error message asks for."""
+    check.__name__ = check.func.__name__
+    return check
+
+
+ENDLESS = {
+    "figure-3a-permanent-stiction",
+    "figure-3b-synchronises",
+    "figure-4b-convergence",
+    "figure-4a-synchronisation-time",
+}
+THEORY_FAULTS = [
+    ("paper_checks.checks.section4_numerical_results.half_width", doubled, {"figure-3a-permanent-stiction"}),
+    ("paper_checks.checks.section4_numerical_results.transversality", negated, {"figure-3a-permanent-stiction"}),
+    ("paper_checks.steps.perpetual_slips.next_excess", doubled, ENDLESS),
+    ("paper_checks.steps.perpetual_slips.h", squared, ENDLESS),
+    ("paper_checks.steps.perpetual_slips.guard_of_u", doubled, ENDLESS - {"figure-3a-permanent-stiction"}),
+]
+
+
+@pytest.mark.parametrize(("target", "fault", "turned"), THEORY_FAULTS)
+def test_a_fault_in_theory_turns_the_claims_that_rest_on_it(plant, target, fault, turned):
+    plant(target, fault)
+    for claim_id in turned:
+        assert decide([CHECKS[claim_id]], Context()).verdict is Verdict.UNDECIDED, claim_id
+
+
+def test_a_fault_in_the_slip_field_turns_the_saw_tooth_and_the_decay(monkeypatch):
+    """The branch of the other sign in slip."""
+    original = section4_velocities.slip
+    monkeypatch.setattr(section4_velocities, "slip", lambda sign: original(-sign))
+    for claim_id in ("figure-4a-saw-tooth", "figure-4a-constant-damping-rate"):
+        assert finding_of(CHECKS[claim_id]).verdict is Verdict.UNDECIDED
+
+
+def test_a_fault_in_the_sliding_field_turns_the_euler_claim(monkeypatch):
+    original = section4_euler.sliding_field
+    monkeypatch.setattr(section4_euler, "sliding_field", lambda: 2 * original())
+    assert finding_of(section4_euler.euler_reproduces_figures).verdict is Verdict.UNDECIDED
+
+
+def test_a_run_that_meets_the_surface_turns_the_euler_claim(monkeypatch):
+    """From v1 = 2 one step of 1 s takes exactly 2 from z': it lands on z' = 0."""
+    scene = Scene(Pair(m1=1, m2=1, a2=1, b=1), State(v1=2), until=3)
+    landed = euler_in_balls(scene, Fraction(1), Fraction(3))
+    assert landed.contact == 1
+    monkeypatch.setattr(section4_euler, "run", lambda name, h: replace(run(name, h), contact=landed.contact))
+    assert finding_of(section4_euler.euler_reproduces_figures).verdict is Verdict.UNDECIDED
+
+
+def test_euler_in_balls_is_the_program_without_rounding():
+    scene = load_scene("figure-3b")
+    program, method = forward_euler(scene, 1e-3), euler_in_balls(scene, Fraction(1, 1000), Fraction(5))
+    assert method.chatter == program.chatter
+    assert float(method.energy_ratio.mid()) == pytest.approx(program.energy[-1] / program.energy[0], rel=1e-9)
+
+
+@pytest.mark.parametrize("changed", [{"b": "0.05", "m2": 2}])
+def test_the_argument_for_endless_slips_refuses_a_heavier_driven_body(changed):
+    scene = replace(load_scene("figure-4a"), pair=Pair(m1=1, a2=200, **changed))
+    with pytest.raises(ValueError, match="m2 <= m1"):
+        never_merges(solved(scene), "heavier")
+
+
+def test_the_steps_of_euler_reach_over_three_decades():
+    assert max(STEPS) / min(STEPS) == 1000

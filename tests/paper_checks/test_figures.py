@@ -1,0 +1,106 @@
+"""The report's figures: axes with units, legends, event markers, and bytes that depend on nothing else."""
+
+import re
+
+import matplotlib as mpl
+import pytest
+from matplotlib.colors import to_rgba
+
+from numerics.modes import EventKind, Mode
+from numerics.scene_file import load_scene
+from numerics.solve import solve
+from paper_checks.drawing.style import MARKERS, MODE_COLOURS
+from paper_checks.figures import FIGURES
+from paper_checks.report import vector
+
+PAPER = ("figure-3a", "figure-3b", "figure-4a", "figure-4b", "figure-5a", "figure-5b")
+UNIT = re.compile(r"\((mm|mm/s|s|dimensionless)\)$")
+
+
+def texts(figure):
+    """All texts of all legends."""
+    legends = [*figure.legends, *(axes.get_legend() for axes in figure.axes)]
+    return {text.get_text() for legend in legends if legend for text in legend.get_texts()}
+
+
+def test_every_figure_of_the_paper_is_there():
+    assert {*PAPER, "euler-convergence"} == set(FIGURES)
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_axes_have_labels_with_units_and_a_legend(name):
+    figure = FIGURES[name]()
+    for axes in figure.axes:
+        assert UNIT.search(axes.get_xlabel()), axes.get_xlabel()
+        assert UNIT.search(axes.get_ylabel()), axes.get_ylabel()
+    assert texts(figure)
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_bytes_depend_on_the_figure_alone(name, monkeypatch):
+    first = vector.svg(FIGURES[name]()), vector.pdf(FIGURES[name]())
+    monkeypatch.setitem(mpl.rcParams, "axes.facecolor", "pink")  # a reader's own taste
+    monkeypatch.setitem(mpl.rcParams, "lines.linewidth", 7)
+    assert (vector.svg(FIGURES[name]()), vector.pdf(FIGURES[name]())) == first
+    assert b"CreationDate" not in first[1]
+    assert "<dc:date>" not in first[0]
+
+
+@pytest.mark.parametrize("name", ["figure-3a", "figure-3b", "figure-4a", "figure-4b"])
+def test_the_exact_solution_stands_beside_euler_with_its_step(name):
+    titles = [axes.get_title() for axes in FIGURES[name]().axes]
+    assert any(title.startswith("exact") for title in titles)
+    assert any("forward Euler" in title and "$10^{-4}$ s" in title for title in titles)
+
+
+def test_events_differ_by_shape():
+    assert len(set(MARKERS.values())) == len(EventKind)
+
+
+@pytest.mark.parametrize("name", PAPER)
+def test_the_events_that_happen_are_in_the_legend(name):
+    scene = {"figure-4b": "figure-4b-b05"}.get(name, name)
+    happened = {kind.value for kind in solve(load_scene(scene)).event_kinds}
+    assert happened <= texts(FIGURES[name]())
+
+
+def lines_of(figure, mode):
+    """The curves (not markers) drawn in a mode's colour."""
+    return [
+        line for line in figure.axes[0].lines if line.get_color() == MODE_COLOURS[mode] and len(line.get_xdata()) > 2
+    ]
+
+
+def test_the_itinerary_is_drawn_in_the_colours_of_the_caption():
+    figure = FIGURES["figure-5b"]()
+    assert to_rgba(MODE_COLOURS[Mode.SLIP_PLUS])[2] > 0.7  # blue in Omega+
+    assert to_rgba(MODE_COLOURS[Mode.SLIP_MINUS])[0] > 0.7  # red in Omega-
+    found = [len(lines_of(figure, mode)) for mode in (Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK)]
+    assert found == [3, 2, 3]
+
+
+def test_the_named_points_stand_on_the_projected_trajectory():
+    """C1 and D1 on the rays, A1 in S+, B1 in S-, A2, B2, A3 inside S0; coordinates (x1, (v1 + v2)/2) in mm and mm/s."""
+    annotations = [text for text in FIGURES["figure-5b"]().axes[0].texts if text.get_text() and hasattr(text, "xy")]
+    at = {text.get_text().strip("$"): text.xy for text in annotations}
+    half = 5.0
+    assert at["O_1"] == pytest.approx((0, 105))
+    assert at["A_1"][0] > half
+    assert at["B_1"][0] < -half
+    assert at["C_1"][0] == pytest.approx(half)
+    assert at["D_1"][0] == pytest.approx(-half)
+    assert at["C_1"][1] > 0 > at["D_1"][1]
+    assert all(abs(at[name][0]) < half for name in ("A_2", "B_2", "A_3", "O_2"))
+
+
+def test_points_keep_their_distance():
+    """No two named points closer than 8 % of the picture's width or height."""
+    axes = FIGURES["figure-5b"]().axes[0]
+    width, height = (limits[1] - limits[0] for limits in (axes.get_xlim(), axes.get_ylim()))
+    points = [
+        text.xy for text in axes.texts if hasattr(text, "xy") and re.fullmatch(r"\$[OABCD]_\d\$", text.get_text())
+    ]
+    assert len(points) == 9
+    for number, (x, y) in enumerate(points):
+        for a, b in points[:number]:
+            assert abs(x - a) > 0.08 * width or abs(y - b) > 0.08 * height
