@@ -1,0 +1,195 @@
+"""Scenes are exact, and whatever describes no scene is refused in one line."""
+
+from decimal import Decimal
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import MODERATE, decimals, pairs, scenes, signed
+
+from numerics.decimals import exact_decimal
+from numerics.errors import InvalidScene
+from numerics.scene import Law, Pair, Scene, State
+from numerics.scene_file import load_scene, parse_scene, shipped_scenes
+
+VALID = """[pair]
+m1 = 1
+m2 = 1
+a2 = 200
+b = 0.5
+[initial]
+x1 = 0.005
+v1 = 0.15
+[run]
+until = 5
+"""
+HUGE = "0x" + "f" * 20000
+
+
+def test_a_scene_file_is_read_as_exact_decimals():
+    scene = parse_scene(VALID)
+    assert scene.initial == State(x1=Fraction(1, 200), v1=Fraction(3, 20))
+    assert scene.pair.half_width == Fraction(1, 200)
+    assert scene.until == 5
+    assert scene.law is Law.FILIPPOV
+
+
+@given(signed(decimals(-40, 40, 30)))
+def test_every_decimal_survives_its_text(value):
+    text = f"{value.numerator}/{value.denominator}"
+    shift = 10**80
+    written = f"{value.numerator * shift // value.denominator}e-80"
+    assert Fraction(text) == value == exact_decimal(written, "x1")
+    assert parse_scene(VALID.replace("0.005", written)).initial.x1 == value
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_a_float_means_its_shortest_decimal_text(value):
+    assert exact_decimal(value, "x1") == Fraction(repr(value)) == exact_decimal(Decimal(repr(value)), "x1")
+
+
+@pytest.mark.parametrize("text", ["1_000", "+5", "0o17", "0x1F", "0b11", "5e-1", '"0.5"', '" 7 "', "1e1000", "1e-1000"])
+def test_toml_spellings_of_a_number(text):
+    assert parse_scene(VALID.replace("m1 = 1", f"m1 = {text}")).pair.m1 > 0
+
+
+BAD_VALUES = {
+    "bool": "true",
+    "nan": "nan",
+    "inf": "inf",
+    "minus inf": "-inf",
+    "text": '"abc"',
+    "empty text": '""',
+    "expression": '"1/0"',
+    "python": '"__import__"',
+    "fullwidth digit": '"１"',
+    "hexadecimal text": '"0x10"',
+    "text with a line": '"1\\n2"',
+    "date": "1979-05-27",
+    "time": "07:32:00",
+    "array": "[1]",
+    "table": "{}",
+    "zero": "0",
+    "negative zero": "-0.0",
+    "negative": "-1",
+    "huge exponent": "1e999999999999",
+    "exponent beyond": "1e1001",
+    "tiny": "1e-1001",
+    "long exponent": "1e" + "9" * 5000,
+    "5000 digits": "1" * 5000,
+    "3000 digits": "1" * 3000,
+    "4000 decimals": "0." + "1" * 4000,
+    "huge hexadecimal": HUGE,
+    "array of a huge hexadecimal": f"[{HUGE}]",
+    "nested": "[" * 100 + "]" * 100,
+    "deeply nested": "[" * 20000 + "]" * 20000,
+}
+
+
+@pytest.mark.parametrize("name", ["m1", "m2", "a2", "b", "until"])
+@pytest.mark.parametrize("kind", BAD_VALUES)
+def test_bad_values_are_refused_in_one_line(name, kind):
+    lines = [f"{name} = {BAD_VALUES[kind]}" if line.startswith(f"{name} =") else line for line in VALID.splitlines()]
+    with pytest.raises(InvalidScene) as caught:
+        parse_scene("\n".join(lines))
+    message = str(caught.value)
+    assert len(message) < 300
+    assert message.isprintable()
+
+
+@pytest.mark.parametrize("kind", [kind for kind in BAD_VALUES if kind not in ("zero", "negative zero", "negative")])
+@pytest.mark.parametrize("name", ["x1", "v1", "a1", "law"])
+def test_bad_values_where_zero_is_allowed(name, kind):
+    text = VALID.replace("m1 = 1", f"m1 = 1\na1 = {BAD_VALUES[kind]}") if name == "a1" else VALID
+    if name in ("x1", "v1"):
+        text = "\n".join(f"{name} = {BAD_VALUES[kind]}" if one.startswith(name) else one for one in VALID.splitlines())
+    if name == "law":
+        text = VALID + f"law = {BAD_VALUES[kind]}\n"
+    with pytest.raises(InvalidScene) as caught:
+        parse_scene(text)
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 300
+
+
+BAD_TEXTS = {
+    "empty": "",
+    "no table": "m1 = 1",
+    "broken": "[pair",
+    "twice": VALID + "[run]\nuntil = 5\n",
+    "unknown table": VALID + "[extra]\n",
+    "unknown key": VALID + "speed = 5\n",
+    "key with a line": VALID + '"a\\nb" = 5\n',
+    "long key": VALID + "a" * 5000 + " = 5\n",
+    "pair is an array": "pair = [1]\n[run]\nuntil = 5\n",
+    "pair is a number": "pair = 1\n[run]\nuntil = 5\n",
+    "array of tables": VALID.replace("[pair]", "[[pair]]"),
+    "byte order mark": "\ufeff" + VALID,
+    "nul": VALID + "\0",
+    "a1 negative": VALID.replace("m1 = 1", "m1 = 1\na1 = -1"),
+    "unknown law": VALID + 'law = "coulomb"\n',
+    "only a comment": "# nothing\n",
+}
+
+
+@pytest.mark.parametrize("kind", BAD_TEXTS)
+def test_bad_files_are_refused_in_one_line(kind):
+    with pytest.raises(InvalidScene) as caught:
+        parse_scene(BAD_TEXTS[kind])
+    assert str(caught.value).isprintable()
+    assert len(str(caught.value)) < 300
+
+
+@pytest.mark.parametrize("key", ["m1", "m2", "a2", "b", "until"])
+def test_a_missing_key_is_named(key):
+    text = "\n".join(line for line in VALID.splitlines() if not line.startswith(f"{key} ="))
+    with pytest.raises(InvalidScene, match=f"missing key {key}"):
+        parse_scene(text)
+
+
+@given(st.text())
+def test_no_text_is_anything_but_a_scene_or_invalid(text):
+    with pytest.raises(InvalidScene):
+        parse_scene(text)
+
+
+@given(st.one_of(st.none(), st.booleans(), st.binary(), st.complex_numbers(), st.lists(st.integers()), st.text()))
+def test_no_object_is_anything_but_a_number_or_invalid(value):
+    if isinstance(value, str) and any(digit in value for digit in "0123456789"):
+        return
+    with pytest.raises(InvalidScene):
+        exact_decimal(value, "x1")
+
+
+@pytest.mark.parametrize("field", ["m1", "m2", "a2", "b"])
+@pytest.mark.parametrize("value", [0, -1, "-1e-1000", True, float("nan"), float("inf"), None, "1e5000", Decimal("NaN")])
+def test_a_pair_is_positive(field, value):
+    parameters = {"m1": 1, "m2": 1, "a2": 1, "b": 1} | {field: value}
+    with pytest.raises(InvalidScene, match=field):
+        Pair(**parameters)
+
+
+@pytest.mark.parametrize("name", shipped_scenes())
+def test_the_shipped_scenes_load(name):
+    assert isinstance(load_scene(name), Scene)
+
+
+def test_a_file_that_cannot_be_read(tmp_path):
+    (tmp_path / "latin.toml").write_bytes(VALID.encode() + b"# \xff\n")
+    (tmp_path / "large.toml").write_bytes(VALID.encode() + b"#" * 70000)
+    for path in ("latin.toml", "large.toml", "absent.toml", ".", "a\0b"):
+        with pytest.raises(InvalidScene) as caught:
+            load_scene(tmp_path / path)
+        assert "\n" not in str(caught.value)
+
+
+@given(pairs((-300, 300)))
+def test_the_critical_energy_is_that_of_the_edge_at_rest(pair):
+    scene = Scene(pair, State(x1=pair.half_width), until=1)
+    assert scene.energy == pair.critical_energy
+    assert scene.energy_excess == 0
+
+
+@given(scenes(MODERATE, None))
+def test_a_scene_is_a_key(scene):
+    assert {scene: 1}[Scene(scene.pair, scene.initial, scene.until, scene.law)] == 1

@@ -1,0 +1,120 @@
+"""Every Hypothesis strategy. Values are built, not filtered; magnitudes are drawn by their exponent."""
+
+import math
+from fractions import Fraction
+
+from hypothesis import strategies as st
+
+from numerics.scene import Law, Pair, Scene, State
+
+MODERATE = (-2, 2)
+EXTREME = (-12, 12)
+
+
+def decimals(low: int, high: int, digits: int = 4) -> st.SearchStrategy[Fraction]:
+    """Positive decimals of up to `digits` digits, m * 10^e with the leading digit at 10^low .. 10^high."""
+    mantissas = st.integers(1, 10**digits - 1)
+    exponents = st.integers(low, high)
+    return st.builds(lambda m, e: Fraction(m) * Fraction(10) ** (e - len(str(m)) + 1), mantissas, exponents)
+
+
+def signed(values: st.SearchStrategy[Fraction]) -> st.SearchStrategy[Fraction]:
+    """Either sign of a positive value."""
+    return st.builds(lambda s, v: s * v, st.sampled_from([-1, 1]), values)
+
+
+def scaled_speed(pair: Pair, reduced: Fraction) -> Fraction:
+    """A rational speed near reduced * L Omega: Omega is irrational, its first 12 digits will do."""
+    rate = Fraction(pair.a2 / pair.mass)
+    # integer square root of rate * 4^k, so that 40 bits of it are there at every magnitude
+    shift = 40 + max(0, rate.denominator.bit_length() - rate.numerator.bit_length())
+    root = math.isqrt(rate.numerator * 4**shift // rate.denominator)
+    return reduced * pair.half_width * Fraction(root, 2**shift)
+
+
+@st.composite
+def pairs(draw, exponents: tuple[int, int] = MODERATE, damped: bool | None = False) -> Pair:
+    """Pairs: damped=False a1 = 0; True every damping regime of stick and slip, borders exactly included; None both."""
+    m1, m2, a2, b = (draw(decimals(*exponents)) for _ in range(4))
+    if damped is False or (damped is None and draw(st.booleans())):
+        return Pair(m1=m1, m2=m2, a2=a2, b=b)
+    kind = draw(st.sampled_from(["tiny", "under", "near", "critical stick", "critical slip", "over", "far over"]))
+    if kind.startswith("critical"):
+        # a1^2 = 4 a2 m with m = m1 + m2 (stick) or m1 (slip): a2 is replaced so that a1 is rational
+        mass = m1 + m2 if kind == "critical stick" else m1
+        k = draw(decimals(-1, 1))
+        return Pair(m1=m1, m2=m2, a2=k * k * mass, b=b, a1=2 * k * mass)
+    border = scaled_speed(Pair(m1=m1, m2=m2, a2=a2, b=a2 * m2 / (m1 + m2)), Fraction(2)) * (m1 + m2)
+    factor = {
+        "tiny": st.builds(lambda e: Fraction(1, 10**e), st.integers(4, 30)),
+        "under": decimals(-2, -1),
+        "near": st.builds(lambda s, e: 1 + s * Fraction(1, 10**e), st.sampled_from([-1, 1]), st.integers(2, 11)),
+        "over": st.builds(lambda f: 1 + f, decimals(-1, 0)),
+        "far over": decimals(1, 5),
+    }[kind]
+    return Pair(m1=m1, m2=m2, a2=a2, b=b, a1=border * draw(factor))
+
+
+@st.composite
+def states(draw, pair: Pair, size: tuple[int, int] = (-2, 1)) -> State:
+    """States in units of the pair: generic, at rest, on S, on the edge exactly, on a ray, at E_cr exactly."""
+    width = pair.half_width
+    reduced = st.one_of(st.just(Fraction(0)), signed(decimals(*size)))
+    kind = draw(st.sampled_from(["generic", "generic", "rest", "surface", "edge", "ray", "critical", "edge slip"]))
+    side = draw(st.sampled_from([-1, 1]))
+    x2 = draw(reduced) * width
+    if kind == "critical":
+        # X^2 + V^2 = 1 with X a rational point of the circle, scaled by the irrational Omega: only X = +-1 is exact
+        return State(x1=side * width, x2=x2)
+    v = scaled_speed(pair, draw(reduced))
+    if kind == "generic":
+        return State(draw(reduced) * width, v, x2, scaled_speed(pair, draw(reduced)))
+    if kind == "rest":
+        return State(draw(reduced) * width, 0, x2, 0)
+    if kind == "surface":
+        return State(draw(reduced) * width, v, x2, v)
+    if kind == "edge slip":
+        return State(side * width, v, x2, scaled_speed(pair, draw(reduced)))
+    load = side * width  # |P| = 1 exactly: x1 + a1 v1/a2 = +-L
+    v = v if kind == "edge" else side * abs(v)
+    return State(load - pair.a1 * v / pair.a2, v, x2, v)
+
+
+@st.composite
+def scenes(
+    draw,
+    exponents: tuple[int, int] = MODERATE,
+    damped: bool | None = False,
+    size: tuple[int, int] = (-2, 1),
+    periods: tuple[int, int] = (1, 6),
+    law: Law = Law.FILIPPOV,
+) -> Scene:
+    """Scenes whose horizon is some periods of the stuck pair."""
+    pair = draw(pairs(exponents, damped))
+    state = draw(states(pair, size))
+    return Scene(pair, state, until=horizon(pair, draw(st.integers(*periods))), law=law)
+
+
+def horizon(pair: Pair, periods: int) -> Fraction:
+    """A rational time of about that many periods 2 pi/Omega, with a few digits, so that no event falls on it."""
+    per_radian = 1 / (scaled_speed(pair, Fraction(1)) / pair.half_width)
+    return Fraction(*(float(per_radian * periods) * 6.2731).as_integer_ratio())
+
+
+@st.composite
+def near_critical(draw, exponents: tuple[int, int] = (3, 300), pair: Pair | None = None) -> Scene:
+    """Pairs stuck on the edge X = +-1 with outward V such that w = V^2 is about 10^-n, n up to 300."""
+    pair = pair or draw(pairs())
+    side, n = draw(st.sampled_from([-1, 1])), draw(st.integers(*exponents))
+    v = side * scaled_speed(pair, Fraction(1, 10 ** (n // 2)) * draw(decimals(0, 0)))
+    return Scene(pair, State(x1=side * pair.half_width, v1=v, v2=v), until=horizon(pair, 3))
+
+
+@st.composite
+def long_slips(draw, damped: bool | None = False, turns: tuple[int, int] = (0, 3)) -> Scene:
+    """Slips that last many spring cycles: body 2 is much faster than body 1."""
+    pair = draw(pairs(damped=damped))
+    fast = scaled_speed(pair, draw(signed(decimals(*turns))) * 6)
+    slow = scaled_speed(pair, draw(signed(decimals(-1, 1))))
+    lasts = abs(fast) * pair.m2 / pair.b
+    return Scene(pair, State(draw(signed(decimals(-1, 1))) * pair.half_width, slow, 0, fast), until=2 * lasts + 1)
