@@ -16,11 +16,24 @@ class UndampedSlip:
     """A slip with a1 = 0; `side` = -sign(v1 - v2) is the edge of S0 that its gap is measured from."""
 
     def __init__(
-        self, frame: Frame, law: Law, side: int, flow: SlipFlow, Z: Number, w: Number, *, from_ray: bool = False
+        self,
+        frame: Frame,
+        law: Law,
+        side: int,
+        flow: SlipFlow,
+        Z: Number,
+        w: Number,
+        *,
+        V2: Number | None = None,
+        from_ray: bool = False,
     ) -> None:
-        """Start a slip from its slip variables, its relative displacement and its energy excess."""
+        """Start a slip from its slip variables, its relative displacement and its energy excess.
+
+        `V2` is needed off the switching surface, where its sum with push and guard would cancel for a slow body 2.
+        """
         self.frame, self.law, self.side, self.flow, self.Z, self.w = frame, law, side, flow, Z, w
         self.from_ray = from_ray
+        self._driven_at_start = flow.push_at_start if V2 is None else side * V2 / frame.sqrt_q
         self.mode = slip_mode(-side)
 
     @cached_property
@@ -46,7 +59,7 @@ class UndampedSlip:
 
     def _driven_push(self, theta: Number) -> Number:
         """Return sigma V2/sqrt(q): body 2 feels a constant force."""
-        return (self.flow.push_at_start - theta) + self.flow.guard_at_start
+        return self._driven_at_start - theta
 
     def losses(self, tau: Number) -> tuple[Number, Number]:
         """Return (2 r q K, 0): friction only."""
@@ -74,13 +87,24 @@ class UndampedSlip:
         """
         frame, theta = self.frame, self._contact
         if not self.from_ray:
-            return self.w - self.losses(frame.sqrt_q * theta)[0]
+            return self._excess_on_surface(theta)
         arithmetic = frame.arithmetic
 
         def after(w: Number) -> Number:
             return w - 2 * frame.r * frame.q * ray_flow(frame, w).slid(theta)
 
         return arithmetic.mean_value(after, lambda _: 1 - frame.r * arithmetic.versine(theta), self.w)
+
+    def _excess_on_surface(self, theta: Number) -> Number:
+        """Return w at the contact: w - 2 r q K near E_cr, and V^2 + (X^2 - 1) from far above it.
+
+        The difference would keep the rounding of the large w through every later crossing.
+        """
+        frame = self.frame
+        if frame.arithmetic.to_float(self.w) <= 1:
+            return self.w - self.losses(frame.sqrt_q * theta)[0]
+        V, beyond = frame.sqrt_q * self._driven_push(theta), frame.q * self.flow.gap(theta)
+        return V * V + beyond * (2 + beyond)
 
 
 def ray_flow(frame: Frame, w: Number) -> SlipFlow:
