@@ -17,7 +17,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from numerics.arithmetic.protocol import Arithmetic, Number, Sign, decide_sign
-from numerics.errors import EventUndecided
+from numerics.errors import EventUndecided, OutOfRange
+
+_SMALLEST_ANGLE = 1e-97
+"""Its cube, the size of the guard there, still is a normal binary64 number with bits to spare."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +69,22 @@ class SlipFlow:
         A minimum that is not proved to be above or below zero is a graze: EventUndecided.
         """
         lower, upper = self._bracket()
-        return self.arithmetic.root(self.guard, self.gap, lower, upper)
+        theta = self.arithmetic.root(self.guard, self.gap, lower, upper)
+        self._refuse_unresolved(theta)
+        return theta
+
+    def _refuse_unresolved(self, theta: Number) -> None:
+        """Raise OutOfRange where the digits of theta leave no phase, or its cube no digits; balls need no such care."""
+        arithmetic = self.arithmetic
+        if arithmetic.name == "ball":
+            return
+        if theta > 10 ** (arithmetic.digits - 3):
+            angle = f"one slip turns through {arithmetic.text(theta)} rad"
+            raise OutOfRange(f"{angle}, which {arithmetic.digits} digits do not resolve; use --arithmetic ball")
+        if arithmetic.name == "float64" and theta < _SMALLEST_ANGLE:
+            raise OutOfRange(
+                f"one slip turns through {theta:g} rad, whose cube is below float64; use --arithmetic ball"
+            )
 
     def _bracket(self) -> tuple[Number, Number]:
         arithmetic, d, u = self.arithmetic, self.gap_at_start, self.push_at_start

@@ -110,15 +110,21 @@ class Ball:
             value = function(end)
             if self.sign(value) is not expected:
                 raise EventUndecided("sign of the guard at an end of its bracket", self.text(value), self.digits)
-        return self._enclose(function, slope, self._approximate(function, slope, lower, upper), lower, upper)
+        try:
+            return self._enclose(function, slope, self._approximate(function, slope, lower, upper), lower, upper)
+        except EventUndecided:
+            # close to a graze low precision cannot tell the root from the extremum: bracket at the full one instead
+            x = _bracketed(function, slope, lower, upper, arb(2) ** (24 - self.bits))
+            return self._enclose(function, slope, x, lower, upper)
 
     def _approximate(self, function: Any, slope: Any, lower: arb, upper: arb) -> arb:
         """Return an exact point near the root: bracketed at low precision, then Newton with doubling precision."""
-        with _precision(min(self.bits, _START_BITS)):
-            x = bracketed_newton(
-                lambda p: function(p).mid(), lambda p: slope(p).mid(), lower.mid(), upper.mid(), arb(2) ** -40
-            ).mid()
-        bits = 36
+        # a root far from zero needs more: the guard varies over distances of order 1, and over its bracket
+        size = _magnitude_bits(upper.mid())
+        far = max(0, size, size - _magnitude_bits((upper - lower).mid()))
+        with _precision(min(self.bits, _START_BITS + far)):
+            x = _bracketed(function, slope, lower, upper, arb(2) ** (-40 - far))
+        bits = 36 + far
         while bits < self.bits:
             bits = min(2 * bits, self.bits)
             with _precision(min(self.bits, bits + 32)):
@@ -154,6 +160,14 @@ class Ball:
     def text(self, x: arb, digits: int = 6) -> str:
         """Return x as text with its radius."""
         return str(x.str(digits))
+
+
+def _bracketed(function: Any, slope: Any, lower: arb, upper: arb, tolerance: arb) -> arb:
+    """Return an exact point near the root, found with the midpoints of balls at the present precision."""
+    middle = bracketed_newton(
+        lambda p: function(p).mid(), lambda p: slope(p).mid(), lower.mid(), upper.mid(), tolerance
+    )
+    return middle.mid()
 
 
 @contextmanager

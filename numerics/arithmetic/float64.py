@@ -41,9 +41,9 @@ class Float64:
         return number
 
     def sign(self, x: float) -> Sign:
-        """Return the sign of x; UNDECIDED for nan and infinities, which no decision may rest on."""
+        """Return the sign of x; raises OutOfRange for nan and infinities, which no decision may rest on."""
         if not math.isfinite(x):
-            return Sign.UNDECIDED
+            raise OutOfRange("a number of this scene left the range of float64 on the way; use --arithmetic ball")
         return Sign((x > 0) - (x < 0))
 
     def ceiling(self, x: float) -> int | None:
