@@ -72,7 +72,9 @@ def _ball_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written
 def _point_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written]:
     """Return a writer that cuts each number where it parts from a ball solve of the same scene."""
     digits = 17 if trajectory.arithmetic.name == "float64" else trajectory.arithmetic.digits
-    balls = solve(trajectory.scene, digits=digits + 3, arithmetic="ball", max_events=max(len(trajectory.events), 1))
+    # one event more than were found shows a lost one; a run that was cut off is cut off at the same event
+    limit = len(trajectory.events) + (1 if trajectory.success else 0)
+    balls = solve(trajectory.scene, digits=digits + 3, arithmetic="ball", max_events=limit)
     require_same_sequence(trajectory, balls)
     with balls.arithmetic.context():
         rows = [dict(zip(("t", *STATE_NAMES), (event.t, *event.y), strict=True)) for event in balls.events]
