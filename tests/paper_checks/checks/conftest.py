@@ -12,13 +12,14 @@ from paper_checks.ledger import CLAIMS
 from paper_checks.registry import Check, Context
 from paper_checks.report import mathematics
 
-OURS = ("theory.", "paper_checks.steps.", "paper_checks.enclosure", "paper_checks.arguments")
+STEPS = ("paper_checks.steps.", "paper_checks.arguments")
 
 
-def forget() -> None:
-    """Clear every cache of theory and of the steps: what was derived before the fault must not answer after it."""
+def forget(target: str) -> None:
+    """Clear the caches of the steps, and of theory for a fault there: what was derived before must not answer."""
+    packages = (*STEPS, "theory.") if target.startswith("theory.") else STEPS
     for name, module in list(sys.modules.items()):
-        if name.startswith(OURS):
+        if name.startswith(packages):
             for member in vars(module).values():
                 if hasattr(member, "cache_clear"):
                     member.cache_clear()
@@ -28,16 +29,19 @@ def forget() -> None:
 def plant() -> Iterator[Callable[..., None]]:
     """Return `plant("module.name", fault)`: the name is replaced by fault(original) in that module."""
     patch = pytest.MonkeyPatch()
+    targets: list[str] = []
 
     def planted(target: str, fault: Callable[[Any], Any]) -> None:
         module_name, name = target.rsplit(".", 1)
         module = importlib.import_module(module_name)
         patch.setattr(module, name, fault(getattr(module, name)))
-        forget()
+        targets.append(target)
+        forget(target)
 
     yield planted
     patch.undo()
-    forget()
+    for target in targets:
+        forget(target)
 
 
 def finding_of(check: Check) -> Finding:

@@ -1,0 +1,88 @@
+"""Section IV-A: the verdicts, and faults that must turn them."""
+
+import pytest
+import sympy as sp
+
+from paper_checks.checks import section4_example, section4_onset
+from paper_checks.evidence import Verdict
+from paper_checks.points import EDGE, FIGURE_3A, INSIDE
+from theory.symbols import acceleration1, b, x1
+
+from .conftest import doubled, finding_of, negated, recorded, squared, unreadable
+
+CHECKS = {
+    "example-eigenfrequency": section4_example.example_eigenfrequency,
+    "example-reduction": section4_example.example_reduction,
+    "example-two-modes": section4_example.example_two_modes,
+    "example-stiction-never-violated": section4_onset.example_stiction_never_violated,
+    "example-onset": section4_onset.example_onset,
+    "example-damped-oscillations": section4_onset.example_damped_oscillations,
+}
+EXAMPLE = "paper_checks.checks.section4_example."
+ONSET = "paper_checks.checks.section4_onset."
+DISSIPATION = "paper_checks.steps.dissipation."
+
+
+@pytest.mark.parametrize("claim_id", CHECKS)
+def test_the_verdict_is_the_one_on_record(claim_id):
+    finding = finding_of(CHECKS[claim_id])
+    assert finding.verdict.value == recorded(claim_id), finding.missing
+    assert unreadable(finding) == []
+
+
+@pytest.mark.parametrize("printed", [-10, 11, 100, 14])
+def test_another_eigenfrequency_does_not_hold(printed):
+    assert section4_example.example_eigenfrequency(None, printed).verdict is Verdict.UNDECIDED
+
+
+def with_entry(change):
+    """Return a fault that changes one printed pair of right sides."""
+    return lambda printed: lambda *sign: printed(*sign) + sp.Matrix(change)
+
+
+STEP_FAULTS = [
+    ("example-eigenfrequency", EXAMPLE + "case_study_eigenfrequency", squared),
+    ("example-reduction", EXAMPLE + "printed_reduction", negated),
+    ("example-reduction", EXAMPLE + "printed_reduction", with_entry([200 * x1, 0])),
+    ("example-reduction", EXAMPLE + "printed_reduction", with_entry([0, b])),
+    ("example-reduction", EXAMPLE + "printed_reduction", with_entry([0, acceleration1])),
+    ("example-reduction", EXAMPLE + "FIGURE_3A", lambda _: INSIDE),
+    ("example-reduction", EXAMPLE + "FIGURE_3A", lambda _: EDGE),
+    ("example-two-modes", EXAMPLE + "printed_modes", with_entry([b, 0])),
+    ("example-two-modes", EXAMPLE + "printed_modes", with_entry([100 * x1, 0])),
+    ("example-two-modes", EXAMPLE + "printed_modes", lambda printed: lambda sign: printed(-sign)),
+    ("example-two-modes", EXAMPLE + "residual", lambda _: lambda found: (found.x1,)),
+    ("example-stiction-never-violated", ONSET + "FIGURE_3A", lambda _: EDGE),
+    ("example-stiction-never-violated", ONSET + "critical_energy", doubled),
+    ("example-stiction-never-violated", ONSET + "critical_energy", squared),
+    ("example-stiction-never-violated", "paper_checks.steps.solutions.load_threshold", doubled),
+    ("example-onset", ONSET + "INSIDE", lambda _: FIGURE_3A),
+    ("example-onset", ONSET + "TOGETHER", lambda point: {**point, section4_onset.v1: 1, section4_onset.v2: 1}),
+    ("example-onset", ONSET + "half_width", lambda width: lambda: width() / 2),
+    ("example-onset", ONSET + "critical_energy", doubled),
+    ("example-onset", ONSET + "edge_speed_squared", negated),
+    ("example-damped-oscillations", ONSET + "amplitude_squared", lambda amplitude: lambda sign: amplitude(-sign)),
+    ("example-damped-oscillations", ONSET + "LONG_SLIP", lambda point: {**point, section4_onset.v2: 0}),
+    ("example-damped-oscillations", ONSET + "DRIVEN", lambda point: {**point, section4_onset.v1: 1}),
+    ("example-damped-oscillations", DISSIPATION + "slip_rate", doubled),
+    ("example-damped-oscillations", DISSIPATION + "slip_rate", negated),
+    ("example-damped-oscillations", DISSIPATION + "stick_rate", doubled),
+]
+
+
+@pytest.mark.parametrize(("claim_id", "target", "fault"), STEP_FAULTS)
+def test_a_fault_in_a_step_or_a_point_turns_the_claim(plant, claim_id, target, fault):
+    plant(target, fault)
+    assert finding_of(CHECKS[claim_id]).verdict is Verdict.UNDECIDED
+
+
+def test_at_the_edge_the_printed_strict_inequality_fails_too(plant):
+    """The counterexample needs |x1''| >= b/m2 only; the row shows the stronger >."""
+    evidence = section4_onset.exhibit("", EDGE, (sp.Abs(section4_onset.case_study_mode(0)[0]), ">=", b))
+    assert evidence.passed is True
+
+
+def test_above_the_critical_energy_the_pair_does_not_stay_together(plant):
+    """With < instead of <= the proof holds still; with a larger level it must fail."""
+    plant(ONSET + "subcritical_level", lambda level: lambda: sp.Le(level().lhs - b**2, 0, evaluate=False))
+    assert section4_onset.stays_together()[0].passed is False
