@@ -179,11 +179,16 @@ def convergence(context: Context, speed: Fraction = Fraction(15, 100)) -> Findin
         "For every solution the energy left pays for a finite integral of $|\\dot z|$ only, and $\\dot z$ is Lipschitz continuous, "
         "so $\\dot z\\to 0$. For all three values of $b$ that takes for ever: after the first exit from $S_0$ the pair sticks and "
         "slips in turn without end, each slip slower than the one before. The state tends to the part $E=E_{cr}$ of $S_0$; "
-        "the rest of $\\{\\dot z=0\\}$ is not invariant above that energy.",
+        "the rest of $\\{\\dot z=0\\}$ is not invariant above that energy. Under (5)–(6) read literally $\\dot z=0$ from the first "
+        "contact on.",
         *in_every_mode(),
         *every_excursion(),
         largest_relative_speed(),
         *(item for name, run in runs for item in (*starts_below(run, name), _decline(run, name))),
+        *(
+            stuck_for_ever(f"{name}: (5), (6) read literally stick for ever", solved(literally(run.scene)))
+            for name, run in runs
+        ),
         derivation=(VANISHING, *ARGUMENT),
         figure="figure-4b",
     )
