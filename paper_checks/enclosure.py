@@ -53,11 +53,6 @@ def compare(statement: str, left: arb, relation: str, right: arb) -> Evidence:
     return _evidence(statement, passed, f"{text(left)} {relation} {text(right)}")
 
 
-def agree(statement: str, one: arb, other: arb, radius: Rational) -> Evidence:
-    """Check |one - other| < radius for all points of two balls."""
-    return compare(statement, abs(one - other), "<", exact(radius))
-
-
 def within(statement: str, value: arb, lower: str, upper: str) -> Evidence:
     """Check lower < value < upper for all points of a ball; the bounds are decimals, read exactly."""
     low, high = exact(Rational(lower)), exact(Rational(upper))

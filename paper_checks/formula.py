@@ -12,8 +12,3 @@ def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
     '$$E=m_{1}^{2}$$'
     """
     return f"$${left}{relation}{sp.latex(right)}$$"
-
-
-def inline(expression: sp.Basic | int) -> str:
-    """Return an expression of theory as inline mathematics."""
-    return f"${sp.latex(expression)}$"

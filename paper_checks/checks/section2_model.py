@@ -156,10 +156,10 @@ def interface_force_balance(_: Context) -> Finding:
     broken, half = branch_named("broken adhesion"), branch_named("half adhesion")
     return conclude(
         Verdict.REFUTED,
-        "Newton's law gives the interface force on each body as its mass times its acceleration, less the other forces "
-        "on it. The two are opposite in slip and in stick. In the branch $\\dot z=0$, $|\\ddot x_1|>b/m_2$ the driving body "
-        "feels $-m_2\\ddot x_1$, as it carries both masses in (3), while (4) gives body 2 no force at all; at equality body 2 "
-        "gets half. These branches last no time in the free system, so the error does no harm there.",
+        "Where (4) breaks adhesion at $\\dot z=0$, body 1 still feels the reaction of a body that it no longer drives. There, "
+        "for $|\\ddot x_1|>b/m_2$, body 1 carries both masses in (3) and so feels $-m_2\\ddot x_1$, while (4) gives body 2 no "
+        "force at all; at equality body 2 gets half. In slip and in stick the two forces, found by Newton's law from the "
+        "accelerations, are opposite. The failing branches last no time in the free system, so they do no harm there.",
         exhibit(
             "at the start of Fig. 3 (a) the interface pushes body 1 and does not push body 2",
             FIGURE_3A,

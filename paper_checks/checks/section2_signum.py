@@ -93,11 +93,11 @@ def sgn_three_valued(_: Context) -> Finding:
     literal = free_system(sp.Integer(0))
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "For the free system (3)–(4) the conclusion is right: every initial state has exactly one solution forward in "
-        "time, the Filippov solution. But it is the total mass in (3) and the stiction bracket in (4) that bring this "
-        "about, not $\\mathrm{sgn}(0)=0$. Put into Coulomb's law alone, (e1)–(e3), the three-valued signum leaves no "
-        "solution through the interior of $S_0$ with $x_1\\neq 0$; where the bracket is dropped, (5)–(6), solutions are "
-        "not unique; and under a control that holds $|\\ddot x_1|=b/m_2$, (3)–(4) itself has none.",
+        "What gives (3)–(4) well-defined solutions at $\\dot z=0$ is the total mass in (3) with the stiction bracket in (4), "
+        "not $\\mathrm{sgn}(0)=0$: with $u=0$ every initial state has exactly one solution, the Filippov solution. Put into "
+        "Coulomb's law alone, (e1)–(e3), the three-valued signum leaves no solution through the interior of $S_0$ with "
+        "$x_1\\neq 0$; where the bracket is dropped, (5)–(6), solutions are not unique; and under a control that holds "
+        "$|\\ddot x_1|=b/m_2$, (3)–(4) itself has none.",
         no_solution_inside().as_counterexample(),
         *(item.as_counterexample() for item in two_solutions()),
         *(item.as_counterexample() for item in no_solution_under_control()),

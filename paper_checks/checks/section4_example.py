@@ -84,9 +84,9 @@ def example_reduction(_: Context) -> Finding:
     acceleration = sp.Symbol("A", real=True)
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "(5) follows from (3) without a condition. (6) follows from (4) for $\\dot z\\neq 0$, and at $\\dot z=0$ only where "
-        "the second bracket of (4) is 1: where $|\\ddot x_1|<b$, that is $|x_1|<b/100$. Elsewhere on $\\dot z=0$ (4) leaves "
-        "body 2 without acceleration, or at equality with half of it, while (6) makes it stick whatever force that takes.",
+        "(6) follows from (4) for $\\dot z\\neq 0$, but at $\\dot z=0$ only where $|\\ddot x_1|<b$, that is $|x_1|<b/100$; (5) "
+        "follows from (3) without a condition. Elsewhere on $\\dot z=0$ the second bracket of (4) leaves body 2 without "
+        "acceleration, or at equality with half of it, while (6) makes it stick whatever force that takes.",
         exhibit(
             "at the start of Fig. 3 (a), $x_1=0.006$, $b=0.5$, (4) gives $\\ddot x_2=0$ and (6) gives $\\ddot x_2\\neq 0$",
             FIGURE_3A,

@@ -42,10 +42,11 @@ def example_stiction_never_violated(_: Context) -> Finding:
     stuck = free(stick().acceleration1)
     return conclude(
         Verdict.REFUTED,
-        "Nothing in (5), (6) bounds $|\\ddot x_1|$. The paper's own start of Fig. 3 (a) has $\\dot z=0$ and "
-        "$|\\ddot x_1|>b/m_2$, so there the dropped switching would act; (6) makes the pair stick all the same. In slip the "
-        "bound fails as well, already at the start of Fig. 3 (b), but there the first bracket of (4) is 0 and nothing "
-        "follows. What is true: below the critical energy the condition holds whenever $\\dot z=0$.",
+        "The paper's own start of Fig. 3 (a) violates the inequality: $\\dot z=0$ and "
+        f"$|\\ddot x_1|={value_at(abs(literal), FIGURE_3A)}>{value_at(b / m2, FIGURE_3A)}=b/m_2$. Nothing in (5), (6) bounds "
+        "$|\\ddot x_1|$, so the dropped switching would act there; (6) makes the pair stick all the same. In slip the bound "
+        "fails as well, already at the start of Fig. 3 (b), but there the first bracket of (4) is 0 and nothing follows. What "
+        "is true: up to the critical energy $|\\ddot x_1|\\leqslant b/m_2$ whenever $\\dot z=0$.",
         exhibit(
             "at the start of Fig. 3 (a), $\\dot z=0$ and $|\\ddot x_1|>b/m_2$ by (5)",
             FIGURE_3A,

@@ -61,11 +61,10 @@ def two_descriptions(_: Context) -> Finding:
     literal, filippov = (solved(load_scene(name)).sol(COMPARED_AT)[2] for name in ("figure-3a-literal", "figure-3a"))
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "(2)–(4) and the Filippov reading are two descriptions of the same motion: they have the same solutions. What "
-        "makes them agree is the stiction bracket of (4), not the signum (1). Without it, in (5)–(6), the three-valued "
-        "signum allows the bodies to stick beyond $S_0$, where friction cannot hold them: that is a different law, and the "
-        "convergence shown for the Filippov system says nothing about such solutions. Both agree until the pair first "
-        "meets $S$ outside $S_0$, or leaves $S_0$ by a ray.",
+        "The two readings describe the same motion for (2)–(4), where the stiction bracket makes them agree, and part for "
+        "(5)–(6), where it is dropped. There the three-valued signum (1) lets the bodies stick beyond $S_0$, where friction "
+        "cannot hold them: that is a different law, and the convergence shown for the Filippov system says nothing about "
+        "such solutions. Both agree until the pair first meets $S$ outside $S_0$, or leaves $S_0$ by a ray.",
         *(item.as_counterexample() for item in readings_part()),
         exhibit(
             "for that literal stick, body 2 has $m_2|\\ddot x_2|>b$: more than friction can give",

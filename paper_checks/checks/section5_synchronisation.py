@@ -104,11 +104,10 @@ def viscous_accelerates(_: Context) -> Finding:
     tilted = surface(damped=True).sliding.args[1]
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "That damping can accelerate the synchronisation is right: without a damper the trajectory of Fig. 4 (a) never "
-        "stops slipping, with $a_1=5$ N s/m it merges for ever within a second. But the damper does change the mechanism. "
-        "With $a_1=0$ whole families of trajectories creep to $E_{cr}$ by endless stick and slip; with $a_1>0$ every "
-        "trajectory merges after a finite time and then comes to rest in one stick. The sliding region is tilted, too: it "
-        "is $|a_2x_1+a_1v_1|\\leqslant b(m_1+m_2)/m_2$.",
+        "A damper can accelerate the synchronisation, but it changes the mechanism, too: with $a_1=0$ whole families of "
+        "trajectories creep to $E_{cr}$ by endless stick and slip, with $a_1>0$ every trajectory sticks for ever from a "
+        "finite time on and comes to rest. The trajectory of Fig. 4 (a) never stops slipping without a damper; with $a_1=5$ "
+        "N s/m it merges within a second. The sliding region is tilted: $|a_2x_1+a_1v_1|\\leqslant b(m_1+m_2)/m_2$.",
         *(item.as_counterexample() for item in perpetual_slips.never_merges(undamped_run, "figure-4a")),
         *(item.as_counterexample() for item in merges_with_a_damper()),
         *(item.as_correction() for item in dissipation.in_every_mode()),

@@ -1,0 +1,50 @@
+"""Balls: proved, disproved, and neither."""
+
+import pytest
+import sympy as sp
+from flint import arb
+
+from numerics.modes import Mode
+from numerics.scene_file import load_scene
+from paper_checks.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, within
+
+WIDE = arb(1, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("left", "relation", "right", "passed"),
+    [
+        (exact(1), "<", exact(2), True),
+        (exact(2), "<", exact(1), False),
+        (exact(1), "<", exact(1), False),
+        (exact(2), ">", exact(1), True),
+        (WIDE, "<", exact(1), None),
+        (WIDE, ">", WIDE, None),
+        (arb("nan"), "<", exact(1), None),
+        (exact(0), "<", arb("inf"), None),
+    ],
+)
+def test_a_comparison_is_proved_or_disproved_or_open(left, relation, right, passed):
+    assert compare("balls", left, relation, right).passed is passed
+
+
+@pytest.mark.parametrize(
+    ("value", "passed"), [(exact(1), True), (exact(3), False), (exact(2), False), (arb(2, 0.5), None)]
+)
+def test_within_is_strict(value, passed):
+    assert within("between", value, "0", "2").passed is passed
+
+
+def test_a_constant_is_enclosed():
+    assert ball(sp.pi).contains(arb.pi().mid())
+    assert ball(sp.pi).rad() < arb("1e-15")
+    assert exact(sp.Rational(1, 3)).overlaps(arb(1) / 3)
+
+
+def test_an_itinerary_has_to_be_the_proved_one():
+    trajectory = solved(load_scene("figure-3a"))
+    assert itinerary("right", trajectory, [Mode.SLIP_MINUS, Mode.STICK]).passed is True
+    assert itinerary("wrong", trajectory, [Mode.STICK]).passed is False
+    assert itinerary("nothing", trajectory, []).passed is None
+    assert stuck_for_ever("not yet", trajectory).passed is False
+    assert stuck_for_ever("read literally", solved(load_scene("figure-3a-literal"))).passed is True
