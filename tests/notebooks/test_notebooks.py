@@ -1,0 +1,95 @@
+"""Every notebook runs from a fresh kernel without a warning, shows something, and imports instead of defining."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import jupytext
+import pytest
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+
+FOLDER = Path(__file__).resolve().parents[2] / "notebooks"
+NOTEBOOKS = sorted(path.name for path in FOLDER.glob("*.py"))
+SHOWN = {"image/png", "image/svg+xml", "text/latex"}
+LONGEST_LAMBDA = 80
+"""Characters; a longer lambda is a function in disguise."""
+
+
+@pytest.fixture
+def fresh_kernel(monkeypatch, tmp_path):
+    """Keep the reader's own kernels, start-up files and plotting back end out of the run."""
+    monkeypatch.setenv("JUPYTER_PREFER_ENV_PATH", "1")
+    monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
+    monkeypatch.delenv("MPLBACKEND", raising=False)
+
+
+def execute(notebook):
+    """Run all cells in a new kernel, in the folder of the notebooks. Raises CellExecutionError."""
+    client = NotebookClient(notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": str(FOLDER)}})
+    return client.execute()
+
+
+def outputs(notebook):
+    """Return the outputs of all cells."""
+    return [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
+
+
+def shows_something(notebook):
+    """Return whether some cell shows a figure or a formula."""
+    return any(SHOWN & set(output.get("data", {})) for output in outputs(notebook))
+
+
+def complaints(notebook):
+    """Return what the cells wrote to stderr: warnings, above all."""
+    return [output.text for output in outputs(notebook) if output.get("name") == "stderr"]
+
+
+def definitions(source):
+    """Return the functions and classes that a notebook defines, and its lambdas of substance."""
+    return [
+        ast.unparse(node)
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
+        or (isinstance(node, ast.Lambda) and len(ast.unparse(node)) > LONGEST_LAMBDA)
+    ]
+
+
+def test_the_notebooks_of_the_house_are_there():
+    assert NOTEBOOKS == ["critical_energy_and_sliding_region.py", "explore_one_scene.py", "paper_figures.py"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_notebook_runs_and_shows_something(name, fresh_kernel):
+    notebook = execute(jupytext.read(FOLDER / name))
+    assert shows_something(notebook)
+    assert complaints(notebook) == []
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_notebook_imports_and_never_defines(name):
+    assert definitions((FOLDER / name).read_text("utf-8")) == []
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_notebook_is_a_bare_percent_source(name):
+    notebook = jupytext.read(FOLDER / name)
+    assert notebook.metadata.kernelspec.name == "python3"
+    assert notebook.metadata.jupytext.text_representation.format_name == "percent"
+    assert notebook.cells[0].cell_type == "markdown"
+
+
+@pytest.mark.slow
+def test_faults_are_seen(fresh_kernel):
+    assert definitions("def f(x):\n    return x\n\nclass A:\n    pass\n\ng = lambda x: x") == [
+        "def f(x):\n    return x",
+        "class A:\n    pass",
+    ]
+    assert definitions(f"f = lambda: {' + '.join('x' * LONGEST_LAMBDA)}")
+    silent = execute(jupytext.reads("# %%\nimport sys\nprint(1)\nprint('!', file=sys.stderr)\n", fmt="py:percent"))
+    assert not shows_something(silent)
+    assert complaints(silent) == ["!\n"]
+    with pytest.raises(CellExecutionError):
+        execute(jupytext.reads("# %%\n1 / 0\n", fmt="py:percent"))
