@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bisect
+import operator
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
@@ -172,7 +173,8 @@ class Trajectory:
     def sol(self, t: Any, side: Side = "right") -> NDArray[Any]:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, n) for a sequence.
 
-        t is exact (int, Fraction, or a float taken as its binary value); `side` says which segment answers at an
+        t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
+        such as the time of an event; `side` says which segment answers at an
         event, where the state is continuous but the accelerations jump. Enclosures for balls: where the segment is
         not decided, both answer. Raises ValueError outside [0, end].
         """
@@ -195,28 +197,41 @@ class Trajectory:
     def mode_at(self, t: Any, side: Side = "right") -> Mode:
         """Return the mode at time t (s); at an event the one on the given side."""
         with self.arithmetic.context():
-            return self.segments[self._segments_at(self.frame.rate * self._time(t), side)[-1]].mode
+            found = self._segments_at(self.frame.rate * self._time(t), side)
+            return self.segments[found[0 if side == "left" else -1]].mode
 
     def _time(self, t: Any) -> Number:
-        exact = Fraction(t) if isinstance(t, str) else Fraction(*(t.as_integer_ratio()))
-        end = self.frame.arithmetic.to_float(self.frame.si_time(self.segments[-1].end))
+        """Return t as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
+        number = self.frame.arithmetic.to_float
+        end = number(self.frame.si_time(self.segments[-1].end))
+        own = type(self.segments[0].start)
+        if own is not float and isinstance(t, own):
+            if not 0 <= number(t) <= max(end, float(self.scene.until) if self.success else 0.0):
+                raise ValueError(f"t = {self.arithmetic.text(t)} s is outside the solved time [0, {end:g}] s")
+            return t
+        exact = _exact_time(t)
         if not 0 <= exact <= max(self.scene.until if self.success else Fraction(0), Fraction(end)):
             raise ValueError(f"t = {float(exact):g} s is outside the solved time [0, {end:g}] s; solve further")
         return self.arithmetic.number(exact)
 
     @cached_property
-    def _starts(self) -> list[float]:
-        return [self.arithmetic.to_float(segment.start) for segment in self.segments]
+    def _starts(self) -> list[Number]:
+        return [self._middle(segment.start) for segment in self.segments]
+
+    def _middle(self, x: Number) -> Number:
+        """Return x itself, or the midpoint of a ball: a float would not tell the ends of a short slip apart."""
+        return x.mid() if self.arithmetic.name == "ball" else x
 
     def _segments_at(self, tau: Number, side: Side) -> Sequence[int]:
-        """Return the index of the segment that holds tau, or the neighbours among which balls do not decide."""
-        arithmetic = self.arithmetic
+        """Return the index of the segment that holds tau, or all among which balls do not decide."""
         find = bisect.bisect_right if side == "right" else bisect.bisect_left
-        index = max(0, find(self._starts, arithmetic.to_float(tau)) - 1)
-        if arithmetic.name != "ball":
-            return [index]
-        near = range(max(0, index - 1), min(len(self.segments), index + 2))
-        return [i for i in near if self._may_hold(i, tau)] or [index]
+        first = last = max(0, find(self._starts, self._middle(tau)) - 1)
+        if self.arithmetic.name == "ball":
+            while first > 0 and self._may_hold(first - 1, tau):
+                first -= 1
+            while last < len(self.segments) - 1 and self._may_hold(last + 1, tau):
+                last += 1
+        return range(first, last + 1)
 
     def _may_hold(self, index: int, tau: Number) -> bool:
         """Return whether it is not excluded that segment `index` holds tau."""
@@ -227,3 +242,13 @@ class Trajectory:
 
     def _array(self, values: Any) -> NDArray[Any]:
         return np.array(values, dtype=float if self.arithmetic.name == "float64" else object)
+
+
+def _exact_time(t: Any) -> Fraction:
+    """Return a time as an exact rational: text as a decimal, a float as its binary value."""
+    try:
+        if hasattr(t, "as_integer_ratio"):
+            return Fraction(*t.as_integer_ratio())
+        return Fraction(t if isinstance(t, str) else operator.index(t))
+    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
+        raise ValueError(f"t = {str(t)[:40]!r} is not a time in seconds; give a finite number >= 0") from None

@@ -1,0 +1,209 @@
+"""A trajectory speaks SciPy, is evaluated anywhere from either side, and restores the precision it used."""
+
+from fractions import Fraction
+
+import flint
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from strategies import near_critical, scenes
+
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.multiprecision import Multiprecision
+from numerics.comparison import as_fraction, require_same_sequence
+from numerics.errors import EventUndecided, NumericsError, PrecisionExhausted
+from numerics.modes import EventKind, Mode
+from numerics.scene import Law, Pair, Scene, State
+from numerics.solve import integrate, solve
+from numerics.trajectory import Status
+
+PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
+ARITHMETICS = ["float64", "mpmath", "ball"]
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_shapes_and_names_of_scipy(arithmetic):
+    run = solve(PAPER, arithmetic=arithmetic)
+    m = len(run.events) + 2
+    assert run.t.shape == (m,) == run.energy.shape
+    assert run.y.shape == (4, m)
+    assert run.sol(1).shape == (4,)
+    assert run.sol(run.t).shape == (4, m)
+    assert run.sol([]).shape == (4, 0)
+    assert sum(len(one) for one in run.t_events) == len(run.events)
+    assert all(y.shape == (len(t), 4) for t, y in zip(run.t_events, run.y_events, strict=True))
+    assert (run.success, run.status, run.message) == (True, Status.REACHED_HORIZON, "reached the horizon")
+    assert len(run.segments) == len(run.modes) == len(run.event_kinds) + 1
+    assert run.y.dtype == (float if arithmetic == "float64" else object)
+    for kind, times in zip(EventKind, run.t_events, strict=True):
+        assert len(times) == run.event_kinds.count(kind)
+
+
+@pytest.mark.parametrize("arithmetic", ARITHMETICS)
+def test_the_columns_of_y_are_sol_at_t(arithmetic):
+    run = solve(PAPER, arithmetic=arithmetic)
+    with run.arithmetic.context():
+        for one, two in zip(run.sol(run.t).ravel(), run.y.ravel(), strict=True):
+            assert abs(run.arithmetic.to_float(one) - run.arithmetic.to_float(two)) < 1e-14
+            assert arithmetic != "ball" or one.overlaps(two)
+
+
+@pytest.mark.parametrize("bad", [-1, 4, float("nan"), float("inf"), "x", None, [[1]], -1e-300])
+def test_times_outside_are_refused(bad):
+    for arithmetic in ARITHMETICS:
+        with pytest.raises(ValueError, match="t = "):
+            solve(PAPER, arithmetic=arithmetic).sol(bad)
+
+
+def test_the_cap_on_events_ends_the_evaluation():
+    run = solve(PAPER, max_events=3)
+    assert (run.success, run.status, len(run.events)) == (False, Status.EVENT_LIMIT, 3)
+    assert run.t[-1] == run.events[-1].t
+    assert run.sol(run.t[-1]).shape == (4,)
+    with pytest.raises(ValueError, match="outside"):
+        run.sol(2)
+
+
+def test_a_cap_that_is_not_reached_changes_nothing():
+    whole = solve(PAPER)
+    assert solve(PAPER, max_events=len(whole.events)).status is Status.REACHED_HORIZON
+    assert solve(PAPER, max_events=len(whole.events) - 1).status is Status.EVENT_LIMIT
+
+
+@pytest.mark.parametrize("name", ["digits", "max_events", "max_digits"])
+def test_bad_arguments(name):
+    with pytest.raises(ValueError, match=name):
+        solve(PAPER, **{name: 0})
+    with pytest.raises(ValueError, match="arithmetic"):
+        solve(PAPER, arithmetic="decimal")
+
+
+@given(scenes(damped=None))
+def test_dense_evaluation_is_continuous_across_events(scene):
+    run = solve(scene, arithmetic="mpmath", digits=30, max_events=8)
+    with run.arithmetic.context():
+        scale = [max(abs(one) for one in row) for row in run.y]
+        for event in run.events:
+            for left, right, size in zip(run.sol(event.t, "left"), run.sol(event.t), scale, strict=True):
+                assert abs(left - right) <= mpmath.mpf(10) ** -25 * size
+
+
+@given(near_critical((3, 60)))
+def test_the_mode_next_to_an_event_is_right_however_short_the_slip(scene):
+    balls = solve(scene, digits=90)
+    points = solve(scene, arithmetic="mpmath", digits=100)
+    require_same_sequence(points, balls)
+    for before, event, after in zip(points.segments, points.events, points.segments[1:], strict=False):
+        with points.arithmetic.context():
+            near = as_fraction(points.frame.si_time(min(before.length, after.length))) / 1000
+        time = as_fraction(event.t)
+        if not near or time + near > scene.until:
+            continue
+        for run in (points, balls):
+            assert run.mode_at(time - near) is event.before
+            assert run.mode_at(time + near) is event.after
+
+
+@given(near_critical((3, 40)))
+def test_dense_balls_enclose_the_better_solution(scene):
+    coarse, fine = solve(scene, digits=15), solve(scene, digits=70)
+    for event in fine.events[:4]:
+        time = exact(event.t)
+        for side in ("left", "right"):
+            with fine.arithmetic.context():
+                assert all(a.overlaps(b) for a, b in zip(coarse.sol(time, side), fine.sol(time, side), strict=True))
+
+
+def exact(ball):
+    mantissa, exponent = ball.mid().man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+@given(scenes(damped=None))
+def test_a_run_split_in_two_is_the_whole_run(scene):
+    """The second half starts from the exact rational midpoint of the first, in a phase of its own."""
+    whole = solve(scene, arithmetic="mpmath", digits=60, max_events=6)
+    if not whole.success:
+        return
+    half = scene.until / 2
+    x1, v1, x2, v2 = (as_fraction(one) for one in whole.sol(half))
+    if whole.mode_at(half) is Mode.STICK:
+        v1 = v2
+    # 70 digits of the middle are a scene: exact rationals of this length are within the limits
+    middle = State(*(round_to(value, 65) for value in (x1, v1, x2, v2)))
+    if middle.v1 != middle.v2 and whole.mode_at(half) is Mode.STICK:
+        return
+    rest = solve(Scene(scene.pair, middle, scene.until - half, scene.law), arithmetic="mpmath", digits=60)
+    late = [event for event in whole.events if as_fraction(event.t) > half]
+    assert [(event.before, event.after) for event in late] == [(event.before, event.after) for event in rest.events]
+    with whole.arithmetic.context():
+        scale = [max(abs(one) for one in row) for row in whole.y]
+        for one, two, size in zip(whole.y[:, -1], rest.y[:, -1], scale, strict=True):
+            assert abs(one - two) <= mpmath.mpf(10) ** -40 * size
+
+
+def round_to(value, digits):
+    if value == 0:
+        return value
+    scale = Fraction(10) ** (digits - len(str(abs(value.numerator))) + len(str(value.denominator)))
+    return Fraction(round(value * scale), 1) / scale
+
+
+@pytest.mark.parametrize("law", list(Law))
+def test_both_laws_at_rest_outside_the_sliding_region(law):
+    run = solve(Scene(Pair(1, 1, 200, "0.5"), State(x1="0.006"), until=5, law=law))
+    if law is Law.THREE_VALUED_SGN:
+        assert (run.modes, run.status) == ((Mode.STICK,), Status.STUCK_FOR_EVER)
+    else:
+        assert run.modes[0] is Mode.SLIP_MINUS
+        assert run.events
+
+
+def test_the_literal_law_never_lets_go():
+    run = solve(Scene(PAPER.pair, PAPER.initial, until=5, law=Law.THREE_VALUED_SGN), digits=30)
+    assert run.event_kinds == (EventKind.ENTRY,)
+    with run.arithmetic.context():
+        assert run.final.w > 0
+
+
+@pytest.mark.parametrize("digits", [None, 10, 40])
+def test_precisions_are_restored_after_errors(digits):
+    for failing in (
+        lambda: solve(PAPER, digits=300, max_digits=100),
+        lambda: integrate(grazed(), Ball(30)),
+        lambda: solve(PAPER, arithmetic="mpmath", digits=digits).sol(99),
+        lambda: solve(PAPER, arithmetic="ball", digits=digits).sol(99),
+    ):
+        with pytest.raises((PrecisionExhausted, EventUndecided, ValueError)):
+            failing()
+        assert (flint.ctx.prec, mpmath.mp.prec) == (53, 53)
+    with pytest.raises(ZeroDivisionError), Ball(50).context(), Multiprecision(50).context():
+        _ = 1 / 0
+    assert (flint.ctx.prec, mpmath.mp.prec) == (53, 53)
+
+
+def grazed() -> Scene:
+    """A horizon that is within 1e-60 of the first event: nothing can be decided in 30 digits."""
+    first = solve(PAPER, digits=80).events[0].t.mid().str(60, radius=False)
+    return Scene(PAPER.pair, PAPER.initial, until=first)
+
+
+def test_an_undecided_event_carries_its_question():
+    with pytest.raises(EventUndecided) as caught:
+        integrate(grazed(), Ball(30))
+    assert "horizon" in caught.value.question
+    assert "+/-" in caught.value.enclosure
+    assert caught.value.digits == 30
+    assert isinstance(caught.value, NumericsError)
+    assert solve(grazed(), digits=20).success
+
+
+def test_progress_is_told():
+    told = []
+    solve(
+        Scene(Pair(1, 1, 200, "0.0005"), State(v1="0.15"), until=500), progress=lambda n, part: told.append((n, part))
+    )
+    assert [number for number, _ in told] == [1000 * (i + 1) for i in range(len(told))]
+    assert len(told) >= 2
+    assert np.all(np.diff([part for _, part in told]) > 0)
