@@ -26,7 +26,11 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(dest="command", required=True)
     commands.add_parser("scenes", help="list the shipped scenes")
     solve = commands.add_parser(
-        "solve", help="solve one scene", epilog=_EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter
+        "solve",
+        help="solve one scene",
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        allow_abbrev=False,
     )
     solve.add_argument("scene", metavar="SCENE", help="TOML file, or the short name of a shipped scene")
     solve.add_argument("--digits", type=_positive, metavar="N", help="right digits wanted (default 15)")
@@ -57,16 +61,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     from numerics.errors import InvalidScene, NumericsError
 
     try:
-        if options.command == "scenes":
-            return _list_scenes()
-        return _solve(options)
+        code = _list_scenes() if options.command == "scenes" else _solve(options)
+        sys.stdout.flush()  # here a full disk or a reader that left can still be answered
+        return code
     except InvalidScene as error:
         return _refuse(str(error), USAGE)
     except NumericsError as error:
         return _refuse(str(error), FAILED)
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # the reader left; nothing more can be said
+        _drop_output()  # the reader left; nothing more can be said
         return OK
+    except OSError as error:
+        file = error.filename2 or error.filename
+        if file is None:
+            _drop_output()
+        return _refuse(f"cannot write {file or 'the output'}: {error.strerror}", FAILED if file is None else USAGE)
     except KeyboardInterrupt:
         return _refuse("interrupted; nothing was written", INTERRUPTED)
 
@@ -74,6 +83,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _refuse(message: str, code: int) -> int:
     print(f"error: {' '.join(message.split())}", file=sys.stderr)
     return code
+
+
+def _drop_output() -> None:
+    """Send what is still buffered for stdout nowhere, so that the interpreter's last flush does not fail again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _list_scenes() -> int:
