@@ -112,6 +112,7 @@ def viscous_accelerates(_: Context) -> Finding:
         *(item.as_counterexample() for item in merges_with_a_damper()),
         *(item.as_correction() for item in dissipation.in_every_mode()),
         *(item.as_correction() for item in dissipation.rest()),
+        *(item.as_correction() for item in meets_surface()),
         identity(
             "for $a_1\\to 0$ the captive level is $E_{cr}$", undamped(captive_energy()), critical_energy()
         ).as_correction(),
