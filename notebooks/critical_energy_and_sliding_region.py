@@ -242,8 +242,8 @@ Latex(
 )
 
 # %% [markdown]
-# This is the largest level whose ellipse fits into the tilted strip; at or below it the pair sticks for ever, as the
-# energy only falls, and without damper ($\zeta=0$) it is $E_{cr}$.
+# This is the largest level whose ellipse fits into the tilted strip; a pair that sticks at or below it sticks for ever,
+# as the energy only falls, and without damper ($\zeta=0$) it is $E_{cr}$.
 
 # %%
 pair = Pair(m1=1, m2=1, a2=200, b="0.5", a1=1)
@@ -253,7 +253,8 @@ print(f"E(0) = {float(ratio.subs({m1: 1, m2: 1, a1: 1, a2: 200})):g} E_captive")
 solve(scene, digits=10).message
 
 # %% [markdown]
-# The converse is lost: this pair starts above that level and sticks for ever all the same.
+# The converse is lost: from rest at $x_1=L$, where $E(0)=E_{cr}$, this pair starts above that level and sticks for ever
+# all the same.
 
 # %% [markdown]
 # ## Reduced coordinates
@@ -419,5 +420,5 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# As $\theta$ falls from one excursion to the next, bounds that hold up to one angle hold for all that follow: this is
-# the two-sided form of the law, $c_1/t\leqslant E-E_{cr}\leqslant c_2/t$ from some time on.
+# As $\theta$ falls from one excursion to the next, the bounds at one angle hold for all excursions that follow: this
+# gives the two-sided form of the law, $c_1/t\leqslant E-E_{cr}\leqslant c_2/t$ from some time on.

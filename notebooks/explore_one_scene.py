@@ -155,18 +155,14 @@ for name, value in zip(("x1", "v1", "x2", "v2"), proved.sol(Fraction("4.55")), s
 
 # %%
 damped = Scene(Pair(m1=1, m2=1, a2=200, b="0.05", a1="0.1"), State(v1="0.15"), until=5)
-ledgers = {
-    "$a_1=0$, float64": fast.ledger,
-    "$a_1=0.1$, float64": solve(damped).ledger,
-    "$a_1=0.1$, balls": solve(damped, digits=15).ledger,
-}
+ledgers = {"undamped": fast.ledger, "damped": solve(damped).ledger}
 rows = [
-    f"| {name} | {float(one.initial):.6g} | {float(one.final):.6g} | {float(one.friction):.6g} "
-    f"| {float(one.viscous):.6g} | {one.residual} |"
+    f"| {name} | {one.initial:.6g} | {one.final:.6g} | {one.friction:.6g} | {one.viscous:.6g} | {one.residual:.1e} |"
     for name, one in ledgers.items()
 ]
-head = "| | $E(0)$ | $E(5)$ | friction | viscous | residual (J) |\n|---|---|---|---|---|---|\n"
+head = "| float64, in J | $E(0)$ | $E(5)$ | friction | viscous | residual |\n|---|---|---|---|---|---|\n"
 display(Markdown(head + "\n".join(rows)))
+print(f"damped, in balls: residual {solve(damped, digits=15).ledger.residual} J")
 
 # %% [markdown]
 # ## On the edge
@@ -231,10 +227,11 @@ near, enclosed = solve(hair), solve(hair, digits=30)
 print(f"{len(near.events)} events in 20 s in float64, {len(enclosed.events)} proved")
 with enclosed.arithmetic.context():
     lost = enclosed.arithmetic.number(hair.energy_excess) - enclosed.final.w
-    print(f"w lost, proved:                                {float(lost):.6e}")
-    print(f"error of w, carried in float64:              {float(distance(near.final.w, enclosed.final.w).upper()):.1e}")
-    formed = near.energy[-1] / float(wide.critical_energy) - 1
-    print(f"error of w, formed from float64's final state: {float(distance(formed, enclosed.final.w).upper()):.1e}")
+    carried = distance(near.final.w, enclosed.final.w).upper()
+    formed = distance(near.energy[-1] / float(wide.critical_energy) - 1, enclosed.final.w).upper()
+print(f"w lost in 20 s, proved: {float(lost):.6e}")
+print(f"error of float64's w, carried along: {float(carried):.1e}")
+print(f"error of E/E_cr - 1, formed from float64's final state: {float(formed):.1e}")
 
 # %% [markdown]
 # That is why $w$ is carried as a variable of its own: formed from the state, its error would be far larger than all
@@ -274,7 +271,8 @@ print(f"t (E - E_cr) = {products[-1].str(20)} J s, {float(products[-1]) / limit:
 # %%
 figure, axes = plt.subplots(figsize=(8, 3.8), layout="constrained")
 counts = np.arange(1, 1001)
-axes.plot(counts, np.array(products, dtype=float) / limit, label=f"the scene, from $w={float(leaving.reduced.w):.3f}$")
+label = f"the scene, from $w={float(leaving.reduced.w):.3f}$"
+axes.plot(counts, np.array(products, dtype=float) / limit, label=label)
 frame = Frame(Float64(), pair)
 for start in (1.0, 0.1, 0.01, 0.001):
     run = list(islice(excursions(frame, start), 1000))
