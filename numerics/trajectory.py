@@ -174,9 +174,9 @@ class Trajectory:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, n) for a sequence.
 
         t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
-        such as the time of an event; `side` says which segment answers at an
-        event, where the state is continuous but the accelerations jump. Enclosures for balls: where the segment is
-        not decided, both answer. Raises ValueError outside [0, end].
+        such as the time of an event; `side` says which segment answers at an event, where the state is continuous but
+        the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
+        outside [0, end].
         """
         with self.arithmetic.context():
             if np.ndim(t) == 0:
@@ -187,8 +187,10 @@ class Trajectory:
     def reduced(self, t: Any, side: Side = "right") -> ReducedState:
         """Return the reduced state at time t (s); as `sol`."""
         with self.arithmetic.context():
-            tau = self.frame.rate * self._time(t)
-            states = [self.segments[i].motion.state(tau - self.segments[i].start) for i in self._segments_at(tau, side)]
+            time = self._time(t)
+            tau = self.frame.rate * time
+            found = self._segments_at(time, tau, side)
+            states = [self.segments[i].motion.state(tau - self.segments[i].start) for i in found]
             first, *rest = states
             for other in rest:
                 first = ReducedState(*(one.union(two) for one, two in zip(first, other, strict=True)))
@@ -197,7 +199,8 @@ class Trajectory:
     def mode_at(self, t: Any, side: Side = "right") -> Mode:
         """Return the mode at time t (s); at an event the one on the given side."""
         with self.arithmetic.context():
-            found = self._segments_at(self.frame.rate * self._time(t), side)
+            time = self._time(t)
+            found = self._segments_at(time, self.frame.rate * time, side)
             return self.segments[found[0 if side == "left" else -1]].mode
 
     def _time(self, t: Any) -> Number:
@@ -216,16 +219,17 @@ class Trajectory:
 
     @cached_property
     def _starts(self) -> list[Number]:
-        return [self._middle(segment.start) for segment in self.segments]
+        """Start times in s: as rounded as the times of the events, so that an event's own time finds its segments."""
+        return [self._middle(self.frame.si_time(segment.start)) for segment in self.segments]
 
     def _middle(self, x: Number) -> Number:
         """Return x itself, or the midpoint of a ball: a float would not tell the ends of a short slip apart."""
         return x.mid() if self.arithmetic.name == "ball" else x
 
-    def _segments_at(self, tau: Number, side: Side) -> Sequence[int]:
-        """Return the index of the segment that holds tau, or all among which balls do not decide."""
+    def _segments_at(self, time: Number, tau: Number, side: Side) -> Sequence[int]:
+        """Return the index of the segment that holds a time (tau: the same, reduced), or all that balls leave open."""
         find = bisect.bisect_right if side == "right" else bisect.bisect_left
-        first = last = max(0, find(self._starts, self._middle(tau)) - 1)
+        first = last = max(0, find(self._starts, self._middle(time)) - 1)
         if self.arithmetic.name == "ball":
             while first > 0 and self._may_hold(first - 1, tau):
                 first -= 1
