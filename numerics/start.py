@@ -17,9 +17,11 @@ def initial_motion(frame: Frame, scene: Scene) -> Motion:
     """Return the motion that follows the initial state of a scene. Raises OutOfRange."""
     mode, start = mode_at_start(scene), frame.initial(scene)
     if scene.pair.a1 > 0:
+        level = _starts_level(scene, mode.sign)
         if mode is Mode.STICK:
-            return ViscousStick(frame, scene.law, start)
-        return ViscousSlip(frame, scene.law, mode.sign, start, rising=_guard_rises(scene, mode.sign))
+            return ViscousStick(frame, scene.law, start, level=level)
+        rising = _guard_rises(scene, mode.sign)
+        return ViscousSlip(frame, scene.law, mode.sign, start, rising, level=level)
     X = scene.initial.x1 / scene.pair.half_width
     if mode is Mode.STICK:
         edge = -1 if X < 0 else 1
@@ -52,3 +54,10 @@ def _guard_rises(scene: Scene, sign: int) -> bool:
     slope = -(sign * load + 1)
     curvature = -(pair.a1 * pair.half_width / pair.mass + sign * at.v1)
     return slope > 0 or (slope == 0 and curvature > 0)
+
+
+def _starts_level(scene: Scene, sign: int) -> bool:
+    """Return whether dP/dt = 0 exactly at the start: then f'' = 0 in a slip, and P is at its extremum in stick."""
+    pair, at = scene.pair, scene.initial
+    moved = pair.m1 if sign else pair.mass
+    return pair.a2 * at.v1 * moved == pair.a1 * (pair.a2 * at.x1 + pair.a1 * at.v1 + pair.b * sign)

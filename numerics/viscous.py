@@ -40,15 +40,20 @@ def _oscillator(frame: Frame, decay: Number, stiffness: Number, discriminant: Fr
 class ViscousSlip:
     """A slip with a1 > 0, of the given sign. `rising` says whether the guard grows right after the start."""
 
-    def __init__(self, frame: Frame, law: Law, sign: int, start: ReducedState, rising: bool) -> None:
-        """Start a slip from a reduced state; on the switching surface V1 and V2 are the same number."""
-        self.frame, self.law, self.sign, self.start, self.rising = frame, law, sign, start, rising
+    def __init__(
+        self, frame: Frame, law: Law, sign: int, start: ReducedState, rising: bool, *, level: bool = False
+    ) -> None:
+        """Start a slip from a reduced state; on the switching surface V1 and V2 are the same number.
+
+        `level` says that the guard's second derivative vanishes exactly at the start, which balls cannot see.
+        """
+        self.frame, self.law, self.sign, self.start, self.rising, self.level = frame, law, sign, start, rising, level
         self.mode, self.oscillator = slip_mode(sign), slip_oscillator(frame)
         self._y, self._v = sign * start.X + frame.r, sign * start.V1
 
     @cached_property
     def _contact(self) -> Number:
-        guard = Guard(self.oscillator, self._y, self._v, self.sign * self.start.V2)
+        guard = Guard(self.oscillator, self._y, self._v, self.sign * self.start.V2, level=self.level)
         return first_contact(guard, rising=self.rising)
 
     def duration(self) -> Number:
@@ -92,9 +97,10 @@ class ViscousStick:
 
     mode = Mode.STICK
 
-    def __init__(self, frame: Frame, law: Law, start: ReducedState) -> None:
-        """Start a stick phase from a reduced state with V1 = V2."""
+    def __init__(self, frame: Frame, law: Law, start: ReducedState, *, level: bool = False) -> None:
+        """Start a stick phase from a reduced state with V1 = V2; `level`: dP/dt vanishes exactly at the start."""
         self.frame, self.law, self.start, self.oscillator = frame, law, start, stick_oscillator(frame)
+        self.level = level
 
     @cached_property
     def _exit(self) -> tuple[Number, int] | None:
@@ -106,7 +112,7 @@ class ViscousStick:
             return None
         arithmetic, two_zeta = self.frame.arithmetic, self.frame.two_zeta
         load = self.start.X + two_zeta * self.start.V1
-        rate = self.start.V1 - two_zeta * load
+        rate = arithmetic.number(0) if self.level else self.start.V1 - two_zeta * load
         turning = self.oscillator.first_zero(rate, -(two_zeta * rate + load))
         if turning is None:
             return None

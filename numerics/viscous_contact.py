@@ -25,6 +25,8 @@ class Guard:
     y: Number
     v: Number
     c: Number
+    level: bool = False
+    """Whether f''(0) = 0 is known to hold exactly."""
 
     @property
     def arithmetic(self) -> Arithmetic:
@@ -90,7 +92,7 @@ def _turning_points(guard: Guard) -> Iterator[Number]:
     """Yield the zeros of f'' in order, up to and then including a time at which f < 0 is certain."""
     arithmetic, oscillator = guard.arithmetic, guard.oscillator
     last = guard.speed_bound(arithmetic.number(0)) - guard.c + 1  # f <= |y'| - c - tau
-    jerk = guard.curvature(arithmetic.number(0))
+    jerk = arithmetic.number(0) if guard.level else guard.curvature(arithmetic.number(0))
     snap = guard.acceleration(guard.acceleration(guard.y, guard.v), jerk)
     point = oscillator.first_zero(jerk, snap)
     step = arithmetic.pi() / oscillator.frequency if oscillator.regime > 0 else None

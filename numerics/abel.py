@@ -1,0 +1,262 @@
+"""The Abel (Fatou) function of the return map: iterate counts beyond counting, with an enclosure of the error (a1 = 0).
+
+From ray to ray y = w/q goes to F(y) = y (1 - G), G = r c^2/y, and the cycle takes the reduced time pi + t(epsilon),
+epsilon = sqrt(w). Two functions turn iteration into addition:
+
+    alpha(F(y)) = alpha(y) + 1          alpha = 1/(a y) + B ln y + c_1 y + ... ,  a = 9 r/4
+    beta(F(y))  = beta(y) + pi + t      beta  = pi alpha + g_1 epsilon + g_2 epsilon^2 + ...
+
+Their series are computed over the rationals. What a truncated series misses of its equation is analytic in the slip
+angle theta on a disc, bounded on its rim by balls, and has a zero of known order at 0: Schwarz's lemma bounds it
+inside, and the sum over all later iterates, which y_k - y_{k+1} >= a' y_k^2 makes finite, bounds the function's error.
+By the inequality of Cusa and Huygens h is convex on (0, 2 pi), so h(theta) >= theta/3 and c is concave in y.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from functools import cached_property
+
+import flint
+from flint import acb, arb, fmpq, fmpq_series
+
+ORDER = 24
+"""Terms of alpha beyond the logarithm; beta has twice as many, as it runs in half powers of y."""
+_ARCS = 1024
+_RIM_BITS = 80
+_RADII = (Fraction(6, 5), Fraction(1), Fraction(4, 5), Fraction(3, 5), Fraction(2, 5), Fraction(1, 5))
+
+
+class AbelFunctions:
+    """alpha and beta of one mass fraction q = m1/(m1+m2), exact rational in (0, 1); values are enclosures."""
+
+    def __init__(self, q: Fraction, order: int = ORDER) -> None:
+        """Compute both series to `order` and the bounds of what they miss."""
+        self.q, self.r, self.order = q, 1 - q, order
+        with _series_terms(2 * order + 8):
+            self._compute_series()
+        self.radius, self._alpha_rim, self._beta_rim = self._bound_on_rim()
+
+    @cached_property
+    def largest_argument(self) -> Fraction:
+        """Return a y up to which alpha and beta are certified: a lower bound of h(radius)^2, as h(theta) >= theta/3."""
+        return (self.radius / 3) ** 2
+
+    def _compute_series(self) -> None:
+        q, r = fmpq(self.q.numerator, self.q.denominator), fmpq(self.r.numerator, self.r.denominator)
+        angle, depth = _angle_and_depth()  # theta(u), c(u)
+        # a power u^k is epsilon^k q^(-k/2): odd series keep one factor 1/sqrt(q), which the definitions below absorb
+        slip = _scaled(angle, q, shift=1)  # sqrt(q) theta
+        deep = _scaled(depth, q, shift=0)  # c
+        falls = _shifted(deep * deep * (r * q), -2)  # G = r c^2/y in epsilon
+        one, epsilon = fmpq_series([1]), fmpq_series([0, 1])
+        after = epsilon * (one - falls).sqrt()
+        landed = (slip - epsilon) / (one - deep * q)
+        self.time = slip - after.atan() - landed.atan()  # t(epsilon)
+        self.a = fmpq(9, 4) * r
+        if any(self.time[k] != 0 for k in range(3)):
+            raise ArithmeticError("the time of a cycle must be pi up to the third order in epsilon")
+        self._solve_alpha(_shifted_even(falls, q))
+        self._solve_beta(falls)
+
+    def _solve_alpha(self, falls: fmpq_series) -> None:
+        """Solve alpha(F) = alpha + 1 order by order; `falls` is G as a series in y."""
+        one = fmpq_series([1])
+        left = _shifted(falls / (one - falls), -1) / self.a - 1  # (1/F - 1/y)/a - 1
+        if left[0] != 0:
+            raise ArithmeticError("the return map must be y - a y^2 to second order")
+        logarithm = (one - falls).log()
+        self.log_coefficient = left[1] / self.a
+        left = left + logarithm * self.log_coefficient
+        self.alpha_coefficients: list[fmpq] = []
+        power, shrunk = fmpq_series([1]), fmpq_series([1])
+        y = fmpq_series([0, 1])
+        for k in range(1, self.order + 1):
+            power, shrunk = power * y, shrunk * (y * (one - falls))
+            coefficient = left[k + 1] / (self.a * k)
+            self.alpha_coefficients.append(coefficient)
+            left = left + (shrunk - power) * coefficient
+
+    def _solve_beta(self, falls: fmpq_series) -> None:
+        """Solve gamma(eps') = gamma(eps) + t for gamma = beta - pi alpha, order by order."""
+        one, epsilon = fmpq_series([1]), fmpq_series([0, 1])
+        step = (one - falls).sqrt()
+        q = fmpq(self.q.numerator, self.q.denominator)
+        left = -self.time
+        self.beta_coefficients: list[fmpq] = []
+        power, shrunk = fmpq_series([1]), fmpq_series([1])
+        for k in range(1, 2 * self.order + 1):
+            power, shrunk = power * epsilon, shrunk * (epsilon * step)
+            coefficient = left[k + 2] * 2 * q / (self.a * k)
+            self.beta_coefficients.append(coefficient)
+            left = left + (shrunk - power) * coefficient
+
+    @cached_property
+    def numbers(self) -> tuple[arb, arb]:
+        """Return (q, r) as balls at the working precision of the first use."""
+        return _ball(self.q), _ball(self.r)
+
+    def alpha(self, y: arb) -> arb:
+        """Return an enclosure of alpha(y) for 0 < y <= largest_argument; raises ArithmeticError beyond."""
+        if not y <= _ball(self.largest_argument):
+            raise ArithmeticError(f"y = {y.str(6)} is beyond the certified {float(self.largest_argument):g}")
+        value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients, y)
+        return value + arb(0, self._missed(y, self._alpha_rim, 2 * self.order + 4).upper())
+
+    def beta(self, y: arb) -> arb:
+        """Return an enclosure of beta(y), the reduced time that iteration adds up."""
+        epsilon = (y * _ball(self.q)).sqrt()
+        value = arb.pi() * self.alpha(y) + _polynomial(self.beta_coefficients, epsilon)
+        return value + arb(0, self._missed(y, self._beta_rim, 2 * self.order + 3).upper())
+
+    def slope(self, y: arb) -> arb:
+        """Return alpha'(y) of the truncated series: what Newton's method steers by."""
+        a, b = arb(self.a), arb(self.log_coefficient)
+        derivative = _polynomial([k * c for k, c in enumerate(self.alpha_coefficients, start=1)], y) / y
+        return -1 / (a * y * y) + b / y + derivative
+
+    def alpha_inverse(self, value: arb, start: arb) -> arb:
+        """Return an enclosure of the y in (0, start] with alpha(y) = value >= alpha(start); alpha falls.
+
+        Newton's method from 1/(a value), then a bracket whose ends are proved to lie on either side.
+        Raises ArithmeticError where the bracket is not found at this precision.
+        """
+        y = (1 / (arb(self.a) * value)).min(start).mid()
+        for _ in range(200):
+            step = ((self.alpha(y) - value) / self.slope(y)).mid()
+            y = (y - step).mid()
+            if not y > 0 or not y < 2 * start:
+                y = (start / 2).mid()
+            if abs(step) < abs(y) * arb(2) ** (4 - flint.ctx.prec):
+                break
+        width = (abs(self.alpha(y) - value) / abs(self.slope(y))).upper() + abs(y) * arb(2) ** (8 - flint.ctx.prec)
+        for _ in range(60):
+            if self.alpha((y - width).mid()) > value and self.alpha((y + width).mid()) < value:
+                return arb(y, width.upper())
+            width = 2 * width
+        raise ArithmeticError("the inverse of the Abel function is not enclosed at this precision")
+
+    def _missed(self, y: arb, rim: arb, zero_order: int) -> arb:
+        """Return a bound of sum_k |defect(y_k)| over all later iterates: rim (theta_k/radius)^n, theta <= 3 sqrt(y)."""
+        half = arb(zero_order) / 2
+        scale = 9 * y / _ball(self.radius) ** 2
+        decay = _ball(self.r) * self._depth_ratio**2  # y_k - y_{k+1} = r c^2 >= decay y_k^2, c being concave in y
+        return rim * scale**half * (1 + 1 / (y * decay * (half - 1)))
+
+    @cached_property
+    def _depth_ratio(self) -> arb:
+        """Return a lower bound of c(y)/y on the disc: its value at the rim, as c is concave in y with c(0) = 0."""
+        with _bits(_RIM_BITS):
+            theta = acb(_ball(self.radius))
+            height, deep = _height_and_depth(theta)
+            return (deep / (height * height)).real.lower()
+
+    def _bound_on_rim(self) -> tuple[Fraction, arb, arb]:
+        """Return the largest disc on which everything is proved analytic, and the sup of both defects on its rim."""
+        with _bits(_RIM_BITS):
+            for radius in _RADII:
+                bounds = self._defects_on_rim(radius)
+                if bounds is not None:
+                    return radius, *bounds
+        raise ArithmeticError(f"no disc around the critical orbit is certified for q = {float(self.q):g}")
+
+    def _defects_on_rim(self, radius: Fraction) -> tuple[arb, arb] | None:
+        """Return sup|alpha defect|, sup|beta defect| on |theta| = radius; None if a factor may vanish inside.
+
+        By the maximum principle |G| < 1, |q c| < 1, |eps'| < 1 and |landing| < 1 on the rim hold on the disc.
+        """
+        q, sqrt_q, alpha_sup, beta_sup = acb(_ball(self.q)), acb(_ball(self.q)).sqrt(), arb(0), arb(0)
+        for theta in _arcs(radius):
+            height, deep = _height_and_depth(theta)
+            y, falls = height * height, acb(_ball(self.r)) * (deep / height) ** 2
+            epsilon = sqrt_q * height
+            root = (1 - falls).sqrt()
+            landed = sqrt_q * (theta - height) / (1 - q * deep)
+            if not all(abs(one) < arb(1) for one in (falls, q * deep, epsilon * root, landed)):
+                return None
+            alpha = falls / (acb(self.a) * y * (1 - falls)) - 1 + acb(self.log_coefficient) * (1 - falls).log()
+            alpha += _complex_polynomial(self.alpha_coefficients, y * (1 - falls))
+            alpha -= _complex_polynomial(self.alpha_coefficients, y)
+            beta = _complex_polynomial(self.beta_coefficients, epsilon * root)
+            beta -= _complex_polynomial(self.beta_coefficients, epsilon)
+            beta -= sqrt_q * theta - (epsilon * root).atan() - landed.atan()
+            alpha_sup, beta_sup = alpha_sup.max(abs(alpha).upper()), beta_sup.max(abs(beta).upper())
+        return (alpha_sup, beta_sup) if alpha_sup.is_finite() and beta_sup.is_finite() else None
+
+
+def _angle_and_depth() -> tuple[fmpq_series, fmpq_series]:
+    """Return theta(u) = h^-1(u) and c(u) as series in u: c' = h, so dc = u dtheta."""
+    theta = fmpq_series([0, 1])
+    height = _shifted(theta - theta.sin(), -2) / _shifted(1 - theta.cos(), -2)
+    angle = height.reversion()
+    return angle, (theta * angle.derivative()).integral()
+
+
+def _height_and_depth(theta: acb) -> tuple[acb, acb]:
+    """Return h(theta) and c(theta) for a complex slip angle away from 0."""
+    half = theta / 2
+    return (theta - theta.sin()) / (2 * half.sin() ** 2), 2 - theta * half.cot()
+
+
+def _arcs(radius: Fraction) -> Iterator[acb]:
+    """Yield boxes that cover the rim |theta| = radius; by symmetry the upper half suffices."""
+    rim = _ball(radius)
+    for k in range(_ARCS):
+        angle = arb.pi() * (arb(2 * k + 1) / (2 * _ARCS)) + arb(0, (arb.pi() / (2 * _ARCS)).upper())
+        yield acb(rim * angle.cos(), rim * angle.sin())
+
+
+def _scaled(series: fmpq_series, q: fmpq, shift: int) -> fmpq_series:
+    """Return sum s_k q^((shift - k)/2) eps^k of a series whose powers all have the parity of `shift`."""
+    terms = [series[k] * (q ** ((shift - k) // 2) if series[k] else 0) for k in range(series.length())]
+    return fmpq_series(terms)
+
+
+def _shifted_even(series: fmpq_series, q: fmpq) -> fmpq_series:
+    """Return an even series in epsilon as one in y = epsilon^2/q."""
+    return fmpq_series([series[2 * k] * q**k for k in range((series.length() + 1) // 2)])
+
+
+def _shifted(series: fmpq_series, by: int) -> fmpq_series:
+    """Return the series divided by its variable to the power -by (its first coefficients being 0)."""
+    return fmpq_series([series[k] for k in range(-by, series.length())])
+
+
+def _polynomial(coefficients: list[fmpq], x: arb) -> arb:
+    """Return c_1 x + c_2 x^2 + ... as a ball."""
+    total = arb(0)
+    for coefficient in reversed(coefficients):
+        total = (total + arb(coefficient)) * x
+    return total
+
+
+def _complex_polynomial(coefficients: list[fmpq], x: acb) -> acb:
+    total = acb(0)
+    for coefficient in reversed(coefficients):
+        total = (total + acb(arb(coefficient))) * x
+    return total
+
+
+def _ball(value: Fraction) -> arb:
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+@contextmanager
+def _bits(bits: int) -> Iterator[None]:
+    before, flint.ctx.prec = flint.ctx.prec, bits
+    try:
+        yield
+    finally:
+        flint.ctx.prec = before
+
+
+@contextmanager
+def _series_terms(terms: int) -> Iterator[None]:
+    """Set flint's process-wide series length, and restore it."""
+    before, flint.ctx.cap = flint.ctx.cap, terms
+    try:
+        yield
+    finally:
+        flint.ctx.cap = before

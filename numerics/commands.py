@@ -1,0 +1,125 @@
+"""What each subcommand of `python -m numerics` does; all heavy imports happen here, when a command runs."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from numerics.trajectory import Trajectory
+
+OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
+
+
+def refuse(message: str, code: int) -> int:
+    """Print one error line and return the exit code."""
+    print(f"error: {' '.join(message.split())}", file=sys.stderr)
+    return code
+
+
+def list_scenes(_: argparse.Namespace) -> int:
+    """Print the short names of the shipped scenes."""
+    from numerics.scene_file import shipped_scenes
+
+    print("\n".join(shipped_scenes()))
+    return OK
+
+
+def solve_scene(options: argparse.Namespace) -> int:
+    """Solve one scene and print or write what was asked for."""
+    from numerics import export, plot
+    from numerics.scene_file import load_scene
+    from numerics.solve import solve
+
+    for path in (options.npz, options.plot):
+        if path is not None and not path.parent.is_dir():
+            return refuse(f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere", USAGE)
+    if options.plot is not None and options.plot.suffix not in plot.FORMATS:
+        return refuse(f"--plot {options.plot.name}: the name must end in one of {', '.join(plot.FORMATS)}", USAGE)
+    if options.arithmetic == "float64" and options.digits is not None:
+        return refuse("--digits goes with ball or mpmath; float64 prints the digits it has right", USAGE)
+    scene = load_scene(options.scene)
+    trajectory = solve(
+        scene,
+        digits=options.digits,
+        arithmetic=options.arithmetic or "ball",
+        max_events=options.max_events,
+        max_digits=options.max_digits,
+        progress=_progress if sys.stderr.isatty() else None,
+    )
+    if options.json:
+        print(json.dumps(export.as_record(trajectory), indent=1))
+    elif options.csv:
+        print(export.as_csv(trajectory), end="")
+    elif options.npz is not None:
+        export.write_npz(trajectory, options.npz)
+    elif options.plot is not None:
+        plot.write_plot(trajectory, options.plot)
+    else:
+        _print_table(trajectory)
+    return OK
+
+
+def _progress(events: int, fraction: float) -> None:
+    print(f"\r{events} events, {100 * fraction:.0f} % of the horizon ", end="", file=sys.stderr, flush=True)
+
+
+def _print_table(trajectory: Trajectory) -> None:
+    """Print the events (where v1 = v2) and the final state with the digits asked for."""
+    from rich.console import Console
+    from rich.table import Table
+
+    from numerics.export import as_record
+
+    record = as_record(trajectory)
+    table = Table("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)", box=None, pad_edge=False)
+    for event in record["events"]:
+        table.add_row(f"{event['from']} to {event['to']}", *(event[name] for name in ("t", "x1", "v1", "x2")))
+    console = Console(width=None if sys.stdout.isatty() else 160, highlight=False)
+    if record["events"]:
+        console.print(table)
+    final = record["final"]
+    console.print(f"at t = {final['t']} s, {final['mode']}; {record['message']}")
+    for name, unit in (("x1", "m"), ("v1", "m/s"), ("x2", "m"), ("v2", "m/s"), ("energy", "J"), ("energy_excess", "")):
+        console.print(f"  {name.replace('_', ' ')} = {final[name]} {unit}".rstrip())
+    console.print(f"{record['arithmetic']}, {record['digits']} digits")
+
+
+def tell_energy(options: argparse.Namespace) -> int:
+    """Print the energy of a scene at one time, however late."""
+    from numerics.long_time import energy_at
+    from numerics.rendering import ball_text
+    from numerics.scene_file import load_scene
+
+    found = energy_at(
+        load_scene(options.scene),
+        options.at,
+        digits=options.digits,
+        max_steps=options.max_steps,
+        max_digits=options.max_digits,
+    )
+    with found.frame.arithmetic.context():
+        energy, energy_radius = ball_text(found.energy, options.digits)
+        excess, excess_radius = ball_text(found.energy_excess, options.digits)
+    record = {
+        "t": options.at,
+        "mode": found.mode.value,
+        "energy": energy,
+        "energy_radius": energy_radius,
+        "energy_excess": excess,
+        "energy_excess_radius": excess_radius,
+        "excursions": str(found.excursions),
+        "road": found.road.name.lower().replace("_", "-"),
+        "stepped": found.stepped,
+        "digits": options.digits,
+    }
+    if options.json:
+        print(json.dumps(record, indent=1))
+        return OK
+    print(f"at t = {options.at} s, {found.mode.value}, after {found.excursions} excursions")
+    print(f"  energy = {energy} J\n  energy excess = {excess}\n{options.digits} right digits, proved")
+    if options.explain:
+        print(f"{found.road.value} ({found.stepped} events stepped)")
+    return OK
