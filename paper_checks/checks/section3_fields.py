@@ -9,10 +9,11 @@ from paper_checks.exact import identity
 from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
+from paper_checks.steps import solutions
 from theory.energy import energy, sigma, slip_rate, stick_rate
-from theory.filippov import derivative_along, half_width, load_threshold, phi, sliding_field
+from theory.filippov import derivative_along, half_width, load_threshold, phi, sliding_field, transversality
 from theory.model import branches, free_system, slip, stick
-from theory.symbols import a1, a2, b, m1, m2, undamped, v1, v2, x1
+from theory.symbols import a1, a2, b, free, m1, m2, undamped, v1, v2, x1
 
 
 def printed_field(sign: int) -> sp.ImmutableMatrix:
@@ -80,11 +81,17 @@ def filippov_equivalence(context: Context) -> Finding:
         prove("adhesion, $|\\ddot x_1|<b/m_2$, implies $|x_1|<L$", [adhesion], inside).as_correction(),
         prove("$|x_1|<L$ implies adhesion, $|\\ddot x_1|<b/m_2$", [inside], adhesion).as_correction(),
         *(_leaves_surface(one, context).as_correction() for one in spurious),
+        solutions.spurious_branches_leave().as_correction(),
         identity(
             "with sgn(0) = 0 in (e1)–(e3), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",
             literal[1] - literal[2],
             -a2 * x1 / m1,
             seed=context.seed,
+        ).as_counterexample(),
+        prove(
+            r"nor can it leave $S$ there: $\Phi_+\cdot n_S<0<\Phi_-\cdot n_S$ where $|x_1|<L$",
+            [inside],
+            sp.And(*(sp.Lt(cleared(sign * transversality(sign)), 0, evaluate=False) for sign in (1, -1))),
         ).as_counterexample(),
         corrected="With $a_1=u=0$, the solutions of (2)–(4) (absolutely continuous, equations met at almost every time) "
         "are exactly the solutions of (e1)–(e3) in Filippov's sense.",
@@ -104,7 +111,7 @@ def _leaves_surface(branch, context: Context) -> Evidence:  # type: ignore[no-un
     """Return that a spurious branch has x1'' - x2'' a nonzero multiple of x1'': it cannot last on S."""
     share = {"half adhesion": sp.Rational(1, 2), "broken adhesion": sp.Integer(1)}[branch.name]
     return identity(
-        f"in the branch with {branch.name}, $\\ddot x_1-\\ddot x_2={sp.latex(share)}\\,\\ddot x_1\\neq 0$: it lasts no time",
+        f"in the branch with {branch.name}, $\\ddot x_1-\\ddot x_2={sp.latex(share)}\\,\\ddot x_1$",
         branch.acceleration1 - branch.acceleration2,
         share * branch.acceleration1,
         seed=context.seed,
@@ -197,8 +204,14 @@ def viscous_no_direct_effect(context: Context) -> Finding:
         example.as_counterexample(),
         identity(
             "adhesion needs the interface force $-m_2(a_2x_1+a_1v_1)/(m_1+m_2)$ on body 2 (at $u=0$)",
-            force.subs(sp.Symbol("u", real=True), 0),
+            free(force),
             -m2 * (a2 * x1 + a1 * v1) / (m1 + m2),
+            seed=context.seed,
+        ).as_correction(),
+        identity(
+            "in slip the force on body 2 is $\\pm b$, without $a_1$",
+            sp.Matrix([free(slip(sign).force_on_second) for sign in (1, -1)]),
+            sp.Matrix([b, -b]),
             seed=context.seed,
         ).as_correction(),
         identity(

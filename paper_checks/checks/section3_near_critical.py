@@ -46,6 +46,7 @@ def stick_durations(context: Context) -> Finding:
     return conclude(
         Verdict.HOLDS,
         EVENTUALLY + " The stick time is that of a rotation from a point near one end point to the other.",
+        *angle_of_excursion(),
         *never_merges(),
         identity(
             r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a}$",
@@ -114,6 +115,7 @@ def exits_near_endpoints(context: Context) -> Finding:
         + " Exits are at $x_1=\\pm L$ with $|v_1|=L\\Omega\\sqrt w$; entries at $|x_1|=L(1-\\tfrac32w+\\dots)$ with "
         '$|v_1|=2L\\Omega\\sqrt w+\\dots$. "All" is meant for large $k$, as the limits before it: finitely many earlier '
         "entries may lie anywhere in $S_0$ (the first entry of figure-4a is at $x_1=0.706L$).",
+        *angle_of_excursion(),
         *never_merges(),
         identity("exit points tend to $(L,0)$: position", limits.exit_position, length, seed=context.seed),
         identity("exit points tend to $(L,0)$: velocity", limits.exit_velocity, 0, seed=context.seed),
@@ -154,6 +156,7 @@ def slower_than_exponential(context: Context) -> Finding:
         Verdict.HOLDS,
         "The excess after one excursion over that before tends to 1, and the time of a cycle tends to $\\pi/\\Omega$, so "
         "$w\\,e^{\\lambda t}\\to\\infty$ for every $\\lambda>0$.",
+        *angle_of_excursion(),
         *never_merges(),
         identity("$w'/w\\to 1$ as $w\\to 0$", excess_ratio_limit(), 1, seed=context.seed),
         identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), sp.pi, seed=context.seed),
@@ -181,7 +184,7 @@ def rate_one_over_t(context: Context) -> Finding:
             [sp.Eq(2 * above * t, c1), sp.Le(now, above)],
             sp.Gt(c1, now * t, evaluate=False),
         ).as_counterexample(),
-        *(one.as_correction() for one in never_merges()),
+        *(one.as_correction() for one in (*angle_of_excursion(), *never_merges())),
         identity(
             "$1/w'-1/w\\to 9r/(4q)$ as $w\\to 0$", inverse_step(), 9 * r / (4 * q), seed=context.seed
         ).as_correction(),

@@ -53,6 +53,7 @@ def viscous_origin_stable(context: Context) -> Finding:
         *capture.energy_decreases(),
         *capture.contraction(),
         *capture.meets_surface(),
+        *dissipation.in_every_mode(),
         *dissipation.rest(),
         identity(
             "in $S_0$ the eigenvalues have the discriminant $(a_1^2-4a_2M)/M^2$, $M=m_1+m_2$",
@@ -76,6 +77,7 @@ def viscous_origin_stable(context: Context) -> Finding:
             ),
         ),
         derivation=(
+            *dissipation.SYNCHRONISATION,
             *dissipation.REST,
             f"$$\\dot{{\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}}}={sp.latex(matrix)}\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}$$",
         ),

@@ -82,9 +82,14 @@ def never_merges() -> tuple[Evidence, ...]:
             [sp.Gt(fraction, 0), sp.Lt(fraction, 1), sp.Ge(cosine, 0), sp.Le(cosine, 1)],
             sp.Gt(1 - (1 - fraction) * (1 - cosine), 0, evaluate=False),
         ),
-        vanishes(r"$c'=h>0$: the depth grows from 0", depth_slope_residual()),
+        vanishes(r"$c'=h>0$: the depth grows with the angle", depth_slope_residual()),
+        identity(
+            r"from $c\to 0$ as $\theta\to 0$ to $c(\pi)=2$",
+            sp.Matrix([sp.limit(depth(), theta, 0), depth().subs(theta, sp.pi)]),
+            sp.Matrix([0, 2]),
+        ),
         vanishes(
-            r"at re-entry $1-X=q\,c(\theta)$, in $(0,2)$ for $\theta\leqslant\pi$ as $c(\pi)=2$: inside $S_0$",
+            r"at re-entry $1-X=q\,c(\theta)$, so in $(0,2)$ for $\theta\leqslant\pi$: inside $S_0$",
             1 - excursion().position - q * in_trigonometry(depth()),
         ),
         identity(r"the level at $\theta=\pi/2$ is $w=q(\pi/2-1)^2$", no_merging_excess(), q * (sp.pi / 2 - 1) ** 2),
@@ -106,8 +111,7 @@ def enclosed_rate(share: Fraction, start: Fraction, count: int, tolerance: Fract
     arithmetic = Ball(40)
     with arithmetic.context():
         frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
-        tau = w = arithmetic.number(start)
-        tau = arithmetic.number(0)
+        tau, w = arithmetic.number(0), arithmetic.number(start)
         for one in islice(excursions(frame, w), count):
             tau, w = tau + one.slip + one.stick, one.w_after
         ratio = tau * w * 9 * frame.r / (4 * arithmetic.pi() * frame.q)

@@ -3,16 +3,27 @@
 import importlib
 import sys
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import Any
 
 import pytest
 
+from paper_checks import smt
 from paper_checks.evidence import Finding
 from paper_checks.ledger import CLAIMS
 from paper_checks.registry import Check, Context
 from paper_checks.report import mathematics
 
 STEPS = ("paper_checks.steps.", "paper_checks.arguments")
+
+
+ask_once = cache(smt.ask)
+
+
+@pytest.fixture(autouse=True)
+def the_solvers_remember(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A solver is asked the same text once: a fault that reaches a proof changes the text, so it is asked anew."""
+    monkeypatch.setattr(smt, "ask", ask_once)
 
 
 def forget(target: str) -> None:
@@ -77,3 +88,44 @@ def doubled(original: Callable[..., Any]) -> Callable[..., Any]:
 def squared(original: Callable[..., Any]) -> Callable[..., Any]:
     """A wrong exponent."""
     return lambda *arguments, **named: original(*arguments, **named) ** 2
+
+
+def halved(original: Callable[..., Any]) -> Callable[..., Any]:
+    """A wrong factor, on the other side."""
+    return lambda *arguments, **named: original(*arguments, **named) / 2
+
+
+def other_sign(original: Callable[..., Any]) -> Callable[..., Any]:
+    """The field, rate or branch of the other half-space."""
+    return lambda sign, *arguments, **named: original(-sign, *arguments, **named)
+
+
+def plus(term: Any) -> Callable[..., Any]:
+    """Return a fault that adds a term to a scalar."""
+    return lambda original: lambda *arguments, **named: original(*arguments, **named) + term
+
+
+def without(*symbols: Any) -> Callable[..., Any]:
+    """Return a fault that drops the terms with these symbols."""
+    return lambda original: lambda *arguments, **named: original(*arguments, **named).subs(dict.fromkeys(symbols, 0))
+
+
+class Misread:
+    """Sympy with one relation read as another, such as `<` for `<=`, in some of its uses."""
+
+    def __init__(self, original: Any, relation: str, read_as: str, uses: tuple[int, ...]) -> None:
+        """Misread the relation in these uses, counted from 0; in all, where none is named."""
+        self._original, self._relation, self._read_as, self._uses = original, relation, read_as, uses
+        self._seen = -1
+
+    def __getattr__(self, name: str) -> Any:
+        """Sympy's, but for that relation."""
+        if name == self._relation:
+            self._seen += 1
+            name = self._read_as if not self._uses or self._seen in self._uses else name
+        return getattr(self._original, name)
+
+
+def misread(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
+    """Return the fault for a module's name `sp`."""
+    return lambda original: Misread(original, relation, read_as, uses)

@@ -1,0 +1,205 @@
+"""Section III, fields, energy rates and the switching surface: the verdicts, and faults that must turn them."""
+
+from functools import partial
+
+import pytest
+import sympy as sp
+
+from numerics.modes import Mode
+from paper_checks.checks import section3_fields, section3_surface
+from paper_checks.evidence import Verdict
+from paper_checks.registry import Context
+from theory.filippov import EdgeContact
+from theory.symbols import a2, b, m1, m2, v1, v2, x1
+
+from .conftest import (
+    doubled,
+    finding_of,
+    halved,
+    misread,
+    negated,
+    other_sign,
+    plus,
+    recorded,
+    squared,
+    unreadable,
+    without,
+)
+
+CHECKS = {
+    "viscous-no-direct-effect": section3_fields.viscous_no_direct_effect,
+    "filippov-equivalence": section3_fields.filippov_equivalence,
+    "vector-fields": section3_fields.vector_fields,
+    "energy-rate": section3_fields.energy_rate,
+    "energy-dissipation-places": section3_fields.energy_dissipation_places,
+    "transversality-outside": section3_surface.transversality_outside,
+    "transversality-strip": section3_surface.transversality_strip,
+    "sliding-region": section3_surface.sliding_region,
+    "critical-energy": section3_surface.critical_energy_claim,
+    "supercritical-arcs": section3_surface.supercritical_arcs,
+    "return-alternatives": section3_surface.return_alternatives,
+}
+FIELDS = "paper_checks.checks.section3_fields."
+SURFACE = "paper_checks.checks.section3_surface."
+CAPTURE = "paper_checks.steps.capture."
+
+
+@pytest.mark.parametrize("claim_id", CHECKS)
+def test_the_verdict_is_the_one_on_record(claim_id):
+    finding = finding_of(CHECKS[claim_id])
+    assert finding.verdict.value == recorded(claim_id), finding.missing
+    assert unreadable(finding) == []
+
+
+def fields(*entries):
+    """Return a printed pair of fields Phi_+ (sign 1), Phi_- (sign -1)."""
+    return lambda sign: sp.ImmutableMatrix([entry.subs(sp.Symbol("s"), sign) for entry in entries])
+
+
+S = sp.Symbol("s")
+MISPRINTED = {
+    "vector-fields": [
+        {"printed": fields(v1, -a2 / m1 * x1 + S * b / m1, S * b / m2)},
+        {"printed": fields(v1, -a2 / m1 * x1 - S * b / m1, S * b / m1)},
+        {"printed": fields(v1, a2 / m1 * x1 - S * b / m1, S * b / m2)},
+        {"printed": fields(v1, -a2 / m1 * x1 - S * b**2 / m1, S * b / m2)},
+        {"printed": fields(v1, -a2 / m1 * x1 - S * b / m1, sp.Integer(0))},
+    ],
+    "critical-energy": [
+        {"printed": b**2 * (m1 + m2) ** 2 / (a2 * m2**2)},
+        {"printed": b**2 * (m1 + m2) / (2 * a2 * m2**2)},
+        {"printed": b**2 * (m1 + m2) ** 2 / (2 * a2 * m1**2)},
+        {"printed": b**2 * (m1 - m2) ** 2 / (2 * a2 * m2**2)},
+        {"printed": b**2 * (m1**2 + m2**2) / (2 * a2 * m2**2)},
+    ],
+}
+
+
+@pytest.mark.parametrize(("claim_id", "wrong"), [(name, wrong) for name in MISPRINTED for wrong in MISPRINTED[name]])
+def test_another_printed_formula_does_not_hold(claim_id, wrong):
+    assert partial(CHECKS[claim_id], **wrong)(Context()).verdict is Verdict.UNDECIDED
+
+
+def reversed_contact(contact):
+    """A slip that touches S and curves back into the half-space that it came from."""
+    return lambda side: EdgeContact(contact(side).first, -contact(side).second, contact(side).third)
+
+
+def crossing_contact(contact):
+    """A guard without the double root."""
+    return lambda side: EdgeContact(contact(side).second, contact(side).second, contact(side).third)
+
+
+def other_weight(weight):
+    """The weight of Phi_- in the place of that of Phi_+."""
+    return lambda: 1 - weight()
+
+
+def not_strict(beyond):
+    """The edge of the strip counted with S_+ and S_-."""
+    return lambda side, strict=True: beyond(side, strict=False)
+
+
+STEP_FAULTS = [
+    ("viscous-no-direct-effect", FIELDS + "load_threshold", doubled),
+    ("viscous-no-direct-effect", FIELDS + "stick", lambda _: lambda: section3_fields.slip(1)),
+    ("viscous-no-direct-effect", FIELDS + "a1", lambda a1: -a1),
+    ("viscous-no-direct-effect", FIELDS + "slip", lambda _: lambda sign: section3_fields.stick()),
+    ("viscous-no-direct-effect", "numerics.modes.mode_at_start", lambda _: lambda scene: Mode.STICK),
+    ("viscous-no-direct-effect", "numerics.modes.mode_at_start", lambda _: lambda scene: Mode.SLIP_MINUS),
+    ("filippov-equivalence", FIELDS + "sliding_field", doubled),
+    ("filippov-equivalence", FIELDS + "free_system", other_sign),
+    ("filippov-equivalence", FIELDS + "free_system", lambda field: lambda sign: field(sign / 2)),
+    ("filippov-equivalence", FIELDS + "half_width", doubled),
+    ("filippov-equivalence", FIELDS + "half_width", halved),
+    ("filippov-equivalence", FIELDS + "sp", misread("Lt", "Le", 0)),
+    ("filippov-equivalence", FIELDS + "transversality", negated),
+    ("filippov-equivalence", FIELDS + "slip", other_sign),
+    ("vector-fields", FIELDS + "phi", other_sign),
+    ("vector-fields", FIELDS + "phi", doubled),
+    ("vector-fields", FIELDS + "phi", without(b)),
+    ("energy-rate", FIELDS + "energy", halved),
+    ("energy-rate", FIELDS + "energy", plus(-m1 * v1**2)),
+    ("energy-rate", FIELDS + "slip_rate", other_sign),
+    ("energy-rate", FIELDS + "slip_rate", doubled),
+    ("energy-rate", FIELDS + "stick_rate", plus(-b * v1)),
+    ("energy-rate", FIELDS + "free_system", other_sign),
+    ("energy-rate", FIELDS + "sp", misread("Le", "Lt")),
+    ("energy-rate", FIELDS + "sp", misread("Ge", "Le")),
+    ("energy-dissipation-places", FIELDS + "slip_rate", negated),
+    ("energy-dissipation-places", FIELDS + "slip_rate", without(b)),
+    ("energy-dissipation-places", FIELDS + "slip_rate", plus(b * v2)),
+    ("energy-dissipation-places", FIELDS + "sp", misread("Gt", "Ge")),
+    ("energy-dissipation-places", FIELDS + "energy", doubled),
+    ("transversality-outside", SURFACE + "transversality", negated),
+    ("transversality-outside", SURFACE + "transversality", without(a2)),
+    ("transversality-outside", SURFACE + "half_width", halved),
+    ("transversality-outside", SURFACE + "beyond", not_strict),
+    ("transversality-outside", SURFACE + "normal", negated),
+    ("transversality-strip", SURFACE + "transversality", negated),
+    ("transversality-strip", SURFACE + "transversality", other_sign),
+    ("transversality-strip", SURFACE + "half_width", doubled),
+    ("transversality-strip", SURFACE + "half_width", halved),
+    ("transversality-strip", SURFACE + "sp", misread("Ge", "Gt")),
+    ("transversality-strip", SURFACE + "sp", misread("Le", "Lt", 4)),
+    ("sliding-region", SURFACE + "sliding_weight", other_weight),
+    ("sliding-region", SURFACE + "sliding_weight", halved),
+    ("sliding-region", SURFACE + "half_width", doubled),
+    ("sliding-region", SURFACE + "half_width", halved),
+    ("sliding-region", SURFACE + "sliding_field", doubled),
+    ("sliding-region", SURFACE + "stick_rate", plus(-b * v1)),
+    ("sliding-region", SURFACE + "energy", plus(-a2 * x1**2)),
+    ("sliding-region", SURFACE + "sp", misread("Ge", "Gt", 1)),
+    ("critical-energy", SURFACE + "critical_energy", squared),
+    ("critical-energy", SURFACE + "level_semi_axis", doubled),
+    ("critical-energy", SURFACE + "semi_axis_margin", negated),
+    ("critical-energy", SURFACE + "half_width", doubled),
+    ("critical-energy", SURFACE + "sp", misread("Gt", "Ge", 0)),
+    ("critical-energy", CAPTURE + "critical_energy", doubled),
+    ("critical-energy", CAPTURE + "on_surface", halved),
+    ("critical-energy", CAPTURE + "sp", misread("Le", "Lt", 1)),
+    ("supercritical-arcs", SURFACE + "critical_energy", halved),
+    ("supercritical-arcs", SURFACE + "edge_speed_squared", doubled),
+    ("supercritical-arcs", SURFACE + "edge_contact", reversed_contact),
+    ("supercritical-arcs", SURFACE + "edge_contact", crossing_contact),
+    ("supercritical-arcs", SURFACE + "product", negated),
+    ("supercritical-arcs", SURFACE + "phi", lambda phi: lambda sign: phi(1)),
+    ("supercritical-arcs", SURFACE + "sp", misread("Gt", "Ge", 0)),
+    ("supercritical-arcs", SURFACE + "sliding_field", negated),
+    ("return-alternatives", SURFACE + "product", negated),
+    ("return-alternatives", SURFACE + "half_width", halved),
+    ("return-alternatives", SURFACE + "transversality", other_sign),
+    ("return-alternatives", SURFACE + "beyond", not_strict),
+    ("return-alternatives", SURFACE + "edge_contact", crossing_contact),
+    ("return-alternatives", SURFACE + "phi", lambda phi: lambda sign: phi(1)),
+    ("return-alternatives", SURFACE + "sp", misread("Le", "Lt")),
+]
+
+
+@pytest.mark.parametrize(("claim_id", "target", "fault"), STEP_FAULTS)
+def test_a_fault_in_a_step_turns_the_claim(plant, claim_id, target, fault):
+    plant(target, fault)
+    assert finding_of(CHECKS[claim_id]).verdict is Verdict.UNDECIDED
+
+
+def without_spring(field):
+    """Filippov's combination with the spring forgotten."""
+    return lambda damped=False: field(damped).subs(a2, 0)
+
+
+MODEL_FAULTS = [
+    ("theory.energy.slip", other_sign, {"energy-rate", "energy-dissipation-places"}),
+    ("theory.energy.half_width", doubled, {"critical-energy"}),
+    ("theory.energy.sliding_field", without_spring, {"energy-rate", "sliding-region"}),
+    ("theory.energy.half_width", halved, {"critical-energy", "supercritical-arcs"}),
+    ("theory.filippov.slip", other_sign, {"vector-fields", "transversality-strip", "return-alternatives"}),
+    ("theory.filippov.guard", negated, {"transversality-outside", "transversality-strip", "return-alternatives"}),
+    ("theory.filippov.load_threshold", halved, {"supercritical-arcs"}),
+]
+
+
+@pytest.mark.parametrize(("target", "fault", "turned"), MODEL_FAULTS)
+def test_a_fault_in_theory_turns_the_claims_that_rest_on_it(plant, target, fault, turned):
+    plant(target, fault)
+    for claim_id in turned:
+        assert finding_of(CHECKS[claim_id]).verdict is Verdict.UNDECIDED, claim_id
