@@ -38,9 +38,8 @@ def _undamped_slip(frame: Frame, scene: Scene, sign: int, X: Fraction) -> Undamp
         guard_at_start=relative / frame.sqrt_q,
         gap_at_start=arithmetic.number((side * X - 1) * pair.mass / pair.m1),
         push_at_start=side * start.V1 / frame.sqrt_q,
-        on_surface=at.v1 == at.v2,
     )
-    return UndampedSlip(frame, scene.law, side, flow, start.Z, start.w, V2=start.V2)
+    return UndampedSlip(frame, scene.law, side, flow, start.Z, start.w, V2=start.V2, on_surface=at.v1 == at.v2)
 
 
 def _guard_rises(scene: Scene, sign: int) -> bool:

@@ -59,7 +59,10 @@ class Ball:
 
     def sqrt(self, x: arb) -> arb:
         """Return an enclosure of the square root of the points of x that are >= 0."""
-        return x.sqrt() if x > 0 or x.is_zero() else x.max(arb(0)).sqrt()
+        if x > 0 or x.is_zero() or not x.is_finite():
+            return x.sqrt()
+        # the ball max(x, 0) may dip below zero by its own rounding, where sqrt answers nan
+        return arb(0).union(x.upper().max(arb(0)).sqrt())
 
     def exp(self, x: arb) -> arb:
         """Return an enclosure of e^x."""
@@ -98,6 +101,10 @@ class Ball:
     def cosine_deficit(self, x: arb) -> arb:
         """Return an enclosure of x^2/2 - 1 + cos x that is tight relative to its value (mean value form)."""
         return _mean_value(x, lambda p: p * p / 2 - 1 + p.cos(), self.sine_deficit, cancelled=4)
+
+    def lag(self, x: arb) -> arb:
+        """Return an enclosure of sin x - x cos x that is tight relative to its value (mean value form)."""
+        return _mean_value(x, lambda p: p.sin() - p * p.cos(), lambda p: p * p.sin(), cancelled=2)
 
     def root(self, function: Callable[[arb], arb], slope: Callable[[arb], arb], lower: arb, upper: arb) -> arb:
         """Return an enclosure of the root, proved to exist and to be the only one between lower and upper.
