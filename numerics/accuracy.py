@@ -16,7 +16,10 @@ EXACT = 10**9
 
 
 def digits_within(error: arb, value: arb, scale: arb) -> int:
-    """Return how many leading digits an error leaves right, relative to |value|, or to `scale` where value may be 0."""
+    """Return how many leading digits an error leaves right, relative to |value|.
+
+    A value that may be 0 has none, unless it is below 10^(-4 n) of its `scale`: then it counts as 0 to n digits.
+    """
     if error.is_zero():
         return EXACT
     if not (error.is_finite() and value.is_finite()):
@@ -26,7 +29,8 @@ def digits_within(error: arb, value: arb, scale: arb) -> int:
     if not ratio > 0 or not ratio.is_finite():
         return 0
     # log10 through exponent and mantissa: the ratio itself may be far below the range of a float
-    return max(0, math.floor(-float((ratio.log() / arb(10).log()).mid())))
+    digits = max(0, math.floor(-float((ratio.log() / arb(10).log()).mid())))
+    return digits // 4 if value.contains(0) else digits
 
 
 def proved_digits(trajectory: Trajectory) -> int:
