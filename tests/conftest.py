@@ -6,14 +6,17 @@ from collections.abc import Iterator
 import flint
 import mpmath
 import pytest
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, Phase, settings
 
-_SLOW_IS_FINE = [HealthCheck.too_slow]
-settings.register_profile("dev", deadline=None, max_examples=15, suppress_health_check=_SLOW_IS_FINE)
-settings.register_profile(
-    "ci", deadline=None, max_examples=1000, derandomize=True, database=None, suppress_health_check=_SLOW_IS_FINE
-)
-settings.register_profile("nightly", deadline=None, max_examples=5000, suppress_health_check=_SLOW_IS_FINE)
+# the explain phase traces every line: too slow beneath mpmath
+_COMMON = {
+    "deadline": None,
+    "suppress_health_check": [HealthCheck.too_slow],
+    "phases": [Phase.explicit, Phase.reuse, Phase.generate, Phase.shrink],
+}
+settings.register_profile("dev", max_examples=15, **_COMMON)
+settings.register_profile("ci", max_examples=1000, derandomize=True, database=None, **_COMMON)
+settings.register_profile("nightly", max_examples=5000, **_COMMON)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
 
 FLINT_BITS, MPMATH_BITS = 53, 53

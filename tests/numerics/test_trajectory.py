@@ -124,8 +124,8 @@ def exact(ball):
 def test_a_run_split_in_two_is_the_whole_run(scene):
     """The second half starts from the exact rational midpoint of the first, in a phase of its own."""
     whole = solve(scene, arithmetic="mpmath", digits=60, max_events=6)
-    if not whole.success:
-        return
+    if not whole.success or scene.energy_excess == 0:
+        return  # exactly on E = E_cr a rounded middle is another trajectory
     half = scene.until / 2
     x1, v1, x2, v2 = (as_fraction(one) for one in whole.sol(half))
     if whole.mode_at(half) is Mode.STICK:
