@@ -67,7 +67,7 @@ class Oscillator:
         lean = v + self.decay * y
         side = decide_sign(arithmetic, y, "on which side of zero does the oscillation start?")
         if self.regime > 0:
-            return (arithmetic.atan2(side * y, -side * lean) if side else arithmetic.pi()) / n
+            return (arithmetic.atan2(side * y * n, -side * lean) if side else arithmetic.pi()) / n
         towards = decide_sign(arithmetic, -side * lean, "does the damped motion head for zero?") if side else 0
         if towards <= 0:
             return None

@@ -50,6 +50,11 @@ def test_undamped(scene):
 @example(Scene(Pair(2, 1, 3, 1, a1=1), State(v1=Fraction(1, 5), v2=-3), until=20))
 @example(Scene(Pair(1, 1, 3, 1, a1=2), State(Fraction(2, 9), Fraction(2, 3), 0, Fraction(2, 3)), until=20))
 @example(Scene(Pair(1, 1, 1, 1, a1=2), State(x1=1, v1=5), until=20))
+@example(
+    Scene(Pair("0.5", "0.5", 3, 1, a1="2.4"), State("2.6", "2.4", 0, "-3.9"), until=20)
+)  # a contact was passed over
+@example(Scene(Pair("0.5", "0.5", 3, 1, a1="2.35"), State("3.2", "-0.5", 0, "-1.8"), until=20))
+@example(Scene(Pair(1, "0.5", 3, 1, a1="2.6"), State("-3.9", "2.4", 0, "1.8"), until=20))  # an exit was passed over
 @example(Scene(Pair(1, 1, 200, "0.5", a1=40), State(x1=1, v1=2), until=5))
 def test_damped(scene):
     assert_same(scene)
