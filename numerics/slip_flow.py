@@ -25,13 +25,12 @@ _SMALLEST_ANGLE = 1e-97
 
 @dataclass(frozen=True, slots=True)
 class SlipFlow:
-    """An undamped slip in the variables above; all dimensionless. `on_surface` says that g = 0 and d >= 0 exactly."""
+    """An undamped slip in the variables above; all dimensionless."""
 
     arithmetic: Arithmetic
     guard_at_start: Number
     gap_at_start: Number
     push_at_start: Number
-    on_surface: bool
 
     def guard(self, theta: Number) -> Number:
         """Return k(theta)."""
@@ -61,7 +60,7 @@ class SlipFlow:
         return (grown - arithmetic.cosine_deficit(theta)) + self.guard_at_start * theta
 
     def first_contact(self) -> Number:
-        """Return the first theta > 0 with k = 0 and k < 0 after it: the end of the slip.
+        """Return the first theta > 0 with k = 0 of a slip that starts off the surface (surface_slip.py has g = 0).
 
         k' = A cos(theta - phase) - 1 vanishes at phase +- lean + 2 pi j, so the pieces on which k is monotone are
         explicit; its local minima fall by 2 pi from one to the next, so the first one below zero is known without
@@ -69,35 +68,16 @@ class SlipFlow:
         A minimum that is not proved to be above or below zero is a graze: EventUndecided.
         """
         lower, upper = self._bracket()
-        theta = self.arithmetic.root(self.guard, self.gap, lower, upper)
-        self._refuse_unresolved(theta)
-        return theta
-
-    def _refuse_unresolved(self, theta: Number) -> None:
-        """Raise OutOfRange where the digits of theta leave no phase, or its cube no digits; balls need no such care."""
-        arithmetic = self.arithmetic
-        if arithmetic.name == "ball":
-            return
-        if theta > 10 ** (arithmetic.digits - 3):
-            angle = f"one slip turns through {arithmetic.text(theta)} rad"
-            raise OutOfRange(f"{angle}, which {arithmetic.digits} digits do not resolve; use --arithmetic ball")
-        if arithmetic.name == "float64" and theta < _SMALLEST_ANGLE:
-            raise OutOfRange(
-                f"one slip turns through {theta:g} rad, whose cube is below float64; use --arithmetic ball"
-            )
+        return self.arithmetic.root(self.guard, self.gap, lower, upper)
 
     def _bracket(self) -> tuple[Number, Number]:
         arithmetic, d, u = self.arithmetic, self.gap_at_start, self.push_at_start
         excess = d * (2 + d) + u * u  # A^2 - 1
-        if not self.on_surface and decide_sign(arithmetic, excess, "does the guard of this slip turn at all?") <= 0:
+        if decide_sign(arithmetic, excess, "does the guard of this slip turn at all?") <= 0:
             return arithmetic.number(0), self.guard_at_start + u + 3  # monotone: k <= g + u + A - theta, A <= 1
         lean = arithmetic.atan2(arithmetic.sqrt(excess), arithmetic.number(1))
         phase = arithmetic.atan2(u, 1 + d)
         turn = 2 * arithmetic.pi()
-        if self.on_surface:
-            # From the surface k rises to its maximum at phase + lean and is negative at the next minimum, since
-            # k(2 pi) = -2 pi: a slip that starts on the surface always ends within one turn.
-            return phase + lean, phase - lean + turn
         minimum_at_zero = self.guard_at_start + u - arithmetic.sqrt(excess) + (lean - phase)  # k(phase - lean)
         index = self._first_minimum_below_zero(phase - lean, minimum_at_zero / turn)
         minimum = phase - lean + turn * index
@@ -116,3 +96,14 @@ class SlipFlow:
             question = "does the slip touch the switching surface without crossing it (a graze)?"
             raise EventUndecided(question, arithmetic.text(turns), arithmetic.digits)
         return max(least, index)
+
+
+def refuse_unresolved(arithmetic: Arithmetic, theta: Number) -> None:
+    """Raise OutOfRange where the digits of theta leave no phase, or its cube no digits; balls need no such care."""
+    if arithmetic.name == "ball":
+        return
+    if theta > 10 ** (arithmetic.digits - 3):
+        angle = f"one slip turns through {arithmetic.text(theta)} rad"
+        raise OutOfRange(f"{angle}, which {arithmetic.digits} digits do not resolve; use --arithmetic ball")
+    if arithmetic.name == "float64" and theta < _SMALLEST_ANGLE:
+        raise OutOfRange(f"one slip turns through {theta:g} rad, whose cube is below float64; use --arithmetic ball")

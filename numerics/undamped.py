@@ -9,7 +9,8 @@ from numerics.modes import Mode, mode_after_contact, slip_mode
 from numerics.motion import Motion
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Law
-from numerics.slip_flow import SlipFlow
+from numerics.slip_flow import SlipFlow, refuse_unresolved
+from numerics.surface_slip import contact
 
 
 class UndampedSlip:
@@ -25,25 +26,36 @@ class UndampedSlip:
         w: Number,
         *,
         V2: Number | None = None,
+        on_surface: bool = True,
         from_ray: bool = False,
     ) -> None:
         """Start a slip from its slip variables, its relative displacement and its energy excess.
 
-        `V2` is needed off the switching surface, where its sum with push and guard would cancel for a slow body 2.
+        `on_surface` says that the guard is 0 and the gap >= 0 exactly, `from_ray` that the gap is 0 too. `V2` is needed
+        off the surface, where its sum with push and guard would cancel for a slow body 2.
         """
         self.frame, self.law, self.side, self.flow, self.Z, self.w = frame, law, side, flow, Z, w
-        self.from_ray = from_ray
+        self.on_surface, self.from_ray = on_surface, from_ray
         self._driven_at_start = flow.push_at_start if V2 is None else side * V2 / frame.sqrt_q
         self.mode = slip_mode(-side)
 
     @cached_property
-    def _contact(self) -> Number:
-        """The slip angle at which the bodies meet in velocity again."""
-        return self.flow.first_contact()
+    def _landing(self) -> tuple[Number, Number, Number]:
+        """The slip angle at which the bodies meet in velocity again, the gap there, and K up to there."""
+        flow, arithmetic = self.flow, self.frame.arithmetic
+        if self.on_surface:
+            end = contact(arithmetic, flow.gap_at_start, flow.push_at_start)
+            gap, slid = -(flow.gap_at_start + end.depth), end.depth * (end.depth / 2 + flow.gap_at_start)
+            landing = end.theta, gap, slid
+        else:
+            theta = flow.first_contact()
+            landing = theta, flow.gap(theta), flow.slid(theta)
+        refuse_unresolved(arithmetic, landing[0])
+        return landing
 
     def duration(self) -> Number:
         """Return the reduced time of the first contact with the switching surface; it always comes."""
-        return self.frame.sqrt_q * self._contact
+        return self.frame.sqrt_q * self._landing[0]
 
     def state(self, tau: Number) -> ReducedState:
         """Return the state at reduced time tau after the start."""
@@ -68,15 +80,15 @@ class UndampedSlip:
 
     def successor(self) -> Motion:
         """Return the stick phase, or the slip of the other sign, that follows the first contact."""
-        frame, side, theta = self.frame, self.side, self._contact
-        gap, push = self.flow.gap(theta), self._driven_push(theta)
-        at = self.state(frame.sqrt_q * theta)._replace(w=self._excess_after_contact())
+        frame, side, (theta, gap, _) = self.frame, self.side, self._landing
+        push = self._driven_push(theta)
+        at = self.state(frame.sqrt_q * theta)._replace(X=side * (1 + frame.q * gap), w=self._excess_after_contact())
         beyond = -(2 + frame.q * gap)
         after = mode_after_contact(frame.arithmetic, self.law, -side, beyond, -push)
         if after is Mode.STICK:
             start = ReducedState(at.X, at.V2, at.V2, at.Z, at.w)
             return UndampedStick(frame, self.law, start, side, frame.q * gap)
-        flow = SlipFlow(frame.arithmetic, frame.arithmetic.number(0), beyond / frame.q, -push, on_surface=True)
+        flow = SlipFlow(frame.arithmetic, frame.arithmetic.number(0), beyond / frame.q, -push)
         return UndampedSlip(frame, self.law, -side, flow, at.Z, at.w)
 
     def _excess_after_contact(self) -> Number:
@@ -85,9 +97,9 @@ class UndampedSlip:
         From a ray everything is a function of w alone, and dw'/dw = 1 - r versine(theta) < 1: taken as that function,
         enclosures do not grow from one excursion to the next, however many there are.
         """
-        frame, theta = self.frame, self._contact
+        frame, (theta, gap, slid) = self.frame, self._landing
         if not self.from_ray:
-            return self._excess_on_surface(theta)
+            return self._excess_on_surface(theta, gap, slid)
         arithmetic = frame.arithmetic
 
         def after(w: Number) -> Number:
@@ -95,22 +107,22 @@ class UndampedSlip:
 
         return arithmetic.mean_value(after, lambda _: 1 - frame.r * arithmetic.versine(theta), self.w)
 
-    def _excess_on_surface(self, theta: Number) -> Number:
+    def _excess_on_surface(self, theta: Number, gap: Number, slid: Number) -> Number:
         """Return w at the contact: w - 2 r q K near E_cr, and V^2 + (X^2 - 1) from far above it.
 
         The difference would keep the rounding of the large w through every later crossing.
         """
         frame = self.frame
         if frame.arithmetic.to_float(self.w) <= 1:
-            return self.w - self.losses(frame.sqrt_q * theta)[0]
-        V, beyond = frame.sqrt_q * self._driven_push(theta), frame.q * self.flow.gap(theta)
+            return self.w - 2 * frame.r * frame.q * slid
+        V, beyond = frame.sqrt_q * self._driven_push(theta), frame.q * gap
         return V * V + beyond * (2 + beyond)
 
 
 def ray_flow(frame: Frame, w: Number) -> SlipFlow:
     """Return the slip variables on an exit ray with energy excess w: gap 0 and guard 0 exactly, push sqrt(w/q)."""
     zero = frame.arithmetic.number(0)
-    return SlipFlow(frame.arithmetic, zero, zero, frame.arithmetic.sqrt(w) / frame.sqrt_q, on_surface=True)
+    return SlipFlow(frame.arithmetic, zero, zero, frame.arithmetic.sqrt(w) / frame.sqrt_q)
 
 
 class UndampedStick:

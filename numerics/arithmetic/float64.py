@@ -15,6 +15,7 @@ from numerics.errors import OutOfRange
 # leading term. From 2 on the direct expression loses less than one bit, as the value is then > 1/2.
 _SERIES_BELOW = 2.0
 _SINE_TERMS = tuple((-1) ** k / math.factorial(2 * k + 3) for k in range(13))
+_LAG_TERMS = tuple((-1) ** k * (2 * k + 2) / math.factorial(2 * k + 3) for k in range(13))
 _COSINE_TERMS = tuple((-1) ** k / math.factorial(2 * k + 4) for k in range(13))
 
 
@@ -98,6 +99,12 @@ class Float64:
         if abs(x) >= _SERIES_BELOW:
             return (0.5 * square - 1.0) + math.cos(x)
         return square * square * _horner(_COSINE_TERMS, square)
+
+    def lag(self, x: float) -> float:
+        """Return sin x - x cos x; by its series for |x| < 2."""
+        if abs(x) >= _SERIES_BELOW:
+            return math.sin(x) - x * math.cos(x)
+        return x * x * x * _horner(_LAG_TERMS, x * x)
 
     def root(
         self, function: Callable[[float], float], slope: Callable[[float], float], lower: float, upper: float

@@ -82,6 +82,13 @@ class Multiprecision:
             value = x * x / 2 - 1 + mpmath.cos(x)
         return +value
 
+    def lag(self, x: Any) -> Any:
+        """Return sin x - x cos x, with the bits that cancel added to the working precision."""
+        with mpmath.extraprec(2 * _cancelled_bits(x)):
+            cosine, sine = mpmath.cos_sin(x)
+            value = sine - x * cosine
+        return +value
+
     def root(self, function: Callable[[Any], Any], slope: Callable[[Any], Any], lower: Any, upper: Any) -> Any:
         """Return the root of a decreasing function, bracketed throughout."""
         return bracketed_newton(function, slope, lower, upper, tolerance=mpmath.ldexp(1, 1 - mpmath.mp.prec))

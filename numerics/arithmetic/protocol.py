@@ -75,6 +75,9 @@ class Arithmetic(Protocol):
     def cosine_deficit(self, x: Number) -> Number:
         """Return x^2/2 - 1 + cos x without cancellation."""
 
+    def lag(self, x: Number) -> Number:
+        """Return sin x - x cos x without cancellation."""
+
     def root(
         self,
         function: Callable[[Number], Number],
