@@ -77,13 +77,13 @@ def energy_at(
     rate_squared = scene.pair.a2 / scene.pair.mass * at * at
     size = max(0, math.ceil((rate_squared.numerator.bit_length() - rate_squared.denominator.bit_length()) * 0.1506))
     working = digits + size + _SPARE_DIGITS
+    undecided: EventUndecided | None = None
     while working <= max_digits:
-        undecided: EventUndecided | None = None
         try:
             found = _attempt(scene, at, working, working - size, max_steps)
             if found.digits >= digits:
                 return found
-            working += digits - found.digits + _SPARE_DIGITS
+            undecided, working = None, working + digits - found.digits + _SPARE_DIGITS
         except EventUndecided as error:
             undecided, working = error, 2 * working
     if undecided is not None:
@@ -99,7 +99,9 @@ def _attempt(scene: Scene, at: Fraction, working: int, reach_digits: int, max_st
         if walk.road is Road.ABEL:
             walk.jump()
         state = walk.motion.state(walk.target - walk.start)
-        energy, w = walk.frame.critical_energy * (1 + state.w), state.w
+        w = state.w
+        # viscosity takes E to 0, where 1 + w would cancel; without it w is the accurate one
+        energy = walk.frame.energy(state) if scene.pair.a1 > 0 else walk.frame.critical_energy * (1 + w)
         right = min(digits_within(energy.rad(), energy, walk.frame.critical_energy), digits_within(w.rad(), w, arb(1)))
     return EnergyAt(
         scene, at, walk.frame, energy, w, walk.excursions, walk.motion.mode, state, walk.road, walk.stepped, right

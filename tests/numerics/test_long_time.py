@@ -1,0 +1,129 @@
+"""The Abel functions of the return map, and the energy at times that nobody could step to."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from itertools import islice
+
+import pytest
+from flint import arb, fmpq
+from hypothesis import given
+from hypothesis import strategies as st
+
+from numerics.__main__ import main
+from numerics.abel import AbelFunctions
+from numerics.arithmetic.ball import Ball
+from numerics.errors import InvalidScene, OutOfRange, PrecisionExhausted
+from numerics.excursion_map import excursions
+from numerics.long_time import Road, energy_at
+from numerics.modes import EventKind
+from numerics.scaling import Frame
+from numerics.scene import Pair, Scene, State
+from numerics.scene_file import load_scene
+from numerics.solve import solve
+
+SHARES = [Fraction(1, 2), Fraction(1, 100), Fraction(99, 100), Fraction(1, 10**6)]
+
+
+@pytest.mark.parametrize("share", SHARES)
+def test_iteration_is_addition(share):
+    """alpha grows by 1 and beta by the time of the cycle, to 30 digits, along a run that never uses them."""
+    abel, arithmetic = AbelFunctions(share), Ball(60)
+    with arithmetic.context():
+        frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
+        # keep away from the light driver's narrow neighbourhood of the critical orbit
+        y = min(Fraction(1, 1000), share / 100)
+        run = list(islice(excursions(frame, arithmetic.number(y * share)), 60))
+        first, last = run[0].w / frame.q, run[-1].w / frame.q
+        time = sum((one.slip + one.stick for one in run[:-1]), arb(0))
+        assert abs(abel.alpha(last) - abel.alpha(first) - 59) < arb(10) ** -30
+        assert abs(abel.beta(last) - abel.beta(first) - time) < arb(10) ** -30
+        assert abel.alpha_inverse(abel.alpha(first) + 59, first).overlaps(last)
+
+
+def test_a_wrong_coefficient_is_seen():
+    """A planted fault in one coefficient moves the enclosure off the true value."""
+    abel = AbelFunctions(Fraction(1, 2))
+    with Ball(60).context():
+        before = abel.alpha(arb(fmpq(1, 1000)))
+    abel.alpha_coefficients[0] += fmpq(1, 1000)
+    with Ball(60).context():
+        assert not abel.alpha(arb(fmpq(1, 1000))).overlaps(before)
+
+
+def test_beyond_the_certified_disc_nothing_is_answered():
+    with Ball(30).context(), pytest.raises(ArithmeticError, match="beyond the certified"):
+        AbelFunctions(Fraction(1, 2)).alpha(arb(1))
+
+
+@pytest.mark.parametrize("name", ["figure-3a", "figure-3b", "figure-4a", "figure-5a", "figure-3b-literal"])
+@pytest.mark.parametrize("until", [3, 50, 400])
+def test_agrees_with_stepping(name, until):
+    scene = load_scene(name)
+    jumped = energy_at(scene, until, digits=30)
+    stepped = solve(Scene(scene.pair, scene.initial, until=until, law=scene.law), digits=30)
+    with jumped.frame.arithmetic.context():
+        assert jumped.energy_excess.overlaps(stepped.final.w)
+        assert jumped.energy.overlaps(stepped.frame.energy(stepped.final))
+    assert jumped.excursions == stepped.event_kinds.count(EventKind.EXIT)
+    assert jumped.mode is stepped.modes[-1]
+
+
+def test_a_jump_lands_where_stepping_does():
+    scene = load_scene("figure-3b")
+    jumped = energy_at(scene, 700, digits=25)
+    stepped = solve(Scene(scene.pair, scene.initial, until=700), digits=25)
+    assert jumped.road is Road.ABEL
+    assert jumped.stepped < len(stepped.events) / 10
+    with jumped.frame.arithmetic.context():
+        for ours, theirs in zip(jumped.state[:3], stepped.final[:3], strict=True):
+            assert ours.overlaps(theirs)
+
+
+@given(
+    share=st.fractions(Fraction(1, 5), Fraction(4, 5), max_denominator=50),
+    exponent=st.integers(6, 100),
+    speed=st.fractions(Fraction(1, 100), Fraction(1, 5), max_denominator=100),
+)
+def test_late_energy_follows_the_sharp_law(share, exponent, speed):
+    """tau w is within 1 % of 4 pi q/(9 r) at late times, whatever the start, unless the pair has merged."""
+    scene = Scene(Pair(m1=share, m2=1 - share, a2=1, b=1), State(v1=3 * speed + 2), until=1)
+    found = energy_at(scene, Fraction(10) ** exponent, digits=15)
+    with found.frame.arithmetic.context():
+        if found.energy_excess < 0:
+            assert found.road is Road.NO_MORE_SLIP
+        else:
+            tau = found.frame.rate * found.frame.arithmetic.number(Fraction(10) ** exponent)
+            ratio = tau * found.energy_excess * 9 * found.frame.r / (4 * arb.pi() * found.frame.q)
+            assert abs(ratio - 1) < arb(fmpq(1, 100))
+
+
+def test_viscous_scenes_and_merged_ones_take_the_short_road():
+    pair = Pair(m1=1, m2=1, a1=5, a2=200, b="0.05")
+    found = energy_at(Scene(pair, State(v1="0.15"), until=1), 100, digits=20)
+    assert found.road is Road.NO_MORE_SLIP
+    with found.frame.arithmetic.context():
+        assert found.energy > 0
+    assert energy_at(load_scene("figure-5a"), "1e100").road is Road.NO_MORE_SLIP
+
+
+def test_refusals_name_what_to_do():
+    scene = load_scene("figure-3b")
+    with pytest.raises(InvalidScene, match="must be > 0"):
+        energy_at(scene, 0)
+    with pytest.raises(OutOfRange, match="max-steps"):
+        energy_at(scene, 5, max_steps=3)
+    with pytest.raises(PrecisionExhausted, match="working digits"):
+        energy_at(scene, "1e100", max_digits=50)
+
+
+def test_command_line(capsys):
+    assert main(["energy", "figure-3b", "--at", "1e100", "--digits", "20", "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert record["energy_excess"].startswith("1.396263401595463661")
+    assert len(record["excursions"]) == 101
+    assert main(["energy", "figure-3b", "--at", "1e4", "--explain"]) == 0
+    assert "Abel functions" in capsys.readouterr().out
+    assert main(["energy", "figure-3b", "--at", "inf"]) == 2
+    assert capsys.readouterr().err.count("\n") == 1
