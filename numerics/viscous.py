@@ -113,7 +113,8 @@ class ViscousStick:
         arithmetic, two_zeta = self.frame.arithmetic, self.frame.two_zeta
         load = self.start.X + two_zeta * self.start.V1
         rate = arithmetic.number(0) if self.level else self.start.V1 - two_zeta * load
-        turning = self.oscillator.first_zero(rate, -(two_zeta * rate + load))
+        # P = -X'', so the load turns where the third derivative of X vanishes
+        turning = self.oscillator.first_jerk_zero(self.start.X, self.start.V1, level=self.level)
         if turning is None:
             return None
         extremum, _ = self.oscillator.propagate(load, rate, turning)

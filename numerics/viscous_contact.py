@@ -123,9 +123,7 @@ def _turning_points(guard: Guard) -> Iterator[Number]:
     """Yield the zeros of f'' in order, up to and then including a time at which f < 0 is certain."""
     arithmetic, oscillator = guard.arithmetic, guard.oscillator
     last = guard.speed_bound(arithmetic.number(0)) - guard.c + 1  # f <= |y'| - c - tau
-    jerk = arithmetic.number(0) if guard.level else guard.curvature(arithmetic.number(0))
-    snap = guard.acceleration(guard.acceleration(guard.y, guard.v), jerk)
-    point = oscillator.first_zero(jerk, snap)
+    point = oscillator.first_jerk_zero(guard.y, guard.v, level=guard.level)
     step = arithmetic.pi() / oscillator.frequency if oscillator.regime > 0 else None
     count = 0
     while point is not None and arithmetic.to_float(last - point) > 0:
