@@ -46,13 +46,12 @@ def contact(arithmetic: Arithmetic, gap: Number, push: Number) -> Contact:
 
 def rise(arithmetic: Arithmetic, theta: Number) -> Number:
     """Return h(theta) = (theta - sin theta)/(1 - cos theta), the push with which a slip of this angle leaves a ray."""
-    return arithmetic.sine_deficit(theta) / arithmetic.versine(theta)
+    return arithmetic.rise(theta)
 
 
 def depth(arithmetic: Arithmetic, theta: Number) -> Number:
-    """Return c(theta) = 2 - theta cot(theta/2) as 2 (sin - x cos)/sin at x = theta/2, for 0 < theta < 2 pi."""
-    _, sine = arithmetic.cos_sin(theta / 2)
-    return 2 * arithmetic.lag(theta / 2) / sine
+    """Return c(theta) = 2 - theta cot(theta/2) for 0 < theta < 2 pi: how far inside the edge that slip ends, over q."""
+    return arithmetic.depth(theta)
 
 
 def early_bracket(arithmetic: Arithmetic, gap: Number, push: Number) -> tuple[Number, Number]:

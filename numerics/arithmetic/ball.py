@@ -106,6 +106,14 @@ class Ball:
         """Return an enclosure of sin x - x cos x that is tight relative to its value (mean value form)."""
         return _mean_value(x, lambda p: p.sin() - p * p.cos(), lambda p: p * p.sin(), cancelled=2)
 
+    def rise(self, x: arb) -> arb:
+        """Return an enclosure of (x - sin x)/(1 - cos x)."""
+        return self.sine_deficit(x) / self.versine(x)
+
+    def depth(self, x: arb) -> arb:
+        """Return an enclosure of 2 - x cot(x/2) as 2 (sin - y cos)/sin at y = x/2."""
+        return 2 * self.lag(x / 2) / (x / 2).sin()
+
     def root(self, function: Callable[[arb], arb], slope: Callable[[arb], arb], lower: arb, upper: arb) -> arb:
         """Return an enclosure of the root, proved to exist and to be the only one between lower and upper.
 

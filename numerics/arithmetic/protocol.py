@@ -76,7 +76,13 @@ class Arithmetic(Protocol):
         """Return x^2/2 - 1 + cos x without cancellation."""
 
     def lag(self, x: Number) -> Number:
-        """Return sin x - x cos x without cancellation."""
+        """Return sin x - x cos x without cancellation, for |x| <= pi."""
+
+    def rise(self, x: Number) -> Number:
+        """Return h(x) = (x - sin x)/(1 - cos x) for 0 < x < 2 pi, without cancellation."""
+
+    def depth(self, x: Number) -> Number:
+        """Return c(x) = 2 - x cot(x/2) for 0 < x < 2 pi, without cancellation; c' = h."""
 
     def root(
         self,
