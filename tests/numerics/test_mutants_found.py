@@ -1,0 +1,34 @@
+"""Faults of one token that the other tests let pass when they were planted: each test here sees one of them."""
+
+from fractions import Fraction
+
+import pytest
+
+from numerics import viscous_contact
+from numerics.errors import OutOfRange
+from numerics.scene import Pair, Scene, State
+from numerics.solve import solve
+
+UNEVEN = {"m1": 3, "m2": Fraction(1, 2), "a2": 40, "b": Fraction(1, 5)}  # q and r far from each other
+
+
+@pytest.mark.parametrize("a1", ["0", "0.3", "21.9", "60"])
+def test_the_energy_ledger_closes_for_uneven_masses(a1):
+    scene = Scene(Pair(a1=a1, **UNEVEN), State(x1="0.3", v1="-0.2", v2="0.4"), until=8)
+    floats, balls = solve(scene).ledger, solve(scene, digits=20).ledger
+    assert abs(floats.residual) < 1e-12 * floats.initial
+    assert balls.residual.contains(0)
+    assert balls.residual.rad() < 1e-15
+    assert floats.friction > 0
+    assert (floats.viscous > 0) == (a1 != "0")
+    for one, two in ((floats.friction, balls.friction), (floats.viscous, balls.viscous)):
+        assert abs(one - float(two.mid())) <= 1e-12 * floats.initial
+
+
+def test_a_slip_of_too_many_pieces_is_refused(monkeypatch):
+    """m1 = m2, Omega = L = 1: body 2 starts at 20 L Omega, a handful of half oscillations before the contact."""
+    scene = Scene(Pair(m1=1, m2=1, a1="0.01", a2=2, b=1), State(x1="0.5", v2=-20), until=30)
+    assert solve(scene).events
+    monkeypatch.setattr(viscous_contact, "MAX_PIECES", 3)
+    with pytest.raises(OutOfRange, match="half oscillations"):
+        solve(scene)
