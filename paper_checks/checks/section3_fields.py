@@ -82,6 +82,7 @@ def filippov_equivalence(context: Context) -> Finding:
         prove("$|x_1|<L$ implies adhesion, $|\\ddot x_1|<b/m_2$", [inside], adhesion).as_correction(),
         *(_leaves_surface(one, context).as_correction() for one in spurious),
         solutions.spurious_branches_leave().as_correction(),
+        solutions.edge_is_isolated().as_correction(),
         identity(
             "with sgn(0) = 0 in (e1)–(e3), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",
             literal[1] - literal[2],

@@ -10,10 +10,12 @@ from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conc
 from paper_checks.exact import identity
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
+from paper_checks.steps import capture
 from paper_checks.steps.excursions import (
     angle_of_excursion,
     enclosed_creep,
     enclosed_rate,
+    heads_for_the_other_ray,
     never_merges,
     no_merging_at_any_energy,
 )
@@ -48,6 +50,7 @@ def stick_durations(context: Context) -> Finding:
         EVENTUALLY + " The stick time is that of a rotation from a point near one end point to the other.",
         *angle_of_excursion(),
         *never_merges(),
+        heads_for_the_other_ray(),
         identity(
             r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a}$",
             critical_limits().stick_duration,
@@ -137,6 +140,7 @@ def no_merging_near_critical(context: Context) -> Finding:  # noqa: ARG001
         "$q=m_1/(m_1+m_2)$, the excursion ends inside $S_0$ with $0<w'<w$, and so do all that follow: the energy never reaches "
         '$E_{cr}$, so by the dichotomy the trajectory tends to the critical orbit without merging. "Slightly" may thus be '
         "read as this explicit level; for $m_2\\leqslant m_1$ an excursion that re-enters $S_0$ never merges at any energy.",
+        *capture.leaves_above_critical(),
         *angle_of_excursion(),
         *never_merges(),
         no_merging_at_any_energy(),

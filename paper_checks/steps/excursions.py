@@ -96,6 +96,17 @@ def never_merges() -> tuple[Evidence, ...]:
     )
 
 
+@cache
+def heads_for_the_other_ray() -> Evidence:
+    """At re-entry V < 0 after an excursion from l_+: the stick that follows ends on l_-, near half a turn on."""
+    inward = (sp.sin(theta) - theta * sp.cos(theta)) / (1 - sp.cos(theta))
+    return vanishes(
+        r"at re-entry $-V=\sqrt q\,\frac{\sin\theta-\theta\cos\theta}{1-\cos\theta}>0$ for $\theta<\pi$: the pair moves away "
+        "from the ray that it left, to the other one",
+        excursion().velocity / sp.sqrt(q) + inward,
+    )
+
+
 def no_merging_at_any_energy() -> Evidence:
     """For m2 <= m1 the factor 1 - r (1 - cos theta) is never negative: no excursion from a ray merges by re-entry."""
     cosine, share = sp.symbols("c r", real=True)

@@ -42,6 +42,7 @@ CHECKS = {
 FIELDS = "paper_checks.checks.section3_fields."
 SURFACE = "paper_checks.checks.section3_surface."
 CAPTURE = "paper_checks.steps.capture."
+SOLUTIONS = "paper_checks.steps.solutions."
 
 
 @pytest.mark.parametrize("claim_id", CHECKS)
@@ -100,6 +101,11 @@ def not_strict(beyond):
     return lambda side, strict=True: beyond(side, strict=False)
 
 
+def squared_load(load):
+    """A load that does not obey the oscillator's equation."""
+    return lambda damped: load(damped) ** 2
+
+
 STEP_FAULTS = [
     ("viscous-no-direct-effect", FIELDS + "load_threshold", doubled),
     ("viscous-no-direct-effect", FIELDS + "stick", lambda _: lambda: section3_fields.slip(1)),
@@ -115,6 +121,8 @@ STEP_FAULTS = [
     ("filippov-equivalence", FIELDS + "sp", misread("Lt", "Le", 0)),
     ("filippov-equivalence", FIELDS + "transversality", negated),
     ("filippov-equivalence", FIELDS + "slip", other_sign),
+    ("filippov-equivalence", SOLUTIONS + "load", squared_load),
+    ("filippov-equivalence", SOLUTIONS + "b", lambda _: sp.Integer(0)),
     ("vector-fields", FIELDS + "phi", other_sign),
     ("vector-fields", FIELDS + "phi", doubled),
     ("vector-fields", FIELDS + "phi", without(b)),
