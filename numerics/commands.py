@@ -49,6 +49,8 @@ def solve_scene(options: argparse.Namespace) -> int:
         max_digits=options.max_digits,
         progress=_progress if sys.stderr.isatty() else None,
     )
+    if options.explain:
+        print(explanation(trajectory), file=sys.stderr)
     if options.json:
         print(json.dumps(export.as_record(trajectory), indent=1))
     elif options.csv:
@@ -85,6 +87,22 @@ def _print_table(trajectory: Trajectory) -> None:
     for name, unit in (("x1", "m"), ("v1", "m/s"), ("x2", "m"), ("v2", "m/s"), ("energy", "J"), ("energy_excess", "")):
         console.print(f"  {name.replace('_', ' ')} = {final[name]} {unit}".rstrip())
     console.print(f"{record['arithmetic']}, {record['digits']} digits")
+
+
+def explanation(trajectory: Trajectory) -> str:
+    """Return which road a solve took: arithmetic, working digits, events located, and why no more were needed."""
+    from numerics.modes import Mode
+    from numerics.trajectory import Status
+
+    located = len(trajectory.events)
+    arithmetic = trajectory.arithmetic
+    if not located and trajectory.modes == (Mode.STICK,):
+        why = "the pair never slips: one rotation, whatever the horizon"
+    elif trajectory.status is Status.STUCK_FOR_EVER:
+        why = f"after {located} events the pair sticks for ever: a later horizon costs nothing more"
+    else:
+        why = f"{located} events located one by one, as all of them were asked for (`energy` jumps over them)"
+    return f"{arithmetic.name} with {arithmetic.digits} working digits; {why}"
 
 
 def tell_energy(options: argparse.Namespace) -> int:
