@@ -10,7 +10,7 @@ from mpmath import mpf
 
 from numerics.scene import Law, Scene
 
-DIGITS = 120
+DIGITS = 100
 POINTS_PER_RADIAN = 12
 
 
