@@ -76,7 +76,12 @@ class Oscillator:
         reach = lean + n * y
         if decide_sign(arithmetic, -side * reach, "does the overdamped motion pass zero?") <= 0:
             return None
-        return arithmetic.log((lean - n * y) / reach) / (2 * n)
+        return self._log_quotient(reach, lean - n * y, -2 * n * y) / (2 * n)
+
+    def _log_quotient(self, base: Number, other: Number, excess: Number) -> Number:
+        """Return log(other/base), other = base + excess; next to critical damping the quotient would round to 1."""
+        arithmetic, ratio = self.arithmetic, excess / base
+        return arithmetic.log1p(ratio) if abs(arithmetic.to_float(ratio)) < 0.5 else arithmetic.log(other / base)
 
     def first_jerk_zero(self, y: Number, v: Number, *, level: bool) -> Number | None:
         """Return the first t > 0 with third derivative 0, None if there is none; `level`: it is 0 exactly at t = 0.
@@ -96,7 +101,8 @@ class Oscillator:
         signs = [decide_sign(arithmetic, part, "has the overdamped motion a slow and a fast part?") for part in parts]
         if signs[0] * signs[1] <= 0:
             return None
-        t = (3 * arithmetic.log(fast / slow) + arithmetic.log(parts[1] / parts[0])) / (2 * self.frequency)
+        twice = 2 * self.frequency
+        t = (3 * self._log_quotient(slow, fast, twice) + self._log_quotient(parts[0], parts[1], -twice * y)) / twice
         return t if decide_sign(arithmetic, t, "does the overdamped motion turn after its start?") > 0 else None
 
     def integral_of_square(self, y: Number, v: Number, t: Number) -> Number:

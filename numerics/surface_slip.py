@@ -61,13 +61,13 @@ def early_bracket(arithmetic: Arithmetic, gap: Number, push: Number) -> tuple[Nu
     positive roots of theta^2/2 - (u - 2 d/pi) theta - 2 d and of theta^2/3 - u theta - 2 d; both are widened by 1/16,
     as they touch the root for small angles. Beyond pi the root cannot lie: h(3.3) > 1 >= u and cot < 0 there.
     """
-    low = _positive_root(arithmetic, push - 2 * gap / arithmetic.pi(), 4 * gap)
-    high = 3 * _positive_root(arithmetic, push, 8 * gap / 3) / 2
+    low = positive_root(arithmetic, push - 2 * gap / arithmetic.pi(), 4 * gap)
+    high = 3 * positive_root(arithmetic, push, 8 * gap / 3) / 2
     high = 33 * arithmetic.pi() / 32 if arithmetic.to_float(high) > 3 else 17 * high / 16
     return 15 * low / 16, high
 
 
-def _positive_root(arithmetic: Arithmetic, b: Number, c: Number) -> Number:
+def positive_root(arithmetic: Arithmetic, b: Number, c: Number) -> Number:
     """Return b + sqrt(b^2 + c), c >= 0, without cancellation."""
     root = arithmetic.sqrt(b * b + c)
     return b + root if arithmetic.to_float(b) >= 0 else c / (root - b)

@@ -76,6 +76,10 @@ class Ball:
         """Return an enclosure of the natural logarithm."""
         return x.log()
 
+    def log1p(self, x: arb) -> arb:
+        """Return an enclosure of the natural logarithm of 1 + x."""
+        return x.log1p()
+
     def cos_sin(self, x: arb) -> tuple[arb, arb]:
         """Return enclosures of (cos x, sin x)."""
         sine, cosine = x.sin_cos()

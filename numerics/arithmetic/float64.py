@@ -87,6 +87,10 @@ class Float64:
         """Return the natural logarithm."""
         return math.log(x)
 
+    def log1p(self, x: float) -> float:
+        """Return the natural logarithm of 1 + x."""
+        return math.log1p(x)
+
     def cos_sin(self, x: float) -> tuple[float, float]:
         """Return (cos x, sin x)."""
         return math.cos(x), math.sin(x)

@@ -54,6 +54,10 @@ class Multiprecision:
         """Return the natural logarithm."""
         return mpmath.log(x)
 
+    def log1p(self, x: Any) -> Any:
+        """Return the natural logarithm of 1 + x."""
+        return mpmath.log1p(x)
+
     def cos_sin(self, x: Any) -> tuple[Any, Any]:
         """Return (cos x, sin x)."""
         return mpmath.cos_sin(x)

@@ -57,6 +57,9 @@ class Arithmetic(Protocol):
     def log(self, x: Number) -> Number:
         """Return the natural logarithm of x > 0."""
 
+    def log1p(self, x: Number) -> Number:
+        """Return the natural logarithm of 1 + x > 0 without cancellation."""
+
     def cos_sin(self, x: Number) -> tuple[Number, Number]:
         """Return (cos x, sin x)."""
 
