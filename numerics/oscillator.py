@@ -97,13 +97,17 @@ class Oscillator:
         if level:
             return None
         slow, fast = self.slow_rate, self.decay + self.frequency
-        parts = v + fast * y, v + slow * y  # of the slow and of the fast exponential, up to one factor
-        signs = [decide_sign(arithmetic, part, "has the overdamped motion a slow and a fast part?") for part in parts]
-        if signs[0] * signs[1] <= 0:
+        ratio = fast / slow
+        slow_part, fast_part = v + fast * y, v + slow * y  # up to one factor
+        side = decide_sign(arithmetic, slow_part, "has the overdamped motion a slow part?")
+        # a fast part that has died away has no sign, but it is proved to be too small
+        excess = side * (ratio * ratio * ratio * fast_part - slow_part)
+        if not side or decide_sign(arithmetic, excess, "does the overdamped motion turn after its start?") <= 0:
             return None
         twice = 2 * self.frequency
-        t = (3 * self._log_quotient(slow, fast, twice) + self._log_quotient(parts[0], parts[1], -twice * y)) / twice
-        return t if decide_sign(arithmetic, t, "does the overdamped motion turn after its start?") > 0 else None
+        return (
+            3 * self._log_quotient(slow, fast, twice) + self._log_quotient(slow_part, fast_part, -twice * y)
+        ) / twice
 
     def integral_of_square(self, y: Number, v: Number, t: Number) -> Number:
         """Return the integral of y(s)^2 over 0 <= s <= t for the solution from (y, v).

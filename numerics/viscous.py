@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import cached_property
 
-from numerics.arithmetic.protocol import Number, decide_sign
+from numerics.arithmetic.protocol import Number, Sign, decide_sign
 from numerics.modes import Mode, mode_after_contact, slip_mode
 from numerics.motion import Motion
 from numerics.oscillator import Oscillator
@@ -113,6 +113,8 @@ class ViscousStick:
         arithmetic, two_zeta = self.frame.arithmetic, self.frame.two_zeta
         load = self.start.X + two_zeta * self.start.V1
         rate = arithmetic.number(0) if self.level else self.start.V1 - two_zeta * load
+        if arithmetic.sign(1 - load * load - rate * rate) is Sign.POSITIVE:
+            return None  # P^2 + P'^2 never grows
         # P = -X'', so the load turns where the third derivative of X vanishes
         turning = self.oscillator.first_jerk_zero(self.start.X, self.start.V1, level=self.level)
         if turning is None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from numerics.arithmetic.protocol import Arithmetic, Number, decide_sign
+from numerics.arithmetic.protocol import Arithmetic, Number, Sign, decide_sign
 from numerics.errors import OutOfRange
 from numerics.oscillator import Oscillator
 
@@ -60,6 +60,12 @@ class Guard:
         y, v = self.oscillator.propagate(self.y, self.v, tau)
         return self.arithmetic.sqrt(v * v + self.oscillator.stiffness * y * y)
 
+    def falls_for_ever(self) -> bool:
+        """Return whether f' < 0 is proved from the start on: an oscillation died away has no signs left to decide."""
+        arithmetic, oscillator = self.arithmetic, self.oscillator
+        steepest = 2 * oscillator.decay + arithmetic.sqrt(oscillator.stiffness)
+        return arithmetic.sign(1 - steepest * self.speed_bound(arithmetic.number(0))) is Sign.POSITIVE
+
 
 def first_contact(guard: Guard, *, rising: bool) -> Number:
     """Return the first root of the guard after the start, where f > 0, or f = 0 and it is `rising`.
@@ -93,6 +99,8 @@ def _certain_wait(guard: Guard) -> Number | None:
 def _first_fall(guard: Guard, *, rising: bool) -> Number:
     """Return the first root by visiting the pieces on which f' is monotone."""
     left, trend = guard.arithmetic.number(0), 1 if rising else -1
+    if not rising and guard.falls_for_ever():
+        return guard.arithmetic.root(guard.value, guard.slope, left, _certainly_negative(guard))
     for right in _turning_points(guard):
         trend_right = decide_sign(guard.arithmetic, guard.slope(right), "is the guard rising at its inflection?") or 1
         fall = _falling_part(guard, left, trend, right, trend_right)
@@ -119,10 +127,15 @@ def _times(factor: int, function: Callable[[Number], Number]) -> Callable[[Numbe
     return lambda tau: factor * function(tau)
 
 
+def _certainly_negative(guard: Guard) -> Number:
+    """Return a time from which f < 0 is certain: f <= |y'| - c - tau."""
+    return guard.speed_bound(guard.arithmetic.number(0)) - guard.c + 1
+
+
 def _turning_points(guard: Guard) -> Iterator[Number]:
     """Yield the zeros of f'' in order, up to and then including a time at which f < 0 is certain."""
     arithmetic, oscillator = guard.arithmetic, guard.oscillator
-    last = guard.speed_bound(arithmetic.number(0)) - guard.c + 1  # f <= |y'| - c - tau
+    last = _certainly_negative(guard)
     point = oscillator.first_jerk_zero(guard.y, guard.v, level=guard.level)
     step = arithmetic.pi() / oscillator.frequency if oscillator.regime > 0 else None
     count = 0

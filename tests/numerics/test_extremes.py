@@ -178,3 +178,11 @@ def grazing_scene(digits: int) -> Scene:
     # x1 = -r = -1/2 gives d = -1; v1 = -sqrt(1/2) 2 is irrational, so masses are chosen with q = 1/4 instead
     pair = Pair(m1=1, m2=3, a2=4, b=3)  # M = 4, L = 1, Omega = 1, q = 1/4, sqrt q = 1/2
     return Scene(pair, State(x1=Fraction(-3, 4), v1=-1, v2=-1 - guard / 2), until=20)
+
+
+def test_a_damped_motion_that_has_died_away_decides_nothing_by_its_signs():
+    # after a long overdamped slip body 1 rests in its equilibrium to 20 000 digits; the load on a stuck pair likewise
+    pair = Pair(m1="6.05", m2="5.889", a2=57867, b="6.896", a1=1662)
+    run = solve(Scene(pair, State(x1="-0.000947", v1="0.0037", v2=-1282), until=3000), digits=15, max_events=4)
+    assert run.status is Status.STUCK_FOR_EVER
+    assert run.event_kinds[-1] is EventKind.ENTRY

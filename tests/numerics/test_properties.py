@@ -60,9 +60,10 @@ def test_energy_never_grows_and_the_ledger_closes_in_balls(scene):
 def test_the_ledger_closes_to_rounding_in_float64(scene):
     run = solved(scene)
     ledger = run.ledger
-    assert abs(ledger.residual) <= 1e-9 * ledger.initial
-    assert ledger.friction >= 0
-    assert ledger.viscous >= -1e-12 * ledger.initial
+    scale = ledger.initial + float(scene.pair.critical_energy)  # far below E_cr positions carry the rounding of L
+    assert abs(ledger.residual) <= 1e-9 * scale
+    assert ledger.friction >= -1e-12 * scale
+    assert ledger.viscous >= -1e-12 * scale
 
 
 @given(scenes(periods=(5, 40), size=(-1, 1)))
