@@ -10,7 +10,7 @@ from mpmath import mpf
 
 from numerics.scene import Law, Scene
 
-DIGITS = 100
+DIGITS = 90
 POINTS_PER_RADIAN = 12
 
 
@@ -169,7 +169,7 @@ class BruteForce:
                     return self.bisect(lambda u: held - abs(load(u)), start, extremum)
                 start, sign = extremum, -sign
             previous = t
-        return None
+        return self.bisect(lambda u: held - abs(load(u)), start, end) if abs(load(end)) > held else None
 
     def state(self, line, sign, gain, x, x2, v2, t):
         x_end, v_end = line.position(t), line.speed(t)
