@@ -1,0 +1,171 @@
+"""The scenes of tests/extremes in every arithmetic: right to the digits claimed, or refused as the catalogue says."""
+
+import json
+from decimal import Decimal, localcontext
+from fractions import Fraction
+from time import perf_counter
+
+import pytest
+from extremes.regenerate import ANSWERS, HERE, answer, catalogue, scene
+
+from numerics.errors import EventUndecided, NumericsError
+from numerics.export import as_record
+from numerics.long_time import energy_at
+from numerics.modes import mode_at_start
+from numerics.solve import solve
+
+CATALOGUE = catalogue()
+ANSWER = json.loads(ANSWERS.read_text("utf-8"))
+WAYS = {"ball": {"digits": 50}, "mpmath": {"arithmetic": "mpmath", "digits": 50}, "float64": {"arithmetic": "float64"}}
+NAMES = ("t", "x1", "v1", "x2", "v2", "energy", "energy_excess")
+SECONDS = 10  # a slow machine's allowance: each takes well under one second
+
+
+def solved(name, way):
+    entry = CATALOGUE[name]
+    caps = {"max_events": entry.get("max_events", 12)}
+    if way == "ball" and "max_digits" in entry:
+        caps["max_digits"] = entry["max_digits"]
+    return as_record(solve(scene(name), **WAYS[way], **caps))
+
+
+def rows(record):
+    return [[row[name] for name in NAMES if name in row] for row in (*record["events"], record["final"])]
+
+
+def radii(record):
+    return [[row[f"{name}_radius"] for name in NAMES if name in row] for row in (*record["events"], record["final"])]
+
+
+def modes(record):
+    """The itinerary, with the mode that a last event leads to even if the cap on events stopped it there."""
+    last = record["events"][-1]["to"] if record["events"] else record["final"]["mode"]
+    return [row["from"] for row in record["events"]] + [last]
+
+
+def scales(pair):
+    """Units of t, x1, v1, x2, v2, energy and excess: a number below 10^(-4 n) of its unit counts as 0 to n digits."""
+    width, rate_squared, energy = (
+        Decimal(one.numerator) / Decimal(one.denominator)
+        for one in (pair.half_width, pair.a2 / pair.mass, pair.critical_energy)
+    )
+    speed = width * rate_squared.sqrt()
+    return Decimal(0), width, speed, width, speed, energy, Decimal(1)
+
+
+def require_right(record, truth, pair):
+    """Balls contain the 60 digits of the reference and agree in 50; the others are right up to their last digit."""
+    assert modes(record) == truth["modes"]
+    truths = [*truth["events"], truth["final"]]
+    with localcontext() as context:
+        context.prec, context.Emin, context.Emax = 120, -(10**6), 10**6
+        if record["arithmetic"] == "ball":
+            units = scales(pair)
+            for row, radius, exact in zip(rows(record), radii(record), truths, strict=True):
+                numbers = ([Decimal(value) for value in values] for values in (row, radius, exact))
+                for one, r, two, unit in zip(*numbers, units[: len(row)], strict=True):
+                    assert abs(one - two) <= r + abs(two) * Decimal("1e-59"), (one, two)
+                    assert abs(one - two) <= abs(two) * Decimal("1e-50") or abs(one) < unit * Decimal("1e-200")
+            return
+        for row, exact in zip(rows(record), truths, strict=True):
+            for one, two in zip(map(Decimal, row), map(Decimal, exact), strict=True):
+                # rounded where the error begins: the last digit may be off by one, and the rounding adds a half
+                unit = Decimal((0, (1,), one.as_tuple().exponent))
+                assert abs(one - two) <= unit * Decimal("1.5") + abs(two) * Decimal("1e-59"), (one, two)
+
+
+def test_every_scene_has_an_entry_and_an_answer():
+    files = {path.stem for path in (HERE / "scenes").glob("*.toml")}
+    assert files == set(CATALOGUE) == set(ANSWER)
+    assert all((HERE / "scenes" / f"{name}.toml").read_text("utf-8").startswith("# ") for name in files)
+
+
+def outcome(name, way):
+    """The record, or the typed error."""
+    try:
+        return solved(name, way)
+    except NumericsError as error:
+        return error
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("name", CATALOGUE)
+def test_right_to_the_digits_claimed_or_refused(name, way):
+    refusal, began = CATALOGUE[name].get(way, "right"), perf_counter()
+    found = outcome(name, way)
+    assert perf_counter() - began < SECONDS
+    if isinstance(found, NumericsError):
+        assert type(found).__name__ in refusal.split(" or ")
+        assert str(found).isprintable()
+        assert "ball" in str(found) or "raise the precision" in str(found)
+    else:
+        assert "right" in refusal.split(" or ")
+        require_right(found, ANSWER[name], scene(name).pair)
+
+
+@pytest.mark.parametrize("name", [name for name, entry in CATALOGUE.items() if "late" in entry])
+def test_the_energy_at_the_horizon_without_stepping_there(name):
+    one, late, began = scene(name), ANSWER[name]["late"], perf_counter()
+    found = energy_at(one, one.until, digits=late["digits"])
+    with found.frame.arithmetic.context():
+        text = found.energy_excess.mid().str(60, radius=False)
+    with localcontext() as context:
+        context.prec = 80
+        truth = Decimal(late["energy_excess"])
+        assert abs(Decimal(str(text)) - truth) <= truth * Decimal(10) ** -late["digits"]
+    assert str(found.excursions) == late.get("excursions", str(found.excursions))
+    assert found.excursions > 10**6
+    assert perf_counter() - began < SECONDS
+
+
+def test_an_undecided_graze_shows_the_enclosure():
+    with pytest.raises(EventUndecided, match="graze") as caught:
+        solved("graze-to-900-digits", "ball")
+    assert "+/-" in caught.value.enclosure
+    assert caught.value.digits <= 500
+    # with the digits that it asks for it is decided
+    require_right(
+        as_record(solve(scene("graze-to-900-digits"), digits=50)),
+        ANSWER["graze-to-900-digits"],
+        scene("graze-to-900-digits").pair,
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "excess"),
+    [
+        *((name, 0) for name in CATALOGUE if name.startswith(("critical-energy-a", "critical-energy-m", "corner"))),
+        ("edge-as-decimal-text", 0),
+        ("edge-one-decimal-unit-within", (1 - Fraction(1, 10**19)) ** 2 - 1),
+        ("edge-one-decimal-unit-beyond", (1 + Fraction(1, 10**19)) ** 2 - 1),
+        *((f"excess-1e-{n}", Fraction(1, 10**n)) for n in (3, 6, 12, 30, 300)),
+        *((f"rest-beyond-edge-1e-{n}", (1 + Fraction(1, 10**n)) ** 2 - 1) for n in (6, 30, 300)),
+        ("at-rest-everywhere", -1),
+    ],
+)
+def test_the_derivations_in_the_comments_are_exact(name, excess):
+    assert scene(name).energy_excess == excess
+    assert mode_at_start(scene(name)).value == ANSWER[name]["modes"][0]
+
+
+@pytest.mark.parametrize("name", ["stick", "slip"])
+def test_critical_damping_is_exact(name):
+    pair = scene(f"damping-critical-{name}").pair
+    assert pair.a1**2 == 4 * pair.a2 * (pair.mass if name == "stick" else pair.m1)
+
+
+@pytest.mark.parametrize("name", ["corner-plus", "mass-ratio-1e-6", "capture-from-off-S", "slip-of-1e9-cycles"])
+def test_the_answers_are_what_the_command_writes(name):
+    assert answer(name, CATALOGUE[name]) == ANSWER[name]
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_wrong_digit_would_be_noticed(way):
+    pair, record = scene("excess-1e-12").pair, solved("excess-1e-12", way)
+    truth = json.loads(json.dumps(ANSWER["excess-1e-12"]))
+    require_right(record, truth, pair)
+    value = truth["events"][3][4]
+    place = {"ball": 48, "mpmath": 45, "float64": 10}[way] + value.index(".")
+    truth["events"][3][4] = value[:place] + str((int(value[place]) + 5) % 10) + value[place + 1 :]
+    with pytest.raises(AssertionError):
+        require_right(record, truth, pair)
