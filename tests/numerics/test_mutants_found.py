@@ -32,3 +32,17 @@ def test_a_slip_of_too_many_pieces_is_refused(monkeypatch):
     monkeypatch.setattr(viscous_contact, "MAX_PIECES", 3)
     with pytest.raises(OutOfRange, match="half oscillations"):
         solve(scene)
+
+
+def test_a_slip_of_more_oscillations_than_may_be_inspected_is_solved():
+    """Ten million half periods: all but the last few are certain to have no contact, and are skipped."""
+    scene = Scene(Pair(m1=1, m2=1, a1="0.01", a2=2, b=1), State(x1="0.5", v2=-(10**7)), until=2 * 10**7)
+    floats, balls = solve(scene, max_events=1), solve(scene, digits=20, max_events=1)
+    assert len(floats.events) == 1
+    assert abs(floats.events[0].t - float(balls.events[0].t.mid())) < 1e-9 * floats.events[0].t
+
+
+@pytest.mark.parametrize("digits", [50, 300])
+def test_numbers_that_are_exact_have_as_many_digits_as_are_asked_for(digits):
+    at_rest = Scene(Pair(**UNEVEN), State(), until=1)
+    assert solve(at_rest, digits=digits).digits >= digits
