@@ -28,7 +28,10 @@ class Line:
 
     def __init__(self, mass, a1, a2, force, x, v):
         self.rest = -force / a2
-        root = mpmath.sqrt(mpmath.mpc(a1 * a1 - 4 * mass * a2))
+        discriminant = a1 * a1 - 4 * mass * a2
+        if abs(discriminant) < a1 * a1 * mpf(10) ** (10 - DIGITS):
+            discriminant = mpf(0)  # critical exactly, up to the rounding of the parameters
+        root = mpmath.sqrt(mpmath.mpc(discriminant))
         self.one, self.two = (-a1 + root) / (2 * mass), (-a1 - root) / (2 * mass)
         y = x - self.rest
         self.double = self.one == self.two
