@@ -33,3 +33,11 @@ class PrecisionExhausted(NumericsError):
 
 class OutOfRange(NumericsError, OverflowError):
     """A number of this scene does not fit the arithmetic; another arithmetic may hold it."""
+
+
+class InvalidMap(InvalidScene):
+    """A map that cannot be computed: its window, its depth or its checkpoint; the message says what to give instead."""
+
+
+class MissingTool(NumericsError):
+    """An optional package, or a cluster, that was asked for and is not there."""
