@@ -23,6 +23,7 @@ def parser() -> argparse.ArgumentParser:
     scenes = subcommands.add_parser("scenes", help="list the shipped scenes", allow_abbrev=False)
     scenes.set_defaults(run=commands.list_scenes)
     _add_energy(subcommands)
+    _add_map(subcommands)
     solve = subcommands.add_parser(
         "solve",
         help="solve one scene",
@@ -65,6 +66,23 @@ def _add_energy(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]
     energy.add_argument(
         "--max-digits", type=_positive, default=20_000, metavar="N", help="cap on the working digits (%(default)s)"
     )
+
+
+def _add_map(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    chart = subcommands.add_parser(
+        "map", help="which mass ratios merge from which energies on S0, in proved cells", allow_abbrev=False
+    )
+    chart.set_defaults(run=commands.chart_merging)
+    chart.add_argument("--ratio", nargs=2, metavar=("A", "B"), default=["0.8", "100"], help="range of m2/m1")
+    chart.add_argument("--energy", nargs=2, metavar=("A", "B"), default=["1.01", "101"], help="range of E/E_cr")
+    chart.add_argument(
+        "--depth", type=_positive, default=10, metavar="N", help="cells down to 2^-N of each side (%(default)s)"
+    )
+    chart.add_argument("--jobs", type=_positive, default=1, metavar="N", help="processes, by joblib (%(default)s)")
+    chart.add_argument("--dask", metavar="ADDRESS", help="compute on the Dask cluster of this scheduler instead")
+    chart.add_argument("--resume", type=Path, metavar="F", help="keep finished blocks in F, and go on from there")
+    chart.add_argument("--out", type=Path, metavar="FIGURE", help="write a figure: .svg, .pdf or .png")
+    chart.add_argument("--json", action="store_true", help="print all cells as JSON")
 
 
 def _positive(text: str) -> int:

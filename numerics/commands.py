@@ -141,3 +141,44 @@ def tell_energy(options: argparse.Namespace) -> int:
     if options.explain:
         print(f"{found.road.value} ({found.stepped} events stepped)")
     return OK
+
+
+def chart_merging(options: argparse.Namespace) -> int:
+    """Compute the merging map of a window; print its summary or its cells, draw it."""
+    from numerics import map_figure, plot
+    from numerics.decimals import exact_decimal
+    from numerics.merging_map import Window, merging_cells
+
+    for path in (options.resume, options.out):
+        if path is not None and not path.parent.is_dir():
+            return refuse(f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere", USAGE)
+    if options.out is not None and options.out.suffix not in plot.FORMATS:
+        return refuse(f"--out {options.out.name}: the name must end in one of {', '.join(plot.FORMATS)}", USAGE)
+    ratio, energy = ([exact_decimal(one, name) for one in getattr(options, name)] for name in ("ratio", "energy"))
+    try:
+        found = merging_cells(
+            Window((ratio[0], ratio[1]), (energy[0], energy[1])),
+            options.depth,
+            jobs=options.jobs,
+            dask=options.dask,
+            resume=options.resume,
+            progress=_map_progress if sys.stderr.isatty() else None,
+        )
+    except KeyboardInterrupt:
+        if options.resume is None:
+            raise
+        return refuse(f"interrupted; finished blocks are in {options.resume}, the same command goes on", INTERRUPTED)
+    if options.out is not None:
+        map_figure.write_map(found, options.out)
+    if options.json:
+        print(json.dumps(found.as_record()))
+        return OK
+    for name, share in found.shares().items():
+        print(f"{name.name.lower():10}{share:8.2%} of the window (logarithmic axes)")
+    print(f"{len(found.cells)} cells, sides down to 2^-{found.depth} of the window")
+    return OK
+
+
+def _map_progress(done: int, blocks: int) -> None:
+    end = "\n" if done == blocks else ""
+    print(f"\r{done} of {blocks} blocks ", end=end, file=sys.stderr, flush=True)
