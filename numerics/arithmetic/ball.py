@@ -141,8 +141,10 @@ class Ball:
         # a root far from zero needs more: the guard varies over distances of order 1, and over its bracket
         size = _magnitude_bits(upper.mid())
         far = max(0, size, size - _magnitude_bits((upper - lower).mid()))
-        with _precision(min(self.bits, _START_BITS + far)):
-            x = _bracketed(function, slope, lower, upper, arb(2) ** (-40 - far))
+        start = min(self.bits, _START_BITS + far)
+        with _precision(start):
+            # a tolerance below the rounding of these few bits would never be met
+            x = _bracketed(function, slope, lower, upper, arb(2) ** max(-40 - far, 12 - start))
         bits = 36 + far
         while bits < self.bits:
             bits = min(2 * bits, self.bits)
