@@ -18,7 +18,7 @@ from flint import arb
 from numerics.abel import AbelFunctions
 from numerics.accuracy import digits_within
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.protocol import Number, decide_sign
+from numerics.arithmetic.protocol import Arithmetic, Number, decide_sign
 from numerics.decimals import Exact, exact_decimal
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionExhausted
 from numerics.modes import Mode
@@ -159,7 +159,7 @@ class _Walk:
         assert isinstance(motion, UndampedSlip)
         abel = _abel_functions(self.share, _order(self.digits))
         y = motion.w / self.frame.q
-        count, later, elapsed = _last_exit_before(abel, y, self.target - self.start)
+        count, later, elapsed = _last_exit_before(self.arithmetic, abel, y, self.target - self.start)
         side = motion.side if count % 2 == 0 else -motion.side
         self.start, self.excursions = self.start + elapsed, self.excursions + count
         w = later * self.frame.q
@@ -173,32 +173,31 @@ class _Walk:
             assert isinstance(self.motion, UndampedStick)
 
 
-def _last_exit_before(abel: AbelFunctions, y: Number, elapsed: Number) -> tuple[int, Number, Number]:
+def _last_exit_before(arithmetic: Ball, abel: AbelFunctions, y: Number, elapsed: Number) -> tuple[int, Number, Number]:
     """Return (n, y_n, reduced time of n cycles) for the largest n whose time is at most `elapsed`; all proved."""
     alpha, beta = abel.alpha(y), abel.beta(y)
-    count = max(0, int(((elapsed / arb.pi()).floor().mid()).unique_fmpz() or 0))
+    count = max(0, _whole(elapsed / arb.pi()))
     for _ in range(200):
-        here, next_one = (_after(abel, y, alpha, n) for n in (count, count + 1))
+        try:
+            here, next_one = (abel.alpha_inverse(alpha + n, y) if n else y for n in (count, count + 1))
+        except ArithmeticError as error:
+            raise EventUndecided(str(error), arithmetic.text(y), arithmetic.digits) from None
         time, next_time = abel.beta(here) - beta, abel.beta(next_one) - beta
-        early, late = time <= elapsed, next_time > elapsed
-        if early and late:
+        if time <= elapsed and next_time > elapsed:
             return count, here, time
         if time > elapsed:
-            count = max(0, count - max(1, int(((time - elapsed) / 4).floor().mid().unique_fmpz() or 0)))
+            count = max(0, count - max(1, _whole((time - elapsed) / 4)))
         elif next_time <= elapsed:
-            count += max(1, int(((elapsed - next_time) / 4).floor().mid().unique_fmpz() or 0))
+            count += max(1, _whole((elapsed - next_time) / 4))
         else:
-            raise EventUndecided("which is the last exit before the time asked for?", str((time - elapsed).str(6)), 0)
-    raise EventUndecided("which is the last exit before the time asked for?", str((time - elapsed).str(6)), 0)
+            break
+    question = "which is the last exit before the time asked for?"
+    raise EventUndecided(question, arithmetic.text(time - elapsed), arithmetic.digits)
 
 
-def _after(abel: AbelFunctions, y: Number, alpha: Number, count: int) -> Number:
-    if count == 0:
-        return y
-    try:
-        return abel.alpha_inverse(alpha + count, y)
-    except ArithmeticError as error:
-        raise EventUndecided(str(error), str(y.str(6)), 0) from None
+def _whole(x: Number) -> int:
+    """Return the whole part of the midpoint of a ball."""
+    return int(x.mid().floor().unique_fmpz() or 0)
 
 
 def _order(digits: int) -> int:

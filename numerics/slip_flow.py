@@ -90,7 +90,9 @@ class SlipFlow:
         arithmetic = self.arithmetic
         least = 1 if arithmetic.sign(first) is not Sign.POSITIVE else 0
         if least and arithmetic.sign(first) is Sign.UNDECIDED and arithmetic.sign(turns) is not Sign.POSITIVE:
-            raise EventUndecided("is the guard's minimum next to the start before it?", arithmetic.text(first), 0)
+            raise EventUndecided(
+                "is the guard's minimum next to the start before it?", arithmetic.text(first), arithmetic.digits
+            )
         index = arithmetic.ceiling(turns)
         if index is None:
             question = "does the slip touch the switching surface without crossing it (a graze)?"

@@ -14,7 +14,7 @@ from numerics.arithmetic.protocol import Arithmetic, Number, Sign, decide_sign
 from numerics.errors import OutOfRange
 from numerics.oscillator import Oscillator
 
-MAX_PIECES = 100_000
+MAX_PIECES = 20_000
 
 
 @dataclass(frozen=True, slots=True)
