@@ -173,7 +173,9 @@ class _Walk:
             assert isinstance(self.motion, UndampedStick)
 
 
-def _last_exit_before(arithmetic: Ball, abel: AbelFunctions, y: Number, elapsed: Number) -> tuple[int, Number, Number]:
+def _last_exit_before(
+    arithmetic: Arithmetic, abel: AbelFunctions, y: Number, elapsed: Number
+) -> tuple[int, Number, Number]:
     """Return (n, y_n, reduced time of n cycles) for the largest n whose time is at most `elapsed`; all proved."""
     alpha, beta = abel.alpha(y), abel.beta(y)
     count = max(0, _whole(elapsed / arb.pi()))
