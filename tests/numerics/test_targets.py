@@ -1,0 +1,121 @@
+"""Hypothesis aims: at the largest error in ulp, the smallest excess, the nearest miss of the edge of S0."""
+
+import math
+from fractions import Fraction
+
+import pytest
+from flint import arb
+from hypothesis import given, settings, target
+from hypothesis import strategies as st
+from strategies import decimals, pairs, scaled_speed, scenes
+
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.float64 import Float64
+from numerics.comparison import distance, require_same_sequence
+from numerics.errors import OutOfRange
+from numerics.modes import EventKind, Mode
+from numerics.scene import Scene, State
+from numerics.solve import solve
+from numerics.surface_slip import contact, depth, rise
+
+FLOATS, BALLS = Float64(), Ball(90)
+ULP = 4
+"""Every stable formula is right to so many units in the last place."""
+FORMULAS = {
+    "versine": lambda arithmetic, x: arithmetic.versine(x),
+    "sine_deficit": lambda arithmetic, x: arithmetic.sine_deficit(x),
+    "cosine_deficit": lambda arithmetic, x: arithmetic.cosine_deficit(x),
+    "lag": lambda arithmetic, x: arithmetic.lag(x / 2),
+    "rise": rise,
+    "depth": depth,
+}
+more = settings(max_examples=10 * settings().max_examples)
+
+
+def ulps(value: float, truth: arb) -> float:
+    """|value - truth| in units of the last place of the truth."""
+    return float(distance(value, truth).mid()) / math.ulp(abs(float(truth.mid())))
+
+
+def angles(lowest: int) -> st.SearchStrategy[float]:
+    """Angles in (0, 2 pi), their exponent drawn first; `lowest` leaves their powers normal numbers."""
+    exponents = st.integers(lowest, 1)
+    return st.builds(lambda m, e: min(m * 2.0**e, 6.28), st.floats(1, 3.14), exponents)
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_the_largest_error_of_each_formula(name):
+    @more
+    @given(angles(-250 if name == "cosine_deficit" else -330))
+    def error_is_small(theta):
+        with BALLS.context():
+            error = ulps(FORMULAS[name](FLOATS, theta), FORMULAS[name](BALLS, arb(theta)))
+        target(error, label="ulp")
+        assert error <= ULP
+
+    error_is_small()
+
+
+@more
+@given(st.floats(1, 10), st.integers(-300, 3), st.floats(0, 10), st.integers(-300, 3))
+def test_the_largest_error_of_a_contact(push, of_push, gap, of_gap):
+    """Angle and depth of a slip from the surface; the root adds its own rounding to that of the formulas."""
+    push, gap = push * 2.0**of_push, gap * 2.0**of_gap
+    with BALLS.context():
+        ours, truth = contact(FLOATS, gap, push), contact(BALLS, arb(gap), arb(push))
+        error = max(ulps(ours.theta, truth.theta), ulps(ours.depth, truth.depth))
+    target(error, label="ulp")
+    assert error <= 4 * ULP
+
+
+@st.composite
+def almost_critical(draw) -> Scene:
+    """On the edge and moving out, or just beyond the edge at rest, with w down to 1e-190."""
+    pair, side = draw(pairs()), draw(st.sampled_from([-1, 1]))
+    tiny = draw(decimals(-95, -2))
+    if draw(st.booleans()):
+        state = State(side * pair.half_width * (1 + tiny * tiny), x2=1)
+    else:
+        v = side * scaled_speed(pair, tiny)
+        state = State(side * pair.half_width, v, 0, v)
+    period = 7 / (scaled_speed(pair, Fraction(1)) / pair.half_width)
+    return Scene(pair, state, until=period)
+
+
+@more
+@given(almost_critical())
+def test_the_smallest_excess_keeps_its_digits(scene):
+    balls = solve(scene, digits=20, max_events=6)
+    try:
+        floats = solve(scene, max_events=6)
+    except OutOfRange:
+        assert scene.energy_excess < Fraction(1, 10**180)
+        return
+    require_same_sequence(floats, balls)
+    exits = [event.reduced.w for event in balls.events if event.kind is EventKind.EXIT] or [balls.final.w]
+    with balls.arithmetic.context():
+        smallest = min(float(abs(w).log().mid()) for w in exits)
+        errors = [
+            float((distance(one.reduced.w, two.reduced.w) / abs(two.reduced.w)).upper())
+            for one, two in zip(floats.events, balls.events, strict=True)
+        ]
+    target(-smallest, label="-log w")
+    assert max(errors, default=0) <= 1e-11
+
+
+@more
+@given(scenes(damped=None, size=(-1, 0), periods=(1, 2)))
+def test_the_nearest_miss_of_the_edge_is_decided(scene):
+    """A slip that lands next to |P| = 1 sticks or crosses: balls decide it, and ten times the digits say the same."""
+    run = solve(scene, digits=12, max_events=4)
+    better = solve(scene, digits=120, max_events=4)
+    assert run.modes == better.modes
+    misses = [1.0]
+    with better.arithmetic.context():
+        for event in better.events:
+            if event.kind is EventKind.EXIT:
+                continue
+            load = abs(event.reduced.X + better.frame.two_zeta * event.reduced.V1)
+            assert (load < 1) == (event.after is Mode.STICK)
+            misses.append(float(abs(load - 1).mid()))
+    target(-math.log(min(misses) + 1e-300), label="-log of the distance from the edge")
