@@ -1,0 +1,103 @@
+"""Merging in closed form, the long-time expansion: against slips solved by hand, and faults that must show."""
+
+import mpmath
+import pytest
+from sympy import Rational, expand, lambdify, log, pi
+
+from theory import long_time, merging
+from theory.excursion import angle
+from theory.symbols import q
+
+RESIDUALS = [
+    merging.slip_residuals,
+    merging.next_excess_residual,
+    merging.vertex_residual,
+    merging.least_excess_residual,
+    merging.least_excess_slope_residual,
+    merging.ray_residuals,
+    merging.ratio_slope_residual,
+    merging.turning_residual,
+    merging.turning_slope_residual,
+    merging.critical_mass_ratio_residual,
+    long_time.abel_defect,
+    long_time.expansion_defect,
+]
+CACHED = [one for module in (merging, long_time) for one in vars(module).values() if hasattr(one, "cache_clear")]
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_remembered():
+    yield
+    for one in CACHED:
+        one.cache_clear()
+
+
+@pytest.mark.parametrize("residual", RESIDUALS)
+def test_every_residual_is_zero(residual):
+    found = residual()
+    assert all(one == 0 for one in (found if isinstance(found, tuple) else (found,)))
+
+
+@pytest.mark.parametrize(("name", "residual"), [
+    ("slip_start", "slip_residuals"),
+    ("least_excess", "least_excess_residual"),
+    ("ratio", "ratio_slope_residual"),
+    ("vertex", "vertex_residual"),
+    ("ray_excess", "ray_residuals"),
+])  # fmt: skip
+def test_a_changed_form_leaves_a_residual(monkeypatch, name, residual):
+    for one in CACHED:
+        one.cache_clear()
+    original = getattr(merging, name)()
+    changed = tuple(2 * one for one in original) if isinstance(original, tuple) else 2 * original
+    for one in CACHED:
+        one.cache_clear()
+    monkeypatch.setattr(merging, name, lambda: changed)
+    found = getattr(merging, residual)()
+    assert any(one != 0 for one in (found if isinstance(found, tuple) else (found,)))
+
+
+def slip_by_hand(fraction, phi, half_path):
+    """Solve q V1' = -(X - r), V2' = -1 from this half angle and half path; return the excess after, over q."""
+    share = 1 - fraction
+    centre = phi * mpmath.cot(phi)
+    gap, push = centre + half_path - 1, phi - half_path * mpmath.cot(phi)
+    turn = 2 * phi
+    position = share + fraction * ((1 + gap) * mpmath.cos(turn) + push * mpmath.sin(turn))
+    first = mpmath.sqrt(fraction) * (push * mpmath.cos(turn) - (1 + gap) * mpmath.sin(turn))
+    second = mpmath.sqrt(fraction) * (push - turn)
+    assert mpmath.almosteq(first, second, 1e-40)
+    return (position**2 + first**2 - 1) / fraction
+
+
+@pytest.mark.parametrize("fraction", ["0.1", "0.5", "0.93"])
+@pytest.mark.parametrize(("phi", "half_path"), [("0.3", "1.2"), ("1.5", "0.9"), ("1.9", "3"), ("2.9", "14")])
+def test_the_excess_after_a_slip_is_that_of_the_slip_solved_by_hand(fraction, phi, half_path):
+    with mpmath.workdps(50):
+        numbers = [mpmath.mpf(text) for text in (fraction, phi, half_path)]
+        form = lambdify((merging.share, angle, merging.half_path), merging.next_excess(), "mpmath")
+        assert mpmath.almosteq(form(1 - numbers[0], *numbers[1:]), slip_by_hand(*numbers), 1e-40)
+
+
+def test_the_threshold_is_the_least_ratio_of_push_to_depth():
+    with mpmath.workdps(40):
+        root = mpmath.findroot(lambdify(angle, merging.turning_function(), "mpmath"), 1.9)
+        ratio = lambdify(angle, merging.ratio(), "mpmath")
+        least = ratio(root) ** 2
+        assert mpmath.almosteq(least, 1 / (2 * mpmath.sin(root) ** 2), 1e-38)
+        assert mpmath.nstr(least, 16) == "0.5578390907215263"
+        assert all(ratio(root + shift) ** 2 > least for shift in (-1, -0.01, 0.01, 1))
+
+
+def test_an_abel_function_without_its_logarithm_is_not_one(monkeypatch):
+    monkeypatch.setattr(long_time, "log", lambda argument: 0 * log(argument))
+    long_time.abel_defect.cache_clear()
+    assert long_time.abel_defect() != 0
+
+
+def test_the_expansion_for_equal_masses():
+    half = {q: Rational(1, 2)}
+    assert long_time.logarithm_weight().subs(half) == Rational(1, 5)
+    assert long_time.leading_coefficient().subs(half) == 4 * pi / 9
+    assert expand(long_time.logarithm_coefficient() - long_time.printed_logarithm_coefficient()).subs(half) == 0
+    assert long_time.balanced_share() == Rational(2, 5)
