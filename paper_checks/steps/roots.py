@@ -1,0 +1,71 @@
+"""Roots of one real function in balls: opposite signs proved at both ends of a bracket of the width asked for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+
+import flint
+from flint import arb, fmpq
+
+DIGITS = 50
+"""Digits that a constant is enclosed to."""
+
+
+@contextmanager
+def precision(digits: int = DIGITS) -> Iterator[None]:
+    """Set flint's process-wide precision, with guard digits, and restore it."""
+    before, flint.ctx.prec = flint.ctx.prec, math.ceil((2 * digits + 20) * math.log2(10))
+    try:
+        yield
+    finally:
+        flint.ctx.prec = before
+
+
+def enclosed_root(
+    function: Callable[[arb], arb], lower: Fraction | int, upper: Fraction | int, digits: int = DIGITS
+) -> arb:
+    """Return a ball, of radius below 10^-digits/100, in which a continuous function changes its sign.
+
+    That there is no other root between lower and upper is the caller's to prove. Raises ArithmeticError where the
+    signs at the ends are not proved to be opposite, or a midpoint's sign is not decided.
+    """
+    low, high = Fraction(lower), Fraction(upper)
+    first = _sign(function, low)
+    if _sign(function, high) != -first:
+        raise ArithmeticError(f"no change of sign between {lower} and {upper}")
+    while high - low > Fraction(1, 10 ** (digits + 2)):
+        middle = (low + high) / 2
+        low, high = (middle, high) if _sign(function, middle) == first else (low, middle)
+    return point(low).union(point(high))
+
+
+def point(value: Fraction | int) -> arb:
+    """Return a ball around a rational number."""
+    return arb(fmpq(Fraction(value).numerator, Fraction(value).denominator))
+
+
+def _sign(function: Callable[[arb], arb], at: Fraction) -> int:
+    value = function(point(at))
+    if value > 0:
+        return 1
+    if value < 0:
+        return -1
+    raise ArithmeticError(f"the sign at {at} is not decided: {value.str(6)}")
+
+
+def rise(theta: arb) -> arb:
+    """Return h(theta) = (theta - sin theta)/(1 - cos theta)."""
+    return (theta - theta.sin()) / (2 * (theta / 2).sin() ** 2)
+
+
+def depth(theta: arb) -> arb:
+    """Return c(theta) = 2 - theta cot(theta/2)."""
+    return 2 - theta * (theta / 2).cot()
+
+
+def shown(value: arb, digits: int = DIGITS) -> str:
+    """Return a ball with all of its proved digits, at most `digits`, and its radius."""
+    return str(value.str(digits))
