@@ -1,12 +1,13 @@
-"""The claims of the paper, in its order, as data: what is said, where, and the verdict on record."""
+"""The claims of the paper, in its order, then the theorems past it: what is said, where, the verdict on record."""
 
-from paper_checks.ledger.claim import Claim, in_order
+from paper_checks.ledger.claim import Claim, Kind, in_order
 from paper_checks.ledger.section2 import SECTION_2
 from paper_checks.ledger.section3_convergence import CONVERGENCE
 from paper_checks.ledger.section3_sliding import SLIDING
 from paper_checks.ledger.section4 import SECTION_4
 from paper_checks.ledger.section5 import SECTION_5
+from paper_checks.ledger.theorems import THEOREMS
 
-CLAIMS = in_order(SECTION_2, SLIDING, CONVERGENCE, SECTION_4, SECTION_5)
+CLAIMS = in_order(SECTION_2, SLIDING, CONVERGENCE, SECTION_4, SECTION_5, THEOREMS)
 
-__all__ = ["CLAIMS", "Claim"]
+__all__ = ["CLAIMS", "Claim", "Kind"]

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from paper_checks.evidence import Evidence, Finding, Verdict
 from paper_checks.report import mathematics
-from paper_checks.report.summary import OUTCOMES, PAPER, TITLE, findings_first, kind, sections
+from paper_checks.report.summary import OUTCOMES, PAPER, TITLE, findings_first, kind, section_title, sections
 from paper_checks.runner import Row
 
 
@@ -76,7 +76,7 @@ def _filters(rows: Sequence[Row]) -> str:
     verdicts = [verdict.value for verdict in Verdict if any(row.finding.verdict is verdict for row in rows)]
     return (
         '<h2 id="claims">Claims</h2>\n<form id="filters" hidden>\n'
-        + _select("section", [(name, f"Section {name}") for name in sections(rows)])
+        + _select("section", [(name, section_title(name)) for name in sections(rows)])
         + _select("verdict", [(name, name) for name in verdicts])
         + '<button type="button" id="open-all">Open all</button>\n'
         + '<output id="shown" for="filter-section filter-verdict"></output>\n</form>'

@@ -26,7 +26,13 @@ def _text(value: object) -> str:
 
 
 def _claim(claim: Claim) -> dict[str, Any]:
-    return {"id": claim.id, "where": claim.where, "statement": claim.statement}
+    return {
+        "id": claim.id,
+        "kind": claim.kind.value,
+        "section": claim.section,
+        "where": claim.where,
+        "statement": claim.statement,
+    }
 
 
 def _row(row: Row) -> dict[str, Any]:

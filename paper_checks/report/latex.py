@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from paper_checks.evidence import Evidence
 from paper_checks.report.mathematics import latex
-from paper_checks.report.summary import OUTCOMES, PAPER, TITLE, findings_first, kind
+from paper_checks.report.summary import OUTCOMES, PAPER, TITLE, findings_first, kind, speaker
 from paper_checks.runner import Row
 
 PREAMBLE = r"""\documentclass[10pt]{article}
@@ -71,7 +71,7 @@ def _table(rows: Sequence[Row]) -> str:
 def _claim(row: Row, figures: Mapping[str, str]) -> str:
     claim, finding = row.claim, row.finding
     texts = {
-        f"The paper ({claim.where})": claim.statement,
+        speaker(claim): claim.statement,
         "Reason": finding.reason,
         "Counterexample": finding.counterexample,
         "Corrected statement": finding.corrected,

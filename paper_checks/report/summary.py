@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from paper_checks.evidence import Finding, Verdict
+from paper_checks.ledger import Claim, Kind
 from paper_checks.runner import Row
 
 TITLE = "Dynamics of inertial pair coupled via frictional interface: its claims, checked"
 PAPER = (
     "Every claim of the paper by M. Ruderman, A. Zagvozdkin and D. Rachinskii, in its order, with the verdict, "
-    "the evidence and the corrected statement where one is needed."
+    "the evidence and the corrected statement where one is needed; then the theorems that go past the paper."
 )
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
 HEADINGS = {
@@ -21,12 +22,38 @@ HEADINGS = {
 }
 
 
+PAST_THE_PAPER = "Past the paper"
+"""Heading of the theorems that hold: they are news too."""
+
+
 def findings_first(rows: Sequence[Row]) -> Iterator[tuple[Verdict, str, list[tuple[Row, str]]]]:
-    """Yield, for each verdict that is news, its heading and its rows with one sentence each."""
+    """Yield, for each verdict that is news, its heading and its rows with one sentence each; the theorems last."""
     for verdict, heading in HEADINGS.items():
         chosen = [(row, first_sentence(row.finding.reason)) for row in rows if row.finding.verdict is verdict]
         if chosen:
             yield verdict, heading, chosen
+    proved = [(row, first_sentence(row.finding.reason)) for row in rows if is_new_theorem(row)]
+    if proved:
+        yield Verdict.HOLDS, PAST_THE_PAPER, proved
+
+
+def is_new_theorem(row: Row) -> bool:
+    """Return whether the row is a theorem past the paper that holds."""
+    return row.claim.kind is Kind.THEOREM and row.finding.verdict is Verdict.HOLDS
+
+
+def speaker(claim: Claim) -> str:
+    """Return who says the statement, and where."""
+    return f"The paper ({claim.where})" if claim.kind is Kind.CLAIM else f"Theorem, {claim.where}"
+
+
+def section_title(name: str) -> str:
+    """Return what a section is called: the paper's are numbered.
+
+    >>> section_title("III"), section_title("Theorems")
+    ('Section III', 'Theorems')
+    """
+    return f"Section {name}" if set(name) <= set("IVX") else name
 
 
 def sections(rows: Sequence[Row]) -> list[str]:

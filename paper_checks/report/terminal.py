@@ -13,7 +13,7 @@ from rich.text import Text
 from paper_checks.evidence import Verdict
 from paper_checks.ledger import Claim
 from paper_checks.report.mathematics import plain
-from paper_checks.report.summary import OUTCOMES, first_sentence, kind
+from paper_checks.report.summary import OUTCOMES, first_sentence, is_new_theorem, kind, speaker
 from paper_checks.runner import Row
 
 STYLES = {
@@ -81,10 +81,10 @@ def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
 
 
 def _print_findings(console: Console, rows: Sequence[Row]) -> None:
-    """Print a sentence for each claim that does not simply hold."""
+    """Print a sentence for each claim that does not simply hold, and for each theorem past the paper."""
     console.print()
     for row in rows:
-        if row.finding.verdict is not Verdict.HOLDS:
+        if row.finding.verdict is not Verdict.HOLDS or is_new_theorem(row):
             reason = plain(first_sentence(row.finding.reason))
             console.print(Text.assemble((row.claim.id, "bold"), " ", _coloured(row.finding.verdict)))
             console.print(Padding(Text(reason), (0, 0, 0, 2)))
@@ -95,7 +95,7 @@ def _print_story(console: Console, row: Row) -> None:
     finding = row.finding
     console.print(Text(row.claim.id, "bold"), Text(finding.verdict.value, STYLES[finding.verdict]))
     texts = {
-        f"The paper ({row.claim.where})": row.claim.statement,
+        speaker(row.claim): row.claim.statement,
         "Reason": finding.reason,
         "Corrected": finding.corrected,
         "Counterexample": finding.counterexample,

@@ -1,0 +1,205 @@
+"""Theorems past the paper: the verdicts, the values, and faults that must turn them."""
+
+from fractions import Fraction
+from functools import cache
+
+import pytest
+import sympy as sp
+from flint import arb
+
+from paper_checks.checks import theorems_excursion, theorems_merging, theorems_rate, theorems_return_map
+from paper_checks.evidence import Verdict
+from paper_checks.ledger import CLAIMS, Kind
+from paper_checks.registry import Context
+from paper_checks.runner import decide
+from paper_checks.steps import critical_share, long_time, merging_window, rate, return_map
+from paper_checks.steps.roots import enclosed_root, precision
+from theory.symbols import q, theta
+
+from .conftest import doubled, finding_of, halved, misread, negated, plus, recorded, squared, unreadable
+
+CHECKS = {
+    "excursion-closed-form": theorems_excursion.excursion_closed_form,
+    "excursion-monotone": theorems_excursion.excursion_monotone,
+    "return-map-expansion": theorems_return_map.return_map_expansion,
+    "sharp-rate-constant": theorems_rate.sharp_rate_constant,
+    "rate-bounds-explicit": theorems_rate.rate_bounds_explicit,
+    "merging-set": theorems_merging.merging_set,
+    "critical-mass-ratio": theorems_merging.critical_mass_ratio,
+    "long-time-expansion": theorems_rate.long_time_expansion,
+}
+SLIPS = "paper_checks.steps.monotone_slips."
+SHARE = "paper_checks.steps.critical_share."
+WINDOW = "paper_checks.steps.merging_window."
+MAP = "paper_checks.steps.return_map."
+RATE = "paper_checks.steps.rate."
+LATE = "paper_checks.steps.long_time."
+
+
+def test_every_theorem_of_the_ledger_is_here():
+    assert sorted(CHECKS) == sorted(claim.id for claim in CLAIMS if claim.kind is Kind.THEOREM)
+
+
+@pytest.mark.parametrize("claim_id", CHECKS)
+def test_the_verdict_is_the_one_on_record(claim_id):
+    finding = finding_of(CHECKS[claim_id])
+    assert finding.verdict.value == recorded(claim_id), finding.missing
+    assert unreadable(finding) == []
+
+
+def entry(index, change):
+    """Return a fault that changes one of several expressions."""
+
+    def fault(original):
+        def changed(*arguments):
+            found = list(original(*arguments))
+            found[index] = change(found[index])
+            return tuple(found)
+
+        return changed
+
+    return fault
+
+
+def raised(value):
+    return value + sp.Rational(1, 100)
+
+
+STEP_FAULTS = [
+    ("excursion-closed-form", SLIPS + "guard_residual", plus(theta)),
+    ("excursion-closed-form", SLIPS + "contact_slope_residual", plus(1)),
+    ("excursion-closed-form", SLIPS + "landing_residuals", entry(2, lambda zero: zero + q)),
+    ("excursion-closed-form", SLIPS + "depth_slope_residual", plus(theta)),
+    ("excursion-closed-form", SLIPS + "guard_factors", entry(0, lambda factor: -factor)),
+    ("excursion-closed-form", SLIPS + "depth", negated),
+    ("excursion-closed-form", SLIPS + "turning_angle", plus(1)),
+    ("excursion-closed-form", SLIPS + "sp", misread("Gt", "Ge")),
+    ("excursion-monotone", SLIPS + "cusa_huygens", negated),
+    ("excursion-monotone", SLIPS + "cusa_huygens", plus(theta**3)),
+    ("excursion-monotone", SLIPS + "h", squared),
+    ("excursion-monotone", SLIPS + "depth_slope_residual", plus(1)),
+    ("return-map-expansion", MAP + "printed_depth_coefficients", entry(1, lambda c: -c)),
+    ("return-map-expansion", MAP + "printed_depth_coefficients", entry(2, raised)),
+    ("return-map-expansion", MAP + "depth_series", entry(6, raised)),
+    ("return-map-expansion", MAP + "lost_coefficients", entry(6, raised)),
+    ("return-map-expansion", MAP + "reverted_depth", lambda f: lambda n: f(n)[:-1]),
+    ("return-map-expansion", MAP + "RADIUS", lambda radius: radius + 2),
+    ("sharp-rate-constant", RATE + "inverse_step", doubled),
+    ("sharp-rate-constant", RATE + "cycle_limit", halved),
+    ("sharp-rate-constant", RATE + "rate_constant", squared),
+    ("sharp-rate-constant", RATE + "depth_series", entry(0, raised)),
+    ("sharp-rate-constant", RATE + "energy_at", lambda f: lambda scene, t, digits: f(scene, t + "0", digits=digits)),
+    ("rate-bounds-explicit", RATE + "stick_rotation", entry(1, lambda sine: -sine)),
+    ("rate-bounds-explicit", RATE + "sp", misread("Ge", "Le", 0)),
+    ("rate-bounds-explicit", RATE + "sp", misread("Le", "Ge", 0)),
+    ("rate-bounds-explicit", RATE + "bounds", lambda bounds: lambda *numbers: bounds(*numbers)[::-1]),
+    ("rate-bounds-explicit", RATE + "depth_of_angle", doubled),
+    ("merging-set", WINDOW + "ray_excess", plus(1)),
+    ("merging-set", WINDOW + "ratio", doubled),
+    ("merging-set", WINDOW + "half_angle", doubled),
+    ("merging-set", WINDOW + "sp", misread("Le", "Ge", 0)),
+    ("merging-set", WINDOW + "sp", misread("Gt", "Lt", 0)),
+    ("critical-mass-ratio", SHARE + "slip_residuals", entry(0, lambda zero: zero + theta)),
+    ("critical-mass-ratio", SHARE + "next_excess", negated),
+    ("critical-mass-ratio", SHARE + "vertex_residual", plus(1)),
+    ("critical-mass-ratio", SHARE + "least_excess_slope_residual", plus(theta)),
+    ("critical-mass-ratio", SHARE + "ratio_slope_residual", plus(1)),
+    ("critical-mass-ratio", SHARE + "turning_function", negated),
+    ("critical-mass-ratio", SHARE + "turning_slope", entry(1, lambda factor: 2 * factor)),
+    ("critical-mass-ratio", SHARE + "critical_share", doubled),
+    ("critical-mass-ratio", SHARE + "critical_mass_ratio_residual", plus(theta)),
+    ("critical-mass-ratio", SHARE + "half_angle", lambda f: lambda: f() + arb("1e-40")),
+    ("critical-mass-ratio", SHARE + "sp", misread("Lt", "Le", 0)),
+    ("critical-mass-ratio", SHARE + "sp", misread("Ge", "Le", 0)),
+    ("critical-mass-ratio", "theory.merging.least_excess", doubled),
+    ("critical-mass-ratio", "theory.merging.share", lambda share: -share),
+    ("long-time-expansion", LATE + "map_coefficients", entry(1, lambda c: 2 * c)),
+    ("long-time-expansion", LATE + "logarithm_weight", negated),
+    ("long-time-expansion", LATE + "leading_coefficient", doubled),
+    ("long-time-expansion", LATE + "logarithm_coefficient", halved),
+    ("long-time-expansion", LATE + "balanced_share", squared),
+    ("long-time-expansion", LATE + "abel_defect", plus(q)),
+]
+
+
+constant_found_again = cache(long_time.constant_found_again)
+
+
+@pytest.fixture
+def runs_are_remembered(monkeypatch):
+    """Long runs in numbers are the same in every test but those that plant a fault in them."""
+    monkeypatch.setattr(theorems_rate, "constant_found_again", constant_found_again)
+
+
+@pytest.mark.usefixtures("runs_are_remembered")
+@pytest.mark.parametrize(("claim_id", "target", "fault"), STEP_FAULTS)
+def test_a_fault_in_a_step_turns_the_theorem(plant, claim_id, target, fault):
+    plant(target, fault)
+    assert decide([CHECKS[claim_id]], Context()).verdict is Verdict.UNDECIDED
+
+
+def value_of(claim_id, beginning):
+    texts = [part for item in finding_of(CHECKS[claim_id]).evidence for part in item.value.split("; ")]
+    return next(text for text in texts if text.startswith(beginning))
+
+
+def test_the_threshold_has_fifty_digits():
+    assert "0.5578390907215263120660191803836715226398464348069" in value_of("critical-mass-ratio", "r* =")
+    assert "0.7926316327286585619957260792416169570660259003587" in value_of("critical-mass-ratio", "m1/m2 = -cos")
+    assert "1.261620100320081235309400233086105366758358277743" in value_of("critical-mass-ratio", "m2/m1 =")
+    assert "3.797275743253600858209591026138283661307880652212" in value_of("critical-mass-ratio", "theta* =")
+
+
+def test_closed_forms_are_given_as_sympy_reads_them():
+    assert sp.sympify(value_of("long-time-expansion", "B =").split(" = ")[1]).subs("q", sp.Rational(3, 5)) == 0
+    series = sp.sympify(value_of("return-map-expansion", "coefficients of c").split(" = ")[1])
+    assert series[:3] == [sp.Rational(3, 2), -sp.Rational(27, 40), sp.Rational(243, 560)]
+
+
+def test_the_same_ray_is_not_the_opposite_one():
+    assert theorems_excursion.exits_twice_by(Fraction(1, 5), Fraction(15), same=False).passed is False
+
+
+def test_a_limit_is_not_reached_early():
+    found = rate.enclosed_limit(Fraction(1, 2), Fraction(3, 2), "1e4", Fraction(1, 10**10))
+    assert found.passed is False
+
+
+def test_bounds_that_are_too_tight_fail(plant):
+    plant(RATE + "bounds", lambda bounds: lambda *numbers: (bounds(*numbers)[1], bounds(*numbers)[1]))
+    assert rate.bounded_run(Fraction(1, 2), Fraction(3, 2), 5).passed is False
+
+
+def test_the_constant_depends_on_the_start():
+    with precision(60):
+        one, other = (long_time.constant_at(Fraction(1, 2), Fraction(n, 10), "1e12") for n in (15, 11))
+        assert abs(one - other) > 1
+
+
+def test_no_window_below_the_threshold():
+    with precision(30), pytest.raises(ArithmeticError, match="no change of sign"):
+        merging_window.window(arb("0.5578"))
+
+
+def test_a_root_without_a_change_of_sign_is_refused():
+    with pytest.raises(ArithmeticError, match="no change of sign"):
+        enclosed_root(lambda x: x * x + 1, 0, 1)
+    with pytest.raises(ArithmeticError, match="not decided"):
+        enclosed_root(lambda x: x, 0, 1)
+
+
+def test_the_remainder_needs_all_its_terms(plant):
+    plant(MAP + "lost_coefficients", lambda original: lambda: original()[:-1])
+    assert return_map.remainder()[0].passed is False
+
+
+def test_the_constant_is_not_found_again_too_early(plant):
+    plant(LATE + "DIGITS", lambda digits: {**digits, "1e4": 20})
+    plant(LATE + "TIMES", lambda times: (times[0], "1e4", times[2]))
+    assert long_time.constant_found_again(Fraction(1, 2), Fraction(3, 2)).passed is False
+
+
+def test_a_damaged_certificate_is_no_evidence(tmp_path):
+    damaged = critical_share.checker.CERTIFICATE.read_text("utf-8").replace('"557/1000"', '"558/1000"')
+    (tmp_path / "damaged.json").write_text(damaged)
+    assert critical_share.certificate("threshold", tmp_path / "damaged.json").passed is False
