@@ -24,6 +24,7 @@ def parser() -> argparse.ArgumentParser:
     scenes.set_defaults(run=commands.list_scenes)
     _add_energy(subcommands)
     _add_map(subcommands)
+    _add_audit(subcommands)
     solve = subcommands.add_parser(
         "solve",
         help="solve one scene",
@@ -83,6 +84,29 @@ def _add_map(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     chart.add_argument("--resume", type=Path, metavar="F", help="keep finished blocks in F, and go on from there")
     chart.add_argument("--out", type=Path, metavar="FIGURE", help="write a figure: .svg, .pdf or .png")
     chart.add_argument("--json", action="store_true", help="print all cells as JSON")
+
+
+def _add_audit(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    audit = subcommands.add_parser(
+        "audit",
+        help="measure what this package claims of its own numbers",
+        epilog="exit codes: 0 every row is as required; 1 some row is not",
+        allow_abbrev=False,
+    )
+    audit.set_defaults(run=commands.audit_numerics)
+    audit.add_argument("--seed", type=_natural, default=0, metavar="N", help="other cases (%(default)s)")
+    audit.add_argument(
+        "--size",
+        choices=["small", "default", "large"],
+        default="default",
+        help="about 10 s, 2 min or 20 min (%(default)s)",
+    )
+    audit.add_argument("--json", action="store_true", help="print every figure as JSON, also by decade and by reason")
+    audit.add_argument("--decades", action="store_true", help="print the errors of each formula by decade as well")
+
+
+def _natural(text: str) -> int:
+    return 0 if text == "0" else _positive(text)
 
 
 def _positive(text: str) -> int:

@@ -182,3 +182,29 @@ def chart_merging(options: argparse.Namespace) -> int:
 def _map_progress(done: int, blocks: int) -> None:
     end = "\n" if done == blocks else ""
     print(f"\r{done} of {blocks} blocks ", end=end, file=sys.stderr, flush=True)
+
+
+def audit_numerics(options: argparse.Namespace) -> int:
+    """Measure what the package claims of its numbers; FAILED if a row is not as required."""
+    from numerics.audit.plan import SIZES, audit
+    from numerics.audit.table import as_record, print_decades, print_reasons, print_table
+
+    shown = sys.stderr.isatty()
+    try:
+        rows = list(audit(SIZES[options.size], options.seed, _told if shown else lambda _: None))
+    finally:
+        if shown:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
+    if options.json:
+        print(json.dumps(as_record(rows, options.seed, options.size), indent=1))
+    else:
+        width = None if sys.stdout.isatty() else 200
+        if options.decades:
+            print_decades(rows, width)
+        print_reasons(rows, width)
+        print_table(rows, width)
+    return OK if all(row.passed for row in rows) else FAILED
+
+
+def _told(what: str) -> None:
+    print(f"\r\033[K{what}", end="", file=sys.stderr, flush=True)

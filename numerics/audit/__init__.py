@@ -1,0 +1,1 @@
+"""python -m numerics audit: what this package claims of its own numbers, measured."""
