@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
@@ -38,13 +39,21 @@ def as_record(rows: Sequence[Row], seed: int, size: str) -> dict[str, Any]:
                 "section": row.section,
                 "name": row.name,
                 "tried": row.tried,
-                "measured": dict(row.measured),
+                "measured": _finite(row.measured),
                 "required": row.required,
                 "passed": row.passed,
-                "details": [dict(one) for one in row.details],
+                "details": [_finite(one) for one in row.details],
             }
             for row in rows
         ],
+    }
+
+
+def _finite(figures: Mapping[str, Any]) -> dict[str, Any]:
+    """Return figures with infinities and nan as text, which JSON has no numbers for."""
+    return {
+        name: str(value) if isinstance(value, float) and not math.isfinite(value) else value
+        for name, value in figures.items()
     }
 
 

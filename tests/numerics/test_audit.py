@@ -101,7 +101,9 @@ def test_formulas_that_cancel_are_found_out():
 
 def test_a_value_that_is_no_number_fails():
     planted = Formula("nan", lambda x: math.nan, lambda x: x, 1.0, 100.0)
-    assert not row_of(audit_formulas([planted], 0, 5, quiet)).passed
+    row = row_of(audit_formulas([planted], 0, 5, quiet))
+    assert not row.passed
+    assert '"max ulp": "inf"' in json.dumps(table.as_record([row], 0, "small"), allow_nan=False)
 
 
 def test_ulps_count_from_the_true_value():
