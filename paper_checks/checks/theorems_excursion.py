@@ -45,6 +45,7 @@ def excursion_closed_form(context: Context) -> Finding:  # noqa: ARG001
     """The end of every slip from S, whether it stays, and the ray that the pair leaves by next."""
     return conclude(
         Verdict.HOLDS,
+        "Every slip from $S$ ends at the root of one monotone equation, and all that it does is an elementary function of its angle. "
         "With the root at its start divided out, the guard of a slip from $S$ is one monotone function of the slip angle, so the slip "
         "has exactly one end; there everything is an elementary function of the angle. On $S_0$ above $E_{cr}$ the velocity keeps "
         "its sign up to the ray, so the sign of $V'=\\sqrt q\\,(h-\\theta)$ tells the ray; $V'=0$ inside $S_0$ is below $E_{cr}$.",
@@ -61,7 +62,7 @@ def excursion_closed_form(context: Context) -> Finding:  # noqa: ARG001
         derivation=(
             "In $\\theta=\\tau/\\sqrt q$ the slip from $X=1+q\\,d$, $V_1=V_2=\\sqrt q\\,u$ is "
             "$$X=1-q+q\\bigl((1+d)\\cos\\theta+u\\sin\\theta\\bigr),\\quad V_2=\\sqrt q\\,(u-\\theta).$$",
-            "$$\\frac{V_1-V_2}{\\sqrt q\\,(1-\\cos\\theta)}=h(\\theta)-d\\cot\\frac\\theta2-u$$",
+            "$$\\frac{V_1-V_2}{\\sqrt q\\,(1-\\cos\\theta)}=h(\\theta)-d\\cot\\frac{\\theta}{2}-u$$",
             "$$X'=1-q\\,c(\\theta),\\qquad V'=\\sqrt q\\,(h-\\theta),\\qquad w'=q\\,(h^2-r\\,c^2)\\qquad\\text{from a ray.}$$",
             "Both cases occur: the same ray for $q<q_v$ and $\\theta_b<\\theta<\\theta_c$ (merging-set), a crossing for $\\theta>\\theta_c$.",
         ),
@@ -73,6 +74,7 @@ def excursion_monotone(context: Context) -> Finding:  # noqa: ARG001
     """h rises and is convex, c rises and is concave in h^2."""
     return conclude(
         Verdict.HOLDS,
+        "$h$ rises and is convex; speed, duration, depth and loss of an excursion grow together. "
         "$h'$ is $(\\sin\\varphi-\\varphi\\cos\\varphi)/\\sin^3\\varphi$ with $\\varphi=\\theta/2$, whose numerator grows from $0$; "
         "$h''>0$ is the inequality of Cusa and Huygens; $c'=h$. The exit speed is $\\sqrt q\\,h$, the duration $\\sqrt q\\,\\theta$, the depth "
         "$q\\,c$ and the excess lost $q\\,r\\,c^2$ (units of the reduced coordinates): each increases with $\\theta$.",

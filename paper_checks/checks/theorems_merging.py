@@ -15,6 +15,7 @@ def critical_mass_ratio(context: Context) -> Finding:  # noqa: ARG001
     """The least excess after any slip from S touches zero at one slip from the ray, for one share."""
     return conclude(
         Verdict.HOLDS,
+        "Slips from $S$ above $E_{cr}$ can merge only if $m_1/m_2\\leqslant-\\cos\\theta^*$, which is $0.79263\\ldots$: heavier driving bodies never merge after their first contact. "
         "For $r=r^*$ the least excess after a slip from $S$ is that on the ray for angles up to $\\theta_1$ and from $\\theta^*$ on, where "
         "$2r^*\\sin^2\\varphi\\leqslant 1$; there $y'$ rises from $0$ at $\\theta=0$, and from $c^2(R^2-r^*)=0$ at $\\theta^*$. In between it is "
         "$\\min_T w'$, which falls to the same $0$ at $\\theta^*$. So $w'\\geqslant 0$, with equality at one slip from the ray. As $w'$ falls with "
@@ -47,6 +48,7 @@ def merging_set(context: Context) -> Finding:  # noqa: ARG001
     """R falls and rises once, so the excursions that merge form one interval of angles."""
     return conclude(
         Verdict.HOLDS,
+        "The energies on $S_0$ that merge at the first re-entry form one interval; below it the pair creeps for ever. "
         "$w'/q=c^2(R^2-r)$ with $R=h/c$, which falls from $\\infty$ to $\\sqrt{r^*}$ and rises to $\\infty$: $R^2\\leqslant r$ is one interval "
         "$[\\theta_a,\\theta_b]$, empty for $r<r^*$, and $w=q\\,h^2$ rises with $\\theta$. Below it $0<w'<w$ repeats for ever. As $R$ is strictly "
         "monotone on both sides the roots are continuous in $r$ up to $r=1$.",

@@ -20,6 +20,7 @@ def return_map_expansion(context: Context) -> Finding:  # noqa: ARG001
     ]
     return conclude(
         Verdict.HOLDS,
+        "One power series with rational coefficients is the return map of every pair; the mass ratio is a factor in it. "
         "$h^2$ and $c$ are even analytic functions of the slip angle, $h^2=\\theta^2/9+\\cdots$, so $c$ is a power series in $y=h^2$ without any "
         "parameter, and $y'=y-r\\,c^2$. Its Taylor polynomials are exact; what they miss is bounded on the rim of a disc in balls and by "
         "Schwarz's lemma inside.",

@@ -29,9 +29,9 @@ THEOREMS = (
     ),
     _theorem(
         "return-map-expansion",
-        r"With $y=w/q$ the return map from ray to ray is $y'=y-r\,c(y)^2$, where $c(y)=\tfrac32y-\tfrac{27}{40}y^2+\tfrac{243}{560}y^3-"
+        r"With $y=w/q$ the return map from ray to ray is $y'=y-r\,c(y)^2$, where $c(y)=\tfrac{3}{2}y-\tfrac{27}{40}y^2+\tfrac{243}{560}y^3-"
         r"\cdots$ is one power series with rational coefficients, the same for every mass ratio. What the terms after $y^8$ add to $y'$ is at most "
-        r"$\tfrac r3(9y/4)^9$ for $0<y\leqslant 4/9$, and the reduced time of a cycle is $\pi+\frac{9r}{8q}w^{3/2}+\cdots$.",
+        r"$\tfrac{r}{3}(9y/4)^9$ for $0<y\leqslant 4/9$, and the reduced time of a cycle is $\pi+\frac{9r}{8q}w^{3/2}+\cdots$.",
     ),
     _theorem(
         "sharp-rate-constant",

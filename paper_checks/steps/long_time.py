@@ -35,7 +35,7 @@ def expansion() -> tuple[Evidence, ...]:
     """The Abel equation to leading order, solved for the excess."""
     return (
         identity(
-            r"$y'=y-\alpha y^2+\beta y^3-\cdots$ with $\alpha=\tfrac94r$, $\beta=\tfrac{81}{40}r$",
+            r"$y'=y-\alpha y^2+\beta y^3-\cdots$ with $\alpha=\tfrac{9}{4}r$, $\beta=\tfrac{81}{40}r$",
             sp.Matrix(map_coefficients()),
             sp.Matrix([9 * r / 4, 81 * r / 40]),
         ),
@@ -44,11 +44,11 @@ def expansion() -> tuple[Evidence, ...]:
             form("B", logarithm_weight()),
         ),
         identity(
-            r"$A(y)=\frac1{\alpha y}+B\ln y$ has $A(y')-A(y)=1+O(y^2)$, a sum that converges along the exits, as $y_n\sim\frac1{\alpha n}$",
+            r"$A(y)=\frac{1}{\alpha y}+B\ln y$ has $A(y')-A(y)=1+O(y^2)$, a sum that converges along the exits, as $y_n\sim\frac{1}{\alpha n}$",
             abel_defect(),
         ),
         identity(
-            r"$\frac\pi\alpha\cdot\frac1y+\pi B\ln y=\tau+K$ is solved by $y=\frac{\pi}{\alpha\tau}\bigl(1-\frac{\pi B\ln(\alpha\tau/\pi)+K}{\tau}\bigr)$ up "
+            r"$\frac{\pi}{\alpha}\cdot\frac{1}{y}+\pi B\ln y=\tau+K$ is solved by $y=\frac{\pi}{\alpha\tau}\bigl(1-\frac{\pi B\ln(\alpha\tau/\pi)+K}{\tau}\bigr)$ up "
             r"to $O(\tau^{-1}\ln^2\tau)$ in the equation",
             expansion_defect(),
         ),
@@ -65,7 +65,7 @@ def expansion() -> tuple[Evidence, ...]:
             form("pi*B", logarithm_coefficient()),
         ),
         identity(
-            r"the logarithm vanishes for $r=\tfrac25$, that is $m_1/m_2=\tfrac32$",
+            r"the logarithm vanishes for $r=\tfrac{2}{5}$, that is $m_1/m_2=\tfrac{3}{2}$",
             sp.Matrix([balanced_share(), (1 - balanced_share()) / balanced_share()]),
             sp.Matrix([sp.Rational(2, 5), sp.Rational(3, 2)]),
         ),

@@ -109,7 +109,7 @@ def rise_is_convex() -> tuple[Evidence, ...]:
         ),
         vanishes(
             r"Cusa–Huygens, $\theta(2+\cos\theta)-3\sin\theta>0$: its derivative is "
-            r"$4\sin\frac\theta2\,(\sin\frac\theta2-\frac\theta2\cos\frac\theta2)>0$ on $(0,2\pi)$",
+            r"$4\sin\frac{\theta}{2}\,(\sin\frac{\theta}{2}-\frac{\theta}{2}\cos\frac{\theta}{2})>0$ on $(0,2\pi)$",
             difference,
         ),
         identity("and it is $0$ at $\\theta=0$", cusa_huygens().subs(theta, 0)),

@@ -34,10 +34,12 @@ def limit_of_steps() -> tuple[Evidence, ...]:
     ratio = sp.limit(_depth_ratio(), theta, 0)
     return (
         identity(
-            r"$c/y\to\tfrac32$ as $y\to 0$", sp.Matrix([ratio, depth_series(7)[0]]), sp.Rational(3, 2) * sp.ones(2, 1)
+            r"$c/y\to\tfrac{3}{2}$ as $y\to 0$",
+            sp.Matrix([ratio, depth_series(7)[0]]),
+            sp.Rational(3, 2) * sp.ones(2, 1),
         ),
         identity(
-            r"$\frac1{w'}-\frac1w=\frac1q\,\frac{r(c/y)^2}{1-r\,c^2/y}\to\frac{9r}{4q}$",
+            r"$\frac{1}{w'}-\frac{1}{w}=\frac{1}{q}\,\frac{r(c/y)^2}{1-r\,c^2/y}\to\frac{9r}{4q}$",
             inverse_step(),
             9 * r / (4 * q),
         ),
@@ -90,17 +92,17 @@ def one_step() -> tuple[Evidence, ...]:
     given = [sp.Lt(after, before), sp.Ge(before - after, low * before**2), sp.Le(before - after, high * before**2)]
     return (
         prove(
-            r"$a'y^2\leqslant y-y'$ gives $\frac1{y'}-\frac1y\geqslant a'$ (here $z=y'$)",
+            r"$a'y^2\leqslant y-y'$ gives $\frac{1}{y'}-\frac{1}{y}\geqslant a'$ (here $z=y'$)",
             given,
             sp.Ge(before - after, low * before * after, evaluate=False),
         ),
         prove(
-            r"$y-y'\leqslant a\,y^2$ and $y-y'\leqslant\kappa\,y$ with $\kappa<1$ give $\frac1{y'}-\frac1y\leqslant\frac{a}{1-\kappa}$",
+            r"$y-y'\leqslant a\,y^2$ and $y-y'\leqslant\kappa\,y$ with $\kappa<1$ give $\frac{1}{y'}-\frac{1}{y}\leqslant\frac{a}{1-\kappa}$",
             [*given, sp.Lt(part, 1), sp.Le(before - after, part * before)],
             sp.Le((1 - part) * (before - after), high * before * after, evaluate=False),
         ),
         identity(
-            r"$h'(\pi/2)=c(\pi/2)=2-\frac\pi2<1$: for $\theta\leqslant\pi/2$, $\theta-h$ rises ($h'$ rises) and $q\,c<1$",
+            r"$h'(\pi/2)=c(\pi/2)=2-\frac{\pi}{2}<1$: for $\theta\leqslant\pi/2$, $\theta-h$ rises ($h'$ rises) and $q\,c<1$",
             sp.Matrix([sp.diff(h(), theta).subs(theta, sp.pi / 2), depth_of_angle().subs(theta, sp.pi / 2)]),
             (2 - sp.pi / 2) * sp.ones(2, 1),
         ),

@@ -40,7 +40,7 @@ def coefficients() -> tuple[Evidence, ...]:
     return (
         stating(
             identity(
-                r"$c=\tfrac32y-\tfrac{27}{40}y^2+\tfrac{243}{560}y^3-\cdots$ in powers of $y=h^2$",
+                r"$c=\tfrac{3}{2}y-\tfrac{27}{40}y^2+\tfrac{243}{560}y^3-\cdots$ in powers of $y=h^2$",
                 sp.Matrix(found[:3]),
                 sp.Matrix(printed_depth_coefficients()),
             ),
@@ -126,8 +126,8 @@ def remainder() -> tuple[Evidence, ...]:
         Evidence(
             EvidenceKind.ENCLOSURE,
             "python-flint",
-            f"$|c^2-P_8(y)|<\\tfrac13$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
-            f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant\\tfrac r3\\,(9y/4)^9$ for $y\\leqslant 4/9$",
+            f"$|c^2-P_8(y)|<\\tfrac{{1}}{{3}}$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
+            f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant\\tfrac{{r}}{{3}}\\,(9y/4)^9$ for $y\\leqslant 4/9$",
             small,
             ARCS,
             f"{text}; {printed}",

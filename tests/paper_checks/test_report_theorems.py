@@ -1,0 +1,62 @@
+"""Theorems past the paper are shown as ours, and as news, in every form of the report."""
+
+import io
+import json
+
+import pytest
+from rich.console import Console
+
+from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict
+from paper_checks.ledger import Claim, Kind
+from paper_checks.report import html, latex
+from paper_checks.report import json as json_report
+from paper_checks.report.terminal import print_rows
+from paper_checks.runner import Row
+
+PROVED = Evidence(EvidenceKind.EXACT, "sympy", "$1=1$", True, value="y = x**2")
+
+
+@pytest.fixture
+def theorem():
+    claim = Claim("sharp", "Theorems", "past the paper", "$x=1$ for all $q$.", Verdict.HOLDS, Kind.THEOREM)
+    return Row(claim, Finding(Verdict.HOLDS, "The limit is one. It is.", (PROVED,)))
+
+
+def printed(rows):
+    stream = io.StringIO()
+    print_rows(Console(file=stream, width=80, highlight=False), rows)
+    return stream.getvalue()
+
+
+def test_the_page_lists_them_last_among_the_findings_and_filters_them(rows, theorem):
+    text = html.render([*rows, theorem], {})
+    findings = text[text.index('<section class="findings"') : text.index("</section>")]
+    assert findings.index("Unchecked") < findings.index("Past the paper") < findings.index("#sharp")
+    assert '<option value="Theorems">Theorems</option>' in text
+    assert '<option value="III">Section III</option>' in text
+    assert 'data-section="Theorems"' in text
+
+
+def test_one_that_does_not_hold_is_no_news_past_the_paper(theorem):
+    undecided = Row(theorem.claim, Finding(Verdict.UNDECIDED, "Not yet.", missing="a proof"))
+    assert "Past the paper" not in html.render([undecided], {})
+    assert "Undecided" in html.render([undecided], {})
+
+
+def test_the_source_of_the_appendix_says_whose_they_are(rows, theorem):
+    text = latex.render([*rows, theorem], {})
+    assert r"\textbf{Theorem, past the paper.} $x=1$ for all $q$." in text
+    assert r"\textbf{Past the paper.}" in text
+    assert r"\textbf{The paper (eq. (4)).}" in text
+
+
+def test_the_terminal_tells_them_too(rows, theorem):
+    assert "The limit is one." in printed([*rows, theorem])
+    assert "Theorem, past the paper: x=1 for all q." in printed([theorem])
+
+
+def test_programs_see_the_kind_and_the_value(rows, theorem):
+    *claims, last = json.loads(json_report.render([*rows, theorem]))
+    assert {one["kind"] for one in claims} == {"claim"}
+    assert (last["kind"], last["section"]) == ("theorem", "Theorems")
+    assert last["evidence"][0]["value"] == "y = x**2"
