@@ -116,6 +116,16 @@ def test_up_to_the_critical_share_everything_creeps(monkeypatch):
     assert computed[Verdict.CREEPS] > 0.6
 
 
+def test_the_critical_share_is_rounded_down():
+    """r* = 1/(2 sin^2 phi) at the root of phi - sin phi cos phi = sqrt(2) (sin phi - phi cos phi), by mpmath."""
+    with mpmath.workdps(30):
+        phi = mpmath.findroot(
+            lambda x: x - mpmath.sin(x) * mpmath.cos(x) - mpmath.sqrt(2) * (mpmath.sin(x) - x * mpmath.cos(x)), 1.9
+        )
+        room = 1 / (2 * mpmath.sin(phi) ** 2) - mpmath.mpf(CRITICAL_SHARE.numerator) / CRITICAL_SHARE.denominator
+        assert 0 < room < mpmath.mpf(10) ** -15
+
+
 def test_just_beyond_the_critical_share_something_merges():
     """By a millionth: around the least excess after a slip from a ray, at 1 - cos theta = 1/r beyond pi."""
     share = float(CRITICAL_SHARE) * (1 + 1e-6)
