@@ -73,15 +73,18 @@ class Oscillator:
             return None
         if self.regime == 0:
             return -y / lean
-        reach = lean + n * y
+        reach = v + (self.decay + n) * y
         if decide_sign(arithmetic, -side * reach, "does the overdamped motion pass zero?") <= 0:
             return None
         return self._log_quotient(reach, lean - n * y, -2 * n * y) / (2 * n)
 
     def _log_quotient(self, base: Number, other: Number, excess: Number) -> Number:
-        """Return log(other/base), other = base + excess; next to critical damping the quotient would round to 1."""
+        """Return log(other/base), other = base + excess; next to critical damping the quotient would round to 1.
+
+        The logarithm of 1 + ratio takes over no more than twice the relative error of a ratio > -1/2.
+        """
         arithmetic, ratio = self.arithmetic, excess / base
-        return arithmetic.log1p(ratio) if abs(arithmetic.to_float(ratio)) < 0.5 else arithmetic.log(other / base)
+        return arithmetic.log1p(ratio) if arithmetic.to_float(ratio) > -0.5 else arithmetic.log(other / base)
 
     def first_jerk_zero(self, y: Number, v: Number, *, level: bool) -> Number | None:
         """Return the first t > 0 with third derivative 0, None if there is none; `level`: it is 0 exactly at t = 0.

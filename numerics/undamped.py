@@ -137,17 +137,15 @@ class UndampedStick:
     def duration(self) -> Number | None:
         """Return the reduced time to the exit ray, None for E <= E_cr (or the law that never lets go).
 
-        The exit on side sigma is at (1, sqrt w) in (sigma X, sigma V); with a = sigma X and v = sigma V the angle
-        to it has sine and cosine proportional to (1-a)((1+a)/(v + sqrt w) + sqrt w) and a + v sqrt w: no term cancels.
+        The exit on side sigma is at e = (1, sqrt w) in (sigma X, sigma V), as far from 0 as the start p = (a, v). So
+        p - e is at right angles to p + e, and the tangent of half the angle between p and e is (1 - a)/(v + sqrt w).
+        In float64 within 3 ulp: sqrt w, the sum, and 1 - a where it is the far edge, 1 u each at most; atan2 0.52 ulp.
         """
         if self.law is Law.THREE_VALUED_SGN or self._excess_sign <= 0:
             return None
         side, root = self._exit_side, self.frame.arithmetic.sqrt(self.start.w)
-        near, far = -self.offset, 2 + self.offset
-        below, above = (near, far) if side == self.edge else (far, near)  # 1 - a and 1 + a
-        v = side * self.start.V1
-        sine = below * (above / (v + root) + root)
-        return self.frame.arithmetic.atan2(sine, side * self.start.X + v * root)
+        below = -self.offset if side == self.edge else 2 + self.offset  # 1 - a
+        return 2 * self.frame.arithmetic.atan2(below, side * self.start.V1 + root)
 
     @cached_property
     def _excess_sign(self) -> int:

@@ -103,7 +103,7 @@ def _motions() -> tuple[Formula, ...]:
             lambda n, d, v: (-2 * n / (v + d + n)).log1p() / (2 * n),
             1e-100,
             1.0,
-            lambda random, x: (x, 1.0, -(10.0 ** random.uniform(0.5, 6))),
+            lambda random, x: (x, 1.0, -(10.0 ** random.uniform(1, 6))),
         ),
     )
 
@@ -154,9 +154,8 @@ def _stick_angle(w: float, offset: float, v: float) -> Number:
 
 
 def _exact_stick_angle(w: arb, offset: arb, v: arb) -> arb:
-    """The angle from (X, V) to (1, sqrt w), with V^2 + X^2 - 1 = w used once: the three are rounded one by one."""
-    root = w.sqrt()
-    return arb.atan2(-offset * ((2 + offset) / (v + root) + root), 1 + offset + v * root)
+    """Half the angle between (X, V) and (1, sqrt w) has this tangent; the three arguments are rounded one by one."""
+    return 2 * (-offset / (v + w.sqrt())).atan()
 
 
 def _parameters(random: Random, ratio: float) -> Arguments:
