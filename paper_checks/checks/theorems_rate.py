@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from paper_checks.evidence import Finding, Verdict, conclude
 from paper_checks.registry import Context, check
-from paper_checks.steps.critical_share import one_turning_point
+from paper_checks.steps.critical_share import one_turning_point, threshold
 from paper_checks.steps.excursions import angle_of_excursion
 from paper_checks.steps.long_time import constant_found_again, expansion
 from paper_checks.steps.monotone_slips import depth_grows, landings, rise_is_convex
@@ -52,6 +52,7 @@ def rate_bounds_explicit(context: Context) -> Finding:  # noqa: ARG001
         *depth_grows(),
         *landings()[3:],
         *one_turning_point()[:4],
+        threshold()[-1],
         limit_of_steps()[0],
         *one_step(),
         *one_cycle(),

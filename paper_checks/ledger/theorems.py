@@ -49,8 +49,8 @@ THEOREMS = (
         "merging-set",
         r"Let $r=m_2/M$ exceed $r^*$ of critical-mass-ratio. Then $h(\theta)=\sqrt r\,c(\theta)$ has exactly two roots "
         r"$\theta_a<\theta_b$ in $(0,2\pi)$, and a trajectory from $S_0$ above $E_{cr}$ merges at its first re-entry exactly if "
-        r"$w_a\leqslant w\leqslant w_b$, $w_{a,b}=q\,h(\theta_{a,b})^2$. Below $w_a$ it never merges. Above $w_b$ later slips decide, "
-        r"and bands of energies that merge occur there too. For $r<r^*$ no energy on $S_0$ above $E_{cr}$ merges. As $m_1/m_2\to 0$ "
+        r"$w_a\leqslant w\leqslant w_b$, $w_{a,b}=q\,h(\theta_{a,b})^2$. Below $w_a$ it never merges. Above $w_b$ later slips decide; "
+        r"for $r=\tfrac{3}{5},\tfrac{7}{10},\tfrac{4}{5},\tfrac{9}{10}$ bands of energies that merge there are certified. For $r<r^*$ no energy on $S_0$ above $E_{cr}$ merges. As $m_1/m_2\to 0$ "
         r"the interval $[w_a,w_b]/q$ tends to that of $r=1$; as $m_1/m_2\to\infty$ nothing merges after its first contact with $S$.",
     ),
     _theorem(

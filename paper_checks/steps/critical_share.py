@@ -227,7 +227,7 @@ def certificate(part: str, path: Path = checker.CERTIFICATE) -> Evidence:
     statements = {
         "threshold": r"a certificate, cell by cell: $K$ is positive, falling, negative on $(0,\pi)$; bounds of $\varphi^*$, $r^*$, $m_1/m_2$, "
         r"$m_2/m_1$; and every slip from $S$ ends above $E_{cr}$ for $m_2/M\leqslant 557/1000$",
-        "bands": "a certificate of boxes in $(m_2/M,w)$ beyond the first interval, each followed slip by slip until the pair has merged or is "
+        "bands": "a certificate of boxes in $(m_2/M,w)$ about $m_2/M=3/5$, $7/10$, $4/5$, $9/10$, below, in and beyond the first interval, each followed slip by slip until the pair has merged or is "
         "below the level of no-merging-near-critical",
     }
     cases, value = _content(text, part) if not found else (1, found[0])
