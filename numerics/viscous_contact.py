@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from numerics.arithmetic.protocol import Arithmetic, Number, Sign, decide_sign
 from numerics.errors import OutOfRange
 from numerics.oscillator import Oscillator
+from numerics.slip_flow import refuse_unresolved
 
 MAX_PIECES = 20_000
 
@@ -75,9 +76,18 @@ def first_contact(guard: Guard, *, rising: bool) -> Number:
     wait = _certain_wait(guard)
     if wait is None:
         return _first_fall(guard, rising=rising)
+    _refuse_lost_phase(guard, wait)
     later = guard.after(wait)
     slope = later.slope(guard.arithmetic.number(0))
     return wait + _first_fall(later, rising=decide_sign(guard.arithmetic, slope, "is the guard rising?") > 0)
+
+
+def _refuse_lost_phase(guard: Guard, wait: Number) -> None:
+    """Raise OutOfRange where a point arithmetic keeps no phase of an oscillation that is still alive after `wait`."""
+    arithmetic, oscillator = guard.arithmetic, guard.oscillator
+    # e^(-2.5 digits) is below the last digit: what has decayed so far needs no phase
+    if oscillator.regime > 0 and arithmetic.to_float(oscillator.decay * wait) < 2.5 * arithmetic.digits:
+        refuse_unresolved(arithmetic, oscillator.frequency * wait)
 
 
 def _certain_wait(guard: Guard) -> Number | None:
@@ -90,7 +100,7 @@ def _certain_wait(guard: Guard) -> Number | None:
         certain = -guard.c - guard.speed_bound(wait)
         if arithmetic.to_float((certain - wait) * guard.oscillator.stiffness * (certain - wait)) < 1000:
             break
-        if arithmetic.to_float(certain) <= arithmetic.to_float(wait):
+        if arithmetic.to_float(certain - wait) <= 0:  # the two as floats would agree long before they do
             break
         wait = wait + 15 * (certain - wait) / 16
     return wait if arithmetic.to_float(wait) > 0 else None
