@@ -99,8 +99,22 @@ class Trajectory:
 
     @property
     def message(self) -> str:
-        """Return the sentence that says how the solve ended."""
-        return self.status.value
+        """Return the sentence that says how the solve ended, and whether the phase was lost on the way to the end."""
+        if not self.phase_lost:
+            return self.status.value
+        return (
+            f"{self.status.value}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end the "
+            "mode and the energy are known, x1, v1, x2 and v2 are not; use --arithmetic ball"
+        )
+
+    @property
+    def phase_lost(self) -> bool:
+        """Return whether the last segment turns through more radians than a point arithmetic has digits for."""
+        if self.arithmetic.name == "ball":
+            return False
+        length, number = self.segments[-1].length, self.arithmetic.to_float
+        alive = number(self.frame.two_zeta * length) < 5 * self.arithmetic.digits  # e^(-zeta length) is no rounding yet
+        return bool(alive and length > 10 ** (self.arithmetic.digits - 3))
 
     @property
     def success(self) -> bool:
