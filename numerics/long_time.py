@@ -13,7 +13,7 @@ from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
 
-from flint import arb
+from flint import arb, fmpq
 
 from numerics.abel import AbelFunctions
 from numerics.accuracy import digits_within
@@ -88,7 +88,10 @@ def energy_at(
             undecided, working = error, 2 * working
     if undecided is not None:
         raise undecided
-    raise PrecisionExhausted(f"{digits} right digits at t = {float(at):g} s need more than {max_digits} working digits")
+    raise PrecisionExhausted(
+        f"{digits} right digits at t = {arb(fmpq(at.numerator, at.denominator)).str(6, radius=False)} s need more than "
+        f"{max_digits} working digits; raise max_digits (--max-digits)"
+    )
 
 
 def _attempt(scene: Scene, at: Fraction, working: int, reach_digits: int, max_steps: int) -> EnergyAt:
@@ -124,6 +127,7 @@ class _Walk:
             if self._may_jump():
                 self.road = Road.ABEL
                 return
+            self._refuse_countless(max_steps)
             duration = self.motion.duration()
             if duration is None:
                 self.road = Road.NO_MORE_SLIP
@@ -139,6 +143,27 @@ class _Walk:
             was_stuck = self.motion.mode is Mode.STICK
             self.motion, self.start, self.stepped = self.motion.successor(), end, self.stepped + 1
             self.excursions += was_stuck
+
+    def _refuse_countless(self, max_steps: int) -> None:
+        """Raise OutOfRange at once where the cap on steps is certain to be met before a jump or the target.
+
+        1/y grows by G/(y (1 - G)) <= a/(1 - a y) an excursion, as c <= 3 y/2 and so G <= a y, a = 9 r/4: for a y < 1/2
+        by less than 2 a, and it never merges. An excursion is two events and takes less than the reduced time 4 pi.
+        """
+        motion, number = self.motion, self.arithmetic.to_float
+        if not isinstance(motion, UndampedSlip) or not motion.from_ray:
+            return
+        a, y = 9 * number(self.frame.r) / 4, number(motion.w / self.frame.q)
+        reach = _reach(self.digits)
+        if not reach < y < 1 / (2 * a):
+            return
+        half_turns = number((self.target - self.start) / self.arithmetic.pi())
+        events = min((1 / reach - 1 / y) / a, half_turns / 2)
+        if events > max_steps - self.stepped:
+            raise OutOfRange(
+                f"{self.digits} working digits need about {events:.0e} events before the return map takes over, "
+                f"the cap is {max_steps}; ask for fewer digits, or raise max_steps (--max-steps)"
+            )
 
     def _may_jump(self) -> bool:
         """Return whether the pair is on an exit ray, close enough to E_cr for the digits, with a long way to go."""

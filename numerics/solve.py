@@ -50,10 +50,19 @@ def solve(
             raise ValueError("float64 works with 53 bits; leave digits out, or ask for arithmetic='ball'")
         return integrate(scene, Float64(), max_events, progress)
     if chosen == "mpmath":
-        return integrate(scene, Multiprecision((digits or 30) + _GUARD_DIGITS), max_events, progress)
+        working = (digits or 30) + _GUARD_DIGITS
+        _require_within_cap(working, digits or 30, max_digits)
+        return integrate(scene, Multiprecision(working), max_events, progress)
     if chosen == "ball":
         return _solve_to_digits(scene, digits or 15, max_events, max_digits, progress)
     raise ValueError(f"arithmetic = {chosen!r} is not one of float64, mpmath, ball")
+
+
+def _require_within_cap(working: int, digits: int, max_digits: int) -> None:
+    if working > max_digits:
+        raise PrecisionExhausted(
+            f"{digits} right digits need more than {max_digits} working digits; raise max_digits (--max-digits)"
+        )
 
 
 def _solve_to_digits(
@@ -64,10 +73,7 @@ def _solve_to_digits(
 
     working = digits + _GUARD_DIGITS
     while True:
-        if working > max_digits:
-            raise PrecisionExhausted(
-                f"{digits} right digits need more than {max_digits} working digits; raise max_digits (--max-digits)"
-            )
+        _require_within_cap(working, digits, max_digits)
         undecided: EventUndecided | None = None
         try:
             trajectory = integrate(scene, Ball(working), max_events, progress)
