@@ -201,4 +201,4 @@ class Simulation(RuleBasedStateMachine):
 
 
 TestSimulation = Simulation.TestCase
-TestSimulation.settings = settings(max_examples=2 * settings().max_examples, stateful_step_count=10)
+TestSimulation.settings = settings(max_examples=settings().max_examples, stateful_step_count=10)
