@@ -48,7 +48,7 @@ class Oscillator:
 
     @property
     def slow_rate(self) -> Number:
-        """decay - frequency of the overdamped regime, formed as stiffness/(decay + frequency)."""
+        """decay - frequency of the overdamped regime, formed as stiffness/(decay + frequency): within 1.5 ulp in float64."""
         return self.stiffness / (self.decay + self.frequency)
 
     def _separated(self, y: Number, v: Number, t: Number) -> tuple[Number, Number]:
@@ -62,6 +62,8 @@ class Oscillator:
         """Return the first t > 0 with y(t) = 0 for the solution from (y, v); None if there is none.
 
         Zeros of the underdamped regime follow each other at distance pi/frequency. Raises EventUndecided.
+        The overdamped zero in float64, as long as v + d y does not cancel: the counted roundings give 5.2 ulp (1.2 u in
+        the reach, 1 u in 2 n y, 1 u in their ratio, 1.5 u in log1p, the division 0.5 ulp), the audit measures 3.
         """
         arithmetic, n = self.arithmetic, self.frequency
         lean = v + self.decay * y

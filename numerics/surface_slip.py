@@ -27,7 +27,11 @@ class Contact:
 
 
 def contact(arithmetic: Arithmetic, gap: Number, push: Number) -> Contact:
-    """Return where a slip from the surface with gap >= 0 and push (> 0 if the gap is 0) ends. Raises EventUndecided."""
+    """Return where a slip from the surface with gap >= 0 and push (> 0 if the gap is 0) ends. Raises EventUndecided.
+
+    On a ray float64 takes over into theta at most the relative errors of push and rise, and the tolerance of the root:
+    h is convex and h(0) = 0, so d ln theta <= d ln h. The audit measures 1.7 ulp.
+    """
     if arithmetic.to_float(push) > 1:
         return _late_contact(arithmetic, gap, push)
     lower, upper = early_bracket(arithmetic, gap, push)
@@ -68,7 +72,10 @@ def early_bracket(arithmetic: Arithmetic, gap: Number, push: Number) -> tuple[Nu
 
 
 def positive_root(arithmetic: Arithmetic, b: Number, c: Number) -> Number:
-    """Return b + sqrt(b^2 + c), c >= 0, without cancellation."""
+    """Return b + sqrt(b^2 + c), c >= 0, without cancellation.
+
+    In float64 within 3.5 ulp (u = 2^-53 a rounding): the root 2 u, its difference with b < 0 1 u more, c over it 0.5 ulp.
+    """
     root = arithmetic.sqrt(b * b + c)
     return b + root if arithmetic.to_float(b) >= 0 else c / (root - b)
 
