@@ -48,7 +48,7 @@ class Oscillator:
 
     @property
     def slow_rate(self) -> Number:
-        """decay - frequency of the overdamped regime, formed as stiffness/(decay + frequency): within 1.5 ulp in float64."""
+        """decay - frequency of the overdamped regime, as stiffness/(decay + frequency): float64 within 1.5 ulp."""
         return self.stiffness / (self.decay + self.frequency)
 
     def _separated(self, y: Number, v: Number, t: Number) -> tuple[Number, Number]:

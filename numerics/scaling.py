@@ -77,7 +77,7 @@ class Frame:
         return self.critical_energy * self.energy_ratio(state.X, state.V1, state.V2)
 
     def energy_ratio(self, X: Number, V1: Number, V2: Number) -> Number:
-        """Return E/E_cr = X^2 + q V1^2 + r V2^2, formed from the state: in float64 within 3.5 ulp of the sum of its terms.
+        """Return E/E_cr = X^2 + q V1^2 + r V2^2, formed from the state: in float64 within 3.5 ulp.
 
         Each term is > 0 and has 2 u or less, u = 2^-53, the first sum adds 1 u and the second 0.5 ulp.
         """

@@ -74,7 +74,7 @@ def early_bracket(arithmetic: Arithmetic, gap: Number, push: Number) -> tuple[Nu
 def positive_root(arithmetic: Arithmetic, b: Number, c: Number) -> Number:
     """Return b + sqrt(b^2 + c), c >= 0, without cancellation.
 
-    In float64 within 3.5 ulp (u = 2^-53 a rounding): the root 2 u, its difference with b < 0 1 u more, c over it 0.5 ulp.
+    In float64 within 3.5 ulp, u = 2^-53: the root 2 u, its difference from b < 0 1 u more, c over it 0.5 ulp.
     """
     root = arithmetic.sqrt(b * b + c)
     return b + root if arithmetic.to_float(b) >= 0 else c / (root - b)
