@@ -26,8 +26,8 @@ def exact_decimal(value: object, name: str) -> Fraction:
     """Return `value` as the exact rational number that its decimal text denotes.
 
     Accepts int, Fraction, Decimal, decimal text, and float (read as its shortest decimal text, so 0.005 is 1/200).
-    Raises InvalidScene naming the quantity `name` for anything else: bool, nan, inf, other text, magnitudes
-    beyond 10^+-1000, and texts longer than 1000 characters.
+    Raises InvalidScene naming the quantity `name` for anything else: bool, nan, inf, other text, exponents beyond
+    +-1000, texts longer than 1000 characters, and exact numbers that take more than 2000 digits to write.
 
     >>> exact_decimal("0.005", "x1"), exact_decimal(0.005, "x1"), exact_decimal("-1e-3", "x1")
     (Fraction(1, 200), Fraction(1, 200), Fraction(-1, 1000))

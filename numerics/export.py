@@ -52,7 +52,7 @@ def _rows(trajectory: Trajectory, write: Callable[[str, Number, int], Written]) 
             yield row
         final = trajectory.final
         last = trajectory.segments[-1]
-        row = write("t", trajectory.frame.si_time(last.end), -1) | {"mode": last.mode.value}
+        row = write("t", trajectory.frame.si_time(last.end), -1) | {"mode": trajectory.final_mode.value}
         values = (*trajectory.frame.si_state(final), trajectory.frame.energy(final), final.w)
         for name, value in zip((*STATE_NAMES, "energy", "energy_excess"), values, strict=True):
             row |= write(name, value, -1)

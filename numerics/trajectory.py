@@ -131,6 +131,11 @@ class Trajectory:
         """Return the kinds of the events in their order."""
         return tuple(event.kind for event in self.events)
 
+    @property
+    def final_mode(self) -> Mode:
+        """Return the mode at the end: after the last event, where the cap on events ended the run."""
+        return self.segments[-1].mode if self.success else self.events[-1].after
+
     @cached_property
     def final(self) -> ReducedState:
         """Return the reduced state at the end."""

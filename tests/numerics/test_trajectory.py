@@ -59,6 +59,7 @@ def test_times_outside_are_refused(bad):
 def test_the_cap_on_events_ends_the_evaluation():
     run = solve(PAPER, max_events=3)
     assert (run.success, run.status, len(run.events)) == (False, Status.EVENT_LIMIT, 3)
+    assert run.final_mode is run.events[-1].after
     assert run.t[-1] == run.events[-1].t
     assert run.sol(run.t[-1]).shape == (4,)
     with pytest.raises(ValueError, match="outside"):
