@@ -67,10 +67,10 @@ def filippov_equivalence(context: Context) -> Finding:
     ]
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The two systems have the same solutions if (e1)–(e3) is read in Filippov's sense, as Section III does. Read with "
-        "the three-valued signum of eq. (1), which the text prefers, (e1)–(e3) has no solution through the interior of "
-        "$S_0$ with $x_1\\neq 0$: on $S$ it would have to stay there, but its accelerations differ. On $S$ outside the "
-        "open strip the right sides differ too, at isolated instants only.",
+        "Read with the three-valued signum of eq. (1), which the text prefers, (e1)–(e3) has no solution through the "
+        "interior of $S_0$ with $x_1\\neq 0$; read in Filippov's sense, as Section III does, it has the same solutions as "
+        "(2)–(4). With sgn(0) = 0 a solution would have to stay on $S$, but its accelerations differ there. On $S$ outside "
+        "the open strip the right sides of (3)–(4) and of Filippov's system differ too, at isolated instants only.",
         *off_surface,
         identity(
             "on $S_0$ the adhesion branch of (3), (4) is Filippov's sliding field",
@@ -200,8 +200,8 @@ def viscous_no_direct_effect(context: Context) -> Finding:
     force = stick().force_on_second
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The damper is dissipative, and the friction force of slip does not contain $a_1$. The force that adhesion needs "
-        "does, so the damper tilts the sliding region: it decides at which states the pair sticks.",
+        "The damper tilts the sliding region and so decides at which states the pair sticks: the force that adhesion needs "
+        "contains $a_1$. That it is dissipative is right, and the friction force of slip does not contain $a_1$.",
         example.as_counterexample(),
         identity(
             "adhesion needs the interface force $-m_2(a_2x_1+a_1v_1)/(m_1+m_2)$ on body 2 (at $u=0$)",
