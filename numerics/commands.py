@@ -118,26 +118,22 @@ def tell_energy(options: argparse.Namespace) -> int:
         max_steps=options.max_steps,
         max_digits=options.max_digits,
     )
+    x1, v1, _, v2 = found.si_state
+    values = {"energy": found.energy, "energy_excess": found.energy_excess, "x1": x1, "v1": v1, "v2": v2}
+    record = {"t": options.at, "mode": found.mode.value}
     with found.frame.arithmetic.context():
-        energy, energy_radius = ball_text(found.energy, options.digits)
-        excess, excess_radius = ball_text(found.energy_excess, options.digits)
-    record = {
-        "t": options.at,
-        "mode": found.mode.value,
-        "energy": energy,
-        "energy_radius": energy_radius,
-        "energy_excess": excess,
-        "energy_excess_radius": excess_radius,
-        "excursions": str(found.excursions),
-        "road": found.road.name.lower().replace("_", "-"),
-        "stepped": found.stepped,
-        "digits": options.digits,
-    }
+        for name, value in values.items():
+            record[name], record[f"{name}_radius"] = ball_text(value, options.digits)
+    road = found.road.name.lower().replace("_", "-")
     if options.json:
-        print(json.dumps(record, indent=1))
+        told = {"excursions": str(found.excursions), "road": road, "stepped": found.stepped, "digits": options.digits}
+        print(json.dumps(record | told, indent=1))
         return OK
     print(f"at t = {options.at} s, {found.mode.value}, after {found.excursions} excursions")
-    print(f"  energy = {energy} J\n  energy excess = {excess}\n{options.digits} right digits, proved")
+    print(f"  energy = {record['energy']} J\n  energy excess = {record['energy_excess']}")
+    for name, unit in (("x1", "m"), ("v1", "m/s"), ("v2", "m/s")):
+        print(f"  {name} = {record[name]} {unit}, within {record[f'{name}_radius']}")
+    print(f"{options.digits} right digits of the energy and its excess, proved")
     if options.explain:
         print(f"{found.road.value} ({found.stepped} events stepped)")
     return OK

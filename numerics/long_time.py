@@ -57,10 +57,16 @@ class EnergyAt:
     energy_excess: Number
     excursions: int
     mode: Mode
-    state: ReducedState | None
+    state: ReducedState
     road: Road
     stepped: int
     digits: int
+
+    @property
+    def si_state(self) -> tuple[Number, Number, Number, Number]:
+        """Return (x1, v1, x2, v2) in m and m/s, the phase at time t; after a jump x2 counts from an unknown origin."""
+        with self.frame.arithmetic.context():
+            return self.frame.si_state(self.state)
 
 
 def energy_at(

@@ -123,6 +123,8 @@ def test_command_line(capsys):
     record = json.loads(capsys.readouterr().out)
     assert record["energy_excess"].startswith("1.396263401595463661")
     assert len(record["excursions"]) == 101
+    assert float(record["x1_radius"]) < 1e-20
+    assert record["v1"] == record["v2"]  # it sticks then
     assert main(["energy", "figure-3b", "--at", "1e4", "--explain"]) == 0
     assert "Abel functions" in capsys.readouterr().out
     assert main(["energy", "figure-3b", "--at", "inf"]) == 2
