@@ -133,8 +133,9 @@ class AbelFunctions:
                 break
         width = (abs(self.alpha(y) - value) / abs(self.slope(y))).upper() + abs(y) * arb(2) ** (8 - flint.ctx.prec)
         for _ in range(60):
-            if self.alpha((y - width).mid()) > value and self.alpha((y + width).mid()) < value:
-                return arb(y, width.upper())
+            low, high = (y - width).mid(), (y + width).mid()
+            if self.alpha(low) > value and self.alpha(high) < value:
+                return low.union(high)
             width = 2 * width
         raise ArithmeticError("the inverse of the Abel function is not enclosed at this precision")
 

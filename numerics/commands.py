@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from numerics.trajectory import Trajectory
 
 OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
+LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
 
 
 def refuse(message: str, code: int) -> int:
@@ -61,6 +62,8 @@ def solve_scene(options: argparse.Namespace) -> int:
         plot.write_plot(trajectory, options.plot)
     else:
         _print_table(trajectory)
+    if not trajectory.success:
+        return refuse(trajectory.message, FAILED)
     return OK
 
 
@@ -85,7 +88,7 @@ def _print_table(trajectory: Trajectory) -> None:
     final = record["final"]
     console.print(f"at t = {final['t']} s, {final['mode']}; {record['message']}")
     for name, unit in (("x1", "m"), ("v1", "m/s"), ("x2", "m"), ("v2", "m/s"), ("energy", "J"), ("energy_excess", "")):
-        console.print(f"  {name.replace('_', ' ')} = {final[name]} {unit}".rstrip())
+        console.print(f"  {LABELS.get(name, name)} = {final[name]} {unit}".rstrip())
     console.print(f"{record['arithmetic']}, {record['digits']} digits")
 
 
@@ -130,7 +133,7 @@ def tell_energy(options: argparse.Namespace) -> int:
         print(json.dumps(record | told, indent=1))
         return OK
     print(f"at t = {options.at} s, {found.mode.value}, after {found.excursions} excursions")
-    print(f"  energy = {record['energy']} J\n  energy excess = {record['energy_excess']}")
+    print(f"  energy = {record['energy']} J\n  {LABELS['energy_excess']} = {record['energy_excess']}")
     for name, unit in (("x1", "m"), ("v1", "m/s"), ("v2", "m/s")):
         print(f"  {name} = {record[name]} {unit}, within {record[f'{name}_radius']}")
     print(f"{options.digits} right digits of the energy and its excess, proved")

@@ -104,7 +104,7 @@ def as_csv(trajectory: Trajectory) -> str:
 
 
 def write_npz(trajectory: Trajectory, path: Path) -> None:
-    """Write t (m,), y (4, m), energy (m,), modes and event_kinds as a NumPy archive of plain arrays (binary64)."""
+    """Write t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds as a NumPy archive (binary64)."""
     number = trajectory.arithmetic.to_float
     with trajectory.arithmetic.context(), whole_file(path) as file:
         np.savez(
@@ -112,6 +112,10 @@ def write_npz(trajectory: Trajectory, path: Path) -> None:
             t=np.vectorize(number, otypes=[float])(trajectory.t),
             y=np.vectorize(number, otypes=[float])(trajectory.y),
             energy=np.vectorize(number, otypes=[float])(trajectory.energy),
+            energy_excess=np.array(
+                [number(one.motion.state(trajectory.arithmetic.number(0)).w) for one in trajectory.segments]
+                + [number(trajectory.final.w)]
+            ),
             modes=np.array([mode.value for mode in trajectory.modes]),
             event_kinds=np.array([kind.value for kind in trajectory.event_kinds], dtype=str),
         )

@@ -53,7 +53,7 @@ def draw_map(cells: MergingMap) -> Any:
         line.set_label(f"$m_2/m_1 = {threshold:.6f}$, $m_2/M = r^* = {float(CRITICAL_SHARE):.6f}$")
         handles.append(line)
     figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize="small", frameon=False)
-    axes.set_title("From which energies on $S_0$ the pair merges: every cell is proved")
+    axes.set_title("From which energies on $S_0$ the pair merges: every decided cell is proved")
     return figure
 
 

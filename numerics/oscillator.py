@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from numerics.arithmetic.protocol import Arithmetic, Number, decide_sign
+from numerics.arithmetic.protocol import Arithmetic, Number, Sign, decide_sign
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,9 +58,10 @@ class Oscillator:
         c2 = -(v + slow * y) / (2 * self.frequency) * self.arithmetic.exp(-fast * t)
         return c1 + c2, -slow * c1 - fast * c2
 
-    def first_zero(self, y: Number, v: Number) -> Number | None:
-        """Return the first t > 0 with y(t) = 0 for the solution from (y, v); None if there is none.
+    def first_zero(self, y: Number, v: Number, horizon: Number | None = None) -> Number | None:
+        """Return the first t > 0 with y(t) = 0 for the solution from (y, v); None if there is none (up to the horizon).
 
+        The horizon settles starts on an eigenline, whose zero at infinity balls cannot tell from one that is very late.
         Zeros of the underdamped regime follow each other at distance pi/frequency. Raises EventUndecided.
         The overdamped zero in float64, as long as v + d y does not cancel: the counted roundings give 5.2 ulp (1.2 u in
         the reach, 1 u in 2 n y, 1 u in their ratio, 1.5 u in log1p, the division 0.5 ulp), the audit measures 3.
@@ -70,6 +71,8 @@ class Oscillator:
         side = decide_sign(arithmetic, y, "on which side of zero does the oscillation start?")
         if self.regime > 0:
             return (arithmetic.atan2(side * y * n, -side * lean) if side else arithmetic.pi()) / n
+        if self.regime == 0 and horizon is not None and self._smaller(lean * horizon, y):
+            return None
         towards = decide_sign(arithmetic, -side * lean, "does the damped motion head for zero?") if side else 0
         if towards <= 0:
             return None
@@ -80,6 +83,10 @@ class Oscillator:
             return None
         return self._log_quotient(reach, lean - n * y, -2 * n * y) / (2 * n)
 
+    def _smaller(self, x: Number, y: Number) -> bool:
+        """Return whether |x| < |y| is proved."""
+        return self.arithmetic.sign(y * y - x * x) is Sign.POSITIVE
+
     def _log_quotient(self, base: Number, other: Number, excess: Number) -> Number:
         """Return log(other/base), other = base + excess; next to critical damping the quotient would round to 1.
 
@@ -88,8 +95,10 @@ class Oscillator:
         arithmetic, ratio = self.arithmetic, excess / base
         return arithmetic.log1p(ratio) if arithmetic.to_float(ratio) > -0.5 else arithmetic.log(other / base)
 
-    def first_jerk_zero(self, y: Number, v: Number, *, level: bool) -> Number | None:
-        """Return the first t > 0 with third derivative 0, None if there is none; `level`: it is 0 exactly at t = 0.
+    def first_jerk_zero(self, y: Number, v: Number, horizon: Number, *, level: bool) -> Number | None:
+        """Return the first t in (0, horizon] with third derivative 0, or a later one, or None if there is none.
+
+        `level` says that it is 0 exactly at t = 0.
 
         It obeys the same equation; its overdamped zero is taken from the two exponentials of y, since far above
         critical damping the slow one cancels in the derivatives at 0. Raises EventUndecided.
@@ -98,12 +107,15 @@ class Oscillator:
         if self.regime >= 0:
             acceleration = -(2 * self.decay * v + self.stiffness * y)
             jerk = arithmetic.number(0) if level else -(2 * self.decay * acceleration + self.stiffness * v)
-            return self.first_zero(jerk, -(2 * self.decay * jerk + self.stiffness * acceleration))
+            return self.first_zero(jerk, -(2 * self.decay * jerk + self.stiffness * acceleration), horizon)
         if level:
             return None
         slow, fast = self.slow_rate, self.decay + self.frequency
         ratio = fast / slow
         slow_part, fast_part = v + fast * y, v + slow * y  # up to one factor
+        faded = ratio * ratio * ratio * fast_part * arithmetic.exp(-2 * self.frequency * horizon)
+        if self._smaller(slow_part, faded):
+            return None  # the slow part is too small, or exactly 0, to take over before the horizon
         side = decide_sign(arithmetic, slow_part, "has the overdamped motion a slow part?")
         # a fast part that has died away has no sign, but it is proved to be too small
         excess = side * (ratio * ratio * ratio * fast_part - slow_part)

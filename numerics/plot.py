@@ -28,7 +28,11 @@ def draw(trajectory: Trajectory) -> Any:
 
     to_float = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
     times = sample_times(trajectory)
-    y = to_float(trajectory.sol(np.minimum(times, to_float(trajectory.t)[-1])))
+    states = [trajectory.reduced(t) for t in np.minimum(times, to_float(trajectory.t)[-1])]
+    with trajectory.arithmetic.context():
+        y = to_float(np.array([trajectory.frame.si_state(state) for state in states]).T)
+        # w times E_cr, since the difference of both energies is rounding close to the critical orbit
+        excess = to_float(np.array([trajectory.frame.critical_energy * state.w for state in states]))
     figure = Figure(figsize=(8, 5.5), layout="constrained")
     velocity, energy = figure.subplots(2, 1, sharex=True)
     velocity.plot(times, y[1], label="$v_1$", lw=1.2)
@@ -40,9 +44,6 @@ def draw(trajectory: Trajectory) -> Any:
             velocity.plot(t, to_float(at[:, 3]), marker, color="black", ms=4, mfc="none", label=label)
     velocity.set_ylabel("velocity (m/s)")
     velocity.legend(loc="upper right", ncols=5, fontsize="small")
-    pair = trajectory.scene.pair
-    a2, m1, m2 = float(pair.a2), float(pair.m1), float(pair.m2)
-    excess = (a2 * y[0] ** 2 + m1 * y[1] ** 2 + m2 * y[3] ** 2) / 2 - float(pair.critical_energy)
     energy.plot(times, excess, color="tab:green", lw=1.2)
     energy.axhline(0, color="gray", lw=0.8)
     energy.set(xlabel="t (s)", ylabel="$E - E_{cr}$ (J)")

@@ -33,17 +33,23 @@ def _upwards(bound: arb) -> str:
     mantissa, exponent = (int(part) for part in bound.man_exp())
     context = _wide(40, ROUND_CEILING)
     exact = context.multiply(Decimal(mantissa), context.power(Decimal(2), Decimal(exponent)))
-    # 40 digits leave room for the rounding of the power, which decimal does not direct
-    return str(_wide(3, ROUND_CEILING).create_decimal(exact * (1 + Decimal("1e-30"))))
+    # the margin covers the rounding of the power, which decimal does not direct
+    safe = context.multiply(exact, Decimal("1." + 29 * "0" + "1"))
+    return str(_wide(3, ROUND_CEILING).create_decimal(safe))
 
 
 def right_digits_text(value: Fraction, error: arb, most: int) -> str:
-    """Return an exact number as text cut to the digits that an error bound leaves right, at most `most` of them."""
+    """Return an exact number as text cut to the digits that an error bound leaves right, at most `most` of them.
+
+    The true value lies within one unit of the last place: half of it for the error, half for the rounding.
+    """
     context = _wide(max(most, 1), ROUND_HALF_EVEN)
     text = context.divide(Decimal(value.numerator), Decimal(value.denominator))
-    if error.is_zero() or text == 0:
+    if error.is_zero():
         return str(text)
-    place = Decimal(_upwards(error.upper())).adjusted() + 1
+    place = Decimal(_upwards((2 * error).upper())).adjusted() + 1
+    if text == 0:
+        return str(Decimal((0, (0,), place)))
     if place <= int(text.as_tuple().exponent):
         return str(text)
     return str(text.quantize(Decimal((0, (1,), place)), context=_wide(most + 2, ROUND_HALF_EVEN)))

@@ -31,6 +31,8 @@ class SlipFlow:
     guard_at_start: Number
     gap_at_start: Number
     push_at_start: Number
+    turns: bool = True
+    """Whether the guard has extrema, A^2 = (1 + d)^2 + u^2 > 1: decided on exact rationals where A may be 1."""
 
     def guard(self, theta: Number) -> Number:
         """Return k(theta)."""
@@ -73,7 +75,7 @@ class SlipFlow:
     def _bracket(self) -> tuple[Number, Number]:
         arithmetic, d, u = self.arithmetic, self.gap_at_start, self.push_at_start
         excess = d * (2 + d) + u * u  # A^2 - 1
-        if decide_sign(arithmetic, excess, "does the guard of this slip turn at all?") <= 0:
+        if not self.turns or decide_sign(arithmetic, excess, "does the guard of this slip turn at all?") <= 0:
             return arithmetic.number(0), self.guard_at_start + u + 3  # monotone: k <= g + u + A - theta, A <= 1
         lean = arithmetic.atan2(arithmetic.sqrt(excess), arithmetic.number(1))
         phase = arithmetic.atan2(u, 1 + d)

@@ -120,14 +120,14 @@ def integrate(
             if len(events) == max_events:
                 status = Status.EVENT_LIMIT
                 break
-            segments.append(Segment(motion, start, end))
+            segments.append(Segment(motion, start, end, duration))
             following = motion.successor()  # flow and snap
             events.append(_event(frame, motion, following, end))
             motion, start = following, end
             if progress is not None and len(events) % 1000 == 0:
                 progress(len(events), arithmetic.to_float(end / horizon))
         if status is not Status.EVENT_LIMIT:
-            segments.append(Segment(motion, start, horizon))
+            segments.append(Segment(motion, start, horizon, horizon - start))
         return Trajectory(scene, frame, tuple(segments), tuple(events), status)
 
 

@@ -33,11 +33,14 @@ def _undamped_slip(frame: Frame, scene: Scene, sign: int, X: Fraction) -> Undamp
     arithmetic, pair, at, side = frame.arithmetic, scene.pair, scene.initial, -sign
     start = frame.initial(scene)
     relative = arithmetic.number(sign * (at.v1 - at.v2) / pair.half_width) / frame.rate
+    gap = (side * X - 1) * pair.mass / pair.m1
+    push_squared = at.v1**2 * pair.mass**2 / (pair.half_width**2 * pair.a2 * pair.m1)
     flow = SlipFlow(
         arithmetic,
         guard_at_start=relative / frame.sqrt_q,
-        gap_at_start=arithmetic.number((side * X - 1) * pair.mass / pair.m1),
+        gap_at_start=arithmetic.number(gap),
         push_at_start=side * start.V1 / frame.sqrt_q,
+        turns=gap * (2 + gap) + push_squared > 0,
     )
     return UndampedSlip(frame, scene.law, side, flow, start.Z, start.w, V2=start.V2, on_surface=at.v1 == at.v2)
 

@@ -116,8 +116,13 @@ class ViscousStick:
         if arithmetic.sign(1 - load * load - rate * rate) is Sign.POSITIVE:
             return None  # P^2 + P'^2 never grows
         # P = -X'', so the load turns where the third derivative of X vanishes
-        turning = self.oscillator.first_jerk_zero(self.start.X, self.start.V1, level=self.level)
+        slowest = self.oscillator.slow_rate if self.oscillator.regime < 0 else self.oscillator.decay
+        late = (64 + load * load + rate * rate) / slowest  # by then the load has died away, which is proved below
+        turning = self.oscillator.first_jerk_zero(self.start.X, self.start.V1, late, level=self.level)
         if turning is None:
+            left, speed = self.oscillator.propagate(load, rate, late)
+            question = "has the load on the interface died away?"
+            decide_sign(arithmetic, 1 - left * left - speed * speed, question)
             return None
         extremum, _ = self.oscillator.propagate(load, rate, turning)
         side = 1 if arithmetic.to_float(extremum) > 0 else -1

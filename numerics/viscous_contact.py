@@ -15,7 +15,7 @@ from numerics.errors import OutOfRange
 from numerics.oscillator import Oscillator
 from numerics.slip_flow import refuse_unresolved
 
-MAX_PIECES = 20_000
+MAX_PIECES = 100_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +146,7 @@ def _turning_points(guard: Guard) -> Iterator[Number]:
     """Yield the zeros of f'' in order, up to and then including a time at which f < 0 is certain."""
     arithmetic, oscillator = guard.arithmetic, guard.oscillator
     last = _certainly_negative(guard)
-    point = oscillator.first_jerk_zero(guard.y, guard.v, level=guard.level)
+    point = oscillator.first_jerk_zero(guard.y, guard.v, last, level=guard.level)
     step = arithmetic.pi() / oscillator.frequency if oscillator.regime > 0 else None
     count = 0
     while point is not None and arithmetic.to_float(last - point) > 0:

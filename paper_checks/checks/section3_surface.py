@@ -226,8 +226,8 @@ def return_alternatives(context: Context) -> Finding:
         Verdict.HOLDS,
         "In $\\Omega_-$ the guard $v_1-v_2$ is negative, so where it reaches 0 its rate $\\Phi_-\\cdot n_S$ is not negative: "
         "the point has $x_1\\leqslant L$. On $S_-$ both products are positive and the crossing is transversal; the rest is "
-        "$S_0$. The degenerate case is a graze of $\\ell_+$ from $\\Omega_-$: the trajectory enters $S_0$ at one point of the "
-        "ray and leaves by that ray at once, an arc of length 0.",
+        "$S_0$. Two cases are degenerate: a graze of $\\ell_+$ from $\\Omega_-$, and a landing on $\\ell_-$ from $\\Omega_-$. The "
+        "trajectory then enters $S_0$ at one point of the ray and leaves by that ray at once, an arc of length 0.",
         prove(
             "arrival from $\\Omega_-$, $\\Phi_-\\cdot n_S\\geqslant 0$, implies $x_1\\leqslant L$: $p\\in S_-\\cup S_0$",
             [arrives],

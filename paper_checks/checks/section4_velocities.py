@@ -98,7 +98,7 @@ def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
     falling = all(after < before for before, after in pairwise(lost))
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        f"Nearly constant, and only while the pair slips. The {len(peaks)} positive peaks of $v_1$ before the first adhesion fall "
+        f"The loss per cycle is nearly constant, not exactly, and only while the pair slips. The {len(peaks)} positive peaks of $v_1$ before the first adhesion fall "
         f"by {_milli(lost[0])}, {_milli(lost[1])}, ..., {_milli(lost[-2])}, {_milli(lost[-1])} mm/s: never twice by the same, each "
         "time by less. The first seven decrements are within 1 % of $4b/\\sqrt{a_2m_1}=14.142$ mm/s per cycle, which Coulomb "
         "friction takes from an oscillator; the nine spread by 7 %. From the first adhesion on the peaks creep to $L\\Omega=5$ "

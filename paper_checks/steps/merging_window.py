@@ -44,7 +44,8 @@ def never_from_below() -> tuple[Evidence, ...]:
     rise_value, deep, y_a = sp.symbols("h c y_a", positive=True)
     return (
         prove(
-            r"for $\theta<\theta_a$, where $R^2>r$: $0<y'=h^2-r\,c^2<y=h^2<y_a$, and so on without end",
+            r"for $\theta<\theta_a$, where $R^2>r$: $0<y'=h^2-r\,c^2<y=h^2<y_a$, and so on without end: each "
+            r"re-enters $S_0$, as $c$ rises with $\theta$ and $w'=0$ at $\theta_a$ puts its end into $|X'|\leqslant 1$",
             [sp.Lt(share, 1), sp.Gt(rise_value**2, share * deep**2), sp.Lt(rise_value**2, y_a)],
             sp.And(
                 sp.Gt(rise_value**2 - share * deep**2, 0, evaluate=False),
