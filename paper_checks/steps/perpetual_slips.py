@@ -12,7 +12,7 @@ from flint import arb
 
 from numerics.modes import EventKind
 from numerics.trajectory import Event, Trajectory
-from paper_checks.enclosure import compare, exact
+from paper_checks.enclosure import ball, compare, exact
 from paper_checks.evidence import Evidence
 from paper_checks.exact import identity
 from paper_checks.smt import prove
@@ -27,6 +27,9 @@ from theory.excursion import (
     next_excess,
 )
 from theory.symbols import h_value, q, r, theta
+
+LARGEST = sp.pi**2 / 4
+"""w/q of the excursion of slip angle pi: proved by `largest_excess`, used by `starts_below`."""
 
 ARGUMENT = (
     "On an exit ray the state is one number, the excess energy $w=E/E_{cr}-1>0$. With $u=\\sqrt{w/q}$ the slip that "
@@ -93,7 +96,7 @@ def reentry_is_inside() -> Evidence:
 @cache
 def largest_excess() -> Evidence:
     """The excess of the excursion of slip angle pi."""
-    return identity(r"$q\,h(\pi)^2=q\pi^2/4$", (q * h() ** 2).subs(theta, sp.pi), q * sp.pi**2 / 4)
+    return identity(r"$q\,h(\pi)^2=q\pi^2/4$", (q * h() ** 2).subs(theta, sp.pi), q * LARGEST)
 
 
 @cache
@@ -138,7 +141,7 @@ def starts_below(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
         raise ValueError("the argument needs m2 <= m1")
     excess = first_exit(trajectory).reduced.w
     with trajectory.arithmetic.context():
-        largest = trajectory.frame.q * arb.pi() ** 2 / 4
+        largest = trajectory.frame.q * ball(LARGEST)
     return (
         compare(f"{name}: $w>0$ at the first exit", excess, ">", exact(0)),
         compare(f"{name}: $w<q\\pi^2/4$ at the first exit", excess, "<", largest),

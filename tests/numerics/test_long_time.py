@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
-from itertools import islice
+from itertools import islice, pairwise
 
 import pytest
-from flint import arb, fmpq
+from flint import acb, arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
 from numerics.__main__ import main
-from numerics.abel import AbelFunctions
+from numerics.abel import AbelFunctions, _arcs, _height_and_depth
 from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene, OutOfRange, PrecisionExhausted
 from numerics.excursion_map import excursions
@@ -129,3 +129,49 @@ def test_command_line(capsys):
     assert "Abel functions" in capsys.readouterr().out
     assert main(["energy", "figure-3b", "--at", "inf"]) == 2
     assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_the_rim_is_covered_without_gaps():
+    """Schwarz's lemma needs the whole rim: the boxes overlap in turn, and the first and last meet the real axis."""
+    with Ball(20).context():
+        boxes = list(_arcs(Fraction(6, 5)))
+        assert boxes[0].imag.contains(0)
+        assert boxes[-1].imag.contains(0)
+        assert all(one.overlaps(two) for one, two in pairwise(boxes))
+        rim = arb(fmpq(6, 5))
+        for k in range(0, 3000, 7):  # points of the rim lie in a box
+            angle = arb.pi() * k / 3000
+            assert any(box.contains(acb((rim * angle.cos()).mid(), (rim * angle.sin()).mid())) for box in boxes)
+
+
+@pytest.mark.parametrize("share", SHARES)
+def test_the_defect_vanishes_to_the_order_that_the_bound_uses(share):
+    """alpha(F) - alpha - 1 begins at y^(order + 2), that is theta^(2 order + 4): seen close to 0 in 400 digits."""
+    order = 6
+    abel = AbelFunctions(share, order)
+    with Ball(400).context():
+        r = 1 - arb(fmpq(share.numerator, share.denominator))
+        sizes = []
+        for theta in (acb(arb(10) ** -12), acb(arb(10) ** -13)):
+            height, deep = _height_and_depth(theta)
+            falls = acb(r) * (deep / height) ** 2
+            y = height * height
+            alpha = falls / (acb(abel.a) * y * (1 - falls)) - 1 + acb(abel.log_coefficient) * (1 - falls).log()
+            for k, c in enumerate(abel.alpha_coefficients, start=1):
+                alpha += acb(c) * ((y * (1 - falls)) ** k - y**k)
+            sizes.append(abs(alpha))
+        ratio = sizes[0] / sizes[1]
+        assert abs(ratio.log() / arb(10).log() - (2 * order + 4)) < arb(fmpq(1, 10))
+
+
+def test_the_tail_bound_exceeds_the_sum_it_bounds():
+    abel, arithmetic = AbelFunctions(Fraction(1, 2), 6), Ball(40)
+    with arithmetic.context():
+        frame = Frame(arithmetic, Pair(m1=1, m2=1, a2=1, b=1))
+        power = 2 * abel.order + 4
+        start = arithmetic.number(Fraction(1, 200))
+        direct, radius = arb(0), arb(fmpq(abel.radius.numerator, abel.radius.denominator))
+        for one in islice(excursions(frame, start), 400):
+            direct += (one.slip / frame.sqrt_q / radius) ** power
+        bound = abel._missed(start / frame.q, arb(1), power)
+        assert direct < bound < 2 * direct

@@ -48,3 +48,13 @@ def test_an_itinerary_has_to_be_the_proved_one():
     assert itinerary("nothing", trajectory, []).passed is None
     assert stuck_for_ever("not yet", trajectory).passed is False
     assert stuck_for_ever("read literally", solved(load_scene("figure-3a-literal"))).passed is True
+
+
+@pytest.mark.parametrize("value", [sp.pi, sp.sqrt(2) / 10**9, -sp.exp(40), sp.Rational(1, 3), sp.pi**2 / 4])
+def test_a_ball_contains_its_constant(value, request):
+    import flint
+
+    before, flint.ctx.prec = flint.ctx.prec, 1000
+    request.addfinalizer(lambda: setattr(flint.ctx, "prec", before))
+    assert ball(value).contains(arb(str(value.evalf(250))))
+    assert ball(value).rel_accuracy_bits() > 150
