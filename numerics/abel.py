@@ -39,6 +39,16 @@ class AbelFunctions:
             self._compute_series()
         self.radius, self._alpha_rim, self._beta_rim = self._bound_on_rim()
 
+    @property
+    def alpha_zero_order(self) -> int:
+        """Return the order of the zero of alpha(F) - alpha - 1 at theta = 0: its series begins at y^(order + 2)."""
+        return 2 * self.order + 4
+
+    @property
+    def beta_zero_order(self) -> int:
+        """Return that of beta(F) - beta - pi - t: its part beyond pi alpha begins at epsilon^(2 order + 3)."""
+        return 2 * self.order + 3
+
     @cached_property
     def largest_argument(self) -> Fraction:
         """Return a y up to which alpha and beta are certified: a lower bound of h(radius)^2, as h(theta) >= theta/3."""
@@ -103,13 +113,13 @@ class AbelFunctions:
         if not y <= _ball(self.largest_argument):
             raise ArithmeticError(f"y = {y.str(6)} is beyond the certified {float(self.largest_argument):g}")
         value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients, y)
-        return value + arb(0, self._missed(y, self._alpha_rim, 2 * self.order + 4).upper())
+        return value + arb(0, self._missed(y, self._alpha_rim, self.alpha_zero_order).upper())
 
     def beta(self, y: arb) -> arb:
         """Return an enclosure of beta(y), the reduced time that iteration adds up."""
         epsilon = (y * _ball(self.q)).sqrt()
         value = arb.pi() * self.alpha(y) + _polynomial(self.beta_coefficients, epsilon)
-        return value + arb(0, self._missed(y, self._beta_rim, 2 * self.order + 3).upper())
+        return value + arb(0, self._missed(y, self._beta_rim, self.beta_zero_order).upper())
 
     def slope(self, y: arb) -> arb:
         """Return alpha'(y) of the truncated series: what Newton's method steers by."""
