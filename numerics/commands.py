@@ -72,24 +72,21 @@ def _progress(events: int, fraction: float) -> None:
 
 
 def _print_table(trajectory: Trajectory) -> None:
-    """Print the events (where v1 = v2) and the final state with the digits asked for."""
-    from rich.console import Console
-    from rich.table import Table
-
+    """Print the events (where v1 = v2) and the final state; no digit is ever cut to fit a screen."""
     from numerics.export import as_record
 
     record = as_record(trajectory)
-    table = Table("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)", box=None, pad_edge=False)
+    rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
     for event in record["events"]:
-        table.add_row(f"{event['from']} to {event['to']}", *(event[name] for name in ("t", "x1", "v1", "x2")))
-    console = Console(width=None if sys.stdout.isatty() else 160, highlight=False)
-    if record["events"]:
-        console.print(table)
+        rows.append((f"{event['from']} to {event['to']}", event["t"], event["x1"], event["v1"], event["x2"]))
+    widths = [max(len(row[column]) for row in rows) for column in range(5)]
+    for row in rows if len(rows) > 1 else ():
+        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
     final = record["final"]
-    console.print(f"at t = {final['t']} s, {final['mode']}; {record['message']}")
+    print(f"at t = {final['t']} s, {final['mode']}; {record['message']}")
     for name, unit in (("x1", "m"), ("v1", "m/s"), ("x2", "m"), ("v2", "m/s"), ("energy", "J"), ("energy_excess", "")):
-        console.print(f"  {LABELS.get(name, name)} = {final[name]} {unit}".rstrip())
-    console.print(f"{record['arithmetic']}, {record['digits']} digits")
+        print(f"  {LABELS.get(name, name)} = {final[name]} {unit}".rstrip())
+    print(f"{record['arithmetic']}, {record['digits']} digits")
 
 
 def explanation(trajectory: Trajectory) -> str:
