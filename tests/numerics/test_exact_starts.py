@@ -15,6 +15,7 @@ from numerics.__main__ import main
 from numerics.abel import AbelFunctions
 from numerics.arithmetic.ball import Ball
 from numerics.comparison import require_same_sequence
+from numerics.errors import EventUndecided
 from numerics.rendering import _upwards as upwards
 from numerics.rendering import right_digits_text
 from numerics.scene import Pair, Scene, State
@@ -74,3 +75,17 @@ def test_a_capped_run_says_so_in_its_exit_code(capsys):
     captured = capsys.readouterr()
     assert "event-limit" in captured.out
     assert "--max-events" in captured.err
+
+
+def test_a_root_whose_newton_step_leaves_its_region_is_not_proved_to_exist():
+    """The step overlaps the region but is not inside it, and a wider region would leave the bracket."""
+
+    def function(x):
+        return arb(0.5) - x + arb(0, 1e-3)
+
+    def slope(x):
+        return arb(-1) if x.rad() == 0 else arb(-1, 0.95)
+
+    ball = Ball(20)
+    with ball.context(), pytest.raises(EventUndecided, match="existence"):
+        ball.root(function, slope, arb(0.497), arb(0.503))

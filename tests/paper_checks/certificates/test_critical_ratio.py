@@ -142,3 +142,15 @@ def test_the_command_tells_by_its_exit_code(tmp_path, capsys):
     path.write_text(damaged(lambda data: data["turning"].pop()))
     assert checker.main([str(path)]) == 1
     assert "beyond pi" in capsys.readouterr().out
+
+
+def test_a_band_that_merges_does_not_creep():
+    """Below E_cr the excess is below every level, too: to creep it has to be proved positive."""
+
+    def relabel(data):
+        band = next(one for one in data["bands"] if one["slips"][-1][2] == "merges")
+        band["slips"][-1][2] = "creeps"
+        data["outcomes"]["merges"] -= 1
+        data["outcomes"]["creeps"] += 1
+
+    assert any("creeps is not proved" in one for one in checker.objections(damaged(relabel)))
