@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from paper_checks.errors import LedgerError
@@ -52,10 +52,6 @@ class Registry:
     def without_check(self) -> tuple[str, ...]:
         """Return the ids of the claims that nothing checks."""
         return tuple(name for name, checks in self._checks.items() if not checks)
-
-    def by_claim(self) -> Mapping[str, tuple[Check, ...]]:
-        """Return the checks of every claim."""
-        return {name: tuple(checks) for name, checks in self._checks.items()}
 
 
 def _name(function: Check) -> str:

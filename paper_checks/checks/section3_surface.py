@@ -19,7 +19,7 @@ from theory.energy import (
     semi_axis_margin,
     stick_rate,
 )
-from theory.filippov import STATE, edge_contact, half_width, normal, phi, sliding_field, sliding_weight, transversality
+from theory.filippov import STATE, edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
 from theory.symbols import E0, a2, b, m1, m2, undamped, v1, v2, x1
 
 HALF_SPACES = (("+", 1), ("-", -1))
@@ -180,7 +180,6 @@ def supercritical_arcs(context: Context) -> Finding:
     """Two arcs, each left by its ray into the half-space that the paper names."""
     contact = edge_contact(1)
     above = sp.Gt(cleared(on_surface() - critical_energy()), 0, evaluate=False)
-    mirrored = phi(-1).subs({x1: -x1, v1: -v1, v2: -v2}, simultaneous=True)
     return conclude(
         Verdict.HOLDS,
         "Above $E_{cr}$ no point of the level in $S_0$ has $v_1=0$, so it falls into an arc with $v_1>0$, which runs to "
@@ -203,12 +202,7 @@ def supercritical_arcs(context: Context) -> Finding:
             sp.Lt(cleared(contact.second), 0, evaluate=False),
         ),
         prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], sp.Lt(product(1), 0, evaluate=False)),
-        identity(
-            "the mirror image $(x,v)\\to(-x,-v)$ takes $\\Phi_-$ to $\\Phi_+$, so $\\ell_-$ is left into $\\Omega_+$",
-            -mirrored,
-            phi(1),
-            seed=context.seed,
-        ),
+        capture.mirror_image(),
         derivation=(
             f"$$\\ddot g|_{{\\ell_+}}={sp.latex(contact.second)}$$",
             f"$$v_1^2|_{{|x_1|=L}}={sp.latex(edge_speed_squared())}$$",
@@ -221,7 +215,6 @@ def return_alternatives(context: Context) -> Finding:
     """From Omega_- a trajectory can only arrive where Phi_-.n >= 0."""
     contact = edge_contact(1)
     arrives = sp.Ge(product(-1), 0, evaluate=False)
-    mirrored = phi(-1).subs({x1: -x1, v1: -v1, v2: -v2}, simultaneous=True)
     return conclude(
         Verdict.HOLDS,
         "In $\\Omega_-$ the guard $v_1-v_2$ is negative, so where it reaches 0 its rate $\\Phi_-\\cdot n_S$ is not negative: "
@@ -235,12 +228,7 @@ def return_alternatives(context: Context) -> Finding:
         ),
         *outside_proofs(),
         *strip_proofs(),
-        identity(
-            "the mirror image takes $\\Phi_-$ to $\\Phi_+$: the same from $\\Omega_+$",
-            -mirrored,
-            phi(1),
-            seed=context.seed,
-        ),
+        capture.mirror_image(),
         identity("at $x_1=L$ the arrival is tangential, $\\Phi_-\\cdot n_S=0$", contact.first, 0, seed=context.seed),
         derivation=_products(),
     )

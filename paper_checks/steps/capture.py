@@ -14,7 +14,7 @@ from paper_checks.steps import dissipation, solutions
 from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, sigma
 from theory.filippov import derivative_along, half_width, phi, transversality
 from theory.model import free_system
-from theory.symbols import E0, a1, b, m1, m2, v1, v2, x1
+from theory.symbols import E0, a1, b, m2, v1, v2, x1
 
 
 @cache
@@ -83,7 +83,12 @@ def leaves_above_critical() -> tuple[Evidence, ...]:
 
 
 @cache
-def edge_speed() -> Evidence:
-    """The level meets the edges with v1^2 = 2 (E0 - E_cr)/M."""
-    square = on_surface().subs(x1, half_width()) - critical_energy()
-    return identity(r"on the edges $(m_1+m_2)v_1^2=2(E-E_{cr})$", 2 * square, (m1 + m2) * v1**2)
+def mirror_image() -> Evidence:
+    """(x, v) -> (-x, -v) takes one half-space's field to the other's: what is shown on one side holds on both."""
+    turned = phi(-1).subs({x1: -x1, v1: -v1, v2: -v2}, simultaneous=True)
+    return identity(
+        r"the mirror image $(x,v)\to(-x,-v)$ takes $\Phi_-$ to $\Phi_+$: the same holds with $\ell_-$, $\Omega_+$ and $\ell_+$, "
+        r"$\Omega_-$ exchanged",
+        -turned,
+        phi(1),
+    )

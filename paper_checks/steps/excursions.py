@@ -15,6 +15,7 @@ from numerics.scene import Pair
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity
 from paper_checks.smt import prove
+from paper_checks.steps.capture import mirror_image
 from theory.excursion import angle, excursion, guard_of_u, h, h_limits, h_slope, half_angle_slope, half_tangent_form
 from theory.rate_bounds import no_merging_excess
 from theory.return_map import (
@@ -72,6 +73,7 @@ def never_merges() -> tuple[Evidence, ...]:
     cosine, fraction = sp.symbols("c q", real=True)
     before, after = return_map_residuals()
     return (
+        mirror_image(),
         vanishes(r"with $y=w/q$: $y=h^2$ at the start of the slip", before),
         vanishes(
             r"and $y'=h^2-r\,c^2$ after it, $c(\theta)=2-\theta\cot(\theta/2)$, $r=m_2/(m_1+m_2)$; so $w'<w$", after

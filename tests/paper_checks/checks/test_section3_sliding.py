@@ -171,7 +171,7 @@ STEP_FAULTS = [
     ("supercritical-arcs", SURFACE + "edge_contact", reversed_contact),
     ("supercritical-arcs", SURFACE + "edge_contact", crossing_contact),
     ("supercritical-arcs", SURFACE + "product", negated),
-    ("supercritical-arcs", SURFACE + "phi", lambda phi: lambda sign: phi(1)),
+    ("supercritical-arcs", CAPTURE + "phi", lambda phi: lambda sign: phi(1)),
     ("supercritical-arcs", SURFACE + "sp", misread("Gt", "Ge", 0)),
     ("supercritical-arcs", SURFACE + "sliding_field", negated),
     ("return-alternatives", SURFACE + "product", negated),
@@ -179,7 +179,7 @@ STEP_FAULTS = [
     ("return-alternatives", SURFACE + "transversality", other_sign),
     ("return-alternatives", SURFACE + "beyond", not_strict),
     ("return-alternatives", SURFACE + "edge_contact", crossing_contact),
-    ("return-alternatives", SURFACE + "phi", lambda phi: lambda sign: phi(1)),
+    ("return-alternatives", CAPTURE + "phi", lambda phi: lambda sign: phi(1)),
     ("return-alternatives", SURFACE + "sp", misread("Le", "Lt")),
 ]
 
