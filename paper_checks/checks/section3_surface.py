@@ -41,6 +41,13 @@ def product(sign: int) -> sp.Expr:
     return cleared(transversality(sign))
 
 
+def width_as_printed() -> Evidence:
+    """Return that L, solved from the products, is the half width that the paper prints for S0."""
+    return identity(
+        "$L$, where the product vanishes, is the printed $b(m_1+m_2)/(a m_2)$", half_width(), b * (m1 + m2) / (a2 * m2)
+    )
+
+
 def outside_proofs() -> list[Evidence]:
     """Return the four proofs of (trans)."""
     return [
@@ -72,6 +79,7 @@ def transversality_outside(context: Context) -> Finding:
     return conclude(
         Verdict.HOLDS,
         "Both products are $-(a_2m_2x_1\\pm b(m_1+m_2))/(m_1m_2)$: beyond either edge the spring term outweighs friction.",
+        width_as_printed(),
         *outside_proofs(),
         identity(
             "$n_S$ is the gradient of $v_1-v_2$: it points from $\\Omega_-$ to $\\Omega_+$",
@@ -89,6 +97,7 @@ def transversality_strip(context: Context) -> Finding:
     return conclude(
         Verdict.HOLDS,
         "The two products differ by $2b(m_1+m_2)/(m_1m_2)>0$; each vanishes at one edge of the strip only.",
+        width_as_printed(),
         *strip_proofs(),
         identity(
             "$\\Phi_-\\cdot n_S$ vanishes at $x_1=L$", transversality(-1).subs(x1, half_width()), 0, seed=context.seed
@@ -109,6 +118,7 @@ def sliding_region(context: Context) -> Finding:
         Verdict.HOLDS,
         "A convex combination of both fields is tangent to $S$ exactly on $S_0$. It is unique, as the two products always "
         "differ; its motion is that of one mass $m_1+m_2$ on the spring and keeps $E$, a positive definite quadratic form.",
+        width_as_printed(),
         *strip_proofs(),
         prove("on $S_0$ the weight lies in $[0,1]$", within(), inside),
         prove("a weight in $[0,1]$ implies $S_0$ (upper edge)", [inside], within()[0]),
@@ -226,6 +236,7 @@ def return_alternatives(context: Context) -> Finding:
             [arrives],
             within()[0],
         ),
+        width_as_printed(),
         *outside_proofs(),
         *strip_proofs(),
         capture.mirror_image(),

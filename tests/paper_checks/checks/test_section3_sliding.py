@@ -179,6 +179,9 @@ STEP_FAULTS = [
     ("return-alternatives", SURFACE + "transversality", other_sign),
     ("return-alternatives", SURFACE + "beyond", not_strict),
     ("return-alternatives", SURFACE + "edge_contact", crossing_contact),
+    ("transversality-outside", SURFACE + "half_width", doubled),
+    ("transversality-strip", SURFACE + "half_width", doubled),
+    ("sliding-region", SURFACE + "half_width", doubled),
     ("return-alternatives", CAPTURE + "phi", lambda phi: lambda sign: phi(1)),
     ("return-alternatives", SURFACE + "sp", misread("Le", "Lt")),
 ]
