@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from numerics.arithmetic.protocol import Number
-from numerics.scaling import Frame, ReducedState
+from numerics.motion import Motion
+from numerics.scaling import Frame
 from numerics.scene import Law
 from numerics.undamped import UndampedSlip, UndampedStick
 
@@ -35,9 +36,7 @@ def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
     arithmetic's context.
     """
     zero = frame.arithmetic.number(0)
-    speed = side * frame.arithmetic.sqrt(w)
-    start = ReducedState(frame.arithmetic.number(side), speed, speed, zero, w)
-    motion = UndampedStick(frame, Law.FILIPPOV, start, side, zero).successor()
+    motion: Motion = UndampedSlip.from_exit_ray(frame, Law.FILIPPOV, side, zero, w)
     while True:
         slip = zero
         w_before, side_before = motion.w, motion.side  # type: ignore[attr-defined]

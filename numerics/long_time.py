@@ -26,7 +26,7 @@ from numerics.motion import Motion
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene
 from numerics.start import initial_motion
-from numerics.undamped import UndampedSlip, UndampedStick, ray_flow
+from numerics.undamped import UndampedSlip, UndampedStick
 
 MAX_STEPS = 200_000
 MAX_DIGITS = 20_000
@@ -194,9 +194,7 @@ class _Walk:
         side = motion.side if count % 2 == 0 else -motion.side
         self.start, self.excursions = self.start + elapsed, self.excursions + count
         w = later * self.frame.q
-        self.motion = UndampedSlip(
-            self.frame, motion.law, side, ray_flow(self.frame, w), self.arithmetic.number(0), w, from_ray=True
-        )
+        self.motion = UndampedSlip.from_exit_ray(self.frame, motion.law, side, self.arithmetic.number(0), w)
         duration = self.motion.duration()
         assert duration is not None
         if decide_sign(self.arithmetic, self.start + duration - self.target, "does the slip end before the time?") <= 0:

@@ -1,7 +1,7 @@
 """One cell of the merging map: what becomes of every start on S0 above E_cr in a rectangle, proved (a1 = 0).
 
 With r = m2/(m1+m2), q = 1 - r, w = E/E_cr - 1 and y = w/q the pair leaves S0 by a ray with gap d = 0, push u = sqrt(y).
-A slip from S (surface_slip.py) of angle theta and depth c(theta) then gives
+A slip from S (arithmetic/slip_contact.py) of angle theta and depth c(theta) then gives
 
     y' = y - r c (c + 2 d)       excess at its end; the pair merges there exactly if y' <= 0
     e  = d + c - 2/q             how far beyond the other edge it ends: if e <= 0 the pair sticks, up to a ray
@@ -28,7 +28,6 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.centred_form import Cell, Centred
 from numerics.errors import NumericsError
-from numerics.surface_slip import contact
 
 CRITICAL_SHARE = Fraction("0.557839090721526")
 """r* rounded down: for shares m2/M up to it nothing merges after a start on S0 above E_cr."""
@@ -217,7 +216,7 @@ def _increasing(function: Callable[[arb], arb], x: arb) -> arb:
 def _approximate_angle(gap: arb, push: arb) -> arb:
     """Return a point near the slip angle for the midpoints of gap and push; 0 if binary64 finds none."""
     try:
-        return arb(contact(_FLOAT, max(0.0, float(gap.mid())), float(push.mid())).theta)
+        return arb(_FLOAT.contact(max(0.0, float(gap.mid())), float(push.mid())).theta)
     except (NumericsError, ArithmeticError, ValueError):
         return arb(0)
 

@@ -13,6 +13,7 @@ class Motion(Protocol):
     """One mode of motion from a given start, in reduced coordinates; exact, approximate or enclosed as its numbers."""
 
     mode: Mode
+    start: ReducedState
 
     def duration(self) -> Number | None:
         """Return the reduced time until the mode ends, None if it never does. Raises EventUndecided."""

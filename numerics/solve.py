@@ -132,6 +132,6 @@ def integrate(
 
 
 def _event(frame: Frame, before: Motion, after: Motion, tau: object) -> Event:
-    reduced = after.state(frame.arithmetic.number(0))
+    reduced = after.start
     kind = event_kind(before.mode, after.mode)
     return Event(frame.si_time(tau), kind, before.mode, after.mode, frame.si_state(reduced), reduced)

@@ -42,7 +42,7 @@ def _undamped_slip(frame: Frame, scene: Scene, sign: int, X: Fraction) -> Undamp
         push_at_start=side * start.V1 / frame.sqrt_q,
         turns=gap * (2 + gap) + push_squared > 0,
     )
-    return UndampedSlip(frame, scene.law, side, flow, start.Z, start.w, V2=start.V2, on_surface=at.v1 == at.v2)
+    return UndampedSlip(frame, scene.law, side, flow, start, on_surface=at.v1 == at.v2)
 
 
 def _guard_rises(scene: Scene, sign: int) -> bool:

@@ -153,14 +153,14 @@ class Trajectory:
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4, m)."""
         with self.arithmetic.context():
-            states = [segment.motion.state(self.arithmetic.number(0)) for segment in self.segments]
+            states = [segment.motion.start for segment in self.segments]
             return self._array([self.frame.si_state(state) for state in [*states, self.final]]).T
 
     @cached_property
     def energy(self) -> NDArray[Any]:
         """Return the energy at `t`, J, shape (m,), formed from the states."""
         with self.arithmetic.context():
-            states = [segment.motion.state(self.arithmetic.number(0)) for segment in self.segments]
+            states = [segment.motion.start for segment in self.segments]
             return self._array([self.frame.energy(state) for state in [*states, self.final]])
 
     @property

@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import NamedTuple
 
 from numerics.arithmetic.protocol import Number, decide_sign
 from numerics.modes import Mode, mode_after_contact, slip_mode
 from numerics.motion import Motion
+from numerics.ray_slip import ray_flow, ray_landing
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Law
 from numerics.slip_flow import SlipFlow, refuse_unresolved
-from numerics.surface_slip import contact
+
+
+class Landing(NamedTuple):
+    """The end of a slip: its angle, the gap there, K up to there, and the energy excess there."""
+
+    theta: Number
+    gap: Number
+    slid: Number
+    w: Number
 
 
 class UndampedSlip:
@@ -22,40 +32,66 @@ class UndampedSlip:
         law: Law,
         side: int,
         flow: SlipFlow,
-        Z: Number,
-        w: Number,
+        start: ReducedState,
         *,
-        V2: Number | None = None,
         on_surface: bool = True,
         from_ray: bool = False,
     ) -> None:
-        """Start a slip from its slip variables, its relative displacement and its energy excess.
+        """Start a slip from its slip variables and the same state in reduced coordinates.
 
-        `on_surface` says that the guard is 0 and the gap >= 0 exactly, `from_ray` that the gap is 0 too. `V2` is needed
-        off the surface, where its sum with push and guard would cancel for a slow body 2.
+        `on_surface` says that the guard is 0 and the gap >= 0 exactly, `from_ray` that the gap is 0 too.
         """
-        self.frame, self.law, self.side, self.flow, self.Z, self.w = frame, law, side, flow, Z, w
+        self.frame, self.law, self.side, self.flow, self.start = frame, law, side, flow, start
         self.on_surface, self.from_ray = on_surface, from_ray
-        self._driven_at_start = flow.push_at_start if V2 is None else side * V2 / frame.sqrt_q
+        self._driven_at_start = flow.push_at_start if on_surface else side * start.V2 / frame.sqrt_q
         self.mode = slip_mode(-side)
 
+    @classmethod
+    def from_exit_ray(cls, frame: Frame, law: Law, side: int, Z: Number, w: Number) -> UndampedSlip:
+        """Return the slip that leaves S0 by the ray on this side, where X = side and V = side sqrt(w)."""
+        V = side * frame.arithmetic.sqrt(w)
+        start = ReducedState(frame.arithmetic.number(side), V, V, Z, w)
+        return cls(frame, law, side, ray_flow(frame, w), start, from_ray=True)
+
+    @property
+    def w(self) -> Number:
+        """Return the energy excess at the start."""
+        return self.start.w
+
     @cached_property
-    def _landing(self) -> tuple[Number, Number, Number]:
-        """The slip angle at which the bodies meet in velocity again, the gap there, and K up to there."""
-        flow, arithmetic = self.flow, self.frame.arithmetic
-        if self.on_surface:
-            end = contact(arithmetic, flow.gap_at_start, flow.push_at_start)
-            gap, slid = -(flow.gap_at_start + end.depth), end.depth * (end.depth / 2 + flow.gap_at_start)
-            landing = end.theta, gap, slid
-        else:
-            theta = flow.first_contact()
-            landing = theta, flow.gap(theta), flow.slid(theta)
-        refuse_unresolved(arithmetic, landing[0])
+    def landing(self) -> Landing:
+        """Return where and how the bodies meet in velocity again."""
+        landing = self._landing()
+        refuse_unresolved(self.frame.arithmetic, landing.theta)
         return landing
+
+    def _landing(self) -> Landing:
+        frame, flow = self.frame, self.flow
+        if self.from_ray:
+            theta, depth, w = ray_landing(frame, self.start.w)
+            return Landing(theta, -depth, depth * depth / 2, w)
+        if not self.on_surface:
+            theta = flow.first_contact()
+            gap, slid = flow.gap(theta), flow.slid(theta)
+        else:
+            theta, depth, _ = frame.arithmetic.contact(flow.gap_at_start, flow.push_at_start)
+            gap, slid = -(flow.gap_at_start + depth), depth * (depth / 2 + flow.gap_at_start)
+        return Landing(theta, gap, slid, self._excess_after(theta, gap, slid))
+
+    def _excess_after(self, theta: Number, gap: Number, slid: Number) -> Number:
+        """Return w at the contact: w - 2 r q K near E_cr, and V^2 + (X^2 - 1) from far above it.
+
+        The difference would keep the rounding of the large w through every later crossing.
+        """
+        frame = self.frame
+        if frame.arithmetic.to_float(self.w) <= 1:
+            return self.w - 2 * frame.r * frame.q * slid
+        V, beyond = frame.sqrt_q * self._driven_push(theta), frame.q * gap
+        return V * V + beyond * (2 + beyond)
 
     def duration(self) -> Number:
         """Return the reduced time of the first contact with the switching surface; it always comes."""
-        return self.frame.sqrt_q * self._landing[0]
+        return self.frame.sqrt_q * self.landing.theta
 
     def state(self, tau: Number) -> ReducedState:
         """Return the state at reduced time tau after the start."""
@@ -65,7 +101,7 @@ class UndampedSlip:
             X=side * (1 + frame.q * flow.gap(theta)),
             V1=side * frame.sqrt_q * flow.push(theta),
             V2=side * frame.sqrt_q * self._driven_push(theta),
-            Z=self.Z - side * frame.q * flow.slid(theta),
+            Z=self.start.Z - side * frame.q * flow.slid(theta),
             w=self.w - self.losses(tau)[0],
         )
 
@@ -80,49 +116,16 @@ class UndampedSlip:
 
     def successor(self) -> Motion:
         """Return the stick phase, or the slip of the other sign, that follows the first contact."""
-        frame, side, (theta, gap, _) = self.frame, self.side, self._landing
-        push = self._driven_push(theta)
-        at = self.state(frame.sqrt_q * theta)._replace(X=side * (1 + frame.q * gap), w=self._excess_after_contact())
-        beyond = -(2 + frame.q * gap)
+        frame, side, (theta, gap, slid, w) = self.frame, self.side, self.landing
+        push, offset = self._driven_push(theta), frame.q * gap
+        V = side * frame.sqrt_q * push
+        start = ReducedState(side * (1 + offset), V, V, self.start.Z - side * frame.q * slid, w)
+        beyond = -(2 + offset)
         after = mode_after_contact(frame.arithmetic, self.law, -side, beyond, -push)
         if after is Mode.STICK:
-            start = ReducedState(at.X, at.V2, at.V2, at.Z, at.w)
-            return UndampedStick(frame, self.law, start, side, frame.q * gap)
+            return UndampedStick(frame, self.law, start, side, offset)
         flow = SlipFlow(frame.arithmetic, frame.arithmetic.number(0), beyond / frame.q, -push)
-        return UndampedSlip(frame, self.law, -side, flow, at.Z, at.w)
-
-    def _excess_after_contact(self) -> Number:
-        """Return w at the first contact, w - 2 r q K.
-
-        From a ray everything is a function of w alone, and dw'/dw = 1 - r versine(theta) < 1: taken as that function,
-        enclosures do not grow from one excursion to the next, however many there are.
-        """
-        frame, (theta, gap, slid) = self.frame, self._landing
-        if not self.from_ray:
-            return self._excess_on_surface(theta, gap, slid)
-        arithmetic = frame.arithmetic
-
-        def after(w: Number) -> Number:
-            return w - 2 * frame.r * frame.q * ray_flow(frame, w).slid(theta)
-
-        return arithmetic.mean_value(after, lambda _: 1 - frame.r * arithmetic.versine(theta), self.w)
-
-    def _excess_on_surface(self, theta: Number, gap: Number, slid: Number) -> Number:
-        """Return w at the contact: w - 2 r q K near E_cr, and V^2 + (X^2 - 1) from far above it.
-
-        The difference would keep the rounding of the large w through every later crossing.
-        """
-        frame = self.frame
-        if frame.arithmetic.to_float(self.w) <= 1:
-            return self.w - 2 * frame.r * frame.q * slid
-        V, beyond = frame.sqrt_q * self._driven_push(theta), frame.q * gap
-        return V * V + beyond * (2 + beyond)
-
-
-def ray_flow(frame: Frame, w: Number) -> SlipFlow:
-    """Return the slip variables on an exit ray with energy excess w: gap 0 and guard 0 exactly, push sqrt(w/q)."""
-    zero = frame.arithmetic.number(0)
-    return SlipFlow(frame.arithmetic, zero, zero, frame.arithmetic.sqrt(w) / frame.sqrt_q)
+        return UndampedSlip(frame, self.law, -side, flow, start)
 
 
 class UndampedStick:
@@ -169,6 +172,4 @@ class UndampedStick:
 
     def successor(self) -> Motion:
         """Return the slip that starts on the exit ray."""
-        start = self.start
-        flow = ray_flow(self.frame, start.w)
-        return UndampedSlip(self.frame, self.law, self._exit_side, flow, start.Z, start.w, from_ray=True)
+        return UndampedSlip.from_exit_ray(self.frame, self.law, self._exit_side, self.start.Z, self.start.w)

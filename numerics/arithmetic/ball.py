@@ -11,8 +11,10 @@ from typing import Any
 import flint
 from flint import arb
 
+from numerics.arithmetic.ball_contact import ball_contact
 from numerics.arithmetic.newton import bracketed_newton
-from numerics.arithmetic.protocol import Sign
+from numerics.arithmetic.protocol import Contact, Sign
+from numerics.arithmetic.slip_contact import contact_by_root
 from numerics.errors import EventUndecided
 
 _BITS_PER_DIGIT = math.log2(10)
@@ -126,8 +128,9 @@ class Ball:
         Raises EventUndecided if a sign, the slope or the inclusion is not proved at this precision.
         """
         for end, expected in ((lower, Sign.POSITIVE), (upper, Sign.NEGATIVE)):
-            value = function(end)
-            if self.sign(value) is not expected:
+            with _precision(min(self.bits, _START_BITS)):
+                proved = self.sign(function(end)) is expected
+            if not proved and self.sign(value := function(end)) is not expected:
                 raise EventUndecided("sign of the guard at an end of its bracket", self.text(value), self.digits)
         try:
             return self._enclose(function, slope, self._approximate(function, slope, lower, upper), lower, upper)
@@ -137,7 +140,10 @@ class Ball:
             return self._enclose(function, slope, x, lower, upper)
 
     def _approximate(self, function: Any, slope: Any, lower: arb, upper: arb) -> arb:
-        """Return an exact point near the root: bracketed at low precision, then Newton with doubling precision."""
+        """Return an exact point near the root, to a little more than half of the bits: an interval step does the rest.
+
+        Bracketed at low precision, then Newton's method with doubling precision.
+        """
         # a root far from zero needs more: the guard varies over distances of order 1, and over its bracket
         size = _magnitude_bits(upper.mid())
         far = max(0, size, size - _magnitude_bits((upper - lower).mid()))
@@ -145,9 +151,9 @@ class Ball:
         with _precision(start):
             # a tolerance below the rounding of these few bits would never be met
             x = _bracketed(function, slope, lower, upper, arb(2) ** max(-40 - far, 12 - start))
-        bits = 36 + far
-        while bits < self.bits:
-            bits = min(2 * bits, self.bits)
+        bits, enough = 36 + far, self.bits // 2 + 32 + far
+        while bits < enough:
+            bits = min(2 * bits, enough)
             with _precision(min(self.bits, bits + 32)):
                 correction = (function(x) / slope(x)).mid()
                 if correction.is_finite():
@@ -156,17 +162,28 @@ class Ball:
 
     def _enclose(self, function: Any, slope: Any, x: arb, lower: arb, upper: arb) -> arb:
         value = function(x)
-        width = 2 * (abs(value) / abs(slope(x))).upper() + abs(x) * arb(2) ** -self.bits
+        few = min(self.bits, self.bits // 2 + 96)
+        with _precision(few):
+            width = 2 * (abs(value) / abs(slope(x))).upper() + abs(x) * arb(2) ** -self.bits
         for _ in range(8):
             region = arb(x, width.upper())
             inside = region > lower and region < upper
-            derivative = slope(region)
+            with _precision(few):  # the step is as short as half of the bits: more of its slope would be lost in it
+                derivative = slope(region)
             if inside and derivative < 0:
                 step = x - value / derivative
                 if region.contains_interior(step):
                     return step
             width = 4 * width
         raise EventUndecided("existence of the guard's root near its approximation", self.text(x), self.digits)
+
+    def contact(self, gap: arb, push: arb) -> Contact:
+        """Return the enclosed end of a slip from S. Raises EventUndecided."""
+        return ball_contact(gap, push) or contact_by_root(self, gap, push)
+
+    def centre(self, x: arb) -> arb:
+        """Return the midpoint of x."""
+        return x.mid()
 
     def mean_value(self, function: Callable[[arb], arb], slope: Callable[[arb], arb], x: arb) -> arb:
         """Return function(mid x) +- rad(x) max|slope(x)|, an enclosure of function(x) for a differentiable function."""

@@ -10,7 +10,8 @@ from typing import Any
 import mpmath
 
 from numerics.arithmetic.newton import bracketed_newton
-from numerics.arithmetic.protocol import Sign
+from numerics.arithmetic.protocol import Contact, Sign
+from numerics.arithmetic.slip_contact import contact_by_root
 
 
 class Multiprecision:
@@ -104,6 +105,14 @@ class Multiprecision:
     def root(self, function: Callable[[Any], Any], slope: Callable[[Any], Any], lower: Any, upper: Any) -> Any:
         """Return the root of a decreasing function, bracketed throughout."""
         return bracketed_newton(function, slope, lower, upper, tolerance=mpmath.ldexp(1, 1 - mpmath.mp.prec))
+
+    def contact(self, gap: Any, push: Any) -> Contact:
+        """Return the end of a slip from S, by `root`."""
+        return contact_by_root(self, gap, push)
+
+    def centre(self, x: Any) -> Any:
+        """Return x."""
+        return x
 
     def mean_value(self, function: Callable[[Any], Any], slope: Callable[[Any], Any], x: Any) -> Any:  # noqa: ARG002
         """Return function(x): a point needs no mean value."""

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from contextlib import AbstractContextManager
 from enum import Enum
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 from numerics.errors import EventUndecided
 
@@ -21,6 +21,14 @@ class Sign(Enum):
     ZERO = 0
     POSITIVE = 1
     UNDECIDED = None
+
+
+class Contact(NamedTuple):
+    """The end of a slip: its angle theta, the depth c(theta) and 1 - cos theta, each accurate relative to itself."""
+
+    theta: Number
+    depth: Number
+    versine: Number
 
 
 class Arithmetic(Protocol):
@@ -95,6 +103,15 @@ class Arithmetic(Protocol):
         upper: Number,
     ) -> Number:
         """Return the root of a decreasing function between lower and upper, where it is > 0 and < 0."""
+
+    def contact(self, gap: Number, push: Number) -> Contact:
+        """Return the end of an undamped slip that starts on S with gap >= 0 and push (> 0 if the gap is 0).
+
+        Its angle is the one root of slip_contact.py in (0, 2 pi). Raises EventUndecided.
+        """
+
+    def centre(self, x: Number) -> Number:
+        """Return x for a point arithmetic, the midpoint of a ball."""
 
     def mean_value(self, function: Callable[[Number], Number], slope: Callable[[Number], Number], x: Number) -> Number:
         """Return function(x); for a ball by the mean value form, whose radius is rad(x) max|slope(x)| and no more."""

@@ -16,11 +16,11 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Number
+from numerics.arithmetic.slip_contact import positive_root
 from numerics.audit.formulas import Arguments, Formula
 from numerics.oscillator import Oscillator
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Law, Pair
-from numerics.surface_slip import contact, positive_root
 from numerics.undamped import UndampedStick
 
 _FLOAT, _BALL = Float64(), Ball(90)
@@ -75,8 +75,8 @@ def _motions() -> tuple[Formula, ...]:
         ),
         Formula(
             "slip angle of a ray by its push",
-            lambda u: contact(_FLOAT, 0.0, u).theta,
-            lambda u: contact(_BALL, arb(0), u).theta,
+            lambda u: _FLOAT.contact(0.0, u).theta,
+            lambda u: _BALL.contact(arb(0), u).theta,
             1e-96,
             1e9,
             cost=20,

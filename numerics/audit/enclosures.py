@@ -24,7 +24,6 @@ from numerics.scaling import Frame, ReducedState
 from numerics.scene import Law, Scene
 from numerics.slip_flow import SlipFlow
 from numerics.solve import integrate
-from numerics.surface_slip import contact
 from numerics.trajectory import Trajectory
 from numerics.undamped import UndampedStick
 from numerics.viscous import slip_oscillator, stick_oscillator
@@ -73,7 +72,7 @@ def _elementary() -> tuple[Enclosed, ...]:
 
 def _slips() -> tuple[Enclosed, ...]:
     def ends(ball: Ball, gap: Number, push: Number) -> Numbers:
-        end = contact(ball, gap, push)
+        end = ball.contact(gap, push)
         return end.theta, end.depth, end.versine
 
     def flows(ball: Ball, guard: Number, gap: Number, push: Number, theta: Number) -> Numbers:

@@ -15,7 +15,6 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.surface_slip import contact, depth, rise
 from paper_checks import atomic
 from paper_checks.steps.roots import enclosed_root, point, precision
 
@@ -113,7 +112,7 @@ def band(share: Fraction, excess: Fraction) -> dict[str, Any] | None:
             if bracket is None:
                 return None
             theta = point(bracket[0]).union(point(bracket[1]))
-            deep = depth(arithmetic, theta)
+            deep = arithmetic.depth(theta)
             w = w - q * r * deep * (deep + 2 * gap)
             gap, push = -(gap + deep), push - theta
             outcome = _outcome(q, gap, push, w)
@@ -128,7 +127,7 @@ def band(share: Fraction, excess: Fraction) -> dict[str, Any] | None:
 
 def _bracket(arithmetic: Ball, gap: arb, push: arb) -> tuple[Fraction, Fraction] | None:
     """Return two angles that the end of every slip in the box is proved to lie between."""
-    middle = Fraction(str(round(float(contact(arithmetic, gap.mid().max(arb(0)), push.mid()).theta.mid()), 9)))
+    middle = Fraction(str(round(float(arithmetic.contact(gap.mid().max(arb(0)), push.mid()).theta.mid()), 9)))
     for exponent in range(20, 4, -1):
         width = Fraction(1, 2**exponent).limit_denominator(10**7)
         low, high = middle - width, middle + width
@@ -139,7 +138,7 @@ def _bracket(arithmetic: Ball, gap: arb, push: arb) -> tuple[Fraction, Fraction]
 
 
 def _lead(arithmetic: Ball, theta: arb, gap: arb, push: arb) -> arb:
-    return rise(arithmetic, theta) - gap * (theta / 2).cot() - push
+    return arithmetic.rise(theta) - gap * (theta / 2).cot() - push
 
 
 def _outcome(q: arb, gap: arb, push: arb, w: arb) -> str | None:

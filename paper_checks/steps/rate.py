@@ -14,7 +14,6 @@ from numerics.excursion_map import excursions
 from numerics.long_time import energy_at
 from numerics.scaling import Frame
 from numerics.scene import Pair, Scene, State
-from numerics.surface_slip import depth, rise
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity
 from paper_checks.formula import form, stating
@@ -139,8 +138,8 @@ def bounded_run(share: Fraction, start: Fraction, count: int) -> Evidence:
     with arithmetic.context():
         frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
         theta_0 = arithmetic.number(start)
-        y = rise(arithmetic, theta_0) ** 2
-        deep = depth(arithmetic, theta_0)
+        y = arithmetic.rise(theta_0) ** 2
+        deep = arithmetic.depth(theta_0)
         lower, upper = bounds(frame.q, frame.r, theta_0, y, deep)
         tau, good = arithmetic.number(0), True
         for number, one in enumerate(excursions(frame, frame.q * y)):

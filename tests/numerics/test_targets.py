@@ -16,7 +16,6 @@ from numerics.errors import OutOfRange
 from numerics.modes import EventKind, Mode
 from numerics.scene import Scene, State
 from numerics.solve import solve
-from numerics.surface_slip import contact, depth, rise
 
 FLOATS, BALLS = Float64(), Ball(90)
 ULP = 4
@@ -26,8 +25,8 @@ FORMULAS = {
     "sine_deficit": lambda arithmetic, x: arithmetic.sine_deficit(x),
     "cosine_deficit": lambda arithmetic, x: arithmetic.cosine_deficit(x),
     "lag": lambda arithmetic, x: arithmetic.lag(x / 2),
-    "rise": rise,
-    "depth": depth,
+    "rise": lambda arithmetic, x: arithmetic.rise(x),
+    "depth": lambda arithmetic, x: arithmetic.depth(x),
 }
 more = settings(max_examples=10 * settings().max_examples)
 
@@ -62,7 +61,7 @@ def test_the_largest_error_of_a_contact(push, of_push, gap, of_gap):
     """Angle and depth of a slip from the surface; the root adds its own rounding to that of the formulas."""
     push, gap = push * 2.0**of_push, gap * 2.0**of_gap
     with BALLS.context():
-        ours, truth = contact(FLOATS, gap, push), contact(BALLS, arb(gap), arb(push))
+        ours, truth = FLOATS.contact(gap, push), BALLS.contact(arb(gap), arb(push))
         error = max(ulps(ours.theta, truth.theta), ulps(ours.depth, truth.depth))
     target(error, label="ulp")
     assert error <= 4 * ULP
