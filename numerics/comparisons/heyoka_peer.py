@@ -9,7 +9,7 @@ import numpy as np
 
 from numerics.comparisons.peer import Extra, PeerFailed, PeerRun
 from numerics.comparisons.switching import EventLog, SwitchedPair
-from numerics.modes import Mode
+from numerics.modes import Mode, event_kind
 from numerics.scene import Scene
 
 
@@ -45,7 +45,7 @@ class HeyokaPeer:
                         raise PeerFailed(f"{self.name} at t = {integrator.time:.9g} s: {outcome}")
                     break
                 t, after = integrator.time, pair.after(mode, y[0], y[1])
-                log.add(mode, after, t)
+                log.add(event_kind(mode, after), t)
                 mode, y[3] = after, y[1]
             return PeerRun(tuple(log.kinds), np.array(log.times), y.copy(), pair.lost(y[0], y[1], y[3]), steps)
 

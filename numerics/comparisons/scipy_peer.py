@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from numerics.comparisons.peer import Extra, PeerFailed, PeerRun
 from numerics.comparisons.switching import EventLog, SwitchedPair
-from numerics.modes import Mode
+from numerics.modes import Mode, event_kind
 from numerics.scene import Scene
 
 Vector = NDArray[np.float64]
@@ -52,7 +52,7 @@ class ScipyPeer:
                 if arc.status == 0:
                     break
                 after = pair.after(mode, y[0], y[1])
-                log.add(mode, after, t)
+                log.add(event_kind(mode, after), t)
                 mode, y[3] = after, y[1]
             lost = pair.lost(y[0], y[1], y[3])
             return PeerRun(tuple(log.kinds), np.array(log.times), y, lost, steps)

@@ -12,7 +12,7 @@ import math
 from dataclasses import dataclass, field
 
 from numerics.comparisons.peer import PeerFailed, Unsupported
-from numerics.modes import EventKind, Mode, event_kind, mode_at_start, slip_mode
+from numerics.modes import EventKind, Mode, mode_at_start, slip_mode
 from numerics.scene import Law, Scene
 
 MAX_EVENTS = 300_000
@@ -101,12 +101,13 @@ class EventLog:
     limit: int = MAX_EVENTS
     on_the_spot: int = 0
 
-    def add(self, before: Mode, after: Mode, t: float) -> None:
+    def add(self, kind: EventKind, t: float) -> None:
         """Note an event at time t (s). Raises PeerFailed after too many of them, or too many on the spot."""
-        self.on_the_spot = self.on_the_spot + 1 if self.times and t <= self.times[-1] else 0
+        times = self.times
+        self.on_the_spot = self.on_the_spot + 1 if times and t <= times[-1] else 0
         if self.on_the_spot >= MAX_ON_THE_SPOT:
             raise PeerFailed(f"{MAX_ON_THE_SPOT} events in a row at t = {t:.9g} s: it finds its own start again")
-        if len(self.times) >= self.limit:
+        if len(times) >= self.limit:
             raise PeerFailed(f"more than {self.limit} events by t = {t:.9g} s")
-        self.kinds.append(event_kind(before, after))
-        self.times.append(t)
+        self.kinds.append(kind)
+        times.append(t)
