@@ -25,6 +25,7 @@ def parser() -> argparse.ArgumentParser:
     _add_energy(subcommands)
     _add_map(subcommands)
     _add_audit(subcommands)
+    _add_trade(subcommands)
     solve = subcommands.add_parser(
         "solve",
         help="solve one scene",
@@ -103,6 +104,29 @@ def _add_audit(subcommands: argparse._SubParsersAction[argparse.ArgumentParser])
     )
     audit.add_argument("--json", action="store_true", help="print every figure as JSON, also by decade and by reason")
     audit.add_argument("--decades", action="store_true", help="print the errors of each formula by decade as well")
+
+
+def _add_trade(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    trade = subcommands.add_parser(
+        "trade",
+        help="measure speed against accuracy, ours and other integrators'",
+        epilog="what is not installed is left out and named; a run that hangs or fails is stopped and shown as such",
+        allow_abbrev=False,
+    )
+    trade.set_defaults(run=commands.measure_trade)
+    trade.add_argument(
+        "--size",
+        choices=["small", "default", "large"],
+        default="default",
+        help="about 30 s, 5 min or half an hour (%(default)s)",
+    )
+    trade.add_argument(
+        "--only", nargs="+", default=[], metavar="NAME", help="contenders and scenes whose names contain NAME"
+    )
+    trade.add_argument("--json", action="store_true", help="print every measurement as JSON")
+    trade.add_argument(
+        "--out", type=Path, metavar="FIGURE", help="write two figures, .svg, .pdf or .png: FIGURE, and FIGURE-growth"
+    )
 
 
 def _natural(text: str) -> int:

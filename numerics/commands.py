@@ -202,5 +202,12 @@ def audit_numerics(options: argparse.Namespace) -> int:
     return OK if all(row.passed for row in rows) else FAILED
 
 
+def measure_trade(options: argparse.Namespace) -> int:
+    """Measure speed against accuracy, ours and other integrators'."""
+    from numerics.trade.command import measure_trade as measure
+
+    return measure(options)
+
+
 def _told(what: str) -> None:
     print(f"\r\033[K{what}", end="", file=sys.stderr, flush=True)

@@ -1,0 +1,46 @@
+"""How long a call takes: warm, the median of repeated batches."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+BATCH = 0.002
+"""A batch of calls lasts at least so long, s, so that the clock itself does not count."""
+MOST_BATCHES = 500
+
+
+@dataclass(frozen=True)
+class Timing:
+    """The median of so many timed batches, s per call."""
+
+    seconds: float
+    batches: int
+
+
+def median_time(call: Callable[[], object], first: float, budget: float) -> Timing:
+    """Time a warm call again and again for about `budget` s, at least once; `first` (s) is what it took before.
+
+    The garbage collector stays on: its users have it on, too.
+    """
+    inner = max(1, round(BATCH / max(first, 1e-9)))
+    taken: list[float] = []
+    end = time.perf_counter() + budget
+    while not taken or (len(taken) < MOST_BATCHES and time.perf_counter() < end):
+        start = time.perf_counter()
+        for _ in range(inner):
+            call()
+        elapsed = time.perf_counter() - start
+        taken.append(elapsed / inner)
+        if elapsed < BATCH / 4:  # the first call was slower than a warm one
+            inner, taken = 4 * inner, []
+    return Timing(statistics.median(taken), len(taken))
+
+
+def timed(call: Callable[[], object], budget: float = 0.05) -> Timing:
+    """Warm up with one call, then take the median time."""
+    start = time.perf_counter()
+    call()
+    return median_time(call, time.perf_counter() - start, budget)

@@ -1,0 +1,78 @@
+"""Whoever takes part, behind one interface: ours (ours.py) and the peers of numerics/comparisons."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol
+
+from numerics.comparisons.peer import Peer
+from numerics.scene import Scene
+from numerics.trade.outcome import Outcome, float_text, letters
+
+
+class Contender(Protocol):
+    """A Peer whose answers may have any number of digits."""
+
+    label: str
+    """Under which it is listed: its name, and its use where another one has the same name."""
+    name: str
+    use: str
+    knob: str
+    settings: tuple[float, ...]
+    """The values of the knob that are worth measuring, from coarse to fine."""
+    ours: bool
+
+    def missing(self) -> str | None:
+        """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""
+
+    def prepare(self, scene: Scene, setting: float) -> Callable[[], Any]:
+        """Build and compile everything once; the function that is returned is what is timed. Raises Unsupported."""
+
+    def outcome(self, run: Any) -> Outcome:
+        """Return as text what a run says; not timed."""
+
+
+class PeerContender:
+    """A peer; its numbers are floats."""
+
+    ours = False
+
+    def __init__(self, peer: Peer, label: str | None = None) -> None:
+        """Take over what the peer says of itself."""
+        self._peer, self.label = peer, label or peer.name
+        self.name, self.use, self.knob, self.settings = peer.name, peer.use, peer.knob, tuple(peer.settings)
+
+    def missing(self) -> str | None:
+        """Return what the peer says is missing."""
+        return self._peer.missing()
+
+    def prepare(self, scene: Scene, setting: float) -> Callable[[], Any]:
+        """Prepare the peer."""
+        return self._peer.prepare(scene, setting)
+
+    def outcome(self, run: Any) -> Outcome:
+        """Return a PeerRun as text."""
+        times = [float(t) for t in run.t_events]
+        return Outcome(
+            kinds=letters(run.kinds),
+            times=times,
+            last_event=float_text(times[-1]) if times else None,
+            final=[float_text(value) for value in run.y_final],
+            dissipated=float_text(run.dissipated),
+            steps=int(run.steps),
+        )
+
+
+def all_contenders() -> list[Contender]:
+    """Return everyone, ours first, whether installed or not."""
+    from numerics.comparisons.registry import all_peers
+    from numerics.trade.ours import our_contenders
+
+    return [*our_contenders(), *labelled(all_peers())]
+
+
+def labelled(peers: Sequence[Peer]) -> list[Contender]:
+    """Return peers as contenders; two uses of one tool are told apart by the use."""
+    often = Counter(peer.name for peer in peers)
+    return [PeerContender(peer, peer.name if often[peer.name] == 1 else f"{peer.name}: {peer.use}") for peer in peers]

@@ -1,0 +1,140 @@
+"""The trade as pictures: error against time on every scene, and how cost grows."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+from numerics.export import whole_file
+from numerics.trade.front import Point, best_front
+from numerics.trade.growth import Growth
+from numerics.trade.plan import Trade
+from numerics.trade.scenes import Benchmark
+
+OUR_COLOURS = ("#b30000", "#e34a33", "#fc8d59", "#7f0000")
+PEER_COLOURS = ("#08519c", "#3182bd", "#6baed6", "#006d2c", "#54278f", "#756bb1", "#636363", "#969696", "#111111")
+MARKERS = "osD^vP<>X*"
+AXES = {"digits": "digits", "events": "events", "m1/m2": "$m_1/m_2$", "batch": "scenes in a batch"}
+LEGEND = """right digits: of the worst of final state,\nlast event and dissipated energy"""
+_LINEAR_DIGITS = 20
+"""Up to here right digits are drawn to a linear scale, beyond to a logarithmic one."""
+_TICKS = (0, 5, 10, 15, 30, 100, 1000, 10_000)
+
+
+def write_figures(trade: Trade, path: Path) -> None:
+    """Write the work-precision figure to `path`, and the growth beside it with "-growth" before the suffix."""
+    figures = {path: draw_trade(trade)}
+    if any(one.seconds_per_event for one in trade.growth):
+        figures[path.with_name(f"{path.stem}-growth{path.suffix}")] = draw_growth(trade.growth)
+    for name, figure in figures.items():
+        with whole_file(name) as file:
+            figure.savefig(file, format=name.suffix[1:], dpi=150)
+
+
+def draw_trade(trade: Trade) -> Any:
+    """Return a matplotlib figure: a panel a scene, right digits upwards, time to the right.
+
+    Filled: the event sequence is right; hollow: it is wrong. Ours in reds; the front as a black line.
+    """
+    from matplotlib.figure import Figure
+
+    styles = _styles(trade)
+    columns = min(4, len(trade.scenes) + 1)
+    rows = math.ceil((len(trade.scenes) + 1) / columns)
+    figure = Figure(figsize=(4.2 * columns, 3.5 * rows), layout="constrained")
+    panels = figure.subplots(rows, columns, squeeze=False).flatten().tolist()
+    for scene, panel in zip(trade.scenes, panels, strict=False):
+        _draw_scene(panel, trade, scene, styles)
+    _draw_legend(panels[len(trade.scenes)], styles)
+    for panel in panels[len(trade.scenes) + 1 :]:
+        panel.set_axis_off()
+    return figure
+
+
+def _styles(trade: Trade) -> dict[str, dict[str, Any]]:
+    """Return colour and marker of every contender that has a point."""
+    names: dict[str, bool] = {}
+    for scene in trade.scenes:
+        names |= {one.contender: one.ours for one in trade.points(scene)}
+    own, others = ([name for name, ours in names.items() if ours is wanted] for wanted in (True, False))
+    styles = {name: {"color": OUR_COLOURS[i % 4], "marker": MARKERS[i % 10], "ms": 7} for i, name in enumerate(own)}
+    for i, name in enumerate(others):
+        styles[name] = {"color": PEER_COLOURS[i % 9], "marker": MARKERS[i % 10], "ms": 5}
+    return styles
+
+
+def _draw_scene(panel: Any, trade: Trade, scene: Benchmark, styles: dict[str, dict[str, Any]]) -> None:
+    from matplotlib.ticker import NullLocator
+
+    candidates = trade.points(scene)
+    front = best_front(candidates)
+    panel.plot([one.seconds for one in front], [_shown(one) for one in front], color="black", lw=1, zorder=1)
+    for name, style in styles.items():
+        mine = sorted((one for one in candidates if one.contender == name), key=lambda one: one.seconds)
+        for right in (True, False):
+            some = [one for one in mine if one.right is right]
+            face = style["color"] if right else "none"
+            at = ([one.seconds for one in some], [_shown(one) for one in some])
+            panel.plot(*at, linestyle="", mfc=face, mew=1.1, zorder=2, **style)
+    panel.set(xscale="log", title=scene.name, xlabel="time (s)", ylabel="right digits")
+    panel.set_yscale("symlog", linthresh=_LINEAR_DIGITS, linscale=2.5)
+    most = max((_shown(one) for one in candidates), default=0.0)
+    panel.set_yticks([tick for tick in _TICKS if tick <= max(20, 1.2 * most)])
+    panel.set_ylim(-1.5, max(22, 1.6 * most))
+    panel.yaxis.set_major_formatter(lambda value, _: f"{value:,.0f}")
+    panel.yaxis.set_minor_locator(NullLocator())
+    _whole_decades(panel, [one.seconds for one in candidates])
+    panel.grid(alpha=0.25)
+
+
+def _whole_decades(panel: Any, seconds: list[float]) -> None:
+    """Let a time axis run from one power of ten to another, labelled at these only."""
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    panel.xaxis.set_major_locator(LogLocator(numticks=12))
+    panel.xaxis.set_minor_formatter(NullFormatter())
+    if seconds:
+        low, high = math.floor(math.log10(min(seconds)) - 0.1), math.ceil(math.log10(max(seconds)) + 0.1)
+        panel.set_xlim(10.0**low, 10.0**high)
+
+
+def _shown(one: Point) -> float:
+    """Return right digits; what is wrong in the first one stands just below 0."""
+    return max(-0.7, -one.error)
+
+
+def _draw_legend(panel: Any, styles: dict[str, dict[str, Any]]) -> None:
+    panel.set_axis_off()
+    for name, style in styles.items():
+        panel.plot([], [], linestyle="", label=name, **style)
+    panel.plot([], [], linestyle="", marker="o", mfc="none", color="gray", label="hollow: wrong event sequence")
+    panel.plot([], [], color="black", lw=1, label="the front")
+    panel.legend(loc="upper left", fontsize="small", frameon=False)
+    panel.text(0, 0, LEGEND, fontsize="x-small", transform=panel.transAxes)
+
+
+def draw_growth(growth: list[Growth]) -> Any:
+    """Return a matplotlib figure: the time of one event (of one scene, for batches) along each axis, log-log."""
+    from matplotlib.figure import Figure
+
+    axes = [axis for axis in AXES if any(one.axis == axis and one.seconds_per_event for one in growth)]
+    figure = Figure(figsize=(4.6 * len(axes), 3.8), layout="constrained")
+    names = list(dict.fromkeys(one.contender for one in growth))
+    for axis, panel in zip(axes, figure.subplots(1, len(axes), squeeze=False).flatten(), strict=True):
+        mine = [one for one in growth if one.axis == axis and one.seconds_per_event]
+        for index, name in enumerate(names):
+            for cores in sorted({one.cores for one in mine if one.contender == name}):
+                curve = [one for one in mine if one.contender == name and one.cores == cores]
+                label = f"{name}, {cores} cores" if axis == "batch" else name
+                at = ([one.x for one in curve], [one.seconds_per_event for one in curve])
+                dash = "-" if cores == 1 else "--"
+                panel.plot(*at, dash, color=OUR_COLOURS[index % 4], marker=MARKERS[index % 10], ms=5, label=label)
+        costs = {one.x: one.sine_cosine_seconds for one in mine if one.sine_cosine_seconds}
+        if costs:
+            panel.plot(list(costs), list(costs.values()), color="gray", ls=":", marker=".", label="one arb.sin_cos")
+        unit = "s for each scene" if axis == "batch" else "s for each event"
+        panel.set(xscale="log", yscale="log", xlabel=AXES[axis], ylabel=unit)
+        panel.grid(alpha=0.25)
+        panel.legend(fontsize="x-small")
+    return figure

@@ -1,0 +1,157 @@
+"""The whole trade at one of three sizes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from numerics.errors import NumericsError
+from numerics.trade.child import Child
+from numerics.trade.contender import Contender, all_contenders
+from numerics.trade.front import Point, points
+from numerics.trade.growth import Extent, Growth, growth
+from numerics.trade.machine import machine
+from numerics.trade.measure import SOURCE, Limits, Measurement, References, measure
+from numerics.trade.reference import POINT_DIGITS
+from numerics.trade.scenes import Benchmark, benchmarks
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Size:
+    """How much is measured."""
+
+    settings: int
+    """of each peer at most, spread from its coarsest to its finest"""
+    digits: dict[str, float]
+    """the most digits of mpmath and of balls"""
+    excursions: int
+    """of the long scene"""
+    scenes: tuple[str, ...]
+    """the beginnings of the names of the scenes"""
+    limits: Limits
+    extent: Extent
+    reference_limit: float = 900.0
+
+
+_DECADES = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
+SIZES = {
+    "small": Size(
+        settings=2,
+        digits={"mpmath": 100, "ball": 100},
+        excursions=300,
+        scenes=("figure-4b-b05", "near-critical-1e-6", "long"),
+        limits=Limits(prepare=15, run=1, budget=0.03),
+        extent=Extent((10, 100, 1000), (10, 100), (1, 100), (-12, 0, 12)),
+    ),
+    "default": Size(
+        settings=5,
+        digits={"mpmath": 1000, "ball": 10_000},
+        excursions=100_000,
+        scenes=("",),
+        limits=Limits(prepare=40, run=5, budget=0.1),
+        extent=Extent(_DECADES, (10, 100, 1000, 10_000), (1, 10, 100, 1000, 10_000), (-12, -6, -3, 0, 3, 6, 12)),
+    ),
+    "large": Size(
+        settings=100,
+        digits={"mpmath": 10_000, "ball": 10_000},
+        excursions=100_000,
+        scenes=("",),
+        limits=Limits(prepare=90, run=60, budget=0.5),
+        extent=Extent(
+            _DECADES, (10, 100, 1000, 10_000, 100_000), (1, 10, 100, 1000, 10_000, 100_000), tuple(range(-12, 13))
+        ),
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Trade:
+    """Everything that one run found."""
+
+    size: str
+    machine: dict[str, Any]
+    scenes: list[Benchmark]
+    contenders: list[Contender]
+    """Who took part."""
+    left_out: dict[str, str]
+    """Contenders that are not installed, with what is missing."""
+    measurements: list[Measurement]
+    references: list[dict[str, Any]]
+    growth: list[Growth]
+
+    def points(self, scene: Benchmark) -> list[Point]:
+        """Return the measured points of one scene."""
+        return points(one for one in self.measurements if one.scene == scene.name)
+
+
+def trade(
+    size_name: str,
+    only: Sequence[str] = (),
+    progress: Progress = lambda _: None,
+    contenders: Sequence[Contender] | None = None,
+    source: str = SOURCE,
+) -> Trade:
+    """Measure everybody on every scene; `only` keeps those whose names contain one of its texts.
+
+    Raises NoSuchContender if a text fits no name. `source` names the function that a child gets its contenders from.
+    """
+    size = SIZES[size_name]
+    everyone = list(contenders) if contenders is not None else all_contenders()
+    scenes = [one for one in benchmarks(size.excursions) if one.name.startswith(size.scenes)]
+    everyone, scenes = selected(everyone, scenes, only)
+    left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
+    present = [one for one in everyone if one.label not in left_out]
+    found: list[Measurement] = []
+    with Child() as child, Child() as prover:
+        references = References(prover, size.reference_limit)
+        for scene in scenes:
+            progress(f"{scene.name}: the proved reference")
+            references.get(scene, POINT_DIGITS)
+            for contender in present:
+                progress(f"{scene.name}: {contender.label}")
+                found += measure(child, references, contender, scene, settings(contender, size), size.limits, source)
+        grown = list(growth(child, references, present, size.extent, size.limits, progress, source))
+        return Trade(size_name, machine(), scenes, present, left_out, found, references.as_records(), grown)
+
+
+class NoSuchContender(NumericsError):
+    """A name that fits no contender and no scene; the message lists them."""
+
+
+def selected(
+    everyone: list[Contender], scenes: list[Benchmark], only: Sequence[str]
+) -> tuple[list[Contender], list[Benchmark]]:
+    """Return the contenders and the scenes that `only` names, all of a kind of which it names none."""
+    for text in only:
+        if not any(text.lower() in name.lower() for name in [one.label for one in everyone] + [s.name for s in scenes]):
+            known = "; ".join([one.label for one in everyone] + [one.name for one in scenes])
+            raise NoSuchContender(f"--only {text[:40]!r} fits no contender and no scene; they are: {known}")
+    some = [one for one in everyone if _named(one.label, only)]
+    few = [one for one in scenes if _named(one.name, only)]
+    return some or everyone, few or scenes
+
+
+def _named(name: str, only: Sequence[str]) -> bool:
+    return any(text.lower() in name.lower() for text in only)
+
+
+def settings(contender: Contender, size: Size) -> tuple[float, ...]:
+    """Return the settings of a contender that this size measures."""
+    if contender.name in size.digits and contender.ours:
+        return tuple(one for one in contender.settings if one <= size.digits[contender.name])
+    return thinned(contender.settings, size.settings)
+
+
+def thinned(values: Sequence[float], most: int) -> tuple[float, ...]:
+    """Return at most so many values, spread evenly over their order, the last among them.
+
+    >>> thinned((1.0, 2.0, 3.0, 4.0, 5.0), 3), thinned((1.0, 2.0), 5)
+    ((1.0, 3.0, 5.0), (1.0, 2.0))
+    """
+    if len(values) <= most:
+        return tuple(values)
+    last = len(values) - 1
+    return tuple(values[round(index * last / (most - 1)) if most > 1 else last] for index in range(most))

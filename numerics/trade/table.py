@@ -1,0 +1,139 @@
+"""What the trade found: as tables for a reader, and as plain records for JSON."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numerics.trade.front import best_front, leads
+from numerics.trade.growth import Growth
+from numerics.trade.measure import Measurement
+from numerics.trade.plan import Trade
+from numerics.trade.scenes import Benchmark
+
+
+def as_record(trade: Trade) -> dict[str, Any]:
+    """Return the trade as the JSON object of the interface."""
+    return {
+        "size": trade.size,
+        "machine": trade.machine,
+        "left_out": [{"contender": name, "missing": missing} for name, missing in trade.left_out.items()],
+        "scenes": [{"scene": one.name, "why": one.why} for one in trade.scenes],
+        "references": trade.references,
+        "runs": [one.as_record() for one in trade.measurements],
+        "front": [
+            {"scene": scene.name, "contender": one.contender, "setting": one.setting, "seconds": one.seconds}
+            | {"log10_error": one.error}
+            for scene in trade.scenes
+            for one in best_front(trade.points(scene))
+        ],
+        "leads": [one.as_record(scene.name) for scene in trade.scenes for one in leads(trade.points(scene))],
+        "growth": [one.as_record() for one in trade.growth],
+    }
+
+
+def print_trade(trade: Trade, width: int | None) -> None:
+    """Print a table a scene, the growth of the cost, and what was left out."""
+    from rich.console import Console
+
+    console = Console(width=width, highlight=False, markup=False)
+    for scene in trade.scenes:
+        _print_scene(console, trade, scene)
+    if trade.growth:
+        _print_growth(console, trade.growth)
+    of = trade.machine
+    versions = ", ".join(f"{name} {version}" for name, version in of["packages"].items())
+    console.print(f"{of['processor']}, {of['cores']} cores; Python {of['python']}, {versions}")
+    console.print(
+        "Times are medians of warm runs, compilation apart. Errors are upper bounds: of the final state relative to "
+        "L and L Omega, of the last event's time and of the dissipated energy relative to themselves. A star marks "
+        "the front: right event sequences that no other right one beats in both time and error."
+    )
+    for one in trade.contenders:
+        if one.use:
+            console.print(f"{one.label}: {one.use}; {one.knob}")
+    for name, missing in trade.left_out.items():
+        console.print(f"left out: {name}: needs {missing}")
+
+
+def _print_scene(console: Any, trade: Trade, scene: Benchmark) -> None:
+    from rich.table import Table
+
+    candidates = trade.points(scene)
+    best = {(one.contender, one.setting) for one in best_front(candidates)}
+    ratios = {(one.peer.contender, one.peer.setting): one.ratio for one in leads(candidates)}
+    console.print(f"{scene.name}: {scene.why}")
+    for row in trade.references:
+        if row["scene"] == scene.name:
+            took = row["note"] if row["seconds"] is None else f"{row['events']} events, {seconds_text(row['seconds'])}"
+            console.print(f"  reference, {row['digits']} proved digits: {took}")
+    names = ("contender", "setting", "time", "state", "last event", "energy", "events", "ours faster", "", "")
+    table = Table(*names, box=None, pad_edge=False)
+    before = ""
+    for one in (one for one in trade.measurements if one.scene == scene.name):
+        key = (one.contender, one.setting)
+        cells = _cells(one)
+        lead = "" if one.ours or ratios.get(key) is None else f"{ratios[key]:.3g} x"
+        name = "" if one.contender == before else one.contender
+        table.add_row(name, *cells[:-1], lead, "*" if key in best else "", cells[-1])
+        before = one.contender
+    console.print(table)
+    console.print()
+
+
+def _cells(one: Measurement) -> tuple[str, ...]:
+    """Return setting, time, three errors, the word on the event sequence, and a note."""
+    setting = f"{one.knob} {one.setting:g}"
+    time = "" if one.ran.seconds is None else seconds_text(one.ran.seconds)
+    if one.verdict is None:
+        return setting, time, "", "", "", one.ran.status.value, one.ran.note
+    errors = (error_text(part) for part in (one.verdict.state, one.verdict.last_event, one.verdict.energy))
+    return setting, time, *errors, "right" if one.verdict.right else "WRONG", one.verdict.difference or one.ran.note
+
+
+def seconds_text(seconds: float) -> str:
+    """Return a time with its unit.
+
+    >>> seconds_text(0.00123), seconds_text(4.5e-6), seconds_text(12.3)
+    ('1.23 ms', '4.5 us', '12.3 s')
+    """
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-9:.3g} ns"
+
+
+def error_text(log10: float | None) -> str:
+    """Return an error from its decimal logarithm, which may be far below the range of a float.
+
+    >>> error_text(-2.0), error_text(-1000.3), error_text(None), error_text(float("inf"))
+    ('1e-2', '5e-1001', '-', 'no number')
+    """
+    if log10 is None:
+        return "-"
+    if log10 == float("inf"):
+        return "no number"
+    exponent = int(log10 // 1)
+    mantissa = round(10 ** (log10 - exponent))
+    return f"1e{exponent + 1}" if mantissa == 10 else f"{mantissa}e{exponent}"
+
+
+def _print_growth(console: Any, growth: list[Growth]) -> None:
+    from rich.table import Table
+
+    table = Table(
+        "cost along", "contender", "at", "events", "per event", "sin_cos", "ratio", "", box=None, pad_edge=False
+    )
+    before = ("", "")
+    for one in growth:
+        record = one.as_record()
+        here = (one.axis, one.contender)
+        names = ("" if one.axis == before[0] else one.axis, "" if here == before else one.contender)
+        ratio = record.get("sine_cosines_per_event")
+        each, sine = (
+            "" if part is None else seconds_text(part) for part in (one.seconds_per_event, one.sine_cosine_seconds)
+        )
+        events = "" if one.events is None else str(one.events)
+        table.add_row(*names, f"{one.x:g}", events, each, sine, "" if ratio is None else f"{ratio:.3g}", one.note)
+        before = here
+    console.print(table)
+    console.print()
