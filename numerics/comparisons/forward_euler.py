@@ -6,6 +6,7 @@ chatter, and in stick its energy grows by a factor of 1 + (step Omega)^2 each st
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,30 +46,38 @@ class EulerRun:
         return (float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2
 
 
-def forward_euler(scene: Scene, step: float) -> EulerRun:
+def forward_euler(scene: Scene, step: float, loop: Callable[..., None] | None = None) -> EulerRun:
     """Integrate a scene with the explicit Euler method of the given step (s) > 0. Raises ValueError.
 
     Where v1 = v2 holds exactly: the law `three-valued-sgn` uses the stick branch of eqs (5)-(6), generalised to any
     masses; the law `filippov` uses it inside the sliding region only, and the slip field that leads away outside.
+    `loop` may be a compiled `march`.
     """
     steps = round(float(scene.until) / step) if step > 0 else 0
     if steps < 1:
         raise ValueError(f"step = {step:g} s must lie between 0 and the horizon {float(scene.until):g} s")
     pair, at = scene.pair, scene.initial
-    m1, m2, a1, a2, b = (float(value) for value in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
-    held, literal = b * (m1 + m2) / m2, scene.law is Law.THREE_VALUED_SGN
     y = np.empty((4, steps + 1))
-    x1, v1, x2, v2 = float(at.x1), float(at.v1), float(at.x2), float(at.v2)
-    y[:, 0] = x1, v1, x2, v2
-    for n in range(1, steps + 1):
+    y[:, 0] = float(at.x1), float(at.v1), float(at.x2), float(at.v2)
+    m1, m2, a1, a2, b = (float(value) for value in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
+    (loop or march)(y, step, m1, m2, a1, a2, b, scene.law is Law.THREE_VALUED_SGN)
+    return EulerRun(scene, step, np.linspace(0.0, step * steps, steps + 1), y)
+
+
+def march(
+    y: NDArray[np.float64], step: float, m1: float, m2: float, a1: float, a2: float, b: float, literal: bool
+) -> None:
+    """Fill the columns of y, (4, n), from the first one on: plain arithmetic, fit for a compiler."""
+    held = b * (m1 + m2) / m2
+    x1, v1, x2, v2 = float(y[0, 0]), float(y[1, 0]), float(y[2, 0]), float(y[3, 0])
+    for n in range(1, y.shape[1]):
         load = a2 * x1 + a1 * v1
-        sign = (v1 > v2) - (v1 < v2)
+        sign = (v1 > v2) * 1 - (v1 < v2) * 1
         if sign == 0 and not literal and abs(load) > held:
             sign = -1 if load > 0 else 1
-        if sign:
+        if sign != 0:
             dv1, dv2 = -(load + b * sign) / m1, b * sign / m2
         else:
             dv1 = dv2 = -load / (m1 + m2)
         x1, v1, x2, v2 = x1 + step * v1, v1 + step * dv1, x2 + step * v2, v2 + step * dv2
-        y[:, n] = x1, v1, x2, v2
-    return EulerRun(scene, step, np.linspace(0.0, step * steps, steps + 1), y)
+        y[0, n], y[1, n], y[2, n], y[3, n] = x1, v1, x2, v2

@@ -2,13 +2,14 @@
 
 Both modes are odd, so one integrator serves both signs. The coordinates are those of the edge that matters:
 
-    slip  (times its sign):     l = load + held,  g = v1 - v2:   m1 v1' = held - b - l,  m1 g' = -l   until g falls to 0
-    stick (times sign load'):   l = load - held:                 (m1+m2) v1' = -(held + l)            until l rises to 0
+    slip  (times its sign):    edge = load + held,  g = v1 - v2,  m1 v1' = held - b - edge,  m1 g' = -edge
+                               until g falls to 0
+    stick (times sign load'):  edge = load - held,  (m1+m2) v1' = -(held + edge)   until edge rises to 0
 
-At an exit l = g = 0 exactly, so a slip of any length is computed to full relative accuracy. There g has a double zero,
-which heyoka's root isolation does not get past: a short step without events leads off the surface first, and in a short
-slip the next step is cut to its length, so that its roots lie apart. The slip z, and with it friction's work b z, is
-integrated along, and gives x2 at the end; every arc starts at time 0. Once the load has missed one edge it never
+At an exit edge = g = 0 exactly, so a slip of any length is computed to full relative accuracy. There g has a double
+zero, which heyoka's root isolation does not get past: a short step without events leads off the surface first, and in a
+short slip the next step is cut to its length, so that its roots lie apart. The slip z, and with it friction's work b z,
+is integrated along, and gives x2 at the end; every arc starts at time 0. Once the load has missed one edge it never
 reaches the other, so one guard will do in stick.
 """
 
@@ -22,7 +23,7 @@ from typing import Literal
 
 import numpy as np
 
-from numerics.comparisons.heyoka_peer import FAILED, finished
+from numerics.comparisons.heyoka_peer import FAILED
 from numerics.comparisons.peer import Extra, PeerFailed, PeerRun
 from numerics.comparisons.switching import EventLog, SwitchedPair
 from numerics.modes import EventKind
@@ -69,15 +70,15 @@ class TunedHeyokaPeer:
             while True:
                 if sign == 0:
                     to = 1 if a2 * v > a1 * load / arcs.mass else -1
-                    met, length, (l, v, *lost) = arcs.stick((to * load - held, to * v, *arcs.rest), until - t)
-                    load, v, g, after = to * (held if met else l + held), to * v, zero, -to
+                    met, length, (edge, v, *lost) = arcs.stick((to * load - held, to * v, *arcs.rest), until - t)
+                    load, v, g, after = to * (held if met else edge + held), to * v, zero, -to
                     kind = EventKind.EXIT
                 else:
                     start = (sign * load + held, sign * v, sign * g, zero, *arcs.rest)
-                    met, length, (l, v, g, z, *lost) = arcs.slip(start, until - t)
-                    load, v, g = sign * (l - held), sign * v, zero if met else sign * g
+                    met, length, (edge, v, g, z, *lost) = arcs.slip(start, until - t)
+                    load, v, g = sign * (edge - held), sign * v, zero if met else sign * g
                     slipped, work = slipped + sign * z, work + arcs.b * z
-                    crosses = l >= 2 * held and (l > 2 * held or sign * (a2 * v - a1 * load / arcs.mass) > zero)
+                    crosses = edge >= 2 * held and (edge > 2 * held or sign * (a2 * v - a1 * load / arcs.mass) > zero)
                     after, kind = (-sign, EventKind.CROSSING) if crosses else (0, EventKind.ENTRY)
                 if lost:
                     work = work + a1 * lost[0]
@@ -112,14 +113,14 @@ class Arcs:
         self.floats = tuple(float(value) for value in (self.m1, self.a1, self.a2, self.push))
         self.cut = int(hy.taylor_outcome.time_limit)
         self.steps = 0
-        l, v, g, z, u = hy.make_vars("l", "v", "g", "z", "u")
+        edge, v, g, z, u = hy.make_vars("edge", "v", "g", "z", "u")
         viscous = [(u, v * v)] if pair.a1 > 0 else []
         self.rest = [self.zero] * len(viscous)
-        slip_pull, stick_pull = (self.push - l) / self.m1, -(self.held + l) / self.mass
-        slip = [(l, self.a2 * v + self.a1 * slip_pull), (v, slip_pull), (g, -l / self.m1), (z, g), *viscous]
-        stick = [(l, self.a2 * v + self.a1 * stick_pull), (v, stick_pull), *viscous]
+        slip_pull, stick_pull = (self.push - edge) / self.m1, -(self.held + edge) / self.mass
+        slip = [(edge, self.a2 * v + self.a1 * slip_pull), (v, slip_pull), (g, -edge / self.m1), (z, g), *viscous]
+        stick = [(edge, self.a2 * v + self.a1 * stick_pull), (v, stick_pull), *viscous]
         falling = hy.t_event(g, direction=hy.event_direction.negative, fp_type=self.kind)
-        rising = hy.t_event(l, direction=hy.event_direction.positive, fp_type=self.kind)
+        rising = hy.t_event(edge, direction=hy.event_direction.positive, fp_type=self.kind)
         self.leaving, self.slipping, self.sticking = (
             (one, one.state)
             for one in (
@@ -147,7 +148,7 @@ class Arcs:
         return met, off + integrator.time, state.tolist()
 
     def stick(self, start: Extra, left: Extra) -> Extra:
-        """Stick until l rises to 0."""
+        """Stick until edge rises to 0."""
         integrator, state = self.sticking
         _place(integrator, state, start, self.zero)
         integrator.reset_cooldowns()
@@ -168,12 +169,12 @@ class Arcs:
             raise PeerFailed(f"heyoka: {outcome}")
         return code > FAILED
 
-    def _comes_back(self, l: float, v: float) -> float:
+    def _comes_back(self, edge: float, v: float) -> float:
         """Return when c1 t + c2 t^2/2 + c3 t^3/6, the start of g, comes back to 0, s; 0 if g leaves steeply."""
         m1, a1, a2, push = self.floats
-        pull = (push - l) / m1
+        pull = (push - edge) / m1
         rate = a2 * v + a1 * pull
-        c1, c2, c3 = -l / m1, -rate / m1, -(a2 * pull - a1 * rate / m1) / m1
+        c1, c2, c3 = -edge / m1, -rate / m1, -(a2 * pull - a1 * rate / m1) / m1
         if c1 > abs(c2) * self.quick:
             return 0.0
         inner = c2 * c2 / 4 - 2 * c1 * c3 / 3

@@ -1,4 +1,4 @@
-"""One interface for every integrator that is compared with ours: prepare once, run and be timed, hand over a PeerRun."""
+"""One interface for every integrator that is compared with ours: prepare once, run and be timed, return a PeerRun."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from importlib.util import find_spec
 
 import numpy as np
@@ -93,8 +93,3 @@ def jacobian(method: str, pair: SwitchedPair, mode: Mode) -> dict[str, Extra]:
     if method in {"Radau", "BDF"}:
         return {"jac": matrix}
     return {"jac": lambda _t, _y: matrix} if method == "LSODA" else {}
-
-
-def scipy_peers() -> Sequence[ScipyPeer]:
-    """Return the methods that are compared."""
-    return tuple(ScipyPeer(method) for method in ("DOP853", "Radau", "LSODA"))
