@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
+import importlib.util
+import math
 import statistics
 import time
 from collections.abc import Callable
@@ -44,3 +47,24 @@ def timed(call: Callable[[], object], budget: float = 0.05) -> Timing:
     start = time.perf_counter()
     call()
     return median_time(call, time.perf_counter() - start, budget)
+
+
+def compiled_pair_seconds(pairs: int = 20_000) -> float | None:
+    """Return the time of one sine and cosine of the same angle in compiled code; None without numba.
+
+    This is the least that an event of a compiled path could cost.
+    """
+    if importlib.util.find_spec("numba") is None:
+        return None
+    numba = importlib.import_module("numba")
+
+    @numba.njit  # type: ignore[untyped-decorator]
+    def many(count: int) -> float:
+        total, angle = 0.0, 0.1
+        for _ in range(count):
+            total += math.sin(angle) * math.cos(angle)
+            angle += 1e-4
+        return total
+
+    many(1)
+    return timed(lambda: many(pairs)).seconds / pairs

@@ -73,6 +73,7 @@ def all_contenders() -> list[Contender]:
 
 
 def labelled(peers: Sequence[Peer]) -> list[Contender]:
-    """Return peers as contenders; two uses of one tool are told apart by the use."""
+    """Return peers as contenders; two uses of one tool are told apart by the first words of the use."""
     often = Counter(peer.name for peer in peers)
-    return [PeerContender(peer, peer.name if often[peer.name] == 1 else f"{peer.name}: {peer.use}") for peer in peers]
+    told = {peer: f"{peer.name} ({peer.use.partition(',')[0]})" for peer in peers}
+    return [PeerContender(peer, peer.name if often[peer.name] == 1 else told[peer]) for peer in peers]

@@ -9,6 +9,7 @@ from typing import Any
 from numerics.export import whole_file
 from numerics.trade.front import Point, best_front
 from numerics.trade.growth import Growth
+from numerics.trade.ours import compiled_contender
 from numerics.trade.plan import Trade
 from numerics.trade.scenes import Benchmark
 
@@ -26,7 +27,7 @@ def write_figures(trade: Trade, path: Path) -> None:
     """Write the work-precision figure to `path`, and the growth beside it with "-growth" before the suffix."""
     figures = {path: draw_trade(trade)}
     if any(one.seconds_per_event for one in trade.growth):
-        figures[path.with_name(f"{path.stem}-growth{path.suffix}")] = draw_growth(trade.growth)
+        figures[path.with_name(f"{path.stem}-growth{path.suffix}")] = draw_growth(trade)
     for name, figure in figures.items():
         with whole_file(name) as file:
             figure.savefig(file, format=name.suffix[1:], dpi=150)
@@ -114,27 +115,40 @@ def _draw_legend(panel: Any, styles: dict[str, dict[str, Any]]) -> None:
     panel.text(0, 0, LEGEND, fontsize="x-small", transform=panel.transAxes)
 
 
-def draw_growth(growth: list[Growth]) -> Any:
+def draw_growth(trade: Trade) -> Any:
     """Return a matplotlib figure: the time of one event (of one scene, for batches) along each axis, log-log."""
     from matplotlib.figure import Figure
 
-    axes = [axis for axis in AXES if any(one.axis == axis and one.seconds_per_event for one in growth)]
-    figure = Figure(figsize=(4.6 * len(axes), 3.8), layout="constrained")
-    names = list(dict.fromkeys(one.contender for one in growth))
+    timed = [one for one in trade.growth if one.seconds_per_event]
+    axes = [axis for axis in AXES if any(one.axis == axis for one in timed)]
+    names = list(dict.fromkeys(one.contender for one in trade.growth))
+    names.sort(key=[*(one.label for one in trade.contenders), *names].index)
+    figure = Figure(figsize=(4.4 * len(axes), 4), layout="constrained")
+    drawn: dict[str, Any] = {}
     for axis, panel in zip(axes, figure.subplots(1, len(axes), squeeze=False).flatten(), strict=True):
-        mine = [one for one in growth if one.axis == axis and one.seconds_per_event]
-        for index, name in enumerate(names):
-            for cores in sorted({one.cores for one in mine if one.contender == name}):
-                curve = [one for one in mine if one.contender == name and one.cores == cores]
-                label = f"{name}, {cores} cores" if axis == "batch" else name
-                at = ([one.x for one in curve], [one.seconds_per_event for one in curve])
-                dash = "-" if cores == 1 else "--"
-                panel.plot(*at, dash, color=OUR_COLOURS[index % 4], marker=MARKERS[index % 10], ms=5, label=label)
-        costs = {one.x: one.sine_cosine_seconds for one in mine if one.sine_cosine_seconds}
-        if costs:
-            panel.plot(list(costs), list(costs.values()), color="gray", ls=":", marker=".", label="one arb.sin_cos")
+        drawn |= _draw_axis(panel, [one for one in timed if one.axis == axis], names)
         unit = "s for each scene" if axis == "batch" else "s for each event"
-        panel.set(xscale="log", yscale="log", xlabel=AXES[axis], ylabel=unit)
-        panel.grid(alpha=0.25)
-        panel.legend(fontsize="x-small")
+        panel.set(xlabel=AXES[axis], ylabel=unit)
+    figure.legend(drawn.values(), drawn.keys(), loc="outside lower center", ncols=6, fontsize="small", frameon=False)
     return figure
+
+
+def _draw_axis(panel: Any, growth: list[Growth], names: list[str]) -> dict[str, Any]:
+    """Draw every curve along one axis, dashed on more than one core; return the lines by what the legend calls them."""
+    drawn = {}
+    for name, cores in sorted({(one.contender, one.cores) for one in growth}):
+        curve = [one for one in growth if (one.contender, one.cores) == (name, cores)]
+        index, called = names.index(name), name if cores == 1 else f"{name}, {cores} cores"
+        style = {"color": OUR_COLOURS[index % 4], "marker": MARKERS[index % 10], "ms": 5}
+        at = ([one.x for one in curve], [one.seconds_per_event for one in curve])
+        (drawn[called],) = panel.plot(*at, "-" if cores == 1 else "--", **style)
+    for name, dots in (("ball", ":"), (compiled_contender(), "-.")):
+        costs = {one.x: one.sine_cosine_seconds for one in growth if one.contender == name and one.sine_cosine_seconds}
+        called = "one arb.sin_cos" if name == "ball" else "one compiled sine-cosine pair"
+        if costs:
+            (drawn[called],) = panel.plot(list(costs), list(costs.values()), dots, color="gray", marker=".")
+    panel.set(xscale="log", yscale="log")
+    seconds = [one for line in panel.lines for one in line.get_ydata()]
+    panel.set_ylim(10.0 ** math.floor(math.log10(min(seconds))), 10.0 ** math.ceil(math.log10(max(seconds))))
+    panel.grid(alpha=0.25)
+    return drawn

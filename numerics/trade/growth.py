@@ -17,7 +17,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.trade import ours
 from numerics.trade.child import Child
-from numerics.trade.clock import timed
+from numerics.trade.clock import compiled_pair_seconds, timed
 from numerics.trade.contender import Contender
 from numerics.trade.judge import first_difference
 from numerics.trade.measure import Limits, Ran, References, run
@@ -41,7 +41,7 @@ class Growth:
     """of a batch: s per scene and core"""
     note: str = ""
     sine_cosine_seconds: float | None = None
-    """along digits: one arb.sin_cos at the working precision of so many digits"""
+    """along digits: one arb.sin_cos at so many digits; of the compiled path: one compiled sine-cosine pair"""
     cores: int = 1
 
     def as_record(self) -> dict[str, Any]:
@@ -94,6 +94,7 @@ def along_scenes(
     """Yield the time per event along scenes with more and more events, or with one mass ratio after another."""
     scenes = list(_scenes(axis, extent))
     for contender in contenders:
+        pair = compiled_pair_seconds() if contender.label == ours.compiled_contender() else None
         setting = PLAIN_DIGITS if contender.knob == "digits" else contender.settings[-1]
         for x, scene in scenes:
             ran = run(child, source, contender.label, scene, setting, limits)
@@ -101,7 +102,7 @@ def along_scenes(
             if axis == "m1/m2" and ran.outcome is not None:
                 proved = references.get(scene, POINT_DIGITS)
                 note = proved.note if proved.outcome is None else first_difference(ran.outcome, proved.outcome) or ""
-            yield _growth(axis, contender, x, ran, note)
+            yield _growth(axis, contender, x, ran, note, pair)
             if axis == "events" and ran.seconds is None:
                 break
 

@@ -132,6 +132,11 @@ def number_text(value: Any, digits: int) -> str:
     return str(value.mid().str(digits, radius=False))
 
 
+def compiled_contender() -> str:
+    """Return the label of the contender whose events are set beside a compiled sine-cosine pair."""
+    return CompiledFloat.label
+
+
 def batch_call(scene: Scene, size: int, cores: int) -> Callable[[], object] | None:  # noqa: ARG001
     """Return a call that solves `size` copies of a scene in one batch on so many cores; None if there is no batch."""
     return None

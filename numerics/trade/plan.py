@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from numerics.errors import NumericsError
@@ -32,6 +32,8 @@ class Size:
     scenes: tuple[str, ...]
     """the beginnings of the names of the scenes"""
     limits: Limits
+    long_run: float
+    """how long the parent waits for one run of the long scene, s"""
     extent: Extent
     reference_limit: float = 900.0
 
@@ -44,6 +46,7 @@ SIZES = {
         excursions=300,
         scenes=("figure-4b-b05", "near-critical-1e-6", "long"),
         limits=Limits(prepare=15, run=1, budget=0.03),
+        long_run=1,
         extent=Extent((10, 100, 1000), (10, 100), (1, 100), (-12, 0, 12)),
     ),
     "default": Size(
@@ -51,7 +54,8 @@ SIZES = {
         digits={"mpmath": 1000, "ball": 10_000},
         excursions=100_000,
         scenes=("",),
-        limits=Limits(prepare=40, run=5, budget=0.1),
+        limits=Limits(prepare=40, run=3, budget=0.1),
+        long_run=12,
         extent=Extent(_DECADES, (10, 100, 1000, 10_000), (1, 10, 100, 1000, 10_000), (-12, -6, -3, 0, 3, 6, 12)),
     ),
     "large": Size(
@@ -60,6 +64,7 @@ SIZES = {
         excursions=100_000,
         scenes=("",),
         limits=Limits(prepare=90, run=60, budget=0.5),
+        long_run=300,
         extent=Extent(
             _DECADES, (10, 100, 1000, 10_000, 100_000), (1, 10, 100, 1000, 10_000, 100_000), tuple(range(-12, 13))
         ),
@@ -108,11 +113,12 @@ def trade(
     with Child() as child, Child() as prover:
         references = References(prover, size.reference_limit)
         for scene in scenes:
+            limits = replace(size.limits, run=size.long_run) if scene.name.startswith("long") else size.limits
             progress(f"{scene.name}: the proved reference")
             references.get(scene, POINT_DIGITS)
             for contender in present:
                 progress(f"{scene.name}: {contender.label}")
-                found += measure(child, references, contender, scene, settings(contender, size), size.limits, source)
+                found += measure(child, references, contender, scene, settings(contender, size), limits, source)
         grown = list(growth(child, references, present, size.extent, size.limits, progress, source))
         return Trade(size_name, machine(), scenes, present, left_out, found, references.as_records(), grown)
 

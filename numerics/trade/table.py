@@ -6,7 +6,7 @@ from typing import Any
 
 from numerics.trade.front import best_front, leads
 from numerics.trade.growth import Growth
-from numerics.trade.measure import Measurement
+from numerics.trade.measure import Measurement, Status
 from numerics.trade.plan import Trade
 from numerics.trade.scenes import Benchmark
 
@@ -50,7 +50,7 @@ def print_trade(trade: Trade, width: int | None) -> None:
     )
     for one in trade.contenders:
         if one.use:
-            console.print(f"{one.label}: {one.use}; {one.knob}")
+            console.print(f"{one.label}: {one.use}")
     for name, missing in trade.left_out.items():
         console.print(f"left out: {name}: needs {missing}")
 
@@ -60,19 +60,24 @@ def _print_scene(console: Any, trade: Trade, scene: Benchmark) -> None:
 
     candidates = trade.points(scene)
     best = {(one.contender, one.setting) for one in best_front(candidates)}
-    ratios = {(one.peer.contender, one.peer.setting): one.ratio for one in leads(candidates)}
+    # how fast a run loses events is no comparison; --json has these ratios, too
+    ratios = {(one.peer.contender, one.peer.setting): one.ratio for one in leads(candidates) if one.peer.right}
     console.print(f"{scene.name}: {scene.why}")
-    for row in trade.references:
-        if row["scene"] == scene.name:
-            took = row["note"] if row["seconds"] is None else f"{row['events']} events, {seconds_text(row['seconds'])}"
-            console.print(f"  reference, {row['digits']} proved digits: {took}")
+    proofs = [row for row in trade.references if row["scene"] == scene.name]
+    took = ", ".join(
+        f"{row['digits']} in {row['note'] if row['seconds'] is None else seconds_text(row['seconds'])}"
+        for row in proofs
+    )
+    console.print(f"proved reference: {proofs[0]['events']} events; digits {took}")
     names = ("contender", "setting", "time", "state", "last event", "energy", "events", "ours faster", "", "")
     table = Table(*names, box=None, pad_edge=False)
     before = ""
     for one in (one for one in trade.measurements if one.scene == scene.name):
+        if one.ran.status is Status.NOT_TRIED and before == one.contender:
+            continue  # the line before says why; --json lists them
         key = (one.contender, one.setting)
         cells = _cells(one)
-        lead = "" if one.ours or ratios.get(key) is None else f"{ratios[key]:.3g} x"
+        lead = f"{ratios[key]:.3g} x" if ratios.get(key) is not None else ""
         name = "" if one.contender == before else one.contender
         table.add_row(name, *cells[:-1], lead, "*" if key in best else "", cells[-1])
         before = one.contender

@@ -19,7 +19,7 @@ from numerics.scene_file import load_scene
 from numerics.trade import front, reference, scenes
 from numerics.trade.child import Child
 from numerics.trade.clock import median_time
-from numerics.trade.contender import labelled
+from numerics.trade.contender import all_contenders, labelled
 from numerics.trade.front import Point
 from numerics.trade.judge import judge
 from numerics.trade.measure import Limits, References, Status, measure, run
@@ -287,7 +287,12 @@ class TestPlan:
             def __init__(self, use):
                 self.use = use
 
-        assert [one.label for one in labelled([Tool("plain"), Tool("best")])] == ["tool: plain", "tool: best"]
+        labels = [one.label for one in all_contenders()]
+        assert len(set(labels)) == len(labels)
+        assert [one.label for one in labelled([Tool("plain"), Tool("best, and more")])] == [
+            "tool (plain)",
+            "tool (best)",
+        ]
         assert [one.label for one in labelled([Tool("plain")])] == ["tool"]
 
     def test_the_clock_takes_the_median_of_warm_calls(self):
