@@ -14,10 +14,13 @@ from numerics.trade.plan import Trade
 from numerics.trade.scenes import Benchmark
 
 OUR_COLOURS = ("#b30000", "#e34a33", "#fc8d59", "#7f0000")
-PEER_COLOURS = ("#08519c", "#3182bd", "#6baed6", "#006d2c", "#54278f", "#756bb1", "#636363", "#969696", "#111111")
+PEER_COLOURS = (
+    "#08519c", "#3182bd", "#006d2c", "#31a354", "#54278f", "#756bb1", "#111111", "#737373", "#01665e", "#35978f",
+    "#8c6d31", "#bd9e39", "#5254a3", "#9c9ede",
+)  # fmt: skip
 MARKERS = "osD^vP<>X*"
 AXES = {"digits": "digits", "events": "events", "m1/m2": "$m_1/m_2$", "batch": "scenes in a batch"}
-LEGEND = """right digits: of the worst of final state,\nlast event and dissipated energy"""
+LEGEND = "right digits: of the worst of final state, last event and dissipated energy"
 _LINEAR_DIGITS = 20
 """Up to here right digits are drawn to a linear scale, beyond to a logarithmic one."""
 _TICKS = (0, 5, 10, 15, 30, 100, 1000, 10_000)
@@ -41,14 +44,14 @@ def draw_trade(trade: Trade) -> Any:
     from matplotlib.figure import Figure
 
     styles = _styles(trade)
-    columns = min(4, len(trade.scenes) + 1)
-    rows = math.ceil((len(trade.scenes) + 1) / columns)
-    figure = Figure(figsize=(4.2 * columns, 3.5 * rows), layout="constrained")
+    columns = min(4, len(trade.scenes))
+    rows = math.ceil(len(trade.scenes) / columns)
+    figure = Figure(figsize=(4.2 * columns, 3.4 * rows + 1.2), layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False).flatten().tolist()
     for scene, panel in zip(trade.scenes, panels, strict=False):
         _draw_scene(panel, trade, scene, styles)
-    _draw_legend(panels[len(trade.scenes)], styles)
-    for panel in panels[len(trade.scenes) + 1 :]:
+    _draw_legend(figure, styles, columns)
+    for panel in panels[len(trade.scenes) :]:
         panel.set_axis_off()
     return figure
 
@@ -61,7 +64,7 @@ def _styles(trade: Trade) -> dict[str, dict[str, Any]]:
     own, others = ([name for name, ours in names.items() if ours is wanted] for wanted in (True, False))
     styles = {name: {"color": OUR_COLOURS[i % 4], "marker": MARKERS[i % 10], "ms": 7} for i, name in enumerate(own)}
     for i, name in enumerate(others):
-        styles[name] = {"color": PEER_COLOURS[i % 9], "marker": MARKERS[i % 10], "ms": 5}
+        styles[name] = {"color": PEER_COLOURS[i % len(PEER_COLOURS)], "marker": MARKERS[i % 10], "ms": 5}
     return styles
 
 
@@ -105,14 +108,13 @@ def _shown(one: Point) -> float:
     return max(-0.7, -one.error)
 
 
-def _draw_legend(panel: Any, styles: dict[str, dict[str, Any]]) -> None:
-    panel.set_axis_off()
-    for name, style in styles.items():
-        panel.plot([], [], linestyle="", label=name, **style)
-    panel.plot([], [], linestyle="", marker="o", mfc="none", color="gray", label="hollow: wrong event sequence")
-    panel.plot([], [], color="black", lw=1, label="the front")
-    panel.legend(loc="upper left", fontsize="small", frameon=False)
-    panel.text(0, 0, LEGEND, fontsize="x-small", transform=panel.transAxes)
+def _draw_legend(figure: Any, styles: dict[str, dict[str, Any]], columns: int) -> None:
+    from matplotlib.lines import Line2D
+
+    signs = [Line2D([], [], linestyle="", label=name, **style) for name, style in styles.items()]
+    signs.append(Line2D([], [], linestyle="", marker="o", mfc="none", color="gray", label="hollow: events wrong"))
+    signs.append(Line2D([], [], color="black", lw=1, label="the front"))
+    figure.legend(handles=signs, loc="outside lower center", ncols=2 * columns, fontsize="small", title=LEGEND)
 
 
 def draw_growth(trade: Trade) -> Any:
@@ -135,6 +137,8 @@ def draw_growth(trade: Trade) -> Any:
 
 def _draw_axis(panel: Any, growth: list[Growth], names: list[str]) -> dict[str, Any]:
     """Draw every curve along one axis, dashed on more than one core; return the lines by what the legend calls them."""
+    from matplotlib.ticker import NullFormatter
+
     drawn = {}
     for name, cores in sorted({(one.contender, one.cores) for one in growth}):
         curve = [one for one in growth if (one.contender, one.cores) == (name, cores)]
@@ -148,6 +152,7 @@ def _draw_axis(panel: Any, growth: list[Growth], names: list[str]) -> dict[str, 
         if costs:
             (drawn[called],) = panel.plot(list(costs), list(costs.values()), dots, color="gray", marker=".")
     panel.set(xscale="log", yscale="log")
+    panel.xaxis.set_minor_formatter(NullFormatter())
     seconds = [one for line in panel.lines for one in line.get_ydata()]
     panel.set_ylim(10.0 ** math.floor(math.log10(min(seconds))), 10.0 ** math.ceil(math.log10(max(seconds))))
     panel.grid(alpha=0.25)
