@@ -7,6 +7,7 @@ from numerics.comparisons.heyoka_peer import HeyokaPeer
 from numerics.comparisons.heyoka_tuned import TunedHeyokaPeer
 from numerics.comparisons.peer import Peer
 from numerics.comparisons.scipy_peer import ScipyPeer
+from numerics.comparisons.scipy_tuned import TunedScipyPeer
 from numerics.comparisons.siconos_peer import SiconosPeer
 
 
@@ -16,6 +17,7 @@ def all_peers() -> tuple[Peer, ...]:
         EulerPeer(compiled=False),
         EulerPeer(compiled=True),
         *(ScipyPeer(method) for method in ("DOP853", "Radau", "LSODA")),
+        TunedScipyPeer("DOP853"),
         HeyokaPeer(),
         TunedHeyokaPeer("double"),
         TunedHeyokaPeer("long double"),
