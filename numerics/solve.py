@@ -107,13 +107,13 @@ def integrate(
         segments: list[Segment] = []
         events: list[Event] = []
         motion: Motion = initial_motion(frame, scene)
-        start = arithmetic.number(0)
+        start = rest = arithmetic.number(0)
         while True:
             duration = motion.duration()  # locate
             if duration is None:
                 status = Status.STUCK_FOR_EVER
                 break
-            end = start + duration
+            end, end_rest = arithmetic.accumulate(start, rest, duration)
             if decide_sign(arithmetic, end - horizon, "does the next event come before the horizon?") > 0:
                 status = Status.REACHED_HORIZON
                 break
@@ -123,11 +123,11 @@ def integrate(
             segments.append(Segment(motion, start, end, duration))
             following = motion.successor()  # flow and snap
             events.append(_event(frame, motion, following, end))
-            motion, start = following, end
+            motion, start, rest = following, end, end_rest
             if progress is not None and len(events) % 1000 == 0:
                 progress(len(events), arithmetic.to_float(end / horizon))
         if status is not Status.EVENT_LIMIT:
-            segments.append(Segment(motion, start, horizon, horizon - start))
+            segments.append(Segment(motion, start, horizon, (horizon - start) - rest))
         return Trajectory(scene, frame, tuple(segments), tuple(events), status)
 
 

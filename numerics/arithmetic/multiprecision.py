@@ -114,6 +114,10 @@ class Multiprecision:
         """Return x."""
         return x
 
+    def accumulate(self, total: Any, rest: Any, term: Any) -> tuple[Any, Any]:
+        """Return the sum; its rounding is small enough."""
+        return total + term, rest
+
     def mean_value(self, function: Callable[[Any], Any], slope: Callable[[Any], Any], x: Any) -> Any:  # noqa: ARG002
         """Return function(x): a point needs no mean value."""
         return function(x)

@@ -113,6 +113,9 @@ class Arithmetic(Protocol):
     def centre(self, x: Number) -> Number:
         """Return x for a point arithmetic, the midpoint of a ball."""
 
+    def accumulate(self, total: Number, rest: Number, term: Number) -> tuple[Number, Number]:
+        """Return total + rest + term and what its rounding leaves out, where an arithmetic can tell; else 0."""
+
     def mean_value(self, function: Callable[[Number], Number], slope: Callable[[Number], Number], x: Number) -> Number:
         """Return function(x); for a ball by the mean value form, whose radius is rad(x) max|slope(x)| and no more."""
 

@@ -142,3 +142,12 @@ def rounding_of_square(x: float, square: float) -> float:
     high = scaled - (scaled - x)
     low = x - high
     return ((high * high - square) + 2.0 * high * low) + low * low
+
+
+@kernel
+def clock(total: float, rest: float, term: float) -> tuple[float, float]:
+    """Return total + rest + term, rounded, and what the rounding left out (Knuth's two-sum)."""
+    term = term + rest
+    new = total + term
+    back = new - total
+    return new, (total - (new - back)) + (term - back)
