@@ -60,6 +60,14 @@ class EdgePair:
         inner = c2 * c2 / 4 - 2 * c1 * c3 / 3
         return 3 * (-c2 / 2 - math.sqrt(inner)) / c3 if c3 < 0 <= inner else math.inf
 
+    def turning(self, edge: Extra, v: Extra) -> Extra:
+        """Return load' in stick, times half a radian's time, N: it falls to 0 where the load turns."""
+        return (self.a2 * v - self.a1 * (self.held + edge) / self.mass) * self.quick
+
+    def leaves(self, edge: Extra, v: Extra) -> bool:
+        """Tell whether a stick arc that ended where min(-edge, turning) fell to 0 has met the edge before it turned."""
+        return bool(-edge <= self.turning(edge, v))
+
 
 class EdgeArcs(Protocol):
     """An integrator of both systems: each arc goes to its event, or over the time that is left.
@@ -104,6 +112,8 @@ def run_by_edges(pair: EdgePair, arcs: EdgeArcs) -> PeerRun:
         t = t + length
         log.add(kind, float(t))
         sign = after
+        if not t < pair.until:
+            break
     x = (load - a1 * v) / a2
     y = np.array([float(x), float(v), float(x - pair.apart - slipped), float(v - g)])
     return PeerRun(tuple(log.kinds), np.array(log.times), y, float(work), arcs.steps)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from numerics.comparisons.diffrax_peer import DiffraxPeer
 from numerics.comparisons.euler_peer import EulerPeer
 from numerics.comparisons.heyoka_peer import HeyokaPeer
 from numerics.comparisons.heyoka_tuned import TunedHeyokaPeer
@@ -22,6 +23,8 @@ def all_peers() -> tuple[Peer, ...]:
         TunedHeyokaPeer("double"),
         TunedHeyokaPeer("long double"),
         TunedHeyokaPeer("quadruple"),
+        DiffraxPeer("Tsit5"),
+        DiffraxPeer("Dopri8"),
         SiconosPeer("ZeroOrderHold"),
         SiconosPeer("EulerMoreau"),
     )

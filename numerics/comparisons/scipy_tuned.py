@@ -1,8 +1,8 @@
 """SciPy's solve_ivp at its best: edge coordinates, a first step inside the slip, and the peaks of the load watched.
 
 It looks at the signs of its guards at step ends. So the first step off the surface ends within half of the slip's
-predicted length, where g > 0; and a stick arc also stops where the load turns back: if it has turned beyond the edge,
-then the exit lies before, and the arc is integrated again to end there, with a sign change to be seen.
+predicted length, where g > 0; and a stick arc stops at the exit or where the load turns back, whichever comes first:
+the lesser of both guards stays below 0 once the exit is past, so no step can jump over a short stay beyond the edge.
 """
 
 from __future__ import annotations
@@ -75,8 +75,7 @@ class ScipyArcs:
 
         self.fields = slip, stick
         self.falls = terminal(lambda _, y: y[2], -1)
-        self.rises = terminal(lambda _, y: y[0], 1)
-        self.turns = terminal(lambda _, y: a2 * y[1] - a1 * (held + y[0]) / mass, -1)
+        self.leaves_or_turns = terminal(lambda _, y: min(-y[0], pair.turning(y[0], y[1])), -1)
 
     def slip(self, start: Extra, left: float) -> Extra:
         """Slip until g falls to 0."""
@@ -90,13 +89,9 @@ class ScipyArcs:
     def stick(self, start: Extra, left: float) -> Extra:
         """Stick until edge rises to 0; if it turns back before it has, stick for all of the time left."""
         field, atol = self.fields[1], self.stick_atol
-        arc = self._solve(field, start, left, atol, [self.rises, self.turns])
-        if arc.status == 1 and len(arc.t_events[0]) == 0:
-            if arc.y[0, -1] <= 0:
-                arc = self._solve(field, start, left, atol, None)
-            else:
-                arc = self._solve(field, start, arc.t[-1], atol, [self.rises])
-                return True, arc.t[-1], arc.y[:, -1].tolist()  # at the latest at the peak, should it be seen no more
+        arc = self._solve(field, start, left, atol, [self.leaves_or_turns])
+        if arc.status == 1 and not self.pair.leaves(arc.y[0, -1], arc.y[1, -1]):
+            arc = self._solve(field, start, left, atol, None)
         return arc.status == 1, arc.t[-1], arc.y[:, -1].tolist()
 
     def _solve(
