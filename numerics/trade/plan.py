@@ -50,12 +50,12 @@ SIZES = {
         extent=Extent((10, 100, 1000), (10, 100), (1, 100), (-12, 0, 12)),
     ),
     "default": Size(
-        settings=5,
+        settings=4,
         digits={"mpmath": 1000, "ball": 10_000},
         excursions=100_000,
         scenes=("",),
         limits=Limits(prepare=40, run=3, budget=0.1),
-        long_run=12,
+        long_run=10,
         extent=Extent(_DECADES, (10, 100, 1000, 10_000), (1, 10, 100, 1000, 10_000), (-12, -6, -3, 0, 3, 6, 12)),
     ),
     "large": Size(

@@ -20,12 +20,16 @@ from typing import IO, Any
 
 from numerics.comparisons.peer import PeerFailed, Unsupported
 from numerics.errors import NumericsError
-from numerics.trade.clock import median_time
+from numerics.trade.clock import Timing, median_time
 from numerics.trade.contender import Contender
 from numerics.trade.scenes import scene_from_record
 
 MEMORY_SHARE = 0.7
 """Of the machine's memory: more than this is answered by a MemoryError instead of by the whole machine."""
+
+
+LONG = 20
+"""A first run that takes so many budgets is not repeated: next to it, warming up is nothing."""
 
 
 class Worker:
@@ -61,7 +65,7 @@ class Worker:
         self._tell({"stage": "ran", "seconds": first, "outcome": contender.outcome(run).as_record()})
         if budget > 0:
             del run
-            timing = median_time(call, first, budget)
+            timing = Timing(first, 0) if first > LONG * budget else median_time(call, first, budget)
             self._tell({"stage": "timed", "seconds": timing.seconds, "batches": timing.batches})
 
     def _contender(self, source: str, name: str) -> Contender:
