@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from numerics import tangent
+from numerics.arithmetic.dual import differentiated
 from numerics.arithmetic.protocol import Arithmetic, Number, Sign, decide_sign
 
 
@@ -34,6 +36,10 @@ class Oscillator:
 
     def _basis(self, t: Number) -> tuple[Number, Number]:
         """Return e^(-dt) (cos nt, sin(nt)/n), their limits (1, t), or cosh and sinh instead."""
+        formula = lambda found: tangent.basis(self, t, found)  # noqa: E731
+        return differentiated(self.arithmetic, lambda: self._values(t), formula)
+
+    def _values(self, t: Number) -> tuple[Number, Number]:
         arithmetic, n = self.arithmetic, self.frequency
         if self.regime > 0:
             cosine, sine = arithmetic.cos_sin(n * t)

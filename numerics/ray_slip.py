@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from numerics import tangent
+from numerics.arithmetic.dual import differentiated
 from numerics.arithmetic.protocol import Number
 from numerics.scaling import Frame
 from numerics.slip_flow import SlipFlow
@@ -9,8 +11,10 @@ from numerics.slip_flow import SlipFlow
 
 def ray_flow(frame: Frame, w: Number) -> SlipFlow:
     """Return the slip variables on an exit ray with energy excess w: gap 0 and guard 0 exactly, push sqrt(w/q)."""
-    zero = frame.arithmetic.number(0)
-    return SlipFlow(frame.arithmetic, zero, zero, frame.arithmetic.sqrt(w) / frame.sqrt_q)
+    arithmetic, zero = frame.arithmetic, frame.arithmetic.number(0)
+    values = lambda: (zero, arithmetic.sqrt(w) / frame.sqrt_q)  # noqa: E731
+    gap, push = differentiated(arithmetic, values, lambda _: tangent.on_ray(frame, w))
+    return SlipFlow(arithmetic, zero, gap, push)
 
 
 def ray_landing(frame: Frame, w: Number) -> tuple[Number, Number, Number]:

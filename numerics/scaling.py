@@ -38,13 +38,16 @@ class Frame:
         self.arithmetic, self.pair = arithmetic, pair
         self.q, self.r = number(pair.m1 / pair.mass), number(pair.m2 / pair.mass)
         self.sqrt_q = sqrt(self.q)
-        self.two_zeta = sqrt(number(pair.a1**2 / (pair.a2 * pair.mass)))
+        self.rate = sqrt(number(pair.a2 / pair.mass))
+        # at a1 = 0 the square has no derivative, by which the sensitivities see the damper
+        self.two_zeta = (
+            sqrt(number(pair.a1**2 / (pair.a2 * pair.mass))) if pair.a1 else number(pair.a1 / pair.mass) / self.rate
+        )
         # the sign of 1 - zeta^2 (stick) and of q - zeta^2 (slip) is decided exactly: which damping regime it is
         zeta_squared = pair.a1**2 / (4 * pair.a2 * pair.mass)
         self.stick_discriminant = 1 - zeta_squared
         self.slip_discriminant = pair.m1 / pair.mass - zeta_squared
         self.length = number(pair.half_width)
-        self.rate = sqrt(number(pair.a2 / pair.mass))
         self.speed = self.length * self.rate
         self.critical_energy = number(pair.critical_energy)
 

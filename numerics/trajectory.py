@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from numerics.modes import EventKind, Mode
 from numerics.motion import Motion
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene
+
+if TYPE_CHECKING:
+    from numerics.sensitivity import Sensitivity
 
 Side = Literal["left", "right"]
 
@@ -187,6 +190,13 @@ class Trajectory:
             friction, viscous = unit * friction, unit * viscous
             initial, final = self.arithmetic.number(self.scene.energy), self.frame.energy(self.final)
             return EnergyLedger(initial, final, friction, viscous, initial - final - friction - viscous)
+
+    @cached_property
+    def sensitivity(self) -> Sensitivity:
+        """Return the derivatives of events and final state by initial state and parameters; it solves once more."""
+        from numerics.sensitivity import sensitivity
+
+        return sensitivity(self)
 
     def sol(self, t: Any, side: Side = "right") -> NDArray[Any]:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, n) for a sequence.

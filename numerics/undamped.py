@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import cached_property
 from typing import NamedTuple
 
+from numerics import tangent
+from numerics.arithmetic.dual import differentiated
 from numerics.arithmetic.protocol import Number, decide_sign
 from numerics.modes import Mode, mode_after_contact, slip_mode
 from numerics.motion import Motion
@@ -43,15 +45,21 @@ class UndampedSlip:
         """
         self.frame, self.law, self.side, self.flow, self.start = frame, law, side, flow, start
         self.on_surface, self.from_ray = on_surface, from_ray
-        self.driven_at_start = flow.push_at_start if on_surface else side * start.V2 / frame.sqrt_q
+        # on the surface the guard is 0 and both velocities are one, but their derivatives may differ
+        driven = flow.push_at_start + flow.guard_at_start if on_surface else side * start.V2 / frame.sqrt_q
+        self.driven_at_start = driven
         self.mode = slip_mode(-side)
 
     @classmethod
     def from_exit_ray(cls, frame: Frame, law: Law, side: int, Z: Number, w: Number) -> UndampedSlip:
         """Return the slip that leaves S0 by the ray on this side, where X = side and V = side sqrt(w)."""
-        V = side * frame.arithmetic.sqrt(w)
-        start = ReducedState(frame.arithmetic.number(side), V, V, Z, w)
-        return cls(frame, law, side, ray_flow(frame, w), start, from_ray=True)
+        arithmetic, flow = frame.arithmetic, ray_flow(frame, w)
+        X, V = differentiated(
+            arithmetic,
+            lambda: (arithmetic.number(side), side * arithmetic.sqrt(w)),
+            lambda _: (side * (1 + frame.q * flow.gap_at_start), side * frame.sqrt_q * flow.push_at_start),
+        )
+        return cls(frame, law, side, flow, ReducedState(X, V, V, Z, w), from_ray=True)
 
     @property
     def w(self) -> Number:
@@ -61,8 +69,9 @@ class UndampedSlip:
     @cached_property
     def landing(self) -> Landing:
         """Return where and how the bodies meet in velocity again."""
-        landing = self._landing()
-        refuse_unresolved(self.frame.arithmetic, landing.theta)
+        arithmetic = self.frame.arithmetic
+        landing: Landing = differentiated(arithmetic, self._landing, lambda at: tangent.slip_landing(self, at))
+        refuse_unresolved(arithmetic, landing.theta)
         return landing
 
     def _landing(self) -> Landing:
@@ -86,7 +95,11 @@ class UndampedSlip:
         frame = self.frame
         if frame.arithmetic.to_float(self.w) <= 1:
             return self.w - 2 * frame.r * frame.q * slid
-        V, beyond = frame.sqrt_q * self._driven_push(theta), frame.q * gap
+        return self.excess_from_above(theta, gap)
+
+    def excess_from_above(self, theta: Number, gap: Number) -> Number:
+        """Return w at the contact from the state there."""
+        V, beyond = self.frame.sqrt_q * self._driven_push(theta), self.frame.q * gap
         return V * V + beyond * (2 + beyond)
 
     def duration(self) -> Number:
@@ -95,6 +108,10 @@ class UndampedSlip:
 
     def state(self, tau: Number) -> ReducedState:
         """Return the state at reduced time tau after the start."""
+        values, formula = lambda: self._state(tau), lambda _: tangent.slip_state(self, tau)
+        return differentiated(self.frame.arithmetic, values, formula)
+
+    def _state(self, tau: Number) -> ReducedState:
         frame, flow, side = self.frame, self.flow, self.side
         theta = tau / frame.sqrt_q
         return ReducedState(
@@ -146,6 +163,10 @@ class UndampedStick:
         """
         if self.law is Law.THREE_VALUED_SGN or self._excess_sign <= 0:
             return None
+        formula = lambda tau: self._exit() + tangent.stick_exit(self, tau, self._exit_side)  # noqa: E731
+        return differentiated(self.frame.arithmetic, self._exit, formula)
+
+    def _exit(self) -> Number:
         side, root = self._exit_side, self.frame.arithmetic.sqrt(self.start.w)
         below = -self.offset if side == self.edge else 2 + self.offset  # 1 - a
         return 2 * self.frame.arithmetic.atan2(below, side * self.start.V1 + root)
@@ -160,6 +181,10 @@ class UndampedStick:
 
     def state(self, tau: Number) -> ReducedState:
         """Return the state at reduced time tau: a rotation of (X, V)."""
+        values, formula = lambda: self._state(tau), lambda _: tangent.stick_state(self, tau)
+        return differentiated(self.frame.arithmetic, values, formula)
+
+    def _state(self, tau: Number) -> ReducedState:
         start = self.start
         cosine, sine = self.frame.arithmetic.cos_sin(tau)
         velocity = start.V1 * cosine - start.X * sine
@@ -172,4 +197,5 @@ class UndampedStick:
 
     def successor(self) -> Motion:
         """Return the slip that starts on the exit ray."""
-        return UndampedSlip.from_exit_ray(self.frame, self.law, self._exit_side, self.start.Z, self.start.w)
+        w = differentiated(self.frame.arithmetic, lambda: self.start.w, lambda w: tangent.excess_at_exit(self, w))
+        return UndampedSlip.from_exit_ray(self.frame, self.law, self._exit_side, self.start.Z, w)
