@@ -32,17 +32,17 @@ def kernel_start(scene: Scene) -> tuple[Frame, Pair, Start, Errors, Linear, floa
 
 def _stick(motion: UndampedStick) -> Start:
     at = motion.start
-    return Start(STICK, float(motion.edge), at.X, 0.0, motion.offset, at.V1, 0.0, True, at.Z, at.w, 0.0, 0.0)
+    return Start(STICK, float(motion.edge), at.X, 0.0, motion.offset, at.V1, 0.0, True, at.Z, at.w, 0.0, 0.0, 0.0)
 
 
 def _slip(motion: UndampedSlip) -> Start:
     at, flow, kind = motion.start, motion.flow, SURFACE if motion.on_surface else FREE
     side, driven = float(motion.side), motion.driven_at_start
     guard, gap, push = flow.guard_at_start, flow.gap_at_start, flow.push_at_start
-    return Start(kind, side, at.X, guard, gap, push, driven, flow.turns, at.Z, at.w, 0.0, 0.0)
+    return Start(kind, side, at.X, guard, gap, push, driven, flow.turns, at.Z, at.w, 0.0, 0.0, 0.0)
 
 
 def _initial_errors(frame: Frame, start: Start, at: ReducedState) -> Errors:
     norm = 4 * ULP * (abs(at.X) + frame.sqrt_q * abs(at.V1) + frame.arithmetic.sqrt(frame.r) * abs(at.V2))
     gap, push = 2 * ULP * abs(start.gap), 4 * ULP * abs(start.push)
-    return Errors(0.0, gap, push, 2 * ULP * abs(at.w), 2 * ULP * abs(at.Z), 0.0, norm)
+    return Errors(0.0, gap, push, 2 * ULP * abs(at.w), 0.0, 2 * ULP * abs(at.Z), 0.0, norm)

@@ -8,7 +8,7 @@ with respect to its start, which keep what is small in relation to itself. Of tw
 
 Errors of one event, all dimensionless:
     late   time          gap, push   slip variables d, u (in stick: offset from the edge, V)
-    w      energy excess             slide   relative displacement Z
+    w      energy excess             slide, place   the sum of |dZ| over all slips, and Z
     shift, norm   the state is within `norm` of the true trajectory shifted in time by at most `shift`
 """
 
@@ -30,6 +30,7 @@ class Errors(NamedTuple):
     push: float
     w: float
     slide: float
+    place: float
     shift: float
     norm: float
 
@@ -83,9 +84,11 @@ def after_ray(
     excess_w = 1.0 - r * versine
     gap, turn = own_gap + depth_w * errors.w, own_push + abs(push_w - theta_w) * errors.w
     late = errors.late + own_late + sqrt_q * theta_w * errors.w
-    slide = errors.slide + q * depth * (depth_w * errors.w + 16.0 * ULP * depth)
+    slid = q * depth * (depth_w * errors.w + 16.0 * ULP * depth)
     norm = q * gap + sqrt_q * turn + 4.0 * ULP
-    ended = Errors(late, gap, turn, own_w + abs(excess_w) * errors.w, slide, late, norm)
+    ended = Errors(
+        late, gap, turn, own_w + abs(excess_w) * errors.w, errors.slide + slid, errors.place + slid, late, norm
+    )
     linear = Linear(
         sqrt_q * theta_w,
         -q * depth_w,
@@ -133,6 +136,7 @@ def after_surface(
         min(section / sqrt_q, errors.push + turned + 4.0 * ULP * motion),
         min(4.0 * size * norm, w_by_map) + 8.0 * ULP * (w if w <= 1.0 else size * size),
         errors.slide + slid,
+        errors.place + slid,
         errors.shift,
         norm,
     )
@@ -166,6 +170,7 @@ def after_free(
         section / sqrt_q,
         4.0 * size * norm + 8.0 * ULP * size * size,
         errors.slide + slid,
+        errors.place + slid,
         errors.shift,
         norm,
     )
@@ -196,26 +201,27 @@ def after_stick(
         late = math.inf
     norm = errors.w / root + 4.0 * ULP
     push = (errors.w / root + 4.0 * ULP * root) / sqrt_q
-    return Errors(late, 0.0, push, errors.w, errors.slide, late, norm)
+    return Errors(late, 0.0, push, errors.w, errors.slide, errors.place, late, norm)
 
 
 @kernel
-def in_stick(errors: Errors, offset: float, velocity: float) -> Errors:
+def in_stick(errors: Errors, q: float, sqrt_q: float) -> Errors:
     """Return the same errors with those of the offset from the edge and of V in the place of gap and push."""
-    return Errors(errors.late, offset, velocity, errors.w, errors.slide, errors.shift, errors.norm)
+    offset, velocity = q * errors.gap, sqrt_q * errors.push
+    return Errors(errors.late, offset, velocity, errors.w, errors.slide, errors.place, errors.shift, errors.norm)
 
 
 @kernel
-def in_crossing(q: float, errors: Errors, offset: float) -> Errors:
+def in_crossing(errors: Errors, q: float, beyond: float) -> Errors:
     """Return the same errors for the gap beyond the other edge, -(2 + offset)/q, rounded."""
-    gap = errors.gap + 4.0 * ULP * (2.0 + abs(offset)) / q
-    return Errors(errors.late, gap, errors.push, errors.w, errors.slide, errors.shift, errors.norm)
+    gap = errors.gap + 4.0 * ULP * (4.0 / q + beyond)
+    return Errors(errors.late, gap, errors.push, errors.w, errors.slide, errors.place, errors.shift, errors.norm)
 
 
 @kernel
 def lost() -> Errors:
     """Return the errors of a trajectory of which not even the next mode is certain."""
-    return Errors(math.inf, math.inf, math.inf, math.inf, math.inf, math.inf, math.inf)
+    return Errors(math.inf, math.inf, math.inf, math.inf, math.inf, math.inf, math.inf, math.inf)
 
 
 @kernel

@@ -26,19 +26,38 @@ from numerics.kernel.bounds import (
 )
 from numerics.kernel.compilation import kernel
 from numerics.kernel.contact import contact
-from numerics.kernel.elementary import clock
+from numerics.kernel.elementary import clock, cosine_deficit, sine_deficit, versine
 from numerics.kernel.first_contact import first_contact, gap, push, slid
 
 STICK, RAY, SURFACE, FREE = 0, 1, 2, 3
 """Kinds of motion: stick; slips from an exit ray, from elsewhere on the switching surface, from off it."""
-REACHED, STUCK, EVENT_LIMIT, ROWS_FULL, OUT_OF_RANGE = 0, 1, 2, 3, 4
-"""How a run ended."""
+REACHED, STUCK, EVENT_LIMIT, ROWS_FULL, OUT_OF_RANGE, MOVING = 0, 1, 2, 3, 4, 5
+"""How a run ended; or that it has not."""
 _LONGEST, _SHORTEST = 1e12, 1e-97
 """Slip angles that binary64 resolves (slip_flow.py)."""
+_UNDERFLOW = 1e-290
+"""What products below the normal numbers may have dropped from a sum of squares."""
 
-COLUMNS = ("mode", "kind", "tau", "length", "X", "V", "Z", "w", "gap", "push", "late", "x", "v", "slide", "excess")
-"""A recorded event: mode (-1, 0, +1) and kind of motion after it, its time, how long the motion before it lasted, the
-state, the variables gap and push of the motion after it, and bounds on the errors of tau, X, V, Z and w."""
+COLUMNS = (
+    "mode",
+    "kind",
+    "tau",
+    "length",
+    "X",
+    "push",
+    "Z",
+    "w",
+    "gap",
+    "side",
+    "driven",
+    "late",
+    "x",
+    "v",
+    "place",
+    "excess",
+)
+"""A recorded event: mode (-1, 0, +1) and kind of motion after it, its time, how long the motion before it lasted,
+how the motion after it starts (Start), and bounds on the errors of tau, X, V, Z and w there."""
 
 
 class Pair(NamedTuple):
@@ -53,7 +72,8 @@ class Pair(NamedTuple):
 class Start(NamedTuple):
     """The start of a mode of motion. In stick X = side (1 + gap) and V = push; in a slip the variables of slip_flow.py.
 
-    `driven` is side V2/sqrt(q); `turns` belongs to a free slip; tau (with its rounding `rest`) is the reduced time.
+    `driven` is side V2/sqrt(q); `turns` belongs to a free slip; tau (with its rounding `rest`) is the reduced time;
+    `spent` is what friction has taken from E/E_cr so far, a sum of positive terms that never cancels.
     """
 
     kind: int
@@ -68,6 +88,26 @@ class Start(NamedTuple):
     w: float
     tau: float
     rest: float
+    spent: float
+
+
+class Landing(NamedTuple):
+    """The end of a slip: its angle, the gap there, K, the excess w, 1 - cos theta (from S), the lowest minimum left."""
+
+    theta: float
+    gap: float
+    slid: float
+    w: float
+    versine: float
+    spared: float
+
+
+class EventErrors(NamedTuple):
+    """Bounds on the errors of X and V at an event, and on the relative error of t, x1, v and x2."""
+
+    x: float
+    v: float
+    relative: float
 
 
 class End(NamedTuple):
@@ -79,11 +119,13 @@ class End(NamedTuple):
     V2: float
     Z: float
     w: float
+    spent: float
     x_error: float
     v1_error: float
     v2_error: float
-    slide_error: float
+    place_error: float
     w_error: float
+    spent_error: float
     worst: float
     """A bound on the relative error of every t, x1, v and x2 at an event."""
     certain: bool
@@ -101,23 +143,29 @@ def stick_reach(start: Start) -> tuple[float, float, float, float]:
 
 
 @kernel
-def landing(pair: Pair, start: Start) -> tuple[float, float, float, float, float, float]:
-    """Return (theta, gap', K, w', 1 - cos theta, spared) at the end of a slip; undamped.py has the same operations."""
+def no_landing() -> Landing:
+    """Return what stands for the landing of a stick phase."""
+    return Landing(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@kernel
+def landing(pair: Pair, start: Start) -> Landing:
+    """Return the end of a slip; undamped.py has the same operations."""
     q, r, sqrt_q = pair.q, pair.r, pair.sqrt_q
     if start.kind == RAY:
-        theta, depth, versine = contact(0.0, start.push)
-        return theta, -depth, depth * depth / 2, start.w - r * q * depth * depth, versine, math.inf
+        theta, depth, drop = contact(0.0, start.push)
+        return Landing(theta, -depth, depth * depth / 2, start.w - r * q * depth * depth, drop, math.inf)
     if start.kind == SURFACE:
-        theta, depth, versine = contact(start.gap, start.push)
+        theta, depth, drop = contact(start.gap, start.push)
         end, moved, spared = -(start.gap + depth), depth * (depth / 2 + start.gap), math.inf
     else:
         theta, spared = first_contact(start.guard, start.gap, start.push, start.turns)
-        end, versine = gap(theta, start.gap, start.push), 0.0
+        end, drop = gap(theta, start.gap, start.push), 0.0
         moved = slid(theta, start.guard, start.gap, start.push)
     if start.w <= 1:
-        return theta, end, moved, start.w - 2 * r * q * moved, versine, spared
+        return Landing(theta, end, moved, start.w - 2 * r * q * moved, drop, spared)
     V, beyond = sqrt_q * (start.driven - theta), q * end
-    return theta, end, moved, V * V + beyond * (2 + beyond), versine, spared
+    return Landing(theta, end, moved, V * V + beyond * (2 + beyond), drop, spared)
 
 
 @kernel
@@ -132,44 +180,29 @@ def run(
     """
     count, keep = 0, len(rows)
     while True:
-        if start.kind == STICK:
-            if pair.literal or start.w <= 0.0:
-                return STUCK, count, start, errors, linear, worst
-            side, below, reach, root = stick_reach(start)
-            length = 2 * math.atan2(below, reach)
-        else:
-            theta, end, moved, w, versine, spared = landing(pair, start)
-            if not _SHORTEST <= theta <= _LONGEST:
-                return OUT_OF_RANGE, count, start, errors, linear, worst
-            length = pair.sqrt_q * theta
+        how, length, landed = locate(pair, start)
+        if how != MOVING:
+            return how, count, start, errors, linear, worst
         tau, rest = clock(start.tau, start.rest, length)
         if not tau <= horizon:
             break
-        if count == left:
-            return EVENT_LIMIT, count, start, errors, linear, worst
-        if keep > 0 and count == keep:
-            return ROWS_FULL, count, start, errors, linear, worst
+        if count == left or (keep > 0 and count == keep):
+            return (EVENT_LIMIT if count == left else ROWS_FULL), count, start, errors, linear, worst
         if start.kind == STICK:
-            errors = after_stick(errors, linear, below, root, reach, pair.sqrt_q, side == start.side)
-            pushed = root / pair.sqrt_q
-            start = Start(RAY, side, side, 0.0, 0.0, pushed, pushed, True, start.Z, start.w, tau, rest)
-            V, x_error, v_error = side * root, 0.0, errors.push * pair.sqrt_q
+            start, errors = leave(pair, start, errors, linear, tau, rest)
         else:
-            errors, linear = errors_at_landing(pair, start, errors, linear, (theta, end, w, versine, spared))
-            offset_error, v_error = pair.q * errors.gap, pair.sqrt_q * errors.push
-            start = after_landing(pair, start, (theta, end, moved, w), (tau, rest))
-            V = start.push if start.kind == STICK else start.side * pair.sqrt_q * start.push
+            errors, linear = errors_at_landing(pair, start, errors, linear, landed)
+            start = after_landing(pair, start, landed, tau, rest)
             if start.kind == STICK:
-                errors = in_stick(errors, offset_error, v_error)
+                errors = in_stick(errors, pair.q, pair.sqrt_q)
                 if linear.w < 0.0:
                     linear = no_linear(errors)
             else:
-                errors = in_crossing(pair.q, errors, pair.q * end)
-            x_error, v_error = offset_error + 2.0 * ULP * abs(start.X), v_error + 2.0 * ULP * abs(V)
-        at_event = event_error(start, V, errors, x_error, v_error)
-        worst = max(worst, at_event)
+                errors = in_crossing(errors, pair.q, start.gap)
+        at = event_errors(pair, start, errors)
+        worst = max(worst, at.relative)
         if keep > 0:
-            record(rows, count, length, start, V, errors, x_error, v_error)
+            record(rows, count, length, start, errors, at)
         count += 1
     if not tau - horizon > errors.late:
         errors = lost()
@@ -177,110 +210,156 @@ def run(
 
 
 @kernel
-def errors_at_landing(
-    pair: Pair, start: Start, errors: Errors, linear: Linear, at: tuple[float, float, float, float, float]
-) -> tuple[Errors, Linear]:
-    """Return the errors at the end of a slip, lost where it is not certain what follows; at = (theta, gap', w', ...)."""
-    theta, end, w, versine, spared = at
+def locate(pair: Pair, start: Start) -> tuple[int, float, Landing]:
+    """Return (how it goes on, duration, landing) of a motion: MOVING until its event, STUCK, or OUT_OF_RANGE."""
+    if start.kind == STICK:
+        if pair.literal or start.w <= 0.0:
+            return STUCK, 0.0, no_landing()
+        _, below, reach, _ = stick_reach(start)
+        return MOVING, 2 * math.atan2(below, reach), no_landing()
+    at = landing(pair, start)
+    if not _SHORTEST <= at.theta <= _LONGEST:
+        return OUT_OF_RANGE, 0.0, at
+    return MOVING, pair.sqrt_q * at.theta, at
+
+
+@kernel
+def leave(pair: Pair, start: Start, errors: Errors, linear: Linear, tau: float, rest: float) -> tuple[Start, Errors]:
+    """Return the slip from an exit ray that follows a stick phase, and its errors."""
+    side, below, reach, root = stick_reach(start)
+    errors = after_stick(errors, linear, below, root, reach, pair.sqrt_q, side == start.side)
+    push = root / pair.sqrt_q
+    return Start(RAY, side, side, 0.0, 0.0, push, push, True, start.Z, start.w, tau, rest, start.spent), errors
+
+
+@kernel
+def errors_at_landing(pair: Pair, start: Start, errors: Errors, linear: Linear, at: Landing) -> tuple[Errors, Linear]:
+    """Return the errors at the end of a slip, lost where it is not certain what follows; w < 0: no linear part."""
     q, r = pair.q, pair.r
     if start.kind == RAY:
-        errors, linear = after_ray(q, r, errors, start.w, w, theta, -end, versine)
+        errors, linear = after_ray(q, r, errors, start.w, at.w, at.theta, -at.gap, at.versine)
     else:
+        linear = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
         if start.kind == SURFACE:
-            landed = (theta, -end - start.gap, versine)
-            errors = after_surface(q, r, errors, (start.gap, start.push, start.w), w, landed)
+            landed = (at.theta, -at.gap - start.gap, at.versine)
+            errors = after_surface(q, r, errors, (start.gap, start.push, start.w), at.w, landed)
         else:
             variables = (start.guard, start.gap, start.push, start.driven)
-            errors = after_free(q, r, errors, variables, theta, -end, spared)
-        linear = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
-    moved = 4.0 * ULP * abs(start.Z)  # Z is rounded once more
-    errors = Errors(errors.late, errors.gap, errors.push, errors.w, errors.slide + moved, errors.shift, errors.norm)
-    if not pair.literal:
-        beyond = -(2 + q * end)
-        if not abs(beyond) > q * errors.gap or (beyond < 0.0 and not abs(w) > errors.w):
-            errors = lost()
-    return errors, linear
+            errors = after_free(q, r, errors, variables, at.theta, -at.gap, at.spared)
+    place = errors.place + 4.0 * ULP * abs(start.Z)  # Z is rounded once more
+    errors = Errors(errors.late, errors.gap, errors.push, errors.w, errors.slide, place, errors.shift, errors.norm)
+    beyond = -(2 + q * at.gap)
+    unsure = not abs(beyond) > q * errors.gap or (beyond < 0.0 and not abs(at.w) > errors.w)
+    return (lost() if unsure and not pair.literal else errors), linear
 
 
 @kernel
-def after_landing(pair: Pair, start: Start, at: tuple[float, float, float, float], time: tuple[float, float]) -> Start:
+def after_landing(pair: Pair, start: Start, at: Landing, tau: float, rest: float) -> Start:
     """Return the start of the motion after a slip: stick inside the sliding region, else the slip of the other sign."""
-    theta, end, moved, w = at
     q, side = pair.q, start.side
-    turned, offset = start.driven - theta, q * end
-    V, X, Z = side * pair.sqrt_q * turned, side * (1 + offset), start.Z - side * q * moved
-    beyond = -(2 + offset)
+    turned, offset = start.driven - at.theta, q * at.gap
+    V, X, Z = side * pair.sqrt_q * turned, side * (1 + offset), start.Z - side * q * at.slid
+    beyond, spent = -(2 + offset), start.spent + 2 * pair.r * q * at.slid
     if not pair.literal and (beyond > 0.0 or (beyond == 0.0 and -turned > 0.0)):
-        return Start(SURFACE, -side, X, 0.0, beyond / q, -turned, -turned, True, Z, w, time[0], time[1])
-    return Start(STICK, side, X, 0.0, offset, V, 0.0, True, Z, w, time[0], time[1])
+        return Start(SURFACE, -side, X, 0.0, beyond / q, -turned, -turned, True, Z, at.w, tau, rest, spent)
+    return Start(STICK, side, X, 0.0, offset, V, 0.0, True, Z, at.w, tau, rest, spent)
 
 
 @kernel
-def event_error(start: Start, V: float, errors: Errors, x_error: float, v_error: float) -> float:
-    """Return the largest relative error of t, x1, v and x2 at the start of a motion, the units' own rounding included."""
-    x2 = start.X - start.Z
-    x2_error = x_error + errors.slide + ULP * abs(start.Z)
-    largest = max(relative(errors.late, start.tau), relative(x_error, start.X))
-    return max(max(largest, relative(v_error, V)), relative(x2_error, x2)) + 8.0 * ULP
+def velocity(pair: Pair, start: Start) -> float:
+    """Return V = V1 = V2 at the start of a motion on the switching surface."""
+    if start.kind == STICK:
+        return start.push
+    return start.side * (math.sqrt(start.w) if start.kind == RAY else pair.sqrt_q * start.driven)
 
 
 @kernel
-def record(
-    rows: Any, index: int, length: float, start: Start, V: float, errors: Errors, x_error: float, v_error: float
-) -> None:
+def event_errors(pair: Pair, start: Start, errors: Errors) -> EventErrors:
+    """Return the errors at the event that a motion starts with, the rounding of SI units included."""
+    V, x2 = velocity(pair, start), start.X - start.Z
+    scale_x, scale_v = (1.0, 1.0) if start.kind == STICK else (pair.q, pair.sqrt_q)
+    x = scale_x * errors.gap + 2.0 * ULP * abs(start.X)
+    v = scale_v * errors.push + 2.0 * ULP * abs(V)
+    x2_error = x + errors.place + ULP * abs(start.Z)
+    times_and_places = max(relative(errors.late, start.tau), relative(x, start.X), relative(x2_error, x2))
+    return EventErrors(x, v, max(times_and_places, relative(v, V)) + 8.0 * ULP)
+
+
+@kernel
+def record(rows: Any, index: int, length: float, start: Start, errors: Errors, at: EventErrors) -> None:
     """Write one event to its row (COLUMNS)."""
-    row = rows[index]
-    row[0], row[1] = (0.0 if start.kind == STICK else -start.side), start.kind
-    row[2], row[3], row[4], row[5], row[6], row[7] = start.tau, length, start.X, V, start.Z, start.w
-    row[8], row[9] = start.gap, start.push
-    row[10], row[11], row[12] = errors.late, x_error, v_error
-    row[13], row[14] = errors.slide, errors.w
+    row, stuck = rows[index], start.kind == STICK
+    row[0], row[1], row[2], row[3] = (0.0 if stuck else -start.side), start.kind, start.tau, length
+    row[4], row[5], row[6], row[7] = start.X, start.push, start.Z, start.w
+    row[8], row[9], row[10] = start.gap, start.side, start.driven
+    row[11], row[12], row[13], row[14], row[15] = errors.late, at.x, at.v, errors.place, errors.w
 
 
 @kernel
 def at_horizon(pair: Pair, start: Start, errors: Errors, horizon: float, worst: float) -> End:
     """Return the state at the horizon, which lies in the motion with this start."""
-    q, r, sqrt_q, _ = pair
     if not horizon - start.tau >= errors.late:
         errors = lost()
     tau = (horizon - start.tau) - start.rest
-    timing = errors.shift + 4.0 * ULP * horizon
+    late, shift = errors.late + 4.0 * ULP * horizon, errors.shift + 4.0 * ULP * horizon
     if start.kind == STICK:
-        cosine, sine = math.cos(tau), math.sin(tau)
-        X, V = start.X * cosine + start.push * sine, start.push * cosine - start.X * sine
-        moving = math.sqrt(start.X * start.X + start.push * start.push)
-        error = errors.norm + moving * (timing + 8.0 * ULP)
-        certain = math.isfinite(errors.late)
-        return End(0, X, V, V, start.Z, start.w, error, error, error, errors.slide, errors.w, worst, certain)
-    theta, side = tau / sqrt_q, start.side
-    d, u = gap(theta, start.gap, start.push), push(theta, start.gap, start.push)
-    moved, turned = slid(theta, start.guard, start.gap, start.push), start.driven - theta
-    reach = abs(1.0 + start.gap) + abs(start.push)
-    motion = abs(start.driven) + theta + reach
-    own = ULP * (16.0 * q * reach + 8.0 * sqrt_q * (motion + start.guard) + 4.0)
-    norm = errors.norm + own + timing * speed(q, r, reach, motion)
-    relative_speed = sqrt_q * (abs(u) + abs(turned))
-    spread = norm * math.sqrt(1.0 / q + 1.0 / r)
-    slide = (
-        errors.slide + spread * tau + relative_speed * timing + 8.0 * ULP * q * (start.guard + reach + theta) * theta
+        return in_stick_at(pair, start, errors, tau, late, shift, worst)
+    return in_slip_at(pair, start, errors, tau, late, shift, worst)
+
+
+@kernel
+def in_stick_at(pair: Pair, start: Start, errors: Errors, tau: float, late: float, shift: float, worst: float) -> End:
+    """Return the state at tau after the start of a stick phase, by one rotation."""
+    cosine, sine = math.cos(tau), math.sin(tau)
+    X, V = start.X * cosine + start.push * sine, start.push * cosine - start.X * sine
+    turning = math.sqrt(start.X * start.X + start.push * start.push)
+    error = min(errors.norm + turning * shift, errors.gap + errors.push + turning * late) + 8.0 * ULP * turning
+    place, spent = (
+        errors.place + 2.0 * ULP * abs(start.Z),
+        2.0 * pair.r * errors.slide + 8.0 * ULP * start.spent + _UNDERFLOW,
     )
-    w = start.w - 2 * r * q * moved
-    w_error = errors.w + 2.0 * r * (slide - errors.slide) + ULP * (abs(start.w) + abs(w))
-    X, V1, V2 = side * (1 + q * d), side * sqrt_q * u, side * sqrt_q * turned
-    Z = start.Z - side * q * moved
-    root_q, root_r = math.sqrt(q), math.sqrt(r)
     certain = math.isfinite(errors.late)
-    return End(-int(side), X, V1, V2, Z, w, norm, norm / root_q, norm / root_r, slide, w_error, worst, certain)
+    return End(0, X, V, V, start.Z, start.w, start.spent, error, error, error, place, errors.w, spent, worst, certain)
+
+
+@kernel
+def in_slip_at(pair: Pair, start: Start, errors: Errors, tau: float, late: float, shift: float, worst: float) -> End:
+    """Return the state at tau after the start of a slip, by its closed form."""
+    q, r, sqrt_q, _ = pair
+    theta, side, d0, u0 = tau / sqrt_q, start.side, start.gap, start.push
+    d, u = gap(theta, d0, u0), push(theta, d0, u0)
+    moved, turned = slid(theta, start.guard, d0, u0), start.driven - theta
+    X, V1, V2 = side * (1 + q * d), side * sqrt_q * u, side * sqrt_q * turned
+    Z, w, spent = start.Z - side * q * moved, start.w - 2 * r * q * moved, start.spent + 2 * r * q * moved
+    # the contraction of the energy norm, or the closed form of this slip: the smaller bound
+    drop, sine_drop = versine(theta), sine_deficit(theta)
+    bent, late = abs(1.0 + d0) + abs(u0), late / sqrt_q + 2.0 * ULP * theta
+    norm = errors.norm + 8.0 * ULP * (q * bent + sqrt_q * (abs(start.driven) + theta + start.guard))
+    norm += shift * speed(q, r, bent, abs(start.driven) + theta + bent)
+    x = q * (3.0 * errors.gap + errors.push + abs(u) * late + 8.0 * ULP * (abs(d0) + abs(u0) + bent * drop))
+    v1 = sqrt_q * (
+        errors.push + errors.gap + bent * late + 8.0 * ULP * (abs(u0) + abs(1.0 + d0) * abs(math.sin(theta)))
+    )
+    v2 = sqrt_q * (errors.push + late + 4.0 * ULP * (abs(start.driven) + theta))
+    rounding = start.guard * theta + abs(d0) * drop + abs(u0) * sine_drop + cosine_deficit(theta)
+    slide = q * (drop * errors.gap + sine_drop * errors.push + abs(u - turned) * late + 16.0 * ULP * rounding)
+    place = errors.place + slide + 4.0 * ULP * (abs(start.Z) + abs(Z))
+    w_error = errors.w + 2.0 * r * slide + 2.0 * ULP * (abs(start.w) + abs(w))
+    spent_error, certain = 2.0 * r * (errors.slide + slide) + 8.0 * ULP * spent + _UNDERFLOW, math.isfinite(errors.late)
+    x, v1, v2 = min(norm, x), min(norm / sqrt_q, v1), min(norm / math.sqrt(r), v2)
+    x, v1, v2 = x + 4.0 * ULP * abs(X), v1 + 4.0 * ULP * abs(V1), v2 + 4.0 * ULP * abs(V2)
+    return End(-int(side), X, V1, V2, Z, w, spent, x, v1, v2, place, w_error, spent_error, worst, certain)
 
 
 @kernel
 def at_event(pair: Pair, start: Start, errors: Errors, worst: float) -> End:
-    """Return the state at the start of a motion, where a run has stopped."""
-    stuck = start.kind == STICK
-    V = start.push if stuck else start.side * pair.sqrt_q * start.driven
-    scale_x, scale_v = (1.0, 1.0) if stuck else (pair.q, pair.sqrt_q)
-    x_error, v_error = scale_x * errors.gap, scale_v * errors.push
-    mode = 0 if stuck else -int(start.side)
-    x_error, v_error = x_error + 2.0 * ULP * abs(start.X), v_error + 2.0 * ULP * abs(V)
-    certain = math.isfinite(errors.late)
-    return End(mode, start.X, V, V, start.Z, start.w, x_error, v_error, v_error, errors.slide, errors.w, worst, certain)
+    """Return the state at the event that a motion starts with, where a run has stopped."""
+    at, V = event_errors(pair, start, errors), velocity(pair, start)
+    mode, certain = (0 if start.kind == STICK else -int(start.side)), math.isfinite(errors.late)
+    place, spent = (
+        errors.place + 2.0 * ULP * abs(start.Z),
+        2.0 * pair.r * errors.slide + 8.0 * ULP * start.spent + _UNDERFLOW,
+    )
+    return End(
+        mode, start.X, V, V, start.Z, start.w, start.spent, at.x, at.v, at.v, place, errors.w, spent, worst, certain
+    )
