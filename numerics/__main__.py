@@ -44,6 +44,9 @@ def parser() -> argparse.ArgumentParser:
         "--max-digits", type=_positive, default=20_000, metavar="N", help="cap on the working digits (%(default)s)"
     )
     solve.add_argument("--explain", action="store_true", help="say on stderr which road was taken, and why")
+    solve.add_argument(
+        "--sensitivity", action="store_true", help="add the derivatives by initial state and parameters (SI units)"
+    )
     output = solve.add_mutually_exclusive_group()
     output.add_argument("--json", action="store_true", help="print the trajectory as JSON")
     output.add_argument("--csv", action="store_true", help="print events and final state as CSV")

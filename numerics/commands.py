@@ -30,17 +30,12 @@ def list_scenes(_: argparse.Namespace) -> int:
 
 def solve_scene(options: argparse.Namespace) -> int:
     """Solve one scene and print or write what was asked for."""
-    from numerics import export, plot
     from numerics.scene_file import load_scene
     from numerics.solve import solve
 
-    for path in (options.npz, options.plot):
-        if path is not None and not path.parent.is_dir():
-            return refuse(f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere", USAGE)
-    if options.plot is not None and options.plot.suffix not in plot.FORMATS:
-        return refuse(f"--plot {options.plot.name}: the name must end in one of {', '.join(plot.FORMATS)}", USAGE)
-    if options.arithmetic == "float64" and options.digits is not None:
-        return refuse("--digits goes with ball or mpmath; float64 prints the digits it has right", USAGE)
+    wrong = _wrong_use(options)
+    if wrong is not None:
+        return refuse(wrong, USAGE)
     scene = load_scene(options.scene)
     trajectory = solve(
         scene,
@@ -52,6 +47,34 @@ def solve_scene(options: argparse.Namespace) -> int:
     )
     if options.explain:
         print(explanation(trajectory), file=sys.stderr)
+    if options.sensitivity:
+        _tell_sensitivities(trajectory, options)
+    else:
+        _tell(trajectory, options)
+    if not trajectory.success:
+        return refuse(trajectory.message, FAILED)
+    return OK
+
+
+def _wrong_use(options: argparse.Namespace) -> str | None:
+    """Return what is wrong with the options of a solve, before anything is computed."""
+    from numerics import plot
+
+    for path in (options.npz, options.plot):
+        if path is not None and not path.parent.is_dir():
+            return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
+    if options.plot is not None and options.plot.suffix not in plot.FORMATS:
+        return f"--plot {options.plot.name}: the name must end in one of {', '.join(plot.FORMATS)}"
+    if options.arithmetic == "float64" and options.digits is not None:
+        return "--digits goes with ball or mpmath; float64 prints the digits it has right"
+    if options.sensitivity and (options.csv or options.plot is not None):
+        return "--sensitivity goes with --json, --npz or the table; leave --csv or --plot out"
+    return None
+
+
+def _tell(trajectory: Trajectory, options: argparse.Namespace) -> None:
+    from numerics import export, plot
+
     if options.json:
         print(json.dumps(export.as_record(trajectory), indent=1))
     elif options.csv:
@@ -62,9 +85,21 @@ def solve_scene(options: argparse.Namespace) -> int:
         plot.write_plot(trajectory, options.plot)
     else:
         _print_table(trajectory)
-    if not trajectory.success:
-        return refuse(trajectory.message, FAILED)
-    return OK
+
+
+def _tell_sensitivities(trajectory: Trajectory, options: argparse.Namespace) -> None:
+    """Print or write a trajectory with its derivatives."""
+    from numerics import export, sensitivity_export
+
+    if options.json:
+        record = export.as_record(trajectory)
+        sensitivity_export.add_sensitivities(record, trajectory)
+        print(json.dumps(record, indent=1))
+    elif options.npz is not None:
+        export.write_npz(trajectory, options.npz, sensitivity_export.sensitivity_arrays(trajectory))
+    else:
+        _print_table(trajectory)
+        print(sensitivity_export.sensitivity_table(trajectory))
 
 
 def _progress(events: int, fraction: float) -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.comparison import as_fraction, distance, require_same_sequence
@@ -103,8 +104,11 @@ def as_csv(trajectory: Trajectory) -> str:
     return buffer.getvalue()
 
 
-def write_npz(trajectory: Trajectory, path: Path) -> None:
-    """Write t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds as a NumPy archive (binary64)."""
+def write_npz(trajectory: Trajectory, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
+    """Write t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds as a NumPy archive (binary64).
+
+    `extra` holds more arrays by their names.
+    """
     number = trajectory.arithmetic.to_float
     with trajectory.arithmetic.context(), whole_file(path) as file:
         np.savez(
@@ -118,6 +122,7 @@ def write_npz(trajectory: Trajectory, path: Path) -> None:
             ),
             modes=np.array([mode.value for mode in trajectory.modes]),
             event_kinds=np.array([kind.value for kind in trajectory.event_kinds], dtype=str),
+            **(extra or {}),  # type: ignore[arg-type]
         )
 
 

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
+import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
@@ -115,14 +116,13 @@ def _frozen(kind: type[Any], values: dict[str, Any]) -> Any:
 
 
 def _require_finite(trajectory: Trajectory, found: Sensitivity) -> None:
-    number = trajectory.arithmetic.to_float
-    for array in (found.t, found.y, found.final, found.energy):
-        for one in array.flat:
-            finite = one.is_finite() if trajectory.arithmetic.name == "ball" else np.isfinite(number(one))
-            if finite:
-                continue
-            if trajectory.arithmetic.name == "float64":
-                raise OutOfRange("a derivative left the range of float64 (1e-308 to 1e308); use --arithmetic ball")
+    arrays = (found.t, found.y, found.final, found.energy)
+    if trajectory.arithmetic.name == "float64":
+        if not all(np.isfinite(array).all() for array in arrays):
+            raise OutOfRange("a derivative left the range of float64 (1e-308 to 1e308); use --arithmetic ball")
+        return
+    for one in (one for array in arrays for one in array.flat):
+        if not (one.is_finite() if trajectory.arithmetic.name == "ball" else mpmath.isfinite(one)):
             raise _undecided(trajectory, "has the scene this derivative?", trajectory.arithmetic.text(one))
 
 

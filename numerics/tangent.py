@@ -57,15 +57,19 @@ def _slipped(frame: Frame, flow: SlipFlow, theta: Number) -> _Slipped:
 
 
 def slip_landing(slip: UndampedSlip, found: Landing) -> Landing:
-    """Return the end of a slip: its angle by one step of Newton's method from where it is known to be."""
-    frame, flow = slip.frame, slip.flow
-    theta = found.theta - _slipped(frame, flow, found.theta).guard / found.gap
-    at = _slipped(frame, flow, theta)
+    """Return the end of a slip: its angle by one step of Newton's method from where it is known to be.
+
+    What follows from the step: the gap grows with the push, and K with the guard, which is 0 there.
+    """
+    frame, one = slip.frame, slip.frame.arithmetic.number(1)
+    at = _slipped(frame, slip.flow, found.theta)
+    theta = found.theta - at.guard / found.gap
+    gap = linear(found.gap, (one, at.gap), (at.push, theta))
     if frame.arithmetic.to_float(slip.w) <= 1:
         w = slip.w - 2 * frame.r * frame.q * at.slid - at.damped
     else:
-        w = slip.excess_from_above(theta, at.gap)
-    return found._replace(theta=theta, gap=at.gap, slid=at.slid, w=w)
+        w = slip.excess_from_above(theta, gap)
+    return found._replace(theta=theta, gap=gap, slid=at.slid, w=w)
 
 
 def slip_state(slip: UndampedSlip, tau: Number) -> ReducedState:
