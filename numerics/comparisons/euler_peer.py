@@ -5,8 +5,8 @@ Its run has no events, only signs of v1 - v2 and loads at its steps. They are re
     slip of sign s ends    at the first step where v1 - v2 no longer has sign s: an entry if the load lies in the
                            sliding region there, else a crossing;
     stick (chatter) ends   at the first step where the load lies outside the region: an exit;
-    after an exit          the chatter may still have the old sign: the slip that follows can end only once v1 - v2
-                           has had its new sign, or the load is back inside.
+    a new slip             may have to wait for its sign, as after chatter: it can end only once v1 - v2 has had its
+                           sign, or the load is back inside.
 
 Its dissipated energy is E(0) - E(end), which chatter spoils: forward Euler gains energy in stick.
 """
@@ -84,13 +84,12 @@ def _events(sign: Vector, load: Vector, held: float, mode: int) -> Iterator[tupl
     begun = {one: np.flatnonzero((sign == one) | inside) for one in (-1, 1)}
     step: int | None = 0
     while True:
-        step = _next(outside if mode == 0 else other[mode], step)
+        step = _next(outside, step) if mode == 0 else _next(other[mode], _next(begun[mode], step))
         if step is None:
             return
         if mode == 0:
             mode = -1 if load[step] > 0 else 1
             yield EventKind.EXIT, step
-            step = _next(begun[mode], step)
         else:
             mode = 0 if inside[step] else -mode
             yield (EventKind.CROSSING if mode else EventKind.ENTRY), step

@@ -188,6 +188,8 @@ def test_euler_s_chatter_is_read_as_sticking():
     assert found == [(EventKind.ENTRY, 2), (EventKind.EXIT, 6), (EventKind.ENTRY, 9)]
     crossing = list(euler_peer._events(np.array([1, 1, -1, -1]), np.array([2.0, 2.0, 2.0, 2.0]), 1.0, 1))
     assert crossing == [(EventKind.CROSSING, 2)]
+    touching = list(euler_peer._events(np.array([0, -1, 0, 1, 1]), np.array([2.0, 2.0, -2.0, -2.0, -2.0]), 1.0, -1))
+    assert touching == [(EventKind.CROSSING, 2)]
 
 
 @pytest.mark.parametrize("u", [1e-8, 1e-3, 0.3, 2.0, 30.0])
