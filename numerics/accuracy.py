@@ -1,13 +1,17 @@
-"""How many digits are right: read off the radii of balls, or off the distance to balls."""
+"""How many digits are right: read off the radii of balls, or off the error bounds that the float64 kernels carry."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
+import numpy as np
 from flint import arb
+from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
+from numerics.kernel.bounds import ULP
 from numerics.scaling import ReducedState
 from numerics.trajectory import Trajectory
 
@@ -50,3 +54,55 @@ def checked_values(trajectory: Trajectory) -> Iterator[tuple[Number, Number]]:
     yield from zip(frame.si_state(final), (position, speed, position, speed), strict=True)
     yield frame.energy(final), frame.critical_energy
     yield final.w, frame.arithmetic.number(1)
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Error bounds of a float64 trajectory in SI units: what rounding can have done, from each event's conditioning.
+
+    `t` (k,) s and `y` (k, 4) at the events, `final` (4,), `energy` and `dissipated` (J) and `energy_excess` at the end.
+    They are first-order bounds with slack, not proofs; `certain` says that no bound reaches as far as another sequence
+    of events. `digits` is the least number of right digits of any of these, relative to each value; 0 if not certain.
+    """
+
+    t: NDArray[np.float64]
+    y: NDArray[np.float64]
+    final: NDArray[np.float64]
+    energy: float
+    energy_excess: float
+    dissipated: float
+    certain: bool
+    digits: int
+
+
+def float64_accuracy(trajectory: Trajectory) -> Accuracy:
+    """Return the bounds of a float64 trajectory in SI units."""
+    assert trajectory.bounds is not None
+    frame, (events, end) = trajectory.frame, trajectory.bounds
+    position, speed = frame.length, frame.speed
+    values = np.array([(event.t, *event.y) for event in trajectory.events]).reshape(-1, 5)
+    late, x, v, place = np.asarray(events).T
+    reduced = np.stack([late / frame.rate, position * x, speed * v, position * (x + place), speed * v], axis=1)
+    errors = reduced + 8 * ULP * abs(values)
+    final = np.array(frame.si_state(trajectory.final))
+    reduced_end = (position * end.x_error, speed * end.v1_error, position * (end.x_error + end.place_error))
+    final_errors = np.array([*reduced_end, speed * end.v2_error]) + 8 * ULP * abs(final)
+    energy, unit = frame.energy(trajectory.final), frame.critical_energy
+    # of E = E_cr (1 + w) the state forms the left side, and w stands beside it: both bound its error
+    energy_error = unit * end.w_error + 16 * ULP * (energy + unit * abs(end.w))
+    excess_error = end.w_error + 4 * ULP * abs(end.w)
+    shown = np.concatenate([values.ravel(), final, [energy, end.w]])
+    bounds = np.concatenate([errors.ravel(), final_errors, [energy_error, excess_error]])
+    digits = _right_digits(bounds, shown) if end.certain else 0
+    dissipated = unit * end.spent_error + 8 * ULP * unit * end.spent
+    return Accuracy(
+        errors[:, 0], errors[:, 1:], final_errors, energy_error, excess_error, dissipated, end.certain, digits
+    )
+
+
+def _right_digits(errors: NDArray[np.float64], values: NDArray[np.float64]) -> int:
+    """Return how many digits of every value are right; an exact number has all, a 0 that is not exact none."""
+    inexact = errors > 0
+    with np.errstate(divide="ignore"):
+        worst = float(np.max(errors[inexact] / abs(values[inexact]), initial=10.0**-17))
+    return max(0, math.floor(-math.log10(worst))) if worst < 1 else 0

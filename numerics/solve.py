@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Literal
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic, decide_sign
-from numerics.errors import EventUndecided, PrecisionExhausted
+from numerics.binary64 import solve_binary64
+from numerics.errors import EventUndecided, OutOfRange, PrecisionExhausted
 from numerics.modes import event_kind
 from numerics.motion import Motion
 from numerics.scaling import Frame
@@ -34,9 +36,10 @@ def solve(
 ) -> Trajectory:
     """Solve a scene and return its Trajectory.
 
-    With `digits` = N, balls are used and the working precision is raised until every event time and state and the
-    final state are enclosed to N right digits: the event sequence is then proved. Without it, float64 is used (or
-    `arithmetic`; mpmath then works with `digits` or 30). `progress(events, fraction)` is called now and then.
+    With `digits` = N and no arithmetic, the cheapest one that delivers N right digits of every event time and state and
+    of the final state: float64, if its own error bounds (Trajectory.accuracy) leave so many, else balls, with the
+    working precision raised until the digits are proved. `tried` says what was chosen and why. Without `digits`,
+    float64; mpmath works with `digits` or 30. `progress(events, fraction)` is called now and then.
 
     Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
     reached), OutOfRange (a number does not fit float64), ValueError (bad arguments).
@@ -44,18 +47,51 @@ def solve(
     for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
         if value is not None and value < 1:
             raise ValueError(f"{name} = {value} must be at least 1")
-    chosen = arithmetic or ("float64" if digits is None else "ball")
-    if chosen == "float64":
+    if arithmetic is None and digits is not None:
+        return _solve_cheaply(scene, digits, max_events, max_digits, progress)
+    if arithmetic in {None, "float64"}:
         if digits is not None:
-            raise ValueError("float64 works with 53 bits; leave digits out, or ask for arithmetic='ball'")
-        return integrate(scene, Float64(), max_events, progress)
-    if chosen == "mpmath":
+            raise ValueError("float64 works with 53 bits; leave digits out, or leave the choice of arithmetic out")
+        return _solve_in_float64(scene, max_events, progress)
+    if arithmetic == "mpmath":
         working = (digits or 30) + _GUARD_DIGITS
         _require_within_cap(working, digits or 30, max_digits)
         return integrate(scene, Multiprecision(working), max_events, progress)
-    if chosen == "ball":
-        return _solve_to_digits(scene, digits or 15, max_events, max_digits, progress)
-    raise ValueError(f"arithmetic = {chosen!r} is not one of float64, mpmath, ball")
+    if arithmetic == "ball":
+        return _solve_to_digits(scene, digits or 15, _GUARD_DIGITS, max_events, max_digits, progress)
+    raise ValueError(f"arithmetic = {arithmetic!r} is not one of float64, mpmath, ball")
+
+
+def _solve_in_float64(scene: Scene, max_events: int, progress: Callable[[int, float], None] | None) -> Trajectory:
+    """Solve a scene by the kernels; the general loop tells what was out of range, and has a1 > 0."""
+    found = solve_binary64(scene, max_events, progress) if scene.pair.a1 == 0 else None
+    return found or integrate(scene, Float64(), max_events, progress)
+
+
+def _solve_cheaply(
+    scene: Scene, digits: int, max_events: int, max_digits: int, progress: Callable[[int, float], None] | None
+) -> Trajectory:
+    """Return a float64 trajectory if its error bounds leave enough digits, else a proved one in balls.
+
+    What float64 has lost of its 16 digits is also what the balls will lose: it sets their first precision.
+    """
+    try:
+        floats = _solve_in_float64(scene, max_events, progress)
+        accuracy = floats.accuracy
+    except (OutOfRange, ArithmeticError) as error:
+        accuracy, why = None, f"float64 cannot: {error}"
+    else:
+        why = "float64 has no error bounds here"
+    guard = _GUARD_DIGITS
+    if accuracy is not None and not accuracy.certain:
+        why = "float64 leaves the sequence of events open"
+    elif accuracy is not None:
+        why = f"float64 has {accuracy.digits} right digits by its error bounds"
+        if accuracy.digits >= digits:
+            return replace(floats, digits=digits, tried=why)
+        guard = 20 - accuracy.digits
+    balls = _solve_to_digits(scene, digits, guard, max_events, max_digits, progress)
+    return replace(balls, tried=f"{why}, {digits} are asked for")
 
 
 def _require_within_cap(working: int, digits: int, max_digits: int) -> None:
@@ -66,12 +102,17 @@ def _require_within_cap(working: int, digits: int, max_digits: int) -> None:
 
 
 def _solve_to_digits(
-    scene: Scene, digits: int, max_events: int, max_digits: int, progress: Callable[[int, float], None] | None
+    scene: Scene,
+    digits: int,
+    guard: int,
+    max_events: int,
+    max_digits: int,
+    progress: Callable[[int, float], None] | None,
 ) -> Trajectory:
     """Raise the working precision until `digits` digits are right; the digits lost in one try are added in the next."""
     from numerics.accuracy import proved_digits
 
-    working = digits + _GUARD_DIGITS
+    working = digits + guard
     while True:
         _require_within_cap(working, digits, max_digits)
         undecided: EventUndecided | None = None
@@ -81,14 +122,7 @@ def _solve_to_digits(
         except EventUndecided as error:
             undecided, reached = error, 0
         if undecided is None and reached >= digits:
-            return Trajectory(
-                trajectory.scene,
-                trajectory.frame,
-                trajectory.segments,
-                trajectory.events,
-                trajectory.status,
-                digits,
-            )
+            return replace(trajectory, digits=digits)
         if undecided is not None and working * 2 > max_digits:
             raise undecided
         working = max(working + (digits - reached) + 5, working * 2 if undecided else 0)

@@ -21,6 +21,8 @@ from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene
 
 if TYPE_CHECKING:
+    from numerics.accuracy import Accuracy
+    from numerics.kernel.motion import Bounds
     from numerics.sensitivity import Sensitivity
 
 Side = Literal["left", "right"]
@@ -92,12 +94,23 @@ class Trajectory:
     events: tuple[Event, ...]
     status: Status
     digits: int | None = None
-    """Right decimal digits of every event and of the final state, where they were asked for and proved."""
+    """Right decimal digits of every event and of the final state, where they were asked for and reached."""
+    bounds: Bounds | None = None
+    """What the float64 kernels say of their own rounding."""
+    tried: str = ""
+    """Why the arithmetic was chosen, where `solve` chose it."""
 
     @property
     def arithmetic(self) -> Arithmetic:
         """Return the arithmetic it was solved in."""
         return self.frame.arithmetic
+
+    @cached_property
+    def accuracy(self) -> Accuracy | None:
+        """Return the error bounds of a float64 trajectory, None for the other arithmetics (balls carry their own)."""
+        from numerics.accuracy import float64_accuracy
+
+        return None if self.bounds is None else float64_accuracy(self)
 
     @property
     def message(self) -> str:

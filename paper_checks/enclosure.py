@@ -26,7 +26,7 @@ def solved(scene: Scene, digits: int = DIGITS) -> Trajectory:
 
     Raises EventUndecided or PrecisionExhausted: then nothing was proved.
     """
-    return solve(scene, digits=digits)
+    return solve(scene, digits=digits, arithmetic="ball")
 
 
 def exact(value: Rational | int) -> arb:

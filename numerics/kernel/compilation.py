@@ -56,11 +56,13 @@ def _called_kernels(function: Any) -> Iterator[tuple[str, Any]]:
 def _compile(function: Any) -> Any:
     import numba
 
+    # numpy's error model divides by zero as IEEE 754 does: a number out of range must not end a whole batch
+    options = {"nogil": True, "error_model": "numpy"}
     with _cache_folder(numba.config):
         try:
-            return numba.njit(function, cache=True, nogil=True)
+            return numba.njit(function, cache=True, **options)
         except RuntimeError:  # no folder can be written: compile each time
-            return numba.njit(function, nogil=True)
+            return numba.njit(function, **options)
 
 
 @contextmanager

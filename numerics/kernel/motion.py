@@ -132,6 +132,13 @@ class End(NamedTuple):
     """Whether these bounds leave no doubt about the sequence of events."""
 
 
+class Bounds(NamedTuple):
+    """What the kernels say of their own rounding: `events` (k, 4), errors of tau, X, V and Z at each event; the end."""
+
+    events: Any
+    end: End
+
+
 @kernel
 def stick_reach(start: Start) -> tuple[float, float, float, float]:
     """Return (side of the exit, distance to it, side V + sqrt w, sqrt w) of a stick phase that ends."""
