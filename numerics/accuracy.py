@@ -74,6 +74,12 @@ class Accuracy:
     certain: bool
     digits: int
 
+    @property
+    def bounded(self) -> bool:
+        """Return whether the sequence of events is certain and every bound a number."""
+        bounds = [*self.t, *self.y.ravel(), *self.final, self.energy, self.energy_excess, self.dissipated]
+        return self.certain and bool(np.all(np.isfinite(bounds)))
+
 
 def float64_accuracy(trajectory: Trajectory) -> Accuracy:
     """Return the bounds of a float64 trajectory in SI units."""

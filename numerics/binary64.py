@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.float64 import Float64
 from numerics.kernel.bounds import ULP, Errors, no_linear
-from numerics.kernel.compilation import compiled
+from numerics.kernel.compilation import can_compile, compiled
 from numerics.kernel.motion import (
     COLUMNS,
     EVENT_LIMIT,
@@ -37,7 +36,7 @@ from numerics.start import initial_motion
 from numerics.trajectory import Event, Segment, Status, Trajectory
 from numerics.undamped import UndampedSlip, UndampedStick
 
-_ROWS = 4096
+_ROWS = 1000
 
 
 def kernel_start(scene: Scene) -> tuple[Frame, Motion, NDArray[np.float64]]:
@@ -88,12 +87,11 @@ def solve_binary64(
     horizon = float(state[HORIZON])
     kept: list[NDArray[np.float64]] = []
     rows = np.empty((min(max_events + 1, _ROWS), len(COLUMNS)))
-    end = np.empty(ANSWER)
     while True:
         # numba takes a second to come, so the first rows are left to Python unless it is here already
-        run = compiled(advance) if kept or "numba" in sys.modules else advance
+        fast = can_compile() and (kept or "numba" in sys.modules)
         try:
-            count = run(state, max_events, rows)
+            count = compiled(advance)(state, max_events, rows) if fast else _advance(state, max_events, rows)
         except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
             return None
         kept.append(rows[:count].copy())
@@ -103,13 +101,21 @@ def solve_binary64(
             progress(sum(map(len, kept)), kept[-1][-1, 2] / horizon)
     if state[HOW] == OUT_OF_RANGE:
         return None
-    events = np.concatenate(kept)
-    answer(state, end)
-    return _trajectory(scene, frame, motion, events, state, end)
+    end = [0.0] * ANSWER
+    answer(state.tolist(), end)
+    return _trajectory(scene, frame, motion, np.concatenate(kept), state, end)
+
+
+def _advance(state: NDArray[np.float64], max_events: int, rows: NDArray[np.float64]) -> int:
+    """Advance a row by plain Python, on plain floats: NumPy's own are slower, and warn where those raise."""
+    plain = state.tolist()
+    count = advance(plain, max_events, rows)
+    state[:] = plain
+    return count
 
 
 def _trajectory(
-    scene: Scene, frame: Frame, motion: Motion, rows: NDArray[np.float64], state: NDArray[np.float64], end: Any
+    scene: Scene, frame: Frame, motion: Motion, rows: NDArray[np.float64], state: NDArray[np.float64], end: list[float]
 ) -> Trajectory:
     how, horizon, rest = int(state[HOW]), float(state[HORIZON]), float(state[15])
     segments, events, start = [], [], 0.0
@@ -123,7 +129,7 @@ def _trajectory(
     status = {STUCK: Status.STUCK_FOR_EVER, EVENT_LIMIT: Status.EVENT_LIMIT}.get(how, Status.REACHED_HORIZON)
     if status is not Status.EVENT_LIMIT:
         segments.append(Segment(motion, start, horizon, (horizon - start) - rest))
-    numbers = end[: len(End._fields)].tolist()
+    numbers = end[: len(End._fields)]
     found = End._make([int(numbers[0]), *numbers[1:-1], bool(numbers[-1])])
     bounds = Bounds(rows[:, 11:15], found)
     return Trajectory(scene, frame, tuple(segments), tuple(events), status, bounds=bounds)

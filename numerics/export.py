@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
@@ -36,10 +37,17 @@ def as_record(trajectory: Trajectory) -> dict[str, Any]:
         "status": trajectory.status.name.lower().replace("_", "-"),
         "message": trajectory.message,
         "arithmetic": trajectory.arithmetic.name,
-        "digits": trajectory.digits if trajectory.digits is not None else trajectory.arithmetic.digits,
+        "digits": _digits(trajectory),
         "events": rows[:-1],
         "final": rows[-1],
     }
+
+
+def _digits(trajectory: Trajectory) -> int:
+    """Return the right digits that were asked for, else those of the error bounds, else the arithmetic's."""
+    if trajectory.digits is not None:
+        return trajectory.digits
+    return trajectory.arithmetic.digits if trajectory.accuracy is None else trajectory.accuracy.digits
 
 
 def _rows(trajectory: Trajectory, write: Callable[[str, Number, int], Written]) -> Iterator[dict[str, str]]:
@@ -71,6 +79,24 @@ def _ball_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written
 
 
 def _point_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written]:
+    """Return a writer that cuts each number by its error bound, or where it parts from balls if it has none."""
+    accuracy = trajectory.accuracy
+    if accuracy is None or not accuracy.bounded:
+        return _compared_writer(trajectory)
+    events = [dict(zip(("t", *STATE_NAMES), (t, *y), strict=True)) for t, y in zip(accuracy.t, accuracy.y, strict=True)]
+    final = (0.0, *accuracy.final, accuracy.energy, accuracy.energy_excess)
+    rows = [*events, dict(zip(("t", *STATE_NAMES, "energy", "energy_excess"), final, strict=True))]
+
+    def write(name: str, value: Number, index: int) -> Written:
+        if index < 0 and name == "t":
+            error = 0.0 if trajectory.success else float(accuracy.t[-1])
+            return {name: right_digits_text(as_fraction(value), arb(error + abs(float(value)) * 2.0**-51), 17)}
+        return {name: right_digits_text(as_fraction(value), arb(float(rows[index][name])), 17)}
+
+    return write
+
+
+def _compared_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written]:
     """Return a writer that cuts each number where it parts from a ball solve of the same scene."""
     digits = 17 if trajectory.arithmetic.name == "float64" else trajectory.arithmetic.digits
     # one event more than were found shows a lost one; a run that was cut off is cut off at the same event

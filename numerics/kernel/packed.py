@@ -75,7 +75,8 @@ def answer(s: Any, end: Any) -> None:
     end[7], end[8], end[9], end[10] = at.x_error, at.v1_error, at.v2_error, at.place_error
     end[11], end[12], end[13] = at.w_error, at.spent_error, at.worst
     if how == OUT_OF_RANGE:
-        end[:14] = math.nan
+        for column in range(14):
+            end[column] = math.nan
     end[14], end[15], end[16], end[17] = 1.0 if at.certain and how != OUT_OF_RANGE else 0.0, s[EVENTS], how, tau
 
 

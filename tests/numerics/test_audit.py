@@ -141,7 +141,7 @@ def test_an_enclosure_without_bounds_is_no_trial():
 
 def test_trajectories_that_part_are_a_failure():
     scene = parse_scene("[pair]\nm1=1\nm2=1\na2=200\nb=0.5\n[initial]\nv1=0.15\n[run]\nuntil=2")
-    coarse, fine = solve(scene, digits=10), solve(scene, digits=30)
+    coarse, fine = (solve(scene, digits=n, arithmetic="ball") for n in (10, 30))
     assert enclosures.compare_trajectories(coarse, fine) > 100
     lost = dataclasses.replace(coarse, events=coarse.events[:-1], segments=coarse.segments[:-1])
     assert enclosures.compare_trajectories(lost, fine) is None
