@@ -138,13 +138,12 @@ def _trajectory(
 def _motions(frame: Frame, law: Law, rows: NDArray[np.float64]) -> Iterator[Motion]:
     """Yield the motion that each event starts, from its row (motion.COLUMNS)."""
     for row in rows.tolist():
-        _, kind, _, _, X, push, Z, w, gap, side, driven, *_ = row
+        _, kind, _, _, X, push, Z, w, gap, side, V, *_ = row
         if kind == STICK:
             yield UndampedStick(frame, law, ReducedState(X, push, push, Z, w), int(side), gap)
         elif kind == RAY:
             yield UndampedSlip.from_exit_ray(frame, law, int(side), Z, w)
         else:
-            V = side * frame.sqrt_q * driven
             flow = SlipFlow(frame.arithmetic, 0.0, gap, push)
             yield UndampedSlip(frame, law, int(side), flow, ReducedState(X, V, V, Z, w))
 

@@ -49,7 +49,7 @@ COLUMNS = (
     "w",
     "gap",
     "side",
-    "driven",
+    "V",
     "late",
     "x",
     "v",
@@ -209,7 +209,7 @@ def run(
         at = event_errors(pair, start, errors)
         worst = max(worst, at.relative)
         if keep > 0:
-            record(rows, count, length, start, errors, at)
+            record(rows, count, length, pair, start, errors, at)
         count += 1
     if not tau - horizon > errors.late:
         errors = lost()
@@ -293,12 +293,12 @@ def event_errors(pair: Pair, start: Start, errors: Errors) -> EventErrors:
 
 
 @kernel
-def record(rows: Any, index: int, length: float, start: Start, errors: Errors, at: EventErrors) -> None:
+def record(rows: Any, index: int, length: float, pair: Pair, start: Start, errors: Errors, at: EventErrors) -> None:
     """Write one event to its row (COLUMNS)."""
     row, stuck = rows[index], start.kind == STICK
     row[0], row[1], row[2], row[3] = (0.0 if stuck else -start.side), start.kind, start.tau, length
     row[4], row[5], row[6], row[7] = start.X, start.push, start.Z, start.w
-    row[8], row[9], row[10] = start.gap, start.side, start.driven
+    row[8], row[9], row[10] = start.gap, start.side, velocity(pair, start)
     row[11], row[12], row[13], row[14], row[15] = errors.late, at.x, at.v, errors.place, errors.w
 
 
