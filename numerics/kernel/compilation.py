@@ -41,7 +41,7 @@ def compiled(function: _Function) -> _Function:
         names = {name: compiled(inner) for name, inner in _called_kernels(function)}
         bound = FunctionType(function.__code__, {**function.__globals__, **names}, function.__name__)
         bound.__qualname__, bound.__module__ = function.__qualname__, function.__module__
-        bound.__doc__ = function.__doc__
+        bound.__doc__, bound.__defaults__ = function.__doc__, function.__defaults__
         _COMPILED[function] = _compile(bound)
     return _COMPILED[function]
 

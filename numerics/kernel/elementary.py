@@ -33,9 +33,9 @@ _LAG_TERMS = tuple((-1) ** k * 3 * (2 * k + 4) / math.factorial(2 * k + 5) for k
 _COSINE_TERMS = tuple((-1) ** k * 24 / math.factorial(2 * k + 6) for k in reversed(range(12)))
 # The radius of convergence of the quotients is 2 pi: 13 terms below 1.2, 19 below 2 and 34 below 3 leave out less than
 # 2^-60 of the first.
-_DEPTH_SERIES = _depth_series(34)
-_DEPTH_TERMS = tuple(float(term) for term in reversed(_DEPTH_SERIES))
-_RISE_TERMS = tuple(float(2 * k * term) for k, term in reversed(list(enumerate(_DEPTH_SERIES, start=1))))
+DEPTH_SERIES = _depth_series(34)
+_DEPTH_TERMS = tuple(float(term) for term in reversed(DEPTH_SERIES))
+_RISE_TERMS = tuple(float(2 * k * term) for k, term in reversed(list(enumerate(DEPTH_SERIES, start=1))))
 _DEPTH_TERMS_BELOW_2, _RISE_TERMS_BELOW_2 = _DEPTH_TERMS[-19:], _RISE_TERMS[-19:]
 _DEPTH_TERMS_BELOW_1, _RISE_TERMS_BELOW_1 = _DEPTH_TERMS[-13:], _RISE_TERMS[-13:]
 
