@@ -1,0 +1,314 @@
+"""Sensitivities against differences of solves, against balls of other precision, and against exact identities."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from finite_differences import ball, deviations
+from flint import arb
+from hypothesis import given, settings
+from strategies import near_critical, scenes
+
+from numerics import tangent
+from numerics.__main__ import main
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.dual import Dual
+from numerics.arithmetic.float64 import Float64
+from numerics.comparison import as_fraction
+from numerics.errors import EventUndecided, NumericsError
+from numerics.modes import Mode
+from numerics.scene import Law, Pair, Scene, State
+from numerics.sensitivity import WRT, differentiable
+from numerics.solve import integrate, solve
+
+PAPER = Pair(1, 1, 200, "0.5")
+LIGHT = Pair("0.1", 1, 200, "0.5")
+STUCK = State("0.002", "0.15", 0, "0.15")
+FAR = State("0.7", -4, 0, 1)
+SMOOTH = {
+    "slip": Scene(PAPER, State(v1="0.15"), 5),
+    "crossings": Scene(LIGHT, State("0.1", "0.3", 0, -1), 3),
+    "crossings from S": Scene(LIGHT, State("0.3", "0.3", 0, "0.3"), 3),
+    "far above E_cr": Scene(PAPER, State(1, 3, 0, -2), 8),
+    "stick": Scene(PAPER, STUCK, 3),
+    "stuck for ever": Scene(PAPER, State("0.002", "0.01", 0, "0.01"), 3),
+    "literal law": Scene(PAPER, State("0.05", "0.3", 0, -1), 3, Law.THREE_VALUED_SGN),
+    "damped": Scene(Pair(1, 1, 200, "0.5", 1), State(v1="0.35", v2="-0.2"), 3),
+    "damped, from S": Scene(Pair(1, 1, 200, "0.5", 1), State("0.05", "0.35", 0, "0.35"), 3),
+    "damped, from stick": Scene(Pair(1, 1, 200, "0.5", "0.1"), STUCK, 3),
+    "critical stick": Scene(Pair(1, 1, 2, "0.5", 4), FAR, 3),
+    "critical slip": Scene(Pair(1, 2, 1, "0.5", 2), FAR, 8),
+    "just below critical": Scene(Pair(1, 2, 1, "0.5", "1.99999999"), FAR, 8),
+    "just above critical": Scene(Pair(1, 2, 1, "0.5", "2.00000001"), FAR, 8),
+    "overdamped": Scene(Pair(1, 2, 1, "0.5", 12), State("3.7", -4, 0, 1), 20),
+    "overdamped, long slip": Scene(Pair(1, 2, 1, "0.1", 3), State(1, -4, 0, 30), 900),
+    "underdamped, long slip": Scene(Pair(1, 2, 1, "0.1", "0.05"), State(1, -4, 0, 30), 900),
+}
+NEAR = {
+    "from a ray": Scene(PAPER, State("0.005", "5e-5", 0, "5e-5"), 3),
+    "from inside": Scene(PAPER, State("0.003", "0.0400000625", 0, "0.0400000625"), 3),
+}
+
+
+@pytest.mark.parametrize("name", SMOOTH)
+def test_differences_of_solves(name):
+    for found in deviations(SMOOTH[name]):
+        assert found.events_compared, found
+        assert found.size < 1e-15, found
+
+
+@pytest.mark.parametrize("name", NEAR)
+def test_differences_near_the_critical_orbit(name):
+    """At w = 1e-6 the derivatives themselves change on that scale."""
+    assert abs(float(NEAR[name].energy_excess)) < 1e-5
+    for found in deviations(NEAR[name]):
+        assert found.events_compared, found
+        assert found.size < 1e-14, found
+
+
+@given(scenes(periods=(1, 1), exponents=(-1, 1)))
+@settings(max_examples=8)
+def test_differences_of_random_solves(scene):
+    compare(scene)
+
+
+@given(scenes(damped=True, periods=(1, 1), exponents=(-1, 1)))
+@settings(max_examples=8)
+def test_differences_of_random_damped_solves(scene):
+    compare(scene)
+
+
+def compare(scene):
+    try:
+        found = deviations(scene)
+    except NumericsError:
+        return  # a neighbour, or the scene itself, sits on a tie
+    for one in found:
+        # neighbours of a tie differ from it by the step and by a power of the step from 4/3 to 2, with large factors
+        tie = not one.events_compared or on_the_edge(scene)
+        assert one.size < (1e-3 if tie else 1e-12), one
+
+
+def on_the_edge(scene):
+    pair, at = scene.pair, scene.initial
+    return at.v1 == at.v2 and abs(pair.a2 * at.x1 + pair.a1 * at.v1) == pair.a2 * pair.half_width
+
+
+@pytest.mark.parametrize(
+    "state",
+    [State("0.003", "0.04", 0, "0.04"), State("0.005", 0, 0, 0), State("-0.004", "0.03", 0, "0.03")],
+    ids=["turning outwards", "at rest on the edge", "on the other side"],
+)
+@pytest.mark.parametrize("mass", [1, 2, 3])
+def test_the_critical_orbit_is_differentiable(state, mass):
+    """Neighbours on one side slip for ever, on the other never: both agree with the stuck pair to first order."""
+    pair = Pair(2 - Fraction(mass, 2), Fraction(mass, 2), 200, Fraction(mass, 4))
+    scene = Scene(pair, state, 3)
+    assert scene.energy_excess == 0
+    for found in deviations(scene):
+        assert found.size < 1e-7, found
+
+
+def test_a_start_on_a_ray_and_its_neighbours_on_either_side():
+    scene = Scene(PAPER, State("0.005", "0.1", 0, "0.1"), 3)
+    for found in deviations(scene):
+        assert found.events_compared
+        assert found.size < 1e-15, found
+
+
+def test_a_wrong_derivative_is_seen(monkeypatch):
+    """Without the slope by n^2 the critical oscillator would not feel its damping regime change."""
+    monkeypatch.setattr(tangent, "_sine_by_square", lambda oscillator, t, cosine, sine: 0 * sine)
+    assert max(found.size for found in deviations(SMOOTH["critical slip"])) > 1e-3
+
+
+def test_a_start_on_the_surface_needs_its_guard(monkeypatch):
+    scene = SMOOTH["crossings from S"]
+    assert max(found.size for found in deviations(scene)) < 1e-15
+    formula = tangent._slipped
+    monkeypatch.setattr(
+        tangent,
+        "_slipped",
+        lambda f, flow, a: (at := formula(f, flow, a))._replace(guard=at.guard - flow.guard_at_start),
+    )
+    assert max(found.size for found in deviations(scene)) > 1e-3
+
+
+ALL = SMOOTH | NEAR
+
+
+def every(found):
+    return np.concatenate([array.ravel() for array in (found.t, found.y, found.final, found.energy)])
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_balls_contain_the_derivatives(name):
+    low, high = (solve(ALL[name], arithmetic="ball", digits=digits) for digits in (15, 120))
+    points = solve(ALL[name], arithmetic="mpmath", digits=80)
+    with high.arithmetic.context():
+        for wide, narrow, point in zip(*(every(one.sensitivity) for one in (low, high, points)), strict=True):
+            assert wide.overlaps(narrow)
+            assert abs(narrow - ball(as_fraction(point))) < arb("1e-50") * (1 + abs(narrow))
+        largest = max(abs(one) for one in every(high.sensitivity))
+        assert max(one.rad() for one in every(low.sensitivity)) < arb("1e-15") * largest
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_float64_is_close(name):
+    floats, balls = solve(ALL[name]).sensitivity, solve(ALL[name], digits=20).sensitivity
+    ours, theirs = (every(one).reshape(-1, len(WRT)) for one in (floats, balls))
+    true = np.array([[float(one.mid()) for one in row] for row in theirs])
+    assert (np.abs(ours - true) <= 1e-11 * np.abs(true).max(axis=0) + 1e-12).all()
+
+
+@pytest.mark.parametrize("name", ALL)
+@pytest.mark.parametrize("arithmetic", [Float64(), Ball(40)], ids=["float64", "ball"])
+def test_values_are_those_of_the_solver(name, arithmetic):
+    plain, duals = integrate(ALL[name], arithmetic), integrate(differentiable(ALL[name]), Dual(arithmetic))
+    for one, two in zip(plain.events, duals.events, strict=True):
+        for ours, theirs in zip((one.t, *one.reduced), (two.t, *two.reduced), strict=True):
+            assert str(ours) == str(theirs.value)
+    assert [str(one) for one in plain.final] == [str(two.value) for two in duals.final]
+
+
+@given(scenes(damped=None, periods=(1, 2)))
+def test_identities(scene):
+    """Euler's identity for the three scaling groups, translations of x2, and the energy of the final state."""
+    trajectory = solve(scene, digits=20)
+    found, pair, at = trajectory.sensitivity, scene.pair, scene.initial
+    with trajectory.arithmetic.context():
+        weigh = Weights(pair, at)
+        final, energy = trajectory.frame.si_state(trajectory.final), trajectory.frame.energy(trajectory.final)
+        for t, y, event in zip(found.t, found.y, trajectory.events, strict=True):
+            row = [t, *y]
+            assert all(weigh(one, m1=1, m2=1, a2=1, b=1, a1=1).contains(0) for one in row)
+            lengths = [weigh(one, x1=1, v1=1, x2=1, v2=1, b=1) for one in row]
+            assert all(one.overlaps(value) for one, value in zip(lengths, (arb(0), *event.y), strict=True))
+            times = [weigh(one, v1=-1, v2=-1, a2=-2, b=-2, a1=-1) for one in row]
+            true = (event.t, arb(0), -event.y[1], arb(0), -event.y[3])
+            assert all(one.overlaps(value) for one, value in zip(times, true, strict=True))
+            assert [float(one[WRT.index("x2")]) for one in row] == [0, 0, 0, 1, 0]
+        assert all(weigh(one, m1=1, m2=1, a2=1, b=1, a1=1).contains(0) for one in found.final)
+        assert weigh(found.energy, m1=1, m2=1, a2=1, b=1, a1=1).overlaps(energy)
+        lengths = [weigh(one, x1=1, v1=1, x2=1, v2=1, b=1) for one in found.final]
+        assert all(one.overlaps(value) for one, value in zip(lengths, final, strict=True))
+        assert weigh(found.energy, x1=1, v1=1, x2=1, v2=1, b=1).overlaps(2 * energy)
+        assert all(
+            one.overlaps(two) for one, two in zip(found.energy, energy_by_hand(scene, found, final), strict=True)
+        )
+
+
+class Weights:
+    """Sums of derivatives, each times its quantity and a whole number."""
+
+    def __init__(self, pair, at):
+        self.values = [ball(getattr(at if name in State.__slots__ else pair, name)) for name in WRT]
+
+    def __call__(self, row, **weights):
+        return sum((row[k] * self.values[k] * weights[name] for k, name in enumerate(WRT) if name in weights), arb(0))
+
+
+def energy_by_hand(scene, found, final):
+    """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 differentiated with the state's derivatives."""
+    pair, (x1, v1, _, v2) = scene.pair, final
+    explicit = {"a2": x1 * x1 / 2, "m1": v1 * v1 / 2, "m2": v2 * v2 / 2}
+    moving = ball(pair.a2) * x1 * found.final[0] + found.final[1] * (ball(pair.m1) * v1)
+    return moving + found.final[3] * (ball(pair.m2) * v2) + np.array([explicit.get(name, arb(0)) for name in WRT])
+
+
+@given(scenes(damped=None, periods=(1, 4)))
+def test_neighbours_never_move_apart(scene):
+    """In the energy norm of (x1, v1, v2) the flow contracts: friction and viscosity are monotone."""
+    trajectory = solve(scene, arithmetic="ball", digits=15)
+    weights = np.sqrt([float(scene.pair.a2), float(scene.pair.m1), float(scene.pair.m2)])
+    rows, columns = [0, 1, 3], [WRT.index(name) for name in ("x1", "v1", "v2")]
+    final = trajectory.sensitivity.final
+    jacobian = np.array([[float(final[i, j].mid()) for j in columns] for i in rows])
+    assert np.linalg.norm(weights[:, None] * jacobian / weights, 2) <= 1 + 1e-9
+    if trajectory.final_mode is Mode.STICK:
+        assert all(abs(one - two) < 1e-9 * (1 + abs(one)) for one, two in zip(final[1], final[3], strict=True))
+
+
+@given(near_critical(exponents=(3, 12)))
+def test_near_critical_sensitivities_are_enclosed_and_close(scene):
+    balls, floats = solve(scene, digits=20).sensitivity, solve(scene).sensitivity
+    true = np.array([[float(one.mid()) for one in row] for row in balls.t])
+    assert (np.abs(floats.t - true) <= 1e-8 * np.abs(true).max(axis=0) + 1e-13).all()
+
+
+def test_shapes_and_cap():
+    trajectory = solve(SMOOTH["slip"], max_events=3)
+    found = trajectory.sensitivity
+    assert found is trajectory.sensitivity
+    assert (found.t.shape, found.y.shape, found.final.shape, found.energy.shape) == ((3, 9), (3, 4, 9), (4, 9), (9,))
+    assert found.t.dtype == float
+    assert np.abs(found.final - found.y[-1]).max() < 1e-13 * np.abs(found.final).max()
+    whole = solve(SMOOTH["slip"]).sensitivity
+    assert (found.t == whole.t[:3]).all()
+    none = solve(SMOOTH["stuck for ever"], digits=20).sensitivity
+    assert (none.t.shape, none.y.shape, none.t.dtype) == ((0, 9), (0, 4, 9), object)
+
+
+def test_an_event_on_the_horizon_has_no_derivative_there():
+    pair = Pair("0.5", "0.5", 4, "0.5")  # Omega = 2: times are halved exactly
+    first = solve(Scene(pair, State(v1="1.5"), 5)).events[0].t
+    trajectory = solve(Scene(pair, State(v1="1.5"), Fraction(*first.as_integer_ratio())))
+    assert len(trajectory.events) == 1
+    with pytest.raises(EventUndecided, match="horizon"):
+        _ = trajectory.sensitivity
+
+
+def scene_file(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[initial]\nv1 = 0.15\n[run]\nuntil = 1\n")
+    return str(path)
+
+
+@pytest.mark.parametrize("arithmetic", ["ball", "mpmath", "float64"])
+def test_json_carries_them(arithmetic, tmp_path, capsys):
+    assert main(["solve", scene_file(tmp_path), "--json", "--sensitivity", "--arithmetic", arithmetic]) == 0
+    record = json.loads(capsys.readouterr().out)
+    truth = solve(Scene(PAPER, State(v1="0.15"), 1), digits=60).sensitivity
+    for event, t, y in zip(record["events"], truth.t, truth.y, strict=True):
+        assert set(event["sensitivity"]) == {"t", "x1", "v1", "x2", "v2"}
+        for row, true in zip(event["sensitivity"].values(), (t, *y), strict=True):
+            check_row(row, true, arithmetic)
+    for row, true in zip(record["final"]["sensitivity"].values(), (*truth.final, truth.energy), strict=True):
+        check_row(row, true, arithmetic)
+
+
+def check_row(row, true, arithmetic):
+    with Ball(70).context():
+        for name, value in zip(WRT, true, strict=True):
+            exact = row[name] in {"0", "1"}
+            place = row[f"{name}_radius"] if arithmetic == "ball" else "0" if exact else f"1e{exponent(row[name])}"
+            assert arb(row[name], arb(place)).overlaps(value), (name, row[name])
+            assert arb(place) <= arb("1e-10") * (1 + abs(value))
+
+
+def exponent(text):
+    digits, _, power = text.lower().partition("e")
+    return int(power or 0) - len(digits.partition(".")[2])
+
+
+def test_the_archive_and_the_table_carry_them(tmp_path, capsys):
+    path = tmp_path / "out.npz"
+    assert main(["solve", scene_file(tmp_path), "--npz", str(path), "--sensitivity", "--digits", "20"]) == 0
+    found = solve(Scene(PAPER, State(v1="0.15"), 1)).sensitivity
+    with np.load(path) as archive:
+        assert tuple(archive["sensitivity_wrt"]) == WRT
+        for name in ("t", "y", "final", "energy"):
+            assert np.allclose(archive[f"sensitivity_{name}"], getattr(found, name), rtol=1e-9, atol=1e-12)
+    assert main(["solve", scene_file(tmp_path), "--sensitivity"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    last = next(line for line in lines if line.startswith("by b ")).split()
+    assert float(last[2]) == pytest.approx(found.t[-1, WRT.index("b")], rel=1e-5)
+
+
+@pytest.mark.parametrize("output", ["--csv", "--plot=x.svg"])
+def test_outputs_without_room_for_them_refuse(output, tmp_path, capsys):
+    assert main(["solve", scene_file(tmp_path), output, "--sensitivity"]) == 2
+    assert "--sensitivity" in capsys.readouterr().err
