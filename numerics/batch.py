@@ -252,7 +252,7 @@ def _results(
 
 
 def _in_threads(work: Callable[[Any], Answers], chunks: list[Any], jobs: int) -> Iterator[Answers]:
-    if jobs == 1 or len(chunks) == 1:
+    if jobs == 1 or len(chunks) <= 1:
         yield from map(work, chunks)
         return
     pool = ThreadPoolExecutor(min(jobs, len(chunks)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from numerics.audit.bounds import audit_bounds
 from numerics.audit.catalogue import formulas
 from numerics.audit.enclosures import audit_enclosures
 from numerics.audit.formulas import audit_formulas
@@ -24,6 +25,8 @@ class Size:
     """of the enclosures of a function"""
     scenes: int
     """of each kind, in the three arithmetics"""
+    bounded: int
+    """of each kind, whose float64 error bounds are held against the truth"""
     symmetric: int
     """scenes for each symmetry"""
     texts: int
@@ -31,9 +34,9 @@ class Size:
 
 
 SIZES = {
-    "small": Size(arguments=8, trials=150, scenes=5, symmetric=35, texts=600),
-    "default": Size(arguments=200, trials=4000, scenes=120, symmetric=700, texts=10_000),
-    "large": Size(arguments=2000, trials=40_000, scenes=1200, symmetric=7000, texts=100_000),
+    "small": Size(arguments=8, trials=150, scenes=5, bounded=10, symmetric=35, texts=600),
+    "default": Size(arguments=200, trials=4000, scenes=120, bounded=300, symmetric=700, texts=10_000),
+    "large": Size(arguments=2000, trials=40_000, scenes=1200, bounded=14_300, symmetric=7000, texts=100_000),
 }
 
 
@@ -42,5 +45,6 @@ def audit(size: Size, seed: int, progress: Progress) -> Iterator[Row]:
     yield from audit_formulas(formulas(), seed, size.arguments, progress)
     yield from audit_enclosures(seed, size.trials, size.scenes, progress)
     yield from audit_trajectories(seed, size.scenes, progress)
+    yield from audit_bounds(seed, size.bounded, progress)
     yield from audit_symmetries(seed, size.symmetric, progress)
     yield from audit_refusals(seed, size.texts, progress)

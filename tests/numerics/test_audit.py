@@ -20,7 +20,7 @@ from numerics.audit.formulas import MOST_ULP, Formula, audit_formulas, ulps
 from numerics.scene_file import parse_scene
 from numerics.solve import solve
 
-SECTIONS = ["formulas", "enclosures", "trajectories", "energy", "bit for bit", "refusals"]
+SECTIONS = ["formulas", "enclosures", "trajectories", "energy", "error bounds", "bit for bit", "refusals"]
 FORMULAS = {formula.name.split(":")[0]: formula for formula in catalogue.formulas()}
 
 

@@ -1,0 +1,152 @@
+"""solve_many and solve_scenes: arrays in, arrays out, the results of `solve`."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import scenes
+
+from numerics import batch
+from numerics.batch import ENDINGS, NAMES, Batch, solve_many, solve_scenes
+from numerics.errors import InvalidScene, OutOfRange
+from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
+from numerics.scene import Law, Pair, Scene, State
+from numerics.solve import solve
+
+PAPER = {"m1": 1, "m2": 1, "a2": 200, "b": 0.5}
+
+
+def scene_of(until, law=Law.FILIPPOV, **initial):
+    exact = {name: Fraction(value) for name, value in initial.items()}
+    return Scene(Pair(1, 1, 200, Fraction(0.5)), State(**exact), Fraction(until), law)
+
+
+def same(found: Batch, other: Batch) -> bool:
+    return all(
+        np.array_equal(getattr(found, name), getattr(other, name), equal_nan=True) for name in Batch.__annotations__
+    )
+
+
+def test_the_batch_has_the_results_of_solve():
+    speeds = np.linspace(0.02, 0.3, 29)
+    found = solve_many(**PAPER, v1=speeds, until=5, keep_events=80)
+    for index, v1 in enumerate(speeds):
+        one = solve(scene_of(5, v1=float(v1)))
+        count = len(one.events)
+        assert found.events[index] == count
+        assert found.status[index] in (REACHED, STUCK)
+        assert found.success[index] == one.success
+        assert found.mode[index] == one.final_mode.sign
+        assert found.digits[index] <= one.accuracy.digits + 1
+        assert found.y[:, index] == pytest.approx(one.y[:, -1], rel=1e-13, abs=1e-17)
+        assert found.energy_excess[index] == one.final.w
+        assert found.dissipated[index] == pytest.approx(one.ledger.friction, rel=1e-13)
+        assert found.event_t[index, :count] == pytest.approx([event.t for event in one.events], rel=1e-14)
+        assert found.event_mode[index, :count].tolist() == [event.after.sign for event in one.events]
+        event_y = np.array([event.y for event in one.events]).reshape(-1, 4)
+        np.testing.assert_allclose(found.event_y[:, index, :count].T, event_y, rtol=1e-13, atol=1e-17)
+        assert np.isnan(found.event_t[index, count:]).all()
+
+
+@given(st.lists(scenes(exponents=(-3, 3), periods=(1, 2)), max_size=4))
+def test_scenes_of_exact_decimals(drawn):
+    found = solve_scenes(drawn, max_events=30)
+    assert found.t.shape == (len(drawn),)
+    for index, scene in enumerate(drawn):
+        try:
+            one = solve(scene, max_events=30)
+        except OutOfRange:
+            assert found.status[index] == OUT_OF_RANGE
+            continue
+        assert (found.events[index], found.energy_excess[index]) == (len(one.events), one.final.w)
+        assert bool(found.certain[index]) == one.accuracy.certain
+
+
+def test_binary_numbers_are_what_they_are_and_decimals_what_they_say():
+    assert Fraction(0.005) > Fraction(1, 200)  # the half width: the binary number lies just beyond the edge
+    assert solve_many(**PAPER, x1=0.005, until=50).events > 0
+    assert solve_scenes([Scene(Pair(1, 1, 200, "0.5"), State(x1="0.005"), until=50)]).events == 0
+
+
+def test_shapes_broadcast():
+    found = solve_many(**PAPER, v1=np.array([0.1, 0.15])[:, None], x1=np.zeros((1, 3)), until=2, keep_events=4)
+    assert found.t.shape == (2, 3)
+    assert found.y.shape == (4, 2, 3)
+    assert found.event_t.shape == (2, 3, 4)
+    assert found.event_y.shape == (4, 2, 3, 4)
+    assert solve_many(**PAPER, v1=0.1, until=2).t.shape == ()
+    assert solve_many(**PAPER, v1=[], until=2).t.shape == (0,)
+    with pytest.raises(ValueError, match="shape"):
+        solve_many(**PAPER, v1=[1.0, 2.0], x1=[1.0, 2.0, 3.0], until=2)
+
+
+def test_many_chunks_threads_and_progress(monkeypatch):
+    monkeypatch.setattr(batch, "_CHUNK", 7)
+    speeds, told = np.linspace(0.02, 0.3, 50), []
+    one = solve_many(**PAPER, v1=speeds, until=3, jobs=1)
+    two = solve_many(**PAPER, v1=speeds, until=3, jobs=2, progress=lambda done, whole: told.append((done, whole)))
+    assert same(one, two)
+    assert told[-1] == (50, 50)
+    assert len(told) == 8
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_without_numba_the_same_numbers_come_out(monkeypatch, jobs):
+    speeds = np.linspace(0.02, 0.3, 9)
+    fast = solve_many(**PAPER, v1=speeds, until=3, keep_events=5)
+    monkeypatch.setenv("NUMBA_DISABLE_JIT", "1")
+    assert same(fast, solve_many(**PAPER, v1=speeds, until=3, keep_events=5, jobs=jobs))
+
+
+@pytest.mark.parametrize("off", ["0", "1"])
+def test_a_scene_out_of_range_is_one_row(monkeypatch, off):
+    monkeypatch.setenv("NUMBA_DISABLE_JIT", off)
+    found = solve_many(1, [1, 1e-300, 1], 200, [0.5, 0.5, 1e-300], v1=[0.15, 0.15, 1e100], until=2)
+    assert found.status.tolist() == [REACHED, OUT_OF_RANGE, OUT_OF_RANGE]
+    assert np.isnan(found.y[:, 1:]).all()
+    assert found.digits[1:].tolist() == [0, 0]
+    assert not found.success[1:].any()
+    assert "float64" in ENDINGS[OUT_OF_RANGE]
+
+
+def test_the_cap_on_events_and_the_literal_law():
+    capped = solve_many(**PAPER, v1=0.15, until=5, max_events=3)
+    assert (capped.status, capped.events) == (EVENT_LIMIT, 3)
+    assert capped.t == solve(scene_of(5, v1=0.15), max_events=3).events[-1].t
+    literal = solve_many(**PAPER, v1=0.15, until=5, law="three-valued-sgn")
+    assert (literal.status, literal.events) == (STUCK, 1)
+
+
+@pytest.mark.parametrize(
+    ("given_", "said"),
+    [
+        ({"m1": [1, -1]}, r"m1\[1\] = -1 must be > 0"),
+        ({"a2": 0}, "a2 = 0 must be > 0"),
+        ({"v1": [0, np.nan]}, r"v1\[1\] = nan must be finite"),
+        ({"until": np.inf}, "until = inf must be > 0 and finite"),
+        ({"b": "strong"}, "b must be an array of real numbers"),
+        ({"law": "coulomb"}, "law = 'coulomb' is not one of"),
+    ],
+)
+def test_a_wrong_number_is_named(given_, said):
+    with pytest.raises(InvalidScene, match=said):
+        solve_many(**(PAPER | {"until": 5} | given_))
+
+
+@pytest.mark.parametrize(
+    ("given_", "said"),
+    [
+        ({"max_events": 0}, "max_events = 0 must be at least 1"),
+        ({"jobs": 0}, "jobs"),
+        ({"keep_events": -1}, "keep_events = -1"),
+    ],
+)
+def test_wrong_arguments_are_named(given_, said):
+    with pytest.raises(ValueError, match=said):
+        solve_many(**PAPER, until=5, **given_)
+
+
+def test_the_columns_are_the_arguments():
+    assert len(NAMES) == 9
