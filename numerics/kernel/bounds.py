@@ -20,6 +20,7 @@ from typing import NamedTuple
 from numerics.kernel.compilation import kernel
 
 ULP = 2.0**-53
+"""The rounding of one binary64 operation; the `unit` of the formulas below, which hold for other roundings too."""
 
 
 class Errors(NamedTuple):
@@ -70,7 +71,15 @@ def passing(error: float, rate: float, bend: float) -> float:
 
 @kernel
 def after_ray(
-    q: float, r: float, errors: Errors, w: float, w_after: float, theta: float, depth: float, versine: float
+    q: float,
+    r: float,
+    errors: Errors,
+    w: float,
+    w_after: float,
+    theta: float,
+    depth: float,
+    versine: float,
+    unit: float = ULP,
 ) -> tuple[Errors, Linear]:
     """Return the errors at the end of a slip from an exit ray, of which all is a function of w = q u^2."""
     sqrt_q, push = math.sqrt(q), math.sqrt(w / q)
@@ -78,14 +87,14 @@ def after_ray(
     theta_w = push_w * versine / depth
     depth_w = push * theta_w
     lost = r * q * depth * depth
-    own_w = ULP * (w + w_after + 40.0 * lost + 6.0 * w * r * versine)
-    own_gap, own_push = 16.0 * ULP * depth, ULP * (8.0 * theta + 3.0 * push)
-    own_late = 8.0 * ULP * sqrt_q * theta
+    own_w = unit * (w + w_after + 40.0 * lost + 6.0 * w * r * versine)
+    own_gap, own_push = 16.0 * unit * depth, unit * (8.0 * theta + 3.0 * push)
+    own_late = 8.0 * unit * sqrt_q * theta
     excess_w = 1.0 - r * versine
     gap, turn = own_gap + depth_w * errors.w, own_push + abs(push_w - theta_w) * errors.w
     late = errors.late + own_late + sqrt_q * theta_w * errors.w
-    slid = q * depth * (depth_w * errors.w + 16.0 * ULP * depth)
-    norm = q * gap + sqrt_q * turn + 4.0 * ULP
+    slid = q * depth * (depth_w * errors.w + 16.0 * unit * depth)
+    norm = q * gap + sqrt_q * turn + 4.0 * unit
     ended = Errors(
         late, gap, turn, own_w + abs(excess_w) * errors.w, errors.slide + slid, errors.place + slid, late, norm
     )
@@ -111,6 +120,7 @@ def after_surface(
     start: tuple[float, float, float],
     w_after: float,
     landing: tuple[float, float, float],
+    unit: float = ULP,
 ) -> Errors:
     """Return the errors at the end of a slip from S; start = (gap, push, w), landing = (theta, depth, versine)."""
     gap, push, w = start
@@ -119,22 +129,22 @@ def after_surface(
     # the linear map of this slip: dtheta = (du + cot dd) (1 - cos)/(c + d)
     slope = versine / (depth + gap)
     by_gap = abs(2.0 - depth) / theta * slope
-    turned = by_gap * errors.gap + slope * errors.push + 4.0 * ULP * theta
-    deeper = abs(rise) * turned + 8.0 * ULP * depth
+    turned = by_gap * errors.gap + slope * errors.push + 4.0 * unit * theta
+    deeper = abs(rise) * turned + 8.0 * unit * depth
     lost = r * q * depth * (depth + 2.0 * gap)
-    w_by_map = errors.w + 2.0 * r * q * ((depth + gap) * deeper + depth * errors.gap) + 16.0 * ULP * lost
+    w_by_map = errors.w + 2.0 * r * q * ((depth + gap) * deeper + depth * errors.gap) + 16.0 * unit * lost
     reach, motion = (1.0 + gap) + abs(push), abs(push) + theta
-    own = ULP * (8.0 * q * (reach + depth) + 8.0 * sqrt_q * motion + 4.0)
+    own = unit * (8.0 * q * (reach + depth) + 8.0 * sqrt_q * motion + 4.0)
     norm, rate = errors.norm + own, depth + gap
     late = passing(norm * math.sqrt(1.0 / q + 1.0 / r), rate, reach / sqrt_q)
     section = norm + late * speed(q, r, reach, motion)
-    slid = q * ((depth + gap) * deeper + depth * errors.gap + 8.0 * ULP * depth * (depth + 2.0 * gap))
+    slid = q * ((depth + gap) * deeper + depth * errors.gap + 8.0 * unit * depth * (depth + 2.0 * gap))
     size = 1.0 + math.sqrt(abs(1.0 + w_after))
     return Errors(
-        min(errors.shift + late, errors.late + sqrt_q * turned) + 4.0 * ULP * sqrt_q * theta,
-        min(section / q, errors.gap + deeper + 4.0 * ULP * (gap + depth)),
-        min(section / sqrt_q, errors.push + turned + 4.0 * ULP * motion),
-        min(4.0 * size * norm, w_by_map) + 8.0 * ULP * (w if w <= 1.0 else size * size),
+        min(errors.shift + late, errors.late + sqrt_q * turned) + 4.0 * unit * sqrt_q * theta,
+        min(section / q, errors.gap + deeper + 4.0 * unit * (gap + depth)),
+        min(section / sqrt_q, errors.push + turned + 4.0 * unit * motion),
+        min(4.0 * size * norm, w_by_map) + 8.0 * unit * (w if w <= 1.0 else size * size),
         errors.slide + slid,
         errors.place + slid,
         errors.shift,
@@ -151,24 +161,25 @@ def after_free(
     theta: float,
     rate: float,
     spared: float,
+    unit: float = ULP,
 ) -> Errors:
     """Return the errors at the end of a slip from off the surface; start = (guard, gap, push, driven push)."""
     guard, gap, push, driven = start
     sqrt_q, reach = math.sqrt(q), abs(1.0 + gap) + abs(push)
     motion = abs(driven) + theta + reach
-    own = ULP * (8.0 * q * reach + 8.0 * sqrt_q * (motion + guard) + 4.0)
+    own = unit * (8.0 * q * reach + 8.0 * sqrt_q * (motion + guard) + 4.0)
     norm = errors.norm + own
     error = norm * math.sqrt(1.0 / q + 1.0 / r)
     late = math.inf if 4.0 * error >= sqrt_q * spared else passing(error, rate, reach / sqrt_q)
     section = norm + late * speed(q, r, reach, motion)
-    slid = 2.0 * error * sqrt_q * theta + 8.0 * ULP * q * (guard + reach + theta) * theta
+    slid = 2.0 * error * sqrt_q * theta + 8.0 * unit * q * (guard + reach + theta) * theta
     size = 1.0 + abs(gap) * q + sqrt_q * motion
-    turn = errors.shift + late + 4.0 * ULP * sqrt_q * theta
+    turn = errors.shift + late + 4.0 * unit * sqrt_q * theta
     return Errors(
         turn,
         section / q,
         section / sqrt_q,
-        4.0 * size * norm + 8.0 * ULP * size * size,
+        4.0 * size * norm + 8.0 * unit * size * size,
         errors.slide + slid,
         errors.place + slid,
         errors.shift,
@@ -184,7 +195,14 @@ def speed(q: float, r: float, reach: float, motion: float) -> float:
 
 @kernel
 def after_stick(
-    errors: Errors, linear: Linear, below: float, root: float, reach: float, sqrt_q: float, same_edge: bool
+    errors: Errors,
+    linear: Linear,
+    below: float,
+    root: float,
+    reach: float,
+    sqrt_q: float,
+    same_edge: bool,
+    unit: float = ULP,
 ) -> Errors:
     """Return the errors on the exit ray: duration 2 atan2(below, reach), reach = side V + root, root = sqrt w.
 
@@ -196,11 +214,11 @@ def after_stick(
     length = 2.0 * math.atan2(below, reach)
     length_w = linear.length + 2.0 * (reach * offset_w - below * reach_w) / square
     own = reach * linear.own_offset + below * (linear.own_velocity + linear.own_w / (2.0 * root))
-    late = linear.late + abs(length_w) * linear.w + 2.0 * own / square + 8.0 * ULP * length
+    late = linear.late + abs(length_w) * linear.w + 2.0 * own / square + 8.0 * unit * length
     if not errors.w < 0.5 * root * root:
         late = math.inf
-    norm = errors.w / root + 4.0 * ULP
-    push = (errors.w / root + 4.0 * ULP * root) / sqrt_q
+    norm = errors.w / root + 4.0 * unit
+    push = (errors.w / root + 4.0 * unit * root) / sqrt_q
     return Errors(late, 0.0, push, errors.w, errors.slide, errors.place, late, norm)
 
 
@@ -212,9 +230,9 @@ def in_stick(errors: Errors, q: float, sqrt_q: float) -> Errors:
 
 
 @kernel
-def in_crossing(errors: Errors, q: float, beyond: float) -> Errors:
+def in_crossing(errors: Errors, q: float, beyond: float, unit: float = ULP) -> Errors:
     """Return the same errors for the gap beyond the other edge, -(2 + offset)/q, rounded."""
-    gap = errors.gap + 4.0 * ULP * (4.0 / q + beyond)
+    gap = errors.gap + 4.0 * unit * (4.0 / q + beyond)
     return Errors(errors.late, gap, errors.push, errors.w, errors.slide, errors.place, errors.shift, errors.norm)
 
 

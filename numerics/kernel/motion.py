@@ -315,22 +315,26 @@ def at_horizon(pair: Pair, start: Start, errors: Errors, horizon: float, worst: 
 
 
 @kernel
-def in_stick_at(pair: Pair, start: Start, errors: Errors, tau: float, late: float, shift: float, worst: float) -> End:
+def in_stick_at(
+    pair: Pair, start: Start, errors: Errors, tau: float, late: float, shift: float, worst: float, unit: float = ULP
+) -> End:
     """Return the state at tau after the start of a stick phase, by one rotation."""
     cosine, sine = math.cos(tau), math.sin(tau)
     X, V = start.X * cosine + start.push * sine, start.push * cosine - start.X * sine
     turning = math.sqrt(start.X * start.X + start.push * start.push)
-    error = min(errors.norm + turning * shift, errors.gap + errors.push + turning * late) + 8.0 * ULP * turning
+    error = min(errors.norm + turning * shift, errors.gap + errors.push + turning * late) + 8.0 * unit * turning
     place, spent = (
-        errors.place + 2.0 * ULP * abs(start.Z),
-        2.0 * pair.r * errors.slide + 8.0 * ULP * start.spent + _UNDERFLOW,
+        errors.place + 2.0 * unit * abs(start.Z),
+        2.0 * pair.r * errors.slide + 8.0 * unit * start.spent + _UNDERFLOW,
     )
     certain = math.isfinite(errors.late)
     return End(0, X, V, V, start.Z, start.w, start.spent, error, error, error, place, errors.w, spent, worst, certain)
 
 
 @kernel
-def in_slip_at(pair: Pair, start: Start, errors: Errors, tau: float, late: float, shift: float, worst: float) -> End:
+def in_slip_at(
+    pair: Pair, start: Start, errors: Errors, tau: float, late: float, shift: float, worst: float, unit: float = ULP
+) -> End:
     """Return the state at tau after the start of a slip, by its closed form."""
     q, r, sqrt_q, _ = pair
     theta, side, d0, u0 = tau / sqrt_q, start.side, start.gap, start.push
@@ -340,21 +344,24 @@ def in_slip_at(pair: Pair, start: Start, errors: Errors, tau: float, late: float
     Z, w, spent = start.Z - side * q * moved, start.w - 2 * r * q * moved, start.spent + 2 * r * q * moved
     # the contraction of the energy norm, or the closed form of this slip: the smaller bound
     drop, sine_drop = versine(theta), sine_deficit(theta)
-    bent, late = abs(1.0 + d0) + abs(u0), late / sqrt_q + 2.0 * ULP * theta
-    norm = errors.norm + 8.0 * ULP * (q * bent + sqrt_q * (abs(start.driven) + theta + start.guard))
+    bent, late = abs(1.0 + d0) + abs(u0), late / sqrt_q + 2.0 * unit * theta
+    norm = errors.norm + 8.0 * unit * (q * bent + sqrt_q * (abs(start.driven) + theta + start.guard))
     norm += shift * speed(q, r, bent, abs(start.driven) + theta + bent)
-    x = q * (3.0 * errors.gap + errors.push + abs(u) * late + 8.0 * ULP * (abs(d0) + abs(u0) + bent * drop))
+    x = q * (3.0 * errors.gap + errors.push + abs(u) * late + 8.0 * unit * (abs(d0) + abs(u0) + bent * drop))
     v1 = sqrt_q * (
-        errors.push + errors.gap + bent * late + 8.0 * ULP * (abs(u0) + abs(1.0 + d0) * abs(math.sin(theta)))
+        errors.push + errors.gap + bent * late + 8.0 * unit * (abs(u0) + abs(1.0 + d0) * abs(math.sin(theta)))
     )
-    v2 = sqrt_q * (errors.push + late + 4.0 * ULP * (abs(start.driven) + theta))
+    v2 = sqrt_q * (errors.push + late + 4.0 * unit * (abs(start.driven) + theta))
     rounding = start.guard * theta + abs(d0) * drop + abs(u0) * sine_drop + cosine_deficit(theta)
-    slide = q * (drop * errors.gap + sine_drop * errors.push + abs(u - turned) * late + 16.0 * ULP * rounding)
-    place = errors.place + slide + 4.0 * ULP * (abs(start.Z) + abs(Z))
-    w_error = errors.w + 2.0 * r * slide + 2.0 * ULP * (abs(start.w) + abs(w))
-    spent_error, certain = 2.0 * r * (errors.slide + slide) + 8.0 * ULP * spent + _UNDERFLOW, math.isfinite(errors.late)
+    slide = q * (drop * errors.gap + sine_drop * errors.push + abs(u - turned) * late + 16.0 * unit * rounding)
+    place = errors.place + slide + 4.0 * unit * (abs(start.Z) + abs(Z))
+    w_error = errors.w + 2.0 * r * slide + 2.0 * unit * (abs(start.w) + abs(w))
+    spent_error, certain = (
+        2.0 * r * (errors.slide + slide) + 8.0 * unit * spent + _UNDERFLOW,
+        math.isfinite(errors.late),
+    )
     x, v1, v2 = min(norm, x), min(norm / sqrt_q, v1), min(norm / math.sqrt(r), v2)
-    x, v1, v2 = x + 4.0 * ULP * abs(X), v1 + 4.0 * ULP * abs(V1), v2 + 4.0 * ULP * abs(V2)
+    x, v1, v2 = x + 4.0 * unit * abs(X), v1 + 4.0 * unit * abs(V1), v2 + 4.0 * unit * abs(V2)
     return End(-int(side), X, V1, V2, Z, w, spent, x, v1, v2, place, w_error, spent_error, worst, certain)
 
 
