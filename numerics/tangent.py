@@ -72,6 +72,28 @@ def slip_landing(slip: UndampedSlip, found: Landing) -> Landing:
     return found._replace(theta=theta, gap=gap, slid=at.slid, w=w)
 
 
+def ray_landing(slip: UndampedSlip, found: Landing) -> Landing:
+    """Return the end of a slip from an exit ray: what depends on w apart, by its slope dw'/dw = 1 - r (1 - cos theta).
+
+    It lies in [-1, 1]: formed whole, enclosures do not grow from one excursion to the next.
+    """
+    frame, w, theta = slip.frame, slip.w, found.theta
+    one, arithmetic = frame.arithmetic.number(1), frame.arithmetic
+    gap, push = on_ray(frame, DualNumber(w.value))  # at fixed w
+    at = _slipped(frame, SlipFlow(arithmetic, arithmetic.number(0), gap, push), theta)
+    push_by_w, versine = 1 / (2 * frame.q * push), arithmetic.versine(theta)
+    theta_by_w = -versine * push_by_w / found.gap
+    gap_by_w = arithmetic.cos_sin(theta)[1] * push_by_w + at.push * theta_by_w
+    fixed = theta - at.guard / found.gap
+    lost = 2 * frame.r * frame.q * at.slid + at.damped
+    return found._replace(
+        theta=linear(theta, (one, fixed), (theta_by_w, w)),
+        gap=linear(found.gap, (one, at.gap), (at.push, fixed), (gap_by_w, w)),
+        slid=linear(found.slid, (one, at.slid), (arithmetic.sine_deficit(theta) * push_by_w, w)),
+        w=linear(found.w, (-one, lost), (1 - frame.r * versine, w)),
+    )
+
+
 def slip_state(slip: UndampedSlip, tau: Number) -> ReducedState:
     """Return the state of a slip at reduced time tau."""
     frame, side = slip.frame, slip.side

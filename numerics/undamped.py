@@ -69,8 +69,8 @@ class UndampedSlip:
     @cached_property
     def landing(self) -> Landing:
         """Return where and how the bodies meet in velocity again."""
-        arithmetic = self.frame.arithmetic
-        landing: Landing = differentiated(arithmetic, self._landing, lambda at: tangent.slip_landing(self, at))
+        arithmetic, derived = self.frame.arithmetic, tangent.ray_landing if self.from_ray else tangent.slip_landing
+        landing: Landing = differentiated(arithmetic, self._landing, lambda at: derived(self, at))
         refuse_unresolved(arithmetic, landing.theta)
         return landing
 

@@ -168,11 +168,11 @@ def differentiated(arithmetic: Arithmetic, values: Callable[[], Any], formula: C
         return values()
     with _values_only():
         found = values()
-    formed = formula(found)
     if not isinstance(found, tuple):
-        return DualNumber(found.value, formed.gradient)
-    joined = (DualNumber(one.value, two.gradient) for one, two in zip(found, formed, strict=True))
-    return type(found)._make(joined) if hasattr(found, "_make") else tuple(joined)
+        return DualNumber(found.value, formula(DualNumber(found.value)).gradient)
+    make = getattr(type(found), "_make", tuple)
+    formed = formula(make(DualNumber(one.value) for one in found))
+    return make(DualNumber(one.value, two.gradient) for one, two in zip(found, formed, strict=True))
 
 
 class Dual:
