@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 
 from numerics.accuracy import EXACT, digits_within
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.dual import Dual, DualNumber
+from numerics.arithmetic.dual import Dual
+from numerics.arithmetic.dual_number import DualNumber
 from numerics.arithmetic.protocol import Arithmetic, Sign
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.modes import Mode, mode_at_start

@@ -14,7 +14,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import TYPE_CHECKING, NamedTuple
 
-from numerics.arithmetic.dual import DualNumber, linear
+from numerics.arithmetic.dual_number import DualNumber, linear
 from numerics.arithmetic.protocol import Number
 from numerics.scaling import Frame, ReducedState
 from numerics.slip_flow import SlipFlow

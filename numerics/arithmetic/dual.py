@@ -16,147 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from numerics.arithmetic.dual_number import DualNumber, Gradient, Recording, kept, values_only, weighted_sum
 from numerics.arithmetic.protocol import Arithmetic, Contact, Number, Sign
-
-Gradient = NDArray[Any] | None
-"""Partial derivatives, shape (n,); None stands for zeros."""
-
-
-class _Recording:
-    """Whether operations compute gradients; off while a search needs values only. One for all, like precisions."""
-
-    on = True
-
-
-@contextmanager
-def _values_only() -> Iterator[None]:
-    before, _Recording.on = _Recording.on, False
-    try:
-        yield
-    finally:
-        _Recording.on = before
-
-
-def _sum(*terms: tuple[Gradient, Number]) -> Gradient:
-    """Return the sum of gradient times factor."""
-    total: Gradient = None
-    if _Recording.on:
-        for gradient, factor in terms:
-            if gradient is not None:
-                # the array comes first: flint and mpmath do not know how to multiply by one
-                total = gradient * factor if total is None else total + gradient * factor
-    return total
-
-
-def _kept(gradient: Gradient) -> Gradient:
-    return gradient if _Recording.on else None
-
-
-class DualNumber:
-    """A value with its gradient; behaves as a number of the base arithmetic, and is ordered by its value."""
-
-    __slots__ = ("gradient", "value")
-    __hash__ = None  # type: ignore[assignment]
-    __array_ufunc__ = None
-    """Arrays leave arithmetic with these numbers to them."""
-
-    def __init__(self, value: Number, gradient: Gradient = None) -> None:
-        """Join a value and its partial derivatives."""
-        self.value, self.gradient = value, gradient
-
-    def __repr__(self) -> str:
-        """Return both parts as text."""
-        return f"DualNumber({self.value!r}, {self.gradient!r})"
-
-    def __neg__(self) -> DualNumber:
-        """Return the negative."""
-        return DualNumber(-self.value, _sum((self.gradient, -1)))
-
-    def __abs__(self) -> DualNumber:
-        """Return the absolute value; at 0 with the derivatives of the number itself."""
-        return -self if self.value < 0 else self
-
-    def __add__(self, other: Any) -> DualNumber:
-        """Return the sum."""
-        if not isinstance(other, DualNumber):
-            return DualNumber(self.value + other, _kept(self.gradient))
-        one, two = _kept(self.gradient), _kept(other.gradient)
-        return DualNumber(self.value + other.value, two if one is None else one if two is None else one + two)
-
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> DualNumber:
-        """Return the difference."""
-        if not isinstance(other, DualNumber):
-            return DualNumber(self.value - other, _kept(self.gradient))
-        one, two = _kept(self.gradient), _kept(other.gradient)
-        gradient = one if two is None else -two if one is None else one - two
-        return DualNumber(self.value - other.value, gradient)
-
-    def __rsub__(self, other: Any) -> DualNumber:
-        """Return other - self."""
-        return DualNumber(other - self.value, _sum((self.gradient, -1)))
-
-    def __mul__(self, other: Any) -> DualNumber:
-        """Return the product."""
-        if not isinstance(other, DualNumber):
-            return DualNumber(self.value * other, _sum((self.gradient, other)))
-        gradient = _sum((self.gradient, other.value), (other.gradient, self.value))
-        return DualNumber(self.value * other.value, gradient)
-
-    def __rmul__(self, other: Any) -> DualNumber:
-        """Return other * self."""
-        return DualNumber(other * self.value, _sum((self.gradient, other)))
-
-    def __truediv__(self, other: Any) -> DualNumber:
-        """Return the quotient."""
-        if not isinstance(other, DualNumber):
-            gradient = _kept(self.gradient)
-            return DualNumber(self.value / other, None if gradient is None else gradient / other)
-        value = self.value / other.value
-        gradient = _sum((self.gradient, 1), (other.gradient, -value))
-        return DualNumber(value, None if gradient is None else gradient / other.value)
-
-    def __rtruediv__(self, other: Any) -> DualNumber:
-        """Return other / self."""
-        return DualNumber(other) / self
-
-    def __pow__(self, power: int) -> DualNumber:
-        """Return the power, for a whole exponent >= 1."""
-        return DualNumber(self.value**power, _sum((self.gradient, power * self.value ** (power - 1))))
-
-    def __bool__(self) -> bool:
-        """Return whether the value is not 0."""
-        return bool(self.value != 0)
-
-    def __eq__(self, other: object) -> bool:
-        """Compare the values."""
-        return bool(self.value == _value(other))
-
-    def __lt__(self, other: Any) -> bool:
-        """Compare the values."""
-        return bool(self.value < _value(other))
-
-    def __le__(self, other: Any) -> bool:
-        """Compare the values."""
-        return bool(self.value <= _value(other))
-
-    def __gt__(self, other: Any) -> bool:
-        """Compare the values."""
-        return bool(self.value > _value(other))
-
-    def __ge__(self, other: Any) -> bool:
-        """Compare the values."""
-        return bool(self.value >= _value(other))
-
-
-def _value(x: Any) -> Any:
-    return x.value if isinstance(x, DualNumber) else x
-
-
-def linear(value: DualNumber, *terms: tuple[DualNumber, DualNumber]) -> DualNumber:
-    """Return the value with the gradient sum of partial derivative times argument's gradient: the chain rule."""
-    return DualNumber(value.value, _sum(*((argument.gradient, partial.value) for partial, argument in terms)))
 
 
 def differentiated(arithmetic: Arithmetic, values: Callable[[], Any], formula: Callable[[Any], Any]) -> Any:
@@ -164,9 +25,9 @@ def differentiated(arithmetic: Arithmetic, values: Callable[[], Any], formula: C
 
     The formula need only agree with the values mathematically; it receives them as constants.
     """
-    if not (isinstance(arithmetic, Dual) and _Recording.on):
+    if not (isinstance(arithmetic, Dual) and Recording.on):
         return values()
-    with _values_only():
+    with values_only():
         found = values()
     if not isinstance(found, tuple):
         return DualNumber(found.value, formula(DualNumber(found.value)).gradient)
@@ -216,7 +77,7 @@ class Dual:
         return self.base.ceiling(x.value)
 
     def _chain(self, value: Number, x: DualNumber, slope: Callable[[], Number]) -> DualNumber:
-        differentiates = _Recording.on and x.gradient is not None
+        differentiates = Recording.on and x.gradient is not None
         return DualNumber(value, x.gradient * slope() if differentiates else None)
 
     def _quotient(self, gradient: Gradient, divisor: Number) -> Gradient:
@@ -230,7 +91,7 @@ class Dual:
     def sqrt(self, x: DualNumber) -> DualNumber:
         """Return the square root; at 0 its derivatives are nan."""
         root = self.base.sqrt(x.value)
-        return DualNumber(root, self._quotient(_kept(x.gradient), 2 * root))
+        return DualNumber(root, self._quotient(kept(x.gradient), 2 * root))
 
     def exp(self, x: DualNumber) -> DualNumber:
         """Return e^x."""
@@ -244,11 +105,11 @@ class Dual:
 
     def log(self, x: DualNumber) -> DualNumber:
         """Return the natural logarithm."""
-        return DualNumber(self.base.log(x.value), self._quotient(_kept(x.gradient), x.value))
+        return DualNumber(self.base.log(x.value), self._quotient(kept(x.gradient), x.value))
 
     def log1p(self, x: DualNumber) -> DualNumber:
         """Return the natural logarithm of 1 + x."""
-        return DualNumber(self.base.log1p(x.value), self._quotient(_kept(x.gradient), 1 + x.value))
+        return DualNumber(self.base.log1p(x.value), self._quotient(kept(x.gradient), 1 + x.value))
 
     def cos_sin(self, x: DualNumber) -> tuple[DualNumber, DualNumber]:
         """Return (cos x, sin x)."""
@@ -257,7 +118,7 @@ class Dual:
 
     def atan2(self, y: DualNumber, x: DualNumber) -> DualNumber:
         """Return the angle of the point (x, y)."""
-        gradient = _sum((y.gradient, x.value), (x.gradient, -y.value))
+        gradient = weighted_sum((y.gradient, x.value), (x.gradient, -y.value))
         square = x.value * x.value + y.value * y.value
         return DualNumber(self.base.atan2(y.value, x.value), self._quotient(gradient, square))
 
@@ -301,19 +162,19 @@ class Dual:
 
         The ends of the bracket do not count: the root is the same for all that hold it.
         """
-        with _values_only():
+        with values_only():
             x = self.base.root(
                 lambda p: function(DualNumber(p)).value, lambda p: slope(DualNumber(p)).value, lower.value, upper.value
             )
             steepness = slope(DualNumber(x)).value
-        gradient = function(DualNumber(x)).gradient if _Recording.on else None
+        gradient = function(DualNumber(x)).gradient if Recording.on else None
         return DualNumber(x, self._quotient(gradient, -steepness))
 
     def contact(self, gap: DualNumber, push: DualNumber) -> Contact:
         """Return the end of a slip from S: dtheta = (du (1 - cos) + dd sin)/(c + d), dc = h dtheta."""
         theta, depth, versine = self.base.contact(gap.value, push.value)
         _, sine = self.base.cos_sin(theta)
-        gradient = self._quotient(_sum((push.gradient, versine), (gap.gradient, sine)), depth + gap.value)
+        gradient = self._quotient(weighted_sum((push.gradient, versine), (gap.gradient, sine)), depth + gap.value)
         angle = DualNumber(theta, gradient)
         return Contact(
             angle,
@@ -337,7 +198,7 @@ class Dual:
         x: DualNumber,
     ) -> DualNumber:
         """Return function(x) with the value of the mean value form."""
-        with _values_only():
+        with values_only():
             value = self.base.mean_value(
                 lambda p: function(DualNumber(p)).value, lambda p: slope(DualNumber(p)).value, x.value
             )

@@ -10,7 +10,8 @@ from finite_differences import ball
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.dual import Dual, DualNumber, differentiated
+from numerics.arithmetic.dual import Dual, differentiated
+from numerics.arithmetic.dual_number import DualNumber
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Sign
