@@ -20,7 +20,6 @@ from numerics.kernel.double_double import (
     product,
     scaled,
     subtract,
-    times,
     two_product,
     two_sum,
 )

@@ -1,0 +1,406 @@
+"""One undamped scene in double-double: the loop of motion.py, its state to 104 bits, its error bounds in binary64.
+
+The formulas and their order are those of motion.py, which says why; the bounds are those of bounds.py with the unit of
+double-double in the place of an ulp.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from numerics.kernel.bounds import (
+    Errors,
+    Linear,
+    after_free,
+    after_ray,
+    after_stick,
+    after_surface,
+    in_crossing,
+    in_stick,
+    lost,
+    no_linear,
+    relative,
+)
+from numerics.kernel.compilation import kernel
+from numerics.kernel.double_contact import (
+    double_contact,
+    double_first_contact,
+    double_gap,
+    double_push,
+    double_slid,
+)
+from numerics.kernel.double_double import (
+    ONE,
+    ZERO,
+    Double,
+    add,
+    clock,
+    divide,
+    less,
+    negative,
+    product,
+    scaled,
+    square_root,
+    subtract,
+)
+from numerics.kernel.double_elementary import arctangent, sine_cosine
+from numerics.kernel.motion import (
+    EVENT_LIMIT,
+    MOVING,
+    OUT_OF_RANGE,
+    RAY,
+    REACHED,
+    ROWS_FULL,
+    STICK,
+    STUCK,
+    SURFACE,
+    End,
+    EventErrors,
+    Pair,
+    Start,
+    in_slip_at,
+    in_stick_at,
+)
+
+UNIT = 2.0**-104
+"""The rounding of one operation: sums, products, quotients, roots and sines are off by less than 1.5 of it."""
+_LONGEST, _SHORTEST = 1e14, 1e-60
+"""Slip angles that double-double resolves: beyond them no phase is left, or the error of a fourth power is lost."""
+
+COLUMNS = (
+    *("mode", "kind", "side"),
+    *("tau", "tau low", "length", "length low", "X", "X low", "push", "push low", "Z", "Z low", "w", "w low"),
+    *("gap", "gap low", "driven", "driven low"),
+    *("late", "x", "v", "place", "excess"),
+)
+"""A recorded event, as in motion.py, each number as its two halves."""
+
+
+class DoublePair(NamedTuple):
+    """The reduced parameters, and whether v1 = v2 is never left."""
+
+    q: Double
+    r: Double
+    sqrt_q: Double
+    literal: bool
+
+
+class DoubleStart(NamedTuple):
+    """The start of a mode of motion (motion.Start)."""
+
+    kind: int
+    side: float
+    X: Double
+    guard: Double
+    gap: Double
+    push: Double
+    driven: Double
+    turns: bool
+    Z: Double
+    w: Double
+    tau: Double
+    rest: Double
+    spent: Double
+
+
+class DoubleLanding(NamedTuple):
+    """The end of a slip (motion.Landing); 1 - cos theta and the lowest minimum serve the bounds only."""
+
+    theta: Double
+    gap: Double
+    slid: Double
+    w: Double
+    versine: float
+    spared: float
+
+
+class DoubleEnd(NamedTuple):
+    """The state at the end of a run; `bounds` has the same in binary64, and the bounds on the errors of both."""
+
+    X: Double
+    V1: Double
+    V2: Double
+    Z: Double
+    w: Double
+    spent: Double
+    bounds: End
+
+
+@kernel
+def rounded_pair(pair: DoublePair) -> Pair:
+    """Return the pair in binary64, for the bounds."""
+    return Pair(pair.q.high, pair.r.high, pair.sqrt_q.high, pair.literal)
+
+
+@kernel
+def rounded_start(at: DoubleStart) -> Start:
+    """Return a start in binary64, for the bounds."""
+    numbers = at.X.high, at.guard.high, at.gap.high, at.push.high, at.driven.high
+    X, guard, gap, push, driven = numbers
+    return Start(
+        at.kind,
+        at.side,
+        X,
+        guard,
+        gap,
+        push,
+        driven,
+        at.turns,
+        at.Z.high,
+        at.w.high,
+        at.tau.high,
+        at.rest.high,
+        at.spent.high,
+    )
+
+
+@kernel
+def one_plus(a: Double) -> Double:
+    """Return 1 + a."""
+    return add(ONE, a)
+
+
+@kernel
+def two_plus(a: Double) -> Double:
+    """Return 2 + a."""
+    return add(Double(2.0, 0.0), a)
+
+
+@kernel
+def stick_reach(start: DoubleStart) -> tuple[float, Double, Double, Double]:
+    """Return (side of the exit, distance to it, side V + sqrt w, sqrt w) of a stick phase that ends."""
+    velocity = start.push
+    side = 1.0 if velocity.high > 0.0 else -1.0
+    below = negative(start.gap) if side == start.side else two_plus(start.gap)
+    root = square_root(start.w)
+    return side, below, add(scaled(velocity, side), root), root
+
+
+@kernel
+def no_landing() -> DoubleLanding:
+    """Return what stands for the landing of a stick phase."""
+    return DoubleLanding(ZERO, ZERO, ZERO, ZERO, 0.0, 0.0)
+
+
+@kernel
+def landing(pair: DoublePair, start: DoubleStart) -> DoubleLanding:
+    """Return the end of a slip."""
+    q, gap = pair.q, start.gap
+    loss = product(pair.r, q)
+    if start.kind == RAY:
+        theta, depth, drop = double_contact(ZERO, start.push)
+        square = product(depth, depth)
+        w = subtract(start.w, product(loss, square))
+        return DoubleLanding(theta, negative(depth), scaled(square, 0.5), w, drop, math.inf)
+    if start.kind == SURFACE:
+        theta, depth, drop = double_contact(gap, start.push)
+        end, moved, spared = negative(add(gap, depth)), product(depth, add(scaled(depth, 0.5), gap)), math.inf
+    else:
+        theta, spared = double_first_contact(start.guard, gap, start.push, start.turns)
+        end, drop = double_gap(theta, gap, start.push), 0.0
+        moved = double_slid(theta, start.guard, gap, start.push)
+    if start.w.high <= 1.0:
+        w = subtract(start.w, scaled(product(loss, moved), 2.0))
+    else:
+        V, beyond = product(pair.sqrt_q, subtract(start.driven, theta)), product(q, end)
+        w = add(product(V, V), product(beyond, two_plus(beyond)))
+    return DoubleLanding(theta, end, moved, w, drop, spared)
+
+
+@kernel
+def run(
+    pair: DoublePair,
+    start: DoubleStart,
+    errors: Errors,
+    linear: Linear,
+    horizon: Double,
+    left: int,
+    rows: Any,
+    worst: float,
+) -> tuple[int, int, DoubleStart, Errors, Linear, float]:
+    """Follow the modes until the horizon, a last stick phase, `left` events, or the last row (motion.run)."""
+    count, keep = 0, len(rows)
+    q, sqrt_q = pair.q.high, pair.sqrt_q.high
+    while True:
+        how, length, landed = locate(pair, start)
+        if how != MOVING:
+            return how, count, start, errors, linear, worst
+        tau, rest = clock(start.tau, start.rest, length)
+        if less(horizon, tau) or not math.isfinite(tau.high):
+            break
+        if count == left or (keep > 0 and count == keep):
+            return (EVENT_LIMIT if count == left else ROWS_FULL), count, start, errors, linear, worst
+        if start.kind == STICK:
+            start, errors = leave(pair, start, errors, linear, tau, rest)
+        else:
+            errors, linear = errors_at_landing(pair, start, errors, linear, landed)
+            start = after_landing(pair, start, landed, tau, rest)
+            if start.kind == STICK:
+                errors = in_stick(errors, q, sqrt_q)
+                if linear.w < 0.0:
+                    linear = no_linear(errors)
+            else:
+                errors = in_crossing(errors, q, start.gap.high, UNIT)
+        at = event_errors(pair, start, errors)
+        worst = max(worst, at.relative)
+        if keep > 0:
+            record(rows, count, length, start, errors, at)
+        count += 1
+    if not subtract(tau, horizon).high > errors.late:
+        errors = lost()
+    return (REACHED if math.isfinite(tau.high) else OUT_OF_RANGE), count, start, errors, linear, worst
+
+
+@kernel
+def locate(pair: DoublePair, start: DoubleStart) -> tuple[int, Double, DoubleLanding]:
+    """Return (how it goes on, duration, landing) of a motion: MOVING until its event, STUCK, or OUT_OF_RANGE."""
+    if start.kind == STICK:
+        if pair.literal or start.w.high <= 0.0:
+            return STUCK, ZERO, no_landing()
+        _, below, reach, _ = stick_reach(start)
+        return MOVING, scaled(arctangent(below, reach), 2.0), no_landing()
+    at = landing(pair, start)
+    if not _SHORTEST <= at.theta.high <= _LONGEST:
+        return OUT_OF_RANGE, ZERO, at
+    return MOVING, product(pair.sqrt_q, at.theta), at
+
+
+@kernel
+def leave(
+    pair: DoublePair, start: DoubleStart, errors: Errors, linear: Linear, tau: Double, rest: Double
+) -> tuple[DoubleStart, Errors]:
+    """Return the slip from an exit ray that follows a stick phase, and its errors."""
+    side, below, reach, root = stick_reach(start)
+    errors = after_stick(errors, linear, below.high, root.high, reach.high, pair.sqrt_q.high, side == start.side, UNIT)
+    push = divide(root, pair.sqrt_q)
+    X = Double(side, 0.0)
+    return DoubleStart(RAY, side, X, ZERO, ZERO, push, push, True, start.Z, start.w, tau, rest, start.spent), errors
+
+
+@kernel
+def errors_at_landing(
+    pair: DoublePair, start: DoubleStart, errors: Errors, linear: Linear, at: DoubleLanding
+) -> tuple[Errors, Linear]:
+    """Return the errors at the end of a slip, lost where it is not certain what follows; w < 0: no linear part."""
+    q, r, theta, w = pair.q.high, pair.r.high, at.theta.high, start.w.high
+    if start.kind == RAY:
+        errors, linear = after_ray(q, r, errors, w, at.w.high, theta, -at.gap.high, at.versine, UNIT)
+    else:
+        linear = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
+        if start.kind == SURFACE:
+            depth = -add(at.gap, start.gap).high
+            variables = (start.gap.high, start.push.high, w)
+            errors = after_surface(q, r, errors, variables, at.w.high, (theta, depth, at.versine), UNIT)
+        else:
+            free = (start.guard.high, start.gap.high, start.push.high, start.driven.high)
+            errors = after_free(q, r, errors, free, theta, -at.gap.high, at.spared, UNIT)
+    place = errors.place + 4.0 * UNIT * abs(start.Z.high)
+    errors = Errors(errors.late, errors.gap, errors.push, errors.w, errors.slide, place, errors.shift, errors.norm)
+    beyond = -two_plus(product(pair.q, at.gap)).high
+    unsure = not abs(beyond) > q * errors.gap or (beyond < 0.0 and not abs(at.w.high) > errors.w)
+    return (lost() if unsure and not pair.literal else errors), linear
+
+
+@kernel
+def after_landing(pair: DoublePair, start: DoubleStart, at: DoubleLanding, tau: Double, rest: Double) -> DoubleStart:
+    """Return the start of the motion after a slip: stick inside the sliding region, else the slip of the other sign."""
+    q, side = pair.q, start.side
+    turned, offset, slid = subtract(start.driven, at.theta), product(q, at.gap), product(q, at.slid)
+    back, X = negative(turned), scaled(one_plus(offset), side)
+    Z, beyond = subtract(start.Z, scaled(slid, side)), negative(two_plus(offset))
+    spent = add(start.spent, scaled(product(pair.r, slid), 2.0))
+    if not pair.literal and (beyond.high > 0.0 or (beyond.high == 0.0 and back.high > 0.0)):
+        gap = divide(beyond, q)
+        return DoubleStart(SURFACE, -side, X, ZERO, gap, back, back, True, Z, at.w, tau, rest, spent)
+    V = scaled(product(pair.sqrt_q, turned), side)
+    return DoubleStart(STICK, side, X, ZERO, offset, V, ZERO, True, Z, at.w, tau, rest, spent)
+
+
+@kernel
+def velocity(pair: DoublePair, start: DoubleStart) -> Double:
+    """Return V = V1 = V2 at the start of a motion on the switching surface."""
+    if start.kind == STICK:
+        return start.push
+    return scaled(square_root(start.w) if start.kind == RAY else product(pair.sqrt_q, start.driven), start.side)
+
+
+@kernel
+def event_errors(pair: DoublePair, start: DoubleStart, errors: Errors) -> EventErrors:
+    """Return the errors at the event that a motion starts with, the rounding of SI units included."""
+    X, V, x2 = start.X.high, velocity(pair, start).high, subtract(start.X, start.Z).high
+    scale_x, scale_v = (1.0, 1.0) if start.kind == STICK else (pair.q.high, pair.sqrt_q.high)
+    x = scale_x * errors.gap + 2.0 * UNIT * abs(X)
+    v = scale_v * errors.push + 2.0 * UNIT * abs(V)
+    x2_error = x + errors.place + UNIT * abs(start.Z.high)
+    times_and_places = max(relative(errors.late, start.tau.high), relative(x, X), relative(x2_error, x2))
+    return EventErrors(x, v, max(times_and_places, relative(v, V)) + 8.0 * UNIT)
+
+
+@kernel
+def record(rows: Any, index: int, length: Double, start: DoubleStart, errors: Errors, at: EventErrors) -> None:
+    """Write one event to its row (COLUMNS)."""
+    row, stuck = rows[index], start.kind == STICK
+    row[0], row[1], row[2] = (0.0 if stuck else -start.side), start.kind, start.side
+    row[3], row[4] = start.tau
+    row[5], row[6] = length
+    row[7], row[8] = start.X
+    row[9], row[10] = start.push
+    row[11], row[12] = start.Z
+    row[13], row[14] = start.w
+    row[15], row[16] = start.gap
+    row[17], row[18] = start.driven
+    row[19], row[20], row[21], row[22], row[23] = errors.late, at.x, at.v, errors.place, errors.w
+
+
+@kernel
+def at_horizon(pair: DoublePair, start: DoubleStart, errors: Errors, horizon: Double, worst: float) -> DoubleEnd:
+    """Return the state at the horizon, which lies in the motion with this start."""
+    since = subtract(horizon, start.tau)
+    if not since.high >= errors.late:
+        errors = lost()
+    tau = subtract(since, start.rest)
+    late, shift = errors.late + 4.0 * UNIT * horizon.high, errors.shift + 4.0 * UNIT * horizon.high
+    rough_pair, rough = rounded_pair(pair), rounded_start(start)
+    if start.kind == STICK:
+        bounds = in_stick_at(rough_pair, rough, errors, tau.high, late, shift, worst, UNIT)
+        sine, cosine = sine_cosine(tau)
+        X = add(product(start.X, cosine), product(start.push, sine))
+        V = subtract(product(start.push, cosine), product(start.X, sine))
+        return DoubleEnd(X, V, V, start.Z, start.w, start.spent, bounds)
+    bounds = in_slip_at(rough_pair, rough, errors, tau.high, late, shift, worst, UNIT)
+    theta, side = divide(tau, pair.sqrt_q), start.side
+    offset = product(pair.q, double_gap(theta, start.gap, start.push))
+    V1 = product(pair.sqrt_q, double_push(theta, start.gap, start.push))
+    V2 = product(pair.sqrt_q, subtract(start.driven, theta))
+    moved = product(pair.q, double_slid(theta, start.guard, start.gap, start.push))
+    loss, Z = scaled(product(pair.r, moved), 2.0), subtract(start.Z, scaled(moved, side))
+    X, V1, V2 = scaled(one_plus(offset), side), scaled(V1, side), scaled(V2, side)
+    return DoubleEnd(X, V1, V2, Z, subtract(start.w, loss), add(start.spent, loss), bounds)
+
+
+@kernel
+def at_event(pair: DoublePair, start: DoubleStart, errors: Errors, worst: float) -> DoubleEnd:
+    """Return the state at the event that a motion starts with, where a run has stopped."""
+    at, V, rough = event_errors(pair, start, errors), velocity(pair, start), rounded_start(start)
+    mode, certain = (0 if start.kind == STICK else -int(start.side)), math.isfinite(errors.late)
+    place = errors.place + 2.0 * UNIT * abs(rough.Z)
+    spent = 2.0 * pair.r.high * errors.slide + 8.0 * UNIT * rough.spent + 1e-290
+    end = End(
+        mode,
+        rough.X,
+        V.high,
+        V.high,
+        rough.Z,
+        rough.w,
+        rough.spent,
+        at.x,
+        at.v,
+        at.v,
+        place,
+        errors.w,
+        spent,
+        worst,
+        certain,
+    )
+    return DoubleEnd(start.X, V, V, start.Z, start.w, start.spent, end)
