@@ -36,9 +36,7 @@ def value_and_slope(
 
 
 @kernel
-def root(
-    which: int, of: Oscillator, y: float, v: float, c: float, sign: float, lower: float, upper: float
-) -> float:
+def root(which: int, of: Oscillator, y: float, v: float, c: float, sign: float, lower: float, upper: float) -> float:
     """Return the root of a function that falls: Newton's method in a bracket (arithmetic/newton.py)."""
     x, previous = (lower + upper) / 2, upper - lower
     for _ in range(_MAX_STEPS):
@@ -108,40 +106,37 @@ def first_fall(of: Oscillator, y: float, v: float, c: float, level: bool, rising
     bound, steepest = speed_bound(of, y, v), 2 * of.decay + math.sqrt(of.stiffness)
     last = bound - c + 1
     calm = 1 - steepest * bound
-    if not rising:
-        if not math.isfinite(calm):
-            return math.nan, 0.0
-        if calm > 0.0:
-            return root(GUARD, of, y, v, c, 1.0, left, last), spared
+    if not rising and not calm <= 0.0:
+        return (root(GUARD, of, y, v, c, 1.0, left, last) if math.isfinite(calm) else math.nan), spared
     point = first_jerk_zero(of, y, v, last, level)
-    if math.isnan(point):
-        return math.nan, 0.0
     step = math.pi / of.frequency if of.regime > 0 else math.inf
-    for _ in range(_MAX_PIECES + 1):
+    for _ in range(0 if math.isnan(point) else _MAX_PIECES + 1):
         is_last = not last - point > 0
         right = last if is_last else point
         value, slope = value_and_slope(GUARD, of, y, v, c, 1.0, right)
-        if not math.isfinite(slope):
-            return math.nan, 0.0
         rises = slope >= 0.0
         if not (rose and rises):
-            lower, upper = left, right
-            if rose != rises:  # f' has one zero
-                turn = root(SLOPE, of, y, v, c, 1.0 if rose else -1.0, left, right)
-                if rose:
-                    lower = turn
-                else:
-                    upper = turn
-                    value = value_and_slope(GUARD, of, y, v, c, 1.0, turn)[0]
-            if not math.isfinite(value):
-                return math.nan, 0.0
-            if value < 0.0:
+            lower, upper, value = falling_part(of, y, v, c, left, rose, right, rises, value)
+            if value < 0.0 and math.isfinite(slope):
                 return root(GUARD, of, y, v, c, 1.0, lower, upper), spared
             spared = min(spared, value)
         elif slope <= _FLAT * (1.0 + steepest * bound):  # it may have come down next to here
             spared = min(spared, max(value, 0.0))
-        if is_last:
+        if is_last or not (math.isfinite(slope) and math.isfinite(value)):
             break
         point = point + step
         left, rose = right, rises
     return math.nan, 0.0
+
+
+@kernel
+def falling_part(
+    of: Oscillator, y: float, v: float, c: float, left: float, rose: bool, right: float, rises: bool, value: float
+) -> tuple[float, float, float]:
+    """Return the part of [left, right], on which f' is monotone, where f falls, and f at its end; value = f(right)."""
+    if rose == rises:
+        return left, right, value
+    turn = root(SLOPE, of, y, v, c, 1.0 if rose else -1.0, left, right)
+    if rose:
+        return turn, right, value
+    return left, turn, value_and_slope(GUARD, of, y, v, c, 1.0, turn)[0]

@@ -99,8 +99,12 @@ def first_jerk_zero(of: Oscillator, y: float, v: float, horizon: float, level: b
         pull = acceleration(of, y, v)
         jerk = 0.0 if level else acceleration(of, v, pull)
         return first_zero(of, jerk, acceleration(of, pull, jerk), horizon)
-    if level:
-        return math.inf
+    return math.inf if level else overdamped_jerk_zero(of, y, v, horizon)
+
+
+@kernel
+def overdamped_jerk_zero(of: Oscillator, y: float, v: float, horizon: float) -> float:
+    """Return first_jerk_zero from the two exponentials."""
     ratio = of.fast / of.slow
     slow_part, fast_part = v + of.fast * y, v + of.slow * y
     faded = ratio * ratio * ratio * fast_part * math.exp(-2 * of.frequency * horizon)
@@ -171,16 +175,16 @@ def rounding(of: Oscillator, y: float, v: float, t: float) -> tuple[float, float
 
 
 @kernel
-def rounding_of_integral(of: Oscillator, y: float, v: float, t: float) -> float:
-    """Return a bound on the error of integral_of_square."""
+def rounding_of_integral(of: Oscillator, y: float, v: float, v_size: float, t: float) -> float:
+    """Return a bound on the error of integral_of_square, where v itself is a sum of terms up to v_size in all."""
     d, k, n = of.decay, of.stiffness, of.frequency
     if in_exponentials(of):
-        c1, c2 = (abs(v) + of.fast * abs(y)) / (2.0 * n), (abs(v) + of.slow * abs(y)) / (2.0 * n)
+        c1, c2 = (v_size + of.fast * abs(y)) / (2.0 * n), (v_size + of.slow * abs(y)) / (2.0 * n)
         mixed = c1 * c1 * faded(2.0 * of.slow, t) + 2.0 * c1 * c2 * faded(of.slow + of.fast, t)
         return 40.0 * ULP * (mixed + c2 * c2 * faded(2.0 * of.fast, t))
     y_end, v_end = propagate(of, y, v, t)
-    y_error, v_error = rounding(of, y, v, t)
+    y_error, v_error = rounding(of, y, v_size, t)
     y_end, v_end = abs(y_end), abs(v_end)
-    by_rate = (8.0 * ULP * (v * v + k * y * y) + 2.0 * (v_end * v_error + k * y_end * y_error)) / (4.0 * d)
-    own = 8.0 * ULP * (abs(y * v) + d * y * y) + y_end * v_error + v_end * y_error + 2.0 * d * y_end * y_error
-    return (by_rate + own) / k
+    by_rate = 8.0 * ULP * (v_size * v_size + k * y * y) + 2.0 * (v_end * v_error + k * y_end * y_error)
+    own = 8.0 * ULP * (abs(y) * v_size + d * y * y) + y_end * v_error + v_end * y_error + 2.0 * d * y_end * y_error
+    return (by_rate / (4.0 * d) + own) / k
