@@ -63,8 +63,8 @@ from numerics.kernel.motion import (
     in_stick_at,
 )
 
-UNIT = 2.0**-104
-"""The rounding of one operation: sums, products, quotients, roots and sines are off by less than 1.5 of it."""
+UNIT = 2.0**-105
+"""The rounding of one operation: sums are off by less than 1, products, quotients, roots, sines by less than 3 of it."""
 _LONGEST, _SHORTEST = 1e14, 1e-60
 """Slip angles that double-double resolves: beyond them no phase is left, or the error of a fourth power is lost."""
 
