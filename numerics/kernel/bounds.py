@@ -211,7 +211,7 @@ def after_stick(
     offset_w = -linear.offset if same_edge else linear.offset
     reach_w = (linear.velocity if same_edge else -linear.velocity) + linear.excess / (2.0 * root)
     square = below * below + reach * reach
-    length = 2.0 * math.atan2(below, reach)
+    length = math.pi * below / math.sqrt(square)  # at least 2 atan2(below, reach), as reach > 0
     length_w = linear.length + 2.0 * (reach * offset_w - below * reach_w) / square
     own = reach * linear.own_offset + below * (linear.own_velocity + linear.own_w / (2.0 * root))
     late = linear.late + abs(length_w) * linear.w + 2.0 * own / square + 8.0 * unit * length

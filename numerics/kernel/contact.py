@@ -13,13 +13,14 @@ from __future__ import annotations
 import math
 
 from numerics.kernel.compilation import kernel
-from numerics.kernel.elementary import depth, horner, rise, sine_deficit, versine
+from numerics.kernel.elementary import depth, rise, sine_deficit, two_horners, versine
 
 TURN = 2.0 * math.pi
 _SMALL_STEP = 2.0**-19
 """Halley's steps shrink cubically: after one so much smaller than the angle the error is below its last bit."""
 _STEPS = 200
-_INVERSE_RISE = (0.0065409791, -0.030933036, 0.070592857, -0.11482952, 0.17257569, -0.29994229, 0.99999944)
+_INVERSE_RISE_EVEN = (0.0065409791, 0.070592857, 0.17257569, 0.99999944)
+_INVERSE_RISE_ODD = (-0.030933036, -0.11482952, -0.29994229)
 """theta/(3 u) as a polynomial in u^2 where h(theta) = u <= 1, fitted to 6e-7: the first guess on an exit ray."""
 
 
@@ -32,7 +33,7 @@ def contact(gap: float, push: float) -> tuple[float, float, float]:
     if push > 1.0:
         return late_contact(gap, push)
     if gap == 0.0:
-        guess = 3.0 * push * horner(_INVERSE_RISE, push * push)
+        guess = 3.0 * push * two_horners(_INVERSE_RISE_EVEN, _INVERSE_RISE_ODD, push * push)
         return early_contact(gap, push, guess, 2.0 * push, 3.3 * push)
     lower, upper = early_bracket(gap, push)
     # the root of (1/3 + d/6) theta^2 - u theta - 2 d, to which the equation tends for small angles
@@ -49,8 +50,8 @@ def early_contact(gap: float, push: float, guess: float, lower: float, upper: fl
     sine = cosine = slope = height = 0.0
     for _ in range(_STEPS):
         sine, cosine = math.sin(0.5 * theta), math.cos(0.5 * theta)
-        cotangent = cosine / sine
-        half_square = 0.5 / (sine * sine)
+        cosecant = 1.0 / sine
+        cotangent, half_square = cosine * cosecant, 0.5 * cosecant * cosecant
         height = rise(theta)
         slope = 1.0 - height * cotangent
         lead = push + (gap * cotangent - height)
@@ -61,7 +62,9 @@ def early_contact(gap: float, push: float, guess: float, lower: float, upper: fl
         first = gap * half_square + slope  # -lead'
         second = gap * half_square * cotangent - (height * half_square - slope * cotangent)
         shift = lead / first
-        shift = shift / (1.0 - 0.5 * shift * (second / first))
+        bend = 0.5 * shift * second / first
+        # 1/(1 - bend) next to the root, and a step that is still safe far from it
+        shift = shift * (1.0 + bend * (1.0 + bend)) if abs(bend) < 0.5 else shift
         if abs(shift) <= _SMALL_STEP * theta:
             break
         candidate = theta + shift
