@@ -1,4 +1,4 @@
-"""How many digits are right: read off the radii of balls, or off the error bounds that the float64 kernels carry."""
+"""How many digits are right: read off the radii of balls, or off the error bounds that the kernels carry."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.kernel.bounds import ULP
+from numerics.kernel.double_motion import UNIT
 from numerics.scaling import ReducedState
 from numerics.trajectory import Trajectory
 
@@ -58,7 +59,7 @@ def checked_values(trajectory: Trajectory) -> Iterator[tuple[Number, Number]]:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """Error bounds of a float64 trajectory in SI units: what rounding can have done, from each event's conditioning.
+    """Error bounds of a float64 or double-double trajectory in SI units: what rounding can have done at each event.
 
     `t` (k,) s and `y` (k, 4) at the events, `final` (4,), `energy` and `dissipated` (J) and `energy_excess` at the end.
     They are first-order bounds with slack, not proofs; `certain` says that no bound reaches as far as another sequence
@@ -81,34 +82,59 @@ class Accuracy:
         return self.certain and bool(np.all(np.isfinite(bounds)))
 
 
-def float64_accuracy(trajectory: Trajectory) -> Accuracy:
-    """Return the bounds of a float64 trajectory in SI units."""
+def kernel_accuracy(trajectory: Trajectory) -> Accuracy:
+    """Return the bounds of a trajectory of the kernels in SI units; they are binary64, whatever its numbers are."""
     assert trajectory.bounds is not None
     frame, (events, end) = trajectory.frame, trajectory.bounds
-    position, speed = frame.length, frame.speed
-    values = np.array([(event.t, *event.y) for event in trajectory.events]).reshape(-1, 5)
+    (rounding, most), number = _rounding(trajectory), frame.arithmetic.to_float
+    rate, position, speed = number(frame.rate), number(frame.length), number(frame.speed)
+    values = np.array([(event.t, *event.y) for event in trajectory.events], dtype=float).reshape(-1, 5)
     late, x, v, place = np.asarray(events).T
-    reduced = np.stack([late / frame.rate, position * x, speed * v, position * (x + place), speed * v], axis=1)
-    errors = reduced + 8 * ULP * abs(values)
-    final = np.array(frame.si_state(trajectory.final))
+    reduced = np.stack([late / rate, position * x, speed * v, position * (x + place), speed * v], axis=1)
+    errors = reduced + 8 * rounding * abs(values)
+    with frame.arithmetic.context():
+        final = np.array(frame.si_state(trajectory.final), dtype=float)
+        energy, unit = number(frame.energy(trajectory.final)), number(frame.critical_energy)
     reduced_end = (position * end.x_error, speed * end.v1_error, position * (end.x_error + end.place_error))
-    final_errors = np.array([*reduced_end, speed * end.v2_error]) + 8 * ULP * abs(final)
-    energy, unit = frame.energy(trajectory.final), frame.critical_energy
+    final_errors = np.array([*reduced_end, speed * end.v2_error]) + 8 * rounding * abs(final)
     # of E = E_cr (1 + w) the state forms the left side, and w stands beside it: both bound its error
-    energy_error = unit * end.w_error + 16 * ULP * (energy + unit * abs(end.w))
-    excess_error = end.w_error + 4 * ULP * abs(end.w)
+    energy_error = unit * end.w_error + 16 * rounding * (energy + unit * abs(end.w))
+    excess_error = end.w_error + 4 * rounding * abs(end.w)
     shown = np.concatenate([values.ravel(), final, [energy, end.w]])
     bounds = np.concatenate([errors.ravel(), final_errors, [energy_error, excess_error]])
-    digits = _right_digits(bounds, shown) if end.certain else 0
-    dissipated = unit * end.spent_error + 8 * ULP * unit * end.spent
+    digits = _right_digits(bounds, shown, most) if end.certain else 0
+    dissipated = unit * end.spent_error + 8 * rounding * unit * end.spent
     return Accuracy(
         errors[:, 0], errors[:, 1:], final_errors, energy_error, excess_error, dissipated, end.certain, digits
     )
 
 
-def _right_digits(errors: NDArray[np.float64], values: NDArray[np.float64]) -> int:
+def _rounding(trajectory: Trajectory) -> tuple[float, int]:
+    """Return the rounding of one operation of the kernels that gave a trajectory, and the most digits they can have."""
+    return (ULP, 17) if trajectory.arithmetic.name == "float64" else (UNIT, 31)
+
+
+def bounded_digits(trajectory: Trajectory) -> int:
+    """Return `Accuracy.digits` or less without making the events: from the worst of them, which the kernels keep."""
+    assert trajectory.bounds is not None
+    frame, end, (rounding, most) = trajectory.frame, trajectory.bounds.end, _rounding(trajectory)
+    if not end.certain:
+        return 0
+    with frame.arithmetic.context():
+        final, number = trajectory.final, frame.arithmetic.to_float
+        x2, ratio = number(final.X - final.Z), number(frame.energy_ratio(final.X, final.V1, final.V2))
+    errors = np.array(
+        [end.x_error, end.v1_error, end.x_error + end.place_error, end.v2_error, end.w_error, end.w_error]
+    )
+    values = np.array([end.X, end.V1, x2, end.V2, end.w, ratio])
+    rounded = np.array([8, 8, 8, 8, 4, 16]) * rounding * abs(values)
+    rounded[-1] += 16 * rounding * abs(end.w)
+    return _right_digits(np.append(errors + rounded, end.worst), np.append(values, 1.0), most)
+
+
+def _right_digits(errors: NDArray[np.float64], values: NDArray[np.float64], most: int) -> int:
     """Return how many digits of every value are right; an exact number has all, a 0 that is not exact none."""
     inexact = errors > 0
     with np.errstate(divide="ignore"):
-        worst = float(np.max(errors[inexact] / abs(values[inexact]), initial=10.0**-17))
+        worst = float(np.max(errors[inexact] / abs(values[inexact]), initial=10.0**-most))
     return max(0, math.floor(-math.log10(worst))) if worst < 1 else 0

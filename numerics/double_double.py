@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.arithmetic.double_double import DoubleDouble
+from numerics.arithmetic.double_double import DoubleDouble, exactly
+from numerics.deferred import Deferred
 from numerics.errors import OutOfRange
 from numerics.kernel.bounds import Errors, no_linear
 from numerics.kernel.compilation import compiled
-from numerics.kernel.double_double import ZERO, Double
+from numerics.kernel.double_double import ZERO, Double, subtract
 from numerics.kernel.double_motion import COLUMNS, UNIT, DoublePair, DoubleStart
-from numerics.kernel.double_packed import ANSWER, HORIZON, HOW, STATE, advance, answer, pack
+from numerics.kernel.double_packed import ANSWER, HORIZON, HOW, STATE, advance, answer, double_at, pack, start_of
 from numerics.kernel.motion import EVENT_LIMIT, FREE, OUT_OF_RANGE, RAY, ROWS_FULL, STICK, STUCK, SURFACE, Bounds, End
 from numerics.modes import event_kind
 from numerics.motion import Motion
@@ -90,52 +91,62 @@ def solve_double_double(
         return None
     if state[HOW] == OUT_OF_RANGE:
         return None
-    with frame.arithmetic.context():
-        return _trajectory(scene, frame, motion, np.concatenate(kept), state, end)
+    return _trajectory(_Run(scene, frame, motion, np.concatenate(kept), state), end)
 
 
-def _trajectory(
-    scene: Scene,
-    frame: Frame,
-    motion: Motion,
-    rows: NDArray[np.float64],
-    state: NDArray[np.float64],
-    end: NDArray[np.float64],
-) -> Trajectory:
-    arithmetic, how = DoubleDouble(), int(state[HOW])
-    columns = {name: arithmetic.numbers(rows[:, at], rows[:, at + 1]) for name, at in _HALVES.items()}
-    segments, events, start = [], [], arithmetic.number(0)
-    following = _motions(frame, scene.law, rows, columns)
-    for tau, length, then in zip(columns["tau"], columns["length"], following, strict=True):
-        segments.append(Segment(motion, start, tau, length))
-        kind, at = event_kind(motion.mode, then.mode), then.start
-        events.append(Event(frame.si_time(tau), kind, motion.mode, then.mode, frame.si_state(at), at))
-        motion, start = then, tau
-    status = {STUCK: Status.STUCK_FOR_EVER, EVENT_LIMIT: Status.EVENT_LIMIT}.get(how, Status.REACHED_HORIZON)
-    if status is not Status.EVENT_LIMIT:
-        horizon, rest = arithmetic.numbers(state[[HORIZON, 28]], state[[HORIZON + 1, 29]])
-        segments.append(Segment(motion, start, horizon, (horizon - start) - rest))
-    return Trajectory(scene, frame, tuple(segments), tuple(events), status, bounds=Bounds(rows[:, 19:23], _end(end)))
+class _Run:
+    """What a run wrote, turned into events, motions and segments one by one, where somebody asks for them."""
 
+    def __init__(
+        self, scene: Scene, frame: Frame, motion: Motion, rows: NDArray[np.float64], state: NDArray[np.float64]
+    ) -> None:
+        self.scene, self.frame, self.rows, self.state = scene, frame, rows, state
+        self.motions: dict[int, Motion] = {0: motion}
 
-def _motions(frame: Frame, law: Law, rows: NDArray[np.float64], columns: dict[str, list[Any]]) -> Iterator[Motion]:
-    """Yield the motion that each event starts, from its row."""
-    zero = frame.arithmetic.number(0)
-    names = ("X", "push", "Z", "w", "gap", "driven")
-    numbers = zip(*(columns[name] for name in names), strict=True)
-    for (kind, side), (X, push, Z, w, gap, driven) in zip(rows[:, 1:3].tolist(), numbers, strict=True):
+    def number(self, index: int, name: str) -> Any:
+        """Return a number of a row, exactly."""
+        at = _HALVES[name]
+        return exactly(*self.rows[index, at : at + 2].tolist())
+
+    def motion(self, index: int) -> Motion:
+        """Return a motion: the first, or the one that event index - 1 starts."""
+        if index not in self.motions:
+            with self.frame.arithmetic.context():
+                self.motions[index] = self._motion_after(index - 1)
+        return self.motions[index]
+
+    def _motion_after(self, index: int) -> Motion:
+        frame, law, (kind, side) = self.frame, self.scene.law, self.rows[index, 1:3].tolist()
+        X, push, Z, w, gap, driven = (self.number(index, name) for name in ("X", "push", "Z", "w", "gap", "driven"))
         if kind == STICK:
-            yield UndampedStick(frame, law, ReducedState(X, push, push, Z, w), int(side), gap)
-        elif kind == RAY:
-            yield UndampedSlip.from_exit_ray(frame, law, int(side), Z, w)
-        else:
-            V = side * frame.sqrt_q * driven
-            yield UndampedSlip(
-                frame, law, int(side), SlipFlow(frame.arithmetic, zero, gap, push), ReducedState(X, V, V, Z, w)
-            )
+            return UndampedStick(frame, law, ReducedState(X, push, push, Z, w), int(side), gap)
+        V = side * frame.sqrt_q * driven
+        flow, at = SlipFlow(frame.arithmetic, frame.arithmetic.number(0), gap, push), ReducedState(X, V, V, Z, w)
+        return UndampedSlip(frame, law, int(side), flow, at, from_ray=kind == RAY)
+
+    def segment(self, index: int) -> Segment:
+        """Return a segment; the last one, after all events, ends at the horizon."""
+        start = self.number(index - 1, "tau") if index else exactly(0.0, 0.0)
+        if index < len(self.rows):
+            return Segment(self.motion(index), start, self.number(index, "tau"), self.number(index, "length"))
+        horizon, rest = double_at(self.state, HORIZON), start_of(self.state).rest
+        length = subtract(subtract(horizon, start_of(self.state).tau), rest)
+        return Segment(self.motion(index), start, exactly(*horizon), exactly(*length))
+
+    def event(self, index: int) -> Event:
+        """Return an event."""
+        before, after = self.motion(index), self.motion(index + 1)
+        with self.frame.arithmetic.context():
+            t, y = self.frame.si_time(self.number(index, "tau")), self.frame.si_state(after.start)
+        return Event(t, event_kind(before.mode, after.mode), before.mode, after.mode, y, after.start)
 
 
-def _end(end: NDArray[np.float64]) -> End:
-    """Return the end of a run in binary64 with the bounds on its errors, from an answer of the kernels."""
+def _trajectory(run: _Run, end: NDArray[np.float64]) -> Trajectory:
+    """Return the trajectory of a run; `end` is an answer of the kernels."""
+    how, events = int(run.state[HOW]), len(run.rows)
+    status = {STUCK: Status.STUCK_FOR_EVER, EVENT_LIMIT: Status.EVENT_LIMIT}.get(how, Status.REACHED_HORIZON)
+    segments = Deferred(run.segment, events + (status is not Status.EVENT_LIMIT))
     mode, X, V1, V2, Z, w, spent = end[[0, 1, 3, 5, 7, 9, 11]].tolist()
-    return End(int(mode), X, V1, V2, Z, w, spent, *end[13:20].tolist(), bool(end[20]))
+    found = End._make((int(mode), X, V1, V2, Z, w, spent, *end[13:20].tolist(), bool(end[20])))
+    bounds = Bounds(run.rows[:, 19:23], found)
+    return Trajectory(run.scene, run.frame, segments, Deferred(run.event, events), status, bounds=bounds)

@@ -90,13 +90,13 @@ class Trajectory:
 
     scene: Scene
     frame: Frame
-    segments: tuple[Segment, ...]
-    events: tuple[Event, ...]
+    segments: Sequence[Segment]
+    events: Sequence[Event]
     status: Status
     digits: int | None = None
     """Right decimal digits of every event and of the final state, where they were asked for and reached."""
     bounds: Bounds | None = None
-    """What the float64 kernels say of their own rounding."""
+    """What the kernels of float64 and double-double say of their own rounding."""
     tried: str = ""
     """Why the arithmetic was chosen, where `solve` chose it."""
 
@@ -107,10 +107,10 @@ class Trajectory:
 
     @cached_property
     def accuracy(self) -> Accuracy | None:
-        """Return the error bounds of a float64 trajectory, None for the other arithmetics (balls carry their own)."""
-        from numerics.accuracy import float64_accuracy
+        """Return the error bounds of a float64 or double-double trajectory, else None (balls carry their own)."""
+        from numerics.accuracy import kernel_accuracy
 
-        return None if self.bounds is None else float64_accuracy(self)
+        return None if self.bounds is None else kernel_accuracy(self)
 
     @property
     def message(self) -> str:
@@ -153,7 +153,9 @@ class Trajectory:
 
     @cached_property
     def final(self) -> ReducedState:
-        """Return the reduced state at the end."""
+        """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
+        if not self.success and self.events:
+            return self.events[-1].reduced
         last = self.segments[-1]
         with self.arithmetic.context():
             return last.motion.state(last.length)
@@ -196,8 +198,9 @@ class Trajectory:
         """Return the energy ledger of the whole run."""
         with self.arithmetic.context():
             friction = viscous = self.arithmetic.number(0)
-            for segment in self.segments:
-                losses = segment.motion.losses(segment.length)
+            for index, segment in enumerate(self.segments):
+                ended = index < len(self.events)
+                losses = segment.motion.whole_losses() if ended else segment.motion.losses(segment.length)
                 friction, viscous = friction + losses[0], viscous + losses[1]
             unit = self.frame.critical_energy
             friction, viscous = unit * friction, unit * viscous

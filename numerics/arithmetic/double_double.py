@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import mpmath
-import numpy as np
 from mpmath.libmp import from_man_exp
-from numpy.typing import NDArray
 
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.errors import OutOfRange
@@ -35,16 +34,15 @@ class DoubleDouble(Multiprecision):
             )
         return two_sum(high, float(mpmath.fsub(x, high, exact=True)))
 
-    @staticmethod
-    def numbers(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[Any]:
-        """Return the numbers high + low, exactly."""
-        (high_digits, high_exponents), (low_digits, low_exponents) = _integers(high), _integers(low)
-        shifts, exponents = (high_exponents - low_exponents).tolist(), low_exponents.tolist()
-        pairs = zip(high_digits.tolist(), low_digits.tolist(), shifts, exponents, strict=True)
-        return [mpmath.mp.make_mpf(from_man_exp((above << shift) + below, at)) for above, below, shift, at in pairs]
+
+def exactly(high: float, low: float) -> Any:
+    """Return the mpmath number high + low, not rounded."""
+    (above, at_above), (below, at_below) = _integer(high), _integer(low)
+    lowest = min(at_above, at_below)
+    return mpmath.mp.make_mpf(from_man_exp((above << at_above - lowest) + (below << at_below - lowest), lowest))
 
 
-def _integers(x: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return integers n and k with x = n 2^k, the least possible k for a zero being that of the smallest numbers."""
-    mantissas, exponents = np.frexp(x)
-    return np.ldexp(mantissas, 53).astype(np.int64), np.where(x == 0, -2000, exponents - 53).astype(np.int64)
+def _integer(x: float) -> tuple[int, int]:
+    """Return integers n and k with x = n 2^k."""
+    mantissa, exponent = math.frexp(x)
+    return int(mantissa * 2.0**53), exponent - 53
