@@ -24,5 +24,8 @@ class Motion(Protocol):
     def losses(self, tau: Number) -> tuple[Number, Number]:
         """Return what friction and viscosity took from E/E_cr up to tau: 2 r int |V1-V2| and 4 zeta int V1^2."""
 
+    def whole_losses(self) -> tuple[Number, Number]:
+        """Return the losses of the motion from its start to its end."""
+
     def successor(self) -> Motion:
         """Return the motion that follows when this one ends. Raises EventUndecided."""

@@ -131,6 +131,11 @@ class UndampedSlip:
         frame = self.frame
         return 2 * frame.r * frame.q * self.flow.slid(tau / frame.sqrt_q), frame.arithmetic.number(0)
 
+    def whole_losses(self) -> tuple[Number, Number]:
+        """Return the losses up to the landing, which has K already."""
+        frame = self.frame
+        return 2 * frame.r * frame.q * self.landing.slid, frame.arithmetic.number(0)
+
     def successor(self) -> Motion:
         """Return the stick phase, or the slip of the other sign, that follows the first contact."""
         frame, side, (theta, gap, slid, w) = self.frame, self.side, self.landing
@@ -194,6 +199,10 @@ class UndampedStick:
         """Return (0, 0): stick conserves energy."""
         zero = self.frame.arithmetic.number(0)
         return zero, zero
+
+    def whole_losses(self) -> tuple[Number, Number]:
+        """Return (0, 0)."""
+        return self.losses(self.frame.arithmetic.number(0))
 
     def successor(self) -> Motion:
         """Return the slip that starts on the exit ray."""

@@ -80,6 +80,10 @@ class ViscousSlip:
         viscous = self.oscillator.integral_of_square(self._v, acceleration, tau)
         return 2 * frame.r * self._slid(y, tau), 2 * frame.two_zeta * viscous
 
+    def whole_losses(self) -> tuple[Number, Number]:
+        """Return the losses up to the contact."""
+        return self.losses(self._contact)
+
     def successor(self) -> Motion:
         """Return the stick phase, or the slip of the other sign, that follows the first contact."""
         frame, sign = self.frame, self.sign
@@ -148,6 +152,11 @@ class ViscousStick:
         acceleration = -(frame.two_zeta * V + self.start.X)
         viscous = self.oscillator.integral_of_square(V, acceleration, tau)
         return frame.arithmetic.number(0), 2 * frame.two_zeta * viscous
+
+    def whole_losses(self) -> tuple[Number, Number]:
+        """Return the losses up to the exit."""
+        assert self._exit is not None  # asked for only where the phase has ended
+        return self.losses(self._exit[0])
 
     def successor(self) -> Motion:
         """Return the slip that starts on the edge P = side, which X is snapped to exactly."""

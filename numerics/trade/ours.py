@@ -2,34 +2,107 @@
 
 from __future__ import annotations
 
-import importlib.util
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.batch import solve_many
+from numerics.binary64 import kernel_start, mode_of
 from numerics.comparison import as_fraction
+from numerics.comparisons.peer import Unsupported
+from numerics.kernel.compilation import can_compile, compiled
+from numerics.kernel.motion import COLUMNS, End
+from numerics.kernel.packed import ANSWER, STATE, run_one
+from numerics.modes import Mode, event_kind
+from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene
 from numerics.solve import ArithmeticName, solve
 from numerics.trade.outcome import Outcome, float_text, letters
 from numerics.trajectory import Trajectory
 
 DIGITS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
+COMPILED = "float64, compiled"
 _SPARE_DIGITS = 30
+_MOST_EVENTS = 10**7
 Solved = tuple[Trajectory, tuple[Any, ...], Any]
 """A trajectory with its final state and the energy it lost: all that is judged, computed while the clock runs."""
 
 
 def our_contenders() -> list[Any]:
-    """Return our methods: the compiled and the pure float64 path, mpmath, and balls."""
-    return [CompiledFloat(), PureFloat(), Digits("mpmath"), Digits("ball")]
+    """Return our methods, from the fastest to the most digits."""
+    return [Kernels(compiled=True), Kernels(compiled=False), FloatTrajectory(), Digits("mpmath"), Digits("ball")]
 
 
-class PureFloat:
-    """solve(scene, arithmetic="float64")."""
+class Kernels:
+    """The float64 kernels on one row of numbers, every event recorded: compiled by numba, or as plain Python.
 
-    label = name = "float64, pure Python"
+    The exact conversion of the scene comes before the clock, as a peer's preparation does.
+    """
+
+    use, knob, ours = "", "bits", True
+    settings: tuple[float, ...] = (53.0,)
+
+    def __init__(self, compiled: bool) -> None:
+        """Choose how the kernels run."""
+        self.compiled = compiled
+        self.label = self.name = COMPILED if compiled else "float64, pure Python"
+
+    def missing(self) -> str | None:
+        """Return what the compiled path needs."""
+        return "numba: pip install 'inertial-pair[compiled]'" if self.compiled and not can_compile() else None
+
+    def prepare(self, scene: Scene, setting: float) -> Callable[[], tuple[int, Arrays]]:  # noqa: ARG002
+        """Compile, count the events, and return the run that is timed."""
+        if scene.pair.a1 > 0:
+            raise Unsupported("these kernels are for a1 = 0")
+        frame, motion, start = kernel_start(scene)
+        run = compiled(run_one) if self.compiled else run_one
+        first, state, end = (self._row(row) for row in (start, np.empty(STATE), np.empty(ANSWER)))
+        count = run(first, state, _MOST_EVENTS, np.empty((0, len(COLUMNS))), end)
+        rows = np.empty((count + 1, len(COLUMNS)))
+        left = Arrays(frame, motion.mode, rows, end)
+        return lambda: (run(first, state, _MOST_EVENTS, rows, end), left)
+
+    def _row(self, row: Any) -> Any:
+        """Return a row for compiled code, or as a list: NumPy's floats would slow plain Python down."""
+        return row if self.compiled else row.tolist()
+
+    def outcome(self, run: tuple[int, Arrays]) -> Outcome:
+        """Return a run as text."""
+        count, left = run
+        frame, end = left.frame, dict(zip((*End._fields, "events", "how", "tau"), left.end, strict=True))
+        times = [float(tau) / frame.rate for tau in left.rows[:count, 2]]
+        modes = [mode_of(code) for code in left.rows[:count, 0]]
+        kinds = [event_kind(before, after) for before, after in zip([left.first_mode, *modes], modes, strict=False)]
+        at = ReducedState(*(float(end[name]) for name in ("X", "V1", "V2", "Z", "w")))
+        return Outcome(
+            kinds=letters(kinds),
+            times=times,
+            last_event=float_text(times[-1]) if times else None,
+            final=[float_text(value) for value in frame.si_state(at)],
+            dissipated=float_text(frame.critical_energy * float(end["spent"])),
+            steps=count,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Arrays:
+    """Where the kernels leave their answers, and what is needed to read them."""
+
+    frame: Frame
+    first_mode: Mode
+    rows: Any
+    end: Any
+
+
+class FloatTrajectory:
+    """solve(scene): from exact decimals to a Trajectory of Python objects, with its ledger."""
+
+    label = name = "float64, Trajectory"
     use, knob, ours = "", "bits", True
     settings: tuple[float, ...] = (53.0,)
 
@@ -44,30 +117,6 @@ class PureFloat:
     def outcome(self, run: Solved) -> Outcome:
         """Return a solve as text."""
         return solved_outcome(run)
-
-
-class CompiledFloat:
-    """The compiled float64 path of numerics/batch.py, where numba is installed."""
-
-    label = name = "float64, compiled"
-    use, knob, ours = "", "bits", True
-    settings: tuple[float, ...] = (53.0,)
-
-    def missing(self) -> str | None:
-        """Return what the compiled path needs, or that this version has none."""
-        if importlib.util.find_spec("numerics.batch") is None:
-            return "a compiled path, which this version does not have yet"
-        if importlib.util.find_spec("numba") is None:
-            return "numba: pip install 'inertial-pair[compiled]'"
-        return None
-
-    def prepare(self, scene: Scene, setting: float) -> Callable[[], Any]:
-        """Compile, and return the solve that is timed."""
-        raise NotImplementedError("numerics.batch is not joined to the trade yet")
-
-    def outcome(self, run: Any) -> Outcome:
-        """Return a solve as text."""
-        raise NotImplementedError("numerics.batch is not joined to the trade yet")
 
 
 class Digits:
@@ -134,9 +183,15 @@ def number_text(value: Any, digits: int) -> str:
 
 def compiled_contender() -> str:
     """Return the label of the contender whose events are set beside a compiled sine-cosine pair."""
-    return CompiledFloat.label
+    return COMPILED
 
 
-def batch_call(scene: Scene, size: int, cores: int) -> Callable[[], object] | None:  # noqa: ARG001
-    """Return a call that solves `size` copies of a scene in one batch on so many cores; None if there is no batch."""
-    return None
+def batch_call(scene: Scene, size: int, cores: int) -> Callable[[], object] | None:
+    """Return a call that solves `size` copies of a scene in one batch on so many cores; None without numba."""
+    if not can_compile():
+        return None
+    pair, at = scene.pair, scene.initial
+    m1, m2, a2, b = (float(one) for one in (pair.m1, pair.m2, pair.a2, pair.b))
+    x1, x2, v2, until = (float(one) for one in (at.x1, at.x2, at.v2, scene.until))
+    v1 = np.full(size, float(at.v1))
+    return lambda: solve_many(m1, m2, a2, b, x1=x1, v1=v1, x2=x2, v2=v2, until=until, jobs=cores)

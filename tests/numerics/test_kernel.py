@@ -95,7 +95,13 @@ def test_no_error_exceeds_its_bound(scene):
     assert honesty.worst <= 1
 
 
-def test_bounds_a_tenth_as_wide_are_found_out():
+def test_a_run_cut_off_ends_in_the_state_of_its_last_event():
+    cut = solve(PAPER, max_events=7)
+    assert cut.final == cut.events[-1].reduced
+    assert cut.y[:, -1].tolist() == list(cut.events[-1].y)
+
+
+def test_bounds_a_thousandth_as_wide_are_found_out():
     honesty = Honesty("planted")
 
     def overconfident(scene):
