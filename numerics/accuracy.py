@@ -86,7 +86,7 @@ def kernel_accuracy(trajectory: Trajectory) -> Accuracy:
     """Return the bounds of a trajectory of the kernels in SI units; they are binary64, whatever its numbers are."""
     assert trajectory.bounds is not None
     frame, (events, end) = trajectory.frame, trajectory.bounds
-    (rounding, most), number = _rounding(trajectory), frame.arithmetic.to_float
+    (rounding, most), number = rounding_of(trajectory), frame.arithmetic.to_float
     rate, position, speed = number(frame.rate), number(frame.length), number(frame.speed)
     values = np.array([(event.t, *event.y) for event in trajectory.events], dtype=float).reshape(-1, 5)
     late, x, v, place = np.asarray(events).T
@@ -109,7 +109,7 @@ def kernel_accuracy(trajectory: Trajectory) -> Accuracy:
     )
 
 
-def _rounding(trajectory: Trajectory) -> tuple[float, int]:
+def rounding_of(trajectory: Trajectory) -> tuple[float, int]:
     """Return the rounding of one operation of the kernels that gave a trajectory, and the most digits they can have."""
     return (ULP, 17) if trajectory.arithmetic.name == "float64" else (UNIT, 31)
 
@@ -117,7 +117,7 @@ def _rounding(trajectory: Trajectory) -> tuple[float, int]:
 def bounded_digits(trajectory: Trajectory) -> int:
     """Return `Accuracy.digits` or less without making the events: from the worst of them, which the kernels keep."""
     assert trajectory.bounds is not None
-    frame, end, (rounding, most) = trajectory.frame, trajectory.bounds.end, _rounding(trajectory)
+    frame, end, (rounding, most) = trajectory.frame, trajectory.bounds.end, rounding_of(trajectory)
     if not end.certain:
         return 0
     with frame.arithmetic.context():

@@ -65,8 +65,8 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
             return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
     if options.plot is not None and options.plot.suffix not in plot.FORMATS:
         return f"--plot {options.plot.name}: the name must end in one of {', '.join(plot.FORMATS)}"
-    if options.arithmetic == "float64" and options.digits is not None:
-        return "--digits goes with ball or mpmath; float64 prints the digits it has right"
+    if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
+        return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
     if options.sensitivity and (options.csv or options.plot is not None):
         return "--sensitivity goes with --json, --npz or the table; leave --csv or --plot out"
     return None
@@ -137,7 +137,8 @@ def explanation(trajectory: Trajectory) -> str:
         why = f"after {located} events the pair sticks for ever: a later horizon costs nothing more"
     else:
         why = f"{located} events located one by one, as all of them were asked for (`energy` jumps over them)"
-    return f"{arithmetic.name} with {arithmetic.digits} working digits; {why}"
+    tried = f" ({trajectory.tried})" if trajectory.tried else ""
+    return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}"
 
 
 def tell_energy(options: argparse.Namespace) -> int:

@@ -15,6 +15,7 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
+from numerics.accuracy import rounding_of
 from numerics.arithmetic.protocol import Number
 from numerics.comparison import as_fraction, distance, require_same_sequence
 from numerics.rendering import ball_text, right_digits_text
@@ -86,12 +87,13 @@ def _point_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Writte
     events = [dict(zip(("t", *STATE_NAMES), (t, *y), strict=True)) for t, y in zip(accuracy.t, accuracy.y, strict=True)]
     final = (0.0, *accuracy.final, accuracy.energy, accuracy.energy_excess)
     rows = [*events, dict(zip(("t", *STATE_NAMES, "energy", "energy_excess"), final, strict=True))]
+    rounding, most = rounding_of(trajectory)
 
     def write(name: str, value: Number, index: int) -> Written:
         if index < 0 and name == "t":
             error = 0.0 if trajectory.success else float(accuracy.t[-1])
-            return {name: right_digits_text(as_fraction(value), arb(error + abs(float(value)) * 2.0**-51), 17)}
-        return {name: right_digits_text(as_fraction(value), arb(float(rows[index][name])), 17)}
+            return {name: right_digits_text(as_fraction(value), arb(error + abs(float(value)) * 4 * rounding), most)}
+        return {name: right_digits_text(as_fraction(value), arb(float(rows[index][name])), most)}
 
     return write
 

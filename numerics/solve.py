@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Literal
 
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.double_double import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic, decide_sign
 from numerics.binary64 import solve_binary64
+from numerics.double_double import solve_double_double
 from numerics.errors import EventUndecided, OutOfRange, PrecisionExhausted
+from numerics.kernel.compilation import can_compile
 from numerics.modes import event_kind
 from numerics.motion import Motion
 from numerics.scaling import Frame
@@ -19,10 +23,15 @@ from numerics.scene import Scene
 from numerics.start import initial_motion
 from numerics.trajectory import Event, Segment, Status, Trajectory
 
-ArithmeticName = Literal["float64", "mpmath", "ball"]
+ArithmeticName = Literal["float64", "double-double", "mpmath", "ball"]
 MAX_EVENTS = 250_000
 MAX_DIGITS = 20_000
 _GUARD_DIGITS = 12
+_IN_FLOAT64 = 15
+_WITHIN_DOUBLE_DOUBLE = 37
+"""Digits asked for and digits to spare, up to which double-double is worth a try: it has 16 more than float64."""
+_MANY_EVENTS = 20_000
+"""So many events cost balls more than the second that numba takes to come."""
 
 
 def solve(
@@ -37,9 +46,10 @@ def solve(
     """Solve a scene and return its Trajectory.
 
     With `digits` = N and no arithmetic, the cheapest one that delivers N right digits of every event time and state and
-    of the final state: float64, if its own error bounds (Trajectory.accuracy) leave so many, else balls, with the
-    working precision raised until the digits are proved. `tried` says what was chosen and why. Without `digits`,
-    float64; mpmath works with `digits` or 30. `progress(events, fraction)` is called now and then.
+    of the final state: float64, if its own error bounds (Trajectory.accuracy) leave so many; else double-double, if
+    its bounds do and numba has compiled it (for a1 = 0; 31 digits, about 5 of them lost); else balls, with the working
+    precision raised until the digits are proved. `tried` says what was chosen and why. Without `digits`, float64;
+    mpmath works with `digits` or 30. `progress(events, fraction)` is called now and then.
 
     Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
     reached), OutOfRange (a number does not fit float64), ValueError (bad arguments).
@@ -53,13 +63,19 @@ def solve(
         if digits is not None:
             raise ValueError("float64 works with 53 bits; leave digits out, or leave the choice of arithmetic out")
         return _solve_in_float64(scene, max_events, progress)
+    if arithmetic == "double-double":
+        if digits is not None:
+            raise ValueError(
+                "double-double works with 31 digits; leave digits out, or leave the choice of arithmetic out"
+            )
+        return _solve_in_double_double(scene, max_events, progress)
     if arithmetic == "mpmath":
         working = (digits or 30) + _GUARD_DIGITS
         _require_within_cap(working, digits or 30, max_digits)
         return integrate(scene, Multiprecision(working), max_events, progress)
     if arithmetic == "ball":
         return _solve_to_digits(scene, digits or 15, _GUARD_DIGITS, max_events, max_digits, progress)
-    raise ValueError(f"arithmetic = {arithmetic!r} is not one of float64, mpmath, ball")
+    raise ValueError(f"arithmetic = {arithmetic!r} is not one of float64, double-double, mpmath, ball")
 
 
 def _solve_in_float64(scene: Scene, max_events: int, progress: Callable[[int, float], None] | None) -> Trajectory:
@@ -68,30 +84,56 @@ def _solve_in_float64(scene: Scene, max_events: int, progress: Callable[[int, fl
     return found or integrate(scene, Float64(), max_events, progress)
 
 
+def _solve_in_double_double(scene: Scene, max_events: int, progress: Callable[[int, float], None] | None) -> Trajectory:
+    """Solve a scene by the kernels; the general loop has the same digits for a1 > 0 and beyond the kernels' range."""
+    found = solve_double_double(scene, max_events, progress) if scene.pair.a1 == 0 else None
+    return found or integrate(scene, DoubleDouble(), max_events, progress)
+
+
 def _solve_cheaply(
     scene: Scene, digits: int, max_events: int, max_digits: int, progress: Callable[[int, float], None] | None
 ) -> Trajectory:
-    """Return a float64 trajectory if its error bounds leave enough digits, else a proved one in balls.
+    """Return a trajectory in float64, or double-double, if its error bounds leave enough digits, else a proved one.
 
-    What float64 has lost of its 16 digits is also what the balls will lose: it sets their first precision.
+    What one of them has lost of its digits is also what the next will lose.
     """
-    try:
-        floats = _solve_in_float64(scene, max_events, progress)
-        accuracy = floats.accuracy
-    except (OutOfRange, ArithmeticError) as error:
-        accuracy, why = None, f"float64 cannot: {error}"
-    else:
-        why = "float64 has no error bounds here"
-    guard = _GUARD_DIGITS
-    if accuracy is not None and not accuracy.certain:
-        why = "float64 leaves the sequence of events open"
-    elif accuracy is not None:
-        why = f"float64 has {accuracy.digits} right digits by its error bounds"
-        if accuracy.digits >= digits:
-            return replace(floats, digits=digits, tried=why)
-        guard = 20 - accuracy.digits
+    tried, guard, events = [], _GUARD_DIGITS, 0
+    numba_is_here = can_compile() and "numba" in sys.modules
+    if digits <= _IN_FLOAT64 or not numba_is_here:
+        floats, reached, why = _attempt(_solve_in_float64, scene, max_events, progress)
+        tried.append(f"float64 {why}")
+        if floats is not None and reached >= digits:
+            return replace(floats, digits=digits, tried=tried[0])
+        events = 0 if floats is None else len(floats.events)
+        guard = 20 - reached if reached else guard
+    # in plain Python double-double is slower than balls
+    fast = numba_is_here or (can_compile() and events > _MANY_EVENTS)
+    if fast and scene.pair.a1 == 0 and digits + guard <= _WITHIN_DOUBLE_DOUBLE:
+        doubles, reached, why = _attempt(_solve_in_double_double, scene, max_events, progress)
+        tried.append(f"double-double {why}")
+        if doubles is not None and reached >= digits:
+            return replace(doubles, digits=digits, tried="; ".join(tried))
+        guard = 36 - reached if reached else guard
     balls = _solve_to_digits(scene, digits, guard, max_events, max_digits, progress)
-    return replace(balls, tried=f"{why}, {digits} are asked for")
+    return replace(balls, tried="; ".join([*tried, f"{digits} are asked for"]))
+
+
+def _attempt(
+    method: Callable[..., Trajectory], scene: Scene, max_events: int, progress: Callable[[int, float], None] | None
+) -> tuple[Trajectory | None, int, str]:
+    """Return a trajectory of a method that bounds its errors, the digits that they leave, and words on both."""
+    from numerics.accuracy import bounded_digits, kernel_accuracy
+
+    try:
+        found = method(scene, max_events, progress)
+    except (EventUndecided, OutOfRange, ArithmeticError) as error:
+        return None, 0, f"cannot: {error}"
+    if found.bounds is None:
+        return found, 0, "has no error bounds here"
+    if not found.bounds.end.certain:
+        return found, 0, "leaves the sequence of events open"
+    reached = bounded_digits(found) if isinstance(found.arithmetic, DoubleDouble) else kernel_accuracy(found).digits
+    return found, reached, f"has {reached} right digits by its error bounds"
 
 
 def _require_within_cap(working: int, digits: int, max_digits: int) -> None:
