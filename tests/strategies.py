@@ -118,3 +118,14 @@ def long_slips(draw, damped: bool | None = False, turns: tuple[int, int] = (0, 3
     slow = scaled_speed(pair, draw(signed(decimals(-1, 1))))
     lasts = abs(fast) * pair.m2 / pair.b
     return Scene(pair, State(draw(signed(decimals(-1, 1))) * pair.half_width, slow, 0, fast), until=2 * lasts + 1)
+
+
+@st.composite
+def viscous_scenes(draw) -> Scene:
+    """Scenes with a1 > 0 for the kernels: every damping regime, starts on S, long slips, next to E_cr, both laws."""
+    kind = draw(st.sampled_from(["any", "any", "law", "long", "near"]))
+    if kind == "long":
+        return draw(long_slips(damped=True))
+    if kind == "near":
+        return draw(near_critical(exponents=(1, 14), pair=draw(pairs(damped=True))))
+    return draw(scenes(damped=True, law=Law.THREE_VALUED_SGN if kind == "law" else Law.FILIPPOV))

@@ -155,3 +155,24 @@ def stays(pair: ViscousPair, start: Start, errors: Errors) -> bool:
     extremum, _ = propagate(stick, load, rate, turning)
     x_own, v_own = rounding(stick, load, rate, turning)
     return abs(extremum) + load_error(stick, norm, turning) + x_own + v_own < 1.0
+
+
+@kernel
+def keeps_off(
+    pair: ViscousPair, start: Start, errors: Errors, at: Landing, tau: float, shift: float, side: float
+) -> bool:
+    """Return whether the guard has certainly not passed zero until tau (off by `shift`), where the state is `at`.
+
+    In stick `side` is the edge that the load heads for, and its distance from that edge is the guard.
+    """
+    if start.mode == 0:
+        x_own, v_own = rounding(pair.stick, start.X, start.V1, tau)
+        load = at.X + pair.two_zeta * at.V1
+        off = load_error(pair.stick, errors.norm, tau) + x_own + pair.two_zeta * v_own
+        return side * load < 1.0 - off - shift * abs(at.V1 - pair.two_zeta * load)
+    q, r, sign = pair.q, pair.r, float(start.mode)
+    x_own, v_own, driven_own = slip_rounding(pair, start, at, tau)
+    norm = errors.norm + x_own + math.sqrt(q) * v_own + math.sqrt(r) * driven_own
+    pull = acceleration(pair.slip, sign * at.X + r, sign * at.V1)
+    off = reach(q, r, norm) + shift * (1.0 + abs(pull))
+    return sign * (at.V1 - at.V2) > 2.0 * off and at.spared > 2.0 * off

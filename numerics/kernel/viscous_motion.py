@@ -15,7 +15,7 @@ from numerics.kernel.elementary import clock
 from numerics.kernel.motion import EVENT_LIMIT, MOVING, OUT_OF_RANGE, REACHED, ROWS_FULL, STUCK
 from numerics.kernel.viscous_bounds import Errors, lost
 from numerics.kernel.viscous_contact import LOAD, first_contact, root
-from numerics.kernel.viscous_errors import after_slip, after_stick, stays
+from numerics.kernel.viscous_errors import after_slip, after_stick, keeps_off, stays
 from numerics.kernel.viscous_oscillator import first_jerk_zero, integral_of_square, propagate
 from numerics.kernel.viscous_state import Landing, Start, ViscousPair
 
@@ -142,9 +142,24 @@ def run(
         if keep > 0:
             record(pair, rows, count, length, start, errors)
         count += 1
-    if not tau - horizon > errors.late + 4.0 * ULP * tau:
+    if math.isfinite(tau) and not ends_before(pair, start, errors, horizon, length, found):
         errors = lost()
     return (REACHED if math.isfinite(tau) else OUT_OF_RANGE), count, start, errors, worst
+
+
+@kernel
+def ends_before(pair: ViscousPair, start: Start, errors: Errors, horizon: float, length: float, found: float) -> bool:
+    """Return whether it is certain that the horizon comes before the next event, which was found after it."""
+    until, shift = (horizon - start.tau) - start.rest, 4.0 * ULP * horizon
+    here = flow(pair, start, until, found)
+    if keeps_off(pair, start, errors, here, until, shift, found):
+        return True
+    at, (tau, rest) = flow(pair, start, length, found), clock(start.tau, start.rest, length)
+    if start.mode == 0:
+        late = after_stick(pair, start, errors, at, leave(pair, at, tau, rest, found), length).late
+    else:
+        late = after_slip(pair, start, errors, at, land(pair, start, at, tau, rest), length).late
+    return length - until > late + shift
 
 
 @kernel
