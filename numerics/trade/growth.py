@@ -133,7 +133,15 @@ def along_batches(extent: Extent) -> Iterator[Growth]:
             if call is None:
                 return
             seconds = timed(call, budget=0.3).seconds
-            yield Growth("batch", "solve_many", float(size), None, seconds / size, f"{cores} cores", cores=cores)
+            yield Growth(
+                "batch",
+                "solve_many",
+                float(size),
+                None,
+                seconds / size,
+                "1 core" if cores == 1 else f"{cores} cores",
+                cores=cores,
+            )
 
 
 def growth(

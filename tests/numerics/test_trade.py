@@ -23,7 +23,7 @@ from numerics.trade.contender import all_contenders, labelled
 from numerics.trade.front import Point
 from numerics.trade.judge import judge
 from numerics.trade.measure import Limits, References, Status, measure, run
-from numerics.trade.ours import Digits, PureFloat, solved_outcome
+from numerics.trade.ours import Digits, FloatTrajectory, solved_outcome
 from numerics.trade.outcome import Outcome, float_text
 from numerics.trade.plan import SIZES, NoSuchContender, selected, settings, trade
 from numerics.trade.table import as_record, print_trade
@@ -34,9 +34,9 @@ SCENE = scenes.Benchmark("headline", "", load_scene(scenes.HEADLINE))
 
 PLANTED = """
 import os, time
-from numerics.trade.ours import PureFloat
+from numerics.trade.ours import FloatTrajectory
 
-class Planted(PureFloat):
+class Planted(FloatTrajectory):
     ours = False
     settings = (1.0, 2.0)
     def __init__(self, label, call):
@@ -89,7 +89,7 @@ def proved() -> Outcome:
 
 @pytest.fixture(scope="module")
 def floats() -> Outcome:
-    return solved_outcome(PureFloat().prepare(SCENE.scene, 53.0)())
+    return solved_outcome(FloatTrajectory().prepare(SCENE.scene, 53.0)())
 
 
 class TestJudge:
@@ -146,7 +146,7 @@ class TestJudge:
         rest = Scene(Pair(1, 1, 200, "0.5"), State(x1="0.001"), until=1)
         ball = reference.ReferenceBall()
         still = judge(
-            solved_outcome(PureFloat().prepare(rest, 53.0)()), ball.outcome(ball.prepare(rest, 40.0)()), 40, rest
+            solved_outcome(FloatTrajectory().prepare(rest, 53.0)()), ball.outcome(ball.prepare(rest, 40.0)()), 40, rest
         )
         assert still.right
         assert still.last_event is None
@@ -255,23 +255,23 @@ class TestScenes:
     def test_near_critical_scenes_have_the_excess_of_their_name(self, speed, excess):
         scene = scenes.near_critical(speed, excess).scene
         assert float(scene.energy_excess) == pytest.approx(float(excess), rel=2e-3)
-        kinds = solved_outcome(PureFloat().prepare(scene, 53.0)()).kinds
+        kinds = solved_outcome(FloatTrajectory().prepare(scene, 53.0)()).kinds
         assert kinds == "nx" * scenes.EXCURSIONS + "n"
 
     def test_no_event_falls_on_a_horizon(self):
         for one in scenes.benchmarks(20):
-            times = solved_outcome(PureFloat().prepare(one.scene, 53.0)()).times
+            times = solved_outcome(FloatTrajectory().prepare(one.scene, 53.0)()).times
             assert float(one.scene.until) - times[-1] > 1e-6
 
 
 class TestPlan:
     def test_only_selects_contenders_and_scenes(self):
-        everyone, some = [PureFloat(), Digits("ball"), Digits("mpmath")], scenes.benchmarks(5)
+        everyone, some = [FloatTrajectory(), Digits("ball"), Digits("mpmath")], scenes.benchmarks(5)
         kept, all_scenes = selected(everyone, some, ["BALL"])
         assert [one.label for one in kept] == ["ball"]
         assert all_scenes == some
         kept, few = selected(everyone, some, ["long", "float"])
-        assert [one.label for one in kept] == ["float64, pure Python"]
+        assert [one.label for one in kept] == ["float64, Trajectory"]
         assert [one.name for one in few] == ["long-5"]
         with pytest.raises(NoSuchContender, match="'wrong' fits no contender"):
             selected(everyone, some, ["wrong"])
@@ -305,14 +305,14 @@ class TestPlan:
 
 class TestCommand:
     def test_small_runs_end_to_end_and_names_what_is_missing(self, monkeypatch, capsys, tmp_path):
-        class Absent(PureFloat):
+        class Absent(FloatTrajectory):
             ours = False
             label = name = "absent tool"
 
             def missing(self):
                 return "a package that nobody has"
 
-        everyone = [PureFloat(), Digits("ball"), Absent()]
+        everyone = [FloatTrajectory(), Digits("ball"), Absent()]
         monkeypatch.setattr("numerics.trade.plan.all_contenders", lambda: everyone)
         figure = tmp_path / "trade.png"
         assert (
@@ -322,12 +322,12 @@ class TestCommand:
         record = json.loads(capsys.readouterr().out)
         assert record["left_out"] == [{"contender": "absent tool", "missing": "a package that nobody has"}]
         (row,) = record["runs"]
-        assert row["contender"] == "float64, pure Python"
+        assert row["contender"] == "float64, Trajectory"
         assert row["right"]
         assert row["log10_error"] < -13
         assert row["seconds"] > 0
         assert {one["axis"] for one in record["growth"]} >= {"events", "m1/m2"}
-        assert not any(one["note"] for one in record["growth"])
+        assert not any(one["note"] for one in record["growth"] if one["axis"] != "batch")
         assert set(record["machine"]) == {"processor", "cores", "system", "python", "packages"}
         assert sorted(path.name for path in tmp_path.iterdir()) == ["trade-growth.png", "trade.png"]
         assert main(["trade", "--size", "small", "--only", "absent", "b05"]) == 0
