@@ -35,11 +35,13 @@ def parser() -> argparse.ArgumentParser:
     )
     solve.set_defaults(run=commands.solve_scene)
     solve.add_argument("scene", metavar="SCENE", help="TOML file, or the short name of a shipped scene")
-    solve.add_argument("--digits", type=_positive, metavar="N", help="right digits wanted (default 15)")
+    solve.add_argument(
+        "--digits", type=_positive, metavar="N", help="right digits wanted; the cheapest arithmetic that has them"
+    )
     solve.add_argument(
         "--arithmetic",
         choices=["float64", "double-double", "mpmath", "ball"],
-        help="default: ball, which proves its digits; double-double has 31, and error bounds",
+        help="without --digits: ball, which proves 15; float64 and double-double bound their errors",
     )
     solve.add_argument(
         "--max-events", type=_positive, default=250_000, metavar="N", help="stop after N events (%(default)s)"

@@ -40,7 +40,7 @@ def solve_scene(options: argparse.Namespace) -> int:
     trajectory = solve(
         scene,
         digits=options.digits,
-        arithmetic=options.arithmetic or "ball",
+        arithmetic=options.arithmetic or (None if options.digits else "ball"),
         max_events=options.max_events,
         max_digits=options.max_digits,
         progress=_progress if sys.stderr.isatty() else None,
