@@ -78,7 +78,7 @@ class Honesty:
 
     def _ratios(self, floats: Trajectory, balls: Trajectory, accuracy: Accuracy) -> Iterator[float]:
         """Yield |error|/bound for every number."""
-        with balls.arithmetic.context():
+        with floats.arithmetic.context(), balls.arithmetic.context():
             for index, (one, two) in enumerate(zip(floats.events, balls.events, strict=True)):
                 bounds = (accuracy.t[index], *accuracy.y[index])
                 for value, truth, bound in zip((one.t, *one.y), (two.t, *two.y), bounds, strict=True):
