@@ -31,6 +31,7 @@ __all__ = [
     "pack",
     "run_all",
     "run_keeping",
+    "run_one",
 ]
 
 DAMPED_ANSWER = ANSWER + 2
@@ -115,9 +116,19 @@ def answer(s: Any, end: Any) -> None:
     if len(end) >= DAMPED_ANSWER:
         end[18], end[19] = found.damped, found.damped_error
     if how == OUT_OF_RANGE:
-        end[:14] = math.nan
-        end[18:] = math.nan
+        for column in range(len(end)):
+            end[column] = math.nan
     end[14], end[15], end[16], end[17] = 1.0 if at.certain and how != OUT_OF_RANGE else 0.0, s[EVENTS], how, tau
+
+
+@kernel
+def run_one(first: Any, s: Any, max_events: int, rows: Any, end: Any) -> int:
+    """Run the row `first` to its end in the row `s`, `rows` being long enough; return the number of events."""
+    for column in range(STATE):
+        s[column] = first[column]
+    count = advance(s, max_events, rows)
+    answer(s, end)
+    return count
 
 
 @kernel

@@ -14,7 +14,7 @@ from strategies import viscous_scenes
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.audit.draws import KINDS
-from numerics.binary64_viscous import viscous_start
+from numerics.binary64_viscous import solve_viscous, viscous_start
 from numerics.errors import NumericsError
 from numerics.kernel import viscous_packed as packed
 from numerics.kernel import viscous_prepare
@@ -86,6 +86,21 @@ def test_the_kernels_give_the_bits_of_the_generic_path(scene):
     if trajectory.success:
         assert tuple(trajectory.final) == tuple(answer[1:6])
         assert trajectory.final_mode.sign == answer[0]
+
+
+@given(viscous_scenes())
+@example(EXACTLY_CRITICAL[0])
+def test_the_trajectory_is_the_generic_one(scene):
+    try:
+        expected = integrate(scene, Float64(), EVENTS)
+        found = solve_viscous(scene, EVENTS)
+    except FAILURES:
+        return
+    assert found is not None
+    assert found.bounds is not None
+    assert (found.status, found.events, found.modes) == (expected.status, expected.events, expected.modes)
+    np.testing.assert_array_equal(found.t, expected.t)
+    np.testing.assert_array_equal(found.y, expected.y)
 
 
 @given(viscous_scenes())
