@@ -30,7 +30,7 @@ class Mode(Enum):
     @property
     def sign(self) -> int:
         """Return +1, -1 or 0, the sign of v1 - v2 in this mode."""
-        return {"slip+": 1, "slip-": -1, "stick": 0}[self.value]
+        return 0 if self is Mode.STICK else 1 if self is Mode.SLIP_PLUS else -1
 
 
 class EventKind(Enum):

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 
 from numerics.arithmetic.protocol import Arithmetic, Number, Sign, decide_sign
 from numerics.errors import EventUndecided, OutOfRange
+from numerics.kernel.first_contact import guard_root
 
 _SMALLEST_ANGLE = 1e-97
 """Its cube, the size of the guard there, still is a normal binary64 number with bits to spare."""
@@ -70,7 +71,15 @@ class SlipFlow:
         A minimum that is not proved to be above or below zero is a graze: EventUndecided.
         """
         lower, upper = self._bracket()
-        return self.arithmetic.root(self.guard, self.gap, lower, upper)
+        return self.arithmetic.root(self.guard, self.gap, lower, upper, self._guess(lower, upper))
+
+    def _guess(self, lower: Number, upper: Number) -> float | None:
+        """Return the root that binary64 finds in the bracket, None where it has no digits for it."""
+        number = self.arithmetic.to_float
+        variables = [number(one) for one in (self.guard_at_start, self.gap_at_start, self.push_at_start, lower, upper)]
+        if self.arithmetic.name != "ball" or not all(1e-9 < abs(one) < 1e4 for one in variables if one):
+            return None
+        return guard_root(*variables)
 
     def _bracket(self) -> tuple[Number, Number]:
         arithmetic, d, u = self.arithmetic, self.gap_at_start, self.push_at_start

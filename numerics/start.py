@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from numerics.modes import Mode, mode_at_start
 from numerics.motion import Motion
-from numerics.scaling import Frame
+from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene
 from numerics.slip_flow import SlipFlow
 from numerics.undamped import UndampedSlip, UndampedStick
@@ -26,12 +26,11 @@ def initial_motion(frame: Frame, scene: Scene) -> Motion:
     if mode is Mode.STICK:
         edge = -1 if X < 0 else 1
         return UndampedStick(frame, scene.law, start, edge, frame.arithmetic.number(edge * X - 1))
-    return _undamped_slip(frame, scene, mode.sign, X)
+    return _undamped_slip(frame, scene, mode.sign, X, start)
 
 
-def _undamped_slip(frame: Frame, scene: Scene, sign: int, X: Fraction) -> UndampedSlip:
+def _undamped_slip(frame: Frame, scene: Scene, sign: int, X: Fraction, start: ReducedState) -> UndampedSlip:
     arithmetic, pair, at, side = frame.arithmetic, scene.pair, scene.initial, -sign
-    start = frame.initial(scene)
     relative = arithmetic.number(sign * (at.v1 - at.v2) / pair.half_width) / frame.rate
     gap = (side * X - 1) * pair.mass / pair.m1
     push_squared = at.v1**2 * pair.mass**2 / (pair.half_width**2 * pair.a2 * pair.m1)

@@ -120,7 +120,14 @@ class Ball:
         """Return an enclosure of 2 - x cot(x/2) as 2 (sin - y cos)/sin at y = x/2."""
         return 2 * self.lag(x / 2) / (x / 2).sin()
 
-    def root(self, function: Callable[[arb], arb], slope: Callable[[arb], arb], lower: arb, upper: arb) -> arb:
+    def root(
+        self,
+        function: Callable[[arb], arb],
+        slope: Callable[[arb], arb],
+        lower: arb,
+        upper: arb,
+        guess: float | None = None,
+    ) -> arb:
         """Return an enclosure of the root, proved to exist and to be the only one between lower and upper.
 
         The function must be decreasing between lower and upper; its signs there are proved here, the root is
@@ -132,6 +139,11 @@ class Ball:
                 proved = self.sign(function(end)) is expected
             if not proved and self.sign(value := function(end)) is not expected:
                 raise EventUndecided("sign of the guard at an end of its bracket", self.text(value), self.digits)
+        if guess is not None and lower < guess < upper:
+            try:
+                return self._enclose(function, slope, self._refined(function, slope, arb(guess), 44), lower, upper)
+            except EventUndecided:
+                pass  # it was not as near as it should be
         try:
             return self._enclose(function, slope, self._approximate(function, slope, lower, upper), lower, upper)
         except EventUndecided:
@@ -151,7 +163,11 @@ class Ball:
         with _precision(start):
             # a tolerance below the rounding of these few bits would never be met
             x = _bracketed(function, slope, lower, upper, arb(2) ** max(-40 - far, 12 - start))
-        bits, enough = 36 + far, self.bits // 2 + 32 + far
+        return self._refined(function, slope, x, 36 + far, far)
+
+    def _refined(self, function: Any, slope: Any, x: arb, bits: int, far: int = 0) -> arb:
+        """Return an exact point near the root from one that has so many right bits, by Newton's method."""
+        enough = self.bits // 2 + 32 + far
         while bits < enough:
             bits = min(2 * bits, enough)
             with _precision(min(self.bits, bits + 32)):

@@ -26,13 +26,13 @@ class DoubleDouble(Multiprecision):
         super().__init__(31)
 
     def halves(self, x: Any) -> Double:
-        """Return a number as its binary64 number and that of the rest; raises OutOfRange."""
+        """Return a number as its binary64 number and that of the rest, in this context; raises OutOfRange."""
         high = float(x)
         if x != 0 and not SMALLEST < abs(high) < LARGEST:
             raise OutOfRange(
                 "a number of this scene is beyond the range of double-double (1e-130 to 1e100); use --arithmetic ball"
             )
-        return two_sum(high, float(mpmath.fsub(x, high, exact=True)))
+        return two_sum(high, float(x - high))
 
 
 def exactly(high: float, low: float) -> Any:

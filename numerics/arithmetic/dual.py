@@ -157,6 +157,7 @@ class Dual:
         slope: Callable[[DualNumber], DualNumber],
         lower: DualNumber,
         upper: DualNumber,
+        guess: float | None = None,
     ) -> DualNumber:
         """Return the root that the base finds; its derivatives follow from those of the function at a fixed argument.
 
@@ -164,7 +165,11 @@ class Dual:
         """
         with values_only():
             x = self.base.root(
-                lambda p: function(DualNumber(p)).value, lambda p: slope(DualNumber(p)).value, lower.value, upper.value
+                lambda p: function(DualNumber(p)).value,
+                lambda p: slope(DualNumber(p)).value,
+                lower.value,
+                upper.value,
+                guess,
             )
             steepness = slope(DualNumber(x)).value
         gradient = function(DualNumber(x)).gradient if Recording.on else None

@@ -90,7 +90,12 @@ class Float64:
     depth = staticmethod(elementary.depth)
 
     def root(
-        self, function: Callable[[float], float], slope: Callable[[float], float], lower: float, upper: float
+        self,
+        function: Callable[[float], float],
+        slope: Callable[[float], float],
+        lower: float,
+        upper: float,
+        guess: float | None = None,  # noqa: ARG002
     ) -> float:
         """Return the root of a decreasing function, bracketed throughout, to the last bits."""
         return bracketed_newton(function, slope, lower, upper, tolerance=2.0**-53)

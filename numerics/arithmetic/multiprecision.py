@@ -102,7 +102,14 @@ class Multiprecision:
         """Return 2 - x cot(x/2) as 2 (sin - y cos)/sin at y = x/2."""
         return 2 * self.lag(x / 2) / mpmath.sin(x / 2)
 
-    def root(self, function: Callable[[Any], Any], slope: Callable[[Any], Any], lower: Any, upper: Any) -> Any:
+    def root(
+        self,
+        function: Callable[[Any], Any],
+        slope: Callable[[Any], Any],
+        lower: Any,
+        upper: Any,
+        guess: float | None = None,  # noqa: ARG002
+    ) -> Any:
         """Return the root of a decreasing function, bracketed throughout."""
         return bracketed_newton(function, slope, lower, upper, tolerance=mpmath.ldexp(1, 1 - mpmath.mp.prec))
 

@@ -101,8 +101,12 @@ class Arithmetic(Protocol):
         slope: Callable[[Number], Number],
         lower: Number,
         upper: Number,
+        guess: float | None = None,
     ) -> Number:
-        """Return the root of a decreasing function between lower and upper, where it is > 0 and < 0."""
+        """Return the root of a decreasing function between lower and upper, where it is > 0 and < 0.
+
+        `guess` may be a binary64 number next to it: an arithmetic is free to start there, and to end elsewhere.
+        """
 
     def contact(self, gap: Number, push: Number) -> Contact:
         """Return the end of an undamped slip that starts on S with gap >= 0 and push (> 0 if the gap is 0).
@@ -129,6 +133,8 @@ class Arithmetic(Protocol):
 def decide_sign(arithmetic: Arithmetic, x: Number, question: str) -> int:
     """Return -1, 0 or +1, the proven sign of x; raises EventUndecided carrying the question otherwise."""
     sign = arithmetic.sign(x)
+    if sign is Sign.POSITIVE:
+        return 1
     if sign is Sign.UNDECIDED:
         raise EventUndecided(question, arithmetic.text(x), arithmetic.digits)
-    return int(sign.value)
+    return -1 if sign is Sign.NEGATIVE else 0
