@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -12,7 +13,7 @@ from numerics.arithmetic.double_double import DoubleDouble, exactly
 from numerics.deferred import Deferred
 from numerics.errors import OutOfRange
 from numerics.kernel.bounds import Errors, no_linear
-from numerics.kernel.compilation import compiled
+from numerics.kernel.compilation import can_compile, compiled
 from numerics.kernel.double_double import ZERO, Double, subtract
 from numerics.kernel.double_motion import COLUMNS, UNIT, DoublePair, DoubleStart
 from numerics.kernel.double_packed import ANSWER, HORIZON, HOW, STATE, advance, answer, double_at, pack, start_of
@@ -26,7 +27,7 @@ from numerics.start import initial_motion
 from numerics.trajectory import Event, Segment, Status, Trajectory
 from numerics.undamped import UndampedSlip, UndampedStick
 
-_ROWS = 4096
+_ROWS, _FIRST_ROWS = 4096, 256
 _HALVES = {name: index for index, name in enumerate(COLUMNS) if f"{name} low" in COLUMNS}
 
 
@@ -75,23 +76,36 @@ def solve_double_double(
         frame, motion, state = double_start(scene)
     except OutOfRange:
         return None
-    run, kept = compiled(advance), []
-    rows = np.empty((min(max_events + 1, _ROWS), len(COLUMNS)))
-    end = np.zeros(ANSWER)
-    try:
-        while True:
-            count = run(state, max_events, rows)
-            kept.append(rows[:count].copy())
-            if state[HOW] != ROWS_FULL:
-                break
-            if progress is not None:
-                progress(sum(map(len, kept)), kept[-1][-1, 3] / state[HORIZON])
-        compiled(answer)(state, end)
-    except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
-        return None
+    kept: list[NDArray[np.float64]] = []
+    while True:
+        # numba takes a second to come, so the first rows are left to Python unless it is here already
+        fast = can_compile() and (bool(kept) or "numba" in sys.modules)
+        rows = np.empty((min(max_events + 1, _ROWS if fast else _FIRST_ROWS), len(COLUMNS)))
+        try:
+            count = compiled(advance)(state, max_events, rows) if fast else _advance(state, max_events, rows)
+        except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
+            return None
+        kept.append(rows[:count])
+        if state[HOW] != ROWS_FULL:
+            break
+        if progress is not None:
+            progress(sum(map(len, kept)), kept[-1][-1, 3] / state[HORIZON])
     if state[HOW] == OUT_OF_RANGE:
         return None
-    return _trajectory(_Run(scene, frame, motion, np.concatenate(kept), state), end)
+    end = np.zeros(ANSWER)
+    if fast:
+        compiled(answer)(state, end)
+    else:
+        answer(state.tolist(), end)
+    return _trajectory(_Run(scene, frame, motion, np.concatenate(kept), state), end.tolist())
+
+
+def _advance(state: NDArray[np.float64], max_events: int, rows: NDArray[np.float64]) -> int:
+    """Advance a row by plain Python, on plain floats: NumPy's own are slower, and warn where those raise."""
+    plain = state.tolist()
+    count = advance(plain, max_events, rows)
+    state[:] = plain
+    return count
 
 
 class _Run:
@@ -141,12 +155,11 @@ class _Run:
         return Event(t, event_kind(before.mode, after.mode), before.mode, after.mode, y, after.start)
 
 
-def _trajectory(run: _Run, end: NDArray[np.float64]) -> Trajectory:
+def _trajectory(run: _Run, end: list[float]) -> Trajectory:
     """Return the trajectory of a run; `end` is an answer of the kernels."""
     how, events = int(run.state[HOW]), len(run.rows)
     status = {STUCK: Status.STUCK_FOR_EVER, EVENT_LIMIT: Status.EVENT_LIMIT}.get(how, Status.REACHED_HORIZON)
     segments = Deferred(run.segment, events + (status is not Status.EVENT_LIMIT))
-    mode, X, V1, V2, Z, w, spent = end[[0, 1, 3, 5, 7, 9, 11]].tolist()
-    found = End._make((int(mode), X, V1, V2, Z, w, spent, *end[13:20].tolist(), bool(end[20])))
+    found = End._make((int(end[0]), *end[1:13:2], *end[13:20], bool(end[20])))
     bounds = Bounds(run.rows[:, 19:23], found)
     return Trajectory(run.scene, run.frame, segments, Deferred(run.event, events), status, bounds=bounds)
