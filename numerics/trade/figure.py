@@ -3,30 +3,48 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from numerics.export import whole_file
 from numerics.trade.front import Point, best_front
 from numerics.trade.growth import Growth
 from numerics.trade.ours import compiled_contender
-from numerics.trade.plan import Trade
-from numerics.trade.scenes import Benchmark
 
-OUR_COLOURS = ("#b30000", "#e34a33", "#fc8d59", "#7f0000")
+OUR_COLOURS = ("#b30000", "#ef6548", "#fdae6b", "#e7298a", "#7f2704", "#ff2a1a")
 PEER_COLOURS = (
     "#08519c", "#3182bd", "#006d2c", "#31a354", "#54278f", "#756bb1", "#111111", "#737373", "#01665e", "#35978f",
     "#8c6d31", "#bd9e39", "#5254a3", "#9c9ede",
 )  # fmt: skip
 MARKERS = "osD^vP<>X*"
 AXES = {"digits": "digits", "events": "events", "m1/m2": "$m_1/m_2$", "batch": "scenes in a batch"}
-LEGEND = "right digits: of the worst of final state, last event and dissipated energy"
+LEGEND = "right digits: of the worst of final state,\nlast event and dissipated energy"
 _LINEAR_DIGITS = 20
 """Up to here right digits are drawn to a linear scale, beyond to a logarithmic one."""
 _TICKS = (0, 5, 10, 15, 30, 100, 1000, 10_000)
 
 
-def write_figures(trade: Trade, path: Path) -> None:
+class Drawable(Protocol):
+    """What is drawn: a Trade just measured, or a RecordedTrade."""
+
+    @property
+    def scenes(self) -> Sequence[Any]:
+        """Scenes with a `name`."""
+
+    @property
+    def contenders(self) -> Sequence[Any]:
+        """Contenders with a `label`."""
+
+    @property
+    def growth(self) -> Sequence[Growth]:
+        """All growth curves."""
+
+    def points(self, scene: Any, /) -> list[Point]:
+        """Return the points of one of the scenes."""
+
+
+def write_figures(trade: Drawable, path: Path) -> None:
     """Write the work-precision figure to `path`, and the growth beside it with "-growth" before the suffix."""
     figures = {path: draw_trade(trade)}
     if any(one.seconds_per_event for one in trade.growth):
@@ -36,39 +54,45 @@ def write_figures(trade: Trade, path: Path) -> None:
             figure.savefig(file, format=name.suffix[1:], dpi=150)
 
 
-def draw_trade(trade: Trade) -> Any:
-    """Return a matplotlib figure: a panel a scene, right digits upwards, time to the right.
+def draw_trade(trade: Drawable, columns: int = 4, panel_size: tuple[float, float] = (4.2, 3.4)) -> Any:
+    """Return a matplotlib figure: a panel a scene, right digits upwards, time to the right; sizes in inches.
 
     Filled: the event sequence is right; hollow: it is wrong. Ours in reds; the front as a black line.
     """
     from matplotlib.figure import Figure
 
     styles = _styles(trade)
-    columns = min(4, len(trade.scenes))
+    columns = min(columns, len(trade.scenes))
     rows = math.ceil(len(trade.scenes) / columns)
-    figure = Figure(figsize=(4.2 * columns, 3.4 * rows + 1.2), layout="constrained")
+    width, height = panel_size
+    below = 0 if len(trade.scenes) < rows * columns else 1.2  # the legend, if no panel is free for it
+    figure = Figure(figsize=(width * columns, height * rows + below), layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False).flatten().tolist()
     for scene, panel in zip(trade.scenes, panels, strict=False):
         _draw_scene(panel, trade, scene, styles)
-    _draw_legend(figure, styles, columns)
-    for panel in panels[len(trade.scenes) :]:
+    spare = panels[len(trade.scenes) :]
+    for panel in spare:
         panel.set_axis_off()
+    if spare:
+        _draw_legend(spare[0], styles, loc="center", ncols=2, frameon=False)
+    else:
+        _draw_legend(figure, styles, loc="outside lower center", ncols=2 * columns)
     return figure
 
 
-def _styles(trade: Trade) -> dict[str, dict[str, Any]]:
+def _styles(trade: Drawable) -> dict[str, dict[str, Any]]:
     """Return colour and marker of every contender that has a point."""
     names: dict[str, bool] = {}
     for scene in trade.scenes:
         names |= {one.contender: one.ours for one in trade.points(scene)}
     own, others = ([name for name, ours in names.items() if ours is wanted] for wanted in (True, False))
-    styles = {name: {"color": OUR_COLOURS[i % 4], "marker": MARKERS[i % 10], "ms": 7} for i, name in enumerate(own)}
+    styles = {name: {"color": OUR_COLOURS[i % 6], "marker": MARKERS[i % 10], "ms": 7} for i, name in enumerate(own)}
     for i, name in enumerate(others):
         styles[name] = {"color": PEER_COLOURS[i % len(PEER_COLOURS)], "marker": MARKERS[i % 10], "ms": 5}
     return styles
 
 
-def _draw_scene(panel: Any, trade: Trade, scene: Benchmark, styles: dict[str, dict[str, Any]]) -> None:
+def _draw_scene(panel: Any, trade: Drawable, scene: Any, styles: dict[str, dict[str, Any]]) -> None:
     from matplotlib.ticker import NullLocator
 
     candidates = trade.points(scene)
@@ -108,16 +132,16 @@ def _shown(one: Point) -> float:
     return max(-0.7, -one.error)
 
 
-def _draw_legend(figure: Any, styles: dict[str, dict[str, Any]], columns: int) -> None:
+def _draw_legend(place: Any, styles: dict[str, dict[str, Any]], **how: Any) -> None:
     from matplotlib.lines import Line2D
 
     signs = [Line2D([], [], linestyle="", label=name, **style) for name, style in styles.items()]
     signs.append(Line2D([], [], linestyle="", marker="o", mfc="none", color="gray", label="hollow: events wrong"))
     signs.append(Line2D([], [], color="black", lw=1, label="the front"))
-    figure.legend(handles=signs, loc="outside lower center", ncols=2 * columns, fontsize="small", title=LEGEND)
+    place.legend(handles=signs, fontsize="small", title=LEGEND, title_fontsize="small", **how)
 
 
-def draw_growth(trade: Trade) -> Any:
+def draw_growth(trade: Drawable, columns: int = 4, panel_size: tuple[float, float] = (4.4, 3.4)) -> Any:
     """Return a matplotlib figure: the time of one event (of one scene, for batches) along each axis, log-log."""
     from matplotlib.figure import Figure
 
@@ -125,13 +149,19 @@ def draw_growth(trade: Trade) -> Any:
     axes = [axis for axis in AXES if any(one.axis == axis for one in timed)]
     names = list(dict.fromkeys(one.contender for one in trade.growth))
     names.sort(key=[*(one.label for one in trade.contenders), *names].index)
-    figure = Figure(figsize=(4.4 * len(axes), 4), layout="constrained")
+    columns = min(columns, len(axes))
+    rows = math.ceil(len(axes) / columns)
+    figure = Figure(figsize=(panel_size[0] * columns, panel_size[1] * rows + 0.6), layout="constrained")
     drawn: dict[str, Any] = {}
-    for axis, panel in zip(axes, figure.subplots(1, len(axes), squeeze=False).flatten(), strict=True):
+    panels = figure.subplots(rows, columns, squeeze=False).flatten().tolist()
+    for panel in panels[len(axes) :]:
+        panel.set_axis_off()
+    for axis, panel in zip(axes, panels, strict=False):
         drawn |= _draw_axis(panel, [one for one in timed if one.axis == axis], names)
         unit = "s for each scene" if axis == "batch" else "s for each event"
         panel.set(xlabel=AXES[axis], ylabel=unit)
-    figure.legend(drawn.values(), drawn.keys(), loc="outside lower center", ncols=6, fontsize="small", frameon=False)
+    below = {"loc": "outside lower center", "ncols": columns + 1, "fontsize": "small", "frameon": False}
+    figure.legend(drawn.values(), drawn.keys(), **below)
     return figure
 
 
@@ -143,7 +173,7 @@ def _draw_axis(panel: Any, growth: list[Growth], names: list[str]) -> dict[str, 
     for name, cores in sorted({(one.contender, one.cores) for one in growth}):
         curve = [one for one in growth if (one.contender, one.cores) == (name, cores)]
         index, called = names.index(name), name if cores == 1 else f"{name}, {cores} cores"
-        style = {"color": OUR_COLOURS[index % 4], "marker": MARKERS[index % 10], "ms": 5}
+        style = {"color": OUR_COLOURS[index % 6], "marker": MARKERS[index % 10], "ms": 5}
         at = ([one.x for one in curve], [one.seconds_per_event for one in curve])
         (drawn[called],) = panel.plot(*at, "-" if cores == 1 else "--", **style)
     for name, dots in (("ball", ":"), (compiled_contender(), "-.")):

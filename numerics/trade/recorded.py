@@ -1,0 +1,153 @@
+"""A trade that was measured before, as the report and the notebook read it: what they say must not depend on the hour.
+
+The one that is shipped was made, on an idle machine with the extra `comparisons`, by
+
+    python -m numerics trade --size default --json > numerics/trade/recorded.json
+
+and any other output of `python -m numerics trade --json` can take its place.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any
+
+from numerics.errors import NumericsError
+from numerics.trade.front import Lead, Point, leads
+from numerics.trade.growth import Growth
+
+SHIPPED = Path(__file__).with_name("recorded.json")
+HOW_TO = "python -m numerics trade --json"
+
+
+class UnreadableTrade(NumericsError):
+    """A file that holds no trade; the message says what is wrong with it and how to make one."""
+
+
+@dataclass(frozen=True)
+class RecordedScene:
+    """A scene by its name, and why it was measured."""
+
+    name: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Participant:
+    """Who took part, and whether it is ours."""
+
+    label: str
+    ours: bool
+
+
+@dataclass(frozen=True)
+class RecordedRun:
+    """One contender at one setting on one scene."""
+
+    contender: str
+    ours: bool
+    scene: str
+    knob: str
+    setting: float
+    status: str
+    note: str
+    prepare_seconds: float | None
+    """building, compiling or loading, s"""
+    seconds: float | None
+    """the warm median, s"""
+    right: bool | None
+    """whether the event sequence is right; None without an outcome"""
+    difference: str | None
+    error: float | None
+    """log10 of the worst of final state, last event and dissipated energy; inf where it is no number"""
+
+
+@dataclass(frozen=True)
+class RecordedTrade:
+    """Everything that one run of the trade wrote down."""
+
+    size: str
+    machine: Mapping[str, Any]
+    left_out: Mapping[str, str]
+    """Contenders that were not installed, with what was missing."""
+    scenes: tuple[RecordedScene, ...]
+    runs: tuple[RecordedRun, ...]
+    growth: tuple[Growth, ...]
+
+    @property
+    def contenders(self) -> list[Participant]:
+        """Return who took part, in the order of the record."""
+        return list(dict.fromkeys(Participant(one.contender, one.ours) for one in self.runs))
+
+    def points(self, scene: RecordedScene) -> list[Point]:
+        """Return the measured points of one scene."""
+        return [
+            Point(one.contender, one.ours, one.setting, one.seconds, one.error, bool(one.right))
+            for one in self.runs
+            if one.scene == scene.name and one.seconds is not None and one.error is not None
+        ]
+
+    def leads(self, scene: RecordedScene) -> list[Lead]:
+        """Return our lead over every point of a peer whose event sequence is right."""
+        return [one for one in leads(self.points(scene)) if one.peer.right]
+
+
+def recorded(path: Path | None = None) -> RecordedTrade:
+    """Return the trade of a file, by default the shipped one. Raises UnreadableTrade."""
+    file = path or SHIPPED
+    try:
+        record = json.loads(file.read_text("utf-8"))
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is no text"
+        raise UnreadableTrade(f"{file.name} cannot be read: {reason}") from None
+    except json.JSONDecodeError as error:
+        raise UnreadableTrade(f"{file.name} is no JSON (line {error.lineno}); make one with `{HOW_TO}`") from None
+    try:
+        return _trade(record)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        what = f"{error} is missing" if isinstance(error, KeyError) else str(error)
+        raise UnreadableTrade(f"{file.name} is no output of `{HOW_TO}`: {what}") from None
+
+
+def _trade(record: dict[str, Any]) -> RecordedTrade:
+    machine = record["machine"]
+    for part in ("processor", "cores", "python", "packages"):
+        machine[part]
+    found = RecordedTrade(
+        size=record["size"],
+        machine=machine,
+        left_out={one["contender"]: one["missing"] for one in record["left_out"]},
+        scenes=tuple(RecordedScene(one["scene"], one["why"]) for one in record["scenes"]),
+        runs=tuple(_run(one) for one in record["runs"]),
+        growth=tuple(_growth(record["growth"])),
+    )
+    if not found.scenes or not found.runs:
+        raise ValueError("it has no scenes or no runs")
+    return found
+
+
+def _run(one: dict[str, Any]) -> RecordedRun:
+    seconds, error = one["seconds"], one.get("log10_error")
+    return RecordedRun(
+        contender=str(one["contender"]),
+        ours=bool(one["ours"]),
+        scene=str(one["scene"]),
+        knob=str(one["knob"]),
+        setting=float(one["setting"]),
+        status=str(one["status"]),
+        note=str(one["note"]),
+        prepare_seconds=None if one["prepare_seconds"] is None else float(one["prepare_seconds"]),
+        seconds=None if seconds is None else float(seconds),
+        right=one.get("right"),
+        difference=one.get("difference"),
+        error=None if error is None else float(error),
+    )
+
+
+def _growth(records: Iterable[dict[str, Any]]) -> Iterable[Growth]:
+    known = {field.name for field in fields(Growth)}
+    for one in records:
+        yield Growth(**{name: value for name, value in one.items() if name in known})
