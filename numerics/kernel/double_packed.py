@@ -124,6 +124,16 @@ def answer(s: Any, end: Any) -> None:
 
 
 @kernel
+def run_one(first: Any, s: Any, max_events: int, rows: Any, end: Any) -> int:
+    """Run the row `first` to its end in the row `s`, `rows` being long enough; return the number of events."""
+    for column in range(STATE):
+        s[column] = first[column]
+    count = advance(s, max_events, rows)
+    answer(s, end)
+    return count
+
+
+@kernel
 def run_all(states: Any, max_events: int, answers: Any, nothing: Any) -> None:
     """Run every row of `states` to its end; `nothing` is an empty array of rows."""
     for index in range(len(states)):
