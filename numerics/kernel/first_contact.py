@@ -53,10 +53,10 @@ def first_contact(g: float, d: float, u: float, turns: bool) -> tuple[float, flo
     turn = 2 * math.pi
     minimum_at_zero = g + u - math.sqrt(excess) + (lean - phase)
     count = minimum_at_zero / turn
-    if not abs(count) < 1e15:
+    if not count < 1e15:
         return math.nan, 0.0
     least = 1 if phase - lean <= 0.0 else 0
-    index = max(least, math.ceil(count))
+    index = least if count <= 0.0 else max(least, math.ceil(count))
     minimum = phase - lean + turn * index
     maximum = minimum - turn + 2 * lean
     spared = turn * (count - (index - 1)) if index > least else math.inf

@@ -40,6 +40,7 @@ more = settings(max_examples=6 * settings().max_examples)
 @given(any_scene)
 @example(PAPER)
 @example(load_scene("figure-5b"))
+@example(Scene(Pair(Fraction(1, 10**7), 10**9, 1, 1), State(v2=-Fraction(1, 10**4)), 198))
 def test_the_kernels_give_the_bits_of_the_general_loop(scene):
     try:
         general = integrate(scene, Float64(), 40)
@@ -123,7 +124,7 @@ def test_a_graze_has_no_bound():
 
 
 def test_an_event_next_to_the_horizon_leaves_the_sequence_open():
-    first = solve(PAPER, digits=40).events[4].t
+    first = solve(PAPER, digits=40, arithmetic="ball").events[4].t
     for shift in (-1, 1):
         until = Fraction(str(first.mid().str(30, radius=False))) + Fraction(shift, 10**18)
         accuracy = solve(Scene(PAPER.pair, PAPER.initial, until)).accuracy
@@ -136,7 +137,7 @@ def test_digits_are_what_was_asked_for_by_the_cheapest_arithmetic():
     assert (few.arithmetic.name, few.digits) == ("float64", 8)
     assert few.accuracy.digits >= 8
     assert many.arithmetic.name != "float64"
-    assert many.tried.endswith("14 are asked for")
+    assert many.tried.startswith("float64 has ")
     with Ball(40).context():
         truth = integrate(PAPER, Ball(40))
         for one, two in zip(few.events, truth.events, strict=True):
@@ -151,6 +152,8 @@ def test_the_contact_is_a_root(gap, of_gap, push, of_push):
     if max(gap, abs(push)) < 1e-60:
         return
     theta, depth, versine = contact(gap, push)
+    if theta < 1e-97:  # its powers are no normal numbers; a run refuses it
+        return
     ball = Ball(200)
     with ball.context():
         truth = ball.contact(arb(gap), arb(push))
