@@ -45,12 +45,12 @@ SIZES = {
         digits={"mpmath": 100, "ball": 100},
         excursions=300,
         scenes=("figure-4b-b05", "near-critical-1e-6", "long"),
-        limits=Limits(prepare=15, run=1, budget=0.03),
-        long_run=1,
+        limits=Limits(prepare=30, run=0.5, budget=0.02),
+        long_run=0.5,
         extent=Extent((10, 100, 1000), (10, 100), (1, 100), (-12, 0, 12)),
     ),
     "default": Size(
-        settings=4,
+        settings=3,
         digits={"mpmath": 1000, "ball": 10_000},
         excursions=100_000,
         scenes=("",),
@@ -113,11 +113,13 @@ def trade(
     with Child() as child, Child() as prover:
         references = References(prover, size.reference_limit)
         for scene in scenes:
-            limits = replace(size.limits, run=size.long_run) if scene.name.startswith("long") else size.limits
             progress(f"{scene.name}: the proved reference")
             references.get(scene, POINT_DIGITS)
-            for contender in present:
-                progress(f"{scene.name}: {contender.label}")
+        for contender in present:
+            child.end()  # a new one for each, which then imports once for all scenes
+            for scene in scenes:
+                limits = replace(size.limits, run=size.long_run) if scene.name.startswith("long") else size.limits
+                progress(f"{contender.label}: {scene.name}")
                 found += measure(child, references, contender, scene, settings(contender, size), limits, source)
         grown = list(growth(child, references, present, size.extent, size.limits, progress, source))
         return Trade(size_name, machine(), scenes, present, left_out, found, references.as_records(), grown)
