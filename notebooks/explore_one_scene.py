@@ -76,7 +76,7 @@ fast.message
 
 # %%
 fine = solve(scene, arithmetic="mpmath", digits=30)
-proved = solve(scene, digits=50)
+proved = solve(scene, digits=50, arithmetic="ball")
 assert fast.modes == fine.modes == proved.modes
 adhesion = proved.event_kinds.index(EventKind.ENTRY)
 print("first adhesion (s)")
@@ -100,7 +100,7 @@ with proved.arithmetic.context():
 
 # %%
 for digits in (10, 50, 200):
-    event = as_record(solve(scene, digits=digits))["events"][adhesion]
+    event = as_record(solve(scene, digits=digits, arithmetic="ball"))["events"][adhesion]
     print(f"{digits} digits, radius {event['t_radius']} s")
     print(textwrap.indent(textwrap.fill(event["t"], 80), "    "))
 
@@ -162,7 +162,7 @@ rows = [
 ]
 head = "| float64, in J | $E(0)$ | $E(5)$ | friction | viscous | residual |\n|---|---|---|---|---|---|\n"
 display(Markdown(head + "\n".join(rows)))
-print(f"damped, in balls: residual {solve(damped, digits=15).ledger.residual} J")
+print(f"damped, in balls: residual {solve(damped, digits=15, arithmetic='ball').ledger.residual} J")
 
 # %% [markdown]
 # ## On the edge
@@ -175,7 +175,7 @@ wide = Pair(m1=1, m2=1, a2=200, b="0.5")
 on_edge, beyond = "0.005", "0.005000000000000000000001"
 print(f"the same binary64 number: {float(on_edge) == float(beyond)}\n")
 for position in (on_edge, beyond):
-    run = solve(Scene(wide, State(x1=position), until=1), digits=20)
+    run = solve(Scene(wide, State(x1=position), until=1), digits=20, arithmetic="ball")
     print(f"x1(0) = {position} m, w = {float(run.final.w):.3g}: {run.message}")
     print("    " + ", ".join(mode.value for mode in run.modes))
 
@@ -198,11 +198,11 @@ print("sticks (s):", ", ".join(f"{duration:.6g}" for duration in durations[1::2]
 # %%
 balanced = Scene(wide, State(x1="0.0025", v2="0.1"), until="0.2")
 try:
-    solve(balanced, digits=10, max_digits=200)
+    solve(balanced, digits=10, arithmetic="ball", max_digits=200)
 except EventUndecided as error:
     print(f"EventUndecided: {error}\n")
 print(f"float64: {len(solve(balanced).events)} event before the horizon")
-later = solve(Scene(wide, balanced.initial, until="0.21"), digits=10)
+later = solve(Scene(wide, balanced.initial, until="0.21"), digits=10, arithmetic="ball")
 print(f"balls, horizon at 0.21 s: {later.events[0].kind.value} at {later.events[0].t} s")
 
 # %% [markdown]
@@ -210,7 +210,7 @@ print(f"balls, horizon at 0.21 s: {later.events[0].kind.value} at {later.events[
 
 # %%
 try:
-    solve(scene, digits=50, max_digits=60)
+    solve(scene, digits=50, arithmetic="ball", max_digits=60)
 except PrecisionExhausted as error:
     print(f"PrecisionExhausted: {error}")
 
@@ -223,7 +223,7 @@ except PrecisionExhausted as error:
 # %%
 hair = Scene(wide, State(x1="-0.005", v1="5e-8", v2="5e-8"), until=20)
 print(f"w(0) = {hair.energy_excess}")
-near, enclosed = solve(hair), solve(hair, digits=30)
+near, enclosed = solve(hair), solve(hair, digits=30, arithmetic="ball")
 print(f"{len(near.events)} events in 20 s in float64, {len(enclosed.events)} proved")
 with enclosed.arithmetic.context():
     lost = enclosed.arithmetic.number(hair.energy_excess) - enclosed.final.w

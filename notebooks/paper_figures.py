@@ -48,7 +48,7 @@ print(f"force that sticking takes: {float(needed)} N, friction: b = {float(pair.
 # The start lies outside the sliding region: friction cannot hold the pair there, and it slips at once.
 
 # %%
-exact = solve(scene, digits=20)
+exact = solve(scene, digits=20, arithmetic="ball")
 print(", ".join(mode.value for mode in exact.modes[:5]), "...")
 print(f"first adhesion at t = {exact.events[0].t.str(15)} s")
 
@@ -58,7 +58,7 @@ print(f"first adhesion at t = {exact.events[0].t.str(15)} s")
 
 # %%
 literal = load_scene("figure-3a-literal")
-print(solve(literal, digits=20).message)
+print(solve(literal, digits=20, arithmetic="ball").message)
 for step in (1e-3, 1e-4):
     run = forward_euler(literal, step)
     stuck, growth = run.exact_contacts / len(run.t), run.energy[-1] / run.energy[0]
@@ -76,7 +76,7 @@ for step in (1e-3, 1e-4):
 FIGURES["figure-3b"]()
 
 # %%
-exact = solve(load_scene("figure-3b"), digits=20)
+exact = solve(load_scene("figure-3b"), digits=20, arithmetic="ball")
 print(", ".join(mode.value for mode in exact.modes[:8]), "...")
 entry, leaving = exact.events[1:3]
 print(f"first adhesion from {entry.t.str(12)} s to {leaving.t.str(12)} s")
@@ -86,7 +86,7 @@ print(f"first adhesion from {entry.t.str(12)} s to {leaving.t.str(12)} s")
 # the sliding region.
 
 # %%
-literal = solve(load_scene("figure-3b-literal"), digits=20)
+literal = solve(load_scene("figure-3b-literal"), digits=20, arithmetic="ball")
 contact = literal.events[0]
 print(f"contact at t = {contact.t.str(12)} s, x1 = {contact.y[0].str(12)} m")
 print(literal.message)
@@ -100,7 +100,7 @@ print(literal.message)
 FIGURES["figure-4a"]()
 
 # %%
-exact = solve(load_scene("figure-4a"), digits=20)
+exact = solve(load_scene("figure-4a"), digits=20, arithmetic="ball")
 adhesions = [
     f"| {begin.str(12, radius=False)} | {end.str(12, radius=False)} | {(end - begin).str(6, radius=False)} |"
     for mode, begin, end in zip(exact.modes, exact.t, exact.t[1:], strict=False)
@@ -131,7 +131,7 @@ FIGURES["figure-4b"]()
 
 # %%
 runs = {
-    f"$b={float(scene.pair.b):g}$": solve(scene, digits=25)
+    f"$b={float(scene.pair.b):g}$": solve(scene, digits=25, arithmetic="ball")
     for scene in map(load_scene, ("figure-4b-b005", "figure-4b-b02", "figure-4b-b05"))
 }
 rows = [
@@ -164,7 +164,7 @@ Markdown("| statement | checked by | found true |\n|---|---|---|\n" + "\n".join(
 FIGURES["figure-5a"]()
 
 # %%
-merging = solve(load_scene("figure-5a"), digits=20)
+merging = solve(load_scene("figure-5a"), digits=20, arithmetic="ball")
 print(", ".join(mode.value for mode in merging.modes))
 print(f"w after the slip: {merging.final.w.str(12)}; {merging.message}")
 
@@ -175,7 +175,7 @@ print(f"w after the slip: {merging.final.w.str(12)}; {merging.message}")
 FIGURES["figure-5b"]()
 
 # %%
-winding = solve(load_scene("figure-5b"), digits=20)
+winding = solve(load_scene("figure-5b"), digits=20, arithmetic="ball")
 points = ("A1", "B1", "A2", "C1", "B2", "D1", "A3")
 rows = [
     f"| {point} | {event.kind.value} | {event.t.str(8, radius=False)} | {event.y[0].str(8, radius=False)} "

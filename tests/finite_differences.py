@@ -77,7 +77,7 @@ def deviation(scene: Scene, base: Trajectory, name: str) -> Deviation:
     """
     scale = natural_scale(scene, name)
     sides = [STEP] if name == "a1" and not scene.pair.a1 else [STEP, -STEP]
-    neighbours = [(by, solve(moved(scene, name, by * scale), digits=DIGITS)) for by in sides]
+    neighbours = [(by, solve(moved(scene, name, by * scale), digits=DIGITS, arithmetic="ball")) for by in sides]
     same = [(by, one) for by, one in neighbours if one.modes == base.modes]
     compared = bool(same) or all(one.modes[1:] == base.modes for _, one in neighbours)
     events = len(base.events) if compared else 0
@@ -100,5 +100,5 @@ def ball(value: Fraction) -> arb:
 
 def deviations(scene: Scene) -> list[Deviation]:
     """All columns."""
-    base = solve(scene, digits=DIGITS)
+    base = solve(scene, digits=DIGITS, arithmetic="ball")
     return [deviation(scene, base, name) for name in WRT]

@@ -33,7 +33,9 @@ _KEPT = 5
 SOLVERS: dict[str, Solver] = {
     "float64": lambda scene: solve(scene, max_events=MAX_EVENTS),
     "mpmath": lambda scene: solve(scene, arithmetic="mpmath", max_events=MAX_EVENTS),
-    "ball": lambda scene: solve(scene, digits=BALL_DIGITS, max_events=MAX_EVENTS, max_digits=_MAX_DIGITS),
+    "ball": lambda scene: solve(
+        scene, digits=BALL_DIGITS, arithmetic="ball", max_events=MAX_EVENTS, max_digits=_MAX_DIGITS
+    ),
 }
 
 

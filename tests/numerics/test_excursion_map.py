@@ -67,7 +67,7 @@ def test_the_map_is_the_solver_from_ray_to_ray(eps, masses):
     pair = Pair(*masses, a2=sum(masses), b=1)  # Omega = 1
     width = pair.half_width
     scene = Scene(pair, State(x1=width, v1=eps * width, v2=eps * width), until=20)
-    run = solve(scene, digits=30)
+    run = solve(scene, digits=30, arithmetic="ball")
     with run.arithmetic.context():
         mapped = list(islice(excursions(run.frame, run.arithmetic.number(scene.energy_excess)), 6))
         exits = [event for event in run.events if event.kind is EventKind.EXIT]

@@ -33,7 +33,7 @@ def relative_errors(points, balls):
 @pytest.mark.parametrize("name", list(PAPER))
 def test_one_parameter_far_away(name, exponent):
     scene = Scene(Pair(**(PAPER | {name: f"1e{exponent}"})), PUSHED, until=5)
-    balls = solve(scene, digits=50, max_events=12)
+    balls = solve(scene, digits=50, arithmetic="ball", max_events=12)
     points = solve(scene, arithmetic="mpmath", digits=60, max_events=12)
     require_same_sequence(points, balls)
     with balls.arithmetic.context():
@@ -52,7 +52,7 @@ def test_just_above_the_critical_energy(exponent, at_rest):
     tiny = Fraction(1, 10**exponent)
     state = State(x1=Fraction(1, 200) + tiny) if at_rest else State(x1="0.005", v1=tiny, v2=tiny)
     scene = Scene(Pair(**PAPER), state, until=3)
-    balls = solve(scene, digits=50)
+    balls = solve(scene, digits=50, arithmetic="ball")
     assert balls.event_kinds == (EventKind.ENTRY, *(EventKind.EXIT, EventKind.ENTRY) * 9)
     excess = [event.reduced.w for event in balls.events if event.kind is EventKind.EXIT]
     with balls.arithmetic.context():
@@ -77,7 +77,7 @@ def test_near_critical_excess_keeps_its_digits_in_float64(scene):
     except OutOfRange:
         assert scene.energy_excess < Fraction(1, 10**180)
         return
-    balls = solve(scene, digits=20)
+    balls = solve(scene, digits=20, arithmetic="ball")
     require_same_sequence(floats, balls)
     with balls.arithmetic.context():
         assert max(relative_errors(floats, balls)) < 1e-11
@@ -86,7 +86,7 @@ def test_near_critical_excess_keeps_its_digits_in_float64(scene):
 def test_the_excess_is_right_after_many_crossings():
     # w starts at 45 000: carried by subtraction it would keep the rounding of that number
     scene = Scene(Pair(1, 1, 200, "0.005"), PUSHED, until=100)
-    balls = solve(scene, digits=20, max_events=220)
+    balls = solve(scene, digits=20, arithmetic="ball", max_events=220)
     floats = solve(scene, max_events=220)
     require_same_sequence(floats, balls)
     with balls.arithmetic.context():
@@ -98,7 +98,7 @@ def test_the_excess_is_right_after_many_crossings():
 def test_one_slip_of_very_many_cycles(cycles, start):
     b = Fraction(1, 10 ** (cycles - 2))
     scene = Scene(Pair(1, 1, 200, b), State(x1=start, v2="62.8"), until=Fraction(10) ** (cycles + 1))
-    balls = solve(scene, digits=50, max_events=10)
+    balls = solve(scene, digits=50, arithmetic="ball", max_events=10)
     if cycles <= 30:
         require_same_sequence(solve(scene, arithmetic="mpmath", digits=2 * cycles + 60, max_events=10), balls)
     assert balls.events[0].t > 10 ** (cycles - 1)
@@ -117,7 +117,7 @@ def test_a_phase_without_digits_is_refused():
 
 @given(long_slips(turns=(0, 6)))
 def test_long_slips_in_float64(scene):
-    floats, balls = solve(scene, max_events=3), solve(scene, digits=15, max_events=3)
+    floats, balls = solve(scene, max_events=3), solve(scene, digits=15, arithmetic="ball", max_events=3)
     if any(abs(float(event.reduced.X.mid())) > 0.999 for event in balls.events):
         return  # close to a graze or to an edge of S0, where float64 may honestly go another way
     with balls.arithmetic.context():
@@ -137,14 +137,14 @@ def test_nothing_but_typed_errors(scene, arithmetic):
 @given(scenes((-12, 12), None), st.sampled_from(list(Law)))
 def test_both_laws_end_within_the_cap(scene, law):
     scene = Scene(scene.pair, scene.initial, scene.until, law)
-    trajectory = solve(scene, digits=10, max_events=10)
+    trajectory = solve(scene, digits=10, arithmetic="ball", max_events=10)
     assert trajectory.success == (trajectory.status is not Status.EVENT_LIMIT)
 
 
 @pytest.mark.parametrize("a1", ["1e-300", "1e-12", "28.2", "20", "40", "1e8", "1e150", "1e300"])
 def test_damping_of_every_size(a1):
     scene = Scene(Pair(a1=a1, **PAPER), PUSHED, until=2)
-    balls = solve(scene, digits=50)
+    balls = solve(scene, digits=50, arithmetic="ball")
     points = solve(scene, arithmetic="mpmath", digits=60)
     require_same_sequence(points, balls)
     try:
@@ -158,10 +158,10 @@ def test_an_exact_graze_with_irrational_data_is_undecided():
     # but one within 1e-200 of it cannot be told from it at 100 digits, and is decided at 500.
     scene = grazing_scene(digits=200)
     with pytest.raises(EventUndecided, match="graze") as caught:
-        solve(scene, digits=10, max_digits=100)
+        solve(scene, digits=10, arithmetic="ball", max_digits=100)
     assert caught.value.digits >= 40
     assert caught.value.enclosure
-    assert solve(scene, digits=10, max_digits=500).events
+    assert solve(scene, digits=10, arithmetic="ball", max_digits=500).events
 
 
 def grazing_scene(digits: int) -> Scene:
@@ -183,6 +183,11 @@ def grazing_scene(digits: int) -> Scene:
 def test_a_damped_motion_that_has_died_away_decides_nothing_by_its_signs():
     # after a long overdamped slip body 1 rests in its equilibrium to 20 000 digits; the load on a stuck pair likewise
     pair = Pair(m1="6.05", m2="5.889", a2=57867, b="6.896", a1=1662)
-    run = solve(Scene(pair, State(x1="-0.000947", v1="0.0037", v2=-1282), until=3000), digits=15, max_events=4)
+    run = solve(
+        Scene(pair, State(x1="-0.000947", v1="0.0037", v2=-1282), until=3000),
+        digits=15,
+        arithmetic="ball",
+        max_events=4,
+    )
     assert run.status is Status.STUCK_FOR_EVER
     assert run.event_kinds[-1] is EventKind.ENTRY

@@ -22,7 +22,7 @@ def as_mpf(ball):
 
 def assert_same(scene: Scene, max_events: int = EVENTS) -> int:
     """Every event and the final state agree to 50 digits of the scale of each quantity; returns the events."""
-    balls = solve(scene, digits=50, max_events=max_events)
+    balls = solve(scene, digits=50, arithmetic="ball", max_events=max_events)
     with mpmath.workdps(DIGITS):
         happenings, final = BruteForce(scene).run(max_events)
         found = [(event.before.value, event.after.value) for event in balls.events]
@@ -99,5 +99,5 @@ def test_almost_a_graze(fraction, sign):
         guard = theta - 2 * (1 - mpmath.cos(theta)) + sign * mpmath.mpf(fraction)
         text = mpmath.nstr(guard, 40)
     scene = Scene(Pair(m1=1, m2=3, a2=4, b=3), State(Fraction(-3, 4), -1, 0, -1 - Fraction(text) / 2), until=20)
-    first = solve(scene, digits=30).events[0].t
+    first = solve(scene, digits=30, arithmetic="ball").events[0].t
     assert (first < 3.5) == (sign < 0)

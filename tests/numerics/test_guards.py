@@ -67,10 +67,10 @@ def test_digits_that_need_countless_steps_are_refused_at_once():
 
 
 def test_an_undecided_event_names_the_flag():
-    first = solve(PAPER, digits=80).events[0].t.mid().str(60, radius=False)
+    first = solve(PAPER, digits=80, arithmetic="ball").events[0].t.mid().str(60, radius=False)
     touched = Scene(PAPER.pair, PAPER.initial, first)
     with pytest.raises(EventUndecided, match="--max-digits"):
-        solve(touched, digits=10, max_digits=40)
+        solve(touched, digits=10, arithmetic="ball", max_digits=40)
 
 
 def test_the_cap_on_events_names_its_flag():
@@ -89,7 +89,7 @@ def test_a_phase_lost_before_the_horizon_is_said(how):
     run = solve(scene, **how)
     assert run.phase_lost
     assert "keep no phase" in run.message
-    truth = solve(scene, digits=15)
+    truth = solve(scene, digits=15, arithmetic="ball")
     assert not truth.phase_lost
     with truth.arithmetic.context():
         assert float(run.final.w) == pytest.approx(float(truth.final.w.mid()), rel=1e-12)
@@ -109,14 +109,14 @@ def test_a_damped_slip_whose_phase_is_lost_is_refused(a1):
         with pytest.raises(OutOfRange, match="ball"):
             solve(scene, max_events=3, **how)
     # a float of the wait and of its bound agree long before the wait is over: balls used to give up here
-    balls = solve(scene, digits=30, max_events=3)
+    balls = solve(scene, digits=30, arithmetic="ball", max_events=3)
     points = solve(scene, arithmetic="mpmath", digits=80, max_events=3)
     assert balls.modes == points.modes
 
 
 def test_a_damped_slip_that_has_died_away_needs_no_phase():
     scene = Scene(Pair(1, 1, 200, "0.05", a1="1e-18"), State(x1="0.01", v2="1e20"), until="1e25")
-    floats, balls = solve(scene, max_events=3), solve(scene, digits=15, max_events=3)
+    floats, balls = solve(scene, max_events=3), solve(scene, digits=15, arithmetic="ball", max_events=3)
     assert floats.modes == balls.modes
     assert floats.y[0, 1] == pytest.approx(float(balls.y[0, 1].mid()), rel=1e-12)
 

@@ -59,7 +59,7 @@ def fine(peer):
 
 @cache
 def reference(scene):
-    exact = solve(scene, digits=20)
+    exact = solve(scene, digits=20, arithmetic="ball")
     number = exact.arithmetic.to_float
     lost = number(exact.ledger.friction + exact.ledger.viscous)
     kinds = tuple(event.kind for event in exact.events)

@@ -24,7 +24,7 @@ LIGHT_DRIVER = Scene(  # its contact after 1e-16 of reduced time was passed over
 
 
 def test_a_light_and_overdamped_driver_meets_at_once():
-    require_same_sequence(solve(LIGHT_DRIVER), solve(LIGHT_DRIVER, digits=20))
+    require_same_sequence(solve(LIGHT_DRIVER), solve(LIGHT_DRIVER, digits=20, arithmetic="ball"))
 
 
 def solved(scene, **how):
@@ -38,7 +38,7 @@ def dissipated(run):
 
 @given(scenes(damped=None))
 def test_energy_never_grows_and_the_ledger_closes_in_balls(scene):
-    run = solved(scene, digits=15)
+    run = solved(scene, digits=15, arithmetic="ball")
     with run.arithmetic.context():
         for segment, (friction, viscous) in zip(run.segments, dissipated(run), strict=True):
             assert not friction < 0
@@ -69,7 +69,7 @@ def test_the_ledger_closes_to_rounding_in_float64(scene):
 @given(scenes(periods=(5, 40), size=(-1, 1)))
 def test_the_dichotomy_of_the_undamped_pair(scene):
     """Merged with w <= 0, or w > 0 and falling at every excursion: never between."""
-    run = solved(scene, digits=10)
+    run = solved(scene, digits=10, arithmetic="ball")
     with run.arithmetic.context():
         exits = [event for event in run.events if event.kind is EventKind.EXIT]
         assert all(event.reduced.w > 0 for event in exits)
@@ -191,7 +191,7 @@ def test_units_commute_with_solving_bit_for_bit(scene, length, mass, time):
 
 @given(scenes(MODERATE, None))
 def test_the_three_arithmetics_agree(scene):
-    balls = solved(scene, digits=20)
+    balls = solved(scene, digits=20, arithmetic="ball")
     close = [
         abs(float(event.reduced.X.mid()) + float((balls.frame.two_zeta * event.reduced.V1).mid()))
         for event in balls.events
@@ -214,7 +214,7 @@ def test_the_three_arithmetics_agree(scene):
 @settings(max_examples=settings().max_examples * 4)
 @given(scenes(MODERATE, None, size=(-1, 0), periods=(1, 3)))
 def test_float64_keeps_its_digits_where_the_scene_is_well_conditioned(scene):
-    balls = solve(scene, digits=20, max_events=4)
+    balls = solve(scene, digits=20, arithmetic="ball", max_events=4)
     if not balls.events or any(float(abs(event.reduced.w).mid()) < 1e-3 for event in balls.events):
         return
     if scene.pair.a1 > 0 and any(abs(edge(balls, event) - 1) < 1e-3 for event in balls.events):
@@ -245,7 +245,7 @@ def conditioning(run, event) -> float:
 @given(near_critical((3, 30)))
 def test_near_critical_excursions_follow_the_expansion(scene):
     """w' = w - (9 r/(4 q)) w^2 + ...: the relative drop of an excursion over w tends to 9 r/(4 q)."""
-    run = solved(scene, digits=40)
+    run = solved(scene, digits=40, arithmetic="ball")
     expected = Fraction(9, 4) * scene.pair.m2 / scene.pair.m1
     if expected * scene.energy_excess > Fraction(1, 100):
         return
@@ -261,7 +261,7 @@ def test_near_critical_excursions_follow_the_expansion(scene):
 @given(pairs(damped=True).flatmap(lambda pair: st.tuples(st.just(pair), states(pair))))
 def test_a_damped_pair_ends_in_stick(case):
     pair, state = case
-    run = solve(Scene(pair, state, until=horizon(pair, 1)), digits=10, max_events=3)
+    run = solve(Scene(pair, state, until=horizon(pair, 1)), digits=10, arithmetic="ball", max_events=3)
     assert run.status in (Status.STUCK_FOR_EVER, Status.REACHED_HORIZON, Status.EVENT_LIMIT)
     with run.arithmetic.context():
         assert not run.final.w > run.arithmetic.number(Scene(pair, state, 1).energy_excess)

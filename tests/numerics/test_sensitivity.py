@@ -158,7 +158,7 @@ def test_balls_contain_the_derivatives(name):
 
 @pytest.mark.parametrize("name", ALL)
 def test_float64_is_close(name):
-    floats, balls = solve(ALL[name]).sensitivity, solve(ALL[name], digits=20).sensitivity
+    floats, balls = solve(ALL[name]).sensitivity, solve(ALL[name], digits=20, arithmetic="ball").sensitivity
     ours, theirs = (every(one).reshape(-1, len(WRT)) for one in (floats, balls))
     true = np.array([[float(one.mid()) for one in row] for row in theirs])
     assert (np.abs(ours - true) <= 1e-11 * np.abs(true).max(axis=0) + 1e-12).all()
@@ -177,7 +177,7 @@ def test_values_are_those_of_the_solver(name, arithmetic):
 @given(scenes(damped=None, periods=(1, 2)))
 def test_identities(scene):
     """Euler's identity for the three scaling groups, translations of x2, and the energy of the final state."""
-    trajectory = solve(scene, digits=20)
+    trajectory = solve(scene, digits=20, arithmetic="ball")
     found, pair, at = trajectory.sensitivity, scene.pair, scene.initial
     with trajectory.arithmetic.context():
         weigh = Weights(pair, at)
@@ -234,7 +234,7 @@ def test_neighbours_never_move_apart(scene):
 
 @given(near_critical(exponents=(3, 12)))
 def test_near_critical_sensitivities_are_enclosed_and_close(scene):
-    balls, floats = solve(scene, digits=20).sensitivity, solve(scene).sensitivity
+    balls, floats = solve(scene, digits=20, arithmetic="ball").sensitivity, solve(scene).sensitivity
     true = np.array([[float(one.mid()) for one in row] for row in balls.t])
     assert (np.abs(floats.t - true) <= 1e-8 * np.abs(true).max(axis=0) + 1e-13).all()
 
@@ -248,7 +248,7 @@ def test_shapes_and_cap():
     assert np.abs(found.final - found.y[-1]).max() < 1e-13 * np.abs(found.final).max()
     whole = solve(SMOOTH["slip"]).sensitivity
     assert (found.t == whole.t[:3]).all()
-    none = solve(SMOOTH["stuck for ever"], digits=20).sensitivity
+    none = solve(SMOOTH["stuck for ever"], digits=20, arithmetic="ball").sensitivity
     assert (none.t.shape, none.y.shape, none.t.dtype) == ((0, 9), (0, 4, 9), object)
 
 
@@ -271,7 +271,7 @@ def scene_file(tmp_path):
 def test_json_carries_them(arithmetic, tmp_path, capsys):
     assert main(["solve", scene_file(tmp_path), "--json", "--sensitivity", "--arithmetic", arithmetic]) == 0
     record = json.loads(capsys.readouterr().out)
-    truth = solve(Scene(PAPER, State(v1="0.15"), 1), digits=60).sensitivity
+    truth = solve(Scene(PAPER, State(v1="0.15"), 1), digits=60, arithmetic="ball").sensitivity
     for event, t, y in zip(record["events"], truth.t, truth.y, strict=True):
         assert set(event["sensitivity"]) == {"t", "x1", "v1", "x2", "v2"}
         for row, true in zip(event["sensitivity"].values(), (t, *y), strict=True):

@@ -84,7 +84,7 @@ def almost_critical(draw) -> Scene:
 @more
 @given(almost_critical())
 def test_the_smallest_excess_keeps_its_digits(scene):
-    balls = solve(scene, digits=20, max_events=6)
+    balls = solve(scene, digits=20, arithmetic="ball", max_events=6)
     try:
         floats = solve(scene, max_events=6)
     except OutOfRange:
@@ -106,8 +106,8 @@ def test_the_smallest_excess_keeps_its_digits(scene):
 @given(scenes(damped=None, size=(-1, 0), periods=(1, 2)))
 def test_the_nearest_miss_of_the_edge_is_decided(scene):
     """A slip that lands next to |P| = 1 sticks or crosses: balls decide it, and ten times the digits say the same."""
-    run = solve(scene, digits=12, max_events=4)
-    better = solve(scene, digits=120, max_events=4)
+    run = solve(scene, digits=12, arithmetic="ball", max_events=4)
+    better = solve(scene, digits=120, arithmetic="ball", max_events=4)
     assert run.modes == better.modes
     misses = [1.0]
     with better.arithmetic.context():

@@ -92,7 +92,7 @@ def test_dense_evaluation_is_continuous_across_events(scene):
 
 @given(near_critical((3, 60)))
 def test_the_mode_next_to_an_event_is_right_however_short_the_slip(scene):
-    balls = solve(scene, digits=90)
+    balls = solve(scene, digits=90, arithmetic="ball")
     points = solve(scene, arithmetic="mpmath", digits=100)
     require_same_sequence(points, balls)
     for before, event, after in zip(points.segments, points.events, points.segments[1:], strict=False):
@@ -108,7 +108,7 @@ def test_the_mode_next_to_an_event_is_right_however_short_the_slip(scene):
 
 @given(near_critical((3, 40)))
 def test_dense_balls_enclose_the_better_solution(scene):
-    coarse, fine = solve(scene, digits=15), solve(scene, digits=70)
+    coarse, fine = solve(scene, digits=15, arithmetic="ball"), solve(scene, digits=70, arithmetic="ball")
     for event in fine.events[:4]:
         time = exact(event.t)
         for side in ("left", "right"):
@@ -162,7 +162,7 @@ def test_both_laws_at_rest_outside_the_sliding_region(law):
 
 
 def test_the_literal_law_never_lets_go():
-    run = solve(Scene(PAPER.pair, PAPER.initial, until=5, law=Law.THREE_VALUED_SGN), digits=30)
+    run = solve(Scene(PAPER.pair, PAPER.initial, until=5, law=Law.THREE_VALUED_SGN), digits=30, arithmetic="ball")
     assert run.event_kinds == (EventKind.ENTRY,)
     with run.arithmetic.context():
         assert run.final.w > 0
@@ -171,7 +171,7 @@ def test_the_literal_law_never_lets_go():
 @pytest.mark.parametrize("digits", [None, 10, 40])
 def test_precisions_are_restored_after_errors(digits):
     for failing in (
-        lambda: solve(PAPER, digits=300, max_digits=100),
+        lambda: solve(PAPER, digits=300, arithmetic="ball", max_digits=100),
         lambda: integrate(grazed(), Ball(30)),
         lambda: solve(PAPER, arithmetic="mpmath", digits=digits).sol(99),
         lambda: solve(PAPER, arithmetic="ball", digits=digits).sol(99),
@@ -186,7 +186,7 @@ def test_precisions_are_restored_after_errors(digits):
 
 def grazed() -> Scene:
     """A horizon that is within 1e-60 of the first event: nothing can be decided in 30 digits."""
-    first = solve(PAPER, digits=80).events[0].t.mid().str(60, radius=False)
+    first = solve(PAPER, digits=80, arithmetic="ball").events[0].t.mid().str(60, radius=False)
     return Scene(PAPER.pair, PAPER.initial, until=first)
 
 
@@ -197,7 +197,7 @@ def test_an_undecided_event_carries_its_question():
     assert "+/-" in caught.value.enclosure
     assert caught.value.digits == 30
     assert isinstance(caught.value, NumericsError)
-    assert solve(grazed(), digits=20).success
+    assert solve(grazed(), digits=20, arithmetic="ball").success
 
 
 def test_progress_is_told():
