@@ -34,7 +34,10 @@ _QUARTER_3 = float(_PI_EXACT / 2 - Fraction(_QUARTER_1) - Fraction(_QUARTER_2))
 _PER_QUARTER = float(2 / _PI_EXACT)
 _LARGEST = 1e15
 _CELLS = 16.0
-"""The table below has the sines and cosines of multiples of 1/16 up to pi/4."""
+"""The table below has the sines and cosines of multiples of 1/16 up to pi/4, and some more.
+
+Next to 1e15 the product with 2/pi, rounded, may be off by an eighth of a quarter turn.
+"""
 _SERIES_BELOW, _COSINE_SERIES_BELOW, _DEPTH_SERIES_BELOW = 1.2, 2.0, 1.5
 
 
@@ -46,7 +49,7 @@ def _exact_sine_and_cosine(x: Fraction) -> tuple[Fraction, Fraction]:
 
 
 _TABLE = tuple(
-    tuple(number for value in _exact_sine_and_cosine(Fraction(k, 16)) for number in nearest(value)) for k in range(14)
+    tuple(number for value in _exact_sine_and_cosine(Fraction(k, 16)) for number in nearest(value)) for k in range(18)
 )
 """sin(k/16) and cos(k/16), each as high and low."""
 

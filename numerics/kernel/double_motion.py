@@ -64,7 +64,7 @@ from numerics.kernel.motion import (
 )
 
 UNIT = 2.0**-105
-"""The rounding of one operation: sums are off by less than 1, products, quotients, roots, sines by less than 3 of it."""
+"""The rounding of one operation: sums are off by less than 1 of it, products, quotients, roots, sines by 3 or less."""
 _LONGEST, _SHORTEST = 1e14, 1e-60
 """Slip angles that double-double resolves: beyond them no phase is left, or the error of a fourth power is lost."""
 
