@@ -66,6 +66,9 @@ def _parser() -> argparse.ArgumentParser:
     report = commands.add_parser("report", help="write the report", epilog=EPILOGUE)
     report.add_argument("--out", type=Path, default=Path("report-out"), metavar="DIR", help="default: %(default)s")
     report.add_argument("--format", choices=("html", "latex"), default="html", help="default: %(default)s")
+    report.add_argument(
+        "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
+    )
     report.set_defaults(command=_report)
     for command in (run, report):
         command.add_argument("--seed", type=int, default=0, metavar="N", help="of random cases; default: %(default)s")
@@ -105,14 +108,22 @@ def _list(options: argparse.Namespace) -> int:
 
 
 def _report(options: argparse.Namespace) -> int:
+    from numerics.trade.recorded import UnreadableTrade, recorded
     from paper_checks.ledger import CLAIMS
     from paper_checks.report.files import write
     from paper_checks.runner import exit_code
+    from paper_checks.speed import section
 
+    try:
+        trade = recorded(options.trade)
+    except UnreadableTrade as error:
+        _complain(str(error))
+        return USAGE
     rows = _rows(CLAIMS, options.seed)
     complaints: list[str] = []
+    figures, after = {**_figures(), **section.figures(trade)}, [section.section(trade)]
     try:
-        path = write(options.out, options.format, rows, _figures(), complaints.append)
+        path = write(options.out, options.format, rows, figures, complaints.append, after)
     except OSError as error:
         _complain(f"the report cannot be written: {error}")
         return USAGE

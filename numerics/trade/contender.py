@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from numerics.comparisons.peer import Peer
+from numerics.comparisons.peer import Peer, PeerRun
 from numerics.scene import Scene
 from numerics.trade.outcome import Outcome, float_text, letters
 
@@ -53,15 +53,20 @@ class PeerContender:
 
     def outcome(self, run: Any) -> Outcome:
         """Return a PeerRun as text."""
-        times = [float(t) for t in run.t_events]
-        return Outcome(
-            kinds=letters(run.kinds),
-            times=times,
-            last_event=float_text(times[-1]) if times else None,
-            final=[float_text(value) for value in run.y_final],
-            dissipated=float_text(run.dissipated),
-            steps=int(run.steps),
-        )
+        return peer_outcome(run)
+
+
+def peer_outcome(run: PeerRun) -> Outcome:
+    """Return what a peer says as text."""
+    times = [float(t) for t in run.t_events]
+    return Outcome(
+        kinds=letters(run.kinds),
+        times=times,
+        last_event=float_text(times[-1]) if times else None,
+        final=[float_text(value) for value in run.y_final],
+        dissipated=float_text(run.dissipated),
+        steps=int(run.steps),
+    )
 
 
 def all_contenders() -> list[Contender]:

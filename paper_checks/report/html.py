@@ -9,17 +9,19 @@ from html import escape
 from pathlib import Path
 
 from paper_checks.evidence import Evidence, Finding, Verdict
-from paper_checks.report import mathematics
+from paper_checks.report import blocks, mathematics
 from paper_checks.report.summary import OUTCOMES, PAPER, TITLE, findings_first, kind, section_title, sections
 from paper_checks.runner import Row
 
 
-def render(rows: Sequence[Row], figures: Mapping[str, str]) -> str:
-    """Return the page. `figures` maps a finding's figure to its SVG text; one that is absent is said to be.
+def render(rows: Sequence[Row], figures: Mapping[str, str], after: Sequence[blocks.Section] = ()) -> str:
+    """Return the page, with the sections of `after` behind the claims. `figures` maps a figure's name to its SVG text;
+    one that is absent is said to be.
 
     Everything but the SVG is escaped; the SVG is taken as given, its ids made the row's own.
     """
-    parts = [_head(), _opening(rows), _findings(rows), _filters(rows), _table(rows, figures)]
+    parts = [_head(), _opening(rows, after), _findings(rows), _filters(rows), _table(rows, figures)]
+    parts += [_section(one, figures) for one in after]
     parts.append(f"</main>\n<script>\n{_beside('page.js')}</script>\n</body>\n</html>\n")
     return "\n".join(parts)
 
@@ -37,13 +39,19 @@ def _head() -> str:
     )
 
 
-def _opening(rows: Sequence[Row]) -> str:
+def _section(section: blocks.Section, figures: Mapping[str, str]) -> str:
+    own = {name: _own_ids(figures[name], name) for name in section.pictures if name in figures}
+    return blocks.html(section, own)
+
+
+def _opening(rows: Sequence[Row], after: Sequence[blocks.Section]) -> str:
     counts = Counter(row.finding.verdict for row in rows)
     tallies = "".join(
         f"<li>{_badge(verdict)} <strong>{counts[verdict]}</strong></li>" for verdict in Verdict if counts[verdict]
     )
+    links = "".join(f'<p>After the claims: <a href="#{one.id}">{escape(one.title)}</a>.</p>\n' for one in after)
     return (
-        f"<header>\n<h1>{escape(TITLE)}</h1>\n<p>{escape(PAPER)}</p>\n"
+        f"<header>\n<h1>{escape(TITLE)}</h1>\n<p>{escape(PAPER)}</p>\n{links}"
         f'<ul class="tally" aria-label="Number of claims by verdict">{tallies}</ul>\n</header>'
     )
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from paper_checks.evidence import Evidence
+from paper_checks.report import blocks
 from paper_checks.report.mathematics import latex
 from paper_checks.report.summary import OUTCOMES, PAPER, TITLE, findings_first, kind, speaker
 from paper_checks.runner import Row
@@ -14,7 +15,7 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[utf8]{inputenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \usepackage[a4paper,margin=25mm]{geometry}
-\usepackage{amsmath,amssymb,graphicx,longtable}
+\usepackage{amsmath,amssymb,array,graphicx,longtable}
 \usepackage[hidelinks,pdfcreator={},pdfproducer={}]{hyperref}
 \pdfinfoomitdate=1 \pdftrailerid{} \pdfsuppressptexinfo=-1
 \setlength{\emergencystretch}{3em}
@@ -23,8 +24,11 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 """
 
 
-def render(rows: Sequence[Row], figures: Mapping[str, str]) -> str:
-    """Return the source. `figures` maps a finding's figure to the file, beside the source, that holds it."""
+def render(rows: Sequence[Row], figures: Mapping[str, str], after: Sequence[blocks.Section] = ()) -> str:
+    """Return the source, with the sections of `after` behind the claims.
+
+    `figures` maps a figure's name to the file, beside the source, that holds it.
+    """
     parts = [
         PREAMBLE + r"\begin{document}",
         rf"\section*{{{latex(TITLE)}}}",
@@ -33,6 +37,7 @@ def render(rows: Sequence[Row], figures: Mapping[str, str]) -> str:
         _table(rows),
         r"\subsection*{Claim by claim}",
         *(_claim(row, figures) for row in rows),
+        *(blocks.latex(one, figures) for one in after),
         r"\end{document}",
     ]
     return "\n\n".join(parts) + "\n"

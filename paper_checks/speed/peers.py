@@ -1,0 +1,126 @@
+"""Which peers get the event sequence right where, and by what factor ours is faster at equal or better accuracy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from numerics.trade.front import Lead
+from numerics.trade.recorded import RecordedRun, RecordedScene, RecordedTrade
+from paper_checks.report.blocks import Block, Paragraph, Points, Table
+from paper_checks.speed.wording import asked, counted, digits, factor_text, listed, time_text
+
+
+def leading(trade: RecordedTrade) -> Iterator[Block]:
+    """Yield by how much ours leads on each scene, and where a peer beats it."""
+    closest = {scene: closest_peer(trade, scene) for scene in trade.scenes}
+    lost = [(scene, one) for scene in trade.scenes for one in beaten(trade, scene)]
+    held = [(one.ratio, scene, one) for scene, one in closest.items() if one is not None and one.ratio is not None]
+    if not any(not one.ours for one in trade.runs):
+        yield Paragraph("No peer took part: nothing can be said about others.")
+        return
+    if lost:
+        worst = {
+            (scene.name, one.peer.contender): (scene, one) for scene, one in sorted(lost, key=_least, reverse=True)
+        }
+        by_scene = sorted(worst.values(), key=lambda item: trade.scenes.index(item[0]))
+        yield Points(tuple(_loss(trade, scene, one) for scene, one in by_scene))
+    elif held:
+        ratio, scene, one = min(held, key=lambda item: item[0])
+        yield Paragraph(
+            "No peer with the right events beats ours at equal or better accuracy on any scene. The closest is "
+            f"{asked(trade, one.peer)} on {scene.name}: ours is {factor_text(ratio)} times as fast."
+        )
+    rows = tuple(_lead_row(trade, scene, one) for scene, one in closest.items())
+    head = ("scene", "closest peer", "its digits, time", "ours at least as right", "times as fast", "over all peers")
+    yield Table(head, rows, "Our lead at equal or better accuracy over the closest peer with the right events")
+
+
+def _least(item: tuple[RecordedScene, Lead]) -> float:
+    return item[1].ratio or 0.0
+
+
+def closest_peer(trade: RecordedTrade, scene: RecordedScene) -> Lead | None:
+    """Return the right peer's point over which we lead least; one that none of ours is as accurate as comes first."""
+    return min(trade.leads(scene), key=lambda one: one.ratio or 0.0, default=None)
+
+
+def beaten(trade: RecordedTrade, scene: RecordedScene) -> list[Lead]:
+    """Return the points of right peers that are faster than ours at their accuracy, or more accurate than all of ours."""
+    return [one for one in trade.leads(scene) if one.ratio is None or one.ratio < 1]
+
+
+def _loss(trade: RecordedTrade, scene: RecordedScene, one: Lead) -> str:
+    peer = f"{asked(trade, one.peer)} ({counted(digits(one.peer.error), 'digit', 'digits')}, {time_text(one.peer.seconds)})"
+    if one.ours is None or one.ratio is None:
+        return f"On {scene.name} no run of ours is as accurate as {peer}."
+    return (
+        f"On {scene.name} {peer} beats ours: it is {factor_text(1 / one.ratio)} times as fast as "
+        f"{asked(trade, one.ours)}."
+    )
+
+
+def _lead_row(trade: RecordedTrade, scene: RecordedScene, one: Lead | None) -> tuple[str, ...]:
+    if one is None:
+        return scene.name, "none is right", "-", "-", "-", "-"
+    peer = f"{digits(one.peer.error)}, {time_text(one.peer.seconds)}"
+    ratios = [lead.ratio for lead in trade.leads(scene) if lead.ratio is not None]
+    spread = f"{factor_text(min(ratios))} to {factor_text(max(ratios))}" if ratios else "-"
+    if one.ours is None or one.ratio is None:
+        return scene.name, asked(trade, one.peer), peer, "none", "-", spread
+    ours = f"{asked(trade, one.ours)}: {time_text(one.ours.seconds)}"
+    return scene.name, asked(trade, one.peer), peer, ours, factor_text(one.ratio), spread
+
+
+def sequences(trade: RecordedTrade) -> Iterator[Block]:
+    """Yield who has the event sequence right where: ours first, then scene by scene, then the table."""
+    yield Points((_ours(trade), *_scenes(trade)))
+    head = ("who", *(scene.name for scene in trade.scenes))
+    rows = tuple(
+        (one.label, *(_cell(_runs(trade, one.label, scene.name)) for scene in trade.scenes)) for one in trade.contenders
+    )
+    caption = (
+        "Settings with the right event sequence, of those that ran to the end; after the colon the most right digits. "
+        "Stopped: at the limit of the measurement. Failed: gave up by itself"
+    )
+    yield Table(head, rows, caption)
+
+
+def _runs(trade: RecordedTrade, contender: str, scene: str) -> list[RecordedRun]:
+    return [one for one in trade.runs if (one.contender, one.scene) == (contender, scene)]
+
+
+def _cell(runs: list[RecordedRun]) -> str:
+    judged = [one for one in runs if one.right is not None]
+    if not judged:
+        return next((one.status for one in runs if one.status != "measured"), "-")
+    right = [one.error for one in judged if one.right and one.error is not None]
+    return f"{len(right)}/{len(judged)}" + (f": {digits(min(right)):,}" if right else "")
+
+
+def _ours(trade: RecordedTrade) -> str:
+    runs = [one for one in trade.runs if one.ours and one.right is not None]
+    wrong = [f"{one.contender} on {one.scene} ({one.difference})" for one in runs if not one.right]
+    if wrong:
+        return f"Ours are wrong in {counted(len(wrong), 'run', 'runs')} of {len(runs)}: {listed(wrong)}."
+    return f"Ours have the right event sequence in all {len(runs)} runs."
+
+
+def _scenes(trade: RecordedTrade) -> Iterator[str]:
+    """Say which peers are right always, sometimes and never; scenes with the same answer share a sentence."""
+    same: dict[str, list[str]] = {}
+    if any(not one.ours for one in trade.contenders):
+        for scene in trade.scenes:
+            same.setdefault(_right_peers(trade, scene), []).append(scene.name)
+    for answer, names in same.items():
+        yield f"{listed(names)}: {answer}."
+
+
+def _right_peers(trade: RecordedTrade, scene: RecordedScene) -> str:
+    words = {True: "right at every setting", None: "at some settings only", False: "at none"}
+    found: dict[bool | None, list[str]] = {word: [] for word in words}
+    for peer in (one.label for one in trade.contenders if not one.ours):
+        verdicts = {one.right for one in _runs(trade, peer, scene.name) if one.right is not None}
+        if verdicts:
+            found[None if len(verdicts) == 2 else verdicts.pop()].append(peer)
+    parts = [f"{word} {listed(found[answer])}" for answer, word in words.items() if found[answer]]
+    return "; ".join(parts) or "no peer came to an end"

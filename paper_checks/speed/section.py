@@ -1,0 +1,101 @@
+"""The report's section on speed and accuracy, a pure function of a recorded trade and of forward Euler's runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from matplotlib.figure import Figure
+
+from numerics.trade.euler import euler_figures, stick_energies
+from numerics.trade.figure import draw_growth, draw_trade
+from numerics.trade.recorded import RecordedTrade
+from paper_checks.drawing.style import house_style
+from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Section
+from paper_checks.speed.misleading import forward_euler
+from paper_checks.speed.needs import float64_is_enough, needs, price_of_digits
+from paper_checks.speed.payoff import payoff
+from paper_checks.speed.peers import leading, sequences
+
+ID, TITLE = "speed-and-accuracy", "Speed and accuracy"
+WORK_PRECISION, GROWTH = "work-precision", "growth-of-cost"
+
+
+def section(trade: RecordedTrade) -> Section:
+    """Return the whole section: provenance, advice, curves, and where forward Euler misleads."""
+    blocks = [*provenance(trade), *advice(trade), *curves(trade), *euler_advice()]
+    return Section(ID, TITLE, tuple(blocks))
+
+
+def advice_alone(trade: RecordedTrade) -> Section:
+    """Return the advice without the figures, for a notebook that draws them itself."""
+    return Section(ID, "Advice", (*advice(trade), *euler_advice()))
+
+
+def provenance(trade: RecordedTrade) -> Iterator[Block]:
+    """Yield on what it was measured, and how to measure another machine."""
+    of = trade.machine
+    versions = ", ".join(f"{name} {version}" for name, version in of["packages"].items())
+    yield Paragraph(
+        f"Measured once: {of['processor']}, {of['cores']} cores, Python {of['python']}, {versions}; "
+        f"`--size {trade.size}`. `python -m numerics trade --out F` measures your machine and draws its figures; "
+        "`python -m numerics trade --json > F`, then `python -m paper_checks report --trade F`, puts it here."
+    )
+    yield Paragraph(
+        "Times are medians of warm runs, compilation apart. An error is the largest of that of the final state (in "
+        "units of $L$ and $L\\Omega$), the last event's time and the dissipated energy, against balls. An event "
+        "sequence is right if its kinds are and each time lies within half the gap to the neighbours."
+    )
+    if trade.left_out:
+        missing = "; ".join(f"{name} (needs {what})" for name, what in trade.left_out.items())
+        yield Paragraph(f"Left out, as not installed: {missing}.")
+
+
+def advice(trade: RecordedTrade) -> Iterator[Block]:
+    """Yield the page of advice."""
+    yield Heading("Which arithmetic for which need")
+    yield from needs(trade)
+    yield Heading("How far float64 goes")
+    yield from float64_is_enough(trade)
+    yield Heading("What a right digit costs")
+    yield from price_of_digits(trade)
+    yield Heading("When compiling pays, and when a batch does")
+    yield from payoff(trade)
+    yield Heading("Ours and others at equal accuracy")
+    yield from leading(trade)
+    yield Heading("Who has the events right")
+    yield from sequences(trade)
+
+
+def curves(trade: RecordedTrade) -> Iterator[Block]:
+    """Yield the figures that `figures` draws."""
+    names = figures(trade)
+    captions = {
+        WORK_PRECISION: "Right digits against time, a panel a scene. Filled: the event sequence is right; hollow: it is "
+        "wrong. Black line: the front, right runs that no other right run beats in both.",
+        GROWTH: "How our cost grows: time of an event against digits with one arb.sin_cos beside it, number of events "
+        "and mass ratio; time of a scene against the size of a batch.",
+    }
+    yield Heading("The curves")
+    for name in names:
+        yield Picture(name, captions[name])
+
+
+def euler_advice() -> Iterator[Block]:
+    """Yield where forward Euler misleads; nothing of it is timed."""
+    yield Heading("Where forward Euler misleads")
+    yield from forward_euler(euler_figures(), stick_energies())
+
+
+def figures(trade: RecordedTrade) -> dict[str, Callable[[], Figure]]:
+    """Return how the figures of a trade are drawn in the house style, two panels a row, by name."""
+
+    def work_precision() -> Figure:
+        with house_style():
+            return draw_trade(trade, columns=2, panel_size=(4.1, 2.5))
+
+    def growth() -> Figure:
+        with house_style():
+            return draw_growth(trade, columns=2, panel_size=(4.1, 3.0))
+
+    found: dict[str, Callable[[], Figure]] = {WORK_PRECISION: work_precision}
+    return found | ({GROWTH: growth} if any(one.seconds_per_event for one in trade.growth) else {})
