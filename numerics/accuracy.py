@@ -88,7 +88,7 @@ class Accuracy:
 def kernel_accuracy(trajectory: Trajectory) -> Accuracy:
     """Return the bounds of a trajectory of the kernels in SI units; they are binary64, whatever its numbers are."""
     assert trajectory.bounds is not None
-    frame, (events, end) = trajectory.frame, trajectory.bounds
+    frame, (events, end, damped) = trajectory.frame, trajectory.bounds
     (rounding, most), number = rounding_of(trajectory), frame.arithmetic.to_float
     rate, position, speed = number(frame.rate), number(frame.length), number(frame.speed)
     values = np.array([(event.t, *event.y) for event in trajectory.events], dtype=float).reshape(-1, 5)
@@ -106,7 +106,7 @@ def kernel_accuracy(trajectory: Trajectory) -> Accuracy:
     shown = np.concatenate([values.ravel(), final, [energy, end.w]])
     bounds = np.concatenate([errors.ravel(), final_errors, [energy_error, excess_error]])
     digits = _right_digits(bounds, shown, most) if end.certain else 0
-    dissipated = unit * end.spent_error + 8 * rounding * unit * end.spent
+    dissipated = unit * (end.spent_error + damped + 16 * rounding * end.spent)
     return Accuracy(
         errors[:, 0], errors[:, 1:], final_errors, energy_error, excess_error, dissipated, end.certain, digits
     )

@@ -10,26 +10,21 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from numerics.binary64 import kernel_start
-from numerics.errors import InvalidScene, OutOfRange
-from numerics.kernel import packed
+from numerics.batch_chunk import ANSWERS, EVENTS, ROW_ORDER, Solved, solve_exact, solve_table
+from numerics.errors import InvalidScene
 from numerics.kernel.bounds import ULP
-from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.motion import COLUMNS, EVENT_LIMIT, OUT_OF_RANGE, REACHED, ROWS_FULL, STUCK, End
-from numerics.kernel.prepare import prepare_all
+from numerics.kernel.compilation import can_compile
+from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
 from numerics.parallel import run_tasks
-from numerics.scene import Law, Pair, Scene, State, read_law
+from numerics.scene import Law, Scene, read_law
 from numerics.solve import MAX_EVENTS
 
-NAMES = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until")
-"""The columns of a table of scenes: kg, kg, N/m, N, m, m/s, m, m/s, s."""
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
 _CHUNK = 1024
 ENDINGS = {
@@ -50,7 +45,7 @@ class Batch:
     status         a key of ENDINGS               events    how many there were
     mode           -1, 0, +1: sign of v1 - v2     t         s, the horizon or the last event
     y              x1, v1, x2, v2 (m, m/s)        energy_excess   E/E_cr - 1, accurate in itself
-    dissipated     J, the sum of what every slip took, which never cancels
+    dissipated     J, the sum of what friction and viscosity took in every mode, which never cancels
     *_error        bounds on the errors of these  digits    right digits of every event and of the end, by the bounds
     certain        whether no bound reaches as far as another sequence of events
     event_t, event_y, event_mode   the first `keep_events` events: (..., k), (4, ..., k), (..., k); nan and 0 beyond
@@ -88,6 +83,7 @@ def solve_many(
     b: ArrayLike,
     *,
     until: ArrayLike,
+    a1: ArrayLike = 0.0,
     x1: ArrayLike = 0.0,
     v1: ArrayLike = 0.0,
     x2: ArrayLike = 0.0,
@@ -98,7 +94,7 @@ def solve_many(
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Batch:
-    """Solve the undamped scenes of all numbers in arrays that broadcast together, in SI units (NAMES).
+    """Solve the scenes of all numbers in arrays that broadcast together, in SI units as in Pair, State and Scene.
 
     The numbers are taken as the binary64 numbers that they are, exactly: 0.005 in an array is not 1/200, which matters
     to a pair that starts on the very edge; `solve_scenes` takes exact decimals. `jobs`: threads of compiled code
@@ -111,14 +107,14 @@ def solve_many(
     >>> found.events.tolist(), found.mode.tolist(), bool(found.digits.min() >= 10)
     ([1, 32], [0, 0], True)
     """
-    given = dict(zip(NAMES, (m1, m2, a2, b, x1, v1, x2, v2, until), strict=True))
+    given = dict(zip(ROW_ORDER, (m1, m2, a2, b, x1, v1, x2, v2, until, a1), strict=True))
     columns = {name: _numbers(name, values) for name, values in given.items()}
     shape = np.broadcast_shapes(*(column.shape for column in columns.values()))
-    table = np.stack([np.broadcast_to(columns[name], shape).ravel() for name in NAMES], axis=1)
+    table = np.stack([np.broadcast_to(columns[name], shape).ravel() for name in ROW_ORDER], axis=1)
     literal = read_law(law) is Law.THREE_VALUED_SGN
     _check(max_events=max_events, keep_events=keep_events + 1, jobs=1 if jobs is None else jobs)
     chunks = [(start, table[start : start + _CHUNK]) for start in range(0, len(table), _CHUNK)]
-    work = partial(_solve_chunk, literal=literal, max_events=max_events, keep=keep_events)
+    work = partial(solve_table, literal=literal, max_events=max_events, keep=keep_events)
     return _gathered(_results(work, chunks, jobs, progress, len(table)), len(table), shape, keep_events)
 
 
@@ -130,13 +126,10 @@ def solve_scenes(
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Batch:
-    """Solve undamped scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),)."""
+    """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),)."""
     _check(max_events=max_events, keep_events=keep_events + 1, jobs=1 if jobs is None else jobs)
-    for index, scene in enumerate(scenes):
-        if scene.pair.a1 > 0:
-            raise InvalidScene(f"scene {index} has a1 > 0; batches are for undamped pairs, solve it by itself")
     chunks = [(start, scenes[start : start + _CHUNK]) for start in range(0, len(scenes), _CHUNK)]
-    work = partial(_solve_exact_chunk, max_events=max_events, keep=keep_events)
+    work = partial(solve_exact, max_events=max_events, keep=keep_events)
     results = _results(work, chunks, jobs, progress, len(scenes))
     return _gathered(results, len(scenes), (len(scenes),), keep_events)
 
@@ -147,11 +140,11 @@ def _numbers(name: str, values: ArrayLike) -> Table:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise InvalidScene(f"{name} must be an array of real numbers in SI units") from None
-    wrong = ~np.isfinite(array) | ((array <= 0) if name in _POSITIVE else False)
+    wrong = ~np.isfinite(array) | ((array <= 0) if name in _POSITIVE else (array < 0) & (name == "a1"))
     if np.any(wrong):
         first = tuple(int(i) for i in np.argwhere(wrong)[0])
         place = f"{name}{list(first) if first else ''} = {array[first]:g}"
-        bound = "> 0 and finite" if name in _POSITIVE else "finite"
+        bound = "> 0 and finite" if name in _POSITIVE else ">= 0 and finite" if name == "a1" else "finite"
         raise InvalidScene(f"{place} must be {bound}; correct it, or leave that scene out")
     return array
 
@@ -163,81 +156,9 @@ def _check(**values: int) -> None:
             raise ValueError(f"{name} = {value - 1 + least} must be at least {least}")
 
 
-Answers = tuple[int, Table, Table, Table]
-"""Of one chunk: its first row, the answers (packed.py), length, rate and E_cr of each row, and the kept events."""
-
-
-def _solve_chunk(chunk: tuple[int, Table], *, literal: bool, max_events: int, keep: int) -> Answers:
-    first, table = chunk
-    states = np.zeros((len(table), packed.STATE))
-    compiled(prepare_all)(table, literal, states)
-    for index in np.flatnonzero(states[:, packed.HOW] < 0):
-        _prepare_exactly(_scene(table[index], literal), states[index])
-    m1, m2, a2, b = table.T[:4]
-    with np.errstate(all="ignore"):
-        width = b * (m1 + m2) / (a2 * m2)
-        units = np.stack([width, np.sqrt(a2 / (m1 + m2)), 0.5 * a2 * width * width])
-    return first, *_run(states, max_events, keep), units
-
-
-def _solve_exact_chunk(chunk: tuple[int, Sequence[Scene]], *, max_events: int, keep: int) -> Answers:
-    first, scenes = chunk
-    states, units = np.zeros((len(scenes), packed.STATE)), np.full((3, len(scenes)), np.nan)
-    for index, scene in enumerate(scenes):
-        if _prepare_exactly(scene, states[index]):
-            frame = kernel_start(scene)[0]
-            units[:, index] = frame.length, frame.rate, frame.critical_energy
-    return first, *_run(states, max_events, keep), units
-
-
-def _scene(row: Table, literal: bool) -> Scene:
-    m1, m2, a2, b, x1, v1, x2, v2, until = (Fraction(float(number)) for number in row)
-    law = Law.THREE_VALUED_SGN if literal else Law.FILIPPOV
-    return Scene(Pair(m1, m2, a2, b), State(x1, v1, x2, v2), until, law)
-
-
-def _prepare_exactly(scene: Scene, state: Table) -> bool:
-    """Write the start of a scene by exact rationals; return False where float64 cannot hold it."""
-    try:
-        state[:] = kernel_start(scene)[2]
-    except OutOfRange:
-        state[packed.HOW] = OUT_OF_RANGE
-        return False
-    return True
-
-
-def _run(states: Table, max_events: int, keep: int) -> tuple[Table, Table]:
-    """Run all rows; return the answers and the kept events."""
-    answers = np.full((len(states), packed.ANSWER), np.nan)
-    kept = np.full((len(states), keep, len(COLUMNS)), np.nan)
-    nothing = np.empty((0, len(COLUMNS)))
-    out = states[:, packed.HOW] == OUT_OF_RANGE
-    states[out, packed.HOW] = -1.0
-    if can_compile():
-        compiled(packed.run_keeping)(states, max_events, answers, kept, nothing)
-    else:
-        for index in np.flatnonzero(~out):
-            _run_plainly(states[index].tolist(), max_events, answers[index], kept[index], nothing)
-    answers[np.isnan(answers[:, -2])] = [*(np.nan,) * 14, 0.0, 0.0, OUT_OF_RANGE, np.nan]
-    return answers, kept
-
-
-def _run_plainly(state: list[float], max_events: int, answer: Table, kept: Table, nothing: Table) -> None:
-    """Run one row without numba; plain Python raises where compiled code has nan, and the row is out of range too."""
-    end = [0.0] * packed.ANSWER
-    try:
-        packed.advance(state, max_events, kept)
-        if state[packed.HOW] == ROWS_FULL:
-            packed.advance(state, max_events, nothing)
-        packed.answer(state, end)
-    except (ArithmeticError, ValueError):
-        return
-    answer[:] = end
-
-
 def _results(
-    work: Callable[[Any], Answers], chunks: list[Any], jobs: int | None, progress: Progress | None, whole: int
-) -> Iterator[Answers]:
+    work: Callable[[Any], Solved], chunks: list[Any], jobs: int | None, progress: Progress | None, whole: int
+) -> Iterator[Solved]:
     """Yield the results of all chunks as they finish, from threads of compiled code or from processes."""
     if can_compile():
         results = _in_threads(work, chunks, jobs or len(os.sched_getaffinity(0)))
@@ -245,49 +166,50 @@ def _results(
         results = run_tasks(work, chunks, jobs=jobs or 1)
     done = 0
     for result in results:
-        done += len(result[1])
+        done += len(result.answers)
         if progress is not None:
             progress(done, whole)
         yield result
 
 
-def _in_threads(work: Callable[[Any], Answers], chunks: list[Any], jobs: int) -> Iterator[Answers]:
+def _in_threads(work: Callable[[Any], Solved], chunks: list[Any], jobs: int) -> Iterator[Solved]:
     if jobs == 1 or len(chunks) <= 1:
         yield from map(work, chunks)
         return
     pool = ThreadPoolExecutor(min(jobs, len(chunks)))
     try:
-        futures: list[Future[Answers]] = [pool.submit(work, chunk) for chunk in chunks]
+        futures: list[Future[Solved]] = [pool.submit(work, chunk) for chunk in chunks]
         for future in as_completed(futures):
             yield future.result()
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _gathered(results: Iterator[Answers], count: int, shape: tuple[int, ...], keep: int) -> Batch:
+def _gathered(results: Iterator[Solved], count: int, shape: tuple[int, ...], keep: int) -> Batch:
     """Return all chunks' answers in SI units, in the shape of the inputs."""
-    answers, units = np.empty((count, packed.ANSWER)), np.empty((3, count))
-    kept = np.empty((count, keep, len(COLUMNS)))
-    for first, answer, events, unit in results:
-        rows = slice(first, first + len(answer))
-        answers[rows], kept[rows], units[:, rows] = answer, events, unit
-    end = dict(zip((*End._fields, "events", "how", "tau"), answers.T, strict=True))
+    answers, units = np.empty((count, len(ANSWERS))), np.empty((3, count))
+    kept = np.empty((count, keep, len(EVENTS)))
+    for done in results:
+        rows = slice(done.first, done.first + len(done.answers))
+        answers[rows], kept[rows], units[:, rows] = done.answers, done.kept, done.units
+    end = dict(zip(ANSWERS, answers.T, strict=True))
     length, rate, energy = units
     speed = length * rate
     y = np.stack([length * end["X"], speed * end["V1"], length * (end["X"] - end["Z"]), speed * end["V2"]])
     placed = length * (end["x_error"] + end["place_error"])
     y_error = np.stack([length * end["x_error"], speed * end["v1_error"], placed, speed * end["v2_error"]])
     y_error += 8 * ULP * abs(y)
-    event = dict(zip(COLUMNS, np.moveaxis(kept, -1, 0), strict=True))
+    event = dict(zip(EVENTS, np.moveaxis(kept, -1, 0), strict=True))
     numbers = {
         "status": end["how"].astype(np.int64),
         "events": end["events"].astype(np.int64),
         "mode": np.nan_to_num(end["mode"]).astype(np.int64),
         "t": end["tau"] / rate,
         "energy_excess": end["w"],
-        "dissipated": energy * end["spent"],
+        "dissipated": energy * (end["spent"] + end["damped"]),
         "energy_excess_error": end["w_error"],
-        "dissipated_error": energy * (end["spent_error"] + 8 * ULP * end["spent"]),
+        "dissipated_error": energy
+        * (end["spent_error"] + end["damped_error"] + 8 * ULP * (end["spent"] + end["damped"])),
         "digits": _digits(end, y, y_error),
         "certain": end["certain"] == 1.0,
     }

@@ -105,7 +105,7 @@ def _trajectory(
         segments.append(Segment(motion, start, horizon, (horizon - start) - float(state[_REST])))
     numbers = end[: len(End._fields)]
     found = End._make([int(numbers[0]), *numbers[1:-1], bool(numbers[-1])])
-    bounds = Bounds(rows[:, 11:15], found)
+    bounds = Bounds(rows[:, 11:15], found, end[-1])
     return Trajectory(scene, frame, tuple(segments), tuple(events), status, bounds=bounds)
 
 

@@ -13,6 +13,7 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic, decide_sign
 from numerics.binary64 import solve_binary64
+from numerics.binary64_viscous import solve_viscous
 from numerics.double_double import solve_double_double
 from numerics.errors import EventUndecided, OutOfRange, PrecisionExhausted
 from numerics.kernel.compilation import can_compile
@@ -79,8 +80,9 @@ def solve(
 
 
 def _solve_in_float64(scene: Scene, max_events: int, progress: Callable[[int, float], None] | None) -> Trajectory:
-    """Solve a scene by the kernels; the general loop tells what was out of range, and has a1 > 0."""
-    found = solve_binary64(scene, max_events, progress) if scene.pair.a1 == 0 else None
+    """Solve a scene by the kernels; where a number leaves the range, the general loop tells which."""
+    kernels = solve_viscous if scene.pair.a1 > 0 else solve_binary64
+    found = kernels(scene, max_events, progress)
     return found or integrate(scene, Float64(), max_events, progress)
 
 

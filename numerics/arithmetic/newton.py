@@ -16,7 +16,7 @@ def bracketed_newton(
     The bracket shrinks with every evaluation; a Newton step that would leave it, or that shrinks it too slowly,
     is replaced by bisection, so convergence never depends on the shape of the function.
     """
-    x, previous = (lower + upper) / 2, upper - lower
+    x, previous, width, settled = (lower + upper) / 2, upper - lower, upper - lower, tolerance**0.5 / 4
     for _ in range(_MAX_STEPS):
         value = function(x)
         if value == 0:
@@ -28,6 +28,8 @@ def bracketed_newton(
         derivative = slope(x)
         step = -value / derivative if derivative < 0 else previous
         candidate = x + step
+        if lower <= candidate <= upper and abs(step) <= previous <= settled * min(abs(x), width):
+            return candidate  # next to a step so small for the piece it is on: right to the last bits, or noise
         if not lower < candidate < upper or abs(step) * 2 > previous:
             candidate = (lower + upper) / 2
             step = candidate - x

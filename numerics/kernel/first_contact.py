@@ -9,6 +9,7 @@ from numerics.kernel.elementary import cosine_deficit, sine_deficit, versine
 
 _MAX_STEPS = 4000
 _TOLERANCE = 2.0**-53
+_SETTLED = math.sqrt(_TOLERANCE) / 4
 
 
 @kernel
@@ -66,7 +67,7 @@ def first_contact(g: float, d: float, u: float, turns: bool) -> tuple[float, flo
 @kernel
 def guard_root(g: float, d: float, u: float, lower: float, upper: float) -> float:
     """Return the root of the guard on a piece where it falls: Newton's method in a bracket (arithmetic/newton.py)."""
-    theta, previous = (lower + upper) / 2, upper - lower
+    theta, previous, width = (lower + upper) / 2, upper - lower, upper - lower
     for _ in range(_MAX_STEPS):
         value = guard(theta, g, d, u)
         if value == 0:
@@ -78,6 +79,8 @@ def guard_root(g: float, d: float, u: float, lower: float, upper: float) -> floa
         slope = gap(theta, d, u)
         step = -value / slope if slope < 0 else previous
         candidate = theta + step
+        if lower <= candidate <= upper and abs(step) <= previous <= _SETTLED * min(abs(theta), width):
+            return candidate  # next to a step so small for the piece it is on: right to the last bits, or noise
         if not lower < candidate < upper or abs(step) * 2 > previous:
             candidate = (lower + upper) / 2
             step = candidate - theta

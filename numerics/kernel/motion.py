@@ -133,10 +133,14 @@ class End(NamedTuple):
 
 
 class Bounds(NamedTuple):
-    """What the kernels say of their own rounding: `events` (k, 4), errors of tau, X, V and Z at each event; the end."""
+    """What the kernels say of their own rounding: `events` (k, 4), errors of tau, X, V and Z at each event; the end.
+
+    `damped` is the error of what viscosity has taken from E/E_cr.
+    """
 
     events: Any
     end: End
+    damped: float = 0.0
 
 
 @kernel
@@ -211,9 +215,18 @@ def run(
         if keep > 0:
             record(rows, count, length, pair, start, errors, at)
         count += 1
-    if not tau - horizon > errors.late:
+    if not tau - horizon > lateness(pair, start, errors, linear, landed) + 4.0 * ULP * horizon:
         errors = lost()
     return (REACHED if math.isfinite(tau) else OUT_OF_RANGE), count, start, errors, linear, worst
+
+
+@kernel
+def lateness(pair: Pair, start: Start, errors: Errors, linear: Linear, at: Landing) -> float:
+    """Return how late the event that ends a motion may be."""
+    if start.kind == STICK:
+        side, below, reach, root = stick_reach(start)
+        return after_stick(errors, linear, below, root, reach, pair.sqrt_q, side == start.side).late
+    return after_slip(pair, start, errors, linear, at)[0].late
 
 
 @kernel
@@ -240,23 +253,27 @@ def leave(pair: Pair, start: Start, errors: Errors, linear: Linear, tau: float, 
 
 
 @kernel
-def errors_at_landing(pair: Pair, start: Start, errors: Errors, linear: Linear, at: Landing) -> tuple[Errors, Linear]:
-    """Return the errors at the end of a slip, lost where it is not certain what follows; w < 0: no linear part."""
+def after_slip(pair: Pair, start: Start, errors: Errors, linear: Linear, at: Landing) -> tuple[Errors, Linear]:
+    """Return the errors at the end of a slip, and their linear part; w < 0 there says that it has none."""
     q, r = pair.q, pair.r
     if start.kind == RAY:
-        errors, linear = after_ray(q, r, errors, start.w, at.w, at.theta, -at.gap, at.versine)
-    else:
-        linear = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
-        if start.kind == SURFACE:
-            landed = (at.theta, -at.gap - start.gap, at.versine)
-            errors = after_surface(q, r, errors, (start.gap, start.push, start.w), at.w, landed)
-        else:
-            variables = (start.guard, start.gap, start.push, start.driven)
-            errors = after_free(q, r, errors, variables, at.theta, -at.gap, at.spared)
+        return after_ray(q, r, errors, start.w, at.w, at.theta, -at.gap, at.versine)
+    linear = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
+    if start.kind == SURFACE:
+        landed = (at.theta, -at.gap - start.gap, at.versine)
+        return after_surface(q, r, errors, (start.gap, start.push, start.w), at.w, landed), linear
+    variables = (start.guard, start.gap, start.push, start.driven)
+    return after_free(q, r, errors, variables, at.theta, -at.gap, at.spared), linear
+
+
+@kernel
+def errors_at_landing(pair: Pair, start: Start, errors: Errors, linear: Linear, at: Landing) -> tuple[Errors, Linear]:
+    """Return the errors at the end of a slip, lost where it is not certain what follows."""
+    errors, linear = after_slip(pair, start, errors, linear, at)
     place = errors.place + 4.0 * ULP * abs(start.Z)  # Z is rounded once more
     errors = Errors(errors.late, errors.gap, errors.push, errors.w, errors.slide, place, errors.shift, errors.norm)
-    beyond = -(2 + q * at.gap)
-    unsure = not abs(beyond) > q * errors.gap or (beyond < 0.0 and not abs(at.w) > errors.w)
+    beyond = -(2 + pair.q * at.gap)
+    unsure = not abs(beyond) > pair.q * errors.gap or (beyond < 0.0 and not abs(at.w) > errors.w)
     return (lost() if unsure and not pair.literal else errors), linear
 
 
@@ -305,7 +322,7 @@ def record(rows: Any, index: int, length: float, pair: Pair, start: Start, error
 @kernel
 def at_horizon(pair: Pair, start: Start, errors: Errors, horizon: float, worst: float) -> End:
     """Return the state at the horizon, which lies in the motion with this start."""
-    if not horizon - start.tau >= errors.late:
+    if not horizon - start.tau >= errors.late + (4.0 * ULP * horizon if start.tau > 0.0 else 0.0):
         errors = lost()
     tau = (horizon - start.tau) - start.rest
     late, shift = errors.late + 4.0 * ULP * horizon, errors.shift + 4.0 * ULP * horizon

@@ -14,6 +14,7 @@ GUARD, SLOPE, LOAD = 0, 1, 2
 """Functions that roots are found of: f, +-f', and 1 -+ the load of a stick phase."""
 _MAX_STEPS = 4000
 _TOLERANCE = 2.0**-53
+_SETTLED = math.sqrt(_TOLERANCE) / 4
 _MAX_PIECES = 100_000
 _LOST_PHASE, _SMALLEST_PHASE = 1e12, 1e-97
 _DEAD = 37.5
@@ -38,7 +39,7 @@ def value_and_slope(
 @kernel
 def root(which: int, of: Oscillator, y: float, v: float, c: float, sign: float, lower: float, upper: float) -> float:
     """Return the root of a function that falls: Newton's method in a bracket (arithmetic/newton.py)."""
-    x, previous = (lower + upper) / 2, upper - lower
+    x, previous, width = (lower + upper) / 2, upper - lower, upper - lower
     for _ in range(_MAX_STEPS):
         value, slope = value_and_slope(which, of, y, v, c, sign, x)
         if value == 0:
@@ -49,6 +50,8 @@ def root(which: int, of: Oscillator, y: float, v: float, c: float, sign: float, 
             upper = x
         step = -value / slope if slope < 0 else previous
         candidate = x + step
+        if lower <= candidate <= upper and abs(step) <= previous <= _SETTLED * min(abs(x), width):
+            return candidate  # next to a step so small for the piece it is on: right to the last bits, or noise
         if not lower < candidate < upper or abs(step) * 2 > previous:
             candidate = (lower + upper) / 2
             step = candidate - x

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from strategies import scenes
 
 from numerics import batch
-from numerics.batch import ENDINGS, NAMES, Batch, solve_many, solve_scenes
+from numerics.batch import ENDINGS, Batch, solve_many, solve_scenes
 from numerics.errors import InvalidScene, OutOfRange
 from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
 from numerics.scene import Law, Pair, Scene, State
@@ -50,7 +50,7 @@ def test_the_batch_has_the_results_of_solve():
         assert np.isnan(found.event_t[index, count:]).all()
 
 
-@given(st.lists(scenes(exponents=(-3, 3), periods=(1, 2)), max_size=4))
+@given(st.lists(scenes(exponents=(-3, 3), periods=(1, 2), damped=None), max_size=4))
 def test_scenes_of_exact_decimals(drawn):
     found = solve_scenes(drawn, max_events=30)
     assert found.t.shape == (len(drawn),)
@@ -68,6 +68,22 @@ def test_binary_numbers_are_what_they_are_and_decimals_what_they_say():
     assert Fraction(0.005) > Fraction(1, 200)  # the half width: the binary number lies just beyond the edge
     assert solve_many(**PAPER, x1=0.005, until=50).events > 0
     assert solve_scenes([Scene(Pair(1, 1, 200, "0.5"), State(x1="0.005"), until=50)]).events == 0
+
+
+def test_viscous_and_undamped_scenes_in_one_batch():
+    a1 = np.array([0.0, 0.5, 0.0, 3.0, 40.0])
+    found = solve_many(**PAPER, a1=a1, v1=0.15, until=5, keep_events=50)
+    for index, damper in enumerate(a1):
+        one = solve(Scene(Pair(1, 1, 200, Fraction(0.5), Fraction(damper)), State(v1=Fraction(0.15)), 5))
+        count = len(one.events)
+        assert (found.events[index], found.mode[index]) == (count, one.final_mode.sign)
+        np.testing.assert_allclose(found.y[:, index], one.y[:, -1], rtol=1e-12, atol=1e-18)
+        ledger = one.ledger
+        assert found.dissipated[index] == pytest.approx(ledger.friction + ledger.viscous, rel=1e-12)
+        assert found.dissipated_error[index] < 1e-12 * found.dissipated[index]
+        np.testing.assert_allclose(found.event_t[index, :count], [event.t for event in one.events], rtol=1e-13)
+        event_v = [event.y[1] for event in one.events]
+        np.testing.assert_allclose(found.event_y[1, index, :count], event_v, rtol=1e-12)
 
 
 def test_shapes_broadcast():
@@ -124,6 +140,7 @@ def test_the_cap_on_events_and_the_literal_law():
     [
         ({"m1": [1, -1]}, r"m1\[1\] = -1 must be > 0"),
         ({"a2": 0}, "a2 = 0 must be > 0"),
+        ({"a1": [1, -2]}, r"a1\[1\] = -2 must be >= 0"),
         ({"v1": [0, np.nan]}, r"v1\[1\] = nan must be finite"),
         ({"until": np.inf}, "until = inf must be > 0 and finite"),
         ({"b": "strong"}, "b must be an array of real numbers"),
@@ -146,7 +163,3 @@ def test_a_wrong_number_is_named(given_, said):
 def test_wrong_arguments_are_named(given_, said):
     with pytest.raises(ValueError, match=said):
         solve_many(**PAPER, until=5, **given_)
-
-
-def test_the_columns_are_the_arguments():
-    assert len(NAMES) == 9
