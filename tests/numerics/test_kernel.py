@@ -124,12 +124,24 @@ def test_a_graze_has_no_bound():
 
 
 def test_an_event_next_to_the_horizon_leaves_the_sequence_open():
-    first = solve(PAPER, digits=40, arithmetic="ball").events[4].t
-    for shift in (-1, 1):
-        until = Fraction(str(first.mid().str(30, radius=False))) + Fraction(shift, 10**18)
-        accuracy = solve(Scene(PAPER.pair, PAPER.initial, until)).accuracy
-        assert not accuracy.certain
-        assert accuracy.digits == 0
+    for event in solve(PAPER, digits=40, arithmetic="ball").events[:6]:
+        for shift in (-1, 1):
+            until = Fraction(str(event.t.mid().str(30, radius=False))) + Fraction(shift, 10**18)
+            accuracy = solve(Scene(PAPER.pair, PAPER.initial, until)).accuracy
+            assert not accuracy.certain
+            assert accuracy.digits == 0
+
+
+@given(scenes(size=(-1, 1), damped=None), st.integers(0, 5), st.integers(-3000, 3000))
+def test_next_to_the_horizon_certain_means_right(scene, index, shift):
+    proved = solve(scene, digits=40, arithmetic="ball", max_events=8).events
+    if not proved:
+        return
+    t = Fraction(str(proved[index % len(proved)].t.mid().str(35, radius=False)))
+    moved = Scene(scene.pair, scene.initial, t * (1 + Fraction(shift, 10**18)), scene.law)
+    floats = solve(moved, max_events=9)
+    if floats.accuracy is not None and floats.accuracy.certain:
+        assert len(floats.events) == len(solve(moved, digits=40, arithmetic="ball", max_events=9).events)
 
 
 def test_digits_are_what_was_asked_for_by_the_cheapest_arithmetic():
