@@ -158,7 +158,12 @@ def _latex_table(head: Sequence[str], rows: Sequence[Sequence[str]], caption: st
 
 def latex_text(text: str) -> str:
     """Return a text as LaTeX source."""
-    return _with_code(text, mathematics.latex, lambda code: rf"\texttt{{{mathematics.latex(code)}}}")
+    return _with_code(text, mathematics.latex, _latex_code)
+
+
+def _latex_code(code: str) -> str:
+    """Return code in typewriter; two hyphens must not join to a dash."""
+    return rf"\texttt{{{mathematics.latex(code).replace('--', '-{}-')}}}"
 
 
 def markdown(section: Section) -> str:

@@ -13,9 +13,11 @@ from paper_checks.speed.wording import listed, step_text
 
 def forward_euler(figures: Sequence[EulerFigure], energies: Sequence[StickEnergy]) -> Iterator[Block]:
     """Yield the energy that forward Euler makes in stick, its chatter, and the step that each figure needs."""
-    yield from _energy(energies)
-    yield from _steps(figures)
-    yield from _chatter(figures)
+    if energies:
+        yield from _energy(energies)
+    if figures:
+        yield from _steps(figures)
+        yield from _chatter(figures)
 
 
 def _energy(energies: Sequence[StickEnergy]) -> Iterator[Block]:
@@ -54,10 +56,9 @@ def _energy(energies: Sequence[StickEnergy]) -> Iterator[Block]:
 
 
 def _steps(figures: Sequence[EulerFigure]) -> Iterator[Block]:
-    coarse = figures[0].outcomes
-    tried = f"{step_text(coarse[0].step)} to {step_text(coarse[-1].step)} s" if coarse else ""
+    tried = figures[0].outcomes
     yield Paragraph(
-        f"Steps from {tried} were tried over each figure's time; a step counts if all "
+        f"Steps from {step_text(tried[0].step)} to {step_text(tried[-1].step)} s were tried over each figure's time; a step counts if all "
         "finer ones are right, too. An error is the worst of final state (in units of $L$ and $L\\Omega$), last event "
         "and dissipated energy. “About” marks what is extrapolated from the finest step, as the error goes with the step."
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
@@ -13,10 +14,12 @@ from numerics.trade.growth import Growth
 from numerics.trade.recorded import RecordedScene, RecordedTrade
 from numerics.trade.scenes import Benchmark, benchmarks
 from paper_checks.report.blocks import Block, Paragraph, Table
-from paper_checks.speed.wording import asked, digits, factor_text, groups, headline, listed, time_text
+from paper_checks.speed.wording import asked, digits, factor_text, groups, headline, listed, spread, time_text
 
 NEEDS = (*range(1, 16), 20, 25, 30, 50, 100, 300, 1000, 3000, 10_000)
 """Right digits that a reader may need."""
+BINARY64_DIGITS = 17
+"""What binary64 has where nothing was rounded."""
 
 
 @dataclass(frozen=True)
@@ -79,9 +82,9 @@ def _independent_check(trade: RecordedTrade) -> Iterator[Paragraph]:
     if both:
         costs = [points["mpmath", one].seconds / points["ball", one].seconds for one in both]
         yield Paragraph(
-            "mpmath shares no arithmetic with the balls, so it is the independent check: from "
-            f"{min(both):,.0f} to {max(both):,.0f} digits it takes {factor_text(min(costs))} to "
-            f"{factor_text(max(costs))} times as long."
+            "mpmath shares no arithmetic with the balls, so it is the independent check: at "
+            f"{spread(f'{min(both):,.0f}', f'{max(both):,.0f}')} digits it takes "
+            f"{spread(factor_text(min(costs)), factor_text(max(costs)))} times as long."
         )
 
 
@@ -108,9 +111,7 @@ def bounded(name: str) -> Bounded | None:
 
 
 def _digits_of(error: float) -> int:
-    from math import log10
-
-    return digits(log10(error)) if error > 0 else 17
+    return digits(math.log10(error)) if error > 0 else BINARY64_DIGITS
 
 
 def _benchmark(name: str) -> Benchmark | None:

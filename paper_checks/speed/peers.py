@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from numerics.trade.front import Lead
 from numerics.trade.recorded import RecordedRun, RecordedScene, RecordedTrade
 from paper_checks.report.blocks import Block, Paragraph, Points, Table
-from paper_checks.speed.wording import asked, counted, digits, factor_text, listed, time_text
+from paper_checks.speed.wording import asked, counted, digits, factor_text, listed, spread, time_text
 
 
 def leading(trade: RecordedTrade) -> Iterator[Block]:
@@ -64,11 +64,11 @@ def _lead_row(trade: RecordedTrade, scene: RecordedScene, one: Lead | None) -> t
         return scene.name, "none is right", "-", "-", "-", "-"
     peer = f"{digits(one.peer.error)}, {time_text(one.peer.seconds)}"
     ratios = [lead.ratio for lead in trade.leads(scene) if lead.ratio is not None]
-    spread = f"{factor_text(min(ratios))} to {factor_text(max(ratios))}" if ratios else "-"
+    factors = spread(factor_text(min(ratios)), factor_text(max(ratios))) if ratios else "-"
     if one.ours is None or one.ratio is None:
-        return scene.name, asked(trade, one.peer), peer, "none", "-", spread
+        return scene.name, asked(trade, one.peer), peer, "none", "-", factors
     ours = f"{asked(trade, one.ours)}: {time_text(one.ours.seconds)}"
-    return scene.name, asked(trade, one.peer), peer, ours, factor_text(one.ratio), spread
+    return scene.name, asked(trade, one.peer), peer, ours, factor_text(one.ratio), factors
 
 
 def sequences(trade: RecordedTrade) -> Iterator[Block]:
@@ -116,11 +116,11 @@ def _scenes(trade: RecordedTrade) -> Iterator[str]:
 
 
 def _right_peers(trade: RecordedTrade, scene: RecordedScene) -> str:
-    words = {True: "right at every setting", None: "at some settings only", False: "at none"}
+    words = {True: "at every setting", None: "at some settings only", False: "at none"}
     found: dict[bool | None, list[str]] = {word: [] for word in words}
     for peer in (one.label for one in trade.contenders if not one.ours):
         verdicts = {one.right for one in _runs(trade, peer, scene.name) if one.right is not None}
         if verdicts:
             found[None if len(verdicts) == 2 else verdicts.pop()].append(peer)
     parts = [f"{word} {listed(found[answer])}" for answer, word in words.items() if found[answer]]
-    return "; ".join(parts) or "no peer came to an end"
+    return f"right {'; '.join(parts)}" if parts else "no peer came to an end"

@@ -77,6 +77,15 @@ def listed(names: Sequence[str]) -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
+def spread(least: str, most: str) -> str:
+    """Return a range, or its one value.
+
+    >>> spread("2", "5"), spread("2", "2")
+    ('2 to 5', '2')
+    """
+    return least if least == most else f"{least} to {most}"
+
+
 def counted(number: int, one: str, many: str) -> str:
     """Return a number with its noun.
 

@@ -7,6 +7,7 @@ import sys
 import time
 
 import pytest
+from planted_trades import planted
 
 import paper_checks.__main__ as command_line
 import paper_checks.figures as figures_module
@@ -14,11 +15,14 @@ import paper_checks.ledger as ledger_module
 from paper_checks import registry as registry_module
 from paper_checks.__main__ import main
 from paper_checks.ledger import CLAIMS
+from paper_checks.speed import section as section_module
 
 
 @pytest.fixture
 def small(monkeypatch, rows, registry, figures):
-    """The small ledger in the place of the real one."""
+    """The small ledger in the place of the real one; the section on speed without forward Euler's runs."""
+    monkeypatch.setattr(section_module, "euler_figures", tuple)
+    monkeypatch.setattr(section_module, "stick_energies", tuple)
     monkeypatch.setattr(ledger_module, "CLAIMS", tuple(row.claim for row in rows))
     monkeypatch.setattr(registry_module, "load_checks", lambda: registry)
     monkeypatch.setattr(figures_module, "FIGURES", figures)
@@ -74,6 +78,22 @@ def test_a_folder_that_cannot_be_written_is_one_line(small, capsys, tmp_path):
     (tmp_path / "file").write_text("")
     assert main(["report", "--out", str(tmp_path / "file")]) == 2
     assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_the_report_takes_another_trade_and_is_the_same_on_every_run(small, capsys, tmp_path):
+    planted(tmp_path)  # writes the file
+    folders = [tmp_path / name for name in ("one", "two")]
+    for folder in folders:
+        main(["report", "--out", str(folder), "--trade", str(tmp_path / "planted.json")])
+    pages = [(folder / "report.html").read_bytes() for folder in folders]
+    assert pages[0] == pages[1]
+    assert b"Measured once: Abacus" in pages[0]
+
+
+def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
+    assert main(["report", "--trade", str(tmp_path / "nowhere.json")]) == 2
+    assert capsys.readouterr().err == "paper_checks: nowhere.json cannot be read: No such file or directory\n"
 
 
 @pytest.mark.parametrize("arguments", [["run", "--nonsense"], ["report", "--format", "pdf"], ["--seed", "x"]])

@@ -1,0 +1,221 @@
+"""The advice says what the record says: planted records in which a peer wins, a sequence is wrong, numba is missing."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from planted_trades import COMPILED, OBJECTS, PLAIN, SCENES, our_runs, planted, run
+
+from numerics.trade import euler
+from numerics.trade.euler import EulerFigure, EulerOutcome, StickEnergy
+from paper_checks.report import blocks
+from paper_checks.report.blocks import Heading, Paragraph, Picture, Points, Section, Table
+from paper_checks.speed import misleading, needs, payoff, peers, section
+
+
+def said(found) -> str:
+    """Return blocks as one text."""
+    return blocks.markdown(Section("x", "x", tuple(found)))
+
+
+@pytest.fixture
+def plain_trade(tmp_path):
+    return planted(tmp_path)
+
+
+class TestNeeds:
+    def test_the_cheapest_that_is_right_everywhere_is_chosen(self, plain_trade):
+        rows = needs.choices(plain_trade)
+        assert [need for need, _ in rows] == [14, 20, 100]
+        names = [[choice.name for choice in row.values()] for _, row in rows]
+        assert names == [[COMPILED] * 2, ["ball, 10 digits"] * 2, ["ball, 100 digits"] * 2]
+
+    def test_a_method_that_is_wrong_on_one_scene_is_not_chosen_for_its_kind(self, tmp_path):
+        runs = [one for one in our_runs() if (one["contender"], one["scene"]) != (COMPILED, SCENES[0])]
+        wrong = run(COMPILED, SCENES[0], 4e-6, -14.5, right=False, difference="1 event, not 2")
+        rows = needs.choices(planted(tmp_path, wrong, runs=runs))
+        assert [choice.name for choice in rows[0][1].values()] == [PLAIN, COMPILED]
+
+    def test_without_numba_plain_python_is_chosen_and_the_gap_is_named(self, tmp_path):
+        left_out = [{"contender": COMPILED, "missing": "numba"}]
+        trade = planted(tmp_path, runs=our_runs(compiled=False), left_out=left_out)
+        assert {choice.name for choice in needs.choices(trade)[0][1].values()} == {PLAIN}
+        assert "The compiled path was not measured: it needs numba." in said(payoff.payoff(trade))
+        assert f"Left out, as not installed: {COMPILED} (needs numba)." in said(section.provenance(trade))
+
+    def test_a_contender_that_did_not_exist_before_takes_its_place(self, tmp_path):
+        more = [run("double-double, compiled", scene, 4e-5, -28.5) for scene in SCENES]
+        names = {choice.name for choice in needs.choices(planted(tmp_path, *more))[1][1].values()}
+        assert names == {"double-double, compiled"}
+
+    def test_mpmath_is_compared_at_the_same_digits(self, plain_trade):
+        assert "at 10 digits it takes 10 times as long" in said(needs.needs(plain_trade))
+
+    def test_float64s_bounds_stand_beside_what_was_measured(self, plain_trade):
+        (table,) = [one for one in needs.float64_is_enough(plain_trade) if isinstance(one, Table)]
+        assert [row[0] for row in table.rows] == list(SCENES)
+        assert all(int(bound) <= 16 and measured == "14" for _, _, bound, measured in table.rows)
+        assert all(int(each) > 5 for _, each, *_ in table.rows[:2])
+
+    def test_a_scene_that_nobody_knows_has_no_bounds(self):
+        assert needs.bounded("a scene of tomorrow") is None
+        assert needs.bounded("long-many") is None
+
+    def test_the_price_of_a_digit_is_a_slope(self, plain_trade):
+        text = said(needs.price_of_digits(plain_trade))
+        assert "50 µs at 10 digits and 400 µs at 1,000: 354 ns for each further digit" in text
+        assert "| 10 | 250 ns | 50 µs (200) |" in text
+
+
+class TestPayoff:
+    def test_compiling_is_paid_back_after_its_time_by_the_gain(self, plain_trade):
+        text = said(payoff.payoff(plain_trade))
+        assert "75 times as long" in text
+        assert "500 ms: paid back after 1,690 such solves" in text
+
+    def test_compiling_that_does_not_pay_is_said(self, tmp_path):
+        runs = [one | ({"seconds": 1.0} if one["contender"] == COMPILED else {}) for one in our_runs()]
+        assert "Compiling does not pay there." in said(payoff.payoff(planted(tmp_path, runs=runs)))
+
+    def test_a_batch_pays_from_where_it_undercuts_a_loop(self, plain_trade):
+        text = said(payoff.payoff(plain_trade))
+        assert "From 100 scenes on `solve_many` undercuts" in text
+        assert "62.5 times less than `solve(scene)`" in text
+        assert "On 2 cores a batch of 100 scenes goes 2 times as fast as on one." in text
+
+    def test_growth_is_told_for_events_and_masses(self, plain_trade):
+        assert f"| {PLAIN} | 10 µs (20 events) | 20 µs (200 events) | 3 times |" in said(payoff.payoff(plain_trade))
+
+    def test_a_trade_without_growth_says_nothing_of_it(self, tmp_path):
+        trade = planted(tmp_path, growth=[])
+        assert not list(payoff.payoff(trade))[1:]
+        assert list(needs.price_of_digits(trade)) == []
+        assert list(section.figures(trade)) == ["work-precision"]
+
+
+class TestPeers:
+    def test_a_lead_is_told_with_its_closest_peer(self, tmp_path):
+        slow, close = (run("Slow", "figure-4a", 1.0, -5.0), run("Close", "figure-4a", 8e-6, -3.0))
+        text = said(peers.leading(planted(tmp_path, slow, close)))
+        assert "No peer with the right events beats ours at equal or better accuracy on any scene." in text
+        assert "Close on figure-4a: ours is 2 times as fast." in text
+        assert "2 to 250,000" in text
+
+    def test_a_peer_that_wins_is_said_to(self, tmp_path):
+        winner = run("Winner", "figure-4a", 1e-3, -16.0)
+        text = said(peers.leading(planted(tmp_path, winner)))
+        assert "On figure-4a Winner (16 digits, 1 ms) beats ours: it is 2 times as fast as ball, 10 digits." in text
+        assert "No peer with" not in text
+
+    def test_a_peer_that_is_more_accurate_than_all_of_ours_is_said_to_be(self, tmp_path):
+        text = said(peers.leading(planted(tmp_path, run("Exact", "figure-4a", 9.0, -500.0))))
+        assert "On figure-4a no run of ours is as accurate as Exact (500 digits, 9 s)." in text
+
+    def test_a_wrong_peer_wins_nothing(self, tmp_path):
+        wrong = run("Wrong", "figure-4a", 1e-9, -500.0, right=False, difference="1 event, not 24")
+        text = said(peers.leading(planted(tmp_path, wrong)))
+        assert "beats ours:" not in text
+        assert "| figure-4a | none is right |" in text
+
+    def test_without_peers_nothing_is_claimed(self, plain_trade):
+        assert "nothing can be said about others" in said(peers.leading(plain_trade))
+
+    def test_who_is_right_where(self, tmp_path):
+        half = [run("Half", "figure-4a", 1e-3, -3.0, setting=1e-3)]
+        half += [run("Half", "figure-4a", 1e-4, -1.0, setting=1e-2, right=False, difference="1 event, not 24")]
+        hung = run("Hung", "figure-4a", None)
+        text = said(peers.sequences(planted(tmp_path, *half, hung)))
+        assert "figure-4a: right at some settings only Half." in text
+        assert "figure-4b-b05 and near-critical-1e-6: no peer came to an end." in text
+        assert "| Half | 1/2: 3 | - | - |" in text
+        assert "| Hung | stopped | - | - |" in text
+        assert "Ours have the right event sequence in all 18 runs." in text
+
+    def test_a_wrong_sequence_of_ours_is_confessed(self, tmp_path):
+        wrong = run(OBJECTS, "figure-4a", 1e-3, -1.0, setting=1.0, right=False, difference="23 events, not 24")
+        text = said(peers.sequences(planted(tmp_path, wrong)))
+        assert f"Ours are wrong in 1 run of 19: {OBJECTS} on figure-4a (23 events, not 24)." in text
+
+
+class TestForwardEuler:
+    FIGURE = EulerFigure(
+        "9",
+        7,
+        2.0,
+        (EulerOutcome(1e-2, False, "5 events, not 7", 1.0, 0), EulerOutcome(1e-3, True, None, -1.5, 40)),
+    )
+
+    def test_energy_that_departs_from_theory_is_named(self):
+        fits, departs = StickEnergy(1e-2, 2.0, 2.0, None, 5), StickEnergy(1e-3, 2.0, 2.1, 1.5, 50)
+        text = said(misleading.forward_euler([self.FIGURE], [fits, departs]))
+        assert "to 8 digits, but not with steps of $10^{-3}$ s." in text
+        assert "between 1.50000 and 1.50000" in text
+        assert "slips out" in text
+        assert "in every run below" in said(misleading.forward_euler([self.FIGURE], [fits]))
+
+    def test_steps_and_chatter_are_those_of_the_runs(self):
+        text = said(misleading.forward_euler([self.FIGURE], []))
+        assert "| Fig. 9 | 7 in 2 s | $10^{-3}$ | about $3.2\\cdot10^{-4}$ | about $3.2\\cdot10^{-5}$ | 3e-2 |" in text
+        assert "| Fig. 9 | 0 × | 40 |" in text
+        assert "Runs without any have missed all sticking: Fig. 9 up to $10^{-2}$ s." in text
+        assert "Finer steps give more of it" in text
+
+    def test_chatter_that_does_not_grow_is_not_said_to(self):
+        figure = EulerFigure("9", 7, 2.0, tuple(reversed(self.FIGURE.outcomes)))
+        assert "Finer steps" not in said(misleading.forward_euler([figure], []))
+
+
+class TestSection:
+    @pytest.fixture
+    def whole(self, tmp_path, monkeypatch):
+        monkeypatch.setattr(section, "euler_figures", lambda: (TestForwardEuler.FIGURE,))
+        monkeypatch.setattr(section, "stick_energies", lambda: (StickEnergy(1e-2, 2.0, 2.0, None, 5),))
+        return section.section(planted(tmp_path, run("Peer", "figure-4a", 1e-3, -3.0)))
+
+    def test_it_names_the_machine_and_how_to_measure_another(self, whole):
+        text = blocks.markdown(whole)
+        assert "Measured once: Abacus, 2 cores, Python 3.11, numpy 2" in text
+        assert "python -m paper_checks report --trade F" in text
+
+    def test_every_part_has_its_heading_and_every_figure_is_drawn(self, whole, plain_trade):
+        headings = [one.text for one in whole.blocks if isinstance(one, Heading)]
+        assert len(headings) == len(set(headings)) == 8
+        assert set(whole.pictures) == set(section.figures(plain_trade))
+        for draw in section.figures(plain_trade).values():
+            assert draw().axes
+
+    def test_all_forms_carry_every_table_and_sentence(self, whole):
+        tables = [one for one in whole.blocks if isinstance(one, Table)]
+        assert blocks.html(whole, {}).count("<table") == len(tables)
+        assert blocks.latex(whole, {}).count(r"\begin{longtable}") == len(tables)
+        assert blocks.markdown(whole).count("\n| --- |") == len(tables)
+        assert blocks.html(whole, {}).count("was not drawn") == len(whole.pictures)
+
+    def test_rows_are_as_long_as_their_heads(self, whole):
+        for one in whole.blocks:
+            if isinstance(one, Table):
+                assert {len(row) for row in one.rows} == {len(one.head)}
+
+
+def test_the_shipped_record_is_advised_on_without_forward_euler():
+    from numerics.trade.recorded import recorded
+
+    text = said(section.advice(recorded()))
+    assert "Ours have the right event sequence in all" in text
+    assert not re.search(r"\bnan\b|\bNone\b", text)
+
+
+def test_hostile_texts_are_escaped():
+    hostile = Section("x", "<b>&", (Paragraph("<i> `a--b<` $x<y$"), Points(("%_<",)), Picture("p", "<c>")))
+    page = blocks.html(hostile, {"p": "<svg></svg>"})
+    assert "<b>" not in page
+    assert "<i>" not in page
+    assert "<code>a--b&lt;</code>" in page
+    source = blocks.latex(hostile, {"p": "p.pdf"})
+    assert r"\texttt{a-{}-b\textless{}}" in source
+    assert r"\%\_\textless{}" in source
+
+
+def test_the_house_runs_of_euler_are_cached():
+    assert euler.stick_energies() is euler.stick_energies()
