@@ -199,7 +199,7 @@ class Trajectory:
         with self.arithmetic.context():
             friction = viscous = self.arithmetic.number(0)
             for index, segment in enumerate(self.segments):
-                ended = index < len(self.events)
+                ended = index < len(self.segments) - 1 or not self.success
                 losses = segment.motion.whole_losses() if ended else segment.motion.losses(segment.length)
                 friction, viscous = friction + losses[0], viscous + losses[1]
             unit = self.frame.critical_energy

@@ -131,10 +131,10 @@ def double_first_contact(g: Double, d: Double, u: Double, turns: bool) -> tuple[
     lean, phase = arctangent(height, ONE), arctangent(u, add(ONE, d))
     first = subtract(phase, lean)
     count = divide(subtract(subtract(add(g, u), height), first), TURN)
-    if not abs(count.high) < 1e15:
+    if not count.high < 1e15:
         return Double(math.nan, 0.0), 0.0
     least = 1 if first.high <= 0.0 else 0
-    whole = math.ceil(count.high)
+    whole = math.ceil(max(count.high, -1.0))  # far below zero there are no minima to pass
     if float(whole) == count.high and count.low > 0.0:
         whole += 1
     index = max(least, whole)

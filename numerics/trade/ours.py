@@ -21,6 +21,7 @@ from numerics.modes import Mode, event_kind
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene
 from numerics.solve import ArithmeticName, solve
+from numerics.trade.double_kernels import DoubleKernels
 from numerics.trade.outcome import Outcome, float_text, letters
 from numerics.trajectory import Trajectory
 
@@ -34,7 +35,14 @@ Solved = tuple[Trajectory, tuple[Any, ...], Any]
 
 def our_contenders() -> list[Any]:
     """Return our methods, from the fastest to the most digits."""
-    return [Kernels(compiled=True), Kernels(compiled=False), FloatTrajectory(), Digits("mpmath"), Digits("ball")]
+    return [
+        Kernels(compiled=True),
+        Kernels(compiled=False),
+        FloatTrajectory(),
+        DoubleKernels(),
+        Digits("mpmath"),
+        Digits("ball"),
+    ]
 
 
 class Kernels:

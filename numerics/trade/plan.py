@@ -38,7 +38,7 @@ class Size:
     reference_limit: float = 900.0
 
 
-_DECADES = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
+_DECADES = (10.0, 30.0, 50.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
 SIZES = {
     "small": Size(
         settings=2,
