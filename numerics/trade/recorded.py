@@ -2,7 +2,7 @@
 
 The one that is shipped was made, on an idle machine with the extra `comparisons`, by
 
-    python -m numerics trade --size default --json > numerics/trade/recorded.json
+    python -m numerics trade --size default --json > trade.json && mv trade.json numerics/trade/recorded.json
 
 and any other output of `python -m numerics trade --json` can take its place.
 """

@@ -62,6 +62,7 @@ def test_the_notebooks_of_the_house_are_there():
         "explore_one_scene",
         "paper_figures",
         "past_the_paper",
+        "speed_and_accuracy",
     ]
 
 
