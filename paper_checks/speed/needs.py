@@ -26,7 +26,9 @@ BINARY64_DIGITS = 17
 class Choice:
     """The method that is right to so many digits on all of some scenes, and its longest time on one of them, s."""
 
+    contender: str
     name: str
+    """with its setting"""
     seconds: float
 
 
@@ -39,7 +41,7 @@ def cheapest(trade: RecordedTrade, scenes: Sequence[RecordedScene], need: int) -
                 slowest.setdefault((one.contender, one.setting), []).append(one)
     enough = [max(some, key=lambda one: one.seconds) for some in slowest.values() if len(some) == len(scenes)]
     best = min(enough, key=lambda one: one.seconds, default=None)
-    return None if best is None else Choice(asked(trade, best), best.seconds)
+    return None if best is None else Choice(best.contender, asked(trade, best), best.seconds)
 
 
 def choices(trade: RecordedTrade) -> list[tuple[int, dict[str, Choice | None]]]:

@@ -11,6 +11,7 @@ from numerics.trade.figure import draw_growth, draw_trade
 from numerics.trade.recorded import RecordedTrade
 from paper_checks.drawing.style import house_style
 from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Section
+from paper_checks.speed.in_short import in_short
 from paper_checks.speed.misleading import forward_euler
 from paper_checks.speed.needs import float64_is_enough, needs, price_of_digits
 from paper_checks.speed.payoff import payoff
@@ -21,14 +22,20 @@ WORK_PRECISION, GROWTH = "work-precision", "growth-of-cost"
 
 
 def section(trade: RecordedTrade) -> Section:
-    """Return the whole section: provenance, advice, curves, and where forward Euler misleads."""
-    blocks = [*provenance(trade), *advice(trade), *curves(trade), *euler_advice()]
+    """Return the whole section: provenance, advice (first in short), curves, and where forward Euler misleads."""
+    blocks = [*provenance(trade), *summary(trade), *advice(trade), *curves(trade), *euler_advice()]
     return Section(ID, TITLE, tuple(blocks))
 
 
 def advice_alone(trade: RecordedTrade) -> Section:
     """Return the advice without the figures, for a notebook that draws them itself."""
-    return Section(ID, "Advice", (*advice(trade), *euler_advice()))
+    return Section(ID, "Advice", (*summary(trade), *advice(trade), *euler_advice()))
+
+
+def summary(trade: RecordedTrade) -> Iterator[Block]:
+    """Yield the advice in a few sentences."""
+    yield Heading("In short")
+    yield from in_short(trade, euler_figures(), stick_energies())
 
 
 def provenance(trade: RecordedTrade) -> Iterator[Block]:

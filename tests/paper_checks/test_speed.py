@@ -11,7 +11,7 @@ from numerics.trade import euler
 from numerics.trade.euler import EulerFigure, EulerOutcome, StickEnergy
 from paper_checks.report import blocks
 from paper_checks.report.blocks import Heading, Paragraph, Picture, Points, Section, Table
-from paper_checks.speed import misleading, needs, payoff, peers, section
+from paper_checks.speed import in_short, misleading, needs, payoff, peers, section
 
 
 def said(found) -> str:
@@ -166,6 +166,33 @@ class TestForwardEuler:
         assert "Finer steps" not in said(misleading.forward_euler([figure], []))
 
 
+class TestInShort:
+    def short(self, trade) -> str:
+        return said(in_short.in_short(trade, [TestForwardEuler.FIGURE], [StickEnergy(1e-2, 2.0, 2.0, None, 5)]))
+
+    def test_it_names_the_arithmetics_in_their_order(self, plain_trade):
+        text = self.short(plain_trade)
+        assert f"on figure-4b-b05: {COMPILED} up to 14 (4 µs) and ball up to 100 (3 ms)." in text
+        assert "peer" not in text
+
+    def test_a_lead_counts_only_scenes_where_nobody_beats_ours(self, tmp_path):
+        winner, loser = run("A", "figure-4a", 1e-3, -16.0), run("B", "figure-4b-b05", 1e-3, -12.0)
+        text = self.short(planted(tmp_path, winner, loser))
+        assert "by a factor of at least 250, on 1 of 2 scenes" in text
+        assert "Some peer beats ours on figure-4a" in text
+
+    def test_a_peer_that_is_wrong_or_stopped_once_is_not_always_right(self, tmp_path):
+        right = run("Right", "figure-4a", 1e-3, -12.0)
+        wrong = run("Wrong", "figure-4a", 1e-3, -12.0, right=False, difference="1 event, not 24")
+        text = self.short(planted(tmp_path, right, wrong, run("Hung", "figure-4a", None)))
+        assert "Of 3 uses of other tools 1 has the events right on every scene at every setting: Right." in text
+
+    def test_forward_euler_is_told_by_its_hardest_figure(self, plain_trade):
+        text = self.short(plain_trade)
+        assert "Fig. 9: for the right events $10^{-3}$ s, for 1 % about $3.2\\cdot10^{-4}$ s." in text
+        assert "by 2 (step $10^{-2}$ s)" in text
+
+
 class TestSection:
     @pytest.fixture
     def whole(self, tmp_path, monkeypatch):
@@ -180,7 +207,7 @@ class TestSection:
 
     def test_every_part_has_its_heading_and_every_figure_is_drawn(self, whole, plain_trade):
         headings = [one.text for one in whole.blocks if isinstance(one, Heading)]
-        assert len(headings) == len(set(headings)) == 8
+        assert len(headings) == len(set(headings)) == 9
         assert set(whole.pictures) == set(section.figures(plain_trade))
         for draw in section.figures(plain_trade).values():
             assert draw().axes
