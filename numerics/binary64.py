@@ -2,41 +2,24 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.float64 import Float64
 from numerics.kernel.bounds import ULP, Errors, no_linear
-from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.motion import (
-    COLUMNS,
-    EVENT_LIMIT,
-    FREE,
-    OUT_OF_RANGE,
-    RAY,
-    ROWS_FULL,
-    STICK,
-    STUCK,
-    SURFACE,
-    Bounds,
-    End,
-    Pair,
-    Start,
-)
-from numerics.kernel.packed import ANSWER, HORIZON, HOW, STATE, advance, answer, pack
-from numerics.modes import Mode, event_kind, slip_mode
+from numerics.kernel.motion import COLUMNS, FREE, RAY, STICK, SURFACE, Bounds, End, Pair, Start
+from numerics.kernel.packed import ANSWER, HORIZON, HOW, STATE, advance, answer, pack, start_of
+from numerics.kernel_run import KernelRun, Progress, answered, written_rows
+from numerics.modes import Mode, slip_mode
 from numerics.motion import Motion
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Law, Scene
 from numerics.slip_flow import SlipFlow
 from numerics.start import initial_motion
-from numerics.trajectory import Event, Segment, Status, Trajectory
+from numerics.trajectory import Trajectory
 from numerics.undamped import UndampedSlip, UndampedStick
 
-_ROWS = 1000
+_TAU, _ERRORS = COLUMNS.index("tau"), slice(COLUMNS.index("late"), COLUMNS.index("place") + 1)
 
 
 def kernel_start(scene: Scene) -> tuple[Frame, Motion, NDArray[np.float64]]:
@@ -79,73 +62,41 @@ def _initial_errors(frame: Frame, start: Start, at: ReducedState) -> Errors:
     return Errors(0.0, gap, push, 2 * ULP * abs(at.w), 0.0, 2 * ULP * abs(at.Z), 0.0, norm)
 
 
-def solve_binary64(
-    scene: Scene, max_events: int, progress: Callable[[int, float], None] | None = None
-) -> Trajectory | None:
+def solve_binary64(scene: Scene, max_events: int, progress: Progress | None = None) -> Trajectory | None:
     """Return the trajectory of an undamped scene, compiled where numba is installed; None if it leaves the range."""
     frame, motion, state = kernel_start(scene)
     horizon = float(state[HORIZON])
-    kept: list[NDArray[np.float64]] = []
-    rows = np.empty((min(max_events + 1, _ROWS), len(COLUMNS)))
-    while True:
-        # numba takes a second to come, so the first rows are left to Python unless it is here already
-        fast = can_compile() and (kept or "numba" in sys.modules)
-        try:
-            count = compiled(advance)(state, max_events, rows) if fast else _advance(state, max_events, rows)
-        except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
-            return None
-        kept.append(rows[:count].copy())
-        if state[HOW] != ROWS_FULL:
-            break
-        if progress is not None:
-            progress(sum(map(len, kept)), kept[-1][-1, 2] / horizon)
-    if state[HOW] == OUT_OF_RANGE:
+    told = None if progress is None else lambda row, count: progress(count, row[_TAU] / horizon)
+    rows = written_rows(advance, state, HOW, len(COLUMNS), max_events, told)
+    if rows is None:
         return None
-    end = [0.0] * ANSWER
-    answer(state.tolist(), end)
-    return _trajectory(scene, frame, motion, np.concatenate(kept), state, end)
+    end = answered(answer, state, ANSWER)[: len(End._fields)]
+    found = End._make([int(end[0]), *end[1:-1], bool(end[-1])])
+    return _Run(scene, frame, motion, rows, state).trajectory(state[HOW], Bounds(rows[:, _ERRORS], found))
 
 
-def _advance(state: NDArray[np.float64], max_events: int, rows: NDArray[np.float64]) -> int:
-    """Advance a row by plain Python, on plain floats: NumPy's own are slower, and warn where those raise."""
-    plain = state.tolist()
-    count = advance(plain, max_events, rows)
-    state[:] = plain
-    return count
+class _Run(KernelRun):
+    """The rows of an undamped scene (motion.COLUMNS)."""
 
+    def number(self, index: int, name: str) -> float:
+        """Return a number of a row."""
+        return float(self.rows[index, COLUMNS.index(name)])
 
-def _trajectory(
-    scene: Scene, frame: Frame, motion: Motion, rows: NDArray[np.float64], state: NDArray[np.float64], end: list[float]
-) -> Trajectory:
-    how, horizon, rest = int(state[HOW]), float(state[HORIZON]), float(state[15])
-    segments, events, start = [], [], 0.0
-    motions = _motions(frame, scene.law, rows)
-    for (tau, length), following in zip(rows[:, 2:4].tolist(), motions, strict=True):
-        segments.append(Segment(motion, start, tau, length))
-        kind = event_kind(motion.mode, following.mode)
-        at = following.start
-        events.append(Event(frame.si_time(tau), kind, motion.mode, following.mode, frame.si_state(at), at))
-        motion, start = following, tau
-    status = {STUCK: Status.STUCK_FOR_EVER, EVENT_LIMIT: Status.EVENT_LIMIT}.get(how, Status.REACHED_HORIZON)
-    if status is not Status.EVENT_LIMIT:
-        segments.append(Segment(motion, start, horizon, (horizon - start) - rest))
-    numbers = end[: len(End._fields)]
-    found = End._make([int(numbers[0]), *numbers[1:-1], bool(numbers[-1])])
-    bounds = Bounds(rows[:, 11:15], found)
-    return Trajectory(scene, frame, tuple(segments), tuple(events), status, bounds=bounds)
-
-
-def _motions(frame: Frame, law: Law, rows: NDArray[np.float64]) -> Iterator[Motion]:
-    """Yield the motion that each event starts, from its row (motion.COLUMNS)."""
-    for row in rows.tolist():
-        _, kind, _, _, X, push, Z, w, gap, side, V, *_ = row
+    def motion_after(self, index: int) -> Motion:
+        """Return the motion that an event starts."""
+        frame, law = self.frame, self.scene.law
+        _, kind, _, _, X, push, Z, w, gap, side, V, *_ = self.rows[index].tolist()
         if kind == STICK:
-            yield UndampedStick(frame, law, ReducedState(X, push, push, Z, w), int(side), gap)
-        elif kind == RAY:
-            yield UndampedSlip.from_exit_ray(frame, law, int(side), Z, w)
-        else:
-            flow = SlipFlow(frame.arithmetic, 0.0, gap, push)
-            yield UndampedSlip(frame, law, int(side), flow, ReducedState(X, V, V, Z, w))
+            return UndampedStick(frame, law, ReducedState(X, push, push, Z, w), int(side), gap)
+        if kind == RAY:
+            return UndampedSlip.from_exit_ray(frame, law, int(side), Z, w)
+        flow = SlipFlow(frame.arithmetic, 0.0, gap, push)
+        return UndampedSlip(frame, law, int(side), flow, ReducedState(X, V, V, Z, w))
+
+    def last_stretch(self) -> tuple[float, float]:
+        """Return the reduced horizon, and how long the last motion lasts up to it."""
+        horizon, start = float(self.state[HORIZON]), start_of(self.state.tolist())
+        return horizon, (horizon - start.tau) - start.rest
 
 
 def mode_of(code: float) -> Mode:

@@ -2,29 +2,34 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.float64 import Float64
-from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, STUCK, Bounds, End
+from numerics.kernel.motion import Bounds, End
 from numerics.kernel.viscous_bounds import initial_errors
 from numerics.kernel.viscous_motion import COLUMNS
-from numerics.kernel.viscous_packed import DAMPED_ANSWER, HORIZON, HOW, STATE, advance, answer, pack, viscous_pair
+from numerics.kernel.viscous_packed import (
+    DAMPED_ANSWER,
+    HORIZON,
+    HOW,
+    STATE,
+    advance,
+    answer,
+    pack,
+    start_of,
+    viscous_pair,
+)
 from numerics.kernel.viscous_state import Start, ViscousPair
-from numerics.modes import event_kind
+from numerics.kernel_run import KernelRun, Progress, answered, written_rows
 from numerics.motion import Motion
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Law, Scene
 from numerics.start import initial_motion
-from numerics.trajectory import Event, Segment, Status, Trajectory
+from numerics.trajectory import Trajectory
 from numerics.viscous import ViscousSlip, ViscousStick, slip_oscillator, stick_oscillator
 
-_ROWS = 1000
-_REST = 17
+_TAU, _ERRORS = COLUMNS.index("tau"), slice(COLUMNS.index("late"), COLUMNS.index("place") + 1)
 
 
 def viscous_start(scene: Scene) -> tuple[Frame, Motion, NDArray[np.float64]]:
@@ -53,64 +58,36 @@ def _pair(frame: Frame, law: Law) -> ViscousPair:
     return viscous_pair(frame.q, frame.r, frame.two_zeta, law is Law.THREE_VALUED_SGN, *regimes)
 
 
-def solve_viscous(
-    scene: Scene, max_events: int, progress: Callable[[int, float], None] | None = None
-) -> Trajectory | None:
-    """Return the trajectory of a viscous scene, compiled where numba is here; None if it leaves the range."""
+def solve_viscous(scene: Scene, max_events: int, progress: Progress | None = None) -> Trajectory | None:
+    """Return the trajectory of a viscous scene, compiled where numba is installed; None if it leaves the range."""
     frame, motion, state = viscous_start(scene)
     horizon = float(state[HORIZON])
-    kept: list[NDArray[np.float64]] = []
-    rows = np.empty((min(max_events + 1, _ROWS), len(COLUMNS)))
-    while True:
-        # numba takes a second to come, so the first rows are left to Python unless it is here already
-        fast = can_compile() and (kept or "numba" in sys.modules)
-        try:
-            count = compiled(advance)(state, max_events, rows) if fast else _advance(state, max_events, rows)
-        except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
-            return None
-        kept.append(rows[:count].copy())
-        if state[HOW] != ROWS_FULL:
-            break
-        if progress is not None:
-            progress(sum(map(len, kept)), kept[-1][-1, 2] / horizon)
-    if state[HOW] == OUT_OF_RANGE:
+    told = None if progress is None else lambda row, count: progress(count, row[_TAU] / horizon)
+    rows = written_rows(advance, state, HOW, len(COLUMNS), max_events, told)
+    if rows is None:
         return None
-    end = [0.0] * DAMPED_ANSWER
-    answer(state.tolist(), end)
-    return _trajectory(scene, frame, motion, np.concatenate(kept), state, end)
-
-
-def _advance(state: NDArray[np.float64], max_events: int, rows: NDArray[np.float64]) -> int:
-    """Advance a row by plain Python, on plain floats: NumPy's own are slower, and warn where those raise."""
-    plain = state.tolist()
-    count = advance(plain, max_events, rows)
-    state[:] = plain
-    return count
-
-
-def _trajectory(
-    scene: Scene, frame: Frame, motion: Motion, rows: NDArray[np.float64], state: NDArray[np.float64], end: list[float]
-) -> Trajectory:
-    how, horizon = int(state[HOW]), float(state[HORIZON])
-    segments, events, start = [], [], 0.0
-    for row in rows.tolist():
-        tau, length = row[2], row[3]
-        following = _motion(frame, scene.law, row)
-        segments.append(Segment(motion, start, tau, length))
-        kind, at = event_kind(motion.mode, following.mode), following.start
-        events.append(Event(frame.si_time(tau), kind, motion.mode, following.mode, frame.si_state(at), at))
-        motion, start = following, tau
-    status = {STUCK: Status.STUCK_FOR_EVER, EVENT_LIMIT: Status.EVENT_LIMIT}.get(how, Status.REACHED_HORIZON)
-    if status is not Status.EVENT_LIMIT:
-        segments.append(Segment(motion, start, horizon, (horizon - start) - float(state[_REST])))
+    end = answered(answer, state, DAMPED_ANSWER)
     numbers = end[: len(End._fields)]
     found = End._make([int(numbers[0]), *numbers[1:-1], bool(numbers[-1])])
-    bounds = Bounds(rows[:, 11:15], found, end[-1])
-    return Trajectory(scene, frame, tuple(segments), tuple(events), status, bounds=bounds)
+    return _Run(scene, frame, motion, rows, state).trajectory(state[HOW], Bounds(rows[:, _ERRORS], found, end[-1]))
 
 
-def _motion(frame: Frame, law: Law, row: list[float]) -> Motion:
-    """Return the motion that an event starts, from its row (viscous_motion.COLUMNS)."""
-    mode, _, _, _, X, V, Z, w, *_ = row
-    at = ReducedState(X, V, V, Z, w)
-    return ViscousSlip(frame, law, int(mode), at, rising=True) if mode else ViscousStick(frame, law, at)
+class _Run(KernelRun):
+    """The rows of a viscous scene (viscous_motion.COLUMNS)."""
+
+    def number(self, index: int, name: str) -> float:
+        """Return a number of a row."""
+        return float(self.rows[index, COLUMNS.index(name)])
+
+    def motion_after(self, index: int) -> Motion:
+        """Return the motion that an event starts."""
+        mode, _, _, _, X, V, Z, w, *_ = self.rows[index].tolist()
+        at = ReducedState(X, V, V, Z, w)
+        if mode:
+            return ViscousSlip(self.frame, self.scene.law, int(mode), at, rising=True)
+        return ViscousStick(self.frame, self.scene.law, at)
+
+    def last_stretch(self) -> tuple[float, float]:
+        """Return the reduced horizon, and how long the last motion lasts up to it."""
+        horizon, start = float(self.state[HORIZON]), start_of(self.state.tolist())
+        return horizon, (horizon - start.tau) - start.rest

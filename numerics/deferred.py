@@ -20,6 +20,20 @@ class Deferred(Sequence[Item]):
         """Return how many items there are, made or not."""
         return self._length
 
+    def __eq__(self, other: object) -> bool:
+        """Return whether another sequence has equal items, as two tuples would."""
+        return isinstance(other, Sequence) and tuple(self) == tuple(other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __add__(self, other: Sequence[Item]) -> tuple[Item, ...]:
+        """Return the tuple of both."""
+        return (*self, *other)
+
+    def __repr__(self) -> str:
+        """Return what the tuple of all items would show."""
+        return repr(tuple(self))
+
     @overload
     def __getitem__(self, index: int) -> Item: ...
 

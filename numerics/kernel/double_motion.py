@@ -247,9 +247,26 @@ def run(
         if keep > 0:
             record(rows, count, length, start, errors, at)
         count += 1
-    if not subtract(tau, horizon).high > errors.late:
+    late = lateness(pair, start, errors, linear, tau, rest, landed)
+    if not subtract(tau, horizon).high > late + 4.0 * UNIT * horizon.high:
         errors = lost()
     return (REACHED if math.isfinite(tau.high) else OUT_OF_RANGE), count, start, errors, linear, worst
+
+
+@kernel
+def lateness(
+    pair: DoublePair,
+    start: DoubleStart,
+    errors: Errors,
+    linear: Linear,
+    tau: Double,
+    rest: Double,
+    at: DoubleLanding,
+) -> float:
+    """Return how late the event that ends a motion may be."""
+    if start.kind == STICK:
+        return leave(pair, start, errors, linear, tau, rest)[1].late
+    return after_slip(pair, start, errors, linear, at)[0].late
 
 
 @kernel
@@ -279,26 +296,31 @@ def leave(
 
 
 @kernel
+def after_slip(
+    pair: DoublePair, start: DoubleStart, errors: Errors, linear: Linear, at: DoubleLanding
+) -> tuple[Errors, Linear]:
+    """Return the errors at the end of a slip, and their linear part; w < 0 there says that it has none."""
+    q, r, theta, w = pair.q.high, pair.r.high, at.theta.high, start.w.high
+    if start.kind == RAY:
+        return after_ray(q, r, errors, w, at.w.high, theta, -at.gap.high, at.versine, UNIT)
+    linear = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
+    if start.kind == SURFACE:
+        depth, variables = -add(at.gap, start.gap).high, (start.gap.high, start.push.high, w)
+        return after_surface(q, r, errors, variables, at.w.high, (theta, depth, at.versine), UNIT), linear
+    free = (start.guard.high, start.gap.high, start.push.high, start.driven.high)
+    return after_free(q, r, errors, free, theta, -at.gap.high, at.spared, UNIT), linear
+
+
+@kernel
 def errors_at_landing(
     pair: DoublePair, start: DoubleStart, errors: Errors, linear: Linear, at: DoubleLanding
 ) -> tuple[Errors, Linear]:
-    """Return the errors at the end of a slip, lost where it is not certain what follows; w < 0: no linear part."""
-    q, r, theta, w = pair.q.high, pair.r.high, at.theta.high, start.w.high
-    if start.kind == RAY:
-        errors, linear = after_ray(q, r, errors, w, at.w.high, theta, -at.gap.high, at.versine, UNIT)
-    else:
-        linear = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
-        if start.kind == SURFACE:
-            depth = -add(at.gap, start.gap).high
-            variables = (start.gap.high, start.push.high, w)
-            errors = after_surface(q, r, errors, variables, at.w.high, (theta, depth, at.versine), UNIT)
-        else:
-            free = (start.guard.high, start.gap.high, start.push.high, start.driven.high)
-            errors = after_free(q, r, errors, free, theta, -at.gap.high, at.spared, UNIT)
+    """Return the errors at the end of a slip, lost where it is not certain what follows."""
+    errors, linear = after_slip(pair, start, errors, linear, at)
     place = errors.place + 4.0 * UNIT * abs(start.Z.high)
     errors = Errors(errors.late, errors.gap, errors.push, errors.w, errors.slide, place, errors.shift, errors.norm)
     beyond = -two_plus(product(pair.q, at.gap)).high
-    unsure = not abs(beyond) > q * errors.gap or (beyond < 0.0 and not abs(at.w.high) > errors.w)
+    unsure = not abs(beyond) > pair.q.high * errors.gap or (beyond < 0.0 and not abs(at.w.high) > errors.w)
     return (lost() if unsure and not pair.literal else errors), linear
 
 
@@ -357,7 +379,7 @@ def record(rows: Any, index: int, length: Double, start: DoubleStart, errors: Er
 def at_horizon(pair: DoublePair, start: DoubleStart, errors: Errors, horizon: Double, worst: float) -> DoubleEnd:
     """Return the state at the horizon, which lies in the motion with this start."""
     since = subtract(horizon, start.tau)
-    if not since.high >= errors.late:
+    if not since.high >= errors.late + (4.0 * UNIT * horizon.high if start.tau.high > 0.0 else 0.0):
         errors = lost()
     tau = subtract(since, start.rest)
     late, shift = errors.late + 4.0 * UNIT * horizon.high, errors.shift + 4.0 * UNIT * horizon.high

@@ -205,6 +205,7 @@ def test_progress_is_told():
     solve(
         Scene(Pair(1, 1, 200, "0.0005"), State(v1="0.15"), until=500), progress=lambda n, part: told.append((n, part))
     )
-    assert [number for number, _ in told] == [1000 * (i + 1) for i in range(len(told))]
+    numbers = [number for number, _ in told]
+    assert numbers == sorted(set(numbers))
     assert len(told) >= 2
     assert np.all(np.diff([part for _, part in told]) > 0)
