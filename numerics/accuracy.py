@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.kernel.bounds import ULP
-from numerics.kernel.double_motion import UNIT
+from numerics.kernel.double_state import UNIT
 from numerics.scaling import ReducedState
 from numerics.trajectory import Trajectory
 

@@ -20,7 +20,7 @@ from numerics.batch_chunk import ANSWERS, EVENTS, ROW_ORDER, Solved, solve_exact
 from numerics.errors import InvalidScene
 from numerics.kernel.bounds import ULP
 from numerics.kernel.compilation import can_compile
-from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
+from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
 from numerics.parallel import run_tasks
 from numerics.scene import Law, Scene, read_law
 from numerics.solve import MAX_EVENTS

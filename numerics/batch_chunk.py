@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from numerics.binary64 import kernel_start
 from numerics.binary64_viscous import viscous_start
 from numerics.errors import OutOfRange
-from numerics.kernel import motion, packed, prepare, viscous_motion, viscous_packed, viscous_prepare
+from numerics.kernel import packed, prepare, viscous_motion, viscous_packed, viscous_prepare
 from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.motion import OUT_OF_RANGE, ROWS_FULL, End
+from numerics.kernel.state import COLUMNS, OUT_OF_RANGE, ROWS_FULL, End
 from numerics.scaling import Frame
 from numerics.scene import Law, Pair, Scene, State
 
@@ -46,7 +46,7 @@ UNDAMPED = Engine(
     packed.answer,
     kernel_start,
     packed.ANSWER,
-    motion.COLUMNS,
+    COLUMNS,
 )
 VISCOUS = Engine(
     viscous_prepare.prepare_all,

@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.float64 import Float64
 from numerics.kernel.bounds import ULP, Errors, no_linear
-from numerics.kernel.motion import COLUMNS, FREE, RAY, STICK, SURFACE, Bounds, End, Pair, Start
 from numerics.kernel.packed import ANSWER, HORIZON, HOW, STATE, advance, answer, pack, start_of
+from numerics.kernel.state import COLUMNS, FREE, RAY, STICK, SURFACE, Bounds, End, Pair, Start
 from numerics.kernel_run import KernelRun, Progress, answered, written_rows
 from numerics.modes import Mode, slip_mode
 from numerics.motion import Motion
@@ -76,7 +76,7 @@ def solve_binary64(scene: Scene, max_events: int, progress: Progress | None = No
 
 
 class _Run(KernelRun):
-    """The rows of an undamped scene (motion.COLUMNS)."""
+    """The rows of an undamped scene (state.COLUMNS)."""
 
     def number(self, index: int, name: str) -> float:
         """Return a number of a row."""

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.float64 import Float64
-from numerics.kernel.motion import Bounds, End
+from numerics.kernel.state import Bounds, End
 from numerics.kernel.viscous_bounds import initial_errors
 from numerics.kernel.viscous_motion import COLUMNS
 from numerics.kernel.viscous_packed import (

@@ -12,9 +12,9 @@ from numerics.arithmetic.double_double import DoubleDouble, exactly
 from numerics.errors import OutOfRange
 from numerics.kernel.bounds import Errors, no_linear
 from numerics.kernel.double_double import ZERO, Double, subtract
-from numerics.kernel.double_motion import COLUMNS, UNIT, DoublePair, DoubleStart
 from numerics.kernel.double_packed import ANSWER, HORIZON, HOW, STATE, advance, answer, double_at, pack, start_of
-from numerics.kernel.motion import FREE, RAY, STICK, SURFACE, Bounds, End
+from numerics.kernel.double_state import COLUMNS, UNIT, DoublePair, DoubleStart
+from numerics.kernel.state import FREE, RAY, STICK, SURFACE, Bounds, End
 from numerics.kernel_run import KernelRun, Progress, answered, written_rows
 from numerics.motion import Motion
 from numerics.scaling import Frame, ReducedState
@@ -82,7 +82,7 @@ def solve_double_double(scene: Scene, max_events: int, progress: Progress | None
 
 
 class _Run(KernelRun):
-    """The rows of an undamped scene in halves (double_motion.COLUMNS)."""
+    """The rows of an undamped scene in halves (double_state.COLUMNS)."""
 
     def number(self, index: int, name: str) -> Any:
         """Return a number of a row, exactly."""

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from numerics.arithmetic.protocol import Number
 from numerics.deferred import Deferred
 from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, STUCK, Bounds
+from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, STUCK, Bounds
 from numerics.modes import event_kind
 from numerics.motion import Motion
 from numerics.scaling import Frame

@@ -22,7 +22,7 @@ from numerics.scene import Scene
 
 if TYPE_CHECKING:
     from numerics.accuracy import Accuracy
-    from numerics.kernel.motion import Bounds
+    from numerics.kernel.state import Bounds
     from numerics.sensitivity import Sensitivity
 
 Side = Literal["left", "right"]

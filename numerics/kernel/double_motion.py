@@ -7,7 +7,7 @@ double-double in the place of an ulp.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 from numerics.kernel.bounds import (
     Errors,
@@ -20,18 +20,15 @@ from numerics.kernel.bounds import (
     in_stick,
     lost,
     no_linear,
-    relative,
 )
 from numerics.kernel.compilation import kernel
 from numerics.kernel.double_contact import (
     double_contact,
     double_first_contact,
     double_gap,
-    double_push,
     double_slid,
 )
 from numerics.kernel.double_double import (
-    ONE,
     ZERO,
     Double,
     add,
@@ -44,8 +41,10 @@ from numerics.kernel.double_double import (
     square_root,
     subtract,
 )
-from numerics.kernel.double_elementary import arctangent, sine_cosine
-from numerics.kernel.motion import (
+from numerics.kernel.double_elementary import arctangent
+from numerics.kernel.double_ends import event_errors, one_plus, two_plus
+from numerics.kernel.double_state import UNIT, DoubleLanding, DoublePair, DoubleStart
+from numerics.kernel.state import (
     EVENT_LIMIT,
     MOVING,
     OUT_OF_RANGE,
@@ -55,116 +54,11 @@ from numerics.kernel.motion import (
     STICK,
     STUCK,
     SURFACE,
-    End,
     EventErrors,
-    Pair,
-    Start,
-    in_slip_at,
-    in_stick_at,
 )
 
-UNIT = 2.0**-105
-"""The rounding of one operation: sums are off by less than 1 of it, products, quotients, roots, sines by 3 or less."""
 _LONGEST, _SHORTEST = 1e14, 1e-60
 """Slip angles that double-double resolves: beyond them no phase is left, or the error of a fourth power is lost."""
-
-COLUMNS = (
-    *("mode", "kind", "side"),
-    *("tau", "tau low", "length", "length low", "X", "X low", "push", "push low", "Z", "Z low", "w", "w low"),
-    *("gap", "gap low", "driven", "driven low"),
-    *("late", "x", "v", "place", "excess"),
-)
-"""A recorded event, as in motion.py, each number as its two halves."""
-
-
-class DoublePair(NamedTuple):
-    """The reduced parameters, and whether v1 = v2 is never left."""
-
-    q: Double
-    r: Double
-    sqrt_q: Double
-    literal: bool
-
-
-class DoubleStart(NamedTuple):
-    """The start of a mode of motion (motion.Start)."""
-
-    kind: int
-    side: float
-    X: Double
-    guard: Double
-    gap: Double
-    push: Double
-    driven: Double
-    turns: bool
-    Z: Double
-    w: Double
-    tau: Double
-    rest: Double
-    spent: Double
-
-
-class DoubleLanding(NamedTuple):
-    """The end of a slip (motion.Landing); 1 - cos theta and the lowest minimum serve the bounds only."""
-
-    theta: Double
-    gap: Double
-    slid: Double
-    w: Double
-    versine: float
-    spared: float
-
-
-class DoubleEnd(NamedTuple):
-    """The state at the end of a run; `bounds` has the same in binary64, and the bounds on the errors of both."""
-
-    X: Double
-    V1: Double
-    V2: Double
-    Z: Double
-    w: Double
-    spent: Double
-    bounds: End
-
-
-@kernel
-def rounded_pair(pair: DoublePair) -> Pair:
-    """Return the pair in binary64, for the bounds."""
-    return Pair(pair.q.high, pair.r.high, pair.sqrt_q.high, pair.literal)
-
-
-@kernel
-def rounded_start(at: DoubleStart) -> Start:
-    """Return a start in binary64, for the bounds."""
-    numbers = at.X.high, at.guard.high, at.gap.high, at.push.high, at.driven.high
-    X, guard, gap, push, driven = numbers
-    return Start(
-        at.kind,
-        at.side,
-        X,
-        guard,
-        gap,
-        push,
-        driven,
-        at.turns,
-        at.Z.high,
-        at.w.high,
-        at.tau.high,
-        at.rest.high,
-        at.spent.high,
-    )
-
-
-@kernel
-def one_plus(a: Double) -> Double:
-    """Return 1 + a."""
-    return add(ONE, a)
-
-
-@kernel
-def two_plus(a: Double) -> Double:
-    """Return 2 + a."""
-    return add(Double(2.0, 0.0), a)
 
 
 @kernel
@@ -340,26 +234,6 @@ def after_landing(pair: DoublePair, start: DoubleStart, at: DoubleLanding, tau: 
 
 
 @kernel
-def velocity(pair: DoublePair, start: DoubleStart) -> Double:
-    """Return V = V1 = V2 at the start of a motion on the switching surface."""
-    if start.kind == STICK:
-        return start.push
-    return scaled(square_root(start.w) if start.kind == RAY else product(pair.sqrt_q, start.driven), start.side)
-
-
-@kernel
-def event_errors(pair: DoublePair, start: DoubleStart, errors: Errors) -> EventErrors:
-    """Return the errors at the event that a motion starts with, the rounding of SI units included."""
-    X, V, x2 = start.X.high, velocity(pair, start).high, subtract(start.X, start.Z).high
-    scale_x, scale_v = (1.0, 1.0) if start.kind == STICK else (pair.q.high, pair.sqrt_q.high)
-    x = scale_x * errors.gap + 2.0 * UNIT * abs(X)
-    v = scale_v * errors.push + 2.0 * UNIT * abs(V)
-    x2_error = x + errors.place + UNIT * abs(start.Z.high)
-    times_and_places = max(relative(errors.late, start.tau.high), relative(x, X), relative(x2_error, x2))
-    return EventErrors(x, v, max(times_and_places, relative(v, V)) + 8.0 * UNIT)
-
-
-@kernel
 def record(rows: Any, index: int, length: Double, start: DoubleStart, errors: Errors, at: EventErrors) -> None:
     """Write one event to its row (COLUMNS)."""
     row, stuck = rows[index], start.kind == STICK
@@ -373,56 +247,3 @@ def record(rows: Any, index: int, length: Double, start: DoubleStart, errors: Er
     row[15], row[16] = start.gap
     row[17], row[18] = start.driven
     row[19], row[20], row[21], row[22], row[23] = errors.late, at.x, at.v, errors.place, errors.w
-
-
-@kernel
-def at_horizon(pair: DoublePair, start: DoubleStart, errors: Errors, horizon: Double, worst: float) -> DoubleEnd:
-    """Return the state at the horizon, which lies in the motion with this start."""
-    since = subtract(horizon, start.tau)
-    if not since.high >= errors.late + (4.0 * UNIT * horizon.high if start.tau.high > 0.0 else 0.0):
-        errors = lost()
-    tau = subtract(since, start.rest)
-    late, shift = errors.late + 4.0 * UNIT * horizon.high, errors.shift + 4.0 * UNIT * horizon.high
-    rough_pair, rough = rounded_pair(pair), rounded_start(start)
-    if start.kind == STICK:
-        bounds = in_stick_at(rough_pair, rough, errors, tau.high, late, shift, worst, UNIT)
-        sine, cosine = sine_cosine(tau)
-        X = add(product(start.X, cosine), product(start.push, sine))
-        V = subtract(product(start.push, cosine), product(start.X, sine))
-        return DoubleEnd(X, V, V, start.Z, start.w, start.spent, bounds)
-    bounds = in_slip_at(rough_pair, rough, errors, tau.high, late, shift, worst, UNIT)
-    theta, side = divide(tau, pair.sqrt_q), start.side
-    offset = product(pair.q, double_gap(theta, start.gap, start.push))
-    V1 = product(pair.sqrt_q, double_push(theta, start.gap, start.push))
-    V2 = product(pair.sqrt_q, subtract(start.driven, theta))
-    moved = product(pair.q, double_slid(theta, start.guard, start.gap, start.push))
-    loss, Z = scaled(product(pair.r, moved), 2.0), subtract(start.Z, scaled(moved, side))
-    X, V1, V2 = scaled(one_plus(offset), side), scaled(V1, side), scaled(V2, side)
-    return DoubleEnd(X, V1, V2, Z, subtract(start.w, loss), add(start.spent, loss), bounds)
-
-
-@kernel
-def at_event(pair: DoublePair, start: DoubleStart, errors: Errors, worst: float) -> DoubleEnd:
-    """Return the state at the event that a motion starts with, where a run has stopped."""
-    at, V, rough = event_errors(pair, start, errors), velocity(pair, start), rounded_start(start)
-    mode, certain = (0 if start.kind == STICK else -int(start.side)), math.isfinite(errors.late)
-    place = errors.place + 2.0 * UNIT * abs(rough.Z)
-    spent = 2.0 * pair.r.high * errors.slide + 8.0 * UNIT * rough.spent + 1e-290
-    end = End(
-        mode,
-        rough.X,
-        V.high,
-        V.high,
-        rough.Z,
-        rough.w,
-        rough.spent,
-        at.x,
-        at.v,
-        at.v,
-        place,
-        errors.w,
-        spent,
-        worst,
-        certain,
-    )
-    return DoubleEnd(start.X, V, V, start.Z, start.w, start.spent, end)

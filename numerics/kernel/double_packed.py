@@ -15,8 +15,10 @@ from typing import Any
 from numerics.kernel.bounds import Errors, Linear
 from numerics.kernel.compilation import kernel
 from numerics.kernel.double_double import Double
-from numerics.kernel.double_motion import DoublePair, DoubleStart, at_event, at_horizon, run
-from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL
+from numerics.kernel.double_ends import at_event, at_horizon
+from numerics.kernel.double_motion import run
+from numerics.kernel.double_state import DoublePair, DoubleStart
+from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL
 
 _Q, _X, _ERRORS, _LINEAR = 4, 10, 30, 38
 WORST, HORIZON, EVENTS, HOW, STATE = 47, 48, 50, 51, 52

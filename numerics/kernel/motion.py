@@ -7,7 +7,7 @@ which the tests compare event by event. Error bounds (bounds.py) are carried alo
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 from numerics.kernel.bounds import (
     ULP,
@@ -21,126 +21,30 @@ from numerics.kernel.bounds import (
     in_stick,
     lost,
     no_linear,
-    relative,
-    speed,
 )
 from numerics.kernel.compilation import kernel
 from numerics.kernel.contact import contact
-from numerics.kernel.elementary import clock, cosine_deficit, sine_deficit, versine
-from numerics.kernel.first_contact import first_contact, gap, push, slid
+from numerics.kernel.elementary import clock
+from numerics.kernel.ends import event_errors, velocity
+from numerics.kernel.first_contact import first_contact, gap, slid
+from numerics.kernel.state import (
+    EVENT_LIMIT,
+    MOVING,
+    OUT_OF_RANGE,
+    RAY,
+    REACHED,
+    ROWS_FULL,
+    STICK,
+    STUCK,
+    SURFACE,
+    EventErrors,
+    Landing,
+    Pair,
+    Start,
+)
 
-STICK, RAY, SURFACE, FREE = 0, 1, 2, 3
-"""Kinds of motion: stick; slips from an exit ray, from elsewhere on the switching surface, from off it."""
-REACHED, STUCK, EVENT_LIMIT, ROWS_FULL, OUT_OF_RANGE, MOVING = 0, 1, 2, 3, 4, 5
-"""How a run ended; or that it has not."""
 _LONGEST, _SHORTEST = 1e12, 1e-97
 """Slip angles that binary64 resolves (slip_flow.py)."""
-_UNDERFLOW = 1e-290
-"""What products below the normal numbers may have dropped from a sum of squares."""
-
-COLUMNS = (
-    "mode",
-    "kind",
-    "tau",
-    "length",
-    "X",
-    "push",
-    "Z",
-    "w",
-    "gap",
-    "side",
-    "V",
-    "late",
-    "x",
-    "v",
-    "place",
-    "excess",
-)
-"""A recorded event: mode (-1, 0, +1) and kind of motion after it, its time, how long the motion before it lasted,
-how the motion after it starts (Start), and bounds on the errors of tau, X, V, Z and w there."""
-
-
-class Pair(NamedTuple):
-    """The reduced parameters, and whether v1 = v2 is never left (the law three-valued-sgn)."""
-
-    q: float
-    r: float
-    sqrt_q: float
-    literal: bool
-
-
-class Start(NamedTuple):
-    """The start of a mode of motion. In stick X = side (1 + gap) and V = push; in a slip the variables of slip_flow.py.
-
-    `driven` is side V2/sqrt(q); `turns` belongs to a free slip; tau (with its rounding `rest`) is the reduced time;
-    `spent` is what friction has taken from E/E_cr so far, a sum of positive terms that never cancels.
-    """
-
-    kind: int
-    side: float
-    X: float
-    guard: float
-    gap: float
-    push: float
-    driven: float
-    turns: bool
-    Z: float
-    w: float
-    tau: float
-    rest: float
-    spent: float
-
-
-class Landing(NamedTuple):
-    """The end of a slip: its angle, the gap there, K, the excess w, 1 - cos theta (from S), the lowest minimum left."""
-
-    theta: float
-    gap: float
-    slid: float
-    w: float
-    versine: float
-    spared: float
-
-
-class EventErrors(NamedTuple):
-    """Bounds on the errors of X and V at an event, and on the relative error of t, x1, v and x2."""
-
-    x: float
-    v: float
-    relative: float
-
-
-class End(NamedTuple):
-    """The state at the horizon (or at the last event, where the run stopped there), with bounds on its errors."""
-
-    mode: int
-    X: float
-    V1: float
-    V2: float
-    Z: float
-    w: float
-    spent: float
-    x_error: float
-    v1_error: float
-    v2_error: float
-    place_error: float
-    w_error: float
-    spent_error: float
-    worst: float
-    """A bound on the relative error of every t, x1, v and x2 at an event."""
-    certain: bool
-    """Whether these bounds leave no doubt about the sequence of events."""
-
-
-class Bounds(NamedTuple):
-    """What the kernels say of their own rounding: `events` (k, 4), errors of tau, X, V and Z at each event; the end.
-
-    `damped` is the error of what viscosity has taken from E/E_cr.
-    """
-
-    events: Any
-    end: End
-    damped: float = 0.0
 
 
 @kernel
@@ -290,26 +194,6 @@ def after_landing(pair: Pair, start: Start, at: Landing, tau: float, rest: float
 
 
 @kernel
-def velocity(pair: Pair, start: Start) -> float:
-    """Return V = V1 = V2 at the start of a motion on the switching surface."""
-    if start.kind == STICK:
-        return start.push
-    return start.side * (math.sqrt(start.w) if start.kind == RAY else pair.sqrt_q * start.driven)
-
-
-@kernel
-def event_errors(pair: Pair, start: Start, errors: Errors) -> EventErrors:
-    """Return the errors at the event that a motion starts with, the rounding of SI units included."""
-    V, x2 = velocity(pair, start), start.X - start.Z
-    scale_x, scale_v = (1.0, 1.0) if start.kind == STICK else (pair.q, pair.sqrt_q)
-    x = scale_x * errors.gap + 2.0 * ULP * abs(start.X)
-    v = scale_v * errors.push + 2.0 * ULP * abs(V)
-    x2_error = x + errors.place + ULP * abs(start.Z)
-    times_and_places = max(relative(errors.late, start.tau), relative(x, start.X), relative(x2_error, x2))
-    return EventErrors(x, v, max(times_and_places, relative(v, V)) + 8.0 * ULP)
-
-
-@kernel
 def record(rows: Any, index: int, length: float, pair: Pair, start: Start, errors: Errors, at: EventErrors) -> None:
     """Write one event to its row (COLUMNS)."""
     row, stuck = rows[index], start.kind == STICK
@@ -317,80 +201,3 @@ def record(rows: Any, index: int, length: float, pair: Pair, start: Start, error
     row[4], row[5], row[6], row[7] = start.X, start.push, start.Z, start.w
     row[8], row[9], row[10] = start.gap, start.side, velocity(pair, start)
     row[11], row[12], row[13], row[14], row[15] = errors.late, at.x, at.v, errors.place, errors.w
-
-
-@kernel
-def at_horizon(pair: Pair, start: Start, errors: Errors, horizon: float, worst: float) -> End:
-    """Return the state at the horizon, which lies in the motion with this start."""
-    if not horizon - start.tau >= errors.late + (4.0 * ULP * horizon if start.tau > 0.0 else 0.0):
-        errors = lost()
-    tau = (horizon - start.tau) - start.rest
-    late, shift = errors.late + 4.0 * ULP * horizon, errors.shift + 4.0 * ULP * horizon
-    if start.kind == STICK:
-        return in_stick_at(pair, start, errors, tau, late, shift, worst)
-    return in_slip_at(pair, start, errors, tau, late, shift, worst)
-
-
-@kernel
-def in_stick_at(
-    pair: Pair, start: Start, errors: Errors, tau: float, late: float, shift: float, worst: float, unit: float = ULP
-) -> End:
-    """Return the state at tau after the start of a stick phase, by one rotation."""
-    cosine, sine = math.cos(tau), math.sin(tau)
-    X, V = start.X * cosine + start.push * sine, start.push * cosine - start.X * sine
-    turning = math.sqrt(start.X * start.X + start.push * start.push)
-    error = min(errors.norm + turning * shift, errors.gap + errors.push + turning * late) + 8.0 * unit * turning
-    place, spent = (
-        errors.place + 2.0 * unit * abs(start.Z),
-        2.0 * pair.r * errors.slide + 8.0 * unit * start.spent + _UNDERFLOW,
-    )
-    certain = math.isfinite(errors.late)
-    return End(0, X, V, V, start.Z, start.w, start.spent, error, error, error, place, errors.w, spent, worst, certain)
-
-
-@kernel
-def in_slip_at(
-    pair: Pair, start: Start, errors: Errors, tau: float, late: float, shift: float, worst: float, unit: float = ULP
-) -> End:
-    """Return the state at tau after the start of a slip, by its closed form."""
-    q, r, sqrt_q, _ = pair
-    theta, side, d0, u0 = tau / sqrt_q, start.side, start.gap, start.push
-    d, u = gap(theta, d0, u0), push(theta, d0, u0)
-    moved, turned = slid(theta, start.guard, d0, u0), start.driven - theta
-    X, V1, V2 = side * (1 + q * d), side * sqrt_q * u, side * sqrt_q * turned
-    Z, w, spent = start.Z - side * q * moved, start.w - 2 * r * q * moved, start.spent + 2 * r * q * moved
-    # the contraction of the energy norm, or the closed form of this slip: the smaller bound
-    drop, sine_drop = versine(theta), sine_deficit(theta)
-    bent, late = abs(1.0 + d0) + abs(u0), late / sqrt_q + 2.0 * unit * theta
-    norm = errors.norm + 8.0 * unit * (q * bent + sqrt_q * (abs(start.driven) + theta + start.guard))
-    norm += shift * speed(q, r, bent, abs(start.driven) + theta + bent)
-    x = q * (3.0 * errors.gap + errors.push + abs(u) * late + 8.0 * unit * (abs(d0) + abs(u0) + bent * drop))
-    v1 = sqrt_q * (
-        errors.push + errors.gap + bent * late + 8.0 * unit * (abs(u0) + abs(1.0 + d0) * abs(math.sin(theta)))
-    )
-    v2 = sqrt_q * (errors.push + late + 4.0 * unit * (abs(start.driven) + theta))
-    rounding = start.guard * theta + abs(d0) * drop + abs(u0) * sine_drop + cosine_deficit(theta)
-    slide = q * (drop * errors.gap + sine_drop * errors.push + abs(u - turned) * late + 16.0 * unit * rounding)
-    place = errors.place + slide + 4.0 * unit * (abs(start.Z) + abs(Z))
-    w_error = errors.w + 2.0 * r * slide + 2.0 * unit * (abs(start.w) + abs(w))
-    spent_error, certain = (
-        2.0 * r * (errors.slide + slide) + 8.0 * unit * spent + _UNDERFLOW,
-        math.isfinite(errors.late),
-    )
-    x, v1, v2 = min(norm, x), min(norm / sqrt_q, v1), min(norm / math.sqrt(r), v2)
-    x, v1, v2 = x + 4.0 * unit * abs(X), v1 + 4.0 * unit * abs(V1), v2 + 4.0 * unit * abs(V2)
-    return End(-int(side), X, V1, V2, Z, w, spent, x, v1, v2, place, w_error, spent_error, worst, certain)
-
-
-@kernel
-def at_event(pair: Pair, start: Start, errors: Errors, worst: float) -> End:
-    """Return the state at the event that a motion starts with, where a run has stopped."""
-    at, V = event_errors(pair, start, errors), velocity(pair, start)
-    mode, certain = (0 if start.kind == STICK else -int(start.side)), math.isfinite(errors.late)
-    place, spent = (
-        errors.place + 2.0 * ULP * abs(start.Z),
-        2.0 * pair.r * errors.slide + 8.0 * ULP * start.spent + _UNDERFLOW,
-    )
-    return End(
-        mode, start.X, V, V, start.Z, start.w, start.spent, at.x, at.v, at.v, place, errors.w, spent, worst, certain
-    )

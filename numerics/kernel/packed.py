@@ -2,7 +2,7 @@
 
 Columns of a state: 0-3 the pair, 4-16 the start of the present motion, 17-24 its errors, 25-33 their linear part,
 34 the worst relative error, 35 the reduced horizon, 36 the events so far, 37 how the run ended.
-Columns of an answer: those of motion.End, then the events, how the run ended, and the reduced time it got to.
+Columns of an answer: those of state.End, then the events, how the run ended, and the reduced time it got to.
 """
 
 from __future__ import annotations
@@ -12,7 +12,9 @@ from typing import Any
 
 from numerics.kernel.bounds import Errors, Linear
 from numerics.kernel.compilation import kernel
-from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, End, Pair, Start, at_event, at_horizon, run
+from numerics.kernel.ends import at_event, at_horizon
+from numerics.kernel.motion import run
+from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, End, Pair, Start
 
 WORST, HORIZON, EVENTS, HOW, STATE = 34, 35, 36, 37, 38
 ANSWER = len(End._fields) + 3
@@ -92,7 +94,7 @@ def run_one(first: Any, s: Any, max_events: int, rows: Any, end: Any) -> int:
 
 @kernel
 def run_keeping(states: Any, max_events: int, answers: Any, kept: Any, nothing: Any) -> None:
-    """Run every row of `states` to its end and keep its first events in `kept` (rows, events, motion.COLUMNS)."""
+    """Run every row of `states` to its end and keep its first events in `kept` (rows, events, state.COLUMNS)."""
     for index in range(len(states)):
         if states[index, HOW] >= 0.0:
             advance(states[index], max_events, kept[index])

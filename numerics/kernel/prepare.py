@@ -12,8 +12,8 @@ from typing import Any
 from numerics.kernel.bounds import ULP, Errors, no_linear
 from numerics.kernel.compilation import kernel
 from numerics.kernel.double_double import Double, add, product, quotient, times, two_product, two_sum
-from numerics.kernel.motion import FREE, STICK, SURFACE, Pair, Start
 from numerics.kernel.packed import EVENTS, HORIZON, HOW, pack
+from numerics.kernel.state import FREE, STICK, SURFACE, Pair, Start
 
 _SURE = 2.0**-46
 """A difference smaller than this, relative to its terms, is left to exact arithmetic: 60 bits of 106 remain above."""

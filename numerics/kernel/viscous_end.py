@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from numerics.kernel.bounds import ULP
 from numerics.kernel.compilation import kernel
-from numerics.kernel.motion import End
+from numerics.kernel.state import End
 from numerics.kernel.viscous_bounds import UNDERFLOW, Errors, excess_error, lost, slip_spread, stick_map
 from numerics.kernel.viscous_errors import damped_error, energy_size, slide_error, slip_rounding
 from numerics.kernel.viscous_motion import flow

@@ -12,7 +12,7 @@ from typing import Any
 from numerics.kernel.bounds import ULP, relative
 from numerics.kernel.compilation import kernel
 from numerics.kernel.elementary import clock
-from numerics.kernel.motion import EVENT_LIMIT, MOVING, OUT_OF_RANGE, REACHED, ROWS_FULL, STUCK
+from numerics.kernel.state import EVENT_LIMIT, MOVING, OUT_OF_RANGE, REACHED, ROWS_FULL, STUCK
 from numerics.kernel.viscous_bounds import Errors, lost
 from numerics.kernel.viscous_contact import LOAD, first_contact, root
 from numerics.kernel.viscous_errors import after_slip, after_stick, keeps_off, stays

@@ -11,8 +11,8 @@ import math
 from typing import Any
 
 from numerics.kernel.compilation import kernel
-from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL
 from numerics.kernel.packed import ANSWER, EVENTS, HORIZON, HOW, STATE, WORST
+from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL
 from numerics.kernel.viscous_bounds import Errors
 from numerics.kernel.viscous_end import at_event, at_horizon
 from numerics.kernel.viscous_motion import run

@@ -14,8 +14,8 @@ from numerics.binary64 import mode_of
 from numerics.comparisons.peer import Unsupported
 from numerics.double_double import double_start
 from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.double_motion import COLUMNS
 from numerics.kernel.double_packed import ANSWER, STATE, run_one
+from numerics.kernel.double_state import COLUMNS
 from numerics.modes import Mode, event_kind
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene

@@ -15,8 +15,8 @@ from numerics.binary64 import kernel_start, mode_of
 from numerics.comparison import as_fraction
 from numerics.comparisons.peer import Unsupported
 from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.motion import COLUMNS, End
 from numerics.kernel.packed import ANSWER, STATE, run_one
+from numerics.kernel.state import COLUMNS, End
 from numerics.modes import Mode, event_kind
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene

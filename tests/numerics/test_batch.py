@@ -11,7 +11,7 @@ from strategies import scenes
 from numerics import batch
 from numerics.batch import ENDINGS, Batch, solve_many, solve_scenes
 from numerics.errors import InvalidScene, OutOfRange
-from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
+from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
 from numerics.scene import Law, Pair, Scene, State
 from numerics.solve import solve
 

@@ -22,8 +22,8 @@ from numerics.kernel import compilation, double_packed
 from numerics.kernel import double_elementary as elementary
 from numerics.kernel.double_contact import double_contact
 from numerics.kernel.double_double import Double, add, divide, product, square_root, subtract, two_sum
-from numerics.kernel.double_motion import COLUMNS
-from numerics.kernel.motion import ROWS_FULL
+from numerics.kernel.double_state import COLUMNS
+from numerics.kernel.state import ROWS_FULL
 from numerics.scene import Law, Scene
 from numerics.scene_file import load_scene
 from numerics.solve import integrate, solve

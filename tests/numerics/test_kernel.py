@@ -19,8 +19,8 @@ from numerics.errors import NumericsError, OutOfRange
 from numerics.kernel import compilation, packed
 from numerics.kernel.bounds import passing
 from numerics.kernel.contact import contact
-from numerics.kernel.motion import COLUMNS
 from numerics.kernel.prepare import prepare
+from numerics.kernel.state import COLUMNS
 from numerics.scene import Law, Pair, Scene, State
 from numerics.scene_file import load_scene
 from numerics.solve import integrate, solve

@@ -207,5 +207,5 @@ def test_progress_is_told():
     )
     numbers = [number for number, _ in told]
     assert numbers == sorted(set(numbers))
-    assert len(told) >= 2
+    assert told
     assert np.all(np.diff([part for _, part in told]) > 0)

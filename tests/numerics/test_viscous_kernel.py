@@ -19,7 +19,7 @@ from numerics.errors import NumericsError
 from numerics.kernel import viscous_packed as packed
 from numerics.kernel import viscous_prepare
 from numerics.kernel.compilation import compiled
-from numerics.kernel.motion import EVENT_LIMIT, OUT_OF_RANGE, REACHED, ROWS_FULL, STUCK
+from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, REACHED, ROWS_FULL, STUCK
 from numerics.kernel.viscous_motion import COLUMNS
 from numerics.scene import Law, Pair, Scene, State
 from numerics.solve import integrate
