@@ -89,7 +89,8 @@ def test_operations_are_accurate_relative_to_their_results(a, b, close):
         pairs = [(add(a, b), one + two), (subtract(a, b), one - two), (divide(a, b), one / two)]
         pairs += [(product(a, b), one * two), (square_root(a), one.sqrt())]
         for found, truth in pairs:
-            assert abs(ball(found) - truth) <= 2 * UNIT * abs(truth)
+            # a difference below the normal numbers is beyond the 300 digits of its terms
+            assert truth.contains(0) or abs(ball(found) - truth) <= 2 * UNIT * abs(truth)
 
 
 @more
