@@ -63,7 +63,7 @@ class SlipFlow:
         return (grown - arithmetic.cosine_deficit(theta)) + self.guard_at_start * theta
 
     def first_contact(self) -> Number:
-        """Return the first theta > 0 with k = 0 of a slip that starts off the surface (surface_slip.py has g = 0).
+        """Return the first theta > 0 with k = 0 of a slip that starts off the surface (slip_contact.py has g = 0).
 
         k' = A cos(theta - phase) - 1 vanishes at phase +- lean + 2 pi j, so the pieces on which k is monotone are
         explicit; its local minima fall by 2 pi from one to the next, so the first one below zero is known without
