@@ -87,13 +87,13 @@ def after_ray(
     theta_w = push_w * versine / depth
     depth_w = push * theta_w
     lost = r * q * depth * depth
-    own_w = unit * (w + w_after + 40.0 * lost + 6.0 * w * r * versine)
-    own_gap, own_push = 16.0 * unit * depth, unit * (8.0 * theta + 3.0 * push)
+    own_w = unit * (w + w_after + 56.0 * lost + 6.0 * w * r * versine)
+    own_gap, own_push = 24.0 * unit * depth, unit * (8.0 * theta + 3.0 * push)
     own_late = 8.0 * unit * sqrt_q * theta
     excess_w = 1.0 - r * versine
     gap, turn = own_gap + depth_w * errors.w, own_push + abs(push_w - theta_w) * errors.w
     late = errors.late + own_late + sqrt_q * theta_w * errors.w
-    slid = q * depth * (depth_w * errors.w + 16.0 * unit * depth)
+    slid = q * depth * (depth_w * errors.w + 24.0 * unit * depth)
     norm = q * gap + sqrt_q * turn + 4.0 * unit
     ended = Errors(
         late, gap, turn, own_w + abs(excess_w) * errors.w, errors.slide + slid, errors.place + slid, late, norm

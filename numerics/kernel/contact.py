@@ -109,9 +109,9 @@ def late_contact(gap: float, push: float) -> tuple[float, float, float]:
 
 @kernel
 def late_angle(gap: float, push: float) -> float:
-    """Return, for push > 1, the angle eta = 2 pi - theta that is missing to a full turn, by Newton's method.
+    """Return, for push > 1, the angle eta = 2 pi - theta that is missing to a full turn, by Halley's method.
 
-    2 pi + d sin eta - u (1 - cos eta) - (eta - sin eta) = 0 with 0 < eta < 3 pi/2; falling in eta there.
+    f = 2 pi + d sin eta - u (1 - cos eta) - (eta - sin eta) falls on 0 < eta < 3 pi/2, f'' = -(d + 1) sin - u cos.
     """
     square = math.pi * math.pi / (4.0 * push)
     upper = square * (gap + math.sqrt(gap * gap + 16.0 * push / math.pi))
@@ -126,14 +126,18 @@ def late_angle(gap: float, push: float) -> float:
             lower = eta
         elif missing < 0.0:
             upper = eta
-        steepness = push * sine + drop - gap * (1.0 - drop)  # -d missing/d eta
+        steepness = push * sine + drop - gap * (1.0 - drop)  # -f'
         shift = missing / steepness if steepness > 0.0 else upper - lower
+        if steepness > 0.0:
+            bend = -0.5 * shift * ((gap + 1.0) * sine + push * (1.0 - drop)) / steepness
+            shift = shift * (1.0 + bend * (1.0 + bend)) if abs(bend) < 0.5 else shift
+        if abs(shift) <= _SMALL_STEP * eta:
+            return eta + shift
         candidate = eta + shift
         if not lower < candidate < upper or 2.0 * abs(shift) > previous:
             candidate = 0.5 * (lower + upper)
+        if candidate in (lower, upper):
+            return candidate
         previous = abs(candidate - eta)
-        settled = previous <= 2.0**-53 * candidate or candidate in (lower, upper)
         eta = candidate
-        if settled:
-            break
     return eta
