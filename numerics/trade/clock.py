@@ -10,6 +10,8 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from numerics.comparisons.peer import PeerRun
+
 BATCH = 0.002
 """A batch of calls lasts at least so long, s, so that the clock itself does not count."""
 MOST_BATCHES = 500
@@ -26,7 +28,7 @@ class Timing:
 def median_time(call: Callable[[], object], first: float, budget: float) -> Timing:
     """Time a warm call again and again for about `budget` s, at least once; `first` (s) is what it took before.
 
-    The garbage collector stays on: its users have it on, too.
+    Of a run that measured itself its own time counts. The garbage collector stays on: its users have it on, too.
     """
     inner = max(1, round(BATCH / max(first, 1e-9)))
     taken: list[float] = []
@@ -34,12 +36,18 @@ def median_time(call: Callable[[], object], first: float, budget: float) -> Timi
     while not taken or (len(taken) < MOST_BATCHES and time.perf_counter() < end):
         start = time.perf_counter()
         for _ in range(inner):
-            call()
+            answer = call()
         elapsed = time.perf_counter() - start
-        taken.append(elapsed / inner)
+        taken.append(own_seconds(answer, elapsed / inner))
         if elapsed < BATCH / 4:  # the first call was slower than a warm one
             inner, taken = 4 * inner, []
     return Timing(statistics.median(taken), len(taken))
+
+
+def own_seconds(answer: object, waited: float) -> float:
+    """Return the time of a run (s): what it measured itself, in a process of its own, or else how long we waited."""
+    own = answer.elapsed if isinstance(answer, PeerRun) else None
+    return waited if own is None else own
 
 
 def timed(call: Callable[[], object], budget: float = 0.05) -> Timing:

@@ -20,7 +20,7 @@ from typing import IO, Any
 
 from numerics.comparisons.peer import PeerFailed, Unsupported
 from numerics.errors import NumericsError
-from numerics.trade.clock import Timing, median_time
+from numerics.trade.clock import Timing, median_time, own_seconds
 from numerics.trade.contender import Contender
 from numerics.trade.scenes import scene_from_record
 
@@ -61,11 +61,12 @@ class Worker:
         self._tell({"stage": "prepared", "seconds": time.perf_counter() - start})
         start = time.perf_counter()
         run = call()
-        first = time.perf_counter() - start
+        waited = time.perf_counter() - start
+        first = own_seconds(run, waited)
         self._tell({"stage": "ran", "seconds": first, "outcome": contender.outcome(run).as_record()})
         if budget > 0:
             del run
-            timing = Timing(first, 0) if first > LONG * budget else median_time(call, first, budget)
+            timing = Timing(first, 0) if waited > LONG * budget else median_time(call, waited, budget)
             self._tell({"stage": "timed", "seconds": timing.seconds, "batches": timing.batches})
 
     def _contender(self, source: str, name: str) -> Contender:
