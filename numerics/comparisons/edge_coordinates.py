@@ -17,11 +17,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from typing import Protocol
 
 import numpy as np
 
-from numerics.comparisons.peer import Extra, PeerRun
+from numerics.comparisons.peer import Extra, PeerRun, PeerTexts
 from numerics.comparisons.switching import EventLog, SwitchedPair
 from numerics.modes import EventKind
 from numerics.scene import Scene
@@ -36,7 +37,8 @@ class EdgePair:
         held = pair.a2 * pair.half_width
         self.number, self.zero = number, number(Fraction(0))
         self.first = SwitchedPair.of(scene).start.sign
-        self.until, self.x1, self.v1 = number(scene.until), number(at.x1), number(at.v1)
+        # the load exactly, lest a start on the edge of S0 misses it by a rounding error
+        self.until, self.load, self.v1 = number(scene.until), number(pair.a2 * at.x1 + pair.a1 * at.v1), number(at.v1)
         self.gap, self.apart = number(at.v1 - at.v2), number(at.x1 - at.x2)
         self.a1, self.a2, self.b, self.held = (number(value) for value in (pair.a1, pair.a2, pair.b, held))
         self.m1, self.mass, self.push = (number(value) for value in (pair.m1, pair.mass, held - pair.b))
@@ -86,11 +88,11 @@ class EdgeArcs(Protocol):
         """Stick until edge rises to 0."""
 
 
-def run_by_edges(pair: EdgePair, arcs: EdgeArcs) -> PeerRun:
-    """Run from event to event, by the rules of numerics/modes.py."""
+def run_by_edges(pair: EdgePair, arcs: EdgeArcs, text: Callable[[Extra], str] | None = None) -> PeerRun:
+    """Run from event to event, by the rules of numerics/modes.py; `text` writes numbers that are finer than floats."""
     zero, a1, a2, held = pair.zero, pair.a1, pair.a2, pair.held
     log, arcs.steps = EventLog(), 0
-    t, load, v, g, sign = zero, a2 * pair.x1 + a1 * pair.v1, pair.v1, pair.gap, pair.first  # sign 0 is stick
+    t, load, v, g, sign = zero, pair.load, pair.v1, pair.gap, pair.first  # sign 0 is stick
     slipped, work = zero, zero  # the integrals of v1 - v2 and of the power lost
     while True:
         if sign == 0:
@@ -115,5 +117,11 @@ def run_by_edges(pair: EdgePair, arcs: EdgeArcs) -> PeerRun:
         if not t < pair.until:
             break
     x = (load - a1 * v) / a2
-    y = np.array([float(x), float(v), float(x - pair.apart - slipped), float(v - g)])
-    return PeerRun(tuple(log.kinds), np.array(log.times), y, float(work), arcs.steps)
+    final = (x, v, x - pair.apart - slipped, v - g)
+
+    def texts(write: Callable[[Extra], str]) -> PeerTexts:
+        return PeerTexts(write(t) if log.kinds else None, tuple(write(value) for value in final), write(work))
+
+    y = np.array([float(value) for value in final])
+    exact = None if text is None else partial(texts, text)
+    return PeerRun(tuple(log.kinds), np.array(log.times), y, float(work), arcs.steps, texts=exact)

@@ -14,6 +14,18 @@ from numerics.scene import Scene
 
 
 @dataclass(frozen=True)
+class PeerTexts:
+    """The answers of a run in a format finer than binary64, as decimal text with all its digits; SI units."""
+
+    last_event: str | None
+    """The time of the last event, s; None without events."""
+    final: tuple[str, ...]
+    """x1, v1, x2, v2 at the horizon, m and m/s."""
+    dissipated: str
+    """Energy that friction and viscosity took, J."""
+
+
+@dataclass(frozen=True)
 class PeerRun:
     """What one run of an integrator says of a scene; SI units, approximate."""
 
@@ -29,6 +41,8 @@ class PeerRun:
     """How many steps, or accepted steps, it took."""
     elapsed: float | None = None
     """The wall time that it measured itself, s, where it runs in a process of its own; None: time the call."""
+    texts: Callable[[], PeerTexts] | None = None
+    """Writes the same answers with all their digits, after the clock has stopped; None: they are floats."""
 
 
 class Peer(Protocol):

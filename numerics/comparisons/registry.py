@@ -23,6 +23,7 @@ def all_peers() -> tuple[Peer, ...]:
         TunedHeyokaPeer("double"),
         TunedHeyokaPeer("long double"),
         TunedHeyokaPeer("quadruple"),
+        TunedHeyokaPeer("real"),
         DiffraxPeer("Tsit5"),
         DiffraxPeer("Dopri8"),
         SiconosPeer("ZeroOrderHold"),

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from numerics.comparisons.peer import Peer, PeerRun
+from numerics.comparisons.peer import Peer, PeerRun, PeerTexts
 from numerics.scene import Scene
 from numerics.trade.outcome import Outcome, float_text, letters
 
@@ -34,7 +34,7 @@ class Contender(Protocol):
 
 
 class PeerContender:
-    """A peer; its numbers are floats."""
+    """A peer; its numbers are floats, unless it writes them with more digits itself."""
 
     ours = False
 
@@ -57,16 +57,22 @@ class PeerContender:
 
 
 def peer_outcome(run: PeerRun) -> Outcome:
-    """Return what a peer says as text."""
+    """Return what a peer says as text, with all the digits of its own format."""
     times = [float(t) for t in run.t_events]
+    texts = run.texts() if run.texts else _float_texts(run)
     return Outcome(
         kinds=letters(run.kinds),
         times=times,
-        last_event=float_text(times[-1]) if times else None,
-        final=[float_text(value) for value in run.y_final],
-        dissipated=float_text(run.dissipated),
+        last_event=texts.last_event,
+        final=list(texts.final),
+        dissipated=texts.dissipated,
         steps=int(run.steps),
     )
+
+
+def _float_texts(run: PeerRun) -> PeerTexts:
+    last = float_text(run.t_events[-1]) if len(run.t_events) else None
+    return PeerTexts(last, tuple(float_text(value) for value in run.y_final), float_text(run.dissipated))
 
 
 def all_contenders() -> list[Contender]:

@@ -163,7 +163,7 @@ def measure(
             ran = Ran(Status.NOT_TRIED, f"a coarser setting was {stopped}")
         verdict = None
         if ran.outcome is not None:
-            digits = reference.digits_for(contender.ours, contender.knob, setting)
+            digits = reference.digits_for(contender.knob, setting)
             proved = references.get(scene, digits)
             if proved.outcome is not None:
                 verdict = judge(ran.outcome, proved.outcome, digits, scene.scene)

@@ -11,7 +11,7 @@ from numerics.trade.outcome import Outcome
 
 NAME = "reference"
 POINT_DIGITS = 40
-"""For contenders that answer in binary64."""
+"""For contenders of at most 34 digits, which is quadruple precision."""
 MORE_DIGITS = 30
 """Beyond the digits that a contender was asked for."""
 
@@ -40,11 +40,11 @@ def contenders() -> list[Any]:
     return [ReferenceBall()]
 
 
-def digits_for(ours: bool, knob: str, setting: float) -> int:
+def digits_for(knob: str, setting: float) -> int:
     """Return how many digits the reference of a setting needs.
 
-    >>> digits_for(False, "step (s)", 1e-3), digits_for(True, "digits", 1000.0)
+    >>> digits_for("step (s)", 1e-3), digits_for("digits", 1000.0)
     (40, 1030)
     """
-    asked = int(setting) + MORE_DIGITS if ours and knob == "digits" else 0
+    asked = int(setting) + MORE_DIGITS if knob == "digits" else 0
     return max(POINT_DIGITS, asked)
