@@ -3,6 +3,7 @@
 import subprocess
 import sys
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 
 import numpy as np
@@ -21,6 +22,7 @@ from numerics.comparisons import (
 )
 from numerics.comparisons.edge_coordinates import EdgePair
 from numerics.comparisons.forward_euler import forward_euler
+from numerics.comparisons.heyoka_formats import format_of, nearest
 from numerics.comparisons.peer import PeerFailed, Unsupported
 from numerics.comparisons.registry import all_peers
 from numerics.comparisons.switching import EventLog, SwitchedPair
@@ -45,6 +47,7 @@ FINE = {
     ("heyoka", "edge"): (1e-15, 1e-12, 1e-12),
     ("heyoka long double", "edge"): (1e-18, 1e-14, 1e-14),
     ("heyoka quadruple", "edge"): (1e-24, 1e-14, 1e-14),
+    ("heyoka real", "edge"): (50, 1e-14, 1e-14),
     ("diffrax Tsit5", "edge"): (1e-9, 1e-6, 1e-6),
     ("diffrax Dopri8", "edge"): (1e-12, 1e-7, 1e-7),
     ("Siconos ZeroOrderHold", "exact"): (1e-3, 2e-3, 1e-4),
@@ -92,17 +95,50 @@ def test_viscosity_is_supported(peer):
     compare(peer, VISCOUS)
 
 
-@pytest.mark.parametrize("precision", ["double", "long double", "quadruple"])
+@pytest.mark.parametrize("precision", ["double", "long double", "quadruple", "real"])
 def test_heyoka_at_its_best_follows_excursions_of_relative_energy_1e_12(precision):
     pytest.importorskip("heyoka")
     kinds, times, _, lost = reference(NEAR_CRITICAL)
     peer = heyoka_tuned.TunedHeyokaPeer(precision)
     if peer.missing():
         pytest.skip(peer.missing())
-    run = peer.prepare(NEAR_CRITICAL, peer.settings[-1])()
+    run = peer.prepare(NEAR_CRITICAL, 50 if precision == "real" else peer.settings[-1])()
     assert run.kinds == kinds
     assert run.t_events == pytest.approx(times, abs=1e-9)
     assert run.dissipated == pytest.approx(lost, rel=1e-2 if precision == "double" else 1e-4)
+
+
+@pytest.mark.parametrize("value", ["1/10", "0.005", "-1e-300", "1e-10", "123456789123456789123456789/1024", "0", "-3"])
+def test_constants_are_rounded_correctly(value):
+    exact = Fraction(value)
+    assert nearest(exact, 53) == Fraction(float(exact))
+    form = format_of("long double", 0)
+    number, near = form.number(exact), nearest(exact, form.bits)
+    assert Fraction(*number.as_integer_ratio()) == near
+    assert abs(near - exact) <= abs(exact) / 2**form.bits
+    assert abs(Fraction(form.text(number)) - near) <= abs(near) / 10**40
+
+
+@pytest.mark.parametrize(("precision", "digits"), [("quadruple", 33), ("real", 200)])
+def test_constants_keep_every_digit_of_heyoka_s_formats(precision, digits):
+    pytest.importorskip("heyoka")
+    form = format_of(precision, digits)
+    for text in ("0.1", "-0.005", "5e-8"):
+        number = form.number(Fraction(text))
+        assert number == form.read(text)
+        assert abs(Fraction(form.text(number)) / Fraction(text) - 1) < Fraction(1, 10**digits)
+
+
+def test_long_steps_in_many_digits_lose_roots(monkeypatch):
+    """heyoka's steps get so long that root isolation fails: that is why they are cut. Watched, lest it change."""
+    pytest.importorskip("heyoka")
+    kinds, *_ = reference(load_scene(PAPER))
+    peer = heyoka_tuned.TunedHeyokaPeer("real")
+    if peer.missing():
+        pytest.skip(peer.missing())
+    assert peer.prepare(load_scene(PAPER), 100)().kinds == kinds
+    monkeypatch.setattr(heyoka_tuned, "_LONGEST", None)
+    assert peer.prepare(load_scene(PAPER), 100)().kinds != kinds
 
 
 def test_a_missed_root_shows_in_the_event_sequence():

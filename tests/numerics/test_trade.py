@@ -2,31 +2,37 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import os
 import subprocess
 import sys
+import time
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from numerics.__main__ import main
+from numerics.comparisons.heyoka_tuned import TunedHeyokaPeer
+from numerics.comparisons.peer import PeerRun
 from numerics.scene import Pair, Scene, State
 from numerics.scene_file import load_scene
 from numerics.trade import front, reference, scenes
 from numerics.trade.child import Child
 from numerics.trade.clock import median_time
-from numerics.trade.contender import all_contenders, labelled
+from numerics.trade.contender import all_contenders, labelled, peer_outcome
 from numerics.trade.front import Point
 from numerics.trade.judge import judge
-from numerics.trade.measure import Limits, References, Status, measure, run
+from numerics.trade.measure import SOURCE, Limits, References, Status, measure, run
 from numerics.trade.ours import Digits, FloatTrajectory, solved_outcome
 from numerics.trade.outcome import Outcome, float_text
 from numerics.trade.plan import SIZES, NoSuchContender, selected, settings, trade
 from numerics.trade.table import as_record, print_trade
+from numerics.trade.worker import Worker
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 QUICK = Limits(prepare=60, run=20, budget=0.01)
@@ -152,6 +158,43 @@ class TestJudge:
         assert still.last_event is None
         assert still.energy is None
         assert still.error < -13
+
+
+class TestPeers:
+    @pytest.mark.parametrize(
+        ("precision", "setting", "error"), [("long double", 1e-21, -16), ("quadruple", 1e-34, -31), ("real", 50.0, -47)]
+    )
+    def test_a_peer_finer_than_floats_is_judged_by_all_its_digits(self, precision, setting, error):
+        peer = TunedHeyokaPeer(precision)
+        if peer.missing():
+            pytest.skip(peer.missing())
+        digits = max(60, reference.digits_for(peer.knob, setting))
+        ball = reference.ReferenceBall()
+        proved = ball.outcome(ball.prepare(SCENE.scene, float(digits))())
+        run = peer.prepare(SCENE.scene, setting)()
+        assert judge(peer_outcome(run), proved, digits, SCENE.scene).error < error
+        floored = judge(peer_outcome(replace(run, texts=None)), proved, digits, SCENE.scene)
+        assert -18 < floored.error < -15
+
+    def test_a_run_that_measured_itself_is_timed_by_its_own_clock(self, monkeypatch):
+        answer = PeerRun((), np.zeros(0), np.zeros(4), 0.0, 1, elapsed=1.5)
+
+        class SelfTimed:
+            name, use, knob, settings = "self-timed", "", "step (s)", (1.0,)
+
+            def missing(self):
+                return None
+
+            def prepare(self, scene, setting):
+                return lambda: (time.sleep(0.005), answer)[1]
+
+        monkeypatch.setattr("numerics.trade.contender.all_contenders", lambda: labelled([SelfTimed()]))
+        channel = io.StringIO()
+        asked = {"source": SOURCE, "contender": "self-timed", "scene": scenes.scene_as_record(SCENE.scene)}
+        Worker(channel).answer(asked | {"setting": 1.0, "budget": 0.01})
+        told = {row["stage"]: row for row in map(json.loads, channel.getvalue().splitlines())}
+        assert told["ran"]["seconds"] == told["timed"]["seconds"] == 1.5
+        assert told["timed"]["batches"] >= 1
 
 
 def _decimal(value: Fraction) -> str:
