@@ -6,7 +6,6 @@ bits, the same certified first events and the same error bounds. Python only han
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
@@ -21,7 +20,7 @@ from numerics.errors import InvalidScene
 from numerics.kernel.bounds import ULP
 from numerics.kernel.compilation import can_compile
 from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
-from numerics.parallel import run_tasks
+from numerics.parallel import available_cores, run_tasks
 from numerics.scene import Law, Scene, read_law
 from numerics.solve import MAX_EVENTS
 
@@ -112,7 +111,7 @@ def solve_many(
     shape = np.broadcast_shapes(*(column.shape for column in columns.values()))
     table = np.stack([np.broadcast_to(columns[name], shape).ravel() for name in ROW_ORDER], axis=1)
     literal = read_law(law) is Law.THREE_VALUED_SGN
-    _check(max_events=max_events, keep_events=keep_events + 1, jobs=1 if jobs is None else jobs)
+    _check(max_events, keep_events, jobs)
     chunks = [(start, table[start : start + _CHUNK]) for start in range(0, len(table), _CHUNK)]
     work = partial(solve_table, literal=literal, max_events=max_events, keep=keep_events)
     return _gathered(_results(work, chunks, jobs, progress, len(table)), len(table), shape, keep_events)
@@ -127,7 +126,7 @@ def solve_scenes(
     progress: Progress | None = None,
 ) -> Batch:
     """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),)."""
-    _check(max_events=max_events, keep_events=keep_events + 1, jobs=1 if jobs is None else jobs)
+    _check(max_events, keep_events, jobs)
     chunks = [(start, scenes[start : start + _CHUNK]) for start in range(0, len(scenes), _CHUNK)]
     work = partial(solve_exact, max_events=max_events, keep=keep_events)
     results = _results(work, chunks, jobs, progress, len(scenes))
@@ -149,11 +148,11 @@ def _numbers(name: str, values: ArrayLike) -> Table:
     return array
 
 
-def _check(**values: int) -> None:
-    for name, value in values.items():
-        if value < 1:
-            least = 0 if name == "keep_events" else 1
-            raise ValueError(f"{name} = {value - 1 + least} must be at least {least}")
+def _check(max_events: int, keep_events: int, jobs: int | None) -> None:
+    least = {"max_events": (max_events, 1), "keep_events": (keep_events, 0), "jobs": (1 if jobs is None else jobs, 1)}
+    for name, (value, bound) in least.items():
+        if value < bound:
+            raise ValueError(f"{name} = {value} must be at least {bound}")
 
 
 def _results(
@@ -161,7 +160,7 @@ def _results(
 ) -> Iterator[Solved]:
     """Yield the results of all chunks as they finish, from threads of compiled code or from processes."""
     if can_compile():
-        results = _in_threads(work, chunks, jobs or len(os.sched_getaffinity(0)))
+        results = _in_threads(work, chunks, jobs or available_cores())
     else:
         results = run_tasks(work, chunks, jobs=jobs or 1)
     done = 0
@@ -221,9 +220,12 @@ def _gathered(results: Iterator[Solved], count: int, shape: tuple[int, ...], kee
 
 
 def _digits(end: dict[str, Table], y: Table, y_error: Table) -> NDArray[np.int64]:
-    """Return how many digits of every event, and of the state and the excess at the end, the bounds leave right."""
+    """Return how many digits of every event, and of state, excess and energy at the end, the bounds leave right."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        errors = np.stack([*y_error, end["w_error"]]) / abs(np.stack([*y, end["w"]]))
+        w, w_error = abs(end["w"]), end["w_error"]
+        energy = abs(1 + end["w"])
+        energy_error = w_error + 16 * ULP * (energy + w)
+        errors = np.stack([*y_error, w_error + 4 * ULP * w, energy_error]) / abs(np.stack([*y, w, energy]))
         errors = np.where(np.isnan(errors), np.where(np.isnan(y[0]), np.inf, 0.0), errors)
         worst = np.maximum(end["worst"], errors.max(axis=0)).clip(1e-17)
         digits = np.floor(-np.log10(worst))

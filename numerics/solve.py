@@ -28,6 +28,9 @@ ArithmeticName = Literal["float64", "double-double", "mpmath", "ball"]
 MAX_EVENTS = 250_000
 MAX_DIGITS = 20_000
 _GUARD_DIGITS = 12
+"""Working digits beyond those asked for, where nothing is known of the scene."""
+_FLOAT64_DIGITS, _DOUBLE_DOUBLE_DIGITS, _SPARE_DIGITS = 16, 32, 4
+"""Digits that are there before a run; what it loses of them, and a few to spare, balls will need beyond those asked."""
 _IN_FLOAT64 = 15
 _WITHIN_DOUBLE_DOUBLE = 37
 """Digits asked for and digits to spare, up to which double-double is worth a try: it has 16 more than float64."""
@@ -47,10 +50,11 @@ def solve(
     """Solve a scene and return its Trajectory.
 
     With `digits` = N and no arithmetic, the cheapest one that delivers N right digits of every event time and state and
-    of the final state: float64, if its own error bounds (Trajectory.accuracy) leave so many; else double-double, if
-    its bounds do and numba has compiled it (for a1 = 0; 31 digits, about 5 of them lost); else balls, with the working
-    precision raised until the digits are proved. `tried` says what was chosen and why. Without `digits`, float64;
-    mpmath works with `digits` or 30. `progress(events, fraction)` is called now and then.
+    of the final state. First float64, if its own error bounds (Trajectory.accuracy) leave so many. Then double-double
+    (a1 = 0; 31 digits, some of them lost), if its bounds do and numba is in use already, or so many events make it
+    worth the second that it takes to come. Else balls, their precision raised until the digits are proved. `tried` says
+    what was chosen and why. Without `digits`, float64; mpmath works with `digits` or 30. `progress(events, fraction)`
+    is called now and then.
 
     Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
     reached), OutOfRange (a number does not fit float64), ValueError (bad arguments).
@@ -107,7 +111,7 @@ def _solve_cheaply(
         if floats is not None and reached >= digits:
             return replace(floats, digits=digits, tried=tried[0])
         events = 0 if floats is None else len(floats.events)
-        guard = 20 - reached if reached else guard
+        guard = _FLOAT64_DIGITS + _SPARE_DIGITS - reached if reached else guard
     # in plain Python double-double is slower than balls
     fast = numba_is_here or (can_compile() and events > _MANY_EVENTS)
     if fast and scene.pair.a1 == 0 and digits + guard <= _WITHIN_DOUBLE_DOUBLE:
@@ -115,7 +119,7 @@ def _solve_cheaply(
         tried.append(f"double-double {why}")
         if doubles is not None and reached >= digits:
             return replace(doubles, digits=digits, tried="; ".join(tried))
-        guard = 36 - reached if reached else guard
+        guard = _DOUBLE_DOUBLE_DIGITS + _SPARE_DIGITS - reached if reached else guard
     balls = _solve_to_digits(scene, digits, guard, max_events, max_digits, progress)
     return replace(balls, tried="; ".join([*tried, f"{digits} are asked for"]))
 

@@ -1,6 +1,7 @@
 """One source, two ways to run it: kernels are plain functions, and numba (an optional extra) compiles them on demand.
 
-A kernel calls only `math`, other kernels and constants of its module, and returns numbers or tuples of them. numba is
+A kernel calls only `math`, other kernels and constants of its module; it returns numbers or tuples of them, or writes
+into arrays that it is given. numba is
 imported when something is compiled, not before: it takes a second. What it compiles is kept in the user's cache folder,
 under a name made from the sources of all kernels, since numba itself would not notice that a called kernel has changed.
 """
@@ -10,8 +11,10 @@ from __future__ import annotations
 import hashlib
 import importlib.util
 import os
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar
@@ -19,6 +22,8 @@ from typing import Any, TypeVar
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _KERNELS: set[Any] = set()
 _COMPILED: dict[Any, Any] = {}
+_ONE_AT_A_TIME = threading.RLock()
+"""The threads of a batch may all ask for the same kernel first, and numba's cache folder is set for the process."""
 
 
 def kernel(function: _Function) -> _Function:
@@ -38,12 +43,19 @@ def compiled(function: _Function) -> _Function:
     if not can_compile():
         return function
     if function not in _COMPILED:
-        names = {name: compiled(inner) for name, inner in _called_kernels(function)}
-        bound = FunctionType(function.__code__, {**function.__globals__, **names}, function.__name__)
-        bound.__qualname__, bound.__module__ = function.__qualname__, function.__module__
-        bound.__doc__, bound.__defaults__ = function.__doc__, function.__defaults__
-        _COMPILED[function] = _compile(bound)
+        with _ONE_AT_A_TIME:
+            if function not in _COMPILED:
+                _COMPILED[function] = _compile(_bound(function))
     return _COMPILED[function]
+
+
+def _bound(function: Any) -> Any:
+    """Return a copy of a kernel that calls compiled kernels."""
+    names = {name: compiled(inner) for name, inner in _called_kernels(function)}
+    bound = FunctionType(function.__code__, {**function.__globals__, **names}, function.__name__)
+    bound.__qualname__, bound.__module__ = function.__qualname__, function.__module__
+    bound.__doc__, bound.__defaults__ = function.__doc__, function.__defaults__
+    return bound
 
 
 def _called_kernels(function: Any) -> Iterator[tuple[str, Any]]:
@@ -76,6 +88,7 @@ def _cache_folder(config: Any) -> Iterator[None]:
         config.CACHE_DIR = before
 
 
+@cache
 def _digest_of_sources() -> str:
     digest = hashlib.sha256()
     for source in sorted(Path(__file__).parent.glob("*.py")):

@@ -120,7 +120,8 @@ def answer(s: Any, end: Any) -> None:
     end[13], end[14], end[15], end[16] = bounds.x_error, bounds.v1_error, bounds.v2_error, bounds.place_error
     end[17], end[18], end[19] = bounds.w_error, bounds.spent_error, bounds.worst
     if how == OUT_OF_RANGE:
-        end[:20] = math.nan
+        for column in range(20):
+            end[column] = math.nan
     end[20], end[21], end[22] = 1.0 if bounds.certain and how != OUT_OF_RANGE else 0.0, s[EVENTS], how
     put(end, 23, tau)
 

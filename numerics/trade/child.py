@@ -80,7 +80,8 @@ class Child:
                     pipe.close()
 
     def _start(self) -> None:
-        self._complaints.truncate(0)
+        self._complaints.seek(0)
+        self._complaints.truncate()
         self._process = subprocess.Popen(
             [sys.executable, "-m", "numerics.trade.worker"],
             stdin=subprocess.PIPE,

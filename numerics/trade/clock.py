@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import math
 import statistics
 import time
@@ -11,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from numerics.comparisons.peer import PeerRun
+from numerics.kernel.compilation import can_compile
 
 BATCH = 0.002
 """A batch of calls lasts at least so long, s, so that the clock itself does not count."""
@@ -63,7 +63,7 @@ def compiled_pair_seconds(pairs: int = 20_000) -> float | None:
     Each pair waits for the one before it, as each event waits for the one before: this is the least that an event of a
     compiled path could cost. (Independent pairs overlap in the processor and take about half of it.)
     """
-    if importlib.util.find_spec("numba") is None:
+    if not can_compile():
         return None
     numba = importlib.import_module("numba")
 

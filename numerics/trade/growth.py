@@ -6,7 +6,6 @@ least that a transcendental event could cost.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from fractions import Fraction
@@ -15,6 +14,7 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.parallel import available_cores
 from numerics.trade import ours
 from numerics.trade.child import Child
 from numerics.trade.clock import compiled_pair_seconds, timed
@@ -127,7 +127,7 @@ def _growth(
 def along_batches(extent: Extent) -> Iterator[Growth]:
     """Yield the time per scene of bigger and bigger batches, on one core and on all; nothing without a batch path."""
     scene = paper_scenes()[-1].scene
-    for cores in sorted({1, os.cpu_count() or 1}):
+    for cores in sorted({1, available_cores()}):
         for size in extent.batch:
             call = ours.batch_call(scene, size, cores)
             if call is None:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import platform
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
+
+from numerics.parallel import available_cores
 
 PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka", "jax", "diffrax")
 
@@ -15,7 +16,7 @@ def machine() -> dict[str, Any]:
     """Return the processor, its cores, and the versions of Python and of the packages that are installed."""
     return {
         "processor": _processor(),
-        "cores": os.cpu_count() or 1,
+        "cores": available_cores(),
         "system": platform.system(),
         "python": platform.python_version(),
         "packages": {name: found for name in PACKAGES if (found := _version(name)) is not None},
