@@ -6,20 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.float64 import Float64
+from numerics.kernel.packed import HORIZON, HOW, STATE
 from numerics.kernel.state import Bounds, End
 from numerics.kernel.viscous_bounds import initial_errors
 from numerics.kernel.viscous_motion import COLUMNS
-from numerics.kernel.viscous_packed import (
-    DAMPED_ANSWER,
-    HORIZON,
-    HOW,
-    STATE,
-    advance,
-    answer,
-    pack,
-    start_of,
-    viscous_pair,
-)
+from numerics.kernel.viscous_packed import DAMPED_ANSWER, advance, answer, pack, start_of, viscous_pair
 from numerics.kernel.viscous_state import Start, ViscousPair
 from numerics.kernel_run import KernelRun, Progress, answered, written_rows
 from numerics.motion import Motion

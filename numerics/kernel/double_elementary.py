@@ -27,7 +27,7 @@ from numerics.kernel.elementary import DEPTH_SERIES, horner
 
 _Terms = tuple[tuple[float, float], ...]
 _PI_EXACT = Fraction("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534")
-PI, TURN = nearest(_PI_EXACT), nearest(2 * _PI_EXACT)
+TURN = nearest(2 * _PI_EXACT)
 _QUARTER = nearest(_PI_EXACT / 2)
 _QUARTER_1, _QUARTER_2 = _QUARTER
 _QUARTER_3 = float(_PI_EXACT / 2 - Fraction(_QUARTER_1) - Fraction(_QUARTER_2))

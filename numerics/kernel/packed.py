@@ -94,19 +94,13 @@ def run_one(first: Any, s: Any, max_events: int, rows: Any, end: Any) -> int:
 
 @kernel
 def run_keeping(states: Any, max_events: int, answers: Any, kept: Any, nothing: Any) -> None:
-    """Run every row of `states` to its end and keep its first events in `kept` (rows, events, state.COLUMNS)."""
+    """Run every row of `states` to its end and keep its first events in `kept` (rows, events, state.COLUMNS).
+
+    `nothing` is an empty array of rows.
+    """
     for index in range(len(states)):
-        if states[index, HOW] >= 0.0:
+        if states[index, HOW] >= 0.0:  # a row that could not be prepared has -1
             advance(states[index], max_events, kept[index])
             if states[index, HOW] == ROWS_FULL:
                 advance(states[index], max_events, nothing)
-            answer(states[index], answers[index])
-
-
-@kernel
-def run_all(states: Any, max_events: int, answers: Any, nothing: Any) -> None:
-    """Run every row of `states` to its end; `nothing` is an empty array of rows."""
-    for index in range(len(states)):
-        if states[index, HOW] >= 0.0:  # a row that could not be prepared has -1
-            advance(states[index], max_events, nothing)
             answer(states[index], answers[index])

@@ -11,7 +11,7 @@ from typing import Any
 
 from numerics.kernel.bounds import ULP, Errors, no_linear
 from numerics.kernel.compilation import kernel
-from numerics.kernel.double_double import Double, add, product, quotient, times, two_product, two_sum
+from numerics.kernel.double_double import Double, add, negative, product, quotient, times, two_product, two_sum
 from numerics.kernel.packed import EVENTS, HORIZON, HOW, pack
 from numerics.kernel.state import FREE, STICK, SURFACE, Pair, Start
 
@@ -45,13 +45,13 @@ def prepare(si: Any, literal: bool, state: Any) -> bool:
     kinetic = add(times(two_product(v1, v1), m1), times(two_product(v2, v2), m2))
     energy = product(add(times(two_product(x1, x1), a2), kinetic), product(stiff, Double(m2, 0.0)))
     critical = product(width_above, width_above)
-    excess = add(energy, Double(-critical.high, -critical.low))
+    excess = add(energy, negative(critical))
     w = quotient(excess, critical)
     if not abs(excess.high) > _SURE * critical.high:
         return False
     # how far x1 lies beyond the edge, over L; its sign decides where the pair may stick
     edge = -1.0 if x1 < 0.0 else 1.0
-    beyond = add(times(stiff, abs(x1)), Double(-width_above.high, -width_above.low))
+    beyond = add(times(stiff, abs(x1)), negative(width_above))
     if not abs(beyond.high) > _SURE * width_above.high:
         return False
     norm = 4 * ULP * (abs(X) + sqrt_q * abs(V1) + math.sqrt(r) * abs(V2))
@@ -62,7 +62,7 @@ def prepare(si: Any, literal: bool, state: Any) -> bool:
     else:
         sign = (1.0 if v1 > v2 else -1.0) if v1 != v2 else -edge
         side = -sign
-        below = beyond if side == edge else add(times(stiff, side * x1), Double(-width_above.high, -width_above.low))
+        below = beyond if side == edge else add(times(stiff, side * x1), negative(width_above))
         gap = quotient(below, two_product(b, m1))  # (side X - 1)/q
         u = side * V1 / sqrt_q
         # the guard turns if gap (2 + gap) + u^2 > 0

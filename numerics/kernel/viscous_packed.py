@@ -11,28 +11,13 @@ import math
 from typing import Any
 
 from numerics.kernel.compilation import kernel
-from numerics.kernel.packed import ANSWER, EVENTS, HORIZON, HOW, STATE, WORST
+from numerics.kernel.packed import ANSWER, EVENTS, HORIZON, HOW, WORST
 from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL
 from numerics.kernel.viscous_bounds import Errors
 from numerics.kernel.viscous_end import at_event, at_horizon
 from numerics.kernel.viscous_motion import run
 from numerics.kernel.viscous_oscillator import oscillator
 from numerics.kernel.viscous_state import Start, ViscousPair
-
-__all__ = [
-    "DAMPED_ANSWER",
-    "EVENTS",
-    "HORIZON",
-    "HOW",
-    "STATE",
-    "WORST",
-    "advance",
-    "answer",
-    "pack",
-    "run_all",
-    "run_keeping",
-    "run_one",
-]
 
 DAMPED_ANSWER = ANSWER + 2
 """Length of an answer with viscosity in it."""
@@ -122,29 +107,13 @@ def answer(s: Any, end: Any) -> None:
 
 
 @kernel
-def run_one(first: Any, s: Any, max_events: int, rows: Any, end: Any) -> int:
-    """Run the row `first` to its end in the row `s`, `rows` being long enough; return the number of events."""
-    for column in range(STATE):
-        s[column] = first[column]
-    count = advance(s, max_events, rows)
-    answer(s, end)
-    return count
+def run_keeping(states: Any, max_events: int, answers: Any, kept: Any, nothing: Any) -> None:
+    """Run every row of `states` to its end and keep its first events in `kept` (rows, events, COLUMNS).
 
-
-@kernel
-def run_all(states: Any, max_events: int, answers: Any, nothing: Any) -> None:
-    """Run every row of `states` to its end; `nothing` is an empty array of rows."""
+    `nothing` is an empty array of rows.
+    """
     for index in range(len(states)):
         if states[index, HOW] >= 0.0:  # a row that could not be prepared has -1
-            advance(states[index], max_events, nothing)
-            answer(states[index], answers[index])
-
-
-@kernel
-def run_keeping(states: Any, max_events: int, answers: Any, kept: Any, nothing: Any) -> None:
-    """Run every row of `states` to its end and keep its first events in `kept` (rows, events, COLUMNS)."""
-    for index in range(len(states)):
-        if states[index, HOW] >= 0.0:
             advance(states[index], max_events, kept[index])
             if states[index, HOW] == ROWS_FULL:
                 advance(states[index], max_events, nothing)

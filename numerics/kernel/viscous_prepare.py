@@ -10,20 +10,15 @@ import math
 from typing import Any
 
 from numerics.kernel.compilation import kernel
-from numerics.kernel.double_double import Double, add, product, quotient, times, two_product, two_sum
+from numerics.kernel.double_double import Double, add, negative, product, quotient, times, two_product, two_sum
+from numerics.kernel.packed import EVENTS, HORIZON, HOW
 from numerics.kernel.viscous_bounds import initial_errors
-from numerics.kernel.viscous_packed import EVENTS, HORIZON, HOW, pack, viscous_pair
+from numerics.kernel.viscous_packed import pack, viscous_pair
 from numerics.kernel.viscous_state import Start
 
 _SURE = 2.0**-46
 """A difference smaller than this, relative to its terms, is left to exact arithmetic: 60 bits of 106 remain above."""
 _LARGEST, _SMALLEST = 1e70, 1e-70
-
-
-@kernel
-def negative(a: Double) -> Double:
-    """Return -a."""
-    return Double(-a.high, -a.low)
 
 
 @kernel
