@@ -111,7 +111,7 @@ class KernelRun(ABC):
         return Event(t, event_kind(before.mode, after.mode), before.mode, after.mode, y, after.start)
 
     def trajectory(self, how: float, bounds: Bounds) -> Trajectory:
-        """Return the trajectory of a run that ended so (the codes of motion.py)."""
+        """Return the trajectory of a run that ended so (the codes of kernel/state.py)."""
         endings: dict[int, Any] = {STUCK: Status.STUCK_FOR_EVER, EVENT_LIMIT: Status.EVENT_LIMIT}
         status, events = endings.get(int(how), Status.REACHED_HORIZON), len(self.rows)
         segments = Deferred(self.segment, events + (status is not Status.EVENT_LIMIT))

@@ -1,1 +1,1 @@
-"""The binary64 kernels: plain functions of floats, run as they stand or compiled by numba, with equal bits."""
+"""The binary64 and double-double kernels: plain functions, run as they stand or compiled by numba, with equal bits."""
