@@ -93,6 +93,23 @@ def run_one(first: Any, s: Any, max_events: int, rows: Any, end: Any) -> int:
 
 
 @kernel
+def run_in_si(first: Any, s: Any, max_events: int, rows: Any, end: Any, units: Any, si: Any) -> int:
+    """Run the row `first` as run_one does and write (t, x1, v, x2) of each event, and of the end (x1, v1, x2, v2).
+
+    units = (length m, rate 1/s); the last row of `si` that is written has the end.
+    """
+    count, length, rate = run_one(first, s, max_events, rows, end), units[0], units[1]
+    speed = length * rate
+    for index in range(count):
+        row, written = rows[index], si[index]
+        written[0], written[1] = row[2] / rate, length * row[4]
+        written[2], written[3] = speed * row[10], length * (row[4] - row[6])
+    last = si[count]
+    last[0], last[1], last[2], last[3] = length * end[1], speed * end[2], length * (end[1] - end[4]), speed * end[3]
+    return count
+
+
+@kernel
 def run_keeping(states: Any, max_events: int, answers: Any, kept: Any, nothing: Any) -> None:
     """Run every row of `states` to its end and keep its first events in `kept` (rows, events, state.COLUMNS).
 

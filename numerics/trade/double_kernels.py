@@ -21,6 +21,7 @@ from numerics.scaling import Frame, ReducedState
 from numerics.scene import Scene
 from numerics.trade.outcome import Outcome, letters
 
+DOUBLE_COMPILED = "double-double, compiled"
 _MOST_EVENTS = 10**7
 _DIGITS = 50
 _TAU, _SPENT = COLUMNS.index("tau"), 11
@@ -42,7 +43,7 @@ class DoubleKernels:
     The exact conversion of the scene comes before the clock, as a peer's preparation does.
     """
 
-    label = name = "double-double, compiled"
+    label = name = DOUBLE_COMPILED
     use, knob, ours = "", "bits", True
     settings: tuple[float, ...] = (106.0,)
 

@@ -24,15 +24,6 @@ from numerics.trade.judge import judge
 from numerics.trade.outcome import Outcome
 from numerics.trade.reference import POINT_DIGITS, ReferenceBall
 
-FIGURES = {
-    "3 (a)": "figure-3a",
-    "3 (b), and 4 (b) with b = 0.5 N": "figure-3b",
-    "4 (a), and 4 (b) with b = 0.05 N": "figure-4a",
-    "4 (b) with b = 0.2 N": "figure-4b-b02",
-    "5 (a)": "figure-5a",
-    "5 (b)": "figure-5b",
-}
-"""The paper's figures and the scenes that they show."""
 STEPS = (1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5)
 """The steps that are tried, s."""
 STUCK_STEPS = (1e-2, 1e-3, 1e-4, 1e-5)
@@ -96,12 +87,6 @@ def _from_here(steps: Sequence[float], good: Sequence[bool]) -> float | None:
     return kept
 
 
-@cache
-def euler_figures() -> tuple[EulerFigure, ...]:
-    """Return every figure with every step; takes seconds, once a process."""
-    return tuple(euler_figure(figure, load_scene(name)) for figure, name in FIGURES.items())
-
-
 def euler_figure(figure: str, scene: Scene, steps: Sequence[float] = STEPS) -> EulerFigure:
     """Return what forward Euler makes of a scene with these steps (s), from coarse to fine."""
     ball = ReferenceBall()
@@ -123,6 +108,8 @@ class StickEnergy:
 
     step: float
     """s"""
+    until: float
+    """the horizon, s"""
     held: float
     """where v1 = v2 holds exactly"""
     theory: float
@@ -149,4 +136,4 @@ def stick_energy(step: float) -> StickEnergy:
     loose = forward_euler(replace(load_scene("figure-3a"), initial=start), step)
     out = bool(np.any(np.abs(loose.y[0]) > float(stuck.pair.half_width)))
     ratio = None if out else float(loose.energy[-1] / loose.energy[0])
-    return StickEnergy(step, float(held.energy[-1] / held.energy[0]), theory, ratio, loose.chatter)
+    return StickEnergy(step, float(stuck.until), float(held.energy[-1] / held.energy[0]), theory, ratio, loose.chatter)

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from numerics.export import whole_file
 from numerics.trade.front import Point, best_front
 from numerics.trade.growth import Growth
-from numerics.trade.ours import compiled_contender
+from numerics.trade.ours import BALL, COMPILED
 
 OUR_COLOURS = ("#b30000", "#ef6548", "#fdae6b", "#e7298a", "#7f2704", "#ff2a1a")
 PEER_COLOURS = (
@@ -176,9 +176,9 @@ def _draw_axis(panel: Any, growth: list[Growth], names: list[str]) -> dict[str, 
         style = {"color": OUR_COLOURS[index % 6], "marker": MARKERS[index % 10], "ms": 5}
         at = ([one.x for one in curve], [one.seconds_per_event for one in curve])
         (drawn[called],) = panel.plot(*at, "-" if cores == 1 else "--", **style)
-    for name, dots in (("ball", ":"), (compiled_contender(), "-.")):
+    for name, dots in ((BALL, ":"), (COMPILED, "-.")):
         costs = {one.x: one.sine_cosine_seconds for one in growth if one.contender == name and one.sine_cosine_seconds}
-        called = "one arb.sin_cos" if name == "ball" else "one compiled sine-cosine pair"
+        called = "one arb.sin_cos" if name == BALL else "one compiled sine-cosine pair"
         if costs:
             (drawn[called],) = panel.plot(list(costs), list(costs.values()), dots, color="gray", marker=".")
     panel.set(xscale="log", yscale="log")

@@ -94,7 +94,7 @@ def along_scenes(
     """Yield the time per event along scenes with more and more events, or with one mass ratio after another."""
     scenes = list(_scenes(axis, extent))
     for contender in contenders:
-        pair = compiled_pair_seconds() if contender.label == ours.compiled_contender() else None
+        pair = compiled_pair_seconds() if contender.label == ours.COMPILED else None
         setting = PLAIN_DIGITS if contender.knob == "digits" else contender.settings[-1]
         for x, scene in scenes:
             ran = run(child, source, contender.label, scene, setting, limits)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from flint import arb
@@ -15,10 +15,10 @@ from numerics.binary64 import kernel_start, mode_of
 from numerics.comparison import as_fraction
 from numerics.comparisons.peer import Unsupported
 from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.packed import ANSWER, STATE, run_one
+from numerics.kernel.packed import ANSWER, STATE, run_in_si, run_one
 from numerics.kernel.state import COLUMNS, End
 from numerics.modes import Mode, event_kind
-from numerics.scaling import Frame, ReducedState
+from numerics.scaling import Frame
 from numerics.scene import Scene
 from numerics.solve import ArithmeticName, solve
 from numerics.trade.double_kernels import DoubleKernels
@@ -26,7 +26,9 @@ from numerics.trade.outcome import Outcome, float_text, letters
 from numerics.trajectory import Trajectory
 
 DIGITS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
-COMPILED = "float64, compiled"
+COMPILED, PLAIN, OBJECTS = "float64, compiled", "float64, pure Python", "float64, Trajectory"
+MPMATH: Final = "mpmath"
+BALL: Final = "ball"
 _SPARE_DIGITS = 30
 _MOST_EVENTS = 10**7
 Solved = tuple[Trajectory, tuple[Any, ...], Any]
@@ -40,15 +42,16 @@ def our_contenders() -> list[Any]:
         Kernels(compiled=False),
         FloatTrajectory(),
         DoubleKernels(),
-        Digits("mpmath"),
-        Digits("ball"),
+        Digits(MPMATH),
+        Digits(BALL),
     ]
 
 
 class Kernels:
     """The float64 kernels on one row of numbers, every event recorded: compiled by numba, or as plain Python.
 
-    The exact conversion of the scene comes before the clock, as a peer's preparation does.
+    The exact conversion of the scene, and the room for its events, come before the clock, as a peer's preparation does;
+    the run ends with times, positions and velocities in SI units.
     """
 
     use, knob, ours = "", "bits", True
@@ -57,7 +60,7 @@ class Kernels:
     def __init__(self, compiled: bool) -> None:
         """Choose how the kernels run."""
         self.compiled = compiled
-        self.label = self.name = COMPILED if compiled else "float64, pure Python"
+        self.label = self.name = COMPILED if compiled else PLAIN
 
     def missing(self) -> str | None:
         """Return what the compiled path needs."""
@@ -68,12 +71,13 @@ class Kernels:
         if scene.pair.a1 > 0:
             raise Unsupported("these kernels are for a1 = 0")
         frame, motion, start = kernel_start(scene)
-        run = compiled(run_one) if self.compiled else run_one
-        first, state, end = (self._row(row) for row in (start, np.empty(STATE), np.empty(ANSWER)))
-        count = run(first, state, _MOST_EVENTS, np.empty((0, len(COLUMNS))), end)
-        rows = np.empty((count + 1, len(COLUMNS)))
-        left = Arrays(frame, motion.mode, rows, end)
-        return lambda: (run(first, state, _MOST_EVENTS, rows, end), left)
+        run, once = (compiled(run_in_si), compiled(run_one)) if self.compiled else (run_in_si, run_one)
+        units = np.array([frame.length, frame.rate])
+        first, state, end, units = (self._row(row) for row in (start, np.empty(STATE), np.empty(ANSWER), units))
+        count = once(first, state, _MOST_EVENTS, np.empty((0, len(COLUMNS))), end)
+        rows, si = np.empty((count + 1, len(COLUMNS))), np.empty((count + 1, 4))
+        left = Arrays(frame, motion.mode, rows, end, si)
+        return lambda: (run(first, state, _MOST_EVENTS, rows, end, units, si), left)
 
     def _row(self, row: Any) -> Any:
         """Return a row for compiled code, or as a list: NumPy's floats would slow plain Python down."""
@@ -83,15 +87,14 @@ class Kernels:
         """Return a run as text."""
         count, left = run
         frame, end = left.frame, dict(zip((*End._fields, "events", "how", "tau"), left.end, strict=True))
-        times = [float(tau) / frame.rate for tau in left.rows[:count, 2]]
+        times = left.si[:count, 0].tolist()
         modes = [mode_of(code) for code in left.rows[:count, 0]]
         kinds = [event_kind(before, after) for before, after in zip([left.first_mode, *modes], modes, strict=False)]
-        at = ReducedState(*(float(end[name]) for name in ("X", "V1", "V2", "Z", "w")))
         return Outcome(
             kinds=letters(kinds),
             times=times,
             last_event=float_text(times[-1]) if times else None,
-            final=[float_text(value) for value in frame.si_state(at)],
+            final=[float_text(value) for value in left.si[count].tolist()],
             dissipated=float_text(frame.critical_energy * float(end["spent"])),
             steps=count,
         )
@@ -105,12 +108,13 @@ class Arrays:
     first_mode: Mode
     rows: Any
     end: Any
+    si: Any
 
 
 class FloatTrajectory:
     """solve(scene): from exact decimals to a Trajectory of Python objects, with its ledger."""
 
-    label = name = "float64, Trajectory"
+    label = name = OBJECTS
     use, knob, ours = "", "bits", True
     settings: tuple[float, ...] = (53.0,)
 
@@ -187,11 +191,6 @@ def number_text(value: Any, digits: int) -> str:
         with Ball(digits).context():
             value = arb(exact.numerator) / arb(exact.denominator)
     return str(value.mid().str(digits, radius=False))
-
-
-def compiled_contender() -> str:
-    """Return the label of the contender whose events are set beside a compiled sine-cosine pair."""
-    return COMPILED
 
 
 def batch_call(scene: Scene, size: int, cores: int) -> Callable[[], object] | None:

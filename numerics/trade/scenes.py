@@ -11,6 +11,7 @@ from numerics.scene import Pair, Scene, State
 from numerics.scene_file import load_scene
 
 HEADLINE = "figure-4b-b05"
+"""The scene of the headline ratios."""
 EXCURSIONS = 16
 """Horizon of the near-critical scenes, in excursions."""
 
