@@ -6,10 +6,10 @@ import json
 from pathlib import Path
 from typing import Any
 
+from numerics.trade.ours import COMPILED, OBJECTS, PLAIN
 from numerics.trade.recorded import RecordedTrade, recorded
 
 SCENES = ("figure-4a", "figure-4b-b05", "near-critical-1e-6")
-COMPILED, PLAIN, OBJECTS = "float64, compiled", "float64, pure Python", "float64, Trajectory"
 
 
 def run(contender: str, scene: str, seconds: float | None, error: Any = None, **more: Any) -> dict[str, Any]:

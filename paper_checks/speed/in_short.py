@@ -69,4 +69,4 @@ def _steps(figures: Sequence[EulerFigure]) -> Iterator[str]:
 def _energy(energies: Sequence[StickEnergy]) -> Iterator[str]:
     if energies:
         texts = [f"{one.held:.4g} (step {step_text(one.step)} s)" for one in energies]
-        yield f"In 5 s forward Euler multiplies the energy of a stuck pair, a constant, by {listed(texts)}."
+        yield f"In {energies[0].until:g} s forward Euler multiplies the energy of a stuck pair, a constant, by {listed(texts)}."

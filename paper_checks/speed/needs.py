@@ -11,6 +11,7 @@ from numerics.accuracy import bounded_digits
 from numerics.solve import MAX_EVENTS, solve
 from numerics.trade.front import Point
 from numerics.trade.growth import Growth
+from numerics.trade.ours import BALL, COMPILED, MPMATH, OBJECTS, PLAIN
 from numerics.trade.recorded import RecordedScene, RecordedTrade
 from numerics.trade.scenes import Benchmark, benchmarks
 from paper_checks.report.blocks import Block, Paragraph, Table
@@ -80,9 +81,9 @@ def needs(trade: RecordedTrade) -> Iterator[Block]:
 def _independent_check(trade: RecordedTrade) -> Iterator[Paragraph]:
     """Say what the second opinion of mpmath costs, at each setting that both have."""
     points = {(one.contender, one.setting): one for one in trade.points(headline(trade)) if one.right}
-    both = [setting for name, setting in points if name == "mpmath" and ("ball", setting) in points]
+    both = [setting for name, setting in points if name == MPMATH and (BALL, setting) in points]
     if both:
-        costs = [points["mpmath", one].seconds / points["ball", one].seconds for one in both]
+        costs = [points[MPMATH, one].seconds / points[BALL, one].seconds for one in both]
         yield Paragraph(
             "mpmath shares no arithmetic with the balls, so it is the independent check: at "
             f"{spread(f'{min(both):,.0f}', f'{max(both):,.0f}')} digits it takes "
@@ -155,7 +156,7 @@ def _measured(trade: RecordedTrade, scene: str) -> str:
         and one.ours
         and one.right
         and one.error is not None
-        and one.contender.startswith("float64")
+        and one.contender in (COMPILED, PLAIN, OBJECTS)
     ]
     return str(digits(max(errors))) if errors else "not measured"
 
@@ -164,7 +165,7 @@ def price_of_digits(trade: RecordedTrade) -> Iterator[Block]:
     """Yield what an event costs at more and more digits, beside one arb.sin_cos."""
     curve = [one for one in trade.growth if one.axis == "digits" and one.seconds_per_event]
     names = list(dict.fromkeys(one.contender for one in curve))
-    balls = sorted((one for one in curve if one.contender == "ball"), key=lambda one: one.x)
+    balls = sorted((one for one in curve if one.contender == BALL), key=lambda one: one.x)
     if len(balls) > 1 and balls[0].seconds_per_event and balls[-1].seconds_per_event:
         first, last = balls[0], balls[-1]
         more = (last.seconds_per_event or 0.0) - (first.seconds_per_event or 0.0)

@@ -6,13 +6,10 @@ import math
 from collections.abc import Iterator
 
 from numerics.trade.growth import Growth
-from numerics.trade.ours import compiled_contender
+from numerics.trade.ours import COMPILED, OBJECTS, PLAIN
 from numerics.trade.recorded import RecordedRun, RecordedTrade
 from paper_checks.report.blocks import Block, Points, Table
 from paper_checks.speed.wording import counted, factor_text, headline, time_text
-
-PLAIN = "float64, pure Python"
-OBJECTS = "float64, Trajectory"
 
 
 def payoff(trade: RecordedTrade) -> Iterator[Block]:
@@ -32,9 +29,9 @@ def _run(trade: RecordedTrade, contender: str) -> RecordedRun | None:
 
 
 def _compiled(trade: RecordedTrade) -> Iterator[str]:
-    compiled, plain = _run(trade, compiled_contender()), _run(trade, PLAIN)
-    if compiled_contender() in trade.left_out:
-        yield f"The compiled path was not measured: it needs {trade.left_out[compiled_contender()]}."
+    compiled, plain = _run(trade, COMPILED), _run(trade, PLAIN)
+    if COMPILED in trade.left_out:
+        yield f"The compiled path was not measured: it needs {trade.left_out[COMPILED]}."
     elif compiled and plain and compiled.seconds and plain.seconds:
         gain = plain.seconds - compiled.seconds
         yield (

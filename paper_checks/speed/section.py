@@ -9,11 +9,12 @@ from collections.abc import Callable, Iterator
 
 from matplotlib.figure import Figure
 
-from numerics.trade.euler import euler_figures, stick_energies
+from numerics.trade.euler import stick_energies
 from numerics.trade.figure import draw_growth, draw_trade
 from numerics.trade.recorded import RecordedTrade
 from paper_checks.drawing.style import house_style
 from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Section
+from paper_checks.speed.euler_figures import euler_figures
 from paper_checks.speed.in_short import in_short
 from paper_checks.speed.misleading import forward_euler
 from paper_checks.speed.needs import float64_is_enough, needs, price_of_digits

@@ -7,10 +7,9 @@ from collections.abc import Sequence
 
 from numerics.trade.front import Point
 from numerics.trade.recorded import RecordedScene, RecordedTrade
+from numerics.trade.scenes import HEADLINE
 from numerics.trade.table import seconds_text
 
-HEADLINE = "figure-4b-b05"
-"""The scene of the headline ratios; the first scene of a trade that does not have it takes its place."""
 _GROUPS = {"figure-": "the paper's scenes", "near-critical-": "near-critical scenes", "long-": "the long scene"}
 
 
@@ -24,7 +23,7 @@ def groups(trade: RecordedTrade) -> dict[str, list[RecordedScene]]:
 
 
 def headline(trade: RecordedTrade) -> RecordedScene:
-    """Return the scene that single numbers are quoted for."""
+    """Return the scene that single numbers are quoted for: the headline scene, or the first where a trade lacks it."""
     return next((one for one in trade.scenes if one.name == HEADLINE), trade.scenes[0])
 
 

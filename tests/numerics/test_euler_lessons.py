@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from importlib.util import find_spec
 
 import numpy as np
 import pytest
 
-from numerics.comparisons.euler_peer import read
 from numerics.comparisons.forward_euler import EulerRun, forward_euler, march
-from numerics.comparisons.switching import SwitchedPair
 from numerics.scene_file import load_scene
 from numerics.solve import solve
 from numerics.trade import euler
@@ -89,10 +86,3 @@ def test_the_extrapolated_step_does_what_it_says(name, error, monkeypatch):
     (found,) = euler_figure("4", scene, (step,)).outcomes
     assert found.right
     assert error / 2 < 10**found.error < 2 * error
-
-
-def test_every_figure_has_its_scene():
-    for name in euler.FIGURES.values():
-        scene = load_scene(name)
-        run = forward_euler(replace(scene, until=1), 1e-2)
-        assert read(SwitchedPair.of(scene), run).steps == 100

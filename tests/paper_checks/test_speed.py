@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 from planted_trades import COMPILED, OBJECTS, PLAIN, SCENES, our_runs, planted, run
 
+from numerics.comparisons.euler_peer import read
+from numerics.comparisons.forward_euler import forward_euler
+from numerics.comparisons.switching import SwitchedPair
+from numerics.scene_file import load_scene
 from numerics.trade import euler
+from numerics.trade.double_kernels import DOUBLE_COMPILED
 from numerics.trade.euler import EulerFigure, EulerOutcome, StickEnergy
 from paper_checks.report import blocks
 from paper_checks.report.blocks import Heading, Paragraph, Picture, Points, Section, Table
-from paper_checks.speed import in_short, misleading, needs, payoff, peers, section
+from paper_checks.speed import euler_figures, in_short, misleading, needs, payoff, peers, section
 
 
 def said(found) -> str:
@@ -45,9 +51,9 @@ class TestNeeds:
         assert f"Left out, as not installed: {COMPILED} (needs numba)." in said(section.provenance(trade))
 
     def test_a_contender_that_did_not_exist_before_takes_its_place(self, tmp_path):
-        more = [run("double-double, compiled", scene, 4e-5, -28.5) for scene in SCENES]
+        more = [run(DOUBLE_COMPILED, scene, 4e-5, -28.5) for scene in SCENES]
         names = {choice.name for choice in needs.choices(planted(tmp_path, *more))[1][1].values()}
-        assert names == {"double-double, compiled"}
+        assert names == {DOUBLE_COMPILED}
 
     def test_mpmath_is_compared_at_the_same_digits(self, plain_trade):
         assert "at 10 digits it takes 10 times as long" in said(needs.needs(plain_trade))
@@ -147,11 +153,15 @@ class TestForwardEuler:
     )
 
     def test_energy_that_departs_from_theory_is_named(self):
-        fits, departs = StickEnergy(1e-2, 2.0, 2.0, None, 5), StickEnergy(1e-3, 2.0, 2.1, 1.5, 50)
+        fits, departs = StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5), StickEnergy(1e-3, 5.0, 2.0, 2.1, 1.5, 50)
         text = said(misleading.forward_euler([self.FIGURE], [fits, departs]))
         assert "to 8 digits, but not with steps of $10^{-3}$ s." in text
+        assert "at first differ by $10^{-9}$ m/s it chatters" in text
         assert "between 1.50000 and 1.50000" in text
         assert "slips out" in text
+        shorter = said(misleading.forward_euler([], [replace(fits, until=2.5)]))
+        assert "$E(2.5)/E(0)$ in chatter" in shorter
+        assert "stuck for 2.5 s" in shorter
         assert "in every run below" in said(misleading.forward_euler([self.FIGURE], [fits]))
 
     def test_steps_and_chatter_are_those_of_the_runs(self):
@@ -168,7 +178,7 @@ class TestForwardEuler:
 
 class TestInShort:
     def short(self, trade) -> str:
-        return said(in_short.in_short(trade, [TestForwardEuler.FIGURE], [StickEnergy(1e-2, 2.0, 2.0, None, 5)]))
+        return said(in_short.in_short(trade, [TestForwardEuler.FIGURE], [StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5)]))
 
     def test_it_names_the_arithmetics_in_their_order(self, plain_trade):
         text = self.short(plain_trade)
@@ -190,6 +200,7 @@ class TestInShort:
     def test_forward_euler_is_told_by_its_hardest_figure(self, plain_trade):
         text = self.short(plain_trade)
         assert "Fig. 9: for the right events $10^{-3}$ s, for 1 % about $3.2\\cdot10^{-4}$ s." in text
+        assert "In 5 s forward Euler multiplies the energy" in text
         assert "by 2 (step $10^{-2}$ s)" in text
 
 
@@ -197,7 +208,7 @@ class TestSection:
     @pytest.fixture
     def whole(self, tmp_path, monkeypatch):
         monkeypatch.setattr(section, "euler_figures", lambda: (TestForwardEuler.FIGURE,))
-        monkeypatch.setattr(section, "stick_energies", lambda: (StickEnergy(1e-2, 2.0, 2.0, None, 5),))
+        monkeypatch.setattr(section, "stick_energies", lambda: (StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5),))
         return section.section(planted(tmp_path, run("Peer", "figure-4a", 1e-3, -3.0)))
 
     def test_it_names_the_machine_and_how_to_measure_another(self, whole):
@@ -246,3 +257,10 @@ def test_hostile_texts_are_escaped():
 
 def test_the_house_runs_of_euler_are_cached():
     assert euler.stick_energies() is euler.stick_energies()
+
+
+def test_every_figure_has_its_scene():
+    for name in euler_figures.SCENES.values():
+        scene = load_scene(name)
+        run = forward_euler(replace(scene, until=1), 1e-2)
+        assert read(SwitchedPair.of(scene), run).steps == 100
