@@ -41,6 +41,61 @@ def test_imports_point_one_way(package):
     assert not offenders
 
 
+def imported_modules(path: Path) -> set[str]:
+    """Return the modules that a module imports, by their full names; of `from a import b` both a and a.b."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert not node.level, f"{path}: a relative import"
+            found |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    return found
+
+
+def within(module: str, package: str) -> bool:
+    return module == package or module.startswith(f"{package}.")
+
+
+def strangers(path: Path) -> set[str]:
+    """Return what a kernel imports although numba need not compile it, or would not notice that it has changed."""
+    if path.name == "compilation.py":
+        allowed = sys.stdlib_module_names | {"numba"}
+    else:
+        allowed = {"__future__", "math", "typing", "fractions", "functools", "numerics.kernel"}
+    modules = imported_modules(path) - {"numerics"}
+    return {one for one in modules if not any(within(one, package) for package in allowed)}
+
+
+def test_kernels_stand_on_kernels_alone():
+    sources = list((ROOT / "numerics" / "kernel").glob("*.py"))
+    assert len(sources) > 10
+    assert not {path.name: sorted(wrong) for path in sources if (wrong := strangers(path))}
+
+
+@pytest.mark.parametrize("line", ["import numpy", "from numerics.scene import Pair", "from numerics import scene"])
+def test_a_kernel_that_leans_on_others_is_found_out(tmp_path, line):
+    (tmp_path / "motion.py").write_text(f"import math\nfrom numerics.kernel.state import End\n{line}\n", "utf-8")
+    assert strangers(tmp_path / "motion.py")
+
+
+def judged(path: Path) -> bool:
+    """Return whether a module imports the trade, which sets up and judges the comparisons."""
+    return any(within(one, "numerics.trade") for one in imported_modules(path))
+
+
+def test_comparisons_do_not_know_the_trade():
+    sources = list((ROOT / "numerics" / "comparisons").glob("*.py"))
+    assert len(sources) > 5
+    assert not [path.name for path in sources if judged(path)]
+
+
+@pytest.mark.parametrize("line", ["import numerics.trade.judge", "from numerics import trade"])
+def test_a_comparison_that_knows_the_trade_is_found_out(tmp_path, line):
+    (tmp_path / "peer.py").write_text(line, "utf-8")
+    assert judged(tmp_path / "peer.py")
+
+
 @pytest.mark.parametrize("package", sorted(FORBIDDEN))
 def test_imported_packages_are_those_of_the_repository(package):
     assert Path(importlib.import_module(package).__file__).resolve().parent == ROOT / package
