@@ -47,7 +47,7 @@ def print_trade(trade: Trade, width: int | None) -> None:
         "Times are medians of warm runs; compilation and the exact conversion of the scene come before the clock, and "
         "so does making room for as many events as there will be in our compiled runs. Errors are upper bounds: of the "
         "final state relative to L and L Omega, of the last event's time and of the dissipated energy relative to "
-        "themselves. A star marks the front: right event sequences that no other right one beats in both time and error."
+        "themselves. A star marks the front: right event sequences that no other right one beats in time and error."
     )
     for one in trade.contenders:
         if one.use:
