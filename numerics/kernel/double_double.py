@@ -2,6 +2,7 @@
 
 With u = 2^-53 a sum is off by 3 u^2 of its value, a product by 5 u^2, a root by 4 u^2, a quotient by 10 u^2 or less
 (Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", 2017).
+In double_state.UNIT = 2 u^2 that is 1.5, 2.5, 2 and 5.
 Beyond 1e290 or below 1e-270 the error terms are not numbers any more: the callers check the range.
 """
 

@@ -1,6 +1,6 @@
 """Sine, cosine, arcus tangent and the functions that would cancel next to 0, in double-double.
 
-In units of 2^-104 each is off by less than 3, relative to itself: the tests compare with balls.
+How accurate each is says double_state.UNIT: the tests compare with balls.
 Sums of series are run from their small end; terms that weigh less than 2^-53 of the first need binary64 only.
 """
 

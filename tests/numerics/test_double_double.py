@@ -1,4 +1,4 @@
-"""Double-double: functions to a few 2^-104 of themselves, bounds that hold, the same bits compiled."""
+"""Double-double: functions to a few 2^-105 of themselves, bounds that hold, the same bits compiled."""
 
 import json
 import math
@@ -22,7 +22,7 @@ from numerics.kernel import compilation, double_packed
 from numerics.kernel import double_elementary as elementary
 from numerics.kernel.double_contact import double_contact
 from numerics.kernel.double_double import Double, add, divide, product, square_root, subtract, two_sum
-from numerics.kernel.double_state import COLUMNS
+from numerics.kernel.double_state import COLUMNS, UNIT
 from numerics.kernel.state import ROWS_FULL
 from numerics.scene import Law, Scene
 from numerics.scene_file import load_scene
@@ -31,7 +31,7 @@ from numerics.trade.double_kernels import DoubleKernels
 from numerics.trade.outcome import letters
 
 PAPER = load_scene("figure-4b-b05")
-UNIT = 2.0**-104
+COMPARED = [PAPER, load_scene("figure-4a"), load_scene("figure-5b")]
 any_scene = st.one_of(
     scenes(size=(-2, 2)),
     scenes(exponents=(-9, 9)),
@@ -53,28 +53,29 @@ def ball(x: Double) -> arb:
 
 
 FUNCTIONS = {
-    "sine": (lambda x: x.sin(), lambda x: elementary.sine_cosine(x)[0], 49),
-    "cosine": (lambda x: x.cos(), lambda x: elementary.sine_cosine(x)[1], 49),
-    "versine": (lambda x: 2 * (x / 2).sin() ** 2, elementary.versine, 40),
-    "sine deficit": (lambda x: x - x.sin(), elementary.sine_deficit, 40),
-    "cosine deficit": (lambda x: x * x / 2 - 1 + x.cos(), elementary.cosine_deficit, 40),
-    "lag": (lambda x: x.sin() - x * x.cos(), elementary.lag, 1),
-    "rise": (lambda x: (x - x.sin()) / (1 - x.cos()), elementary.rise, 2),
-    "depth": (lambda x: 2 - x * (x / 2).cot(), elementary.depth, 2),
-    "arcus tangent": (lambda x: x.atan(), lambda x: elementary.arctangent(x, Double(1.0, 0.0)), 40),
+    "sine": (lambda x: x.sin(), lambda x: elementary.sine_cosine(x)[0], 49, 3),
+    "cosine": (lambda x: x.cos(), lambda x: elementary.sine_cosine(x)[1], 49, 3),
+    "versine": (lambda x: 2 * (x / 2).sin() ** 2, elementary.versine, 40, 4),
+    "sine deficit": (lambda x: x - x.sin(), elementary.sine_deficit, 40, 4),
+    "cosine deficit": (lambda x: x * x / 2 - 1 + x.cos(), elementary.cosine_deficit, 40, 16),
+    "lag": (lambda x: x.sin() - x * x.cos(), elementary.lag, 1, 4),
+    "rise": (lambda x: (x - x.sin()) / (1 - x.cos()), elementary.rise, 2, 6),
+    "depth": (lambda x: 2 - x * (x / 2).cot(), elementary.depth, 2, 8),
+    "arcus tangent": (lambda x: x.atan(), lambda x: elementary.arctangent(x, Double(1.0, 0.0)), 40, 3),
 }
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_functions_are_accurate_relative_to_themselves(name):
-    reference, function, highest = FUNCTIONS[name]
+    reference, function, highest, units = FUNCTIONS[name]
 
     @more
     @given(st.one_of(doubles(-160, highest), doubles(-6, min(highest, 3)), doubles(highest - 1, highest)))
     def check(x):
         with Ball(300).context():
             truth = reference(ball(x))
-            assert abs(ball(function(x)) - truth) <= 3 * UNIT * abs(truth)
+            reduction = 2.0**-160 * x.high if name in {"sine", "cosine"} else 0.0
+            assert abs(ball(function(x)) - truth) <= units * UNIT * abs(truth) + reduction
 
     check()
 
@@ -86,11 +87,11 @@ def test_operations_are_accurate_relative_to_their_results(a, b, close):
         b = two_sum(a.high * (1 + 2.0**-50), -a.low)
     with Ball(300).context():
         one, two = ball(a), ball(b)
-        pairs = [(add(a, b), one + two), (subtract(a, b), one - two), (divide(a, b), one / two)]
-        pairs += [(product(a, b), one * two), (square_root(a), one.sqrt())]
-        for found, truth in pairs:
+        cases = [(add(a, b), one + two, 1.5), (subtract(a, b), one - two, 1.5), (divide(a, b), one / two, 5)]
+        cases += [(product(a, b), one * two, 2.5), (square_root(a), one.sqrt(), 2)]
+        for found, truth, units in cases:
             # a difference below the normal numbers is beyond the 300 digits of its terms
-            assert truth.contains(0) or abs(ball(found) - truth) <= 2 * UNIT * abs(truth)
+            assert truth.contains(0) or abs(ball(found) - truth) <= units * UNIT * abs(truth)
 
 
 @more
@@ -104,20 +105,21 @@ def test_the_contact_is_that_of_balls(gap, push, kind):
     theta, depth, _ = double_contact(gap, push)
     with Ball(200).context():
         truth = Ball(200).contact(ball(gap), ball(push))
-        assert abs(ball(theta) - truth.theta) <= 16 * UNIT * abs(truth.theta)
-        assert abs(ball(depth) - truth.depth) <= 32 * UNIT * abs(truth.depth)
+        assert abs(ball(theta) - truth.theta) <= 32 * UNIT * abs(truth.theta)
+        assert abs(ball(depth) - truth.depth) <= 64 * UNIT * abs(truth.depth)
 
 
 @more
 @given(any_scene)
 @example(PAPER)
-@example(load_scene("figure-4a"))
-@example(load_scene("figure-5b"))
+@example(COMPARED[1])
+@example(COMPARED[2])
 def test_no_error_exceeds_its_bound(scene):
     honesty = Honesty("drawn")
     honesty.compare(scene, lambda one: solve(one, arithmetic="double-double", max_events=30))
     assert honesty.beyond == []
     assert honesty.worst <= 1
+    assert honesty.tried == 1 or scene not in COMPARED
 
 
 def test_bounds_much_too_narrow_are_found_out():
