@@ -134,11 +134,3 @@ def run_one(first: Any, s: Any, max_events: int, rows: Any, end: Any) -> int:
     count = advance(s, max_events, rows)
     answer(s, end)
     return count
-
-
-@kernel
-def run_all(states: Any, max_events: int, answers: Any, nothing: Any) -> None:
-    """Run every row of `states` to its end; `nothing` is an empty array of rows."""
-    for index in range(len(states)):
-        advance(states[index], max_events, nothing)
-        answer(states[index], answers[index])
