@@ -13,11 +13,16 @@ from numpy.typing import NDArray
 from numerics.arithmetic.protocol import Number
 from numerics.kernel.bounds import ULP
 from numerics.kernel.double_state import UNIT
+from numerics.kernel.state import End
 from numerics.scaling import ReducedState
 from numerics.trajectory import Trajectory
 
+_SUBNORMAL, _TINY = 1e-290, 2.0**-1060
+"""Below the first, products lose digits to underflow; never more than the second."""
 EXACT = 10**9
 """Stands for "all digits": the number is exact."""
+_ZERO = -EXACT
+"""Stands for "it contains 0"."""
 
 
 def digits_within(error: arb, value: arb, scale: arb) -> int:
@@ -41,10 +46,13 @@ def digits_within(error: arb, value: arb, scale: arb) -> int:
 def proved_digits(trajectory: Trajectory) -> int:
     """Return the right digits that every event (t, x1, v1, x2, v2) and the final state and energy have; for balls."""
     with trajectory.arithmetic.context():
-        values = [(value, scale, value.rel_accuracy_bits()) for value, scale in checked_values(trajectory)]
-        # the count of accurate bits is quick to have, and within two bits of the logarithm: only the worst are measured
-        close = min(bits for _, _, bits in values) + 4
-        return min(digits_within(value.rad(), value, scale) for value, scale, bits in values if bits <= close)
+        values = list(checked_values(trajectory))
+        # the count of accurate bits is quick to have, and within two bits of the logarithm: only the worst are
+        # measured, beside every ball that contains 0, of which it says nothing
+        bits = [_ZERO if value.contains(0) else value.rel_accuracy_bits() for value, _ in values]
+        close = min((count for count in bits if count != _ZERO), default=0) + 4
+        worst = [one for one, count in zip(values, bits, strict=True) if count <= close]
+        return min(digits_within(value.rad(), value, scale) for value, scale in worst)
 
 
 def checked_values(trajectory: Trajectory) -> Iterator[tuple[Number, Number]]:
@@ -94,22 +102,36 @@ def kernel_accuracy(trajectory: Trajectory) -> Accuracy:
     values = np.array([(event.t, *event.y) for event in trajectory.events], dtype=float).reshape(-1, 5)
     late, x, v, place = np.asarray(events).T
     reduced = np.stack([late / rate, position * x, speed * v, position * (x + place), speed * v], axis=1)
-    errors = reduced + 8 * rounding * abs(values)
+    errors = reduced + 8 * rounding * abs(values) + _underflow(reduced, values)
     with frame.arithmetic.context():
         final = np.array(frame.si_state(trajectory.final), dtype=float)
         energy, unit = number(frame.energy(trajectory.final)), number(frame.critical_energy)
     reduced_end = (position * end.x_error, speed * end.v1_error, position * (end.x_error + end.place_error))
     final_errors = np.array([*reduced_end, speed * end.v2_error]) + 8 * rounding * abs(final)
+    final_errors += _underflow(final_errors, final)
     # of E = E_cr (1 + w) the state forms the left side, and w stands beside it: both bound its error
-    energy_error = unit * end.w_error + 16 * rounding * (energy + unit * abs(end.w))
+    energy_error = unit * min(end.w_error + 16 * rounding * abs(end.w), _energy_error(end, number(frame.q)))
+    energy_error += 16 * rounding * energy + (_TINY if energy or energy_error else 0.0)
     excess_error = end.w_error + 4 * rounding * abs(end.w)
     shown = np.concatenate([values.ravel(), final, [energy, end.w]])
     bounds = np.concatenate([errors.ravel(), final_errors, [energy_error, excess_error]])
     digits = _right_digits(bounds, shown, most) if end.certain else 0
     dissipated = unit * (end.spent_error + damped + 16 * rounding * end.spent)
+    dissipated += _TINY if dissipated > 0 or end.spent > 0 else 0.0
     return Accuracy(
         errors[:, 0], errors[:, 1:], final_errors, energy_error, excess_error, dissipated, end.certain, digits
     )
+
+
+def _energy_error(end: End, q: float) -> float:
+    """Return a bound on the error of X^2 + q V1^2 + r V2^2 from those of the state."""
+    parts = ((1.0, end.X, end.x_error), (q, end.V1, end.v1_error), (1 - q, end.V2, end.v2_error))
+    return sum(weight * error * (2 * abs(value) + error) for weight, value, error in parts)
+
+
+def _underflow(errors: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return what products with SI units may have lost below the normal numbers; nothing for what is exactly 0."""
+    return np.where((abs(values) < _SUBNORMAL) & ((values != 0) | (errors > 0)), _TINY, 0.0)
 
 
 def rounding_of(trajectory: Trajectory) -> tuple[float, int]:

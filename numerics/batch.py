@@ -22,10 +22,13 @@ from numerics.kernel.compilation import can_compile
 from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
 from numerics.parallel import available_cores, run_tasks
 from numerics.scene import Law, Scene, read_law
-from numerics.solve import MAX_EVENTS
+from numerics.solve import MAX_EVENTS, require_whole
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
 _CHUNK = 1024
+"""Scenes in a chunk at most: their rows fit into a core's cache."""
+_TINY = 2.0**-1060
+"""More than products with SI units can lose below the normal numbers."""
 ENDINGS = {
     REACHED: "reached the horizon",
     STUCK: "reached the horizon; the pair has stuck for ever",
@@ -95,6 +98,8 @@ def solve_many(
 ) -> Batch:
     """Solve the scenes of all numbers in arrays that broadcast together, in SI units as in Pair, State and Scene.
 
+    Every scene runs through the kernels of `solve`: its reduced numbers have the same bits.
+
     The numbers are taken as the binary64 numbers that they are, exactly: 0.005 in an array is not 1/200, which matters
     to a pair that starts on the very edge; `solve_scenes` takes exact decimals. `jobs`: threads of compiled code
     (default: all cores), processes by joblib without numba (default: 1). `progress(done, all)` is called now and then.
@@ -112,7 +117,8 @@ def solve_many(
     table = np.stack([np.broadcast_to(columns[name], shape).ravel() for name in ROW_ORDER], axis=1)
     literal = read_law(law) is Law.THREE_VALUED_SGN
     _check(max_events, keep_events, jobs)
-    chunks = [(start, table[start : start + _CHUNK]) for start in range(0, len(table), _CHUNK)]
+    size = _chunk(len(table), jobs)
+    chunks = [(start, table[start : start + size]) for start in range(0, len(table), size)]
     work = partial(solve_table, literal=literal, max_events=max_events, keep=keep_events)
     return _gathered(_results(work, chunks, jobs, progress, len(table)), len(table), shape, keep_events)
 
@@ -127,14 +133,22 @@ def solve_scenes(
 ) -> Batch:
     """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),)."""
     _check(max_events, keep_events, jobs)
-    chunks = [(start, scenes[start : start + _CHUNK]) for start in range(0, len(scenes), _CHUNK)]
+    size = _chunk(len(scenes), jobs)
+    chunks = [(start, scenes[start : start + size]) for start in range(0, len(scenes), size)]
     work = partial(solve_exact, max_events=max_events, keep=keep_events)
     results = _results(work, chunks, jobs, progress, len(scenes))
     return _gathered(results, len(scenes), (len(scenes),), keep_events)
 
 
+def _chunk(count: int, jobs: int | None) -> int:
+    """Return how many scenes go into one chunk: some chunks for every core, so that all end at about the same time."""
+    return max(1, min(_CHUNK, -(-count // (8 * (jobs or available_cores())))))
+
+
 def _numbers(name: str, values: ArrayLike) -> Table:
     """Return values as binary64 numbers, checked; the message names the first one that is out of bounds."""
+    if np.ma.is_masked(values):
+        raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     try:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
@@ -149,10 +163,9 @@ def _numbers(name: str, values: ArrayLike) -> Table:
 
 
 def _check(max_events: int, keep_events: int, jobs: int | None) -> None:
-    least = {"max_events": (max_events, 1), "keep_events": (keep_events, 0), "jobs": (1 if jobs is None else jobs, 1)}
-    for name, (value, bound) in least.items():
-        if value < bound:
-            raise ValueError(f"{name} = {value} must be at least {bound}")
+    require_whole("max_events", max_events, 1)
+    require_whole("keep_events", keep_events, 0)
+    require_whole("jobs", 1 if jobs is None else jobs, 1)
 
 
 def _results(
@@ -197,18 +210,19 @@ def _gathered(results: Iterator[Solved], count: int, shape: tuple[int, ...], kee
     y = np.stack([length * end["X"], speed * end["V1"], length * (end["X"] - end["Z"]), speed * end["V2"]])
     placed = length * (end["x_error"] + end["place_error"])
     y_error = np.stack([length * end["x_error"], speed * end["v1_error"], placed, speed * end["v2_error"]])
-    y_error += 8 * ULP * abs(y)
+    y_error += 8 * ULP * abs(y) + np.where((abs(y) < 1e-290) & (y != 0), _TINY, 0.0)
     event = dict(zip(EVENTS, np.moveaxis(kept, -1, 0), strict=True))
+    taken = end["spent"] + end["damped"]
     numbers = {
         "status": end["how"].astype(np.int64),
         "events": end["events"].astype(np.int64),
         "mode": np.nan_to_num(end["mode"]).astype(np.int64),
         "t": end["tau"] / rate,
         "energy_excess": end["w"],
-        "dissipated": energy * (end["spent"] + end["damped"]),
+        "dissipated": energy * taken,
         "energy_excess_error": end["w_error"],
-        "dissipated_error": energy
-        * (end["spent_error"] + end["damped_error"] + 8 * ULP * (end["spent"] + end["damped"])),
+        "dissipated_error": energy * (end["spent_error"] + end["damped_error"] + 8 * ULP * taken)
+        + np.where((energy * taken < 1e-290) & (taken > 0), _TINY, 0.0),
         "digits": _digits(end, y, y_error),
         "certain": end["certain"] == 1.0,
     }

@@ -68,10 +68,11 @@ def solve_binary64(scene: Scene, max_events: int, progress: Progress | None = No
     horizon = float(state[HORIZON])
     told = None if progress is None else lambda row, count: progress(count, row[_TAU] / horizon)
     rows = written_rows(advance, state, HOW, len(COLUMNS), max_events, told)
-    if rows is None:
+    end = None if rows is None else answered(answer, state, ANSWER)
+    if rows is None or end is None:
         return None
-    end = answered(answer, state, ANSWER)[: len(End._fields)]
-    found = End._make([int(end[0]), *end[1:-1], bool(end[-1])])
+    numbers = end[: len(End._fields)]
+    found = End._make([int(numbers[0]), *numbers[1:-1], bool(numbers[-1])])
     return _Run(scene, frame, motion, rows, state).trajectory(state[HOW], Bounds(rows[:, _ERRORS], found))
 
 

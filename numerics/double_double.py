@@ -74,9 +74,9 @@ def solve_double_double(scene: Scene, max_events: int, progress: Progress | None
     horizon = float(state[HORIZON])
     told = None if progress is None else lambda row, count: progress(count, row[_HALVES["tau"]] / horizon)
     rows = written_rows(advance, state, HOW, len(COLUMNS), max_events, told)
-    if rows is None:
+    end = None if rows is None else answered(answer, state, ANSWER)
+    if rows is None or end is None:
         return None
-    end = answered(answer, state, ANSWER)
     found = End._make((int(end[0]), *end[1:13:2], *end[13:20], bool(end[20])))
     return _Run(scene, frame, motion, rows, state).trajectory(state[HOW], Bounds(rows[:, _ERRORS], found))
 

@@ -62,10 +62,13 @@ def _plainly(advance: Callable[..., int], state: Table, max_events: int, rows: T
     return count
 
 
-def answered(answer: Callable[..., None], state: Table, length: int) -> list[float]:
-    """Return the answer of a state that is at its end."""
+def answered(answer: Callable[..., None], state: Table, length: int) -> list[float] | None:
+    """Return the answer of a state that is at its end; None if a number of it left the range."""
     end = [0.0] * length
-    answer(state.tolist(), end)
+    try:
+        answer(state.tolist(), end)
+    except (ArithmeticError, ValueError):
+        return None
     return end
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import operator
 import sys
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Literal
+from typing import Any, Literal
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_double import DoubleDouble
@@ -50,18 +51,19 @@ def solve(
     """Solve a scene and return its Trajectory.
 
     With `digits` = N and no arithmetic, the cheapest one that delivers N right digits of every event time and state and
-    of the final state. First float64, if its own error bounds (Trajectory.accuracy) leave so many. Then double-double
-    (a1 = 0; 31 digits, some of them lost), if its bounds do and numba is in use already, or so many events make it
-    worth the second that it takes to come. Else balls, their precision raised until the digits are proved. `tried` says
-    what was chosen and why. Without `digits`, float64; mpmath works with `digits` or 30. `progress(events, fraction)`
-    is called now and then.
+    of the final state, relative to each value. (In balls a value that may be 0 counts as right if it is below
+    10^(-4 N) of its scale.) First float64, if its own error bounds (Trajectory.accuracy) leave so many. Then
+    double-double (a1 = 0; 31 digits, some of them lost), if its bounds do and numba is in use already, or so many
+    events make it worth the second that it takes to come. Else balls, their precision raised until the digits are
+    proved. `tried` says what was chosen and why. Without `digits`, float64; mpmath works with `digits` or 30.
+    `progress(events, fraction)` is called now and then.
 
     Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
     reached), OutOfRange (a number does not fit float64), ValueError (bad arguments).
     """
     for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
-        if value is not None and value < 1:
-            raise ValueError(f"{name} = {value} must be at least 1")
+        if value is not None:
+            require_whole(name, value, 1)
     if arithmetic is None and digits is not None:
         return _solve_cheaply(scene, digits, max_events, max_digits, progress)
     if arithmetic in {None, "float64"}:
@@ -81,6 +83,14 @@ def solve(
     if arithmetic == "ball":
         return _solve_to_digits(scene, digits or 15, _GUARD_DIGITS, max_events, max_digits, progress)
     raise ValueError(f"arithmetic = {arithmetic!r} is not one of float64, double-double, mpmath, ball")
+
+
+def require_whole(name: str, value: Any, least: int) -> None:
+    """Raise ValueError, naming the argument, unless it is a whole number from `least` to 2^62."""
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise ValueError(f"{name} = {str(value)[:40]!r} must be a whole number")
+    if not least <= operator.index(value) <= 2**62:
+        raise ValueError(f"{name} = {str(value)[:40]} must be at least {least} and at most 2^62")
 
 
 def _solve_in_float64(scene: Scene, max_events: int, progress: Callable[[int, float], None] | None) -> Trajectory:

@@ -22,18 +22,21 @@ def initial_motion(frame: Frame, scene: Scene) -> Motion:
             return ViscousStick(frame, scene.law, start, level=level)
         rising = _guard_rises(scene, mode.sign)
         return ViscousSlip(frame, scene.law, mode.sign, start, rising, level=level)
-    X = scene.initial.x1 / scene.pair.half_width
+    width = scene.pair.half_width
+    X = scene.initial.x1 / width
     if mode is Mode.STICK:
         edge = -1 if X < 0 else 1
         return UndampedStick(frame, scene.law, start, edge, frame.arithmetic.number(edge * X - 1))
-    return _undamped_slip(frame, scene, mode.sign, X, start)
+    return _undamped_slip(frame, scene, mode.sign, X, width, start)
 
 
-def _undamped_slip(frame: Frame, scene: Scene, sign: int, X: Fraction, start: ReducedState) -> UndampedSlip:
+def _undamped_slip(
+    frame: Frame, scene: Scene, sign: int, X: Fraction, width: Fraction, start: ReducedState
+) -> UndampedSlip:
     arithmetic, pair, at, side = frame.arithmetic, scene.pair, scene.initial, -sign
-    relative = arithmetic.number(sign * (at.v1 - at.v2) / pair.half_width) / frame.rate
+    relative = arithmetic.number(sign * (at.v1 - at.v2) / width) / frame.rate
     gap = (side * X - 1) * pair.mass / pair.m1
-    push_squared = at.v1**2 * pair.mass**2 / (pair.half_width**2 * pair.a2 * pair.m1)
+    push_squared = at.v1**2 * pair.mass**2 / (width**2 * pair.a2 * pair.m1)
     flow = SlipFlow(
         arithmetic,
         guard_at_start=relative / frame.sqrt_q,

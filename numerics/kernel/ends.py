@@ -39,7 +39,7 @@ def at_horizon(pair: Pair, start: Start, errors: Errors, horizon: float, worst: 
     """Return the state at the horizon, which lies in the motion with this start."""
     if not horizon - start.tau >= errors.late + (4.0 * ULP * horizon if start.tau > 0.0 else 0.0):
         errors = lost()
-    tau = (horizon - start.tau) - start.rest
+    tau = max((horizon - start.tau) - start.rest, 0.0)  # the rounding of an event at the horizon may lie beyond it
     late, shift = errors.late + 4.0 * ULP * horizon, errors.shift + 4.0 * ULP * horizon
     if start.kind == STICK:
         return in_stick_at(pair, start, errors, tau, late, shift, worst)

@@ -34,7 +34,7 @@ def at_horizon(pair: ViscousPair, start: Start, errors: Errors, horizon: float, 
     """Return the state at the horizon, which lies in the motion with this start."""
     if start.tau > 0.0 and not horizon - start.tau >= errors.late + 4.0 * ULP * horizon:
         errors = lost()
-    tau = (horizon - start.tau) - start.rest
+    tau = max((horizon - start.tau) - start.rest, 0.0)  # the rounding of an event at the horizon may lie beyond it
     at = flow(pair, start, tau, 0.0)
     shift = 4.0 * ULP * horizon
     if start.mode == 0:

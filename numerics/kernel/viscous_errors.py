@@ -59,7 +59,7 @@ def damped_error(pair: ViscousPair, start: Start, taken: float, norm: float, tau
     v = abs(start.V1)
     pull = -(pair.two_zeta * (start.V1 if start.mode >= 0 else -start.V1) + y) / mass
     side = 1.0 if start.V1 * (start.mode if start.mode != 0 else 1) >= 0.0 else -1.0
-    own = rounding_of_integral(of, v, side * pull, (pair.two_zeta * v + abs(y)) / mass, tau)
+    own = max(rounding_of_integral(of, v, side * pull, (pair.two_zeta * v + abs(y)) / mass, tau), 0.0)
     return norm * (2.0 * math.sqrt(max(taken, 0.0) + 2.0 * pair.two_zeta * own) + norm) + 2.0 * pair.two_zeta * own
 
 

@@ -134,7 +134,9 @@ def selected(
 ) -> tuple[list[Contender], list[Benchmark]]:
     """Return the contenders and the scenes that `only` names, all of a kind of which it names none."""
     for text in only:
-        if not any(text.lower() in name.lower() for name in [one.label for one in everyone] + [s.name for s in scenes]):
+        if not text.strip() or not any(
+            text.lower() in name.lower() for name in [one.label for one in everyone] + [s.name for s in scenes]
+        ):
             known = "; ".join([one.label for one in everyone] + [one.name for one in scenes])
             raise NoSuchContender(f"--only {text[:40]!r} fits no contender and no scene; they are: {known}")
     some = [one for one in everyone if _named(one.label, only)]

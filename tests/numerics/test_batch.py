@@ -107,7 +107,8 @@ def test_many_chunks_threads_and_progress(monkeypatch):
     two = solve_many(**PAPER, v1=speeds, until=3, jobs=2, progress=lambda done, whole: told.append((done, whole)))
     assert same(one, two)
     assert told[-1] == (50, 50)
-    assert len(told) == 8
+    assert len(told) >= 8
+    assert [done for done, _ in told] == sorted({done for done, _ in told})
 
 
 def test_two_threads_may_be_the_first_to_compile():
