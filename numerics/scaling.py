@@ -36,20 +36,20 @@ class Frame:
         """Convert the exact parameters once; raises OutOfRange if the arithmetic cannot hold one of them."""
         number, sqrt = arithmetic.number, arithmetic.sqrt
         self.arithmetic, self.pair = arithmetic, pair
-        self.q, self.r = number(pair.m1 / pair.mass), number(pair.m2 / pair.mass)
+        mass, width = pair.mass, pair.half_width
+        share = pair.m1 / mass
+        self.q, self.r = number(share), number(pair.m2 / mass)
         self.sqrt_q = sqrt(self.q)
-        self.rate = sqrt(number(pair.a2 / pair.mass))
+        self.rate = sqrt(number(pair.a2 / mass))
         # at a1 = 0 the square has no derivative, by which the sensitivities see the damper
-        self.two_zeta = (
-            sqrt(number(pair.a1**2 / (pair.a2 * pair.mass))) if pair.a1 else number(pair.a1 / pair.mass) / self.rate
-        )
+        self.two_zeta = sqrt(number(pair.a1**2 / (pair.a2 * mass))) if pair.a1 else number(pair.a1 / mass) / self.rate
         # the sign of 1 - zeta^2 (stick) and of q - zeta^2 (slip) is decided exactly: which damping regime it is
-        zeta_squared = pair.a1**2 / (4 * pair.a2 * pair.mass)
+        zeta_squared = pair.a1**2 / (4 * pair.a2 * mass)
         self.stick_discriminant = 1 - zeta_squared
-        self.slip_discriminant = pair.m1 / pair.mass - zeta_squared
-        self.length = number(pair.half_width)
+        self.slip_discriminant = share - zeta_squared
+        self.length = number(width)
         self.speed = self.length * self.rate
-        self.critical_energy = number(pair.critical_energy)
+        self.critical_energy = number(pair.a2 * width * width / 2)
 
     def initial(self, scene: Scene) -> ReducedState:
         """Return the initial state of a scene; X, Z and w are conversions of exact rationals."""

@@ -39,6 +39,8 @@ class Ball:
 
     def number(self, value: Fraction | int) -> arb:
         """Return a ball that contains an exact rational."""
+        if isinstance(value, int):
+            return +arb(value)  # rounded, as a rational would be
         return arb(flint.fmpq(value.numerator, value.denominator))
 
     def sign(self, x: arb) -> Sign:
