@@ -25,7 +25,7 @@ from numerics.scene import Law, Scene, read_law
 from numerics.solve import MAX_EVENTS, require_whole
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
-_CHUNK = 1024
+_CHUNK = 4096
 """Scenes in a chunk at most: their rows fit into a core's cache."""
 _TINY = 2.0**-1060
 """More than products with SI units can lose below the normal numbers."""
@@ -141,8 +141,8 @@ def solve_scenes(
 
 
 def _chunk(count: int, jobs: int | None) -> int:
-    """Return how many scenes go into one chunk: some chunks for every core, so that all end at about the same time."""
-    return max(1, min(_CHUNK, -(-count // (8 * (jobs or available_cores())))))
+    """Return how many scenes go into one chunk: four chunks for every core, so that all end at about the same time."""
+    return max(1, min(_CHUNK, -(-count // (4 * (jobs or available_cores())))))
 
 
 def _numbers(name: str, values: ArrayLike) -> Table:
