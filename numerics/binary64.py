@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.float64 import Float64
 from numerics.kernel.bounds import ULP, Errors, no_linear
-from numerics.kernel.packed import ANSWER, HORIZON, HOW, STATE, advance, answer, pack, start_of
-from numerics.kernel.state import COLUMNS, FREE, RAY, STICK, SURFACE, Bounds, End, Pair, Start
-from numerics.kernel_run import KernelRun, Progress, answered, written_rows
+from numerics.kernel.packed import ANSWER, HORIZON, STATE, advance, answer, pack, start_of
+from numerics.kernel.state import COLUMNS, FREE, RAY, STICK, SURFACE, Pair, Start
+from numerics.kernel_run import FloatRun, Progress, solved_in_floats
 from numerics.modes import Mode, slip_mode
 from numerics.motion import Motion
 from numerics.scaling import Frame, ReducedState
@@ -18,8 +18,6 @@ from numerics.slip_flow import SlipFlow
 from numerics.start import initial_motion
 from numerics.trajectory import Trajectory
 from numerics.undamped import UndampedSlip, UndampedStick
-
-_TAU, _ERRORS = COLUMNS.index("tau"), slice(COLUMNS.index("late"), COLUMNS.index("place") + 1)
 
 
 def kernel_start(scene: Scene) -> tuple[Frame, Motion, NDArray[np.float64]]:
@@ -64,24 +62,14 @@ def _initial_errors(frame: Frame, start: Start, at: ReducedState) -> Errors:
 
 def solve_binary64(scene: Scene, max_events: int, progress: Progress | None = None) -> Trajectory | None:
     """Return the trajectory of an undamped scene, compiled where numba is installed; None if it leaves the range."""
-    frame, motion, state = kernel_start(scene)
-    horizon = float(state[HORIZON])
-    told = None if progress is None else lambda row, count: progress(count, row[_TAU] / horizon)
-    rows = written_rows(advance, state, HOW, len(COLUMNS), max_events, told)
-    end = None if rows is None else answered(answer, state, ANSWER)
-    if rows is None or end is None:
-        return None
-    numbers = end[: len(End._fields)]
-    found = End._make([int(numbers[0]), *numbers[1:-1], bool(numbers[-1])])
-    return _Run(scene, frame, motion, rows, state).trajectory(state[HOW], Bounds(rows[:, _ERRORS], found))
+    start = scene, *kernel_start(scene)
+    return solved_in_floats(_Run, start, (advance, answer), ANSWER, max_events, progress)
 
 
-class _Run(KernelRun):
-    """The rows of an undamped scene (state.COLUMNS)."""
+class _Run(FloatRun):
+    """The rows of an undamped scene."""
 
-    def number(self, index: int, name: str) -> float:
-        """Return a number of a row."""
-        return float(self.rows[index, COLUMNS.index(name)])
+    columns, start = COLUMNS, staticmethod(start_of)
 
     def motion_after(self, index: int) -> Motion:
         """Return the motion that an event starts."""
@@ -93,11 +81,6 @@ class _Run(KernelRun):
             return UndampedSlip.from_exit_ray(frame, law, int(side), Z, w)
         flow = SlipFlow(frame.arithmetic, 0.0, gap, push)
         return UndampedSlip(frame, law, int(side), flow, ReducedState(X, V, V, Z, w))
-
-    def last_stretch(self) -> tuple[float, float]:
-        """Return the reduced horizon, and how long the last motion lasts up to it."""
-        horizon, start = float(self.state[HORIZON]), start_of(self.state.tolist())
-        return horizon, (horizon - start.tau) - start.rest
 
 
 def mode_of(code: float) -> Mode:

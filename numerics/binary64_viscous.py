@@ -6,21 +6,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.float64 import Float64
-from numerics.kernel.packed import HORIZON, HOW, STATE
-from numerics.kernel.state import Bounds, End
+from numerics.kernel.packed import HORIZON, STATE
 from numerics.kernel.viscous_bounds import initial_errors
 from numerics.kernel.viscous_motion import COLUMNS
 from numerics.kernel.viscous_packed import DAMPED_ANSWER, advance, answer, pack, start_of, viscous_pair
 from numerics.kernel.viscous_state import Start, ViscousPair
-from numerics.kernel_run import KernelRun, Progress, answered, written_rows
+from numerics.kernel_run import FloatRun, Progress, solved_in_floats
 from numerics.motion import Motion
 from numerics.scaling import Frame, ReducedState
 from numerics.scene import Law, Scene
 from numerics.start import initial_motion
 from numerics.trajectory import Trajectory
 from numerics.viscous import ViscousSlip, ViscousStick, slip_oscillator, stick_oscillator
-
-_TAU, _ERRORS = COLUMNS.index("tau"), slice(COLUMNS.index("late"), COLUMNS.index("place") + 1)
 
 
 def viscous_start(scene: Scene) -> tuple[Frame, Motion, NDArray[np.float64]]:
@@ -51,24 +48,14 @@ def _pair(frame: Frame, law: Law) -> ViscousPair:
 
 def solve_viscous(scene: Scene, max_events: int, progress: Progress | None = None) -> Trajectory | None:
     """Return the trajectory of a viscous scene, compiled where numba is installed; None if it leaves the range."""
-    frame, motion, state = viscous_start(scene)
-    horizon = float(state[HORIZON])
-    told = None if progress is None else lambda row, count: progress(count, row[_TAU] / horizon)
-    rows = written_rows(advance, state, HOW, len(COLUMNS), max_events, told)
-    end = None if rows is None else answered(answer, state, DAMPED_ANSWER)
-    if rows is None or end is None:
-        return None
-    numbers = end[: len(End._fields)]
-    found = End._make([int(numbers[0]), *numbers[1:-1], bool(numbers[-1])])
-    return _Run(scene, frame, motion, rows, state).trajectory(state[HOW], Bounds(rows[:, _ERRORS], found, end[-1]))
+    start = scene, *viscous_start(scene)
+    return solved_in_floats(_Run, start, (advance, answer), DAMPED_ANSWER, max_events, progress)
 
 
-class _Run(KernelRun):
-    """The rows of a viscous scene (viscous_motion.COLUMNS)."""
+class _Run(FloatRun):
+    """The rows of a viscous scene."""
 
-    def number(self, index: int, name: str) -> float:
-        """Return a number of a row."""
-        return float(self.rows[index, COLUMNS.index(name)])
+    columns, start = COLUMNS, staticmethod(start_of)
 
     def motion_after(self, index: int) -> Motion:
         """Return the motion that an event starts."""
@@ -77,8 +64,3 @@ class _Run(KernelRun):
         if mode:
             return ViscousSlip(self.frame, self.scene.law, int(mode), at, rising=True)
         return ViscousStick(self.frame, self.scene.law, at)
-
-    def last_stretch(self) -> tuple[float, float]:
-        """Return the reduced horizon, and how long the last motion lasts up to it."""
-        horizon, start = float(self.state[HORIZON]), start_of(self.state.tolist())
-        return horizon, (horizon - start.tau) - start.rest

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from numerics.arithmetic.protocol import Number
 from numerics.deferred import Deferred
 from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, STUCK, Bounds
+from numerics.kernel.packed import ANSWER, HORIZON, HOW
+from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, STUCK, Bounds, End
 from numerics.modes import event_kind
 from numerics.motion import Motion
 from numerics.scaling import Frame
@@ -119,3 +120,45 @@ class KernelRun(ABC):
         status, events = endings.get(int(how), Status.REACHED_HORIZON), len(self.rows)
         segments = Deferred(self.segment, events + (status is not Status.EVENT_LIMIT))
         return Trajectory(self.scene, self.frame, segments, Deferred(self.event, events), status, bounds=bounds)
+
+
+class FloatRun(KernelRun):
+    """The rows of a binary64 run, undamped or viscous; `columns` names what they hold, `start` unpacks the last one."""
+
+    columns: tuple[str, ...]
+    start: Callable[[list[float]], Any]
+
+    def number(self, index: int, name: str) -> float:
+        """Return a number of a row."""
+        return float(self.rows[index, self.columns.index(name)])
+
+    def last_stretch(self) -> tuple[float, float]:
+        """Return the reduced horizon, and how long the last motion lasts up to it."""
+        horizon, start = float(self.state[HORIZON]), type(self).start(self.state.tolist())
+        return horizon, (horizon - start.tau) - start.rest
+
+
+def solved_in_floats(
+    run: type[FloatRun],
+    start: tuple[Scene, Frame, Motion, Table],
+    kernels: tuple[Callable[..., int], Callable[..., None]],
+    length: int,
+    max_events: int,
+    progress: Progress | None,
+) -> Trajectory | None:
+    """Return the trajectory that the kernels (advance, answer) find from a start, None if a number leaves the range.
+
+    An answer of `length` numbers is that of packed.py; what is longer ends in the error of the viscous loss.
+    """
+    state, columns, (advance, answer) = start[-1], run.columns, kernels
+    tau, horizon = columns.index("tau"), float(state[HORIZON])
+    told = None if progress is None else lambda row, count: progress(count, row[tau] / horizon)
+    rows = written_rows(advance, state, HOW, len(columns), max_events, told)
+    end = None if rows is None else answered(answer, state, length)
+    if rows is None or end is None:
+        return None
+    numbers, errors = end[: len(End._fields)], slice(columns.index("late"), columns.index("place") + 1)
+    found = End._make([int(numbers[0]), *numbers[1:-1], bool(numbers[-1])])
+    bounds = Bounds(rows[:, errors], found, end[-1] if length > ANSWER else 0.0)
+    scene, frame, motion, _ = start
+    return run(scene, frame, motion, rows, state).trajectory(state[HOW], bounds)

@@ -9,33 +9,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from importlib.util import find_spec
 
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.comparisons.edge_coordinates import EdgePair, run_by_edges
 from numerics.comparisons.peer import Extra, PeerFailed, PeerRun
-from numerics.comparisons.scipy_peer import terminal
+from numerics.comparisons.scipy_peer import ScipyPeer, terminal
 from numerics.scene import Scene
 
 Vector = NDArray[np.float64]
 
 
-class TunedScipyPeer:
-    """solve_ivp by one explicit method."""
+class TunedScipyPeer(ScipyPeer):
+    """solve_ivp by one explicit method, in the coordinates in which it loses nothing."""
 
     use = "edge coordinates, first steps set, peaks watched, work integrated along"
-    knob = "rtol"
-    settings: tuple[float, ...] = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
-
-    def __init__(self, method: str) -> None:
-        """Take one of SciPy's method names."""
-        self.method, self.name = method, f"SciPy {method}"
-
-    def missing(self) -> str | None:
-        """Name SciPy if it is not installed."""
-        return None if find_spec("scipy") else "scipy (extra `comparisons`)"
 
     def prepare(self, scene: Scene, setting: float) -> Callable[[], PeerRun]:
         """Set up fields and guards. Raises Unsupported."""

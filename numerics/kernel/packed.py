@@ -14,10 +14,11 @@ from numerics.kernel.bounds import Errors, Linear
 from numerics.kernel.compilation import kernel
 from numerics.kernel.ends import at_event, at_horizon
 from numerics.kernel.motion import run
-from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, End, Pair, Start
+from numerics.kernel.state import COLUMNS, EVENT_LIMIT, OUT_OF_RANGE, ROWS_FULL, End, Pair, Start
 
 WORST, HORIZON, EVENTS, HOW, STATE = 34, 35, 36, 37, 38
 ANSWER = len(End._fields) + 3
+_TAU, _X, _V, _Z = (COLUMNS.index(name) for name in ("tau", "X", "V", "Z"))
 
 
 @kernel
@@ -102,8 +103,8 @@ def run_in_si(first: Any, s: Any, max_events: int, rows: Any, end: Any, units: A
     speed = length * rate
     for index in range(count):
         row, written = rows[index], si[index]
-        written[0], written[1] = row[2] / rate, length * row[4]
-        written[2], written[3] = speed * row[10], length * (row[4] - row[6])
+        written[0], written[1] = row[_TAU] / rate, length * row[_X]
+        written[2], written[3] = speed * row[_V], length * (row[_X] - row[_Z])
     last = si[count]
     last[0], last[1], last[2], last[3] = length * end[1], speed * end[2], length * (end[1] - end[4]), speed * end[3]
     return count

@@ -88,7 +88,7 @@ class Kernels:
         count, left = run
         frame, end = left.frame, dict(zip((*End._fields, "events", "how", "tau"), left.end, strict=True))
         times = left.si[:count, 0].tolist()
-        modes = [mode_of(code) for code in left.rows[:count, 0]]
+        modes = [mode_of(code) for code in left.rows[:count, COLUMNS.index("mode")]]
         kinds = [event_kind(before, after) for before, after in zip([left.first_mode, *modes], modes, strict=False)]
         return Outcome(
             kinds=letters(kinds),

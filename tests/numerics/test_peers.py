@@ -16,7 +16,6 @@ from numerics.comparisons import (
     heyoka_peer,
     heyoka_tuned,
     scipy_peer,
-    scipy_tuned,
     siconos_peer,
     switching,
 )
@@ -159,7 +158,7 @@ def test_the_other_reading_is_refused(peer):
 
 
 def test_what_is_missing_is_named(monkeypatch):
-    modules = (diffrax_peer, euler_peer, heyoka_peer, heyoka_tuned, scipy_peer, scipy_tuned)
+    modules = (diffrax_peer, euler_peer, heyoka_peer, heyoka_tuned, scipy_peer)
     for module in modules:
         monkeypatch.setattr(module, "find_spec", lambda name: None)
     monkeypatch.setattr(siconos_peer, "_interpreter", lambda: None)
