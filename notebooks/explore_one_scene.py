@@ -30,15 +30,15 @@ from IPython.display import Latex, Markdown, display
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
-from numerics.comparison import distance
 from numerics.errors import EventUndecided, PrecisionExhausted
-from numerics.excursion_map import excursions
-from numerics.export import as_record
-from numerics.modes import EventKind
-from numerics.plot import draw
-from numerics.scaling import Frame
+from numerics.faces.plot import draw
+from numerics.long_time.excursion_map import excursions
+from numerics.motion.frame import Frame
+from numerics.motion.modes import EventKind
 from numerics.scene import Pair, Scene, State
-from numerics.solve import solve
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import distance
+from numerics.trajectory.export import as_record
 from paper_checks.formula import equation
 from theory.near_critical import rate_constant
 from theory.symbols import a2, b, m1, m2

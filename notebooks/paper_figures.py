@@ -22,10 +22,10 @@
 # %config InlineBackend.figure_formats = ["svg"]
 from IPython.display import Markdown
 
-from numerics.comparisons.forward_euler import forward_euler
-from numerics.modes import Mode
-from numerics.scene_file import load_scene
-from numerics.solve import solve
+from numerics.motion.modes import Mode
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
+from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.figures import FIGURES
 from paper_checks.steps.perpetual_slips import every_excursion, first_exit, starts_below
 

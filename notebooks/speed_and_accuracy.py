@@ -23,10 +23,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 from IPython.display import Markdown, display
 
-from numerics.batch import solve_many
+from numerics.batch.batch import solve_many
 from numerics.scene import Scene, State
-from numerics.scene_file import load_scene
-from numerics.solve import solve
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
 from numerics.trade.clock import timed
 from numerics.trade.contender import all_contenders
 from numerics.trade.judge import judge

@@ -1,1 +1,29 @@
 """What happens: trajectories of the inertial pair as numbers with a stated error."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from numerics.batch.batch import solve_many, solve_scenes
+    from numerics.scene import Law, Pair, Scene, State
+    from numerics.scene.file import load_scene
+    from numerics.solver.solve import solve
+
+__all__ = ["Law", "Pair", "Scene", "State", "load_scene", "solve", "solve_many", "solve_scenes"]
+_HOMES = {
+    "solve": "numerics.solver.solve",
+    "solve_many": "numerics.batch.batch",
+    "solve_scenes": "numerics.batch.batch",
+    "load_scene": "numerics.scene.file",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name when it is first asked for: `--help` needs none of them."""
+    if name not in __all__:
+        raise AttributeError(f"module 'numerics' has no attribute {name!r}")
+    value = getattr(importlib.import_module(_HOMES.get(name, "numerics.scene")), name)
+    globals()[name] = value
+    return value

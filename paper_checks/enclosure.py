@@ -8,10 +8,10 @@ from functools import lru_cache
 from flint import arb, fmpq
 from sympy import Expr, Rational
 
-from numerics.modes import Mode
+from numerics.motion.modes import Mode
 from numerics.scene import Scene
-from numerics.solve import solve
-from numerics.trajectory import Status, Trajectory
+from numerics.solver.solve import solve
+from numerics.trajectory.trajectory import Status, Trajectory
 from paper_checks.evidence import Evidence, EvidenceKind
 
 ENGINE = "python-flint"

@@ -1,6 +1,6 @@
 """The forward Euler method itself, without rounding: each of its steps in balls, each sign proved (a1 = 0).
 
-`numerics.comparisons.forward_euler` is the program, in binary64; this is the method that it rounds.
+`numerics.trade.comparisons.forward_euler` is the program, in binary64; this is the method that it rounds.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import decide_sign
 from numerics.scene import Scene
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
 
 STEPS = tuple(Fraction(text) for text in ("1e-2", "1e-3", "2e-4", "1e-4", "5e-5", "1e-5"))
 """The steps tried, s."""

@@ -6,10 +6,10 @@ import random
 from fractions import Fraction
 from itertools import pairwise
 
-from numerics.modes import EventKind
+from numerics.motion.modes import EventKind
 from numerics.scene import Pair, Scene, State
-from numerics.solve import solve
-from numerics.trajectory import Status, Trajectory
+from numerics.solver.solve import solve
+from numerics.trajectory.trajectory import Status, Trajectory
 from paper_checks.evidence import Evidence, EvidenceKind
 
 

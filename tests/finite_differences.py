@@ -9,9 +9,9 @@ from flint import arb, fmpq
 from strategies import scaled_speed
 
 from numerics.scene import Pair, Scene, State
-from numerics.sensitivity import WRT
-from numerics.solve import solve
-from numerics.trajectory import Trajectory
+from numerics.sensitivity.sensitivity import WRT
+from numerics.solver.solve import solve
+from numerics.trajectory.trajectory import Trajectory
 
 DIGITS = 70
 STEP = Fraction(1, 10**24)

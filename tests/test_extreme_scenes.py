@@ -9,10 +9,10 @@ import pytest
 from extremes.regenerate import ANSWERS, HERE, answer, catalogue, scene
 
 from numerics.errors import EventUndecided, NumericsError
-from numerics.export import as_record
-from numerics.long_time import energy_at
-from numerics.modes import mode_at_start
-from numerics.solve import solve
+from numerics.long_time.energy import energy_at
+from numerics.motion.modes import mode_at_start
+from numerics.solver.solve import solve
+from numerics.trajectory.export import as_record
 
 CATALOGUE = catalogue()
 ANSWER = json.loads(ANSWERS.read_text("utf-8"))

@@ -10,15 +10,15 @@ from typing import Any
 
 from flint import arb
 
-from numerics.accuracy import Accuracy
 from numerics.arithmetic.ball import Ball
 from numerics.audit.draws import KINDS
 from numerics.audit.table import Progress, Row
-from numerics.comparison import SequenceDiffers, distance, require_same_sequence
 from numerics.errors import NumericsError
 from numerics.scene import Scene
-from numerics.solve import integrate, solve
-from numerics.trajectory import Trajectory
+from numerics.solver.solve import integrate, solve
+from numerics.trajectory.accuracy import Accuracy
+from numerics.trajectory.comparison import SequenceDiffers, distance, require_same_sequence
+from numerics.trajectory.trajectory import Trajectory
 
 Solver = Callable[[Scene], Trajectory]
 MAX_EVENTS = 30

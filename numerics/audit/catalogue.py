@@ -18,10 +18,10 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.slip_contact import positive_root
 from numerics.audit.formulas import Arguments, Formula
-from numerics.oscillator import Oscillator
-from numerics.scaling import Frame, ReducedState
+from numerics.motion.frame import Frame, ReducedState
+from numerics.old.oscillator import Oscillator
+from numerics.old.undamped import UndampedStick
 from numerics.scene import Law, Pair
-from numerics.undamped import UndampedStick
 
 _FLOAT, _BALL = Float64(), Ball(90)
 _FRAME = Frame(_FLOAT, Pair(1, 2, 1, 1))

@@ -20,13 +20,13 @@ from numerics.arithmetic.protocol import Number
 from numerics.audit.draws import KINDS, damping, decimal, masses, signed
 from numerics.audit.table import Progress, Row
 from numerics.errors import NumericsError
-from numerics.scaling import Frame, ReducedState
+from numerics.motion.frame import Frame, ReducedState
+from numerics.old.slip_flow import SlipFlow
+from numerics.old.undamped import UndampedStick
+from numerics.old.viscous import slip_oscillator, stick_oscillator
 from numerics.scene import Law, Scene
-from numerics.slip_flow import SlipFlow
-from numerics.solve import integrate
-from numerics.trajectory import Trajectory
-from numerics.undamped import UndampedStick
-from numerics.viscous import slip_oscillator, stick_oscillator
+from numerics.solver.solve import integrate
+from numerics.trajectory.trajectory import Trajectory
 
 _DIGITS = (10, 15, 25, 50)
 _MAX_EVENTS = 30

@@ -18,7 +18,7 @@ from typing import Any
 
 from numerics.audit.table import Progress, Row
 from numerics.errors import InvalidScene
-from numerics.scene_file import parse_scene
+from numerics.scene.file import parse_scene
 
 MOST_SECONDS = 1.0
 _KEPT = 5

@@ -16,10 +16,10 @@ from typing import NamedTuple
 from numerics.audit.draws import KINDS
 from numerics.audit.table import Progress, Row
 from numerics.errors import NumericsError
-from numerics.scaling import ReducedState
+from numerics.motion.frame import ReducedState
 from numerics.scene import Pair, Scene, State
-from numerics.solve import solve
-from numerics.trajectory import Trajectory
+from numerics.solver.solve import solve
+from numerics.trajectory.trajectory import Trajectory
 
 _MAX_EVENTS = 40
 _MAX_POWER = 60

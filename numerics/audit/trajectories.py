@@ -16,11 +16,11 @@ from flint import arb
 
 from numerics.audit.draws import KINDS
 from numerics.audit.table import Progress, Row
-from numerics.comparison import SequenceDiffers, as_fraction, require_same_sequence
 from numerics.errors import NumericsError
 from numerics.scene import Scene
-from numerics.solve import solve
-from numerics.trajectory import Trajectory
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import SequenceDiffers, as_fraction, require_same_sequence
+from numerics.trajectory.trajectory import Trajectory
 
 Solver = Callable[[Scene], Trajectory]
 BALL_DIGITS = 20

@@ -9,8 +9,8 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from numerics.comparisons.peer import PeerRun
 from numerics.kernel.compilation import can_compile
+from numerics.trade.comparisons.peer import PeerRun
 
 BATCH = 0.002
 """A batch of calls lasts at least so long, s, so that the clock itself does not count."""

@@ -6,12 +6,12 @@ import argparse
 import json
 import sys
 
-from numerics.commands import OK, USAGE, refuse
+from numerics.faces.commands import OK, USAGE, refuse
 
 
 def measure_trade(options: argparse.Namespace) -> int:
     """Measure speed against accuracy; print tables or JSON, write the figures."""
-    from numerics import plot
+    from numerics.faces import plot
     from numerics.trade.plan import NoSuchContender, trade
     from numerics.trade.table import as_record, print_trade
 

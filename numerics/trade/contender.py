@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from numerics.comparisons.peer import Peer, PeerRun, PeerTexts
 from numerics.scene import Scene
+from numerics.trade.comparisons.peer import Peer, PeerRun, PeerTexts
 from numerics.trade.outcome import Outcome, float_text, letters
 
 
@@ -77,7 +77,7 @@ def _float_texts(run: PeerRun) -> PeerTexts:
 
 def all_contenders() -> list[Contender]:
     """Return everyone, ours first, whether installed or not."""
-    from numerics.comparisons.registry import all_peers
+    from numerics.trade.comparisons.registry import all_peers
     from numerics.trade.ours import our_contenders
 
     return [*our_contenders(), *labelled(all_peers())]

@@ -10,15 +10,15 @@ import mpmath
 import numpy as np
 
 from numerics.arithmetic.double_double import exactly
-from numerics.binary64 import mode_of
-from numerics.comparisons.peer import Unsupported
-from numerics.double_double import double_start
 from numerics.kernel.compilation import can_compile, compiled
 from numerics.kernel.double_packed import ANSWER, STATE, run_one
 from numerics.kernel.double_state import COLUMNS
-from numerics.modes import Mode, event_kind
-from numerics.scaling import Frame, ReducedState
+from numerics.motion.frame import Frame, ReducedState
+from numerics.motion.modes import Mode, event_kind
+from numerics.old.binary64 import mode_of
+from numerics.old.double_double import double_start
 from numerics.scene import Scene
+from numerics.trade.comparisons.peer import Unsupported
 from numerics.trade.outcome import Outcome, letters
 
 DOUBLE_COMPILED = "double-double, compiled"

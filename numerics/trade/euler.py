@@ -14,11 +14,11 @@ from functools import cache
 
 import numpy as np
 
-from numerics.comparisons.euler_peer import read
-from numerics.comparisons.forward_euler import forward_euler
-from numerics.comparisons.switching import SwitchedPair
 from numerics.scene import Scene, State
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
+from numerics.trade.comparisons.euler_peer import read
+from numerics.trade.comparisons.forward_euler import forward_euler
+from numerics.trade.comparisons.switching import SwitchedPair
 from numerics.trade.contender import peer_outcome
 from numerics.trade.judge import judge
 from numerics.trade.outcome import Outcome

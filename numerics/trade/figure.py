@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-from numerics.export import whole_file
 from numerics.trade.front import Point, best_front
 from numerics.trade.growth import Growth
 from numerics.trade.ours import BALL, COMPILED
+from numerics.trajectory.export import whole_file
 
 OUR_COLOURS = ("#b30000", "#ef6548", "#fdae6b", "#e7298a", "#7f2704", "#ff2a1a")
 PEER_COLOURS = (

@@ -14,7 +14,7 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.parallel import available_cores
+from numerics.batch.parallel import available_cores
 from numerics.trade import ours
 from numerics.trade.child import Child
 from numerics.trade.clock import compiled_pair_seconds, timed

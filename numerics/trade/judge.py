@@ -23,7 +23,7 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.scaling import Frame
+from numerics.motion.frame import Frame
 from numerics.scene import Scene
 from numerics.trade.outcome import LETTERS, Outcome
 

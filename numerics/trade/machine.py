@@ -7,7 +7,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from numerics.parallel import available_cores
+from numerics.batch.parallel import available_cores
 
 PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka", "jax", "diffrax")
 

@@ -10,20 +10,20 @@ import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.batch import solve_many
-from numerics.binary64 import kernel_start, mode_of
-from numerics.comparison import as_fraction
-from numerics.comparisons.peer import Unsupported
+from numerics.batch.batch import solve_many
 from numerics.kernel.compilation import can_compile, compiled
 from numerics.kernel.packed import ANSWER, STATE, run_in_si, run_one
 from numerics.kernel.state import COLUMNS, End
-from numerics.modes import Mode, event_kind
-from numerics.scaling import Frame
+from numerics.motion.frame import Frame
+from numerics.motion.modes import Mode, event_kind
+from numerics.old.binary64 import kernel_start, mode_of
 from numerics.scene import Scene
-from numerics.solve import ArithmeticName, solve
+from numerics.solver.solve import ArithmeticName, solve
+from numerics.trade.comparisons.peer import Unsupported
 from numerics.trade.double_kernels import DoubleKernels
 from numerics.trade.outcome import Outcome, float_text, letters
-from numerics.trajectory import Trajectory
+from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.trajectory import Trajectory
 
 DIGITS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
 COMPILED, PLAIN, OBJECTS = "float64, compiled", "float64, pure Python", "float64, Trajectory"

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from decimal import Decimal
 from typing import Any
 
-from numerics.modes import EventKind
+from numerics.motion.modes import EventKind
 
 LETTERS = {EventKind.ENTRY: "n", EventKind.EXIT: "x", EventKind.CROSSING: "c"}
 """One letter an event, so that 10^5 of them stay a short text: eNtry, eXit, Crossing."""

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from numerics.scene import Pair, Scene, State
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
 
 HEADLINE = "figure-4b-b05"
 """The scene of the headline ratios."""

@@ -18,9 +18,9 @@ import threading
 import time
 from typing import IO, Any
 
-from numerics.comparisons.peer import PeerFailed, Unsupported
 from numerics.errors import NumericsError
 from numerics.trade.clock import Timing, median_time, own_seconds
+from numerics.trade.comparisons.peer import PeerFailed, Unsupported
 from numerics.trade.contender import Contender
 from numerics.trade.scenes import scene_from_record
 

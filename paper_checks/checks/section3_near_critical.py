@@ -6,8 +6,8 @@ from fractions import Fraction
 
 import sympy as sp
 
-from numerics.modes import EventKind
-from numerics.scene_file import load_scene
+from numerics.motion.modes import EventKind
+from numerics.scene.file import load_scene
 from paper_checks.enclosure import solved, within
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
 from paper_checks.exact import identity
@@ -88,8 +88,8 @@ def slip_durations(context: Context) -> Finding:
 def _enclosed_durations(w: Fraction = Fraction(1, 10**12)) -> Evidence:
     """Enclose slip and stick at one small excess: slip within 1e-5 of 3 sqrt(w), stick within 1e-5 of pi."""
     from numerics.arithmetic.ball import Ball
-    from numerics.excursion_map import excursions
-    from numerics.scaling import Frame
+    from numerics.long_time.excursion_map import excursions
+    from numerics.motion.frame import Frame
     from numerics.scene import Pair
 
     arithmetic = Ball(40)

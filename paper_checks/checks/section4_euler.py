@@ -8,9 +8,9 @@ from fractions import Fraction
 import sympy as sp
 from flint import arb, fmpq
 
-from numerics.comparisons.forward_euler import forward_euler
 from numerics.scene import Scene
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
+from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.enclosure import ENGINE, compare, solved, stuck_for_ever, text, within
 from paper_checks.euler_in_balls import COARSE, HORIZONS, STEPS, run
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude

@@ -8,10 +8,10 @@ from itertools import pairwise
 
 import sympy as sp
 
-from numerics.modes import EventKind, Mode
+from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Law, Scene, State
-from numerics.scene_file import load_scene
-from numerics.trajectory import Trajectory
+from numerics.scene.file import load_scene
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
 from paper_checks.evidence import Evidence, Finding, Verdict, conclude
 from paper_checks.exact import identity

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from numerics.modes import Mode
-from numerics.scene_file import load_scene
+from numerics.motion.modes import Mode
+from numerics.scene.file import load_scene
 from paper_checks.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
 from paper_checks.evidence import Evidence, Finding, Verdict, conclude
 from paper_checks.exact import identity

@@ -9,10 +9,10 @@ from itertools import pairwise
 import sympy as sp
 from flint import arb
 
-from numerics.modes import EventKind, Mode
+from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Law, Pair, Scene
-from numerics.scene_file import load_scene
-from numerics.trajectory import Segment, Trajectory
+from numerics.scene.file import load_scene
+from numerics.trajectory.trajectory import Segment, Trajectory
 from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Subject, Verdict, conclude
 from paper_checks.exact import identity

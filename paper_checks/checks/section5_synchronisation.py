@@ -9,11 +9,11 @@ from typing import Any
 import sympy as sp
 from numpy.typing import NDArray
 
-from numerics.modes import Mode
+from numerics.motion.modes import Mode
 from numerics.scene import Pair, Scene
-from numerics.scene_file import load_scene
-from numerics.solve import solve
-from numerics.trajectory import Trajectory
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
 from paper_checks.exact import identity

@@ -6,8 +6,8 @@ from fractions import Fraction
 from itertools import islice
 
 from numerics.arithmetic.ball import Ball
-from numerics.excursion_map import excursions
-from numerics.scaling import Frame
+from numerics.long_time.excursion_map import excursions
+from numerics.motion.frame import Frame
 from numerics.scene import Pair
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
 from paper_checks.registry import Context, check

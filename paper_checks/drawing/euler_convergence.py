@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from numerics.modes import Mode
+from numerics.motion.modes import Mode
 from paper_checks.drawing.style import new_figure, solved
 from paper_checks.euler_in_balls import STEPS, run
 

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from numerics.modes import EventKind, Mode
-from numerics.trajectory import Trajectory
+from numerics.motion.modes import EventKind, Mode
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.drawing.style import MM, MODE_COLOURS, marker_style, new_figure, segment_samples, solved
 
 PARTS = {

@@ -7,9 +7,9 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from numerics.comparisons.forward_euler import EulerRun
-from numerics.modes import EventKind
-from numerics.trajectory import Trajectory
+from numerics.motion.modes import EventKind
+from numerics.trade.comparisons.forward_euler import EulerRun
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.drawing.style import (
     BODY_1,
     BODY_2,

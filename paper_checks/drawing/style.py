@@ -15,12 +15,12 @@ from matplotlib import style as mpl_style
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from numerics.comparisons.forward_euler import EulerRun, forward_euler
-from numerics.modes import EventKind, Mode
+from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Scene
-from numerics.scene_file import load_scene
-from numerics.solve import solve
-from numerics.trajectory import Trajectory
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
+from numerics.trade.comparisons.forward_euler import EulerRun, forward_euler
+from numerics.trajectory.trajectory import Trajectory
 
 STEP = 1e-4
 """Step of the forward Euler runs that are drawn, s."""

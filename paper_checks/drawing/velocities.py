@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from numerics.modes import Mode
-from numerics.trajectory import Trajectory
+from numerics.motion.modes import Mode
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.drawing.style import (
     BODY_1,
     BODY_2,

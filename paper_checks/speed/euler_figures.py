@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
 from numerics.trade.euler import EulerFigure, euler_figure
 
 SCENES = {

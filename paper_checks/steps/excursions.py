@@ -9,8 +9,8 @@ from itertools import islice
 import sympy as sp
 
 from numerics.arithmetic.ball import Ball
-from numerics.excursion_map import excursions
-from numerics.scaling import Frame
+from numerics.long_time.excursion_map import excursions
+from numerics.motion.frame import Frame
 from numerics.scene import Pair
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity

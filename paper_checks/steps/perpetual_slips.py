@@ -10,8 +10,8 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
-from numerics.modes import EventKind
-from numerics.trajectory import Event, Trajectory
+from numerics.motion.modes import EventKind
+from numerics.trajectory.trajectory import Event, Trajectory
 from paper_checks.enclosure import ball, compare, exact
 from paper_checks.evidence import Evidence
 from paper_checks.exact import identity

@@ -10,9 +10,9 @@ import sympy as sp
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.excursion_map import excursions
-from numerics.long_time import energy_at
-from numerics.scaling import Frame
+from numerics.long_time.energy import energy_at
+from numerics.long_time.excursion_map import excursions
+from numerics.motion.frame import Frame
 from numerics.scene import Pair, Scene, State
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity
@@ -71,7 +71,7 @@ def enclosed_limit(share: Fraction, speed: Fraction, time: str, tolerance: Fract
         near = abs(scaled - 1) < _number(tolerance)
     return Evidence(
         EvidenceKind.ENCLOSURE,
-        "numerics.long_time, balls",
+        "numerics.long_time.energy, balls",
         f"$q={share}$, from $x_1=0$ with $E/E_{{cr}}={speed**2}$: at $\\Omega t={float(Fraction(time)):g}$ the ratio of $t\\,(E-E_{{cr}})$ to its limit "
         f"is within {float(tolerance):g} of 1",
         bool(near),

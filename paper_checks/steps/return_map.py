@@ -10,7 +10,7 @@ import flint
 import sympy as sp
 from flint import acb, arb, fmpq, fmpq_series
 
-from numerics.abel import AbelFunctions
+from numerics.long_time.abel import AbelFunctions
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity
 from paper_checks.formula import form, stating
@@ -182,7 +182,7 @@ def cycle_time() -> tuple[Evidence, ...]:
         ),
         Evidence(
             EvidenceKind.EXACT,
-            "sympy and numerics.abel",
+            "sympy and numerics.long_time.abel",
             f"all coefficients up to $\\varepsilon^{highest}$ agree between two programs for $q={', '.join(map(str, SHARES))}$",
             agree and highest >= 5,
             tried,

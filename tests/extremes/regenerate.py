@@ -13,7 +13,7 @@ from extremes import return_map
 from extremes.scan import PRINTED, scanned
 
 from numerics.scene import Scene
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
 
 HERE = Path(__file__).parent
 ANSWERS = HERE / "answers.json"

@@ -16,9 +16,9 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Sign, decide_sign
-from numerics.comparison import as_fraction
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.oscillator import Oscillator
+from numerics.old.oscillator import Oscillator
+from numerics.trajectory.comparison import as_fraction
 
 DEFICITS = {
     "versine": lambda x: 1 - x.cos(),

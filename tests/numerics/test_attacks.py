@@ -7,11 +7,11 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from numerics.accuracy import checked_values, digits_within
-from numerics.batch import solve_many
+from numerics.batch.batch import solve_many
 from numerics.errors import InvalidScene
 from numerics.scene import Pair, Scene, State
-from numerics.solve import solve
+from numerics.solver.solve import solve
+from numerics.trajectory.accuracy import checked_values, digits_within
 
 AT_AN_EVENT = Fraction(2.10700551516822)
 
@@ -30,7 +30,7 @@ def test_an_event_in_the_same_place_as_the_horizon():
     assert not solve(scene).accuracy.certain
     assert solve(scene, digits=5).arithmetic.name == "ball"
     code = (
-        "from numerics.batch import solve_many\n"
+        "from numerics.batch.batch import solve_many\n"
         "found = solve_many(1e-4, 10, 1, 5, a1=2, x1=-150, v1=-288, v2=29, until=2.10700551516822)\n"
         "print(int(found.status), float(found.dissipated).hex(), float(found.dissipated_error).hex())"
     )

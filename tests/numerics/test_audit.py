@@ -17,8 +17,8 @@ from flint import arb
 from numerics.__main__ import main
 from numerics.audit import catalogue, enclosures, plan, refusals, symmetries, table, trajectories
 from numerics.audit.formulas import MOST_ULP, Formula, audit_formulas, ulps
-from numerics.scene_file import parse_scene
-from numerics.solve import solve
+from numerics.scene.file import parse_scene
+from numerics.solver.solve import solve
 
 SECTIONS = ["formulas", "enclosures", "trajectories", "energy", "error bounds", "bit for bit", "refusals"]
 FORMULAS = {formula.name.split(":")[0]: formula for formula in catalogue.formulas()}

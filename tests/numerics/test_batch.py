@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import scenes
 
-from numerics import batch
-from numerics.batch import ENDINGS, Batch, solve_many, solve_scenes
+from numerics.batch import batch
+from numerics.batch.batch import ENDINGS, Batch, solve_many, solve_scenes
 from numerics.errors import InvalidScene, OutOfRange
 from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
 from numerics.scene import Law, Pair, Scene, State
-from numerics.solve import solve
+from numerics.solver.solve import solve
 
 PAPER = {"m1": 1, "m2": 1, "a2": 200, "b": 0.5}
 
@@ -115,7 +115,8 @@ def test_two_threads_may_be_the_first_to_compile():
     """In a process of its own, as kernels are compiled once: numba's own cache folder is left as it was."""
     pytest.importorskip("numba")
     code = (
-        "import numba, numpy as np; from numerics import batch; before = numba.config.CACHE_DIR; batch._CHUNK = 2;"
+        "import numba, numpy as np; from numerics.batch import batch; before = numba.config.CACHE_DIR;"
+        "batch._CHUNK = 2;"
         "found = batch.solve_many(1, 1, 200, 0.5, v1=np.linspace(0.1, 0.3, 12), until=2, jobs=4);"
         "assert numba.config.CACHE_DIR == before; print(int(found.events.sum()))"
     )

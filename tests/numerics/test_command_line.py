@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from numerics.__main__ import main
-from numerics.comparison import SequenceDiffers
-from numerics.export import as_record, whole_file
 from numerics.scene import Pair, Scene, State
-from numerics.solve import solve
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import SequenceDiffers
+from numerics.trajectory.export import as_record, whole_file
 
 SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[initial]\nv1 = 0.15\n[run]\nuntil = 2\n"
 STATE = ("x1", "v1", "x2", "v2")

@@ -6,11 +6,11 @@ from hypothesis import given
 from scipy.integrate import solve_ivp
 from strategies import scenes
 
-from numerics.comparisons.forward_euler import forward_euler
-from numerics.modes import Mode
+from numerics.motion.modes import Mode
 from numerics.scene import Law, Pair, Scene, State
-from numerics.scene_file import load_scene, shipped_scenes
-from numerics.solve import solve
+from numerics.scene.file import load_scene, shipped_scenes
+from numerics.solver.solve import solve
+from numerics.trade.comparisons.forward_euler import forward_euler
 
 FREE = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=1)
 

@@ -15,8 +15,6 @@ from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_double import DoubleDouble, exactly
 from numerics.audit.bounds import Honesty
-from numerics.deferred import Deferred
-from numerics.double_double import double_start, solve_double_double
 from numerics.errors import OutOfRange
 from numerics.kernel import compilation, double_packed
 from numerics.kernel import double_elementary as elementary
@@ -24,11 +22,13 @@ from numerics.kernel.double_contact import double_contact
 from numerics.kernel.double_double import Double, add, divide, product, square_root, subtract, two_sum
 from numerics.kernel.double_state import COLUMNS, UNIT
 from numerics.kernel.state import ROWS_FULL
+from numerics.old.double_double import double_start, solve_double_double
 from numerics.scene import Law, Scene
-from numerics.scene_file import load_scene
-from numerics.solve import integrate, solve
+from numerics.scene.file import load_scene
+from numerics.solver.solve import integrate, solve
 from numerics.trade.double_kernels import DoubleKernels
 from numerics.trade.outcome import letters
+from numerics.trajectory.deferred import Deferred
 
 PAPER = load_scene("figure-4b-b05")
 COMPARED = [PAPER, load_scene("figure-4a"), load_scene("figure-5b")]
@@ -231,11 +231,11 @@ def test_beyond_the_kernels_the_general_loop_has_the_same_digits():
 def test_what_was_asked_for_decides(monkeypatch, capsys):
     with pytest.raises(ValueError, match="31 digits"):
         solve(PAPER, arithmetic="double-double", digits=20)
-    monkeypatch.setattr("numerics.solve.can_compile", lambda: False)
+    monkeypatch.setattr("numerics.solver.solve.can_compile", lambda: False)
     assert solve(PAPER, digits=20).arithmetic.name == "ball"
-    monkeypatch.setattr("numerics.solve.can_compile", lambda: True)
+    monkeypatch.setattr("numerics.solver.solve.can_compile", lambda: True)
     monkeypatch.setitem(__import__("sys").modules, "numba", math)
-    monkeypatch.setattr("numerics.kernel_run.can_compile", lambda: False)
+    monkeypatch.setattr("numerics.old.kernel_run.can_compile", lambda: False)
     found = solve(PAPER, digits=20)
     assert (found.arithmetic.name, found.digits) == ("double-double", 20)
     assert "right digits by its error bounds" in found.tried

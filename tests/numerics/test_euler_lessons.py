@@ -7,10 +7,10 @@ from importlib.util import find_spec
 import numpy as np
 import pytest
 
-from numerics.comparisons.forward_euler import EulerRun, forward_euler, march
-from numerics.scene_file import load_scene
-from numerics.solve import solve
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
 from numerics.trade import euler
+from numerics.trade.comparisons.forward_euler import EulerRun, forward_euler, march
 from numerics.trade.euler import EulerFigure, EulerOutcome, euler_figure, stick_energies, stick_energy
 
 

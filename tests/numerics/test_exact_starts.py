@@ -12,14 +12,14 @@ import pytest
 from flint import arb, fmpq
 
 from numerics.__main__ import main
-from numerics.abel import AbelFunctions
 from numerics.arithmetic.ball import Ball
-from numerics.comparison import require_same_sequence
 from numerics.errors import EventUndecided
-from numerics.rendering import _upwards as upwards
-from numerics.rendering import right_digits_text
+from numerics.long_time.abel import AbelFunctions
 from numerics.scene import Pair, Scene, State
-from numerics.solve import solve
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import require_same_sequence
+from numerics.trajectory.rendering import _upwards as upwards
+from numerics.trajectory.rendering import right_digits_text
 
 STARTS = {
     "guard without extrema, A = 1": (Pair(1, 1, 100, 1), State(x1="-0.01", v1="0.1")),

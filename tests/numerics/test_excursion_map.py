@@ -11,11 +11,11 @@ from strategies import decimals
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
-from numerics.excursion_map import excursions
-from numerics.modes import EventKind
-from numerics.scaling import Frame
+from numerics.long_time.excursion_map import excursions
+from numerics.motion.frame import Frame
+from numerics.motion.modes import EventKind
 from numerics.scene import Pair, Scene, State
-from numerics.solve import solve
+from numerics.solver.solve import solve
 
 
 def limit(frame) -> float:

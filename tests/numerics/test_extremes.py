@@ -11,12 +11,12 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from strategies import EXTREME, long_slips, near_critical, scenes
 
-from numerics.comparison import distance, require_same_sequence
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
-from numerics.modes import EventKind
+from numerics.motion.modes import EventKind
 from numerics.scene import Law, Pair, Scene, State
-from numerics.solve import solve
-from numerics.trajectory import Status
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import distance, require_same_sequence
+from numerics.trajectory.trajectory import Status
 
 PAPER = {"m1": 1, "m2": 1, "a2": 200, "b": "0.5"}
 PUSHED = State(v1="0.15")

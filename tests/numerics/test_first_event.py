@@ -9,8 +9,8 @@ from hypothesis import example, given, settings
 from strategies import long_slips, near_critical, scenes
 
 from numerics.scene import Law, Pair, Scene, State
-from numerics.scene_file import load_scene, shipped_scenes
-from numerics.solve import solve
+from numerics.scene.file import load_scene, shipped_scenes
+from numerics.solver.solve import solve
 
 EVENTS = 5
 

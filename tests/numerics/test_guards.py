@@ -15,11 +15,11 @@ import pytest
 
 from numerics.__main__ import main
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionExhausted
-from numerics.long_time import energy_at
+from numerics.long_time.energy import energy_at
 from numerics.scene import Pair, Scene, State
-from numerics.scene_file import parse_scene
-from numerics.solve import solve
-from numerics.trajectory import Status
+from numerics.scene.file import parse_scene
+from numerics.solver.solve import solve
+from numerics.trajectory.trajectory import Status
 
 PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 REPORT = [sys.executable, "-m", "paper_checks", "report"]
@@ -148,9 +148,9 @@ def test_ctrl_c_while_reporting_leaves_nothing(tmp_path, seconds):
 
 
 HALF_WRITTEN = {
-    "npz": "from numerics.export import whole_file\n"
+    "npz": "from numerics.trajectory.export import whole_file\n"
     "with whole_file(Path('result')) as file:\n    file.write(b'x' * 10**6); file.flush(); wait()",
-    "renamed": "os.replace = lambda *_: wait()\nfrom numerics.export import whole_file\n"
+    "renamed": "os.replace = lambda *_: wait()\nfrom numerics.trajectory.export import whole_file\n"
     "with whole_file(Path('result')) as file:\n    file.write(b'x' * 10**6)",
     "report": "Path.replace = lambda *_: wait()\nfrom paper_checks import atomic\n"
     "atomic.write(Path('result'), 'x' * 10**6)",

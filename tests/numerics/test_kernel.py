@@ -14,16 +14,16 @@ from strategies import decimals, long_slips, near_critical, scenes, signed
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.audit.bounds import Honesty
-from numerics.binary64 import kernel_start, solve_binary64
 from numerics.errors import NumericsError, OutOfRange
 from numerics.kernel import compilation, packed
 from numerics.kernel.bounds import passing
 from numerics.kernel.contact import contact
 from numerics.kernel.prepare import prepare
 from numerics.kernel.state import COLUMNS
+from numerics.old.binary64 import kernel_start, solve_binary64
 from numerics.scene import Law, Pair, Scene, State
-from numerics.scene_file import load_scene
-from numerics.solve import integrate, solve
+from numerics.scene.file import load_scene
+from numerics.solver.solve import integrate, solve
 
 PAPER = load_scene("figure-4b-b05")
 any_scene = st.one_of(

@@ -12,16 +12,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from numerics.__main__ import main
-from numerics.abel import AbelFunctions, _arcs, _height_and_depth
 from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene, OutOfRange, PrecisionExhausted
-from numerics.excursion_map import excursions
-from numerics.long_time import Road, energy_at
-from numerics.modes import EventKind
-from numerics.scaling import Frame
+from numerics.long_time.abel import AbelFunctions, _arcs, _height_and_depth
+from numerics.long_time.energy import Road, energy_at
+from numerics.long_time.excursion_map import excursions
+from numerics.motion.frame import Frame
+from numerics.motion.modes import EventKind
 from numerics.scene import Pair, Scene, State
-from numerics.scene_file import load_scene
-from numerics.solve import solve
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
 
 SHARES = [Fraction(1, 2), Fraction(1, 100), Fraction(99, 100), Fraction(1, 10**6)]
 

@@ -15,16 +15,17 @@ from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
 
-from numerics import merging_cell, merging_map
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
-from numerics.centred_form import Cell
 from numerics.errors import InvalidMap, MissingTool
-from numerics.excursion_map import excursions
-from numerics.map_figure import COLOURS, raster
-from numerics.merging_cell import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
-from numerics.merging_map import Window, merging_cells
-from numerics.scaling import Frame
+from numerics.long_time.excursion_map import excursions
+from numerics.merging import cell as merging_cell
+from numerics.merging import map as merging_map
+from numerics.merging.cell import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
+from numerics.merging.centred_form import Cell
+from numerics.merging.figure import COLOURS, raster
+from numerics.merging.map import Window, merging_cells
+from numerics.motion.frame import Frame
 from numerics.scene import Pair
 from theory.excursion import h, half_tangent_form
 from theory.return_map import depth, gap, half_cotangent, in_trigonometry

@@ -4,11 +4,11 @@ from fractions import Fraction
 
 import pytest
 
-from numerics import viscous_contact
 from numerics.arithmetic.float64 import Float64
 from numerics.errors import OutOfRange
+from numerics.old import viscous_contact
 from numerics.scene import Pair, Scene, State
-from numerics.solve import integrate, solve
+from numerics.solver.solve import integrate, solve
 
 UNEVEN = {"m1": 3, "m2": Fraction(1, 2), "a2": 40, "b": Fraction(1, 5)}  # q and r far from each other
 

@@ -10,7 +10,11 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from numerics.comparisons import (
+from numerics.motion.modes import EventKind
+from numerics.scene import Law, Pair, Scene, State
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
+from numerics.trade.comparisons import (
     diffrax_peer,
     euler_peer,
     heyoka_peer,
@@ -19,16 +23,12 @@ from numerics.comparisons import (
     siconos_peer,
     switching,
 )
-from numerics.comparisons.edge_coordinates import EdgePair
-from numerics.comparisons.forward_euler import forward_euler
-from numerics.comparisons.heyoka_formats import format_of, nearest
-from numerics.comparisons.peer import PeerFailed, Unsupported
-from numerics.comparisons.registry import all_peers
-from numerics.comparisons.switching import EventLog, SwitchedPair
-from numerics.modes import EventKind
-from numerics.scene import Law, Pair, Scene, State
-from numerics.scene_file import load_scene
-from numerics.solve import solve
+from numerics.trade.comparisons.edge_coordinates import EdgePair
+from numerics.trade.comparisons.forward_euler import forward_euler
+from numerics.trade.comparisons.heyoka_formats import format_of, nearest
+from numerics.trade.comparisons.peer import PeerFailed, Unsupported
+from numerics.trade.comparisons.registry import all_peers
+from numerics.trade.comparisons.switching import EventLog, SwitchedPair
 
 PAPER = "figure-4b-b05"
 VISCOUS = Scene(Pair(1, 2, 200, "0.5", a1=1), State(v1="0.6"), 5)
@@ -173,7 +173,7 @@ def test_what_is_missing_is_named(monkeypatch):
 
 def test_the_list_imports_no_integrator():
     code = (
-        "import sys; from numerics.comparisons.registry import all_peers; all_peers(); "
+        "import sys; from numerics.trade.comparisons.registry import all_peers; all_peers(); "
         "sys.exit(any(name in sys.modules for name in ('scipy', 'heyoka', 'jax', 'diffrax', 'numba', 'siconos')))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

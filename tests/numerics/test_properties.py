@@ -9,12 +9,12 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from strategies import MODERATE, horizon, near_critical, pairs, scenes, states
 
-from numerics.comparison import distance, require_same_sequence
 from numerics.errors import OutOfRange
-from numerics.modes import EventKind, Mode
+from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Law, Pair, Scene, State
-from numerics.solve import solve
-from numerics.trajectory import Status
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import distance, require_same_sequence
+from numerics.trajectory.trajectory import Status
 
 CAP = 25
 LIGHT_DRIVER = Scene(  # its contact after 1e-16 of reduced time was passed over in float64

@@ -8,10 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import MODERATE, decimals, pairs, scenes, signed
 
-from numerics.decimals import exact_decimal
 from numerics.errors import InvalidScene
 from numerics.scene import Law, Pair, Scene, State
-from numerics.scene_file import load_scene, parse_scene, shipped_scenes
+from numerics.scene.decimals import exact_decimal
+from numerics.scene.file import load_scene, parse_scene, shipped_scenes
 
 VALID = """[pair]
 m1 = 1

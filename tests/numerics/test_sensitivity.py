@@ -12,17 +12,17 @@ from flint import arb
 from hypothesis import given, settings
 from strategies import near_critical, scenes
 
-from numerics import tangent
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.dual import Dual
 from numerics.arithmetic.float64 import Float64
-from numerics.comparison import as_fraction
 from numerics.errors import EventUndecided, NumericsError
-from numerics.modes import Mode
+from numerics.motion.modes import Mode
+from numerics.old import tangent
 from numerics.scene import Law, Pair, Scene, State
-from numerics.sensitivity import WRT, differentiable
-from numerics.solve import integrate, solve
+from numerics.sensitivity.sensitivity import WRT, differentiable
+from numerics.solver.solve import integrate, solve
+from numerics.trajectory.comparison import as_fraction
 
 PAPER = Pair(1, 1, 200, "0.5")
 LIGHT = Pair("0.1", 1, 200, "0.5")

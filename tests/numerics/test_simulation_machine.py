@@ -13,13 +13,13 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
 from strategies import scenes
 
-from numerics.comparison import as_fraction
 from numerics.errors import OutOfRange
-from numerics.modes import Mode
+from numerics.motion.modes import Mode
 from numerics.scene import Scene, State
-from numerics.scene_file import parse_scene
-from numerics.solve import solve
-from numerics.trajectory import Trajectory
+from numerics.scene.file import parse_scene
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.trajectory import Trajectory
 
 EVENTS = 10
 WAYS = {

@@ -11,11 +11,11 @@ from strategies import decimals, pairs, scaled_speed, scenes
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
-from numerics.comparison import distance, require_same_sequence
 from numerics.errors import OutOfRange
-from numerics.modes import EventKind, Mode
+from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Scene, State
-from numerics.solve import solve
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import distance, require_same_sequence
 
 FLOATS, BALLS = Float64(), Ball(90)
 ULP = 4

@@ -17,13 +17,13 @@ import numpy as np
 import pytest
 
 from numerics.__main__ import main
-from numerics.comparisons.heyoka_tuned import TunedHeyokaPeer
-from numerics.comparisons.peer import PeerRun
 from numerics.scene import Pair, Scene, State
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
 from numerics.trade import front, reference, scenes
 from numerics.trade.child import Child
 from numerics.trade.clock import median_time
+from numerics.trade.comparisons.heyoka_tuned import TunedHeyokaPeer
+from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.contender import all_contenders, labelled, peer_outcome
 from numerics.trade.front import Point
 from numerics.trade.judge import judge

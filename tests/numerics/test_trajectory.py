@@ -11,12 +11,12 @@ from strategies import near_critical, scenes
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.multiprecision import Multiprecision
-from numerics.comparison import as_fraction, require_same_sequence
 from numerics.errors import EventUndecided, NumericsError, PrecisionExhausted
-from numerics.modes import EventKind, Mode
+from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Law, Pair, Scene, State
-from numerics.solve import integrate, solve
-from numerics.trajectory import Status
+from numerics.solver.solve import integrate, solve
+from numerics.trajectory.comparison import as_fraction, require_same_sequence
+from numerics.trajectory.trajectory import Status
 
 PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 ARITHMETICS = ["float64", "mpmath", "ball"]

@@ -14,15 +14,15 @@ from strategies import viscous_scenes
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.audit.draws import KINDS
-from numerics.binary64_viscous import solve_viscous, viscous_start
 from numerics.errors import NumericsError
 from numerics.kernel import packed, viscous_packed, viscous_prepare
 from numerics.kernel.compilation import compiled
 from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, REACHED, ROWS_FULL, STUCK
 from numerics.kernel.viscous_motion import COLUMNS
+from numerics.old.binary64_viscous import solve_viscous, viscous_start
 from numerics.scene import Law, Pair, Scene, State
-from numerics.solve import integrate
-from numerics.trajectory import Status
+from numerics.solver.solve import integrate
+from numerics.trajectory.trajectory import Status
 
 EVENTS = 20
 STATUS = {REACHED: Status.REACHED_HORIZON, STUCK: Status.STUCK_FOR_EVER, EVENT_LIMIT: Status.EVENT_LIMIT}

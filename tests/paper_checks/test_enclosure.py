@@ -4,8 +4,8 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from numerics.modes import Mode
-from numerics.scene_file import load_scene
+from numerics.motion.modes import Mode
+from numerics.scene.file import load_scene
 from paper_checks.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, within
 
 WIDE = arb(1, 0.5)

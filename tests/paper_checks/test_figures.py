@@ -6,9 +6,9 @@ import matplotlib as mpl
 import pytest
 from matplotlib.colors import to_rgba
 
-from numerics.modes import EventKind, Mode
-from numerics.scene_file import load_scene
-from numerics.solve import solve
+from numerics.motion.modes import EventKind, Mode
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
 from paper_checks.drawing.style import MARKERS, MODE_COLOURS
 from paper_checks.figures import FIGURES
 from paper_checks.report import vector

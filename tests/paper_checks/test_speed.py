@@ -8,11 +8,11 @@ from dataclasses import replace
 import pytest
 from planted_trades import COMPILED, OBJECTS, PLAIN, SCENES, our_runs, planted, run
 
-from numerics.comparisons.euler_peer import read
-from numerics.comparisons.forward_euler import forward_euler
-from numerics.comparisons.switching import SwitchedPair
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
 from numerics.trade import euler
+from numerics.trade.comparisons.euler_peer import read
+from numerics.trade.comparisons.forward_euler import forward_euler
+from numerics.trade.comparisons.switching import SwitchedPair
 from numerics.trade.double_kernels import DOUBLE_COMPILED
 from numerics.trade.euler import EulerFigure, EulerOutcome, StickEnergy
 from paper_checks.report import blocks

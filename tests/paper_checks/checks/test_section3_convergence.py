@@ -8,9 +8,9 @@ from types import SimpleNamespace
 import pytest
 import sympy as sp
 
-from numerics.modes import Mode
-from numerics.scene_file import load_scene
-from numerics.trajectory import Status
+from numerics.motion.modes import Mode
+from numerics.scene.file import load_scene
+from numerics.trajectory.trajectory import Status
 from paper_checks import samples
 from paper_checks.checks import section3_convergence, section3_itineraries, section3_near_critical, section3_viscous
 from paper_checks.evidence import Verdict

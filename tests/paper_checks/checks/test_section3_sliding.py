@@ -5,7 +5,7 @@ from functools import partial
 import pytest
 import sympy as sp
 
-from numerics.modes import Mode
+from numerics.motion.modes import Mode
 from paper_checks.checks import section3_fields, section3_surface
 from paper_checks.evidence import Verdict
 from paper_checks.registry import Context
@@ -111,8 +111,8 @@ STEP_FAULTS = [
     ("viscous-no-direct-effect", FIELDS + "stick", lambda _: lambda: section3_fields.slip(1)),
     ("viscous-no-direct-effect", FIELDS + "a1", lambda a1: -a1),
     ("viscous-no-direct-effect", FIELDS + "slip", lambda _: lambda sign: section3_fields.stick()),
-    ("viscous-no-direct-effect", "numerics.modes.mode_at_start", lambda _: lambda scene: Mode.STICK),
-    ("viscous-no-direct-effect", "numerics.modes.mode_at_start", lambda _: lambda scene: Mode.SLIP_MINUS),
+    ("viscous-no-direct-effect", "numerics.motion.modes.mode_at_start", lambda _: lambda scene: Mode.STICK),
+    ("viscous-no-direct-effect", "numerics.motion.modes.mode_at_start", lambda _: lambda scene: Mode.SLIP_MINUS),
     ("filippov-equivalence", FIELDS + "sliding_field", doubled),
     ("filippov-equivalence", FIELDS + "free_system", other_sign),
     ("filippov-equivalence", FIELDS + "free_system", lambda field: lambda sign: field(sign / 2)),

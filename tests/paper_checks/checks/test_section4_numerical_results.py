@@ -6,9 +6,9 @@ from functools import partial
 
 import pytest
 
-from numerics.comparisons.forward_euler import forward_euler
 from numerics.scene import Pair, Scene, State
-from numerics.scene_file import load_scene
+from numerics.scene.file import load_scene
+from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.checks import section4_euler, section4_numerical_results, section4_velocities
 from paper_checks.enclosure import solved
 from paper_checks.euler_in_balls import STEPS, euler_in_balls, run

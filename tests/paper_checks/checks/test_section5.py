@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from numerics.scene import Pair, Scene, State
-from numerics.solve import solve
+from numerics.solver.solve import solve
 from paper_checks.checks import section5_discussion, section5_synchronisation
 from paper_checks.evidence import Verdict
 from paper_checks.points import INSIDE

@@ -1,0 +1,1 @@
+"""Energy and number of excursions at any time, 1e100 s included, without stepping there."""

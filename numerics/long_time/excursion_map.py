@@ -1,0 +1,51 @@
+"""Ray to ray without positions: the excess energy and the time of every stick-slip excursion for a1 = 0.
+
+On an exit ray the state is one number, w = E/E_cr - 1 > 0. The slip ends at the angle theta with h(theta) = sqrt(w/q);
+then w drops by 2 r q K(theta), and the pair sticks until it reaches a ray again. Uses the same motions as `solve`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from numerics.arithmetic.protocol import Number
+from numerics.motion.frame import Frame
+from numerics.old.motion import Motion
+from numerics.old.undamped import UndampedSlip, UndampedStick
+from numerics.scene import Law
+
+
+class Excursion(NamedTuple):
+    """One excursion: its excess energy w on the exit ray, the side of that ray, the reduced times of slip and stick.
+
+    `w_after` is the excess after the slip; `stick` is None if the pair has merged (w_after <= 0). Dimensionless.
+    """
+
+    w: Number
+    side: int
+    slip: Number
+    w_after: Number
+    stick: Number | None
+
+
+def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
+    """Yield the excursions of a pair that leaves S0 by the ray `side` with excess w > 0, until it merges.
+
+    Crossings of S outside S0 belong to the excursion in which they happen. Raises EventUndecided. Call it inside the
+    arithmetic's context.
+    """
+    zero = frame.arithmetic.number(0)
+    motion: Motion = UndampedSlip.from_exit_ray(frame, Law.FILIPPOV, side, zero, w)
+    while True:
+        slip = zero
+        w_before, side_before = motion.w, motion.side  # type: ignore[attr-defined]
+        while isinstance(motion, UndampedSlip):
+            slip = slip + motion.duration()
+            motion = motion.successor()
+        assert isinstance(motion, UndampedStick)
+        stick = motion.duration()
+        yield Excursion(w_before, side_before, slip, motion.start.w, stick)
+        if stick is None:
+            return
+        motion = motion.successor()

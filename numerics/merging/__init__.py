@@ -1,0 +1,1 @@
+"""Who merges from where: proved cells over mass ratio and energy."""

@@ -1,0 +1,1 @@
+"""Stick, slip, start: which mode follows, and in which coordinates."""

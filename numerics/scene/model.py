@@ -1,0 +1,136 @@
+"""What is to be solved: a pair of bodies, its initial state, the reading of the friction law, and a horizon.
+
+All quantities are SI and exact rationals (see decimals.py). A scene is frozen: it is the key to its trajectory.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+
+from numerics.errors import InvalidScene
+from numerics.scene.decimals import Exact, exact_decimal
+
+
+class Law(Enum):
+    """How sgn(0) is read on the switching surface v1 = v2."""
+
+    FILIPPOV = "filippov"
+    """Set-valued: the pair sticks where friction can hold it, |a2 x1 + a1 v1| <= b (m1+m2)/m2 (Section III)."""
+    THREE_VALUED_SGN = "three-valued-sgn"
+    """sgn(0) = 0 as in eqs (5)-(6): whenever v1 = v2 the pair sticks, whatever force that takes (Section IV)."""
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Pair:
+    """The two bodies and what joins them.
+
+    m1, m2 (kg) > 0; a1 (N s/m) >= 0 viscous damper and a2 (N/m) > 0 spring, both from body 1 to the ground;
+    b (N) > 0 the Coulomb force of the interface. Exact. Raises InvalidScene.
+    """
+
+    m1: Fraction
+    m2: Fraction
+    a2: Fraction
+    b: Fraction
+    a1: Fraction
+
+    def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0) -> None:
+        """Read every parameter as an exact decimal and check its bound."""
+        _keep(self, m1=m1, m2=m2, a2=a2, b=b, a1=a1)
+        for name in ("m1", "m2", "a2", "b"):
+            if getattr(self, name) <= 0:
+                raise InvalidScene(f"{name} = {_short(getattr(self, name))} must be > 0; give a positive {name}")
+        if self.a1 < 0:
+            raise InvalidScene(f"a1 = {_short(self.a1)} must be >= 0; leave it out for an undamped pair")
+
+    @property
+    def mass(self) -> Fraction:
+        """Total mass M = m1 + m2, kg, exact."""
+        return self.m1 + self.m2
+
+    @property
+    def half_width(self) -> Fraction:
+        """Half width L = b M/(a2 m2) of the sliding region, m, exact (Section III, S0)."""
+        return self.b * self.mass / (self.a2 * self.m2)
+
+    @property
+    def critical_energy(self) -> Fraction:
+        """E_cr = b^2 M^2/(2 a2 m2^2), J, exact (Section III)."""
+        return self.a2 * self.half_width**2 / 2
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class State:
+    """Positions x1, x2 (m) and velocities v1, v2 (m/s) of the two bodies, exact. Raises InvalidScene."""
+
+    x1: Fraction
+    v1: Fraction
+    x2: Fraction
+    v2: Fraction
+
+    def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
+        """Read every coordinate as an exact decimal."""
+        _keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Scene:
+    """A pair, its state at t = 0, the friction law and the horizon `until` (s) > 0. Raises InvalidScene.
+
+    >>> scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.005"), until=5)
+    >>> scene.pair.half_width, scene.energy_excess
+    (Fraction(1, 200), Fraction(0, 1))
+    """
+
+    pair: Pair
+    initial: State
+    until: Fraction
+    law: Law
+
+    def __init__(self, pair: Pair, initial: State, until: Exact, law: Law | str = Law.FILIPPOV) -> None:
+        """Check the parts and read the horizon and the law."""
+        if not isinstance(pair, Pair) or not isinstance(initial, State):
+            raise InvalidScene("a scene is made of a Pair and a State; build them first")
+        object.__setattr__(self, "pair", pair)
+        object.__setattr__(self, "initial", initial)
+        _keep(self, until=until)
+        if self.until <= 0:
+            raise InvalidScene(f"until = {_short(self.until)} must be > 0; give the horizon in seconds")
+        object.__setattr__(self, "law", read_law(law))
+
+    @property
+    def energy(self) -> Fraction:
+        """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 at t = 0, J, exact."""
+        pair, at = self.pair, self.initial
+        return (pair.a2 * at.x1**2 + pair.m1 * at.v1**2 + pair.m2 * at.v2**2) / 2
+
+    @property
+    def energy_excess(self) -> Fraction:
+        """w = E/E_cr - 1 at t = 0, dimensionless, exact: the sign says whether the pair can stick for ever."""
+        return self.energy / self.pair.critical_energy - 1
+
+
+def read_law(law: object) -> Law:
+    """Return the Law that `law` names; raises InvalidScene with the names that exist."""
+    try:
+        return Law(law)
+    except ValueError:
+        names = ", ".join(f'"{one.value}"' for one in Law)
+        given = repr(law) if isinstance(law, str) else f"a {type(law).__name__}"  # a huge int has no text
+        raise InvalidScene(f"law = {given[:40]} is not one of {names}") from None
+
+
+def _keep(record: object, **values: Exact) -> None:
+    """Store values in a frozen record, as exact rationals."""
+    for name, value in values.items():
+        object.__setattr__(record, name, exact_decimal(value, name))
+
+
+def _short(value: Fraction) -> str:
+    """Return a rational for an error message; huge ones only by size, since a float cannot hold them."""
+    try:
+        return f"{float(value):g}" if value == 0 or abs(float(value)) > 0 else "a number below 1e-308"
+    except OverflowError:
+        return "a number above 1e308"

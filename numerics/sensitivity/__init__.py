@@ -1,0 +1,1 @@
+"""Derivatives of events and ends by initial state and parameters, across events."""

@@ -1,0 +1,161 @@
+"""Sensitivities of a solved scene: how its events and its end move with the initial state and the parameters.
+
+The scene is solved once more, over dual numbers: the same algorithm, the same values, and their gradients beside them,
+through every event. An initial state with v1 = v2 has neighbours with v1 != v2, which slip:
+
+    stick   the slip has a vanishing length and keeps the momentum: both velocities change by (m1 dv1 + m2 dv2)/M
+    slip    from the surface the derivative along v1 - v2 is one-sided: towards the sign of v1 - v2 that follows.
+            On the other side the neighbour meets the surface at once, and its bodies share the momentum first
+
+For a1 = 0 the derivative with respect to a1 is one-sided, towards a1 > 0. On the critical orbit (E = E_cr exactly,
+stuck for ever) neighbours with more energy slip, by amounts of second order: the derivatives are those of the stuck
+pair. Under the law three-valued-sgn a pair that sticks outside the sliding region comes apart on one side of v1 = v2:
+then, too, the derivative is the one towards the other side.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.dual import Dual
+from numerics.arithmetic.dual_number import DualNumber
+from numerics.arithmetic.protocol import Arithmetic, Sign
+from numerics.errors import EventUndecided, OutOfRange
+from numerics.motion.modes import Mode, mode_at_start
+from numerics.scene import Pair, Scene, State
+from numerics.solver.solve import integrate
+from numerics.trajectory.accuracy import EXACT, digits_within
+
+if TYPE_CHECKING:
+    from numerics.trajectory.trajectory import Trajectory
+
+WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
+"""The initial state and the parameters, in the order of the last axis of every array."""
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Partial derivatives in SI units with respect to `wrt`, the last axis; enclosed, if the trajectory is of balls.
+
+    Float arrays for float64, otherwise object arrays of the arithmetic's numbers.
+    """
+
+    wrt: tuple[str, ...]
+    t: NDArray[Any]
+    """Of the time of every event, shape (k, 9)."""
+    y: NDArray[Any]
+    """Of x1, v1, x2, v2 at every event, shape (k, 4, 9): total derivatives, the time of the event moves too."""
+    final: NDArray[Any]
+    """Of x1, v1, x2, v2 at the fixed horizon, shape (4, 9); at the last event if the cap on events ended the run."""
+    energy: NDArray[Any]
+    """Of the energy there, shape (9,)."""
+
+
+def sensitivity(trajectory: Trajectory) -> Sensitivity:
+    """Return the sensitivities of a trajectory, by solving its scene again, at 5 to 15 times the cost.
+
+    It works with the arithmetic and precision of the trajectory. Where balls were asked for N digits the precision is
+    raised, at most three times, until the radii are below 10^-N of the largest derivative of the same quantity by the
+    same variable.
+
+    Raises EventUndecided if the events are not those of the trajectory, if one falls on the horizon, or if a derivative
+    is not enclosed; OutOfRange if one leaves the range of float64.
+    """
+    base = trajectory.arithmetic
+    found = _differentiate(trajectory, base)
+    if base.name == "ball" and trajectory.digits is not None:
+        for _ in range(3):
+            missing = trajectory.digits - _proved_digits(found)
+            if missing <= 0:
+                break
+            base = Ball(base.digits + missing + 3)
+            found = _differentiate(trajectory, base)
+    return found
+
+
+def _proved_digits(found: Sensitivity) -> int:
+    """Return the digits that all derivatives have, relative to the largest by the same variable of t, y or energy."""
+    digits = EXACT
+    for arrays in ((found.t,), *((found.y[:, k], found.final[k]) for k in range(4)), (found.energy,)):
+        for column in np.vstack(arrays).T:
+            if len(column):
+                radius, largest = max(one.rad() for one in column), max(abs(one).upper() for one in column)
+                digits = min(digits, digits_within(radius, largest, largest))
+    return digits
+
+
+def _differentiate(trajectory: Trajectory, base: Arithmetic) -> Sensitivity:
+    arithmetic = Dual(base)
+    # one event more than were found shows a lost one
+    limit = len(trajectory.events) + (1 if trajectory.success else 0)
+    duals = integrate(differentiable(trajectory.scene), arithmetic, limit)
+    if duals.event_kinds != trajectory.event_kinds or duals.modes != trajectory.modes:
+        raise _undecided(trajectory, "are the events those of the trajectory?", f"{len(duals.events)} events")
+    last = duals.segments[-1].length
+    if duals.success and duals.events and arithmetic.sign(last) is Sign.ZERO:
+        raise _undecided(trajectory, "does the last event come before the horizon or after it?", arithmetic.text(last))
+    with arithmetic.context():
+
+        def gradients(numbers: Any) -> NDArray[Any]:
+            zeros = [arithmetic.base.number(0)] * len(WRT)
+            return arithmetic.array([zeros if one.gradient is None else one.gradient for one in numbers])
+
+        found = Sensitivity(
+            wrt=WRT,
+            t=gradients(event.t for event in duals.events).reshape(-1, len(WRT)),
+            y=gradients(one for event in duals.events for one in event.y).reshape(-1, 4, len(WRT)),
+            final=gradients(duals.frame.si_state(duals.final)),
+            energy=gradients([duals.frame.energy(duals.final)])[0],
+        )
+        _require_finite(trajectory, found)
+    return found
+
+
+def differentiable(scene: Scene) -> Scene:
+    """Return the scene over exact dual numbers: each of `WRT` with its unit vector as gradient."""
+    pair, at = scene.pair, scene.initial
+    units = {name: _exact(*(int(name == other) for other in WRT)) for name in WRT}
+    if mode_at_start(scene) is Mode.STICK:
+        units["v1"] = units["v2"] = (units["v1"] * pair.m1 + units["v2"] * pair.m2) / pair.mass
+    numbers = {
+        name: DualNumber(getattr(at if name in State.__slots__ else pair, name), unit) for name, unit in units.items()
+    }
+    over_duals = {
+        "pair": _frozen(Pair, {name: numbers[name] for name in Pair.__slots__}),
+        "initial": _frozen(State, {name: numbers[name] for name in State.__slots__}),
+    }
+    return _frozen(Scene, over_duals | {"until": scene.until, "law": scene.law})
+
+
+def _exact(*values: int) -> NDArray[Any]:
+    return np.array([Fraction(value) for value in values], dtype=object)
+
+
+def _frozen(kind: type[Any], values: dict[str, Any]) -> Any:
+    """Return a frozen record of what its constructor would not read: dual numbers in the place of exact ones."""
+    record: Any = object.__new__(kind)
+    for name, value in values.items():
+        object.__setattr__(record, name, value)
+    return record
+
+
+def _require_finite(trajectory: Trajectory, found: Sensitivity) -> None:
+    arrays = (found.t, found.y, found.final, found.energy)
+    if trajectory.arithmetic.name == "float64":
+        if not all(np.isfinite(array).all() for array in arrays):
+            raise OutOfRange("a derivative left the range of float64 (1e-308 to 1e308); use --arithmetic ball")
+        return
+    for one in (one for array in arrays for one in array.flat):
+        if not (one.is_finite() if trajectory.arithmetic.name == "ball" else mpmath.isfinite(one)):
+            raise _undecided(trajectory, "has the scene this derivative?", trajectory.arithmetic.text(one))
+
+
+def _undecided(trajectory: Trajectory, question: str, enclosure: str) -> EventUndecided:
+    return EventUndecided(question, enclosure, trajectory.arithmetic.digits)

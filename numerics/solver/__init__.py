@@ -1,0 +1,1 @@
+"""Choose the arithmetic that the asked digits need, and solve."""

@@ -1,0 +1,1 @@
+"""The answer: segments, events, dense evaluation, ledger, export; it knows no solver."""

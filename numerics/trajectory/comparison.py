@@ -1,0 +1,45 @@
+"""A float64 or mpmath trajectory held against balls, event by event: what of it is right."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from flint import arb, fmpq
+
+from numerics.arithmetic.protocol import Number
+from numerics.errors import NumericsError
+from numerics.trajectory.trajectory import Trajectory
+
+
+class SequenceDiffers(NumericsError):
+    """A point arithmetic lost or invented an event; the balls' sequence is the proved one."""
+
+
+def as_fraction(value: Number) -> Fraction:
+    """Return the exact rational value of a float or an mpmath number."""
+    if hasattr(value, "man_exp"):
+        mantissa, exponent = value.man_exp
+        sign = -1 if value < 0 else 1
+        return sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return Fraction(value)
+
+
+def require_same_sequence(points: Trajectory, balls: Trajectory) -> None:
+    """Raise SequenceDiffers, naming the first event at which the two itineraries part."""
+    for number, (one, two) in enumerate(zip(points.events, balls.events, strict=False), start=1):
+        if (one.before, one.after) != (two.before, two.after):
+            raise SequenceDiffers(
+                f"{points.arithmetic.name} goes to {one.after.value} at event {number}, the proved mode is "
+                f"{two.after.value} (t = {float(two.t.mid()):.17g} s); use --arithmetic ball"
+            )
+    if len(points.events) != len(balls.events):
+        raise SequenceDiffers(
+            f"{points.arithmetic.name} finds {len(points.events)} events, the proved number is "
+            f"{len(balls.events)}; use --arithmetic ball"
+        )
+
+
+def distance(value: Number, ball: arb) -> arb:
+    """Return an enclosure of |value - true|, for a point number and the ball that holds the true one."""
+    exact = as_fraction(value)
+    return abs(ball - arb(fmpq(exact.numerator, exact.denominator)))
