@@ -1,25 +1,152 @@
-"""IEEE binary64: the fast arithmetic. Approximate, each function to a few units in the last place (ulp)."""
+"""IEEE binary64: the fast arithmetic. Approximate, each function to a few units in the last place (ulp).
+
+What the texts import from here are its words (words.py): as they stand, the texts speak binary64.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
+from typing import Any
 
-from numerics.arithmetic.newton import bracketed_newton
-from numerics.arithmetic.protocol import Contact, Sign
+from numerics.arithmetic import elementary
+from numerics.arithmetic.protocol import Number, Sign
+from numerics.arithmetic.telling import AS_THEY_STAND
 from numerics.errors import OutOfRange
-from numerics.kernel import elementary
-from numerics.kernel.contact import contact
-from numerics.kernel.elementary import clock
+
+sqrt, exp, expm1, log, log1p, finite = math.sqrt, math.exp, math.expm1, math.log, math.log1p, math.isfinite
+sin, atan2, versine, clock = math.sin, math.atan2, elementary.versine, elementary.clock
+sine_deficit, cosine_deficit = elementary.sine_deficit, elementary.cosine_deficit
+depth_and_cotangent = elementary.depth_and_cotangent
+ZERO, UNIT, WIDTH = 0.0, 2.0**-53, 1
+_SETTLED = math.sqrt(2.0**-53) / 4
+LONGEST, SHORTEST = 1e12, 1e-97
+"""Angles that binary64 resolves: beyond the first no phase is left, below the second the cube has no digits."""
+
+
+def exactly(n: float) -> Number:
+    """Return a small whole number, or a power of 2, as a number."""
+    return float(n)
+
+
+def undefined() -> Number:
+    """Return what stands for a number that left the range."""
+    return math.nan
+
+
+def infinite() -> Number:
+    """Return infinity."""
+    return math.inf
+
+
+def turn() -> Number:
+    """Return 2 pi."""
+    return 2.0 * math.pi
+
+
+def half_turn() -> Number:
+    """Return pi."""
+    return math.pi
+
+
+def signed(side: float, x: Number) -> Number:
+    """Return side x, for side = -1.0 or +1.0."""
+    return side * x
+
+
+def sine_cosine(x: Number) -> tuple[Number, Number]:
+    """Return (sin x, cos x)."""
+    return math.sin(x), math.cos(x)
+
+
+def sign(x: Number, question: int) -> int:  # noqa: ARG001
+    """Return the sign of x; 0 for nan."""
+    return 1 if x > 0.0 else (-1 if x < 0.0 else 0)
+
+
+def positive(x: Number) -> bool:
+    """Return whether x > 0."""
+    return x > 0.0  # type: ignore[no-any-return]
+
+
+def below(x: Number, y: Number) -> bool:
+    """Return whether x < y."""
+    return x < y  # type: ignore[no-any-return]
+
+
+def rough(x: Number) -> float:
+    """Return x."""
+    return x  # type: ignore[no-any-return]
+
+
+def leading(x: Number) -> Number:
+    """Return x."""
+    return x
+
+
+def part(x: Number) -> Number:
+    """Return x."""
+    return x
+
+
+def size(x: Number) -> Number:
+    """Return |x|."""
+    return abs(x)
+
+
+def tolerance() -> Number:
+    """Return the relative step at which a search ends."""
+    return 2.0**-53
+
+
+def settled() -> Number:
+    """Return the relative step after which Newton's next one is the last."""
+    return _SETTLED
+
+
+def fading() -> float:
+    """Return after how many decay times an oscillation has died away below the last digit."""
+    return 37.5
+
+
+def resolved(angle: Number) -> bool:
+    """Return whether 53 bits keep the phase of an angle > 0, and its cube has digits; False for nan."""
+    return SHORTEST <= angle <= LONGEST
+
+
+def ceiling(x: Number, question: int) -> int:  # noqa: ARG001
+    """Return the least whole number >= x, 0 for x <= 0."""
+    return math.ceil(x) if x > 0.0 else 0
+
+
+def nonnegative(x: Number) -> Number:
+    """Return max(x, 0)."""
+    return max(x, 0.0)
+
+
+def put(row: Any, index: int, x: Number) -> None:
+    """Write a number to a row."""
+    row[index] = x
+
+
+def get(row: Any, index: int) -> Number:
+    """Read a number from a row."""
+    return row[index]
+
+
+FLOAT64 = AS_THEY_STAND
 
 
 class Float64:
-    """Python floats behind the Arithmetic protocol."""
+    """Python floats, seen from Python: how they are read, decided and written."""
 
     name = "float64"
     digits = 15
+    telling = FLOAT64
+    sqrt, atan2 = staticmethod(sqrt), staticmethod(atan2)
+    sine_cosine, versine, sine_deficit = staticmethod(sine_cosine), staticmethod(versine), staticmethod(sine_deficit)
+    cosine_deficit, pi = staticmethod(cosine_deficit), staticmethod(half_turn)
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context that does nothing: binary64 needs none."""
@@ -42,79 +169,6 @@ class Float64:
         if not math.isfinite(x):
             raise OutOfRange("a number of this scene left the range of float64 on the way; use --arithmetic ball")
         return Sign((x > 0) - (x < 0))
-
-    def ceiling(self, x: float) -> int | None:
-        """Return the least integer >= x, None if x is not finite."""
-        return math.ceil(x) if math.isfinite(x) else None
-
-    def sqrt(self, x: float) -> float:
-        """Return the square root, correctly rounded."""
-        return math.sqrt(x)
-
-    def exp(self, x: float) -> float:
-        """Return e^x; raises OutOfRange on overflow."""
-        try:
-            return math.exp(x)
-        except OverflowError:
-            raise OutOfRange(f"exp({x:g}) is beyond the range of float64; use --arithmetic ball") from None
-
-    def expm1(self, x: float) -> float:
-        """Return e^x - 1 for x <= 0, where it cannot overflow."""
-        return math.expm1(x)
-
-    def log(self, x: float) -> float:
-        """Return the natural logarithm."""
-        return math.log(x)
-
-    def log1p(self, x: float) -> float:
-        """Return the natural logarithm of 1 + x."""
-        return math.log1p(x)
-
-    def cos_sin(self, x: float) -> tuple[float, float]:
-        """Return (cos x, sin x)."""
-        return math.cos(x), math.sin(x)
-
-    def atan2(self, y: float, x: float) -> float:
-        """Return the angle of the point (x, y)."""
-        return math.atan2(y, x)
-
-    def pi(self) -> float:
-        """Return pi rounded to binary64."""
-        return math.pi
-
-    versine = staticmethod(elementary.versine)
-    sine_deficit = staticmethod(elementary.sine_deficit)
-    cosine_deficit = staticmethod(elementary.cosine_deficit)
-    lag = staticmethod(elementary.lag)
-    rise = staticmethod(elementary.rise)
-    depth = staticmethod(elementary.depth)
-
-    def root(
-        self,
-        function: Callable[[float], float],
-        slope: Callable[[float], float],
-        lower: float,
-        upper: float,
-        guess: float | None = None,  # noqa: ARG002
-    ) -> float:
-        """Return the root of a decreasing function, bracketed throughout, to the last bits."""
-        return bracketed_newton(function, slope, lower, upper, tolerance=2.0**-53)
-
-    def contact(self, gap: float, push: float) -> Contact:
-        """Return the end of a slip from S, by the kernel that is also compiled."""
-        return Contact(*contact(gap, push))
-
-    def centre(self, x: float) -> float:
-        """Return x."""
-        return x
-
-    def accumulate(self, total: float, rest: float, term: float) -> tuple[float, float]:
-        """Return the sum and its rounding error, so that a long run's time is as good as a short one's."""
-        return clock(total, rest, term)
-
-    def mean_value(self, function: Callable[[float], float], slope: Callable[[float], float], x: float) -> float:  # noqa: ARG002
-        """Return function(x): a point needs no mean value."""
-        return function(x)
 
     def to_float(self, x: float) -> float:
         """Return x."""

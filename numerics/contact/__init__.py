@@ -1,0 +1,1 @@
+"""Where a motion ends: the first root, certified."""

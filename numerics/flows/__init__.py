@@ -1,0 +1,1 @@
+"""Closed forms of each mode: the undamped slip, the damped oscillator."""

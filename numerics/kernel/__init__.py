@@ -1,1 +1,0 @@
-"""The binary64 and double-double kernels: plain functions, run as they stand or compiled by numba, with equal bits."""

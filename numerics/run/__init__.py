@@ -1,0 +1,1 @@
+"""The loop: locate, flow, snap, record; rows of an array; one scene."""
