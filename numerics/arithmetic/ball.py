@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 import sys
 from collections.abc import Callable
 from contextlib import AbstractContextManager
@@ -21,7 +22,8 @@ from numerics.errors import EventUndecided
 ZERO, UNIT, WIDTH = arb(0), 0.0, 1
 _BITS_PER_DIGIT = math.log2(10)
 _GUARD_BITS = 8
-leading, part, put, get = float64.leading, float64.part, float64.put, float64.get
+leading = part = operator.pos
+put = float64.put
 exp, expm1, log, log1p, sin, atan2 = arb.exp, arb.expm1, arb.log, arb.log1p, arb.sin, arb.atan2
 sine_cosine, half_turn, size, finite = arb.sin_cos, arb.pi, arb.__abs__, arb.is_finite
 
@@ -239,7 +241,8 @@ class Ball:
         """Return a context that sets flint's process-wide precision, and restores it whatever happens."""
         return precision(self.bits)
 
-    def number(self, value: Fraction | int) -> arb:
+    @staticmethod
+    def number(value: Fraction | int) -> arb:
         """Return a ball that contains an exact rational."""
         if isinstance(value, int):
             return +arb(value)  # rounded, as a rational would be

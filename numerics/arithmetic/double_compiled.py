@@ -21,7 +21,7 @@ def declare_operators() -> None:
     )
 
     def is_double(kind: Any) -> bool:
-        return isinstance(kind, types.NamedTuple) and kind.instance_class is Double
+        return isinstance(kind, types.NamedUniTuple) and kind.instance_class is Double
 
     def is_whole(kind: Any) -> bool:
         return isinstance(kind, (types.Integer, types.IntegerLiteral))
@@ -30,7 +30,7 @@ def declare_operators() -> None:
         """Declare a binary operator: of two of these numbers, or of one and a whole number."""
 
         @overload(function, prefer_literal=True)
-        def _implementation(a: Any, b: Any) -> Any:
+        def _implementation(a, b):  # type: ignore[no-untyped-def]
             if is_double(a) and is_double(b):
                 return lambda a, b: both(a, b)
             if is_double(a) and is_whole(b):
@@ -43,7 +43,7 @@ def declare_operators() -> None:
     declare(operator.sub, minus)
 
     @overload(operator.mul, prefer_literal=True)
-    def _times(a: Any, b: Any) -> Any:
+    def _times(a, b):  # type: ignore[no-untyped-def]
         if is_double(a) and is_double(b):
             return lambda a, b: multiply(a, b)
         if is_whole(a) and is_double(b):
@@ -55,7 +55,7 @@ def declare_operators() -> None:
         return None
 
     @overload(operator.truediv, prefer_literal=True)
-    def _over(a: Any, b: Any) -> Any:
+    def _over(a, b):  # type: ignore[no-untyped-def]
         if is_double(a) and is_double(b):
             return lambda a, b: over(a, b)
         if is_double(a) and is_whole(b):
@@ -67,7 +67,7 @@ def declare_operators() -> None:
         return None
 
     @overload(operator.neg)
-    def _negative(a: Any) -> Any:
+    def _negative(a):  # type: ignore[no-untyped-def]
         return (lambda a: turned(a)) if is_double(a) else None
 
 

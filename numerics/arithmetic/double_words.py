@@ -138,14 +138,11 @@ def nonnegative(x: Double) -> Double:
     return x if x.high > 0.0 else ZERO
 
 
-def put(row: Any, index: int, x: Double) -> None:
-    """Write both halves of a number."""
-    row[index], row[index + 1] = x.high, x.low
-
-
-def get(row: Any, index: int) -> Double:
-    """Read both halves of a number."""
-    return Double(row[index], row[index + 1])
+def put(row: Any, index: int, numbers: tuple[Double, ...]) -> None:
+    """Write the halves of numbers to a row, from a column on."""
+    for number in numbers:
+        row[index], row[index + 1] = number.high, number.low
+        index += 2
 
 
 DOUBLE_DOUBLE = Telling("double-double", words_of(sys.modules[__name__]), words_of(float64), prepare=declare_operators)

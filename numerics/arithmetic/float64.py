@@ -6,28 +6,28 @@ What the texts import from here are its words (words.py): as they stand, the tex
 from __future__ import annotations
 
 import math
+import operator
 from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
 from typing import Any
 
 from numerics.arithmetic import elementary
+from numerics.arithmetic.double_compiled import declare_operators
 from numerics.arithmetic.protocol import Number, Sign
-from numerics.arithmetic.telling import AS_THEY_STAND
+from numerics.arithmetic.telling import Telling
 from numerics.errors import OutOfRange
 
 sqrt, exp, expm1, log, log1p, finite = math.sqrt, math.exp, math.expm1, math.log, math.log1p, math.isfinite
 sin, atan2, versine, clock = math.sin, math.atan2, elementary.versine, elementary.clock
 sine_deficit, cosine_deficit = elementary.sine_deficit, elementary.cosine_deficit
 depth_and_cotangent = elementary.depth_and_cotangent
+# words that do nothing, or one operation, are functions of C: interpreted texts call them by the dozen an event
+exactly, signed, below, size = float, operator.mul, operator.lt, abs
+rough = leading = part = operator.pos
 ZERO, UNIT, WIDTH = 0.0, 2.0**-53, 1
 _SETTLED = math.sqrt(2.0**-53) / 4
 LONGEST, SHORTEST = 1e12, 1e-97
 """Angles that binary64 resolves: beyond the first no phase is left, below the second the cube has no digits."""
-
-
-def exactly(n: float) -> Number:
-    """Return a small whole number, or a power of 2, as a number."""
-    return float(n)
 
 
 def undefined() -> Number:
@@ -50,11 +50,6 @@ def half_turn() -> Number:
     return math.pi
 
 
-def signed(side: float, x: Number) -> Number:
-    """Return side x, for side = -1.0 or +1.0."""
-    return side * x
-
-
 def sine_cosine(x: Number) -> tuple[Number, Number]:
     """Return (sin x, cos x)."""
     return math.sin(x), math.cos(x)
@@ -68,31 +63,6 @@ def sign(x: Number, question: int) -> int:  # noqa: ARG001
 def positive(x: Number) -> bool:
     """Return whether x > 0."""
     return x > 0.0  # type: ignore[no-any-return]
-
-
-def below(x: Number, y: Number) -> bool:
-    """Return whether x < y."""
-    return x < y  # type: ignore[no-any-return]
-
-
-def rough(x: Number) -> float:
-    """Return x."""
-    return x  # type: ignore[no-any-return]
-
-
-def leading(x: Number) -> Number:
-    """Return x."""
-    return x
-
-
-def part(x: Number) -> Number:
-    """Return x."""
-    return x
-
-
-def size(x: Number) -> Number:
-    """Return |x|."""
-    return abs(x)
 
 
 def tolerance() -> Number:
@@ -125,17 +95,14 @@ def nonnegative(x: Number) -> Number:
     return max(x, 0.0)
 
 
-def put(row: Any, index: int, x: Number) -> None:
-    """Write a number to a row."""
-    row[index] = x
+def put(row: Any, index: int, numbers: tuple[Number, ...]) -> None:
+    """Write numbers to a row, from a column on."""
+    for number in numbers:
+        row[index] = number
+        index += 1
 
 
-def get(row: Any, index: int) -> Number:
-    """Read a number from a row."""
-    return row[index]
-
-
-FLOAT64 = AS_THEY_STAND
+FLOAT64 = Telling("float64", {}, {}, prepare=declare_operators)
 
 
 class Float64:
@@ -152,7 +119,8 @@ class Float64:
         """Return a context that does nothing: binary64 needs none."""
         return nullcontext()
 
-    def number(self, value: Fraction | int) -> float:
+    @staticmethod
+    def number(value: Fraction | int) -> float:
         """Return the binary64 number nearest to an exact rational; raises OutOfRange beyond its range."""
         try:
             number = float(value)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import sys
 from contextlib import AbstractContextManager
 from fractions import Fraction
@@ -16,7 +17,8 @@ from numerics.arithmetic.words import words_of
 
 sqrt, exp, expm1, log, log1p = mpmath.sqrt, mpmath.exp, mpmath.expm1, mpmath.log, mpmath.log1p
 sin, atan2, signed, positive = mpmath.sin, mpmath.atan2, float64.signed, float64.positive
-leading, part, put, get = float64.leading, float64.part, float64.put, float64.get
+leading = part = operator.pos
+put = float64.put
 ZERO, UNIT, WIDTH = mpmath.mpf(0), 0.0, 1
 
 
@@ -163,7 +165,8 @@ class Multiprecision:
         """Return a context that sets mpmath's process-wide precision and restores it."""
         return mpmath.workdps(self.digits)  # type: ignore[no-any-return]
 
-    def number(self, value: Fraction | int) -> Any:
+    @staticmethod
+    def number(value: Fraction | int) -> Any:
         """Return the number nearest to an exact rational."""
         return mpmath.mpf(value.numerator) / value.denominator
 

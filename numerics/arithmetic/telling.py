@@ -26,6 +26,7 @@ from typing import Any, TypeVar
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _TEXTS: set[Any] = set()
 _COMPILED: dict[Any, Any] = {}
+_INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 _ONE_AT_A_TIME = threading.RLock()
 """The threads of a batch may all ask for the same text first, and numba's cache folder is set for the process."""
 
@@ -36,11 +37,23 @@ def text(function: _Function) -> _Function:
     return function
 
 
+def handed(template: Any, function: Any, name: str) -> Any:
+    """Return the text `template` with the text `function` in the place of its global `handed_function`.
+
+    numba keeps no compiled code of a function that is handed another one as an argument.
+    """
+    made = FunctionType(template.__code__, {**template.__globals__, "handed_function": function}, name)
+    made.__qualname__, made.__module__, made.__doc__ = name, function.__module__, template.__doc__
+    made.template, made.function = template, function  # type: ignore[attr-defined]
+    return text(made)
+
+
 class Telling:
     """Texts as one arithmetic tells them: `Telling(...)(function)` is the text `function`, told.
 
     `words` maps the names of words to what this arithmetic says for them; `spoken` are the same of binary64, which the
-    texts' modules import. `instead` replaces whole texts by others: the loop's steps by those of another kind of motion.
+    texts' modules import. `instead` replaces whole texts by others: the loop's steps by those of another kind of motion;
+    for a template it has a function that makes the other of the told function that was handed.
     """
 
     def __init__(
@@ -63,6 +76,10 @@ class Telling:
     def __call__(self, function: _Function) -> _Function:
         """Return a text as this arithmetic tells it, interpreted."""
         function = self._instead.get(function, function)
+        if function not in _TEXTS:
+            return function  # a plain function speaks for itself
+        if function not in self._told and getattr(function, "template", None) in self._instead:
+            self._told[function] = self._instead[function.template](self(function.function))  # type: ignore[attr-defined]
         if function not in self._told:
             changed = {name: self(inner) for name, inner in _called_texts(function)}
             changed |= self._words_of(function)
@@ -71,21 +88,35 @@ class Telling:
         return self._told[function]
 
     def compiled(self, function: _Function) -> _Function:
-        """Return a text as told, compiled; interpreted without numba. The results have the same bits."""
+        """Return a text as told, compiled, to be called from Python; interpreted without numba. The bits are the same."""
         if not can_compile():
             return self(function)
-        function = self._instead.get(function, function)
-        key = (self.name, function)
+        key = (self.name, function, "entry")
         if key not in _COMPILED:
             with _ONE_AT_A_TIME:
                 if key not in _COMPILED:
                     if self._prepare is not None:
                         self._prepare()
-                    changed = _compiled_helpers(function)
-                    changed |= {name: _word_compiled(word) for name, word in self._words_of(function).items()}
-                    changed |= {name: self.compiled(inner) for name, inner in _called_texts(function)}
-                    _COMPILED[key] = _compile(_bound(function, changed, self.name))
+                    _COMPILED[key] = _compile_entry(self._bound_compiled(function))
         return _COMPILED[key]
+
+    def _inner(self, function: Any) -> Any:
+        """Return a text as told, compiled, to be called from compiled code."""
+        function = self._instead.get(function, function)
+        if function not in _TEXTS:
+            return compiled_word(function)
+        key = (self.name, function)
+        if key not in _COMPILED:
+            # without wrappers for Python, and put into its callers whole: a third faster, both to compile and to run
+            _COMPILED[key] = _compile(self._bound_compiled(function), {**_INNER, "forceinline": True})
+        return _COMPILED[key]
+
+    def _bound_compiled(self, function: Any) -> Any:
+        """Return a copy of a text that calls compiled texts and words."""
+        changed = _compiled_helpers(function)
+        changed |= {name: compiled_word(word) for name, word in self._words_of(function).items()}
+        changed |= {name: self._inner(inner) for name, inner in _called_texts(function)}
+        return _bound(function, changed, self.name)
 
     def _words_of(self, function: Any) -> dict[str, Any]:
         """Return what this arithmetic says for the words that a text loads."""
@@ -130,13 +161,14 @@ def can_compile() -> bool:
     return not off and importlib.util.find_spec("numba") is not None
 
 
-def _word_compiled(word: Any) -> Any:
+def compiled_word(word: Any) -> Any:
     """Return a word for compiled code: a function of Python compiled, constants and C functions as they are."""
     if not isinstance(word, FunctionType):
         return word
-    if word not in _COMPILED:
-        texts = {name: AS_THEY_STAND.compiled(inner) for name, inner in _called_texts(word)}
-        _COMPILED[word] = _compile(_bound(word, _compiled_helpers(word) | texts, "word"))
+    with _ONE_AT_A_TIME:
+        if word not in _COMPILED:
+            texts = {name: AS_THEY_STAND._inner(inner) for name, inner in _called_texts(word)}
+            _COMPILED[word] = _compile(_bound(word, _compiled_helpers(word) | texts, "word"), _INNER)
     return _COMPILED[word]
 
 
@@ -144,28 +176,29 @@ def _compiled_helpers(function: Any) -> dict[str, Any]:
     """Return the plain functions of floats that a function calls, compiled."""
     loaded = {name: function.__globals__.get(name) for name in _loaded(function)}
     return {
-        name: _word_compiled(value)
+        name: compiled_word(value)
         for name, value in loaded.items()
         if isinstance(value, FunctionType) and value not in _TEXTS
     }
 
 
-def compiled_word(word: _Function) -> _Function:
-    """Return a plain function of numbers compiled, for declarations to numba."""
-    with _ONE_AT_A_TIME:
-        return _word_compiled(word)  # type: ignore[no-any-return]
-
-
-def _compile(function: Any) -> Any:
+def _compile(function: Any, options: Mapping[str, Any]) -> Any:
+    """Compile a function that compiled code calls."""
     import numba
 
     # numpy's error model divides by zero as IEEE 754 does: a number out of range must not end a whole batch
-    options = {"nogil": True, "error_model": "numpy"}
+    return numba.njit(function, nogil=True, error_model="numpy", **options)
+
+
+def _compile_entry(function: Any) -> Any:
+    """Compile a function that Python calls; it is kept in the cache folder with all that it calls."""
+    import numba
+
     with _cache_folder(numba.config):
         try:
-            return numba.njit(function, cache=True, **options)
+            return _compile(function, {"cache": True})
         except RuntimeError:  # no folder can be written: compile each time
-            return numba.njit(function, **options)
+            return _compile(function, {})
 
 
 @contextmanager

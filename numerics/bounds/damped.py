@@ -71,11 +71,11 @@ def before_horizon(
 
 
 @text
-def at_event(pair: Pair, start: Start, errors: Errors) -> EventErrors:  # noqa: ARG001
+def at_event(pair: Pair, start: Start, errors: Errors, velocity: Number) -> EventErrors:  # noqa: ARG001
     """Return the errors at the event that a motion starts with, the rounding of SI units included."""
-    x, v = errors.x + 2.0 * UNIT * abs(start.X), errors.v + 2.0 * UNIT * abs(start.V2)
-    at = EventErrors(errors.late, x, v, errors.place, errors.w, 0.0)
-    return event_errors(start.tau, start.X, start.V2, start.X - start.Z, start.Z, at)
+    x, v = errors.x + 2.0 * UNIT * abs(start.X), errors.v + 2.0 * UNIT * abs(velocity)
+    at = errors.late, x, v, errors.place, errors.w
+    return event_errors(start.tau, start.X, velocity, start.X - start.Z, start.Z, at)
 
 
 @text

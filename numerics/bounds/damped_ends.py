@@ -155,9 +155,7 @@ def stays(pair: Pair, start: Start, errors: Errors) -> bool:
 
 
 @text
-def keeps_off(
-    pair: Pair, start: Start, errors: Errors, at: At, tau: float, shift: float, found: float
-) -> bool:
+def keeps_off(pair: Pair, start: Start, errors: Errors, at: At, tau: float, shift: float, found: float) -> bool:
     """Return whether the guard has certainly not passed zero until tau (off by `shift`), where the state is `at`.
 
     In stick `found` is the edge that the load heads for, and its distance from that edge is the guard; in a slip how far

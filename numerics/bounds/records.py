@@ -12,6 +12,10 @@ UNDERFLOW = 1e-290
 """What products below the normal numbers may have dropped from a sum."""
 
 
+ErrorsThere = tuple[float, float, float, float, float]
+"""Bounds on the errors of tau, X, V, Z and w at an event."""
+
+
 class EventErrors(NamedTuple):
     """Bounds on the errors of tau, X, V, Z and w at an event, and on the relative error of t, x1, v and x2."""
 
@@ -45,9 +49,8 @@ def relative(error: float, value: float) -> float:
 
 
 @text
-def event_errors(tau: float, X: float, V: float, x2: float, Z: float, at: EventErrors) -> EventErrors:
+def event_errors(tau: float, X: float, V: float, x2: float, Z: float, at: ErrorsThere) -> EventErrors:
     """Return the errors at an event with the relative one, the rounding of SI units included."""
-    x2_error = at.x + at.place + UNIT * abs(Z)
-    times_and_places = max(relative(at.late, tau), relative(at.x, X), relative(x2_error, x2))
-    worst = max(times_and_places, relative(at.v, V)) + 8.0 * UNIT
-    return EventErrors(at.late, at.x, at.v, at.place, at.w, worst)
+    late, x, v, place, w = at
+    times_and_places = max(relative(late, tau), relative(x, X), relative(x + place + UNIT * abs(Z), x2))
+    return EventErrors(late, x, v, place, w, max(times_and_places, relative(v, V)) + 8.0 * UNIT)

@@ -30,6 +30,9 @@ from numerics.motion.records import At, no_damping
 from numerics.motion.undamped import Landing, Pair, Start, flow, stick_reach, velocity
 
 
+_NO_LINEAR = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
+
+
 class Carried(NamedTuple):
     """The errors at the start of a motion, and the first-order part of those of a slip from a ray."""
 
@@ -40,7 +43,11 @@ class Carried(NamedTuple):
 @text
 def initial(pair: Pair, start: Start, V1: Number, V2: Number) -> Carried:
     """Return the errors of a start whose numbers are exact rationals, rounded."""
-    norm = 4 * UNIT * (abs(rough(start.X)) + rough(pair.sqrt_q) * abs(rough(V1)) + math.sqrt(rough(pair.r)) * abs(rough(V2)))
+    norm = (
+        4
+        * UNIT
+        * (abs(rough(start.X)) + rough(pair.sqrt_q) * abs(rough(V1)) + math.sqrt(rough(pair.r)) * abs(rough(V2)))
+    )
     gap, push = 2 * UNIT * abs(rough(start.gap)), 4 * UNIT * abs(rough(start.push))
     w, place = 2 * UNIT * abs(rough(start.w)), 2 * UNIT * abs(rough(start.Z))
     errors = Errors(0.0, gap, push, w, 0.0, place, 0.0, norm)
@@ -90,23 +97,21 @@ def leaving(pair: Pair, start: Start, carried: Carried) -> Errors:
 def after_slip(pair: Pair, start: Start, errors: Errors, at: Landing) -> tuple[Errors, Linear]:
     """Return the errors at the end of a slip, and their linear part; w < 0 there says that it has none."""
     q, r, theta, w, w_after = rough(pair.q), rough(pair.r), rough(at.theta), rough(start.w), rough(at.w)
+    placed = 4.0 * UNIT * abs(rough(start.Z))
     if start.kind == RAY:
-        return after_ray(q, r, errors, w, w_after, theta, rough(-at.gap), at.versine)
-    linear = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
+        return after_ray(q, r, errors, w, w_after, theta, rough(-at.gap), at.versine, placed)
     gap, push = rough(start.gap), rough(start.push)
     if start.kind == SURFACE:
-        depth = rough(-at.gap - start.gap)
-        return after_surface(q, r, errors, (gap, push, w), w_after, (theta, depth, at.versine)), linear
+        landing = theta, rough(-at.gap - start.gap), at.versine
+        return after_surface(q, r, errors, (gap, push, w), w_after, landing, placed), _NO_LINEAR
     variables = (rough(start.guard), gap, push, rough(start.driven))
-    return after_free(q, r, errors, variables, theta, rough(-at.gap), at.spared), linear
+    return after_free(q, r, errors, variables, theta, rough(-at.gap), at.spared, placed), _NO_LINEAR
 
 
 @text
 def at_landing(pair: Pair, start: Start, carried: Carried, at: Landing) -> tuple[Errors, Linear]:
     """Return the errors at the end of a slip, lost where it is not certain what follows."""
     errors, linear = after_slip(pair, start, carried.errors, at)
-    place = errors.place + 4.0 * UNIT * abs(rough(start.Z))  # Z is rounded once more
-    errors = Errors(errors.late, errors.gap, errors.push, errors.w, errors.slide, place, errors.shift, errors.norm)
     beyond = rough(-(2 + pair.q * at.gap))
     unsure = not abs(beyond) > rough(pair.q) * errors.gap or (beyond < 0.0 and not abs(rough(at.w)) > errors.w)
     return (lost() if unsure and not pair.literal else errors), linear
@@ -132,15 +137,15 @@ def before_horizon(
 
 
 @text
-def at_event(pair: Pair, start: Start, carried: Carried) -> EventErrors:
+def at_event(pair: Pair, start: Start, carried: Carried, velocity: Number) -> EventErrors:
     """Return the errors at the event that a motion starts with, the rounding of SI units included."""
     errors, in_slip = carried.errors, start.kind != STICK
-    X, V = rough(start.X), rough(velocity(pair, start))
+    X, V = rough(start.X), rough(velocity)
     scale_x, scale_v = (rough(pair.q), rough(pair.sqrt_q)) if in_slip else (1.0, 1.0)
     x = scale_x * errors.gap + 2.0 * UNIT * abs(X)
     v = scale_v * errors.push + 2.0 * UNIT * abs(V)
     x2, Z = rough(start.X - start.Z), rough(start.Z)
-    return event_errors(rough(start.tau), X, V, x2, Z, EventErrors(errors.late, x, v, errors.place, errors.w, 0.0))
+    return event_errors(rough(start.tau), X, V, x2, Z, (errors.late, x, v, errors.place, errors.w))
 
 
 @text
@@ -169,9 +174,7 @@ def in_stick_at(pair: Pair, start: Start, errors: Errors, late: float, shift: fl
 
 
 @text
-def in_slip_at(
-    pair: Pair, start: Start, errors: Errors, at: At, tau: float, late: float, shift: float
-) -> EndErrors:
+def in_slip_at(pair: Pair, start: Start, errors: Errors, at: At, tau: float, late: float, shift: float) -> EndErrors:
     """Return the errors during a slip: by the contraction of the energy norm or by its closed form, the smaller one."""
     q, r, sqrt_q = rough(pair.q), rough(pair.r), rough(pair.sqrt_q)
     d0, u0, driven, guard = rough(start.gap), rough(start.push), rough(start.driven), rough(start.guard)
@@ -199,7 +202,8 @@ def in_slip_at(
 @text
 def at_last_event(pair: Pair, start: Start, carried: Carried) -> tuple[At, EndErrors]:
     """Return the state at the event that a motion starts with, where a run has stopped."""
-    errors, at, V = carried.errors, at_event(pair, start, carried), velocity(pair, start)
+    errors, V = carried.errors, velocity(pair, start)
+    at = at_event(pair, start, carried, V)
     place = errors.place + 2.0 * UNIT * abs(rough(start.Z))
     spent = 2.0 * rough(pair.r) * errors.slide + 8.0 * UNIT * rough(start.spent) + UNDERFLOW
     certain = math.isfinite(errors.late)

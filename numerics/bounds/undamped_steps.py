@@ -9,6 +9,7 @@ with respect to its start, which keep what is small in relation to itself. Of tw
 Errors of one event, all dimensionless:
     late   time          gap, push   slip variables d, u (in stick: offset from the edge, V)
     w      energy excess             slide, place   the sum of |dZ| over all slips, and Z
+    placed        the rounding of Z itself
     shift, norm   the state is within `norm` of the true trajectory shifted in time by at most `shift`
 """
 
@@ -77,6 +78,7 @@ def after_ray(
     theta: float,
     depth: float,
     versine: float,
+    placed: float,
 ) -> tuple[Errors, Linear]:
     """Return the errors at the end of a slip from an exit ray, of which all is a function of w = q u^2."""
     sqrt_q, push = math.sqrt(q), math.sqrt(w / q)
@@ -93,7 +95,7 @@ def after_ray(
     slid = q * depth * (depth_w * errors.w + 24.0 * UNIT * depth)
     norm = q * gap + sqrt_q * turn + 4.0 * UNIT
     ended = Errors(
-        late, gap, turn, own_w + abs(excess_w) * errors.w, errors.slide + slid, errors.place + slid, late, norm
+        late, gap, turn, own_w + abs(excess_w) * errors.w, errors.slide + slid, errors.place + slid + placed, late, norm
     )
     linear = Linear(
         sqrt_q * theta_w,
@@ -117,6 +119,7 @@ def after_surface(
     start: tuple[float, float, float],
     w_after: float,
     landing: tuple[float, float, float],
+    placed: float,
 ) -> Errors:
     """Return the errors at the end of a slip from S; start = (gap, push, w), landing = (theta, depth, versine)."""
     gap, push, w = start
@@ -142,7 +145,7 @@ def after_surface(
         min(section / sqrt_q, errors.push + turned + 4.0 * UNIT * motion),
         min(4.0 * size * norm, w_by_map) + 8.0 * UNIT * (w if w <= 1.0 else size * size),
         errors.slide + slid,
-        errors.place + slid,
+        errors.place + slid + placed,
         errors.shift,
         norm,
     )
@@ -157,6 +160,7 @@ def after_free(
     theta: float,
     rate: float,
     spared: float,
+    placed: float,
 ) -> Errors:
     """Return the errors at the end of a slip from off the surface; start = (guard, gap, push, driven push)."""
     guard, gap, push, driven = start
@@ -176,7 +180,7 @@ def after_free(
         section / sqrt_q,
         4.0 * size * norm + 8.0 * UNIT * size * size,
         errors.slide + slid,
-        errors.place + slid,
+        errors.place + slid + placed,
         errors.shift,
         norm,
     )

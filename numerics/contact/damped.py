@@ -27,7 +27,7 @@ from numerics.arithmetic.float64 import (
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import GRAZES, GUARD_RISES
 from numerics.arithmetic.telling import text
-from numerics.contact.root import guessed, root
+from numerics.contact.root import root_of
 from numerics.flows.oscillator import Oscillator, acceleration, first_jerk_zero, propagate
 
 MAX_PIECES = 100_000
@@ -82,10 +82,9 @@ def speed_bound(of: Oscillator, y: Number, v: Number) -> Number:
     return sqrt(v * v + of.stiffness * y * y)
 
 
-@text
-def guard_root(at: Guard, lower: Number, upper: Number) -> Number:
-    """Return the root of the guard on a piece where it falls."""
-    return root(guard_and_slope, at, lower, upper, guessed(guard_and_slope, at, lower, upper))
+guard_root = root_of(guard_and_slope, "damped_guard_root")
+slope_root = root_of(slope_and_curvature, "slope_root")
+load_root = root_of(room_and_slope, "load_root")
 
 
 @text
@@ -133,7 +132,7 @@ def first_fall(of: Oscillator, y: Number, v: Number, c: Number, level: bool, ris
     bound, steepest = speed_bound(of, y, v), 2 * of.decay + sqrt(of.stiffness)
     last, calm = bound - c + 1, 1 - steepest * bound  # f < 0 is certain from `last` on, f' < 0 where it is calm
     if not rising and positive(calm):
-        return guard_root(at, left, last), spared
+        return guard_root(at, left, last, (left + last) / 2), spared
     point, count = first_jerk_zero(of, y, v, last, level), 0
     step = half_turn() / of.frequency if of.regime > 0 else infinite()
     while finite(calm) and rough(point) == rough(point) and count <= MAX_PIECES:  # not nan
@@ -146,7 +145,7 @@ def first_fall(of: Oscillator, y: Number, v: Number, c: Number, level: bool, ris
         if not (rose and rises):
             lower, upper, value = falling_part(at, left, rose, right, rises, value)
             if sign(value, GRAZES) < 0:
-                return guard_root(at, lower, upper), spared
+                return guard_root(at, lower, upper, (lower + upper) / 2), spared
             spared = min(spared, rough(value))
         elif rough(slope) <= _FLAT * (1.0 + rough(steepest * bound)):  # it may have come down next to here
             spared = min(spared, max(rough(value), 0.0))
@@ -165,7 +164,7 @@ def falling_part(
     if rose == rises:
         return left, right, value
     of = Guard(at.of, at.y, at.v, at.c, 1.0 if rose else -1.0)
-    turn = root(slope_and_curvature, of, left, right, guessed(slope_and_curvature, of, left, right))
+    turn = slope_root(of, left, right, (left + right) / 2)
     if rose:
         return turn, right, value
     return left, turn, guard_and_slope(at, turn)[0]
@@ -174,5 +173,4 @@ def falling_part(
 @text
 def exit_root(of: Oscillator, load: Number, rate: Number, side: float, turning: Number) -> Number:
     """Return when the load of a stick phase meets the edge that it passes before it turns."""
-    at = Load(of, load, rate, side)
-    return root(room_and_slope, at, ZERO, turning, guessed(room_and_slope, at, ZERO, turning))
+    return load_root(Load(of, load, rate, side), ZERO, turning, turning / 2)

@@ -16,8 +16,8 @@ from typing import Any
 from flint import arb, ctx
 
 from numerics.arithmetic.ball import BALL, precision
-from numerics.contact.enclosed_root import ball_guess, enclosed_root
-from numerics.contact.root import guessed, root
+from numerics.contact.enclosed_root import EnclosedRoot
+from numerics.contact.root import root
 from numerics.contact.seed import binary64_contact, late_angle
 from numerics.contact.surface import (
     Contact,
@@ -35,7 +35,7 @@ _SMALLEST_SEED = 1e-90
 _SPARE_BITS = 12
 _point_early, _shift_early = BALL(early_point), BALL(early_shift)
 _point_late, _shift_late = BALL(late_point), BALL(late_shift)
-_BRACKETED = BALL.but("bracketed", {root: enclosed_root, guessed: ball_guess})
+_BRACKETED = BALL.but("bracketed", {root: EnclosedRoot})
 _EARLY_REACH, _LATE_REACH = 3.4, 5
 """Up to 3.4 h' <= 5/4 and c' = h <= 2; for push <= 1 the root is below 3.3. For push > 1 eta is below 3 pi/2."""
 
@@ -83,9 +83,7 @@ def _late(gap: arb, push: arb, u: float, d: float) -> Contact | None:
         seed = late_angle(d, u)
     except ArithmeticError:
         return None
-    found = _proved(
-        seed, partial(_point_late, gap, push), _shift_late, slope_over, _LATE_REACH
-    )
+    found = _proved(seed, partial(_point_late, gap, push), _shift_late, slope_over, _LATE_REACH)
     if found is None:
         return None
     at, shift = found

@@ -27,20 +27,22 @@ from numerics.arithmetic.float64 import (
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import GRAZES, GUARD_TURNS, MINIMUM_BEFORE_START
 from numerics.arithmetic.telling import text
-from numerics.contact.root import guessed, root
+from numerics.contact.root import root_of
 from numerics.flows.slip import Variables, guard_and_gap
+
+guard_root = root_of(guard_and_gap, "guard_root")
 
 
 @text
-def guessed_contact(at: Variables, lower: Number, upper: Number) -> Number:
+def guessed_contact(at: Variables, lower: Number, upper: Number) -> Number:  # noqa: ARG001
     """Return where the search in a bracket starts."""
-    return guessed(guard_and_gap, at, lower, upper)
+    return (lower + upper) / 2
 
 
 def double_guess(at: Variables, lower: Double, upper: Double) -> Double:
     """Return where the search in double-double starts: at the root that binary64 finds, if it lies in the bracket."""
     rounded = Variables(at.guard.high, at.gap.high, at.push.high)
-    theta = Double(root(guard_and_gap, rounded, lower.high, upper.high, (lower.high + upper.high) / 2), 0.0)
+    theta = Double(guard_root(rounded, lower.high, upper.high, (lower.high + upper.high) / 2), 0.0)
     return theta if less(lower, theta) and less(theta, upper) else scaled(add(lower, upper), 0.5)
 
 
@@ -56,7 +58,7 @@ def first_contact(at: Variables, turns: bool) -> tuple[Number, float]:
         return undefined(), 0.0
     if not turns or sign(excess, GUARD_TURNS) <= 0:
         upper = g + u + 3  # monotone: k <= g + u + A - theta, A <= 1
-        return root(guard_and_gap, at, ZERO, upper, guessed_contact(at, ZERO, upper)), math.inf
+        return guard_root(at, ZERO, upper, guessed_contact(at, ZERO, upper)), math.inf
     height = sqrt(excess)
     lean, phase = atan2(height, exactly(1.0)), atan2(u, 1 + d)
     count = (g + u - height + (lean - phase)) / turn()  # k at the minimum phase - lean, in full turns
@@ -70,4 +72,4 @@ def first_contact(at: Variables, turns: bool) -> tuple[Number, float]:
     least = 1 if rough(first) <= 0.0 else 0
     spared = rough(turn() * (count - (index - 1))) if index > least else math.inf
     lower = ZERO if rough(maximum) <= 0.0 else maximum
-    return root(guard_and_gap, at, lower, minimum, guessed_contact(at, lower, minimum)), spared
+    return guard_root(at, lower, minimum, guessed_contact(at, lower, minimum)), spared

@@ -7,7 +7,7 @@ from typing import Any
 
 from numerics.arithmetic.float64 import ZERO, below, part, settled, size, tolerance
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.telling import text
+from numerics.arithmetic.telling import handed, text
 
 _STEPS = 4000
 Pair = Callable[[Any, Number], tuple[Number, Number]]
@@ -15,21 +15,21 @@ Pair = Callable[[Any, Number], tuple[Number, Number]]
 
 
 @text
-def guessed(pair: Pair, at: Any, lower: Number, upper: Number) -> Number:  # noqa: ARG001
-    """Return where the search in a bracket starts: its middle; balls say more (enclosed_root.py)."""
-    return (lower + upper) / 2
+def handed_function(at: Any, x: Number) -> tuple[Number, Number]:
+    """Return the value and the slope at x of the function that a root is of; it falls between lower and upper."""
+    raise NotImplementedError(f"{at}, {x}: root_of puts a function here")
 
 
 @text
-def root(pair: Pair, at: Any, lower: Number, upper: Number, guess: Number) -> Number:
-    """Return the root between lower and upper of a function that falls there; pair(at, x) is its value and its slope.
+def root(at: Any, lower: Number, upper: Number, guess: Number) -> Number:
+    """Return the root between lower and upper of a function that falls there, searched from a guess.
 
     The bracket shrinks with every evaluation; a Newton step that would leave it, or that shrinks it too slowly, is
     replaced by bisection, so convergence never depends on the shape of the function. Approximate, to the last bits.
     """
     x, previous, width, enough, last = guess, size(upper - lower), size(upper - lower), tolerance(), settled()
     for _ in range(_STEPS):
-        value, slope = pair(at, x)
+        value, slope = handed_function(at, x)
         if below(ZERO, value):
             lower = x
         elif below(value, ZERO):
@@ -48,3 +48,9 @@ def root(pair: Pair, at: Any, lower: Number, upper: Number, guess: Number) -> Nu
             return candidate
         x, previous = candidate, moved
     return x
+
+
+def root_of(pair: Pair, name: str) -> Callable[[Any, Number, Number, Number], Number]:
+    """Return the text `root` of one function, which is a text too."""
+    found: Callable[[Any, Number, Number, Number], Number] = handed(root, pair, name)
+    return found

@@ -34,7 +34,7 @@ from numerics.arithmetic.float64 import (
 )
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text
-from numerics.contact.root import guessed, root
+from numerics.contact.root import root_of
 from numerics.contact.seed import binary64_contact, late_angle
 
 
@@ -177,6 +177,9 @@ def late_equation(at: Edge, eta: Number) -> tuple[Number, Number]:
     return point.value, -point.steepness
 
 
+early_root, late_root = root_of(early_equation, "early_root"), root_of(late_equation, "late_root")
+
+
 @text
 def bracketed_contact(gap: Number, push: Number) -> Contact:
     """Return the contact without binary64's root: by a bracket, for arguments of any size (early_bracket: seed.py)."""
@@ -186,13 +189,13 @@ def bracketed_contact(gap: Number, push: Number) -> Contact:
         square = half_turn() * half_turn() / (4 * push)
         upper = square * (gap + sqrt(gap * gap + 16 * push / half_turn()))
         upper = 3 * half_turn() / 2 if rough(upper) > 3.0 else 17 * upper / 16
-        eta = root(late_equation, at, ZERO, upper, guessed(late_equation, at, ZERO, upper))
+        eta = late_root(at, ZERO, upper, upper / 2)
         point, theta = late_point(gap, push, eta), turn() - eta
         return Contact(theta, 2 + theta * point.half_cosine / point.half_sine, point.versine)
     lower = 15 * positive_root(push - 2 * gap / half_turn(), 4 * gap) / 16
     upper = 3 * positive_root(push, 8 * gap / 3) / 2
     upper = 33 * half_turn() / 32 if rough(upper) > 3.0 else 17 * upper / 16
-    theta = root(early_equation, at, lower, upper, guessed(early_equation, at, lower, upper))
+    theta = early_root(at, lower, upper, (lower + upper) / 2)
     return Contact(theta, depth_and_cotangent(theta)[0], versine(theta))
 
 

@@ -177,12 +177,6 @@ def follow(pair: Pair, start: Start, here: Arrival, duration: Number, tau: Numbe
 
 
 @text
-def valid(start: Start) -> bool:
-    """Return whether a start is a state, not what is left of one that went out of range."""
-    return finite(start.w)
-
-
-@text
 def leave(pair: Pair, here: At, side: float, tau: Number, rest: Number) -> Start:
     """Return the slip that starts on the edge P = side, which X is snapped to exactly."""
     X = exactly(side) - pair.two_zeta * here.V1

@@ -10,20 +10,12 @@ X = x1/L, V_i = v_i/(L Omega), Z = (x1 - x2)/L, tau = Omega t, w = E/E_cr - 1 (a
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any
 
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.scene import Pair, Scene
-
-
-class ReducedState(NamedTuple):
-    """A point of the reduced state space; w is a variable of its own, accurate where E/E_cr - 1 would cancel."""
-
-    X: Number
-    V1: Number
-    V2: Number
-    Z: Number
-    w: Number
+from numerics.motion.start import SI, damping_ratio, reduced
+from numerics.motion.tellings import start_telling
+from numerics.scene import Pair
 
 
 class Frame:
@@ -33,37 +25,17 @@ class Frame:
     """
 
     def __init__(self, arithmetic: Arithmetic, pair: Pair) -> None:
-        """Convert the exact parameters once; raises OutOfRange if the arithmetic cannot hold one of them."""
-        number, sqrt = arithmetic.number, arithmetic.sqrt
+        """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
         self.arithmetic, self.pair = arithmetic, pair
-        mass, width = pair.mass, pair.half_width
-        share = pair.m1 / mass
-        self.q, self.r = number(share), number(pair.m2 / mass)
-        self.sqrt_q = sqrt(self.q)
-        self.rate = sqrt(number(pair.a2 / mass))
-        # at a1 = 0 the square has no derivative, by which the sensitivities see the damper
-        self.two_zeta = sqrt(number(pair.a1**2 / (pair.a2 * mass))) if pair.a1 else number(pair.a1 / mass) / self.rate
-        # the sign of 1 - zeta^2 (stick) and of q - zeta^2 (slip) is decided exactly: which damping regime it is
-        zeta_squared = pair.a1**2 / (4 * pair.a2 * mass)
-        self.stick_discriminant = 1 - zeta_squared
-        self.slip_discriminant = share - zeta_squared
-        self.length = number(width)
+        told, si = start_telling(arithmetic), SI(pair.m1, pair.m2, pair.a2, pair.b, 0, 0, 0, 0, 1, pair.a1)
+        at = told(reduced)(si)
+        self.q, self.r, self.units = at.q, at.r, at.units
+        self.length, self.rate, self.critical_energy = at.units
+        self.sqrt_q, self.two_zeta = arithmetic.sqrt(at.q), told(damping_ratio)(si)
         self.speed = self.length * self.rate
-        self.critical_energy = number(pair.a2 * width * width / 2)
 
-    def initial(self, scene: Scene) -> ReducedState:
-        """Return the initial state of a scene; X, Z and w are conversions of exact rationals."""
-        number, width, at = self.arithmetic.number, self.pair.half_width, scene.initial
-        return ReducedState(
-            X=number(at.x1 / width),
-            V1=number(at.v1 / width) / self.rate,
-            V2=number(at.v2 / width) / self.rate,
-            Z=number((at.x1 - at.x2) / width),
-            w=number(scene.energy_excess),
-        )
-
-    def si_state(self, state: ReducedState) -> tuple[Number, Number, Number, Number]:
-        """Return (x1, v1, x2, v2) in m and m/s."""
+    def si_state(self, state: Any) -> tuple[Number, Number, Number, Number]:
+        """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""
         return (
             self.length * state.X,
             self.speed * state.V1,
@@ -75,7 +47,7 @@ class Frame:
         """Return t = tau/Omega in s."""
         return tau / self.rate
 
-    def energy(self, state: ReducedState) -> Number:
+    def energy(self, state: Any) -> Number:
         """Return E in J, formed from the state."""
         return self.critical_energy * self.energy_ratio(state.X, state.V1, state.V2)
 

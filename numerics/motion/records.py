@@ -9,12 +9,18 @@ from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text
 
 
-class At(NamedTuple):
-    """A state, and what friction (`spent`) and viscosity (`damped`) have taken from E/E_cr since the start of the run.
+class ReducedState(NamedTuple):
+    """A point of the reduced state space; w is a variable of its own, accurate where E/E_cr - 1 would cancel."""
 
-    X and V1, V2 are reduced (frame.py), Z = (x1 - x2)/L; w = E/E_cr - 1 is a variable of its own, accurate where the
-    state would cancel.
-    """
+    X: Number
+    V1: Number
+    V2: Number
+    Z: Number
+    w: Number
+
+
+class At(NamedTuple):
+    """A reduced state, and what friction (`spent`) and viscosity (`damped`) have taken from E/E_cr since the start."""
 
     X: Number
     V1: Number

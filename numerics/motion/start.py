@@ -141,9 +141,7 @@ def undamped_start(si: SI, literal: bool) -> tuple[undamped.Pair, undamped.Start
     pair = undamped.Pair(at.q, at.r, sqrt_q, damping_ratio(si), literal)
     if mode == 0:
         offset = narrow((side * (stiff * si.x1) - edge) / edge)
-        start = undamped.Start(
-            STICK, float(side), at.X, ZERO, offset, at.V1, ZERO, True, at.Z, at.w, ZERO, ZERO, ZERO
-        )
+        start = undamped.Start(STICK, float(side), at.X, ZERO, offset, at.V1, ZERO, True, at.Z, at.w, ZERO, ZERO, ZERO)
         return pair, start, at, known and at.known
     gap = (-mode * (stiff * si.x1) - edge) / (si.b * si.m1)  # how far beyond the edge, over q
     turning = gap * (2 + gap) + si.v1 * si.v1 * (stiff * si.m2) / (si.b * si.b * si.m1)
@@ -154,9 +152,7 @@ def undamped_start(si: SI, literal: bool) -> tuple[undamped.Pair, undamped.Start
     push = signed(edge_side, at.V1) / sqrt_q
     driven = push + guard if on_surface else signed(edge_side, at.V2) / sqrt_q
     turns, kind = wide_sign(turning) > 0, SURFACE if on_surface else FREE
-    start = undamped.Start(
-        kind, edge_side, at.X, guard, narrow(gap), push, driven, turns, at.Z, at.w, ZERO, ZERO, ZERO
-    )
+    start = undamped.Start(kind, edge_side, at.X, guard, narrow(gap), push, driven, turns, at.Z, at.w, ZERO, ZERO, ZERO)
     return pair, start, at, known and at.known
 
 

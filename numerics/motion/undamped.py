@@ -94,9 +94,15 @@ def mode_of(start: Start) -> int:
 
 
 @text
+def exit_side(start: Start) -> float:
+    """Return the side by which a stick phase leaves S0."""
+    return 1.0 if sign(start.push, WHICH_WAY) > 0 else -1.0
+
+
+@text
 def stick_reach(start: Start) -> Reach:
     """Return how a stick phase with w > 0 ends."""
-    side = 1.0 if sign(start.push, WHICH_WAY) > 0 else -1.0
+    side = exit_side(start)
     below = -start.gap if side == start.side else 2 + start.gap
     root = sqrt(start.w)
     return Reach(side, below, signed(side, start.push) + root, root)
@@ -167,16 +173,10 @@ def arrive(pair: Pair, start: Start, end: Landing, duration: Number) -> Landing:
 
 
 @text
-def valid(start: Start) -> bool:  # noqa: ARG001
-    """Return True: what leaves the range is found where it is located."""
-    return True
-
-
-@text
 def follow(pair: Pair, start: Start, at: Landing, duration: Number, tau: Number, rest: Number) -> Start:
     """Return the start of the motion that follows at time tau."""
     if start.kind == STICK:
-        side = stick_reach(start).side
+        side = exit_side(start)
         return on_ray(pair, side, start.Z, seen_excess_at_exit(pair, start, duration), tau, rest, start.spent)
     return after_landing(pair, start, at, tau, rest)
 
@@ -201,7 +201,9 @@ def after_landing(pair: Pair, start: Start, at: Landing, tau: Number, rest: Numb
             outside = sign(-turned, LEAVES_AT_ONCE)
         if outside > 0:
             return Start(SURFACE, -side, X, ZERO, beyond / q, -turned, -turned, True, Z, at.w, tau, rest, spent)
-    return Start(STICK, side, X, ZERO, offset, signed(side, pair.sqrt_q * turned), ZERO, True, Z, at.w, tau, rest, spent)
+    return Start(
+        STICK, side, X, ZERO, offset, signed(side, pair.sqrt_q * turned), ZERO, True, Z, at.w, tau, rest, spent
+    )
 
 
 @text

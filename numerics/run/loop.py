@@ -14,14 +14,12 @@ from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.arithmetic.telling import text
 from numerics.bounds.undamped import after_event, at_event, before_horizon, when_stuck
 from numerics.motion.codes import EVENT_LIMIT, MOVING, OUT_OF_RANGE, REACHED, STUCK
-from numerics.motion.undamped import arrive, follow, locate, valid
+from numerics.motion.undamped import arrive, follow, locate, velocity
 from numerics.run.rows import record
 
 
 @text
-def run(
-    pair: Any, start: Any, errors: Any, horizon: Number, most: int, rows: Any
-) -> tuple[int, int, Any, Any, float]:
+def run(pair: Any, start: Any, errors: Any, horizon: Number, most: int, rows: Any) -> tuple[int, int, Any, Any, float]:
     """Follow the modes until the horizon, a last stick phase, or `most` events.
 
     Returns (how it ended, events, start of the last mode, its errors, worst). `rows` keeps the first events (rows.py),
@@ -42,13 +40,14 @@ def run(
             return EVENT_LIMIT, count, start, errors, worst
         here = arrive(pair, start, end, duration)
         after = follow(pair, start, here, duration, tau, rest)
-        if not valid(after):
+        if not finite(after.w):
             return OUT_OF_RANGE, count, start, errors, worst
         errors = after_event(pair, start, errors, here, after, duration)
-        start, at = after, at_event(pair, after, errors)
+        start, V = after, velocity(pair, after)
+        at = at_event(pair, start, errors, V)
         worst = max(worst, at.relative)
         if count < keep:
-            record(rows, count, duration, pair, start, at)
+            record(rows, count, duration, start, V, at)
         count += 1
     if not finite(tau):
         return OUT_OF_RANGE, count, start, errors, worst

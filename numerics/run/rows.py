@@ -1,26 +1,15 @@
-"""The record of a run: one row an event, its columns by name, and one row for the end."""
+"""How a run records an event: its row, the columns of which have their names in trajectory/record.py."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
-from numerics.arithmetic.float64 import WIDTH, put
+from numerics.arithmetic.float64 import put
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text
 from numerics.bounds.records import EventErrors
-from numerics.motion.undamped import mode_of, velocity
-
-CODES = ("mode", "kind", "side", "late", "x", "v", "place", "relative")
-"""Floats of an event: mode (-1, 0, +1), kind of motion and side after it; bounds on the errors of tau, X, V and Z, and
-on the relative error of t, x1, v and x2."""
-NUMBERS = ("tau", "length", "X", "V", "Z", "w", "gap", "push")
-"""Numbers of an event: its time, how long the motion before it lasted, the state, and how the motion after it starts."""
-
-
-def columns(width: int) -> int:
-    """Return how long a row is, where a number takes `width` columns."""
-    return len(CODES) + width * len(NUMBERS)
+from numerics.motion.undamped import mode_of
 
 
 @text
@@ -36,20 +25,14 @@ def damped_remembered(start: Any) -> tuple[float, float, Number, Number]:
 
 
 @text
-def record(rows: Any, index: int, length: Number, pair: Any, start: Any, at: EventErrors) -> None:
+def record(rows: Any, index: int, length: Number, start: Any, V: Number, at: EventErrors) -> None:
     """Write one event to its row."""
     row = rows[index]
     kind, side, gap, push = remembered(start)
     row[0], row[1], row[2] = mode_of(start), kind, side
     row[3], row[4], row[5], row[6], row[7] = at.late, at.x, at.v, at.place, at.relative
-    put(row, 8, start.tau)
-    put(row, 8 + WIDTH, length)
-    put(row, 8 + 2 * WIDTH, start.X)
-    put(row, 8 + 3 * WIDTH, velocity(pair, start))
-    put(row, 8 + 4 * WIDTH, start.Z)
-    put(row, 8 + 5 * WIDTH, start.w)
-    put(row, 8 + 6 * WIDTH, gap)
-    put(row, 8 + 7 * WIDTH, push)
+    put(row, 8, (start.tau, length, start.X, V, start.Z, start.w, gap, push))
+
 
 
 class Growing:

@@ -5,9 +5,10 @@ All quantities are SI and exact rationals (see decimals.py). A scene is frozen: 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from fractions import Fraction
+from typing import Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal
@@ -51,6 +52,11 @@ class Pair:
         return self.m1 + self.m2
 
     @property
+    def share(self) -> Fraction:
+        """Share q = m1/(m1 + m2) of the driving body in the total mass, dimensionless, exact."""
+        return self.m1 / self.mass
+
+    @property
     def half_width(self) -> Fraction:
         """Half width L = b M/(a2 m2) of the sliding region, m, exact (Section III, S0)."""
         return self.b * self.mass / (self.a2 * self.m2)
@@ -88,6 +94,8 @@ class Scene:
     initial: State
     until: Fraction
     law: Law
+    row: Any = field(default=None, init=False, repr=False, compare=False)
+    """What compiled code reads instead of exact numbers, made when it is first needed (run/one.py)."""
 
     def __init__(self, pair: Pair, initial: State, until: Exact, law: Law | str = Law.FILIPPOV) -> None:
         """Check the parts and read the horizon and the law."""
@@ -99,6 +107,7 @@ class Scene:
         if self.until <= 0:
             raise InvalidScene(f"until = {_short(self.until)} must be > 0; give the horizon in seconds")
         object.__setattr__(self, "law", read_law(law))
+        object.__setattr__(self, "row", None)
 
     @property
     def energy(self) -> Fraction:

@@ -2,124 +2,99 @@
 
 from __future__ import annotations
 
-import bisect
-import operator
 from collections.abc import Sequence
-from dataclasses import dataclass
-from enum import Enum
-from fractions import Fraction
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.arithmetic.protocol import Arithmetic, Number, Sign
-from numerics.motion.frame import Frame, ReducedState
-from numerics.motion.modes import EventKind, Mode
-from numerics.old.motion import Motion
+from numerics.arithmetic.by_name import arithmetic_named
+from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.motion.begin import Begun, begin
+from numerics.motion.codes import EVENT_LIMIT, STICK, STUCK
+from numerics.motion.damped import Start as DampedStart
+from numerics.motion.frame import Frame
+from numerics.motion.modes import EventKind, Mode, event_kind, mode_of_sign
+from numerics.motion.records import ReducedState
+from numerics.motion.tellings import motion_telling
+from numerics.motion.undamped import Start
 from numerics.scene import Scene
+from numerics.trajectory.deferred import Deferred
+from numerics.trajectory.dense import Dense, Side
+from numerics.trajectory.digits import Accuracy, bounds_in_si
+from numerics.trajectory.pickled import plain, restored
+from numerics.trajectory.record import Record
+from numerics.trajectory.segment import EnergyLedger, Event, Segment
+from numerics.trajectory.status import Status
 
-if TYPE_CHECKING:
-    from numerics.kernel.state import Bounds
-    from numerics.sensitivity.sensitivity import Sensitivity
-    from numerics.trajectory.accuracy import Accuracy
-
-Side = Literal["left", "right"]
-
-
-class Status(Enum):
-    """How a solve ended; the value is the sentence the user reads."""
-
-    REACHED_HORIZON = "reached the horizon"
-    STUCK_FOR_EVER = "reached the horizon; the pair has stuck for ever"
-    EVENT_LIMIT = "stopped at the cap on events before the horizon; raise max_events (--max-events)"
+_MODES = {-1.0: Mode.SLIP_MINUS, 0.0: Mode.STICK, 1.0: Mode.SLIP_PLUS}
+Kind = Literal["velocities", "positions", "phase", "excess", "energy"]
 
 
-@dataclass(frozen=True, slots=True)
-class Segment:
-    """One mode of motion from reduced time `start` to `end`, with its closed-form motion.
-
-    `length` is kept apart: next to a late start the difference of both would round a short slip away.
-    """
-
-    motion: Motion
-    start: Number
-    end: Number
-    length: Number
-
-    @property
-    def mode(self) -> Mode:
-        """Return the mode of the segment."""
-        return self.motion.mode
-
-
-@dataclass(frozen=True, slots=True)
-class Event:
-    """A change of mode: time t (s), its kind, the modes it joins, and (x1, v1, x2, v2) in SI units."""
-
-    t: Number
-    kind: EventKind
-    before: Mode
-    after: Mode
-    y: tuple[Number, Number, Number, Number]
-    reduced: ReducedState
-
-
-@dataclass(frozen=True, slots=True)
-class EnergyLedger:
-    """Where the energy went, J: initial - final against b int |v1 - v2| dt + a1 int v1^2 dt, each in closed form.
-
-    `residual` = initial - final - friction - viscous: rounding only, and an enclosure of 0 for balls.
-    """
-
-    initial: Number
-    final: Number
-    friction: Number
-    viscous: Number
-    residual: Number
-
-
-@dataclass(frozen=True)
 class Trajectory:
     """A solved scene, in the words of SciPy's solution objects and with the physics beside them.
 
-    Rows of `y` are x1, v1 (m, m/s) and x2, v2; columns belong to `t` (s): start, events, end. With float64 they are
-    float arrays, otherwise object arrays of the arithmetic's numbers (enclosures for balls).
+    Rows of `y` are x1, v1 (m, m/s) and x2, v2; columns belong to `t` (s): start, events, end; with t_eval, those times
+    instead. With float64 they are float arrays, otherwise object arrays of the arithmetic's numbers (enclosures for
+    balls). Everything is made when it is looked at. Two trajectories are equal if every number is.
     """
 
-    scene: Scene
-    frame: Frame
-    segments: Sequence[Segment]
-    events: Sequence[Event]
-    status: Status
-    digits: int | None = None
-    """Right decimal digits of every event and of the final state, where they were asked for and reached."""
-    bounds: Bounds | None = None
-    """What the kernels of float64 and double-double say of their own rounding."""
-    tried: str = ""
-    """Why the arithmetic was chosen, where `solve` chose it."""
+    def __init__(
+        self,
+        scene: Scene,
+        arithmetic: Arithmetic,
+        record: Record,
+        *,
+        bounded: bool,
+        digits: int | None = None,
+        tried: str = "",
+        t_eval: Any = None,
+    ) -> None:
+        """Keep what a run wrote. `bounded`: it carried error bounds; `digits`: right digits that were asked for and
+
+        reached; `tried`: why the arithmetic was chosen, where `solve` chose it.
+        """
+        self.scene, self.arithmetic, self.record = scene, arithmetic, record
+        self.bounded, self.digits, self.tried, self.t_eval = bounded, digits, tried, t_eval
+
+    def but(self, **changed: Any) -> Trajectory:
+        """Return the same trajectory with other `digits`, `tried` or `t_eval`."""
+        kept = {name: getattr(self, name) for name in ("bounded", "digits", "tried", "t_eval")}
+        return Trajectory(self.scene, self.arithmetic, self.record, **(kept | changed))
 
     @property
-    def arithmetic(self) -> Arithmetic:
-        """Return the arithmetic it was solved in."""
-        return self.frame.arithmetic
+    def certain(self) -> bool:
+        """Return whether the error bounds leave no doubt about the sequence of events; without bounds True."""
+        return not self.bounded or self.record.end_code("certain") == 1.0
 
-    @cached_property
-    def accuracy(self) -> Accuracy | None:
-        """Return the error bounds of a float64 or double-double trajectory, else None (balls carry their own)."""
-        from numerics.trajectory.accuracy import kernel_accuracy
+    @property
+    def reached(self) -> bool:
+        """Return whether the run got to its horizon."""
+        return self.record.end_code("how") != EVENT_LIMIT
 
-        return None if self.bounds is None else kernel_accuracy(self)
+    @property
+    def status(self) -> Status:
+        """Return how the solve ended."""
+        if not self.reached:
+            return Status.EVENT_LIMIT
+        if not self.certain:
+            return Status.SEQUENCE_OPEN
+        return Status.STUCK_FOR_EVER if self.record.end_code("how") == STUCK else Status.REACHED_HORIZON
+
+    @property
+    def success(self) -> bool:
+        """Return whether the horizon was reached, by events that are certain."""
+        return self.status.success
 
     @property
     def message(self) -> str:
         """Return the sentence that says how the solve ended, and whether the phase was lost on the way to the end."""
         if not self.phase_lost:
-            return self.status.value
+            return self.status.sentence
         return (
-            f"{self.status.value}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end the "
-            "mode and the energy are known, x1, v1, x2 and v2 are not; use --arithmetic ball"
+            f"{self.status.sentence}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end "
+            'the mode and the energy are known, x1, v1, x2 and v2 are not; use arithmetic="ball"'
         )
 
     @property
@@ -127,92 +102,200 @@ class Trajectory:
         """Return whether the last segment turns through more radians than a point arithmetic has digits for."""
         if self.arithmetic.name == "ball":
             return False
-        length, number = self.segments[-1].length, self.arithmetic.to_float
-        alive = number(self.frame.two_zeta * length) < 5 * self.arithmetic.digits  # e^(-zeta length) is no rounding yet
-        return bool(alive and length > 10 ** (self.arithmetic.digits - 3))
+        number, length = self.arithmetic.to_float, self.record.end("length")
+        if length <= 10 ** (self.arithmetic.digits - 3):
+            return False
+        # e^(-zeta length) is no rounding yet
+        return bool(number(self.frame.two_zeta * length) < 5 * self.arithmetic.digits)
 
-    @property
-    def success(self) -> bool:
-        """Return whether the horizon was reached."""
-        return self.status is not Status.EVENT_LIMIT
+    @cached_property
+    def units(self) -> tuple[Number, Number, Number]:
+        """Return L (m), Omega (1/s) and E_cr (J)."""
+        end = self.record.end
+        return end("length_unit"), end("rate"), end("energy_unit")
 
-    @property
+    @cached_property
+    def frame(self) -> Frame:
+        """Return the constants of the pair, between SI units and reduced coordinates."""
+        with self.arithmetic.context():
+            return Frame(self.arithmetic, self.scene.pair)
+
+    @cached_property
+    def _begun(self) -> Begun:
+        with self.arithmetic.context():
+            return begin(self.scene, self.arithmetic)
+
+    @cached_property
+    def _signs(self) -> list[float]:
+        """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
+        first = self.record.end_code("first_mode")
+        return [first, *self.record.codes("mode").tolist()]
+
+    @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
-        return tuple(segment.mode for segment in self.segments)
+        return tuple([_MODES[sign] for sign in (self._signs if self.reached else self._signs[:-1])])
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
         """Return the kinds of the events in their order."""
-        return tuple(event.kind for event in self.events)
+        modes = [_MODES[sign] for sign in self._signs]
+        return tuple(map(event_kind, modes, modes[1:]))
 
     @property
     def final_mode(self) -> Mode:
         """Return the mode at the end: after the last event, where the cap on events ended the run."""
-        return self.segments[-1].mode if self.success else self.events[-1].after
+        return _MODES[self.record.end_code("mode")]
 
-    @cached_property
+    @property
     def final(self) -> ReducedState:
         """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
-        if not self.success and self.events:
-            return self.events[-1].reduced
-        last = self.segments[-1]
+        return ReducedState(*(self.record.end(name) for name in ReducedState._fields))
+
+    @cached_property
+    def final_state(self) -> tuple[Number, Number, Number, Number]:
+        """Return (x1, v1, x2, v2) at the end."""
         with self.arithmetic.context():
-            return last.motion.state(last.length)
+            return self._in_si(self.final)
+
+    @cached_property
+    def final_energy(self) -> Number:
+        """Return the energy at the end, J, formed from the state."""
+        with self.arithmetic.context():
+            return self.frame.energy(self.final)
+
+    def _in_si(self, state: Any) -> Any:
+        length, rate, _ = self.units
+        speed = length * rate
+        return state.X * length, state.V1 * speed, (state.X - state.Z) * length, state.V2 * speed
+
+    @cached_property
+    def end_time(self) -> Number:
+        """Return the time at the end, s."""
+        with self.arithmetic.context():
+            return self.record.end("tau") / self.units[1]
+
+    @cached_property
+    def event_times(self) -> NDArray[Any]:
+        """Return the times of all events, s, shape (k,)."""
+        with self.arithmetic.context():
+            return self.record.numbers("tau") / self.units[1]
+
+    @cached_property
+    def event_states(self) -> NDArray[Any]:
+        """Return x1, v1, x2, v2 at all events, shape (4, k)."""
+        with self.arithmetic.context():
+            X, V, Z = (self.record.numbers(name) for name in ("X", "V", "Z"))
+            return np.array(self._in_si(ReducedState(X, V, V, Z, None)))
 
     @cached_property
     def t(self) -> NDArray[Any]:
-        """Return the times of start, events and end, s, shape (m,)."""
-        with self.arithmetic.context():
-            taus = [self.segments[0].start, *(segment.end for segment in self.segments)]
-            return self._array([self.frame.si_time(tau) for tau in taus])
+        """Return the times of start, events and end, or t_eval, s, shape (m,)."""
+        if self.t_eval is not None:
+            return self._array(self.t_eval)
+        zero = [0.0] if self.arithmetic.name == "float64" else [self.arithmetic.number(0)]
+        return np.concatenate([zero, self.event_times, [self.end_time] if self.reached else []])
 
     @cached_property
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4, m)."""
+        if self.t_eval is not None:
+            return self.sol(self.t_eval)
         with self.arithmetic.context():
-            states = [segment.motion.start for segment in self.segments]
-            return self._array([self.frame.si_state(state) for state in [*states, self.final]]).T
+            first = self._array(self._in_si(self.initial)).reshape(4, 1)
+        last = self._array(self.final_state).reshape(4, 1)
+        return np.concatenate([first, self.event_states, last if self.reached else last[:, :0]], axis=1)
+
+    @property
+    def initial(self) -> ReducedState:
+        """Return the reduced state at the start."""
+        return ReducedState(*(self.record.end(f"{name}0") for name in ReducedState._fields))
 
     @cached_property
     def energy(self) -> NDArray[Any]:
         """Return the energy at `t`, J, shape (m,), formed from the states."""
+        pair, number = self.scene.pair, self.arithmetic.number
         with self.arithmetic.context():
-            states = [segment.motion.start for segment in self.segments]
-            return self._array([self.frame.energy(state) for state in [*states, self.final]])
+            x1, v1, _, v2 = self.y
+            return (x1 * x1 * number(pair.a2) + v1 * v1 * number(pair.m1) + v2 * v2 * number(pair.m2)) / number(2)
 
     @property
     def t_events(self) -> tuple[NDArray[Any], ...]:
         """Return the event times by kind, in the order of EventKind (entry, exit, crossing), each of shape (k,)."""
-        return tuple(self._array([event.t for event in self.events if event.kind is kind]) for kind in EventKind)
+        return tuple(self.event_times[of_kind] for of_kind in self._by_kind)
 
     @property
     def y_events(self) -> tuple[NDArray[Any], ...]:
         """Return the event states by kind, each of shape (k, 4)."""
-        return tuple(
-            self._array([event.y for event in self.events if event.kind is kind]).reshape(-1, 4) for kind in EventKind
-        )
+        return tuple(self.event_states.T[of_kind] for of_kind in self._by_kind)
+
+    @cached_property
+    def _by_kind(self) -> tuple[NDArray[np.bool_], ...]:
+        signs = np.array(self._signs)
+        entry = signs[1:] == 0
+        leaves = (signs[:-1] == 0) & ~entry
+        return entry, leaves, ~(entry | leaves)
+
+    @cached_property
+    def segments(self) -> Sequence[Segment]:
+        """Return the segments, each made when it is looked at."""
+        return Deferred(self._segment, len(self.record) + self.reached)
+
+    @cached_property
+    def events(self) -> Sequence[Event]:
+        """Return the events, each made when it is looked at."""
+        return Deferred(self._event, len(self.record))
+
+    def _segment(self, index: int) -> Segment:
+        """Return a segment; the last one, after all events, ends at the horizon."""
+        number, with_end = self.record.number, index < len(self.record)
+        start = number(index - 1, "tau") if index else self.arithmetic.number(0)
+        end = number(index, "tau") if with_end else self.record.end("tau")
+        length = number(index, "length") if with_end else self.record.end("length")
+        mode = mode_of_sign(self._signs[index])
+        telling = motion_telling(self.arithmetic.telling, is_damped=self.scene.pair.a1 > 0)
+        return Segment(mode, start, end, length, self._begun.pair, self._motion(index), telling)
+
+    def _motion(self, index: int) -> Any:
+        """Return the start of a motion: the first, or the one that event index - 1 starts."""
+        if index == 0:
+            return self._begun.start
+        names = ("X", "V", "Z", "w", "tau", "gap", "push")
+        X, V, Z, w, tau, gap, push = (self.record.number(index - 1, name) for name in names)
+        zero, kind, side = self.arithmetic.number(0), *(self.record.code(index - 1, name) for name in ("kind", "side"))
+        if self.scene.pair.a1 > 0:
+            return DampedStart(int(kind), X, V, V, Z, w, True, False, tau, zero, zero, zero)
+        driven = zero if kind == STICK else push
+        return Start(int(kind), side, X, zero, gap, push, driven, True, Z, w, tau, zero, zero)
+
+    def _event(self, index: int) -> Event:
+        """Return an event."""
+        before, after = (_MODES[sign] for sign in self._signs[index : index + 2])
+        X, V, Z, w = (self.record.number(index, name) for name in ("X", "V", "Z", "w"))
+        t, reduced = self.event_times[index], ReducedState(X, V, V, Z, w)
+        y = tuple(self.event_states[:, index])
+        if self.arithmetic.name == "float64":
+            t, y = float(t), tuple(map(float, y))
+        return Event(t, event_kind(before, after), before, after, y, reduced)
 
     @cached_property
     def ledger(self) -> EnergyLedger:
         """Return the energy ledger of the whole run."""
         with self.arithmetic.context():
-            friction = viscous = self.arithmetic.number(0)
-            for index, segment in enumerate(self.segments):
-                ended = index < len(self.segments) - 1 or not self.success
-                losses = segment.motion.whole_losses() if ended else segment.motion.losses(segment.length)
-                friction, viscous = friction + losses[0], viscous + losses[1]
-            unit = self.frame.critical_energy
-            friction, viscous = unit * friction, unit * viscous
-            initial, final = self.arithmetic.number(self.scene.energy), self.frame.energy(self.final)
+            losses = [segment.losses(segment.length) for segment in self.segments]
+            zero, unit = self.arithmetic.number(0), self.units[2]
+            friction, viscous = (unit * sum((one[k] for one in losses), zero) for k in (0, 1))
+            initial, final = self.arithmetic.number(self.scene.energy), self.final_energy
             return EnergyLedger(initial, final, friction, viscous, initial - final - friction - viscous)
 
     @cached_property
-    def sensitivity(self) -> Sensitivity:
-        """Return the derivatives of events and final state by initial state and parameters; it solves once more."""
-        from numerics.sensitivity.sensitivity import sensitivity
+    def accuracy(self) -> Accuracy | None:
+        """Return the error bounds of a float64 or double-double trajectory, else None (balls carry their own)."""
+        return bounds_in_si(self) if self.bounded else None
 
-        return sensitivity(self)
+    @cached_property
+    def _dense(self) -> Dense:
+        return Dense(self)
 
     def sol(self, t: Any, side: Side = "right") -> NDArray[Any]:
         """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, n) for a sequence.
@@ -224,79 +307,76 @@ class Trajectory:
         """
         with self.arithmetic.context():
             if np.ndim(t) == 0:
-                return self._array(self.frame.si_state(self.reduced(t, side)))
-            columns = [self.frame.si_state(self.reduced(one, side)) for one in t]
+                return self._array(self._in_si(self._dense.state(t, side)))
+            columns = [self._in_si(self._dense.state(one, side)) for one in t]
             return self._array(columns).reshape(-1, 4).T
 
     def reduced(self, t: Any, side: Side = "right") -> ReducedState:
         """Return the reduced state at time t (s); as `sol`."""
         with self.arithmetic.context():
-            time = self._time(t)
-            tau = self.frame.rate * time
-            found = self._segments_at(time, tau, side)
-            states = [self.segments[i].motion.state(tau - self.segments[i].start) for i in found]
-            first, *rest = states
-            for other in rest:
-                first = ReducedState(*(one.union(two) for one, two in zip(first, other, strict=True)))
-            return first
+            return self._dense.state(t, side)
 
-    def mode_at(self, t: Any, side: Side = "right") -> Mode:
-        """Return the mode at time t (s); at an event the one on the given side."""
+    def mode_at(self, t: Any, side: Side = "right") -> Any:
+        """Return the mode at time t (s), an object array of modes for a sequence; at an event that on the given side."""
         with self.arithmetic.context():
-            time = self._time(t)
-            found = self._segments_at(time, self.frame.rate * time, side)
-            return self.segments[found[0 if side == "left" else -1]].mode
+            if np.ndim(t) == 0:
+                return self._dense.mode(t, side)
+            found = np.empty(len(t), dtype=object)
+            found[:] = [self._dense.mode(one, side) for one in t]
+            return found
 
-    def _time(self, t: Any) -> Number:
-        """Return t as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
-        number = self.frame.arithmetic.to_float
-        end = number(self.frame.si_time(self.segments[-1].end))
-        own = type(self.segments[0].start)
-        if own is not float and isinstance(t, own):
-            if not 0 <= number(t) <= max(end, float(self.scene.until) if self.success else 0.0):
-                raise ValueError(f"t = {self.arithmetic.text(t)} s is outside the solved time [0, {end:g}] s")
-            return t
-        exact = _exact_time(t)
-        if not 0 <= exact <= max(self.scene.until if self.success else Fraction(0), Fraction(end)):
-            raise ValueError(f"t = {float(exact):g} s is outside the solved time [0, {end:g}] s; solve further")
-        return self.arithmetic.number(exact)
+    def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
+        """Draw into matplotlib axes (new ones, if none are given) and return them; stick phases are shaded."""
+        from numerics.trajectory.figures import draw
 
-    @cached_property
-    def _starts(self) -> list[Number]:
-        """Start times in s: as rounded as the times of the events, so that an event's own time finds its segments."""
-        return [self._middle(self.frame.si_time(segment.start)) for segment in self.segments]
+        return draw(self, kind, ax)
 
-    def _middle(self, x: Number) -> Number:
-        """Return x itself, or the midpoint of a ball: a float would not tell the ends of a short slip apart."""
-        return x.mid() if self.arithmetic.name == "ball" else x
+    def to_dataframe(self) -> Any:
+        """Return t, mode, x1, v1, x2, v2 and energy at start, events and end as a pandas DataFrame."""
+        from numerics.trajectory.export import dataframe
 
-    def _segments_at(self, time: Number, tau: Number, side: Side) -> Sequence[int]:
-        """Return the index of the segment that holds a time (tau: the same, reduced), or all that balls leave open."""
-        find = bisect.bisect_right if side == "right" else bisect.bisect_left
-        first = last = max(0, find(self._starts, self._middle(time)) - 1)
-        if self.arithmetic.name == "ball":
-            while first > 0 and self._may_hold(first - 1, tau):
-                first -= 1
-            while last < len(self.segments) - 1 and self._may_hold(last + 1, tau):
-                last += 1
-        return range(first, last + 1)
-
-    def _may_hold(self, index: int, tau: Number) -> bool:
-        """Return whether it is not excluded that segment `index` holds tau."""
-        segment, last = self.segments[index], index == len(self.segments) - 1
-        before = self.arithmetic.sign(tau - segment.start) is Sign.NEGATIVE
-        after = not last and self.arithmetic.sign(segment.end - tau) is Sign.NEGATIVE
-        return not before and not after
+        return dataframe(self)
 
     def _array(self, values: Any) -> NDArray[Any]:
-        return np.array(values, dtype=float if self.arithmetic.name == "float64" else object)
+        if self.arithmetic.name == "float64":
+            return np.array(values, dtype=float)
+        array = np.array(values, dtype=object)
+        return array
 
+    def __eq__(self, other: object) -> bool:
+        """Return whether another trajectory answers the same scene with the same numbers."""
+        return isinstance(other, Trajectory) and self.__getstate__() == other.__getstate__()
 
-def _exact_time(t: Any) -> Fraction:
-    """Return a time as an exact rational: text as a decimal, a float as its binary value."""
-    try:
-        if hasattr(t, "as_integer_ratio"):
-            return Fraction(*t.as_integer_ratio())
-        return Fraction(t if isinstance(t, str) else operator.index(t))
-    except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        raise ValueError(f"t = {str(t)[:40]!r} is not a time in seconds; give a finite number >= 0") from None
+    __hash__ = None  # type: ignore[assignment]
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """Return what is pickled: the scene and what the run wrote, without what was made of it since."""
+        record = plain(self.record.rows), plain(self.record.end_row), self.record.width
+        arithmetic = self.arithmetic.name, self.arithmetic.digits
+        return self.scene, arithmetic, record, self.bounded, self.digits, self.tried
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        """Restore a pickled trajectory."""
+        scene, (name, digits), (rows, end, width), bounded, asked, tried = state
+        arithmetic = arithmetic_named(name, digits)
+        if name in {"float64", "double-double"}:
+            rows, end = np.array(rows, dtype=float).reshape(len(rows), -1), np.array(end)
+        record = Record(restored(rows), restored(end), width) if isinstance(rows, tuple) else Record(rows, end, width)
+        self.__init__(scene, arithmetic, record, bounded=bounded, digits=asked, tried=tried)  # type: ignore[misc]
+
+    def __repr__(self) -> str:
+        """Return a short summary, as SciPy's solutions have."""
+        events, digits = len(self.record), self.arithmetic.digits
+        accuracy = self.accuracy
+        right = self.digits or (digits if accuracy is None else accuracy.digits)
+        return (
+            f"     message: {self.message}\n     success: {self.success}\n      status: {int(self.status)}\n"
+            f"  arithmetic: {self.arithmetic.name}, {right} right digits\n      events: {events}\n"
+            f"           t: [0, {self.arithmetic.text(self.end_time)}] s\n  final mode: {self.final_mode.value}"
+        )
+
+    def _repr_html_(self) -> str:
+        """Return the same as a small table, for notebooks."""
+        rows = (line.split(":", 1) for line in repr(self).splitlines())
+        cells = "".join(f"<tr><th>{name.strip()}</th><td>{value.strip()}</td></tr>" for name, value in rows)
+        return f"<table>{cells}</table>"

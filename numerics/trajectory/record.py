@@ -1,0 +1,93 @@
+"""What a run left behind: a row an event, and a row for the end, read by the names of their columns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.double_numbers import exact_sum
+from numerics.arithmetic.protocol import Number
+
+CODES = ("mode", "kind", "side", "late", "x", "v", "place", "relative")
+"""Floats of an event: mode (-1, 0, +1), kind of motion and side after it; bounds on the errors of tau, X, V and Z, and
+on the relative error of t, x1, v and x2."""
+NUMBERS = ("tau", "length", "X", "V", "Z", "w", "gap", "push")
+"""Numbers of an event: its time, how long the motion before it lasted, the state, and how the motion after it starts."""
+END_CODES = (
+    *("how", "events", "mode", "first_mode", "certain", "digits", "worst"),
+    *("x_error", "v1_error", "v2_error", "place_error", "w_error", "spent_error", "damped_error"),
+)
+"""Floats of the end: how the run ended (codes.py), how many events it had, the mode there and at the start, whether the bounds leave no doubt
+about the sequence of events, right digits and the relative error of all events by the bounds; bounds on the errors."""
+END_NUMBERS = (
+    *("tau", "length", "X", "V1", "V2", "Z", "w", "spent", "damped"),
+    *("X0", "V10", "V20", "Z0", "w0", "length_unit", "rate", "energy_unit"),
+)
+"""The reduced time at the end, how long the last motion lasts up to it, the state, and what was taken from E/E_cr; the
+state at the start; L in m, Omega in 1/s, E_cr in J."""
+
+
+def row_length(width: int) -> int:
+    """Return how long the row of an event is, where a number takes `width` columns."""
+    return len(CODES) + width * len(NUMBERS)
+
+
+def end_length(width: int) -> int:
+    """Return how long the row for the end is."""
+    return len(END_CODES) + width * len(END_NUMBERS)
+
+
+class Record:
+    """Rows (n, row_length) and the row for the end: arrays of floats, halves of double-double numbers, or lists."""
+
+    __slots__ = ("end_row", "rows", "width")
+
+    def __init__(self, rows: Any, end_row: Any, width: int) -> None:
+        """Keep what a run wrote; a number takes `width` columns."""
+        self.rows, self.end_row, self.width = rows, end_row, width
+
+    def __len__(self) -> int:
+        """Return how many events there were."""
+        return len(self.rows)
+
+    def code(self, index: int, name: str) -> float:
+        """Return a float of an event."""
+        return float(self.rows[index][CODES.index(name)])
+
+    def codes(self, name: str) -> NDArray[np.float64]:
+        """Return a float of all events."""
+        if isinstance(self.rows, np.ndarray):
+            return self.rows[:, CODES.index(name)]
+        return np.array([row[CODES.index(name)] for row in self.rows], dtype=float)
+
+    def number(self, index: int, name: str) -> Number:
+        """Return a number of an event, exactly."""
+        return self._at(self.rows[index], len(CODES) + self.width * NUMBERS.index(name))
+
+    def numbers(self, name: str) -> NDArray[Any]:
+        """Return a number of all events: floats, or objects."""
+        if self.width == 1 and isinstance(self.rows, np.ndarray):
+            return self.rows[:, len(CODES) + NUMBERS.index(name)]
+        return _objects([self.number(index, name) for index in range(len(self.rows))])
+
+    def end_code(self, name: str) -> float:
+        """Return a float of the end."""
+        return float(self.end_row[END_CODES.index(name)])
+
+    def end(self, name: str) -> Number:
+        """Return a number of the end, exactly."""
+        return self._at(self.end_row, len(END_CODES) + self.width * END_NUMBERS.index(name))
+
+    def _at(self, row: Any, column: int) -> Number:
+        if self.width == 2:
+            return exact_sum(float(row[column]), float(row[column + 1]))
+        return float(row[column]) if isinstance(row, np.ndarray) else row[column]
+
+
+def _objects(values: Sequence[Any]) -> NDArray[Any]:
+    array = np.empty(len(values), dtype=object)
+    array[:] = values
+    return array
