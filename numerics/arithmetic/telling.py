@@ -15,6 +15,7 @@ import dis
 import hashlib
 import importlib.util
 import os
+import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -89,10 +90,10 @@ class Telling:
 
     def compiled(self, function: _Function) -> _Function:
         """Return a text as told, compiled, to be called from Python; interpreted without numba. The bits are the same."""
-        if not can_compile():
-            return self(function)
         key = (self.name, function, "entry")
         if key not in _COMPILED:
+            if not can_compile():
+                return self(function)
             with _ONE_AT_A_TIME:
                 if key not in _COMPILED:
                     if self._prepare is not None:
@@ -157,8 +158,17 @@ def _called_texts(function: Any) -> Iterator[tuple[str, Any]]:
 
 def can_compile() -> bool:
     """Return whether numba is installed and not switched off by NUMBA_DISABLE_JIT."""
-    off = os.environ.get("NUMBA_DISABLE_JIT", "0") not in {"", "0"}
-    return not off and importlib.util.find_spec("numba") is not None
+    return os.environ.get("NUMBA_DISABLE_JIT", "0") in {"", "0"} and _numba_is_installed()
+
+
+def compiles_now() -> bool:
+    """Return whether compiled code is at hand: numba is installed, and has been imported already."""
+    return "numba" in sys.modules and can_compile()
+
+
+@cache
+def _numba_is_installed() -> bool:
+    return importlib.util.find_spec("numba") is not None
 
 
 def compiled_word(word: Any) -> Any:
@@ -217,7 +227,7 @@ def _digest_of_sources() -> str:
     """Return a name for the sources of every room that has texts or words in it."""
     digest = hashlib.sha256()
     numerics = Path(__file__).parent.parent
-    for room in ("arithmetic", "flows", "contact", "motion", "bounds", "run"):
+    for room in ("arithmetic", "flows", "contact", "motion", "bounds", "trajectory", "run"):
         for source in sorted((numerics / room).glob("*.py")):
             digest.update(source.read_bytes())
     return digest.hexdigest()[:16]

@@ -29,7 +29,6 @@ from numerics.motion.codes import RAY, STICK, SURFACE
 from numerics.motion.records import At, no_damping
 from numerics.motion.undamped import Landing, Pair, Start, flow, stick_reach, velocity
 
-
 _NO_LINEAR = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
 
 

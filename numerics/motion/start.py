@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from numerics.arithmetic.double_double import Double
 from numerics.arithmetic.float64 import ZERO, exactly, signed, sqrt
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text

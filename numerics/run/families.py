@@ -27,5 +27,7 @@ def run_telling(base: Telling, *, is_damped: bool) -> Telling:
         own = {remembered: damped_remembered} if is_damped else {}
         return motions.but("unbounded", own | namesakes(undamped_bounds, no_bounds, _BOUNDS))
     if is_damped:
-        return motions.but("bounded", {remembered: damped_remembered} | namesakes(undamped_bounds, damped_bounds, _BOUNDS))
+        return motions.but(
+            "bounded", {remembered: damped_remembered} | namesakes(undamped_bounds, damped_bounds, _BOUNDS)
+        )
     return motions

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -16,10 +15,11 @@ from numerics.arithmetic.double_words import DOUBLE_DOUBLE
 from numerics.arithmetic.float64 import FLOAT64, Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.arithmetic.questions import QUESTIONS, SIDE_OF_ZERO
-from numerics.arithmetic.telling import can_compile
+from numerics.arithmetic.telling import can_compile, compiles_now
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.motion.begin import begin, in_halves, si_numbers
 from numerics.motion.codes import OUT_OF_RANGE
+from numerics.motion.start import SI
 from numerics.run.families import has_bounds, run_telling
 from numerics.run.row import solve_row, solve_start
 from numerics.run.rows import Growing
@@ -85,11 +85,6 @@ def run_double_double(scene: Scene, max_events: int, progress: Progress | None =
     return Trajectory(scene, _DOUBLE, Record(rows, end, 2), bounded=has_bounds("double-double", is_damped=is_damped))
 
 
-def compiles_now() -> bool:
-    """Return whether compiled code is at hand: numba is installed, and has been imported already."""
-    return "numba" in sys.modules and can_compile()
-
-
 def _from_start(
     telling: Any, begun: Any, width: int, max_events: int, asked: tuple[Scene, Progress | None]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -125,7 +120,9 @@ def _left_range(arithmetic: Arithmetic, is_damped: bool) -> Exception:
     """Return what says that a number left the range, or that balls know nothing of one any more."""
     if arithmetic.name == "ball" and not is_damped:
         return EventUndecided(QUESTIONS[SIDE_OF_ZERO], "a number that is not finite", arithmetic.digits)
-    many = "; or one slip lasts more than 100000 half oscillations: make |v1 - v2| smaller, or a1 = 0" if is_damped else ""
+    many = (
+        "; or one slip lasts more than 100000 half oscillations: make |v1 - v2| smaller, or a1 = 0" if is_damped else ""
+    )
     if arithmetic.name == "ball":
         return OutOfRange(f"the oscillation of one slip is beyond what is inspected{many}")
     return OutOfRange(
@@ -148,18 +145,18 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
     It is made once and kept with the scene.
     """
     if scene.row is None:
-        object.__setattr__(scene, "row", _row(scene))
-    return scene.row or None if isinstance(scene.row, bool) else scene.row
+        object.__setattr__(scene, "row", (halved(si_numbers(scene)),))
+    return scene.row[0]  # type: ignore[no-any-return]
 
 
-def _row(scene: Scene) -> NDArray[np.float64] | bool:
-    """Return the halves; False where they would make two velocities equal that are not."""
+def halved(si: SI) -> NDArray[np.float64] | None:
+    """Return SI numbers as halves; None where those would make two velocities equal that are not, or overflow."""
     try:
-        halves = [half for number in si_numbers(scene) for half in nearest(number)]
+        halves = [half for number in si for half in nearest(number)]
     except OverflowError:
-        return False
-    same = scene.initial.v1 == scene.initial.v2
-    return np.array(halves) if same == (halves[10:12] == halves[14:16]) else False
+        return None
+    same = halves[10:12] == halves[14:16]
+    return np.array(halves) if same == (si.v1 == si.v2) else None
 
 
 def _room(row: NDArray[np.float64], max_events: int) -> int:

@@ -34,7 +34,6 @@ def record(rows: Any, index: int, length: Number, start: Any, V: Number, at: Eve
     put(row, 8, (start.tau, length, start.X, V, start.Z, start.w, gap, push))
 
 
-
 class Growing:
     """Rows for interpreted texts: a row is made when it is first written; `told` hears of every thousandth."""
 

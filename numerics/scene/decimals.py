@@ -7,10 +7,12 @@ is converted, so a hostile exponent costs nothing.
 
 from __future__ import annotations
 
+import operator
 import re
 from decimal import Decimal
 from fractions import Fraction
-from numbers import Rational, Real
+from numbers import Integral, Rational, Real
+from typing import Any
 
 from numerics.errors import InvalidScene
 
@@ -25,7 +27,8 @@ _DECIMAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE]([+-]?[0-9]+
 def exact_decimal(value: object, name: str) -> Fraction:
     """Return `value` as the exact rational number that its decimal text denotes.
 
-    Accepts int, Fraction, Decimal, decimal text, and float (read as its shortest decimal text, so 0.005 is 1/200).
+    Accepts int (NumPy's too), Fraction, Decimal, decimal text, a ratio of two such as "1/3", and float (read as its
+    shortest decimal text, so 0.005 is 1/200).
     Raises InvalidScene naming the quantity `name` for anything else: bool, nan, inf, other text, exponents beyond
     +-1000, texts longer than 1000 characters, and exact numbers that take more than 2000 digits to write.
 
@@ -33,15 +36,36 @@ def exact_decimal(value: object, name: str) -> Fraction:
     (Fraction(1, 200), Fraction(1, 200), Fraction(-1, 1000))
     """
     if isinstance(value, str):
-        return _from_text(value.strip(), name)
+        return _from_ratio(value.strip(), name)
     if isinstance(value, Decimal):
         return _from_text(str(value), name)
     if not isinstance(value, bool):
-        if isinstance(value, (int, Rational)):
+        if isinstance(value, Integral):  # NumPy's too
+            return _checked_size(Fraction(int(value)), name)
+        if isinstance(value, Rational):
             return _checked_size(Fraction(value), name)
         if isinstance(value, Real):
             return _from_text(repr(float(value)), name)
     raise InvalidScene(f"{name} must be a decimal number, not {_shown(value)}; write it as 0.05 or 5e-2")
+
+
+def require_whole(name: str, value: Any, least: int) -> None:
+    """Raise ValueError, naming the argument, unless it is a whole number from `least` to 2^62."""
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise ValueError(f"{name} = {str(value)[:40]!r} must be a whole number")
+    if not least <= operator.index(value) <= 2**62:
+        raise ValueError(f"{name} = {str(value)[:40]} must be at least {least} and at most 2^62")
+
+
+def _from_ratio(text: str, name: str) -> Fraction:
+    """Return the number of a decimal text, or of a ratio of two such as "50/3"."""
+    above, slash, below = text.partition("/")
+    if not slash:
+        return _from_text(text, name)
+    divisor = _from_text(below.strip(), name)
+    if divisor == 0:
+        raise InvalidScene(f"{name} = {_shown(text)} divides by 0; write a number such as 50/3")
+    return _checked_size(_from_text(above.strip(), name) / divisor, name)
 
 
 def _from_text(text: str, name: str) -> Fraction:

@@ -75,10 +75,13 @@ class State:
     v1: Fraction
     x2: Fraction
     v2: Fraction
+    row: Any = field(default=None, init=False, repr=False, compare=False)
+    """The same for compiled code, made when it is first needed (solver/prepared.py)."""
 
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         _keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
+        object.__setattr__(self, "row", None)
 
 
 @dataclass(frozen=True, slots=True, init=False)
@@ -108,6 +111,14 @@ class Scene:
             raise InvalidScene(f"until = {_short(self.until)} must be > 0; give the horizon in seconds")
         object.__setattr__(self, "law", read_law(law))
         object.__setattr__(self, "row", None)
+
+    @classmethod
+    def of(cls, pair: Pair, initial: State, until: Fraction, law: Law) -> Scene:
+        """Return a scene of parts that are checked already."""
+        scene: Scene = object.__new__(cls)
+        for name, value in (("pair", pair), ("initial", initial), ("until", until), ("law", law), ("row", None)):
+            object.__setattr__(scene, name, value)
+        return scene
 
     @property
     def energy(self) -> Fraction:

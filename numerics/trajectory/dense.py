@@ -25,7 +25,7 @@ class Dense:
 
     def state(self, t: Any, side: Side) -> ReducedState:
         """Return the reduced state at time t (s)."""
-        time = self._time(t)
+        time = self.time(t)
         tau = self._of.units[1] * time
         segments = self._of.segments
         states = [segments[i].state(tau - segments[i].start) for i in self._segments_at(time, tau, side)]
@@ -36,12 +36,12 @@ class Dense:
 
     def mode(self, t: Any, side: Side) -> Mode:
         """Return the mode at time t (s); at an event the one on the given side."""
-        time = self._time(t)
+        time = self.time(t)
         found = self._segments_at(time, self._of.units[1] * time, side)
         modes: tuple[Mode, ...] = self._of.modes
         return modes[found[0 if side == "left" else -1]]
 
-    def _time(self, t: Any) -> Number:
+    def time(self, t: Any) -> Number:
         """Return t as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
         number, until = self._arithmetic.to_float, self._of.scene.until if self._of.reached else Fraction(0)
         end, own = number(self._of.end_time), type(self._of.end_time)

@@ -30,6 +30,12 @@ END_NUMBERS = (
 state at the start; L in m, Omega in 1/s, E_cr in J."""
 
 
+_CODE = {name: index for index, name in enumerate(CODES)}
+_NUMBER = {name: index for index, name in enumerate(NUMBERS)}
+_END_CODE = {name: index for index, name in enumerate(END_CODES)}
+_END_NUMBER = {name: index for index, name in enumerate(END_NUMBERS)}
+
+
 def row_length(width: int) -> int:
     """Return how long the row of an event is, where a number takes `width` columns."""
     return len(CODES) + width * len(NUMBERS)
@@ -55,36 +61,46 @@ class Record:
 
     def code(self, index: int, name: str) -> float:
         """Return a float of an event."""
-        return float(self.rows[index][CODES.index(name)])
+        return float(self.rows[index][_CODE[name]])
 
     def codes(self, name: str) -> NDArray[np.float64]:
         """Return a float of all events."""
         if isinstance(self.rows, np.ndarray):
-            return self.rows[:, CODES.index(name)]
-        return np.array([row[CODES.index(name)] for row in self.rows], dtype=float)
+            return self.rows[:, _CODE[name]]
+        return np.array([row[_CODE[name]] for row in self.rows], dtype=float)
 
     def number(self, index: int, name: str) -> Number:
         """Return a number of an event, exactly."""
-        return self._at(self.rows[index], len(CODES) + self.width * NUMBERS.index(name))
+        return self._at(self.rows[index], len(CODES) + self.width * _NUMBER[name])
 
     def numbers(self, name: str) -> NDArray[Any]:
         """Return a number of all events: floats, or objects."""
         if self.width == 1 and isinstance(self.rows, np.ndarray):
-            return self.rows[:, len(CODES) + NUMBERS.index(name)]
+            return self.rows[:, len(CODES) + _NUMBER[name]]
         return _objects([self.number(index, name) for index in range(len(self.rows))])
+
+    def in_numbers(self) -> tuple[Any, Any]:
+        """Return the rows and the end with one number a column: as they are, or double-double ones joined."""
+        if self.width == 1:
+            return self.rows, self.end_row
+        rows = [self._joined(row, len(CODES)) for row in self.rows]
+        return rows, self._joined(self.end_row, len(END_CODES))
+
+    def _joined(self, row: Any, codes: int) -> list[Any]:
+        return [*row[:codes], *(exact_sum(float(row[i]), float(row[i + 1])) for i in range(codes, len(row), 2))]
 
     def end_code(self, name: str) -> float:
         """Return a float of the end."""
-        return float(self.end_row[END_CODES.index(name)])
+        return float(self.end_row[_END_CODE[name]])
 
     def end(self, name: str) -> Number:
         """Return a number of the end, exactly."""
-        return self._at(self.end_row, len(END_CODES) + self.width * END_NUMBERS.index(name))
+        return self._at(self.end_row, len(END_CODES) + self.width * _END_NUMBER[name])
 
     def _at(self, row: Any, column: int) -> Number:
         if self.width == 2:
             return exact_sum(float(row[column]), float(row[column + 1]))
-        return float(row[column]) if isinstance(row, np.ndarray) else row[column]
+        return float(row[column]) if type(row) is np.ndarray else row[column]
 
 
 def _objects(values: Sequence[Any]) -> NDArray[Any]:

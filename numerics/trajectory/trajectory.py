@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.by_name import arithmetic_named
+from numerics.arithmetic.float64 import FLOAT64
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.arithmetic.telling import compiles_now
 from numerics.motion.begin import Begun, begin
 from numerics.motion.codes import EVENT_LIMIT, STICK, STUCK
 from numerics.motion.damped import Start as DampedStart
@@ -26,6 +28,7 @@ from numerics.trajectory.digits import Accuracy, bounds_in_si
 from numerics.trajectory.pickled import plain, restored
 from numerics.trajectory.record import Record
 from numerics.trajectory.segment import EnergyLedger, Event, Segment
+from numerics.trajectory.si_table import CROSSING, ENTRY, EXIT, si_table
 from numerics.trajectory.status import Status
 
 _MODES = {-1.0: Mode.SLIP_MINUS, 0.0: Mode.STICK, 1.0: Mode.SLIP_PLUS}
@@ -128,13 +131,12 @@ class Trajectory:
     @cached_property
     def _signs(self) -> list[float]:
         """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
-        first = self.record.end_code("first_mode")
-        return [first, *self.record.codes("mode").tolist()]
+        return [self.record.end_code("first_mode"), *self.record.codes("mode").tolist()]
 
     @cached_property
     def modes(self) -> tuple[Mode, ...]:
         """Return the itinerary: the mode of every segment."""
-        return tuple([_MODES[sign] for sign in (self._signs if self.reached else self._signs[:-1])])
+        return tuple(map(_MODES.__getitem__, self._signs if self.reached else self._signs[:-1]))
 
     @property
     def event_kinds(self) -> tuple[EventKind, ...]:
@@ -169,42 +171,50 @@ class Trajectory:
         speed = length * rate
         return state.X * length, state.V1 * speed, (state.X - state.Z) * length, state.V2 * speed
 
-    @cached_property
+    @property
     def end_time(self) -> Number:
         """Return the time at the end, s."""
         with self.arithmetic.context():
             return self.record.end("tau") / self.units[1]
 
     @cached_property
+    def _table(self) -> tuple[NDArray[Any], NDArray[np.int64]]:
+        """Return t, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (5, m); kinds of events."""
+        count, floats = len(self.record), self.arithmetic.name == "float64"
+        table = np.empty((5, count + 1 + self.reached), dtype=float if floats else object)
+        kinds = np.empty(count, dtype=np.int64)
+        if floats:
+            (FLOAT64.compiled if compiles_now() else FLOAT64)(si_table)(*self.record.in_numbers(), table, kinds)
+        else:
+            with self.arithmetic.context():
+                si_table(*self.record.in_numbers(), table, kinds)
+        return table, kinds
+
+    @property
     def event_times(self) -> NDArray[Any]:
         """Return the times of all events, s, shape (k,)."""
-        with self.arithmetic.context():
-            return self.record.numbers("tau") / self.units[1]
+        return self._table[0][0, 1 : len(self.record) + 1]
 
-    @cached_property
+    @property
     def event_states(self) -> NDArray[Any]:
         """Return x1, v1, x2, v2 at all events, shape (4, k)."""
-        with self.arithmetic.context():
-            X, V, Z = (self.record.numbers(name) for name in ("X", "V", "Z"))
-            return np.array(self._in_si(ReducedState(X, V, V, Z, None)))
+        return self._table[0][1:, 1 : len(self.record) + 1]
 
-    @cached_property
+    @property
     def t(self) -> NDArray[Any]:
         """Return the times of start, events and end, or t_eval, s, shape (m,)."""
-        if self.t_eval is not None:
-            return self._array(self.t_eval)
-        zero = [0.0] if self.arithmetic.name == "float64" else [self.arithmetic.number(0)]
-        return np.concatenate([zero, self.event_times, [self.end_time] if self.reached else []])
+        return self._table[0][0] if self.t_eval is None else self._at_t_eval[0]
 
-    @cached_property
+    @property
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4, m)."""
-        if self.t_eval is not None:
-            return self.sol(self.t_eval)
+        return self._table[0][1:] if self.t_eval is None else self._at_t_eval[1]
+
+    @cached_property
+    def _at_t_eval(self) -> tuple[NDArray[Any], NDArray[Any]]:
         with self.arithmetic.context():
-            first = self._array(self._in_si(self.initial)).reshape(4, 1)
-        last = self._array(self.final_state).reshape(4, 1)
-        return np.concatenate([first, self.event_states, last if self.reached else last[:, :0]], axis=1)
+            times = [self._dense.time(one) for one in self.t_eval]
+        return self._array(times), self.sol(self.t_eval)
 
     @property
     def initial(self) -> ReducedState:
@@ -222,19 +232,14 @@ class Trajectory:
     @property
     def t_events(self) -> tuple[NDArray[Any], ...]:
         """Return the event times by kind, in the order of EventKind (entry, exit, crossing), each of shape (k,)."""
-        return tuple(self.event_times[of_kind] for of_kind in self._by_kind)
+        times, kinds = self.event_times, self._table[1]
+        return times[kinds == ENTRY], times[kinds == EXIT], times[kinds == CROSSING]
 
     @property
     def y_events(self) -> tuple[NDArray[Any], ...]:
         """Return the event states by kind, each of shape (k, 4)."""
-        return tuple(self.event_states.T[of_kind] for of_kind in self._by_kind)
-
-    @cached_property
-    def _by_kind(self) -> tuple[NDArray[np.bool_], ...]:
-        signs = np.array(self._signs)
-        entry = signs[1:] == 0
-        leaves = (signs[:-1] == 0) & ~entry
-        return entry, leaves, ~(entry | leaves)
+        states, kinds = self.event_states.T, self._table[1]
+        return states[kinds == ENTRY], states[kinds == EXIT], states[kinds == CROSSING]
 
     @cached_property
     def segments(self) -> Sequence[Segment]:
@@ -338,10 +343,7 @@ class Trajectory:
         return dataframe(self)
 
     def _array(self, values: Any) -> NDArray[Any]:
-        if self.arithmetic.name == "float64":
-            return np.array(values, dtype=float)
-        array = np.array(values, dtype=object)
-        return array
+        return np.array(values, dtype=float if self.arithmetic.name == "float64" else object)
 
     def __eq__(self, other: object) -> bool:
         """Return whether another trajectory answers the same scene with the same numbers."""

@@ -1,0 +1,43 @@
+"""A record in SI units: t, x1, v1, x2, v2 at start, events and horizon, and the kinds of the events."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numerics.arithmetic.telling import text
+from numerics.trajectory.record import CODES, END_CODES, END_NUMBERS, NUMBERS
+
+_TAU, _X, _V, _Z = (len(CODES) + NUMBERS.index(name) for name in ("tau", "X", "V", "Z"))
+_END_TAU, _END, _START, _UNITS = (
+    len(END_CODES) + END_NUMBERS.index(name) for name in ("tau", "X", "X0", "length_unit")
+)
+_FIRST_MODE = END_CODES.index("first_mode")
+ENTRY, EXIT, CROSSING = 0, 1, 2
+"""Kinds of events, in the order of modes.EventKind."""
+
+
+@text
+def si_table(rows: Any, end: Any, table: Any, kinds: Any) -> None:
+    """Fill table (5, m) and kinds (k,) from the rows of k events and that of the end; m = k + 2, or k + 1 without it."""
+    length, rate, mode, count = end[_UNITS], end[_UNITS + 1], end[_FIRST_MODE], len(rows)
+    speed = length * rate
+    _place(table, 0, 0 * rate, (end[_START], end[_START + 1], end[_START + 2], end[_START + 3]), length, speed)
+    for index in range(count):
+        row = rows[index]
+        _place(table, index + 1, row[_TAU] / rate, (row[_X], row[_V], row[_V], row[_Z]), length, speed)
+        kinds[index] = ENTRY if row[0] == 0.0 else (EXIT if mode == 0.0 else CROSSING)
+        mode = row[0]
+    if len(table[0]) > count + 1:
+        at = end[_END], end[_END + 1], end[_END + 2], end[_END + 3]
+        _place(table, count + 1, end[_END_TAU] / rate, at, length, speed)
+
+
+@text
+def _place(table: Any, column: int, t: Any, at: Any, length: Any, speed: Any) -> None:
+    """Write one column from the time and (X, V1, V2, Z)."""
+    X, V1, V2, Z = at
+    table[0, column] = t
+    table[1, column] = length * X
+    table[2, column] = speed * V1
+    table[3, column] = length * (X - Z)
+    table[4, column] = speed * V2
