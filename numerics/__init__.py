@@ -9,13 +9,15 @@ if TYPE_CHECKING:
     from numerics.batch.batch import solve_many, solve_scenes
     from numerics.scene import Law, Pair, Scene, State
     from numerics.scene.file import load_scene
+    from numerics.sensitivity.sensitivity import sensitivities
     from numerics.solver.prepared import Solver
     from numerics.solver.solve import solve
 
-__all__ = ["Law", "Pair", "Scene", "Solver", "State", "load_scene", "solve", "solve_many", "solve_scenes"]
+__all__ = ["Law", "Pair", "Scene", "Solver", "State", "load_scene", "sensitivities", "solve", "solve_many", "solve_scenes"]
 _HOMES = {
     "Solver": "numerics.solver.prepared",
     "solve": "numerics.solver.solve",
+    "sensitivities": "numerics.sensitivity.sensitivity",
     "solve_many": "numerics.batch.batch",
     "solve_scenes": "numerics.batch.batch",
     "load_scene": "numerics.scene.file",

@@ -67,12 +67,12 @@ class Telling:
     ) -> None:
         """Keep the vocabulary; `prepare` is called once before anything is compiled."""
         self.name, self._prepare = name, prepare
-        self._words, self._spoken, self._instead = words, spoken, dict(instead or {})
+        self.words, self._spoken, self._instead = words, spoken, dict(instead or {})
         self._told: dict[Any, Any] = {}
 
     def but(self, name: str, instead: Mapping[Any, Any]) -> Telling:
         """Return the same telling with more texts replaced."""
-        return Telling(f"{self.name} {name}", self._words, self._spoken, {**self._instead, **instead}, self._prepare)
+        return Telling(f"{self.name} {name}", self.words, self._spoken, {**self._instead, **instead}, self._prepare)
 
     def __call__(self, function: _Function) -> _Function:
         """Return a text as this arithmetic tells it, interpreted."""
@@ -122,9 +122,9 @@ class Telling:
     def _words_of(self, function: Any) -> dict[str, Any]:
         """Return what this arithmetic says for the words that a text loads."""
         return {
-            name: self._words[name]
+            name: self.words[name]
             for name in _loaded(function)
-            if name in self._words and function.__globals__.get(name) is self._spoken[name]
+            if name in self.words and function.__globals__.get(name) is self._spoken[name]
         }
 
 

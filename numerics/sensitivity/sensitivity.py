@@ -17,24 +17,29 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.dual import Dual
 from numerics.arithmetic.dual_number import DualNumber
 from numerics.arithmetic.protocol import Arithmetic, Sign
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.motion.modes import Mode, mode_at_start
+from numerics.motion.begin import begin, mode_at_start
+from numerics.motion.frame import Frame
+from numerics.motion.modes import Mode
+from numerics.motion.records import ReducedState
+from numerics.run.families import run_telling
+from numerics.run.row import solve_start
+from numerics.run.rows import Growing
 from numerics.scene import Pair, Scene, State
-from numerics.solver.solve import integrate
-from numerics.trajectory.accuracy import EXACT, digits_within
-
-if TYPE_CHECKING:
-    from numerics.trajectory.trajectory import Trajectory
+from numerics.sensitivity.duals import dual
+from numerics.trajectory.digits import EXACT, digits_within
+from numerics.trajectory.record import Record, end_length, row_length
+from numerics.trajectory.si_table import si_table
+from numerics.trajectory.trajectory import Trajectory
 
 WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
 """The initial state and the parameters, in the order of the last axis of every array."""
@@ -57,8 +62,22 @@ class Sensitivity:
     energy: NDArray[Any]
     """Of the energy there, shape (9,)."""
 
+    def __repr__(self) -> str:
+        """Return a short summary."""
+        return f"Sensitivity of {len(self.t)} events and the final state by {', '.join(self.wrt)}"
 
-def sensitivity(trajectory: Trajectory) -> Sensitivity:
+    def _repr_html_(self) -> str:
+        """Return the derivatives of the final state as a table, for notebooks."""
+        head = "".join(f"<th>by {name}</th>" for name in self.wrt)
+        names = ("x1", "v1", "x2", "v2", "energy")
+        rows = ""
+        for name, row in zip(names, [*self.final, self.energy], strict=True):
+            cells = "".join(f"<td>{float(one):.4g}</td>" for one in row)
+            rows += f"<tr><th>final {name}</th>{cells}</tr>"
+        return f"<table><tr><th></th>{head}</tr>{rows}</table>"
+
+
+def sensitivities(trajectory: Trajectory) -> Sensitivity:
     """Return the sensitivities of a trajectory, by solving its scene again, at 5 to 15 times the cost.
 
     It works with the arithmetic and precision of the trajectory. Where balls were asked for N digits the precision is
@@ -92,16 +111,14 @@ def _proved_digits(found: Sensitivity) -> int:
 
 
 def _differentiate(trajectory: Trajectory, base: Arithmetic) -> Sensitivity:
-    arithmetic = Dual(base)
-    # one event more than were found shows a lost one
-    limit = len(trajectory.events) + (1 if trajectory.success else 0)
-    duals = integrate(differentiable(trajectory.scene), arithmetic, limit)
-    if duals.event_kinds != trajectory.event_kinds or duals.modes != trajectory.modes:
-        raise _undecided(trajectory, "are the events those of the trajectory?", f"{len(duals.events)} events")
-    last = duals.segments[-1].length
-    if duals.success and duals.events and arithmetic.sign(last) is Sign.ZERO:
-        raise _undecided(trajectory, "does the last event come before the horizon or after it?", arithmetic.text(last))
+    arithmetic, scene = dual(base), differentiable(trajectory.scene)
     with arithmetic.context():
+        record = _run(trajectory, scene, arithmetic)
+        table = np.empty((5, len(record) + 1 + trajectory.reached), dtype=object)
+        si_table(*record.in_numbers(), table, np.empty(len(record), dtype=np.int64))
+        events, final = table[:, 1 : len(record) + 1].T, table[1:, -1]
+        at = ReducedState(*(record.end(name) for name in ReducedState._fields))
+        energy = Frame(arithmetic, scene.pair).energy(at)
 
         def gradients(numbers: Any) -> NDArray[Any]:
             zeros = [arithmetic.base.number(0)] * len(WRT)
@@ -109,13 +126,29 @@ def _differentiate(trajectory: Trajectory, base: Arithmetic) -> Sensitivity:
 
         found = Sensitivity(
             wrt=WRT,
-            t=gradients(event.t for event in duals.events).reshape(-1, len(WRT)),
-            y=gradients(one for event in duals.events for one in event.y).reshape(-1, 4, len(WRT)),
-            final=gradients(duals.frame.si_state(duals.final)),
-            energy=gradients([duals.frame.energy(duals.final)])[0],
+            t=gradients(events[:, 0]).reshape(-1, len(WRT)),
+            y=gradients(events[:, 1:].ravel()).reshape(-1, 4, len(WRT)),
+            final=gradients(final),
+            energy=gradients([energy])[0],
         )
         _require_finite(trajectory, found)
     return found
+
+
+def _run(trajectory: Trajectory, scene: Scene, arithmetic: Any) -> Record:
+    """Return the record of the same run over dual numbers; raises EventUndecided if its events are others."""
+    # one event more than were found shows a lost one
+    most, events = len(trajectory.record) + trajectory.reached, len(trajectory.record)
+    rows, end = Growing(row_length(1), most), [0.0] * end_length(1)
+    told = run_telling(arithmetic.telling, is_damped=trajectory.scene.pair.a1 > 0)
+    told(solve_start)(*begin(scene, arithmetic), most, rows, end)
+    record = Record(rows.rows, end, 1)
+    if len(record) != events or record.codes("mode").tolist() != trajectory.record.codes("mode").tolist():
+        raise _undecided(trajectory, "are the events those of the trajectory?", f"{len(record)} events")
+    last = record.end("length")
+    if trajectory.reached and events and arithmetic.sign(last) is Sign.ZERO:
+        raise _undecided(trajectory, "does the last event come before the horizon or after it?", arithmetic.text(last))
+    return record
 
 
 def differentiable(scene: Scene) -> Scene:
@@ -125,13 +158,11 @@ def differentiable(scene: Scene) -> Scene:
     if mode_at_start(scene) is Mode.STICK:
         units["v1"] = units["v2"] = (units["v1"] * pair.m1 + units["v2"] * pair.m2) / pair.mass
     numbers = {
-        name: DualNumber(getattr(at if name in State.__slots__ else pair, name), unit) for name, unit in units.items()
+        name: DualNumber(getattr(pair if hasattr(pair, name) else at, name), unit) for name, unit in units.items()
     }
-    over_duals = {
-        "pair": _frozen(Pair, {name: numbers[name] for name in Pair.__slots__}),
-        "initial": _frozen(State, {name: numbers[name] for name in State.__slots__}),
-    }
-    return _frozen(Scene, over_duals | {"until": scene.until, "law": scene.law})
+    made_pair = _frozen(Pair, {name: numbers[name] for name in ("m1", "m2", "a2", "b", "a1")})
+    initial = _frozen(State, {name: numbers[name] for name in ("x1", "v1", "x2", "v2")})
+    return Scene.of(made_pair, initial, scene.until, scene.law)
 
 
 def _exact(*values: int) -> NDArray[Any]:
@@ -150,7 +181,7 @@ def _require_finite(trajectory: Trajectory, found: Sensitivity) -> None:
     arrays = (found.t, found.y, found.final, found.energy)
     if trajectory.arithmetic.name == "float64":
         if not all(np.isfinite(array).all() for array in arrays):
-            raise OutOfRange("a derivative left the range of float64 (1e-308 to 1e308); use --arithmetic ball")
+            raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
         return
     for one in (one for array in arrays for one in array.flat):
         if not (one.is_finite() if trajectory.arithmetic.name == "ball" else mpmath.isfinite(one)):
