@@ -15,12 +15,14 @@ By the inequality of Cusa and Huygens h is convex on (0, 2 pi), so h(theta) >= t
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
 from fractions import Fraction
 from functools import cached_property
 
 import flint
 from flint import acb, arb, fmpq, fmpq_series
+
+from numerics.arithmetic.ball import Ball, precision
+from numerics.long_time.series import angle_and_depth, polynomial, scaled, series_terms, shifted, shifted_even
 
 ORDER = 24
 """Terms of alpha beyond the logarithm; beta has twice as many, as it runs in half powers of y."""
@@ -35,7 +37,7 @@ class AbelFunctions:
     def __init__(self, q: Fraction, order: int = ORDER) -> None:
         """Compute both series to `order` and the bounds of what they miss."""
         self.q, self.r, self.order = q, 1 - q, order
-        with _series_terms(2 * order + 8):
+        with series_terms(2 * order + 8):
             self._compute_series()
         self.radius, self._alpha_rim, self._beta_rim = self._bound_on_rim()
 
@@ -56,11 +58,11 @@ class AbelFunctions:
 
     def _compute_series(self) -> None:
         q, r = fmpq(self.q.numerator, self.q.denominator), fmpq(self.r.numerator, self.r.denominator)
-        angle, depth = _angle_and_depth()  # theta(u), c(u)
+        angle, depth = angle_and_depth()  # theta(u), c(u)
         # a power u^k is epsilon^k q^(-k/2): odd series keep one factor 1/sqrt(q), which the definitions below absorb
-        slip = _scaled(angle, q, shift=1)  # sqrt(q) theta
-        deep = _scaled(depth, q, shift=0)  # c
-        falls = _shifted(deep * deep * (r * q), -2)  # G = r c^2/y in epsilon
+        slip = scaled(angle, q, shift=1)  # sqrt(q) theta
+        deep = scaled(depth, q, shift=0)  # c
+        falls = shifted(deep * deep * (r * q), -2)  # G = r c^2/y in epsilon
         one, epsilon = fmpq_series([1]), fmpq_series([0, 1])
         after = epsilon * (one - falls).sqrt()
         landed = (slip - epsilon) / (one - deep * q)
@@ -68,13 +70,13 @@ class AbelFunctions:
         self.a = fmpq(9, 4) * r
         if any(self.time[k] != 0 for k in range(3)):
             raise ArithmeticError("the time of a cycle must be pi up to the third order in epsilon")
-        self._solve_alpha(_shifted_even(falls, q))
+        self._solve_alpha(shifted_even(falls, q))
         self._solve_beta(falls)
 
     def _solve_alpha(self, falls: fmpq_series) -> None:
         """Solve alpha(F) = alpha + 1 order by order; `falls` is G as a series in y."""
         one = fmpq_series([1])
-        left = _shifted(falls / (one - falls), -1) / self.a - 1  # (1/F - 1/y)/a - 1
+        left = shifted(falls / (one - falls), -1) / self.a - 1  # (1/F - 1/y)/a - 1
         if left[0] != 0:
             raise ArithmeticError("the return map must be y - a y^2 to second order")
         logarithm = (one - falls).log()
@@ -106,25 +108,25 @@ class AbelFunctions:
     @cached_property
     def numbers(self) -> tuple[arb, arb]:
         """Return (q, r) as balls at the working precision of the first use."""
-        return _ball(self.q), _ball(self.r)
+        return Ball.number(self.q), Ball.number(self.r)
 
     def alpha(self, y: arb) -> arb:
         """Return an enclosure of alpha(y) for 0 < y <= largest_argument; raises ArithmeticError beyond."""
-        if not y <= _ball(self.largest_argument):
+        if not y <= Ball.number(self.largest_argument):
             raise ArithmeticError(f"y = {y.str(6)} is beyond the certified {float(self.largest_argument):g}")
-        value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients, y)
+        value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + polynomial(self.alpha_coefficients, y)
         return value + arb(0, self._missed(y, self._alpha_rim, self.alpha_zero_order).upper())
 
     def beta(self, y: arb) -> arb:
         """Return an enclosure of beta(y), the reduced time that iteration adds up."""
-        epsilon = (y * _ball(self.q)).sqrt()
-        value = arb.pi() * self.alpha(y) + _polynomial(self.beta_coefficients, epsilon)
+        epsilon = (y * Ball.number(self.q)).sqrt()
+        value = arb.pi() * self.alpha(y) + polynomial(self.beta_coefficients, epsilon)
         return value + arb(0, self._missed(y, self._beta_rim, self.beta_zero_order).upper())
 
     def slope(self, y: arb) -> arb:
         """Return alpha'(y) of the truncated series: what Newton's method steers by."""
         a, b = arb(self.a), arb(self.log_coefficient)
-        derivative = _polynomial([k * c for k, c in enumerate(self.alpha_coefficients, start=1)], y) / y
+        derivative = polynomial([k * c for k, c in enumerate(self.alpha_coefficients, start=1)], y) / y
         return -1 / (a * y * y) + b / y + derivative
 
     def alpha_inverse(self, value: arb, start: arb) -> arb:
@@ -152,21 +154,21 @@ class AbelFunctions:
     def _missed(self, y: arb, rim: arb, zero_order: int) -> arb:
         """Return a bound of sum_k |defect(y_k)| over all later iterates: rim (theta_k/radius)^n, theta <= 3 sqrt(y)."""
         half = arb(zero_order) / 2
-        scale = 9 * y / _ball(self.radius) ** 2
-        decay = _ball(self.r) * self._depth_ratio**2  # y_k - y_{k+1} = r c^2 >= decay y_k^2, c being concave in y
+        scale = 9 * y / Ball.number(self.radius) ** 2
+        decay = Ball.number(self.r) * self._depth_ratio**2  # y_k - y_{k+1} = r c^2 >= decay y_k^2, c being concave in y
         return rim * scale**half * (1 + 1 / (y * decay * (half - 1)))
 
     @cached_property
     def _depth_ratio(self) -> arb:
         """Return a lower bound of c(y)/y on the disc: its value at the rim, as c is concave in y with c(0) = 0."""
-        with _bits(_RIM_BITS):
-            theta = acb(_ball(self.radius))
+        with precision(_RIM_BITS):
+            theta = acb(Ball.number(self.radius))
             height, deep = _height_and_depth(theta)
             return (deep / (height * height)).real.lower()
 
     def _bound_on_rim(self) -> tuple[Fraction, arb, arb]:
         """Return the largest disc on which everything is proved analytic, and the sup of both defects on its rim."""
-        with _bits(_RIM_BITS):
+        with precision(_RIM_BITS):
             for radius in _RADII:
                 bounds = self._defects_on_rim(radius)
                 if bounds is not None:
@@ -178,31 +180,23 @@ class AbelFunctions:
 
         By the maximum principle |G| < 1, |q c| < 1, |eps'| < 1 and |landing| < 1 on the rim hold on the disc.
         """
-        q, sqrt_q, alpha_sup, beta_sup = acb(_ball(self.q)), acb(_ball(self.q)).sqrt(), arb(0), arb(0)
+        q, sqrt_q, alpha_sup, beta_sup = acb(Ball.number(self.q)), acb(Ball.number(self.q)).sqrt(), arb(0), arb(0)
         for theta in _arcs(radius):
             height, deep = _height_and_depth(theta)
-            y, falls = height * height, acb(_ball(self.r)) * (deep / height) ** 2
+            y, falls = height * height, acb(Ball.number(self.r)) * (deep / height) ** 2
             epsilon = sqrt_q * height
             root = (1 - falls).sqrt()
             landed = sqrt_q * (theta - height) / (1 - q * deep)
             if not all(abs(one) < arb(1) for one in (falls, q * deep, epsilon * root, landed)):
                 return None
             alpha = falls / (acb(self.a) * y * (1 - falls)) - 1 + acb(self.log_coefficient) * (1 - falls).log()
-            alpha += _complex_polynomial(self.alpha_coefficients, y * (1 - falls))
-            alpha -= _complex_polynomial(self.alpha_coefficients, y)
-            beta = _complex_polynomial(self.beta_coefficients, epsilon * root)
-            beta -= _complex_polynomial(self.beta_coefficients, epsilon)
+            alpha += polynomial(self.alpha_coefficients, y * (1 - falls))
+            alpha -= polynomial(self.alpha_coefficients, y)
+            beta = polynomial(self.beta_coefficients, epsilon * root)
+            beta -= polynomial(self.beta_coefficients, epsilon)
             beta -= sqrt_q * theta - (epsilon * root).atan() - landed.atan()
             alpha_sup, beta_sup = alpha_sup.max(abs(alpha).upper()), beta_sup.max(abs(beta).upper())
         return (alpha_sup, beta_sup) if alpha_sup.is_finite() and beta_sup.is_finite() else None
-
-
-def _angle_and_depth() -> tuple[fmpq_series, fmpq_series]:
-    """Return theta(u) = h^-1(u) and c(u) as series in u: c' = h, so dc = u dtheta."""
-    theta = fmpq_series([0, 1])
-    height = _shifted(theta - theta.sin(), -2) / _shifted(1 - theta.cos(), -2)
-    angle = height.reversion()
-    return angle, (theta * angle.derivative()).integral()
 
 
 def _height_and_depth(theta: acb) -> tuple[acb, acb]:
@@ -213,61 +207,7 @@ def _height_and_depth(theta: acb) -> tuple[acb, acb]:
 
 def _arcs(radius: Fraction) -> Iterator[acb]:
     """Yield boxes that cover the rim |theta| = radius; by symmetry the upper half suffices."""
-    rim = _ball(radius)
+    rim = Ball.number(radius)
     for k in range(_ARCS):
         angle = arb.pi() * (arb(2 * k + 1) / (2 * _ARCS)) + arb(0, (arb.pi() / (2 * _ARCS)).upper())
         yield acb(rim * angle.cos(), rim * angle.sin())
-
-
-def _scaled(series: fmpq_series, q: fmpq, shift: int) -> fmpq_series:
-    """Return sum s_k q^((shift - k)/2) eps^k of a series whose powers all have the parity of `shift`."""
-    terms = [series[k] * (q ** ((shift - k) // 2) if series[k] else 0) for k in range(series.length())]
-    return fmpq_series(terms)
-
-
-def _shifted_even(series: fmpq_series, q: fmpq) -> fmpq_series:
-    """Return an even series in epsilon as one in y = epsilon^2/q."""
-    return fmpq_series([series[2 * k] * q**k for k in range((series.length() + 1) // 2)])
-
-
-def _shifted(series: fmpq_series, by: int) -> fmpq_series:
-    """Return the series divided by its variable to the power -by (its first coefficients being 0)."""
-    return fmpq_series([series[k] for k in range(-by, series.length())])
-
-
-def _polynomial(coefficients: list[fmpq], x: arb) -> arb:
-    """Return c_1 x + c_2 x^2 + ... as a ball."""
-    total = arb(0)
-    for coefficient in reversed(coefficients):
-        total = (total + arb(coefficient)) * x
-    return total
-
-
-def _complex_polynomial(coefficients: list[fmpq], x: acb) -> acb:
-    total = acb(0)
-    for coefficient in reversed(coefficients):
-        total = (total + acb(arb(coefficient))) * x
-    return total
-
-
-def _ball(value: Fraction) -> arb:
-    return arb(fmpq(value.numerator, value.denominator))
-
-
-@contextmanager
-def _bits(bits: int) -> Iterator[None]:
-    before, flint.ctx.prec = flint.ctx.prec, bits
-    try:
-        yield
-    finally:
-        flint.ctx.prec = before
-
-
-@contextmanager
-def _series_terms(terms: int) -> Iterator[None]:
-    """Set flint's process-wide series length, and restore it."""
-    before, flint.ctx.cap = flint.ctx.cap, terms
-    try:
-        yield
-    finally:
-        flint.ctx.cap = before

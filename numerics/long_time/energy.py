@@ -19,14 +19,14 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import Arithmetic, Number, decide_sign
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionExhausted
 from numerics.long_time.abel import AbelFunctions
-from numerics.motion.frame import Frame, ReducedState
+from numerics.long_time.walk import Walk
+from numerics.motion.begin import begin
+from numerics.motion.frame import Frame
 from numerics.motion.modes import Mode
-from numerics.old.motion import Motion
-from numerics.old.start import initial_motion
-from numerics.old.undamped import UndampedSlip, UndampedStick
+from numerics.motion.records import ReducedState
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal
-from numerics.trajectory.accuracy import digits_within
+from numerics.trajectory.digits import digits_within
 
 MAX_STEPS = 200_000
 MAX_DIGITS = 20_000
@@ -96,36 +96,45 @@ def energy_at(
         raise undecided
     raise PrecisionExhausted(
         f"{digits} right digits at t = {arb(fmpq(at.numerator, at.denominator)).str(6, radius=False)} s need more than "
-        f"{max_digits} working digits; raise max_digits (--max-digits)"
+        f"{max_digits} working digits; raise max_digits"
     )
 
 
 def _attempt(scene: Scene, at: Fraction, working: int, reach_digits: int, max_steps: int) -> EnergyAt:
     arithmetic = Ball(working)
     with arithmetic.context():
-        walk = _Walk(scene, Frame(arithmetic, scene.pair), arithmetic.number(at), reach_digits)
-        walk.step(max_steps)
-        if walk.road is Road.ABEL:
-            walk.jump()
-        state = walk.motion.state(walk.target - walk.start)
+        frame = Frame(arithmetic, scene.pair)
+        way = _Way(scene, frame, frame.rate * arithmetic.number(at), reach_digits)
+        way.step(max_steps)
+        if way.road is Road.ABEL:
+            way.jump()
+        state = way.walk.state(way.target)
         w = state.w
         # viscosity takes E to 0, where 1 + w would cancel; without it w is the accurate one
-        energy = walk.frame.energy(state) if scene.pair.a1 > 0 else walk.frame.critical_energy * (1 + w)
-        right = min(digits_within(energy.rad(), energy, walk.frame.critical_energy), digits_within(w.rad(), w, arb(1)))
-    return EnergyAt(
-        scene, at, walk.frame, energy, w, walk.excursions, walk.motion.mode, state, walk.road, walk.stepped, right
-    )
+        energy = frame.energy(state) if scene.pair.a1 > 0 else frame.critical_energy * (1 + w)
+        right = min(digits_within(energy.rad(), energy, frame.critical_energy), digits_within(w.rad(), w, arb(1)))
+    return EnergyAt(scene, at, frame, energy, w, way.excursions, way.walk.mode, state, way.road, way.stepped, right)
 
 
-class _Walk:
-    """From the start towards the target time: by events, then by the return map."""
+class _Way:
+    """From the start towards the target, a reduced time: by events, then by the return map."""
 
-    def __init__(self, scene: Scene, frame: Frame, at: Number, digits: int) -> None:
-        self.frame, self.arithmetic, self.digits = frame, frame.arithmetic, digits
-        self.motion: Motion = initial_motion(frame, scene)
-        self.start, self.target = self.arithmetic.number(0), frame.rate * at
+    def __init__(self, scene: Scene, frame: Frame, target: Number, digits: int) -> None:
+        self.frame, self.target, self.digits = frame, target, digits
+        begun = begin(scene, frame.arithmetic)
+        self.walk = Walk(frame.arithmetic, begun.pair, begun.start, is_damped=scene.pair.a1 > 0)
         self.excursions, self.stepped, self.road = 0, 0, Road.STEPPED
-        self.share = scene.pair.m1 / scene.pair.mass
+        self.share = scene.pair.share
+
+    @property
+    def _y(self) -> float:
+        """Return w/q at the start of the present motion."""
+        return self.frame.arithmetic.to_float(self.walk.start.w / self.frame.q)
+
+    @property
+    def _half_turns(self) -> float:
+        """Return the reduced time to go, over pi."""
+        return self.frame.arithmetic.to_float((self.target - self.walk.start.tau) / arb.pi())
 
     def step(self, max_steps: int) -> None:
         """Locate events until the target lies in the current motion, nothing slips any more, or a jump pays."""
@@ -134,21 +143,21 @@ class _Walk:
                 self.road = Road.ABEL
                 return
             self._refuse_countless(max_steps)
-            duration = self.motion.duration()
+            duration = self.walk.duration()
             if duration is None:
                 self.road = Road.NO_MORE_SLIP
                 return
-            end = self.start + duration
-            question = "does the next event come before the time asked for?"
-            if decide_sign(self.arithmetic, end - self.target, question) > 0:
+            if self._passed(duration, "does the next event come before the time asked for?") > 0:
                 return
             if self.stepped == max_steps:
-                raise OutOfRange(
-                    f"more than {max_steps} events before the return map takes over; raise max_steps (--max-steps)"
-                )
-            was_stuck = self.motion.mode is Mode.STICK
-            self.motion, self.start, self.stepped = self.motion.successor(), end, self.stepped + 1
-            self.excursions += was_stuck
+                raise OutOfRange(f"more than {max_steps} events before the return map takes over; raise max_steps")
+            self.excursions += self.walk.mode is Mode.STICK
+            self.walk.go_on()
+            self.stepped += 1
+
+    def _passed(self, duration: Number, question: str) -> int:
+        """Return the sign of the end of the present motion less the target."""
+        return decide_sign(self.frame.arithmetic, self.walk.start.tau + duration - self.target, question)
 
     def _refuse_countless(self, max_steps: int) -> None:
         """Raise OutOfRange at once where the cap on steps is certain to be met before a jump or the target.
@@ -156,50 +165,34 @@ class _Walk:
         1/y grows by G/(y (1 - G)) <= a/(1 - a y) an excursion, as c <= 3 y/2 and so G <= a y, a = 9 r/4: for a y < 1/2
         by less than 2 a, and it never merges. An excursion is two events and takes less than the reduced time 4 pi.
         """
-        motion, number = self.motion, self.arithmetic.to_float
-        if not isinstance(motion, UndampedSlip) or not motion.from_ray:
+        if not self.walk.on_ray:
             return
-        a, y = 9 * number(self.frame.r) / 4, number(motion.w / self.frame.q)
-        reach = _reach(self.digits)
+        a, y, reach = 9 * self.frame.arithmetic.to_float(self.frame.r) / 4, self._y, _reach(self.digits)
         if not reach < y < 1 / (2 * a):
             return
-        half_turns = number((self.target - self.start) / self.arithmetic.pi())
-        events = min((1 / reach - 1 / y) / a, half_turns / 2)
+        events = min((1 / reach - 1 / y) / a, self._half_turns / 2)
         if events > max_steps - self.stepped:
             raise OutOfRange(
                 f"{self.digits} working digits need about {events:.0e} events before the return map takes over, "
-                f"the cap is {max_steps}; ask for fewer digits, or raise max_steps (--max-steps)"
+                f"the cap is {max_steps}; ask for fewer digits, or raise max_steps"
             )
 
     def _may_jump(self) -> bool:
         """Return whether the pair is on an exit ray, close enough to E_cr for the digits, with a long way to go."""
-        motion = self.motion
-        if not isinstance(motion, UndampedSlip) or not motion.from_ray:
+        if not self.walk.on_ray or self._half_turns < _JUMP_PAYS_AFTER or self._y >= _reach(self.digits):
             return False
-        remaining = self.arithmetic.to_float((self.target - self.start) / self.arithmetic.pi())
-        if remaining < _JUMP_PAYS_AFTER:
-            return False
-        y = self.arithmetic.to_float(motion.w / self.frame.q)
-        if y >= _reach(self.digits):
-            return False
-        return y < _abel_functions(self.share, _order(self.digits)).largest_argument
+        return self._y < _abel_functions(self.share, _order(self.digits)).largest_argument
 
     def jump(self) -> None:
-        """Put the motion on the last exit ray before the target: alpha counts excursions, beta adds up their times."""
-        motion = self.motion
-        assert isinstance(motion, UndampedSlip)
+        """Put the pair on the last exit ray before the target: alpha counts excursions, beta adds up their times."""
+        start, q = self.walk.start, self.frame.q
         abel = _abel_functions(self.share, _order(self.digits))
-        y = motion.w / self.frame.q
-        count, later, elapsed = _last_exit_before(self.arithmetic, abel, y, self.target - self.start)
-        side = motion.side if count % 2 == 0 else -motion.side
-        self.start, self.excursions = self.start + elapsed, self.excursions + count
-        w = later * self.frame.q
-        self.motion = UndampedSlip.from_exit_ray(self.frame, motion.law, side, self.arithmetic.number(0), w)
-        duration = self.motion.duration()
-        assert duration is not None
-        if decide_sign(self.arithmetic, self.start + duration - self.target, "does the slip end before the time?") <= 0:
-            self.start, self.motion = self.start + duration, self.motion.successor()
-            assert isinstance(self.motion, UndampedStick)
+        count, y, elapsed = _last_exit_before(self.frame.arithmetic, abel, start.w / q, self.target - start.tau)
+        self.excursions += count
+        self.walk.leave_by(start.side if count % 2 == 0 else -start.side, y * q, start.tau + elapsed)
+        if self._passed(self.walk.duration(), "does the slip end before the time?") <= 0:
+            self.walk.go_on()
+            assert self.walk.mode is Mode.STICK
 
 
 def _last_exit_before(

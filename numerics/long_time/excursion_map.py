@@ -10,10 +10,10 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from numerics.arithmetic.protocol import Number
+from numerics.long_time.walk import Walk
+from numerics.motion.codes import STICK
 from numerics.motion.frame import Frame
-from numerics.old.motion import Motion
-from numerics.old.undamped import UndampedSlip, UndampedStick
-from numerics.scene import Law
+from numerics.motion.undamped import Pair
 
 
 class Excursion(NamedTuple):
@@ -32,20 +32,19 @@ class Excursion(NamedTuple):
 def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
     """Yield the excursions of a pair that leaves S0 by the ray `side` with excess w > 0, until it merges.
 
-    Crossings of S outside S0 belong to the excursion in which they happen. Raises EventUndecided. Call it inside the
-    arithmetic's context.
+    Crossings of S outside S0 belong to the excursion in which they happen. Raises EventUndecided, OutOfRange. Call it
+    inside the arithmetic's context.
     """
     zero = frame.arithmetic.number(0)
-    motion: Motion = UndampedSlip.from_exit_ray(frame, Law.FILIPPOV, side, zero, w)
+    walk = Walk(frame.arithmetic, Pair(frame.q, frame.r, frame.sqrt_q, zero, literal=False))
+    walk.leave_by(float(side), w, zero)
     while True:
-        slip = zero
-        w_before, side_before = motion.w, motion.side  # type: ignore[attr-defined]
-        while isinstance(motion, UndampedSlip):
-            slip = slip + motion.duration()
-            motion = motion.successor()
-        assert isinstance(motion, UndampedStick)
-        stick = motion.duration()
-        yield Excursion(w_before, side_before, slip, motion.start.w, stick)
+        slip, start = zero, walk.start
+        while walk.start.kind != STICK:
+            slip = slip + walk.duration()
+            walk.go_on()
+        stick = walk.duration()
+        yield Excursion(start.w, int(start.side), slip, walk.start.w, stick)
         if stick is None:
             return
-        motion = motion.successor()
+        walk.go_on()

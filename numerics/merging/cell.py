@@ -25,14 +25,12 @@ from typing import NamedTuple
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.float64 import Float64
-from numerics.errors import NumericsError
+from numerics.contact.surface import contact
 from numerics.merging.centred_form import Cell, Centred
 
 CRITICAL_SHARE = Fraction("0.557839090721526")
 """r* rounded down: for shares m2/M up to it nothing merges after a start on S0 above E_cr."""
 MAX_SLIPS = 10_000
-_FLOAT = Float64()
 
 
 class Verdict(Enum):
@@ -216,8 +214,8 @@ def _increasing(function: Callable[[arb], arb], x: arb) -> arb:
 def _approximate_angle(gap: arb, push: arb) -> arb:
     """Return a point near the slip angle for the midpoints of gap and push; 0 if binary64 finds none."""
     try:
-        return arb(_FLOAT.contact(max(0.0, float(gap.mid())), float(push.mid())).theta)
-    except (NumericsError, ArithmeticError, ValueError):
+        return arb(contact(max(0.0, float(gap.mid())), float(push.mid())).theta)
+    except (ArithmeticError, ValueError):
         return arb(0)
 
 

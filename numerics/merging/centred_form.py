@@ -9,7 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import arb, fmpq
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
 
 Slopes = tuple[arb, ...]
 
@@ -56,8 +58,8 @@ class Cell:
 
     def __init__(self, *sides: tuple[Fraction | int, Fraction | int]) -> None:
         """Enclose the sides in balls around their midpoints; `parameters` are the coordinates as functions."""
-        self._radii = tuple(_ball(Fraction(high - low) / 2).upper() for low, high in sides)
-        middles = [_ball(Fraction(high + low) / 2) for low, high in sides]
+        self._radii = tuple(Ball.number(Fraction(high - low) / 2).upper() for low, high in sides)
+        middles = [Ball.number(Fraction(high + low) / 2) for low, high in sides]
         self.parameters = tuple(
             Centred(middle, tuple(arb(int(k == n)) for n in range(len(sides))), middle + arb(0, self._radii[k]))
             for k, middle in enumerate(middles)
@@ -83,7 +85,3 @@ class Cell:
         spread = arb(0, (abs(form.slopes[index]) * self._radii[index]).upper())
         slopes = (*form.slopes[:index], arb(0), *form.slopes[index + 1 :])
         return Centred(form.centre + spread, slopes, form.value)
-
-
-def _ball(value: Fraction) -> arb:
-    return arb(fmpq(value.numerator, value.denominator))

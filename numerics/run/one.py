@@ -52,7 +52,7 @@ def run_scene(
         end = [0.0] * end_length(1)
         run_telling(arithmetic.telling, is_damped=is_damped)(solve_start)(*begun, max_events, rows, end)
     if end[0] == OUT_OF_RANGE:
-        raise _left_range(arithmetic, is_damped)
+        raise left_range(arithmetic, is_damped)
     return Trajectory(scene, arithmetic, Record(rows.rows, end, 1), bounded=False)
 
 
@@ -81,7 +81,7 @@ def run_double_double(scene: Scene, max_events: int, progress: Progress | None =
         begun = in_halves(begin(scene, _DOUBLE), _DOUBLE.halves)
     rows, end = _from_start(telling, begun, 2, max_events, (scene, progress))
     if end[0] == OUT_OF_RANGE:
-        raise _left_range(_DOUBLE, is_damped)
+        raise left_range(_DOUBLE, is_damped)
     return Trajectory(scene, _DOUBLE, Record(rows, end, 2), bounded=has_bounds("double-double", is_damped=is_damped))
 
 
@@ -110,13 +110,13 @@ def _from_start(
 def _floats(scene: Scene, rows: Any, end: Any, progress: Progress | None) -> Trajectory:
     """Return the trajectory of a run in binary64; raises OutOfRange."""
     if end[0] == OUT_OF_RANGE:
-        raise _left_range(_FLOAT64, scene.pair.a1 > 0)
+        raise left_range(_FLOAT64, scene.pair.a1 > 0)
     if progress is not None:
         progress(len(rows), 1.0)
     return Trajectory(scene, _FLOAT64, Record(rows, end, 1), bounded=True)
 
 
-def _left_range(arithmetic: Arithmetic, is_damped: bool) -> Exception:
+def left_range(arithmetic: Arithmetic, is_damped: bool) -> Exception:
     """Return what says that a number left the range, or that balls know nothing of one any more."""
     if arithmetic.name == "ball" and not is_damped:
         return EventUndecided(QUESTIONS[SIDE_OF_ZERO], "a number that is not finite", arithmetic.digits)

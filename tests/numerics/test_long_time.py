@@ -112,7 +112,7 @@ def test_refusals_name_what_to_do():
     scene = load_scene("figure-3b")
     with pytest.raises(InvalidScene, match="must be > 0"):
         energy_at(scene, 0)
-    with pytest.raises(OutOfRange, match="max-steps"):
+    with pytest.raises(OutOfRange, match="raise max_steps"):
         energy_at(scene, 5, max_steps=3)
     with pytest.raises(PrecisionExhausted, match="working digits"):
         energy_at(scene, "1e100", max_digits=50)
