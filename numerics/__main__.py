@@ -8,7 +8,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from numerics.faces import commands
+from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, refuse
+from numerics.faces import commands, solving
+from numerics.faces.flags import in_flags
 
 _EPILOG = """exit codes: 0 solved; 1 undecided or out of reach (the message says what to do); 2 usage, or invalid scene
 SCENE is a TOML file or a shipped scene; `python -m numerics scenes` lists them."""
@@ -33,7 +35,7 @@ def parser() -> argparse.ArgumentParser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )
-    solve.set_defaults(run=commands.solve_scene)
+    solve.set_defaults(run=solving.solve_scene)
     solve.add_argument("scene", metavar="SCENE", help="TOML file, or the short name of a shipped scene")
     solve.add_argument(
         "--digits", type=_positive, metavar="N", help="right digits wanted; the cheapest arithmetic that has them"
@@ -49,6 +51,7 @@ def parser() -> argparse.ArgumentParser:
     solve.add_argument(
         "--max-digits", type=_positive, default=20_000, metavar="N", help="cap on the working digits (%(default)s)"
     )
+    solve.add_argument("--all", action="store_true", help="print all events on a terminal, not the first and the last")
     solve.add_argument("--explain", action="store_true", help="say on stderr which road was taken, and why")
     solve.add_argument(
         "--sensitivity", action="store_true", help="add the derivatives by initial state and parameters (SI units)"
@@ -132,6 +135,9 @@ def _add_trade(subcommands: argparse._SubParsersAction[argparse.ArgumentParser])
     trade.add_argument(
         "--only", nargs="+", default=[], metavar="NAME", help="contenders and scenes whose names contain NAME"
     )
+    trade.add_argument(
+        "--interface", action="store_true", help="only what a user waits for, beside the run inside: a minute"
+    )
     trade.add_argument("--json", action="store_true", help="print every measurement as JSON")
     trade.add_argument(
         "--out", type=Path, metavar="FIGURE", help="write two figures, .svg, .pdf or .png: FIGURE, and FIGURE-growth"
@@ -158,20 +164,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()  # here a full disk or a reader that left can still be answered
         return code
     except InvalidScene as error:
-        return commands.refuse(str(error), commands.USAGE)
+        return refuse(in_flags(str(error)), USAGE)
     except NumericsError as error:
-        return commands.refuse(str(error), commands.FAILED)
+        return refuse(in_flags(str(error)), FAILED)
     except BrokenPipeError:
         _drop_output()  # the reader left; nothing more can be said
-        return commands.OK
+        return OK
     except OSError as error:
         file = error.filename2 or error.filename
         if file is None:
             _drop_output()
-        code = commands.FAILED if file is None else commands.USAGE
-        return commands.refuse(f"cannot write {file or 'the output'}: {error.strerror}", code)
+        code = FAILED if file is None else USAGE
+        return refuse(f"cannot write {file or 'the output'}: {error.strerror}", code)
     except KeyboardInterrupt:
-        return commands.refuse("interrupted; nothing was written", commands.INTERRUPTED)
+        return refuse("interrupted; nothing was written", INTERRUPTED)
 
 
 def _drop_output() -> None:

@@ -23,7 +23,7 @@ class EventUndecided(NumericsError):
         self.question, self.enclosure, self.digits = question, enclosure, digits
         super().__init__(
             f"undecided at {digits} working digits: {question} (enclosure {enclosure}); "
-            "raise the precision (--max-digits), or the data sit exactly on the boundary"
+            "raise max_digits, or the data sit exactly on the boundary"
         )
 
 

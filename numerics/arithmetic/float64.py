@@ -128,14 +128,14 @@ class Float64:
             number = math.inf
         if math.isinf(number) or (number == 0 and value != 0):
             raise OutOfRange(
-                "a number of this scene is beyond the range of float64 (1e-308 to 1e308); use --arithmetic ball"
+                'a number of this scene is beyond the range of float64 (1e-308 to 1e308); use arithmetic="ball"'
             )
         return number
 
     def sign(self, x: float) -> Sign:
         """Return the sign of x; raises OutOfRange for nan and infinities, which no decision may rest on."""
         if not math.isfinite(x):
-            raise OutOfRange("a number of this scene left the range of float64 on the way; use --arithmetic ball")
+            raise OutOfRange('a number of this scene left the range of float64 on the way; use arithmetic="ball"')
         return Sign((x > 0) - (x < 0))
 
     def to_float(self, x: float) -> float:

@@ -1,23 +1,13 @@
-"""What each subcommand of `python -m numerics` does; all heavy imports happen here, when a command runs."""
+"""What the other subcommands of `python -m numerics` do; all heavy imports happen here, when a command runs."""
 
 from __future__ import annotations
 
 import argparse
 import json
 import sys
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from numerics.trajectory.trajectory import Trajectory
-
-OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
-LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
-
-
-def refuse(message: str, code: int) -> int:
-    """Print one error line and return the exit code."""
-    print(f"error: {' '.join(message.split())}", file=sys.stderr)
-    return code
+from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, refuse, wrong_path
+from numerics.faces.solving import LABELS
 
 
 def list_scenes(_: argparse.Namespace) -> int:
@@ -26,121 +16,6 @@ def list_scenes(_: argparse.Namespace) -> int:
 
     print("\n".join(shipped_scenes()))
     return OK
-
-
-def solve_scene(options: argparse.Namespace) -> int:
-    """Solve one scene and print or write what was asked for."""
-    from numerics.scene.file import load_scene
-    from numerics.solver.solve import solve
-
-    wrong = _wrong_use(options)
-    if wrong is not None:
-        return refuse(wrong, USAGE)
-    scene = load_scene(options.scene)
-    trajectory = solve(
-        scene,
-        digits=options.digits,
-        arithmetic=options.arithmetic or (None if options.digits else "ball"),
-        max_events=options.max_events,
-        max_digits=options.max_digits,
-        progress=_progress if sys.stderr.isatty() else None,
-    )
-    if options.explain:
-        print(explanation(trajectory), file=sys.stderr)
-    if options.sensitivity:
-        _tell_sensitivities(trajectory, options)
-    else:
-        _tell(trajectory, options)
-    if not trajectory.success:
-        return refuse(trajectory.message, FAILED)
-    return OK
-
-
-def _wrong_use(options: argparse.Namespace) -> str | None:
-    """Return what is wrong with the options of a solve, before anything is computed."""
-    from numerics.faces import plot
-
-    for path in (options.npz, options.plot):
-        if path is not None and not path.parent.is_dir():
-            return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
-    if options.plot is not None and options.plot.suffix not in plot.FORMATS:
-        return f"--plot {options.plot.name}: the name must end in one of {', '.join(plot.FORMATS)}"
-    if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
-        return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
-    if options.sensitivity and (options.csv or options.plot is not None):
-        return "--sensitivity goes with --json, --npz or the table; leave --csv or --plot out"
-    return None
-
-
-def _tell(trajectory: Trajectory, options: argparse.Namespace) -> None:
-    from numerics.faces import plot
-    from numerics.trajectory import export
-
-    if options.json:
-        print(json.dumps(export.as_record(trajectory), indent=1))
-    elif options.csv:
-        print(export.as_csv(trajectory), end="")
-    elif options.npz is not None:
-        export.write_npz(trajectory, options.npz)
-    elif options.plot is not None:
-        plot.write_plot(trajectory, options.plot)
-    else:
-        _print_table(trajectory)
-
-
-def _tell_sensitivities(trajectory: Trajectory, options: argparse.Namespace) -> None:
-    """Print or write a trajectory with its derivatives."""
-    from numerics.sensitivity import export as sensitivity_export
-    from numerics.trajectory import export
-
-    if options.json:
-        record = export.as_record(trajectory)
-        sensitivity_export.add_sensitivities(record, trajectory)
-        print(json.dumps(record, indent=1))
-    elif options.npz is not None:
-        export.write_npz(trajectory, options.npz, sensitivity_export.sensitivity_arrays(trajectory))
-    else:
-        _print_table(trajectory)
-        print(sensitivity_export.sensitivity_table(trajectory))
-
-
-def _progress(events: int, fraction: float) -> None:
-    print(f"\r{events} events, {100 * fraction:.0f} % of the horizon ", end="", file=sys.stderr, flush=True)
-
-
-def _print_table(trajectory: Trajectory) -> None:
-    """Print the events (where v1 = v2) and the final state; no digit is ever cut to fit a screen."""
-    from numerics.trajectory.export import as_record
-
-    record = as_record(trajectory)
-    rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
-    for event in record["events"]:
-        rows.append((f"{event['from']} to {event['to']}", event["t"], event["x1"], event["v1"], event["x2"]))
-    widths = [max(len(row[column]) for row in rows) for column in range(5)]
-    for row in rows if len(rows) > 1 else ():
-        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
-    final = record["final"]
-    print(f"at t = {final['t']} s, {final['mode']}; {record['message']}")
-    for name, unit in (("x1", "m"), ("v1", "m/s"), ("x2", "m"), ("v2", "m/s"), ("energy", "J"), ("energy_excess", "")):
-        print(f"  {LABELS.get(name, name)} = {final[name]} {unit}".rstrip())
-    print(f"{record['arithmetic']}, {record['digits']} digits")
-
-
-def explanation(trajectory: Trajectory) -> str:
-    """Return which road a solve took: arithmetic, working digits, events located, and why no more were needed."""
-    from numerics.motion.modes import Mode
-    from numerics.trajectory.trajectory import Status
-
-    located = len(trajectory.events)
-    arithmetic = trajectory.arithmetic
-    if not located and trajectory.modes == (Mode.STICK,):
-        why = "the pair never slips: one rotation, whatever the horizon"
-    elif trajectory.status is Status.STUCK_FOR_EVER:
-        why = f"after {located} events the pair sticks for ever: a later horizon costs nothing more"
-    else:
-        why = f"{located} events located one by one, as all of them were asked for (`energy` jumps over them)"
-    tried = f" ({trajectory.tried})" if trajectory.tried else ""
-    return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}"
 
 
 def tell_energy(options: argparse.Namespace) -> int:
@@ -179,16 +54,13 @@ def tell_energy(options: argparse.Namespace) -> int:
 
 def chart_merging(options: argparse.Namespace) -> int:
     """Compute the merging map of a window; print its summary or its cells, draw it."""
-    from numerics.faces import plot
     from numerics.merging import figure as map_figure
     from numerics.merging.map import Window, merging_cells
     from numerics.scene.decimals import exact_decimal
 
-    for path in (options.resume, options.out):
-        if path is not None and not path.parent.is_dir():
-            return refuse(f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere", USAGE)
-    if options.out is not None and options.out.suffix not in plot.FORMATS:
-        return refuse(f"--out {options.out.name}: the name must end in one of {', '.join(plot.FORMATS)}", USAGE)
+    wrong = wrong_path(options.resume) or wrong_path(options.out, "--out")
+    if wrong is not None:
+        return refuse(wrong, USAGE)
     ratio, energy = ([exact_decimal(one, name) for one in getattr(options, name)] for name in ("ratio", "energy"))
     try:
         found = merging_cells(

@@ -1,4 +1,4 @@
-"""A float64 or mpmath trajectory held against balls, event by event: what of it is right."""
+"""A trajectory of points held against one of balls, event by event: what of it is right."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ def require_same_sequence(points: Trajectory, balls: Trajectory) -> None:
         if (one.before, one.after) != (two.before, two.after):
             raise SequenceDiffers(
                 f"{points.arithmetic.name} goes to {one.after.value} at event {number}, the proved mode is "
-                f"{two.after.value} (t = {float(two.t.mid()):.17g} s); use --arithmetic ball"
+                f'{two.after.value} (t = {float(two.t.mid()):.17g} s); use arithmetic="ball"'
             )
     if len(points.events) != len(balls.events):
         raise SequenceDiffers(
             f"{points.arithmetic.name} finds {len(points.events)} events, the proved number is "
-            f"{len(balls.events)}; use --arithmetic ball"
+            f'{len(balls.events)}; use arithmetic="ball"'
         )
 
 

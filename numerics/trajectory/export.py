@@ -1,4 +1,4 @@
-"""A trajectory as JSON, CSV or NumPy archive. Files appear whole under their name or not at all."""
+"""A trajectory as JSON, CSV, NumPy archive or data frame. Files appear whole under their name or not at all."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import csv
 import io
 import os
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -16,111 +16,133 @@ from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
-from numerics.solver.solve import solve
-from numerics.trajectory.accuracy import rounding_of
+from numerics.errors import MissingTool
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
+from numerics.trajectory.digits import rounding_of
 from numerics.trajectory.rendering import ball_text, right_digits_text
 from numerics.trajectory.trajectory import Trajectory
 
 STATE_NAMES = ("x1", "v1", "x2", "v2")
+END_NAMES = (*STATE_NAMES, "energy", "energy_excess")
 Written = dict[str, str]
+Writer = Callable[[str, Number, int], Written]
+"""Takes a name, a number, and the index of its event, or -1 for the end."""
 
 
-def as_record(trajectory: Trajectory) -> dict[str, Any]:
+def knows_its_digits(trajectory: Trajectory) -> bool:
+    """Return whether radii or error bounds say which digits of a trajectory are right."""
+    if trajectory.arithmetic.name == "ball":
+        return True
+    return trajectory.accuracy is not None and trajectory.accuracy.bounded
+
+
+def as_record(
+    trajectory: Trajectory, truth: Trajectory | None = None, events: Iterable[int] | None = None
+) -> dict[str, Any]:
     """Return a trajectory as the JSON object of the interface: decimal strings of right digits, radii beside balls.
 
-    For float64 and mpmath the right digits are found by solving once more in balls; raises SequenceDiffers if the
-    two event sequences differ, so that no wrong itinerary is ever printed.
+    `truth`, a solve of the same scene in balls, says which digits are right where no radius and no bound does. `events`
+    are the indices of those that are wanted, all by default. Raises SequenceDiffers if the two sequences of events
+    differ, so that no wrong itinerary is ever printed; ValueError if a truth is needed and none is given.
     """
-    write = _ball_writer(trajectory) if trajectory.arithmetic.name == "ball" else _point_writer(trajectory)
-    rows = list(_rows(trajectory, write))
-    return {
-        "status": trajectory.status.name.lower().replace("_", "-"),
-        "message": trajectory.message,
-        "arithmetic": trajectory.arithmetic.name,
-        "digits": _digits(trajectory),
-        "events": rows[:-1],
-        "final": rows[-1],
-    }
+    write = _writer(trajectory, truth)
+    with trajectory.arithmetic.context():
+        return {
+            "status": trajectory.status.name.lower().replace("_", "-"),
+            "message": trajectory.message,
+            "arithmetic": trajectory.arithmetic.name,
+            "digits": right_digits(trajectory),
+            "events": list(_events(trajectory, write, events)),
+            "final": _final(trajectory, write),
+        }
 
 
-def _digits(trajectory: Trajectory) -> int:
+def right_digits(trajectory: Trajectory) -> int:
     """Return the right digits that were asked for, else those of the error bounds, else the arithmetic's."""
     if trajectory.digits is not None:
         return trajectory.digits
     return trajectory.arithmetic.digits if trajectory.accuracy is None else trajectory.accuracy.digits
 
 
-def _rows(trajectory: Trajectory, write: Callable[[str, Number, int], Written]) -> Iterator[dict[str, str]]:
-    """Yield one record an event, and then the final state's."""
-    with trajectory.arithmetic.context():
-        for index, event in enumerate(trajectory.events):
-            row = write("t", event.t, index)
-            row |= {"from": event.before.value, "to": event.after.value}
-            for name, value in zip(STATE_NAMES, event.y, strict=True):
-                row |= write(name, value, index)
-            yield row
-        final = trajectory.final
-        last = trajectory.segments[-1]
-        row = write("t", trajectory.frame.si_time(last.end), -1) | {"mode": trajectory.final_mode.value}
-        values = (*trajectory.frame.si_state(final), trajectory.frame.energy(final), final.w)
-        for name, value in zip((*STATE_NAMES, "energy", "energy_excess"), values, strict=True):
-            row |= write(name, value, -1)
+def _events(trajectory: Trajectory, write: Writer, wanted: Iterable[int] | None) -> Iterator[Written]:
+    for index in range(len(trajectory.events)) if wanted is None else wanted:
+        event = trajectory.events[index]
+        row = write("t", event.t, index) | {"from": event.before.value, "to": event.after.value}
+        for name, value in zip(STATE_NAMES, event.y, strict=True):
+            row |= write(name, value, index)
         yield row
 
 
-def _ball_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written]:
-    digits = trajectory.digits or trajectory.arithmetic.digits
+def _final(trajectory: Trajectory, write: Writer) -> Written:
+    row = write("t", trajectory.end_time, -1) | {"mode": trajectory.final_mode.value}
+    for name, value in zip(END_NAMES, _end_values(trajectory), strict=True):
+        row |= write(name, value, -1)
+    return row
 
-    def write(name: str, value: Number, index: int) -> Written:  # noqa: ARG001
+
+def _end_values(trajectory: Trajectory) -> tuple[Number, ...]:
+    return *trajectory.final_state, trajectory.final_energy, trajectory.final.w
+
+
+def _writer(trajectory: Trajectory, truth: Trajectory | None) -> Writer:
+    if trajectory.arithmetic.name == "ball":
+        return _ball_writer(trajectory.digits or trajectory.arithmetic.digits)
+    if truth is not None:
+        return _compared_writer(trajectory, truth)
+    if knows_its_digits(trajectory):
+        return _bounded_writer(trajectory)
+    raise ValueError(
+        f"this trajectory in {trajectory.arithmetic.name} does not know which of its digits are right; "
+        'give truth=solve(scene, arithmetic="ball", digits=...)'
+    )
+
+
+def _ball_writer(digits: int) -> Writer:
+    def write(name: str, value: Number, _: int) -> Written:
         text, radius = ball_text(value, digits)
         return {name: text, f"{name}_radius": radius}
 
     return write
 
 
-def _point_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written]:
-    """Return a writer that cuts each number by its error bound, or where it parts from balls if it has none."""
-    accuracy = trajectory.accuracy
-    if accuracy is None or not accuracy.bounded:
-        return _compared_writer(trajectory)
-    events = [dict(zip(("t", *STATE_NAMES), (t, *y), strict=True)) for t, y in zip(accuracy.t, accuracy.y, strict=True)]
-    final = (0.0, *accuracy.final, accuracy.energy, accuracy.energy_excess)
-    rows = [*events, dict(zip(("t", *STATE_NAMES, "energy", "energy_excess"), final, strict=True))]
-    rounding, most = rounding_of(trajectory)
+def _bounded_writer(trajectory: Trajectory) -> Writer:
+    """Return a writer that cuts each number by its error bound."""
+    accuracy, (rounding, most) = trajectory.accuracy, rounding_of(trajectory)
+    assert accuracy is not None
+    final = dict(zip(END_NAMES, (*accuracy.final, accuracy.energy, accuracy.energy_excess), strict=True))
+
+    def error(name: str, value: Number, index: int) -> float:
+        if index >= 0:
+            return float(accuracy.t[index] if name == "t" else accuracy.y[index][STATE_NAMES.index(name)])
+        if name != "t":
+            return float(final[name])
+        last = float(accuracy.t[-1]) if not trajectory.reached else 0.0
+        return last + abs(float(value)) * 4 * rounding
+
+    return lambda name, value, index: {
+        name: right_digits_text(as_fraction(value), arb(error(name, value, index)), most)
+    }
+
+
+def _compared_writer(trajectory: Trajectory, truth: Trajectory) -> Writer:
+    """Return a writer that cuts each number where it parts from the true one."""
+    require_same_sequence(trajectory, truth)
+    most = 17 if trajectory.arithmetic.name == "float64" else trajectory.arithmetic.digits
+    times, states = truth.event_times, truth.event_states
+    with truth.arithmetic.context():
+        final = dict(zip(("t", *END_NAMES), (truth.end_time, *_end_values(truth)), strict=True))
 
     def write(name: str, value: Number, index: int) -> Written:
-        if index < 0 and name == "t":
-            error = 0.0 if trajectory.success else float(accuracy.t[-1])
-            return {name: right_digits_text(as_fraction(value), arb(error + abs(float(value)) * 4 * rounding), most)}
-        return {name: right_digits_text(as_fraction(value), arb(float(rows[index][name])), most)}
+        at_event = times[index] if name == "t" or index < 0 else states[STATE_NAMES.index(name), index]
+        true = final[name] if index < 0 else at_event
+        with truth.arithmetic.context():
+            return {name: right_digits_text(as_fraction(value), distance(value, true), most)}
 
     return write
 
 
-def _compared_writer(trajectory: Trajectory) -> Callable[[str, Number, int], Written]:
-    """Return a writer that cuts each number where it parts from a ball solve of the same scene."""
-    digits = 17 if trajectory.arithmetic.name == "float64" else trajectory.arithmetic.digits
-    # one event more than were found shows a lost one; a run that was cut off is cut off at the same event
-    limit = len(trajectory.events) + (1 if trajectory.success else 0)
-    balls = solve(trajectory.scene, digits=digits + 3, arithmetic="ball", max_events=limit)
-    require_same_sequence(trajectory, balls)
-    with balls.arithmetic.context():
-        rows = [dict(zip(("t", *STATE_NAMES), (event.t, *event.y), strict=True)) for event in balls.events]
-        final, frame = balls.final, balls.frame
-        values = (frame.si_time(balls.segments[-1].end), *frame.si_state(final), frame.energy(final), final.w)
-        rows.append(dict(zip(("t", *STATE_NAMES, "energy", "energy_excess"), values, strict=True)))
-
-    def write(name: str, value: Number, index: int) -> Written:
-        with balls.arithmetic.context():
-            return {name: right_digits_text(as_fraction(value), distance(value, rows[index][name]), digits)}
-
-    return write
-
-
-def as_csv(trajectory: Trajectory) -> str:
-    """Return the events and the final state as CSV text, the columns of the JSON records."""
-    record = as_record(trajectory)
+def as_csv(record: dict[str, Any]) -> str:
+    """Return the events and the final state of a record as CSV text, the columns of the JSON records."""
     rows = [{"from": "", "to": "", **event} for event in record["events"]]
     last = dict(record["final"])
     rows.append({"from": last.pop("mode"), "to": "", **last})
@@ -132,26 +154,55 @@ def as_csv(trajectory: Trajectory) -> str:
     return buffer.getvalue()
 
 
-def write_npz(trajectory: Trajectory, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
-    """Write t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds as a NumPy archive (binary64).
+def arrays(trajectory: Trajectory) -> dict[str, NDArray[Any]]:
+    """Return t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds; numbers in binary64."""
+    with trajectory.arithmetic.context():
+        number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+        return {
+            "t": number(trajectory.t),
+            "y": number(trajectory.y),
+            "energy": number(trajectory.energy),
+            "energy_excess": number(_excess(trajectory)),
+            "modes": np.array([mode.value for mode in trajectory.modes]),
+            "event_kinds": np.array([kind.value for kind in trajectory.event_kinds], dtype=str),
+        }
 
-    `extra` holds more arrays by their names.
+
+def _excess(trajectory: Trajectory) -> NDArray[Any]:
+    """Return E/E_cr - 1 at `t`."""
+    if trajectory.t_eval is not None:
+        found = [trajectory.reduced(one).w for one in trajectory.t_eval]
+    else:
+        end = [trajectory.final.w] if trajectory.reached else []
+        found = [trajectory.initial.w, *trajectory.record.numbers("w"), *end]
+    return np.array(found, dtype=object)
+
+
+def write_npz(trajectory: Trajectory, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
+    """Write the `arrays` of a trajectory, and `extra` ones by their names, as a NumPy archive."""
+    with whole_file(path) as file:
+        np.savez(file, **(arrays(trajectory) | (extra or {})))  # type: ignore[arg-type]
+
+
+def dataframe(trajectory: Trajectory) -> Any:
+    """Return t, mode, x1, v1, x2, v2, energy and energy_excess at `t` as a pandas DataFrame, numbers in binary64.
+
+    The mode at an event is the one after it. Raises MissingTool.
     """
-    number = trajectory.arithmetic.to_float
-    with trajectory.arithmetic.context(), whole_file(path) as file:
-        np.savez(
-            file,
-            t=np.vectorize(number, otypes=[float])(trajectory.t),
-            y=np.vectorize(number, otypes=[float])(trajectory.y),
-            energy=np.vectorize(number, otypes=[float])(trajectory.energy),
-            energy_excess=np.array(
-                [number(one.motion.state(trajectory.arithmetic.number(0)).w) for one in trajectory.segments]
-                + [number(trajectory.final.w)]
-            ),
-            modes=np.array([mode.value for mode in trajectory.modes]),
-            event_kinds=np.array([kind.value for kind in trajectory.event_kinds], dtype=str),
-            **(extra or {}),  # type: ignore[arg-type]
-        )
+    try:
+        import pandas as pd  # type: ignore[import-untyped]
+    except ImportError:
+        raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
+    if trajectory.t_eval is None:
+        modes = [*trajectory.modes, trajectory.final_mode]
+    else:
+        modes = list(trajectory.mode_at(trajectory.t_eval))
+    found = arrays(trajectory)
+    state = dict(zip(STATE_NAMES, found["y"], strict=True))
+    return pd.DataFrame(
+        {"t": found["t"], "mode": [mode.value for mode in modes], **state}
+        | {name: found[name] for name in ("energy", "energy_excess")}
+    )
 
 
 @contextmanager

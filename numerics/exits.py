@@ -1,0 +1,28 @@
+"""Exit codes of the commands, and the one way to refuse; what is wrong with the name of a file to be written."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
+"""Done; undecided, out of reach or a tool that is missing; bad usage or an invalid scene; stopped by the user."""
+FIGURES = (".svg", ".pdf", ".png")
+"""How the name of a figure may end."""
+
+
+def refuse(message: str, code: int) -> int:
+    """Print one error line on stderr and return the exit code."""
+    print(f"error: {' '.join(message.split())}", file=sys.stderr)
+    return code
+
+
+def wrong_path(path: Path | None, figure_flag: str = "") -> str | None:
+    """Return what is wrong with a path to write to, or None; a figure is named by the flag that asked for it."""
+    if path is None:
+        return None
+    if not path.parent.is_dir():
+        return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
+    if figure_flag and path.suffix not in FIGURES:
+        return f"{figure_flag} {path.name}: the name must end in one of {', '.join(FIGURES)}"
+    return None

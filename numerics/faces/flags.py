@@ -1,0 +1,22 @@
+"""Errors are told in Python's words; on the command line the same things are flags."""
+
+from __future__ import annotations
+
+import re
+
+_NAMES = "arithmetic|digits|max_digits|max_events|max_steps"
+_CALL = re.compile(r"solve\(scene, ([^()]*)\)")
+_ARGUMENT = re.compile(rf"\b({_NAMES})=(\.\.\.|\"([^\"]*)\"|[\w-]+)")
+_CAP = re.compile(r"\bmax_(digits|events|steps)\b")
+
+
+def in_flags(message: str) -> str:
+    """Return a message with its arguments as flags: `max_digits` is --max-digits, `digits=...` is --digits N."""
+    message = _CALL.sub(r"\1", message)
+    message = _ARGUMENT.sub(_flag, message)
+    return _CAP.sub(r"--max-\1", message)
+
+
+def _flag(found: re.Match[str]) -> str:
+    name, value = found[1].replace("_", "-"), found[3] if found[3] is not None else found[2]
+    return f"--{name} {'N' if value == '...' else value}"
