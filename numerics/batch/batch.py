@@ -25,6 +25,7 @@ from numerics.scene import Law, Pair, Scene, State, read_law
 from numerics.scene.decimals import require_whole
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
+_MUST_BE_POSITIVE = [SI._fields.index(name) for name in _POSITIVE]
 _CHUNK = 4096
 """Scenes in a chunk at most: their rows fit into a core's cache."""
 _TOO_FEW = 256
@@ -70,13 +71,8 @@ def solve_many(
     """
     if exact:
         return _solve_decimals((m1, m2, a2, b, x1, v1, x2, v2, until, a1), law, max_events, keep_events, jobs, progress)
-    given = SI(m1, m2, a2, b, x1, v1, x2, v2, until, a1)._asdict()
-    columns = [_numbers(name, values) for name, values in given.items()]
-    shape = np.broadcast_shapes(*[column.shape for column in columns])
-    table = np.zeros((*shape, 20))
-    for index, column in enumerate(columns):
-        table[..., 2 * index] = column
-    table = table.reshape(-1, 20)
+    numbers = (m1, m2, a2, b, x1, v1, x2, v2, until, a1)
+    table, shape = _table(numbers)
     _check(max_events, keep_events, jobs)
     law = read_law(law)
     return _solved(
@@ -151,7 +147,7 @@ def _solved(
         chunks.append(
             Chunk(table[part], lambda row, start=start: exact(start + row), ends[part], kept[part], literal, max_events)
         )
-    for count in _in_threads(chunks, jobs or available_cores()):
+    for count in _in_threads(chunks, jobs):
         done += count
         if progress is not None:
             progress(done, len(table))
@@ -160,24 +156,50 @@ def _solved(
 
 def _chunk(count: int, jobs: int | None) -> int:
     """Return how many scenes go into one chunk: four chunks for every core, so that all end at about the same time."""
+    if count <= _TOO_FEW:
+        return _TOO_FEW
     return max(_TOO_FEW, min(_CHUNK, -(-count // (4 * (jobs or available_cores())))))
 
 
-def _numbers(name: str, values: ArrayLike) -> Table:
-    """Return values as binary64 numbers, checked; the message names the first one that is out of bounds."""
+def _table(numbers: tuple[ArrayLike, ...]) -> tuple[Table, tuple[int, ...]]:
+    """Return SI numbers as rows of halves (n, 20), and the shape that their arrays have together; checked."""
+    columns = [_numbers(name, values) for name, values in zip(SI._fields, numbers, strict=True)]
+    if all(isinstance(column, float) for column in columns):
+        shape, table = (), np.zeros((1, 20))
+        table[0, ::2] = columns
+    else:
+        shape = np.broadcast_shapes(*[np.shape(column) for column in columns])
+        table = np.zeros((*shape, 20))
+        for index, column in enumerate(columns):
+            table[..., 2 * index] = column
+        table = table.reshape(-1, 20)
+    given = table[:, ::2]
+    if not (np.isfinite(given).all() and (given[:, _MUST_BE_POSITIVE] > 0).all() and (given[:, -1] >= 0).all()):
+        for name, column in zip(SI._fields, columns, strict=True):
+            _refuse(name, np.asarray(column))
+    return table, shape
+
+
+def _numbers(name: str, values: ArrayLike) -> Table | float:
+    """Return values as binary64 numbers: an array, or a float."""
+    if isinstance(values, (int, float)) and not isinstance(values, bool):
+        return float(values) if abs(values) < 2**1023 else np.inf
     if np.ma.is_masked(values):
         raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     try:
-        array = np.asarray(values, dtype=np.float64)
+        return np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise InvalidScene(f"{name} must be an array of real numbers in SI units") from None
+
+
+def _refuse(name: str, array: Table) -> None:
+    """Raise InvalidScene, naming the first number that is out of bounds, if there is one."""
     wrong = ~np.isfinite(array) | ((array <= 0) if name in _POSITIVE else (array < 0) & (name == "a1"))
     if np.any(wrong):
         first = tuple(int(i) for i in np.argwhere(wrong)[0])
         place = f"{name}{list(first) if first else ''} = {array[first]:g}"
         bound = "> 0 and finite" if name in _POSITIVE else ">= 0 and finite" if name == "a1" else "finite"
         raise InvalidScene(f"{place} must be {bound}; correct it, or leave that scene out")
-    return array
 
 
 def _check(max_events: int, keep_events: int, jobs: int | None) -> None:
@@ -186,12 +208,12 @@ def _check(max_events: int, keep_events: int, jobs: int | None) -> None:
     require_whole("jobs", 1 if jobs is None else jobs, 1)
 
 
-def _in_threads(chunks: list[Chunk], jobs: int) -> Iterator[int]:
+def _in_threads(chunks: list[Chunk], jobs: int | None) -> Iterator[int]:
     """Yield how many scenes each chunk had, as they finish; compiled code runs in threads, Python in turn."""
     if jobs == 1 or len(chunks) <= 1 or not can_compile():
         yield from map(solve_chunk, chunks)
         return
-    pool = ThreadPoolExecutor(min(jobs, len(chunks)))
+    pool = ThreadPoolExecutor(min(jobs or available_cores(), len(chunks)))
     try:
         futures: list[Future[int]] = [pool.submit(solve_chunk, chunk) for chunk in chunks]
         for future in as_completed(futures):

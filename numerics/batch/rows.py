@@ -45,25 +45,28 @@ def solve_rows(table: Any, literal: bool, most: int, kept: Any, ends: Any) -> No
 
 def solve_chunk(chunk: Chunk) -> int:
     """Solve a chunk and return how many scenes it has."""
-    damped = chunk.table[:, 18] > 0
-    for is_damped in (False, True):
-        rows = np.flatnonzero(damped == is_damped)
-        if len(rows) == len(damped) and len(rows):
-            _solve(chunk.table, chunk.kept, chunk.ends, chunk, is_damped)
-        elif len(rows):
+    damped = chunk.table[:, -2] > 0
+    if damped.all() or not damped.any():
+        _solve(chunk.table, chunk.kept, chunk.ends, chunk, bool(len(damped) and damped[0]))
+    else:
+        for is_damped in (False, True):
+            rows = np.flatnonzero(damped == is_damped)
             kept, ends = chunk.kept[rows], chunk.ends[rows]
-            _solve(np.ascontiguousarray(chunk.table[rows]), kept, ends, chunk, is_damped)
+            _solve(chunk.table[rows], kept, ends, chunk, is_damped)
             chunk.kept[rows], chunk.ends[rows] = kept, ends
-    for index in np.flatnonzero(chunk.ends[:, 0] == UNKNOWN):
-        _solve_exactly(chunk.exact(index), chunk, chunk.kept[index], chunk.ends[index])
+    unknown = chunk.ends[:, 0] == UNKNOWN
+    if unknown.any():
+        for index in np.flatnonzero(unknown):
+            _solve_exactly(chunk.exact(index), chunk, chunk.kept[index], chunk.ends[index])
     return len(chunk.table)
 
 
 def _solve(table: Table, kept: Table, ends: Table, chunk: Chunk, is_damped: bool) -> None:
     """Solve rows of one kind."""
     telling = run_telling(FLOAT64, is_damped=is_damped)
-    if can_compile():
-        telling.compiled(solve_rows)(table, chunk.literal, chunk.max_events, kept, ends)
+    fast = telling.compiled(solve_rows)
+    if fast is not telling(solve_rows):
+        fast(table, chunk.literal, chunk.max_events, kept, ends)
         return
     for row, rows, end in zip(table.tolist(), kept, ends, strict=True):
         plain = end.tolist()
@@ -92,5 +95,5 @@ def _solve_exactly(scene: Scene, chunk: Chunk, rows: Table, end: Table) -> None:
 
 
 def room(count: int, keep: int) -> tuple[Table, Table]:
-    """Return the arrays for the ends of so many runs and for the first events of each: nan and 0 where there are none."""
+    """Return the arrays for the ends of so many runs and for the first events of each, nan where there are none."""
     return np.zeros((count, end_length(1))), np.full((count, keep, row_length(1)), np.nan)

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from numerics.arithmetic.double_double import Double
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.motion.modes import Mode, mode_of_sign
+from numerics.motion.modes import MODES, Mode
 from numerics.motion.start import SI, Reduced, damped_start, first_mode, undamped_start
 from numerics.motion.tellings import exact_signs, start_telling
 from numerics.scene import Law, Scene
@@ -48,4 +48,4 @@ def in_halves(record: Any, halves: Any) -> Any:
 def mode_at_start(scene: Scene) -> Mode:
     """Return the mode that follows the initial state of a scene; exact, every tie decided by the rules of modes.py."""
     sign, _, _ = exact_signs()(first_mode)(si_numbers(scene), scene.law is Law.THREE_VALUED_SGN)
-    return mode_of_sign(sign)
+    return MODES[sign]

@@ -29,6 +29,10 @@ class Mode(Enum):
         return 0 if self is Mode.STICK else 1 if self is Mode.SLIP_PLUS else -1
 
 
+MODES = {-1.0: Mode.SLIP_MINUS, 0.0: Mode.STICK, 1.0: Mode.SLIP_PLUS}
+"""The modes by the sign of v1 - v2."""
+
+
 class EventKind(Enum):
     """What happens at an event."""
 
@@ -38,11 +42,6 @@ class EventKind(Enum):
     """A stick phase ends on an exit ray: the bodies slip."""
     CROSSING = "crossing"
     """A slip meets the switching surface outside the sliding region and goes on with the other sign."""
-
-
-def mode_of_sign(sign: float) -> Mode:
-    """Return the mode in which v1 - v2 has this sign (-1, 0 or +1)."""
-    return Mode.STICK if sign == 0 else Mode.SLIP_PLUS if sign > 0 else Mode.SLIP_MINUS
 
 
 def event_kind(before: Mode, after: Mode) -> EventKind:

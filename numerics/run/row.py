@@ -13,13 +13,14 @@ from numerics.bounds.records import EndErrors
 from numerics.bounds.undamped import at_horizon, at_last_event, initial
 from numerics.motion.codes import EVENT_LIMIT, OUT_OF_RANGE
 from numerics.motion.records import At
-from numerics.motion.start import SI, Reduced, undamped_start
+from numerics.motion.start import SI, Reduced, Units, undamped_start
 from numerics.motion.undamped import mode_of
 from numerics.run.loop import run
 
 SI_NUMBERS = 10
 _SMALLEST, _LARGEST = 1e-70, 1e70
 """Beyond them a product of four SI numbers may leave the range of binary64: convert exactly."""
+_SMALLEST_UNIT = 1e-250
 
 
 @text
@@ -67,7 +68,7 @@ def solve_start(pair: Any, start: Any, at: Reduced, most: int, rows: Any, end: A
     here, off, tau, length = ending(how, pair, start, errors, at.horizon)
     certain = off.certain and how != OUT_OF_RANGE
     end[0], end[1], end[2], end[3], end[4] = how, count, mode_of(start), first_mode, 1.0 if certain else 0.0
-    end[5] = right_digits(pair, here, off, worst) if certain else 0.0
+    end[5] = right_digits(pair, here, off, worst) if certain and keeps_digits(at.units) else 0.0
     end[6], end[7], end[8], end[9], end[10] = worst, off.x, off.v1, off.v2, off.place
     end[11], end[12], end[13] = off.w, off.spent, off.damped
     put(end, 14, (tau, length, here.X, here.V1, here.V2, here.Z, here.w, here.spent, here.damped))
@@ -95,9 +96,19 @@ def right_digits(pair: Any, at: At, off: EndErrors, worst: float) -> float:
     X, V1, V2, x2 = rough(at.X), rough(at.V1), rough(at.V2), rough(at.X - at.Z)
     energy = X * X + q * V1 * V1 + r * V2 * V2
     worst = max(worst, share(off.x, 8.0, X), share(off.v1, 8.0, V1), share(off.x + off.place, 8.0, x2))
-    worst = max(worst, share(off.v2, 8.0, V2), share(off.w, 4.0, w), share(off.w + 16.0 * UNIT * w, 16.0, energy))
+    worst = max(worst, share(off.v2, 8.0, V2), share(off.w, 4.0, w))
+    # of E = E_cr (1 + w) the state forms the left side, and w stands beside it: both bound its error
+    by_state = off.x * (2 * abs(X) + off.x) + q * off.v1 * (2 * abs(V1) + off.v1) + r * off.v2 * (2 * abs(V2) + off.v2)
+    worst = max(worst, share(min(off.w + 16.0 * UNIT * w, by_state), 16.0, energy))
     worst = max(worst, UNIT / 8.0)
     return max(0.0, math.floor(-math.log10(worst))) if worst < 1.0 else 0.0
+
+
+@text
+def keeps_digits(units: Units) -> bool:
+    """Return whether the units are so far above the least numbers that products with them lose nothing."""
+    length, rate, energy = rough(units.length), rough(units.rate), rough(units.energy)
+    return min(length, length * rate, energy) > _SMALLEST_UNIT
 
 
 @text

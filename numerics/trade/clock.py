@@ -9,8 +9,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from numerics.kernel.compilation import can_compile
-from numerics.trade.comparisons.peer import PeerRun
+from numerics.arithmetic.telling import can_compile
 
 BATCH = 0.002
 """A batch of calls lasts at least so long, s, so that the clock itself does not count."""
@@ -45,8 +44,8 @@ def median_time(call: Callable[[], object], first: float, budget: float) -> Timi
 
 
 def own_seconds(answer: object, waited: float) -> float:
-    """Return the time of a run (s): what it measured itself, in a process of its own, or else how long we waited."""
-    own = answer.elapsed if isinstance(answer, PeerRun) else None
+    """Return the time of a run (s): what it measured itself, as a process or a batch does, or how long we waited."""
+    own: float | None = getattr(answer, "elapsed", None)
     return waited if own is None else own
 
 

@@ -6,20 +6,19 @@ import argparse
 import json
 import sys
 
-from numerics.faces.commands import OK, USAGE, refuse
+from numerics.exits import OK, USAGE, refuse, wrong_path
 
 
 def measure_trade(options: argparse.Namespace) -> int:
-    """Measure speed against accuracy; print tables or JSON, write the figures."""
-    from numerics.faces import plot
+    """Measure speed against accuracy, or the interface alone; print tables or JSON, write the figures."""
     from numerics.trade.plan import NoSuchContender, trade
     from numerics.trade.table import as_record, print_trade
 
-    out = options.out
-    if out is not None and not out.parent.is_dir():
-        return refuse(f"folder {str(out.parent)!r} does not exist; make it, or write elsewhere", USAGE)
-    if out is not None and out.suffix not in plot.FORMATS:
-        return refuse(f"--out {out.name}: the name must end in one of {', '.join(plot.FORMATS)}", USAGE)
+    if wrong := wrong_path(options.out, "--out"):
+        return refuse(wrong, USAGE)
+    width = None if sys.stdout.isatty() else 200
+    if options.interface:
+        return _tell_interface(options.json, width)
     shown = sys.stderr.isatty()
     try:
         found = trade(options.size, options.only, _told if shown else lambda _: None)
@@ -28,14 +27,26 @@ def measure_trade(options: argparse.Namespace) -> int:
     finally:
         if shown:
             print("\r\033[K", end="", file=sys.stderr, flush=True)
-    if out is not None:
+    if options.out is not None:
         from numerics.trade.figure import write_figures
 
-        write_figures(found, out)
+        write_figures(found, options.out)
     if options.json:
         print(json.dumps(as_record(found), indent=1))
     else:
-        print_trade(found, None if sys.stdout.isatty() else 200)
+        print_trade(found, width)
+    return OK
+
+
+def _tell_interface(as_json: bool, width: int | None) -> int:
+    from numerics.trade.interface import interface
+    from numerics.trade.table import print_interface
+
+    found = interface(0.3, compilation=True)
+    if as_json:
+        print(json.dumps([one.as_record() for one in found], indent=1))
+    else:
+        print_interface(found, width)
     return OK
 
 

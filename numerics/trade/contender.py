@@ -1,4 +1,4 @@
-"""Whoever takes part, behind one interface: ours (ours.py) and the peers of numerics/comparisons."""
+"""Whoever takes part, behind one interface: ours (ours.py) and the peers of comparisons/."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Who is best: the front of right runs that no other right run beats in time and error, and by how much we lead."""
+"""Who is best: the front of right runs that no other right run beats in time and error, and by how much we lead.
+
+We lead by what a user calls; what runs inside stands beside it.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from numerics.trade.measure import Measurement
+from numerics.trade.ours import PARTS
 
 
 @dataclass(frozen=True)
@@ -47,16 +51,23 @@ def _beats(one: Point, other: Point) -> bool:
 
 @dataclass(frozen=True)
 class Lead:
-    """How many times faster our fastest right run is that is at least as accurate as a peer's point."""
+    """How many times faster our fastest right call is that is at least as accurate as a peer's point."""
 
     peer: Point
     ours: Point | None
-    """None: no right run of ours is as accurate."""
+    """What a user calls; None: none of it is right and as accurate."""
+    inside: Point | None = None
+    """The same among the parts that run inside."""
 
     @property
     def ratio(self) -> float | None:
         """Return the peer's time by ours; below 1 the peer is faster."""
         return None if self.ours is None else self.peer.seconds / self.ours.seconds
+
+    @property
+    def ratio_inside(self) -> float | None:
+        """Return the peer's time by that of what runs inside."""
+        return None if self.inside is None else self.peer.seconds / self.inside.seconds
 
     def as_record(self, scene: str) -> dict[str, Any]:
         """Return it as the object that JSON carries."""
@@ -67,6 +78,7 @@ class Lead:
             "right": self.peer.right,
             "ours": None if self.ours is None else self.ours.contender,
             "times_faster": self.ratio,
+            "times_faster_inside": self.ratio_inside,
         }
 
 
@@ -75,5 +87,6 @@ def leads(candidates: Sequence[Point]) -> list[Lead]:
     found = []
     for peer in (one for one in candidates if not one.ours):
         equal = [one for one in candidates if one.ours and one.right and one.error <= peer.error]
-        found.append(Lead(peer, min(equal, key=lambda one: one.seconds, default=None)))
+        calls, parts = ([one for one in equal if (one.contender in PARTS) is part] for part in (False, True))
+        found.append(Lead(peer, *(min(some, key=lambda one: one.seconds, default=None) for some in (calls, parts))))
     return found

@@ -1,184 +1,232 @@
-"""Our own methods as contenders: the only place where the trade knows which functions we offer."""
+"""Our own methods as contenders: the only place where the trade knows which functions we offer.
+
+What a user calls is measured as a user gets it: events, itinerary and final state are read while the clock runs, as a
+peer's are. PARTS stand beside: the run inside, which starts from a row of numbers and leaves rows of numbers, and
+`solve` whose answer nobody has looked at.
+"""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Final
+from fractions import Fraction
+from typing import Any
 
 import numpy as np
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.batch.batch import solve_many
-from numerics.kernel.compilation import can_compile, compiled
-from numerics.kernel.packed import ANSWER, STATE, run_in_si, run_one
-from numerics.kernel.state import COLUMNS, End
-from numerics.motion.frame import Frame
-from numerics.motion.modes import Mode, event_kind
-from numerics.old.binary64 import kernel_start, mode_of
-from numerics.scene import Scene
+from numerics.arithmetic.double_numbers import DoubleDouble
+from numerics.arithmetic.double_words import DOUBLE_DOUBLE
+from numerics.arithmetic.float64 import FLOAT64, Float64
+from numerics.arithmetic.protocol import Arithmetic
+from numerics.arithmetic.telling import Telling, can_compile
+from numerics.batch.batch import Batch, solve_many
+from numerics.motion.begin import begin, in_halves, si_numbers
+from numerics.run.families import run_telling
+from numerics.run.one import scene_row
+from numerics.run.row import solve_row, solve_start
+from numerics.scene import Law, Pair, Scene, State
+from numerics.solver.prepared import Solver
 from numerics.solver.solve import ArithmeticName, solve
 from numerics.trade.comparisons.peer import Unsupported
-from numerics.trade.double_kernels import DoubleKernels
 from numerics.trade.outcome import Outcome, float_text, letters
 from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.record import Record, end_length, row_length
 from numerics.trajectory.trajectory import Trajectory
 
 DIGITS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
-COMPILED, PLAIN, OBJECTS = "float64, compiled", "float64, pure Python", "float64, Trajectory"
-MPMATH: Final = "mpmath"
-BALL: Final = "ball"
+COMPILED, PLAIN, DOUBLE = "float64, compiled", "float64, pure Python", "double-double, compiled"
+SOLVE, READ, TWELVE, PREPARED, MANY = "solve, unread", "solve", "solve, digits=12", "Solver", "solve_many"
+MPMATH, BALL = "mpmath", "ball"
+PARTS = frozenset({COMPILED, PLAIN, DOUBLE, SOLVE})
+"""Of what a user calls: never what a headline goes by."""
+MOST_EVENTS = 10**7
 _SPARE_DIGITS = 30
-_MOST_EVENTS = 10**7
-Solved = tuple[Trajectory, tuple[Any, ...], Any]
-"""A trajectory with its final state and the energy it lost: all that is judged, computed while the clock runs."""
+_BATCH, _BATCH_EVENTS = 1000, 500_000
+"""Scenes in the batch of which one is judged, and the events that they may have together."""
+
+
+@dataclass(frozen=True)
+class Left:
+    """What a run left in arrays: a trajectory once somebody asks."""
+
+    scene: Scene
+    arithmetic: Arithmetic
+    rows: Any
+    end: Any
+    width: int = 1
+    elapsed: float | None = None
+
+    def trajectory(self) -> Trajectory:
+        """Return it as a trajectory."""
+        rows = np.asarray(self.rows[: int(self.end[1])], dtype=float).reshape(-1, row_length(self.width))
+        record = Record(rows, np.asarray(self.end), self.width)
+        return Trajectory(self.scene, self.arithmetic, record, bounded=True)
+
+
+Answer = Trajectory | Left
+Call = Callable[[], Answer]
+
+
+@dataclass(frozen=True)
+class Ours:
+    """A method of ours: `make(scene, setting)` returns the call that is timed."""
+
+    label: str
+    make: Callable[[Scene, float], Call]
+    use: str = ""
+    knob: str = "bits"
+    settings: tuple[float, ...] = (53.0,)
+    needs_numba: bool = False
+    write: Callable[[Any, int], str] | None = None
+    """write(number, digits): how its numbers are written."""
+    ours = True
+
+    @property
+    def name(self) -> str:
+        """Return its label."""
+        return self.label
+
+    def missing(self) -> str | None:
+        """Return what the compiled path needs."""
+        return "numba: pip install 'inertial-pair[compiled]'" if self.needs_numba and not can_compile() else None
+
+    def prepare(self, scene: Scene, setting: float) -> Call:
+        """Bring up compiled code, where there is any, and return the call."""
+        if self.knob == "bits":
+            inside(FLOAT64, True)(scene, setting)()
+        return self.make(scene, setting)
+
+    def outcome(self, run: Answer) -> Outcome:
+        """Return a run as text; of a ball its middle, which is then judged like a peer's number."""
+        return trajectory_outcome(run if isinstance(run, Trajectory) else run.trajectory(), self.write or number_text)
 
 
 def our_contenders() -> list[Any]:
     """Return our methods, from the fastest to the most digits."""
     return [
-        Kernels(compiled=True),
-        Kernels(compiled=False),
-        FloatTrajectory(),
-        DoubleKernels(),
-        Digits(MPMATH),
-        Digits(BALL),
-    ]
+        Ours(COMPILED, inside(FLOAT64, True), "the run inside, rows of numbers in and out", needs_numba=True),
+        Ours(PLAIN, inside(FLOAT64, False), "the same by Python"),
+        Ours(DOUBLE, inside(DOUBLE_DOUBLE, True), "the same in double-double", "bits", (106.0,), True),
+        Ours(SOLVE, solved(None, read=False), "solve(scene), nothing looked at"),
+        Ours(READ, solved(None), "solve(scene), then t, y, modes, t_events"),
+        Ours(TWELVE, solved(None, 12), "solve(scene, digits=12), then the same"),
+        Ours(PREPARED, prepared_call, "Solver(pair)(State(...), until), a new State each time, then the same"),
+        Ours(MANY, batch_share, "one scene of a batch of up to 1,000, one core, all events kept", needs_numba=True),
+        Ours(MPMATH, solved("mpmath"), "solve(scene, arithmetic=\"mpmath\", digits=N)", "digits", DIGITS),
+        Ours(BALL, solved("ball"), "solve(scene, arithmetic=\"ball\", digits=N)", "digits", DIGITS),
+    ]  # fmt: skip
 
 
-class Kernels:
-    """The float64 kernels on one row of numbers, every event recorded: compiled by numba, or as plain Python.
+def inside(base: Telling, compiled: bool) -> Callable[[Scene, float], Call]:
+    """Return what makes the call of the run inside, in binary64 or double-double; room for events is made before."""
+    width, arithmetic = (1, Float64()) if base is FLOAT64 else (2, DoubleDouble())
 
-    The exact conversion of the scene, and the room for its events, come before the clock, as a peer's preparation does;
-    the run ends with times, positions and velocities in SI units.
-    """
+    def make(scene: Scene, setting: float) -> Call:  # noqa: ARG001
+        telling = run_telling(base, is_damped=scene.pair.a1 > 0)
+        tell = telling.compiled if compiled else telling
+        end, none = np.empty(end_length(width)), np.empty((0, row_length(width)))
+        given, literal, count = scene_row(scene), scene.law is Law.THREE_VALUED_SGN, -1
+        run, start = tell(solve_row), (given if given is None or compiled else given.tolist(), literal)
+        if width == 1 and given is not None:
+            count = run(*start, MOST_EVENTS, none, end)
+        if count < 0:  # as `solve` does: from the exact start
+            run, start = tell(solve_start), _exact_start(scene, arithmetic)
+            count = run(*start, MOST_EVENTS, none, end)
+        rows = np.empty((count, row_length(width)))
+        if not compiled:  # NumPy's floats would slow plain Python down
+            rows, end = rows.tolist(), end.tolist()
+        left = Left(scene, arithmetic, rows, end, width)
 
-    use, knob, ours = "", "bits", True
-    settings: tuple[float, ...] = (53.0,)
+        def call() -> Left:
+            run(*start, MOST_EVENTS, rows, end)
+            return left
 
-    def __init__(self, compiled: bool) -> None:
-        """Choose how the kernels run."""
-        self.compiled = compiled
-        self.label = self.name = COMPILED if compiled else PLAIN
+        return call
 
-    def missing(self) -> str | None:
-        """Return what the compiled path needs."""
-        return "numba: pip install 'inertial-pair[compiled]'" if self.compiled and not can_compile() else None
-
-    def prepare(self, scene: Scene, setting: float) -> Callable[[], tuple[int, Arrays]]:  # noqa: ARG002
-        """Compile, count the events, and return the run that is timed."""
-        if scene.pair.a1 > 0:
-            raise Unsupported("these kernels are for a1 = 0")
-        frame, motion, start = kernel_start(scene)
-        run, once = (compiled(run_in_si), compiled(run_one)) if self.compiled else (run_in_si, run_one)
-        units = np.array([frame.length, frame.rate])
-        first, state, end, units = (self._row(row) for row in (start, np.empty(STATE), np.empty(ANSWER), units))
-        count = once(first, state, _MOST_EVENTS, np.empty((0, len(COLUMNS))), end)
-        rows, si = np.empty((count + 1, len(COLUMNS))), np.empty((count + 1, 4))
-        left = Arrays(frame, motion.mode, rows, end, si)
-        return lambda: (run(first, state, _MOST_EVENTS, rows, end, units, si), left)
-
-    def _row(self, row: Any) -> Any:
-        """Return a row for compiled code, or as a list: NumPy's floats would slow plain Python down."""
-        return row if self.compiled else row.tolist()
-
-    def outcome(self, run: tuple[int, Arrays]) -> Outcome:
-        """Return a run as text."""
-        count, left = run
-        frame, end = left.frame, dict(zip((*End._fields, "events", "how", "tau"), left.end, strict=True))
-        times = left.si[:count, 0].tolist()
-        modes = [mode_of(code) for code in left.rows[:count, COLUMNS.index("mode")]]
-        kinds = [event_kind(before, after) for before, after in zip([left.first_mode, *modes], modes, strict=False)]
-        return Outcome(
-            kinds=letters(kinds),
-            times=times,
-            last_event=float_text(times[-1]) if times else None,
-            final=[float_text(value) for value in left.si[count].tolist()],
-            dissipated=float_text(frame.critical_energy * float(end["spent"])),
-            steps=count,
-        )
+    return make
 
 
-@dataclass(frozen=True, slots=True)
-class Arrays:
-    """Where the kernels leave their answers, and what is needed to read them."""
-
-    frame: Frame
-    first_mode: Mode
-    rows: Any
-    end: Any
-    si: Any
-
-
-class FloatTrajectory:
-    """solve(scene): from exact decimals to a Trajectory of Python objects, with its ledger."""
-
-    label = name = OBJECTS
-    use, knob, ours = "", "bits", True
-    settings: tuple[float, ...] = (53.0,)
-
-    def missing(self) -> str | None:
-        """Return None: it is always there."""
-        return None
-
-    def prepare(self, scene: Scene, setting: float) -> Callable[[], Solved]:  # noqa: ARG002
-        """Return the solve that is timed."""
-        return lambda: solved(scene, "float64", None)
-
-    def outcome(self, run: Solved) -> Outcome:
-        """Return a solve as text."""
-        return solved_outcome(run)
-
-
-class Digits:
-    """solve(scene, digits=N) in mpmath or in balls."""
-
-    use, knob, ours, settings = "", "digits", True, DIGITS
-
-    def __init__(self, arithmetic: ArithmeticName) -> None:
-        """Choose the arithmetic."""
-        self.label = self.name = arithmetic
-
-    def missing(self) -> str | None:
-        """Return None: it is always there."""
-        return None
-
-    def prepare(self, scene: Scene, setting: float) -> Callable[[], Solved]:
-        """Return the solve that is timed."""
-        arithmetic = self.name
-        return lambda: solved(scene, arithmetic, int(setting))
-
-    def outcome(self, run: Solved) -> Outcome:
-        """Return a solve as text; of a ball its middle, which is then judged like a peer's number."""
-        return solved_outcome(run)
-
-
-def solved(scene: Scene, arithmetic: ArithmeticName, digits: int | None) -> Solved:
-    """Solve a scene with everything that is judged: events, final state, and dissipated energy from its ledger.
-
-    The ledger adds what each slip takes; the difference of the energies would cancel close to the critical orbit.
-    """
-    trajectory = solve(scene, arithmetic=arithmetic, digits=digits, max_events=10**7)
-    final, ledger = trajectory.final, trajectory.ledger
-    with trajectory.arithmetic.context():
-        return trajectory, trajectory.frame.si_state(final), ledger.friction + ledger.viscous
-
-
-def solved_outcome(run: Solved, write: Callable[[Any, int], str] | None = None) -> Outcome:
-    """Return a solve as text; `write(number, digits)` is how its numbers are written."""
-    trajectory, final, dissipated = run
-    arithmetic, events = trajectory.arithmetic, trajectory.events
-    texts = write or number_text
+def _exact_start(scene: Scene, arithmetic: Any) -> Any:
     with arithmetic.context():
+        begun = begin(scene, arithmetic)
+        return begun if arithmetic.name == "float64" else in_halves(begun, arithmetic.halves)
+
+
+def solved(
+    arithmetic: ArithmeticName | None, digits: int | None = None, read: bool = True
+) -> Callable[[Scene, float], Call]:
+    """Return what makes the call of `solve`; in mpmath and balls its digits are the setting."""
+
+    def make(scene: Scene, setting: float) -> Call:
+        asked = digits if arithmetic is None else int(setting)
+
+        def call() -> Trajectory:
+            found = solve(scene, arithmetic=arithmetic, digits=asked, max_events=MOST_EVENTS)
+            return looked_at(found) if read else found
+
+        return call
+
+    return make
+
+
+def prepared_call(scene: Scene, setting: float) -> Call:  # noqa: ARG001
+    """Return the call of a prepared solver, with a new State each time."""
+    solver, at, until = Solver(scene.pair, scene.law, max_events=MOST_EVENTS), scene.initial, scene.until
+    return lambda: looked_at(solver(State(at.x1, at.v1, at.x2, at.v2), until))
+
+
+def batch_share(scene: Scene, setting: float) -> Call:  # noqa: ARG001
+    """Return a call of `solve_many` for many copies of a scene, timed by the copy. Raises Unsupported."""
+    events = len(solve(scene, max_events=MOST_EVENTS).record)
+    size = max(1, min(_BATCH, _BATCH_EVENTS // (events + 1)))
+    batch = batch_call(scene, size, 1, events)
+
+    def call() -> Left:
+        start = time.perf_counter()
+        found = batch()
+        found.event_t, found.event_y, found.event_mode, found.y, found.dissipated  # noqa: B018 - made when looked at
+        return Left(scene, Float64(), found.kept[0], found.ends[0], 1, (time.perf_counter() - start) / size)
+
+    return call
+
+
+def batch_call(scene: Scene, size: int, cores: int, keep_events: int = 0) -> Callable[[], Batch]:
+    """Return a call that solves `size` copies of a scene in one batch. Raises Unsupported.
+
+    A batch reads binary numbers, so it must be the same scene in them, to what float64 can tell.
+    """
+    numbers = {name: float(value) for name, value in si_numbers(scene)._asdict().items()}
+    m1, m2, a2, b, x1, v1, x2, v2, until, a1 = (Fraction(value) for value in numbers.values())
+    binary = Scene(Pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, scene.law)
+    if abs(binary.energy_excess - scene.energy_excess) > abs(scene.energy_excess) / 10**12:
+        raise Unsupported("its decimals are no binary numbers, and next to E_cr those are another scene")
+    first = {name: numbers.pop(name) for name in ("m1", "m2", "a2", "b")}
+    many = numbers | {"v1": np.full(size, numbers["v1"])}
+    return lambda: solve_many(*first.values(), **many, law=scene.law, keep_events=keep_events, jobs=cores)
+
+
+def looked_at(trajectory: Trajectory) -> Trajectory:
+    """Look at what a user looks at, and return the trajectory."""
+    trajectory.t, trajectory.y, trajectory.modes, trajectory.t_events  # noqa: B018 - made when looked at
+    return trajectory
+
+
+def trajectory_outcome(trajectory: Trajectory, write: Callable[[Any, int], str]) -> Outcome:
+    """Return a trajectory as text; what it lost was summed slip by slip, where the difference of energies cancels."""
+    arithmetic, record, times = trajectory.arithmetic, trajectory.record, trajectory.event_times
+    with arithmetic.context():
+        lost = trajectory.units[2] * (record.end("spent") + record.end("damped"))
         digits = arithmetic.digits + _SPARE_DIGITS
         return Outcome(
             kinds=letters(trajectory.event_kinds),
-            times=[arithmetic.to_float(event.t) for event in events],
-            last_event=texts(events[-1].t, digits) if events else None,
-            final=[texts(value, digits) for value in final],
-            dissipated=texts(dissipated, digits),
-            steps=len(events),
+            times=[float(arithmetic.to_float(t)) for t in times],
+            last_event=write(times[-1], digits) if len(times) else None,
+            final=[write(value, digits) for value in trajectory.final_state],
+            dissipated=write(lost, digits),
+            steps=len(times),
         )
 
 
@@ -191,14 +239,3 @@ def number_text(value: Any, digits: int) -> str:
         with Ball(digits).context():
             value = arb(exact.numerator) / arb(exact.denominator)
     return str(value.mid().str(digits, radius=False))
-
-
-def batch_call(scene: Scene, size: int, cores: int) -> Callable[[], object] | None:
-    """Return a call that solves `size` copies of a scene in one batch on so many cores; None without numba."""
-    if not can_compile():
-        return None
-    pair, at = scene.pair, scene.initial
-    m1, m2, a2, b = (float(one) for one in (pair.m1, pair.m2, pair.a2, pair.b))
-    x1, x2, v2, until = (float(one) for one in (at.x1, at.x2, at.v2, scene.until))
-    v1 = np.full(size, float(at.v1))
-    return lambda: solve_many(m1, m2, a2, b, x1=x1, v1=v1, x2=x2, v2=v2, until=until, jobs=cores)

@@ -11,6 +11,7 @@ from numerics.trade.child import Child
 from numerics.trade.contender import Contender, all_contenders
 from numerics.trade.front import Point, points
 from numerics.trade.growth import Extent, Growth, growth
+from numerics.trade.interface import Wait, interface
 from numerics.trade.machine import machine
 from numerics.trade.measure import SOURCE, Limits, Measurement, References, measure
 from numerics.trade.reference import POINT_DIGITS
@@ -86,6 +87,8 @@ class Trade:
     measurements: list[Measurement]
     references: list[dict[str, Any]]
     growth: list[Growth]
+    interface: list[Wait]
+    """What a user waits for; empty where only some were asked for."""
 
     def points(self, scene: Benchmark) -> list[Point]:
         """Return the measured points of one scene."""
@@ -122,7 +125,11 @@ def trade(
                 progress(f"{contender.label}: {scene.name}")
                 found += measure(child, references, contender, scene, settings(contender, size), limits, source)
         grown = list(growth(child, references, present, size.extent, size.limits, progress, source))
-        return Trade(size_name, machine(), scenes, present, left_out, found, references.as_records(), grown)
+    waits = []
+    if not only and contenders is None:
+        progress("what a user waits for")
+        waits = interface(size.limits.budget, size_name != "small")
+    return Trade(size_name, machine(), scenes, present, left_out, found, references.as_records(), grown, waits)
 
 
 class NoSuchContender(NumericsError):

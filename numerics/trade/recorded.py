@@ -13,12 +13,14 @@ import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from numerics.errors import NumericsError
 from numerics.trade.front import Lead, Point, leads
 from numerics.trade.growth import Growth
+from numerics.trade.interface import Wait
 
+Kind = TypeVar("Kind", Growth, Wait)
 SHIPPED = Path(__file__).with_name("recorded.json")
 HOW_TO = "python -m numerics trade --json"
 
@@ -76,6 +78,8 @@ class RecordedTrade:
     scenes: tuple[RecordedScene, ...]
     runs: tuple[RecordedRun, ...]
     growth: tuple[Growth, ...]
+    interface: tuple[Wait, ...] = ()
+    """What a user waits for at the public interface; older records do not say."""
 
     @property
     def contenders(self) -> list[Participant]:
@@ -122,7 +126,8 @@ def _trade(record: dict[str, Any]) -> RecordedTrade:
         left_out={one["contender"]: one["missing"] for one in record["left_out"]},
         scenes=tuple(RecordedScene(one["scene"], one["why"]) for one in record["scenes"]),
         runs=tuple(_run(one) for one in record["runs"]),
-        growth=tuple(_growth(record["growth"])),
+        growth=tuple(_known(Growth, record["growth"])),
+        interface=tuple(_known(Wait, record.get("interface", []))),
     )
     if not found.scenes or not found.runs:
         raise ValueError("it has no scenes or no runs")
@@ -147,7 +152,8 @@ def _run(one: dict[str, Any]) -> RecordedRun:
     )
 
 
-def _growth(records: Iterable[dict[str, Any]]) -> Iterable[Growth]:
-    known = {field.name for field in fields(Growth)}
+def _known(kind: type[Kind], records: Iterable[dict[str, Any]]) -> Iterable[Kind]:
+    """Yield records of a kind by the fields that it has."""
+    known = {field.name for field in fields(kind)}
     for one in records:
-        yield Growth(**{name: value for name, value in one.items() if name in known})
+        yield kind(**{name: value for name, value in one.items() if name in known})

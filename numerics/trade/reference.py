@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from numerics.scene import Scene
-from numerics.trade.ours import Solved, solved, solved_outcome
+from numerics.trade.ours import BALL, Ours, solved
 from numerics.trade.outcome import Outcome
 
 NAME = "reference"
@@ -16,28 +15,16 @@ MORE_DIGITS = 30
 """Beyond the digits that a contender was asked for."""
 
 
-class ReferenceBall:
-    """solve(scene, digits=N) as a contender whose numbers are written as enclosures."""
-
-    label = name = NAME
-    use, knob, settings, ours = "", "digits", (float(POINT_DIGITS),), True
-
-    def missing(self) -> str | None:
-        """Return None: it is always there."""
-        return None
-
-    def prepare(self, scene: Scene, setting: float) -> Callable[[], Solved]:
-        """Return the solve."""
-        return lambda: solved(scene, "ball", int(setting))
-
-    def outcome(self, run: Solved) -> Outcome:
-        """Return every number with its radius; the dissipated energy comes from the ledger, where nothing cancels."""
-        return solved_outcome(run, lambda value, digits: str(value.str(digits)))
-
-
 def contenders() -> list[Any]:
-    """Return the one contender of this module, for the worker."""
-    return [ReferenceBall()]
+    """Return `solve` in balls as the one contender of this module: every number is written with its radius."""
+    return [Ours(NAME, solved(BALL), "", "digits", (POINT_DIGITS,), write=lambda value, digits: str(value.str(digits)))]
+
+
+def proved(scene: Scene, digits: int = POINT_DIGITS) -> Outcome:
+    """Return the reference of a scene."""
+    (ball,) = contenders()
+    found: Outcome = ball.outcome(ball.prepare(scene, float(digits))())
+    return found
 
 
 def digits_for(knob: str, setting: float) -> int:

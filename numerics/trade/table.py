@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from numerics.trade.front import best_front, leads
+from numerics.trade.front import Lead, best_front, leads
 from numerics.trade.growth import Growth
+from numerics.trade.interface import Wait
 from numerics.trade.measure import Measurement, Status
 from numerics.trade.plan import Trade
-from numerics.trade.scenes import Benchmark
+from numerics.trade.scenes import HEADLINE, Benchmark
 
 
 def as_record(trade: Trade) -> dict[str, Any]:
@@ -28,6 +29,7 @@ def as_record(trade: Trade) -> dict[str, Any]:
         ],
         "leads": [one.as_record(scene.name) for scene in trade.scenes for one in leads(trade.points(scene))],
         "growth": [one.as_record() for one in trade.growth],
+        "interface": [one.as_record() for one in trade.interface],
     }
 
 
@@ -40,12 +42,15 @@ def print_trade(trade: Trade, width: int | None) -> None:
         _print_scene(console, trade, scene)
     if trade.growth:
         _print_growth(console, trade.growth)
+    if trade.interface:
+        _print_interface(console, trade.interface)
     of = trade.machine
     versions = ", ".join(f"{name} {version}" for name, version in of["packages"].items())
     console.print(f"{of['processor']}, {of['cores']} cores; Python {of['python']}, {versions}")
     console.print(
         "Times are medians of warm runs; compilation and the exact conversion of the scene come before the clock, and "
-        "so does making room for as many events as there will be in our compiled runs. Errors are upper bounds: of the "
+        "so does making room for as many events as there will be in our runs inside, and loading what is compiled. "
+        '"Ours faster" is said of what a user calls, and then of what runs inside. Errors are upper bounds: of the '
         "final state relative to L and L Omega, of the last event's time and of the dissipated energy relative to "
         "themselves. A star marks the front: right event sequences that no other right one beats in time and error."
     )
@@ -62,7 +67,7 @@ def _print_scene(console: Any, trade: Trade, scene: Benchmark) -> None:
     candidates = trade.points(scene)
     best = {(one.contender, one.setting) for one in best_front(candidates)}
     # how fast a run loses events is no comparison; --json has these ratios, too
-    ratios = {(one.peer.contender, one.peer.setting): one.ratio for one in leads(candidates) if one.peer.right}
+    ahead = {(one.peer.contender, one.peer.setting): one for one in leads(candidates) if one.peer.right}
     console.print(f"{scene.name}: {scene.why}")
     proofs = [row for row in trade.references if row["scene"] == scene.name]
     took = ", ".join(
@@ -70,7 +75,7 @@ def _print_scene(console: Any, trade: Trade, scene: Benchmark) -> None:
         for row in proofs
     )
     console.print(f"proved reference: {proofs[0]['events']} events; digits {took}")
-    names = ("contender", "setting", "time", "state", "last event", "energy", "events", "ours faster", "", "")
+    names = ("contender", "setting", "time", "state", "last event", "energy", "events", "ours faster", "inside", "", "")
     table = Table(*names, box=None, pad_edge=False)
     before = ""
     for one in (one for one in trade.measurements if one.scene == scene.name):
@@ -78,12 +83,16 @@ def _print_scene(console: Any, trade: Trade, scene: Benchmark) -> None:
             continue  # the line before says why; --json lists them
         key = (one.contender, one.setting)
         cells = _cells(one)
-        lead = f"{ratios[key]:.3g} x" if ratios.get(key) is not None else ""
         name = "" if one.contender == before else one.contender
-        table.add_row(name, *cells[:-1], lead, "*" if key in best else "", cells[-1])
+        table.add_row(name, *cells[:-1], *_faster(ahead.get(key)), "*" if key in best else "", cells[-1])
         before = one.contender
     console.print(table)
     console.print()
+
+
+def _faster(lead: Lead | None) -> tuple[str, str]:
+    ratios = (None, None) if lead is None else (lead.ratio, lead.ratio_inside)
+    return tuple("" if one is None else f"{one:.3g} x" for one in ratios)  # type: ignore[return-value]
 
 
 def _cells(one: Measurement) -> tuple[str, ...]:
@@ -121,6 +130,26 @@ def error_text(log10: float | None) -> str:
     exponent = int(log10 // 1)
     mantissa = round(10 ** (log10 - exponent))
     return f"1e{exponent + 1}" if mantissa == 10 else f"{mantissa}e{exponent}"
+
+
+def print_interface(waits: list[Wait], width: int | None) -> None:
+    """Print what a user waits for at the public interface."""
+    from rich.console import Console
+
+    _print_interface(Console(width=width, highlight=False, markup=False), waits)
+
+
+def _print_interface(console: Any, waits: list[Wait]) -> None:
+    from rich.table import Table
+
+    table = Table(f"on {HEADLINE}", "time", "by", "ratio", "at most", "", box=None, pad_edge=False)
+    for one in waits:
+        ratio = "" if one.ratio is None else f"{one.ratio:.3g}"
+        most = "" if one.most is None else f"{one.most:g}" if one.ratio is not None else seconds_text(one.most)
+        word = {None: "", True: "kept", False: "OVER"}[one.kept]
+        table.add_row(one.call, seconds_text(one.seconds), one.by, ratio, most, word)
+    console.print(table)
+    console.print()
 
 
 def _print_growth(console: Any, growth: list[Growth]) -> None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.double_numbers import exact_sum
 from numerics.arithmetic.protocol import Number
+from numerics.trajectory.pickled import plain, restored
 
 CODES = ("mode", "kind", "side", "late", "x", "v", "place", "relative")
 """Floats of an event: mode (-1, 0, +1), kind of motion and side after it; bounds on the errors of tau, X, V and Z, and
@@ -54,6 +55,17 @@ class Record:
     def __init__(self, rows: Any, end_row: Any, width: int) -> None:
         """Keep what a run wrote; a number takes `width` columns."""
         self.rows, self.end_row, self.width = rows, end_row, width
+
+    def plain(self) -> tuple[Any, Any, int]:
+        """Return what can be compared and pickled."""
+        return plain(self.rows), plain(self.end_row), self.width
+
+    @classmethod
+    def restored(cls, rows: Any, end_row: Any, width: int) -> Record:
+        """Return a record from its plain form."""
+        if isinstance(end_row, list):  # of an array of floats
+            return cls(np.array(rows, dtype=float).reshape(len(rows), row_length(width)), np.array(end_row), width)
+        return cls(restored(rows), restored(end_row), width)
 
     def __len__(self) -> int:
         """Return how many events there were."""

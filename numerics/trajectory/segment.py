@@ -8,8 +8,11 @@ from typing import Any
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import Telling
 from numerics.motion import undamped
-from numerics.motion.modes import EventKind, Mode
+from numerics.motion.codes import STICK
+from numerics.motion.damped import Start as DampedStart
+from numerics.motion.modes import MODES, EventKind, Mode, event_kind
 from numerics.motion.records import At, ReducedState
+from numerics.motion.tellings import motion_telling
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,3 +68,35 @@ class EnergyLedger:
     friction: Number
     viscous: Number
     residual: Number
+
+
+def segment_of(trajectory: Any, index: int) -> Segment:
+    """Return a segment of a trajectory; the last one, after all events, ends at the horizon."""
+    record, arithmetic, is_damped = trajectory.record, trajectory.arithmetic, trajectory.scene.pair.a1 > 0
+    start = record.number(index - 1, "tau") if index else arithmetic.number(0)
+    with_event = index < len(record)
+    end = record.number(index, "tau") if with_event else record.end("tau")
+    length = record.number(index, "length") if with_event else record.end("length")
+    motion = _motion_after(trajectory, index - 1) if index else trajectory.begun.start
+    telling = motion_telling(arithmetic.telling, is_damped=is_damped)
+    return Segment(MODES[trajectory.signs[index]], start, end, length, trajectory.begun.pair, motion, telling)
+
+
+def _motion_after(trajectory: Any, index: int) -> Any:
+    """Return the start of the motion that an event starts."""
+    record, zero = trajectory.record, trajectory.arithmetic.number(0)
+    X, V, Z, w, tau, gap, push = (record.number(index, name) for name in ("X", "V", "Z", "w", "tau", "gap", "push"))
+    kind, side = int(record.code(index, "kind")), record.code(index, "side")
+    if trajectory.scene.pair.a1 > 0:
+        return DampedStart(kind, X, V, V, Z, w, True, False, tau, zero, zero, zero)
+    return undamped.Start(kind, side, X, zero, gap, push, zero if kind == STICK else push, True, Z, w, tau, zero, zero)
+
+
+def event_of(trajectory: Any, index: int) -> Event:
+    """Return an event of a trajectory."""
+    before, after = (MODES[sign] for sign in trajectory.signs[index : index + 2])
+    X, V, Z, w = (trajectory.record.number(index, name) for name in ("X", "V", "Z", "w"))
+    t, *y = trajectory.event_times[index], *trajectory.event_states[:, index]
+    if trajectory.arithmetic.name == "float64":
+        t, *y = map(float, (t, *y))
+    return Event(t, event_kind(before, after), before, after, tuple(y), ReducedState(X, V, V, Z, w))  # type: ignore[arg-type]

@@ -11,7 +11,7 @@ from numerics.batch.batch import solve_many
 from numerics.errors import InvalidScene
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
-from numerics.trajectory.accuracy import checked_values, digits_within
+from numerics.trajectory.digits import checked_values, digits_within
 
 AT_AN_EVENT = Fraction(2.10700551516822)
 

@@ -11,11 +11,12 @@ from hypothesis import strategies as st
 from strategies import scenes
 
 from numerics.batch import batch
-from numerics.batch.batch import ENDINGS, Batch, solve_many, solve_scenes
+from numerics.batch.answer import Batch
+from numerics.batch.batch import solve_many, solve_scenes
 from numerics.errors import InvalidScene, OutOfRange
-from numerics.kernel.state import EVENT_LIMIT, OUT_OF_RANGE, REACHED, STUCK
 from numerics.scene import Law, Pair, Scene, State
 from numerics.solver.solve import solve
+from numerics.trajectory.status import Status
 
 PAPER = {"m1": 1, "m2": 1, "a2": 200, "b": 0.5}
 
@@ -38,7 +39,7 @@ def test_the_batch_has_the_results_of_solve():
         one = solve(scene_of(5, v1=float(v1)))
         count = len(one.events)
         assert found.events[index] == count
-        assert found.status[index] in (REACHED, STUCK)
+        assert found.status[index] in (Status.REACHED_HORIZON, Status.STUCK_FOR_EVER)
         assert found.success[index] == one.success
         assert found.mode[index] == one.final_mode.sign
         assert one.accuracy.digits - 1 <= found.digits[index] <= one.accuracy.digits
@@ -60,7 +61,7 @@ def test_scenes_of_exact_decimals(drawn):
         try:
             one = solve(scene, max_events=30)
         except OutOfRange:
-            assert found.status[index] == OUT_OF_RANGE
+            assert found.status[index] == Status.OUT_OF_RANGE
             continue
         assert (found.events[index], found.energy_excess[index]) == (len(one.events), one.final.w)
         assert bool(found.certain[index]) == one.accuracy.certain
@@ -102,6 +103,7 @@ def test_shapes_broadcast():
 
 def test_many_chunks_threads_and_progress(monkeypatch):
     monkeypatch.setattr(batch, "_CHUNK", 7)
+    monkeypatch.setattr(batch, "_TOO_FEW", 1)
     speeds, told = np.linspace(0.02, 0.3, 50), []
     one = solve_many(**PAPER, v1=speeds, until=3, jobs=1)
     two = solve_many(**PAPER, v1=speeds, until=3, jobs=2, progress=lambda done, whole: told.append((done, whole)))
@@ -116,7 +118,7 @@ def test_two_threads_may_be_the_first_to_compile():
     pytest.importorskip("numba")
     code = (
         "import numba, numpy as np; from numerics.batch import batch; before = numba.config.CACHE_DIR;"
-        "batch._CHUNK = 2;"
+        "batch._CHUNK, batch._TOO_FEW = 2, 1;"
         "found = batch.solve_many(1, 1, 200, 0.5, v1=np.linspace(0.1, 0.3, 12), until=2, jobs=4);"
         "assert numba.config.CACHE_DIR == before; print(int(found.events.sum()))"
     )
@@ -137,19 +139,19 @@ def test_without_numba_the_same_numbers_come_out(monkeypatch, jobs):
 def test_a_scene_out_of_range_is_one_row(monkeypatch, off):
     monkeypatch.setenv("NUMBA_DISABLE_JIT", off)
     found = solve_many(1, [1, 1e-300, 1], 200, [0.5, 0.5, 1e-300], v1=[0.15, 0.15, 1e100], until=2)
-    assert found.status.tolist() == [REACHED, OUT_OF_RANGE, OUT_OF_RANGE]
+    assert found.status.tolist() == [Status.REACHED_HORIZON, Status.OUT_OF_RANGE, Status.OUT_OF_RANGE]
     assert np.isnan(found.y[:, 1:]).all()
     assert found.digits[1:].tolist() == [0, 0]
     assert not found.success[1:].any()
-    assert "float64" in ENDINGS[OUT_OF_RANGE]
+    assert "float64" in Status.OUT_OF_RANGE.sentence
 
 
 def test_the_cap_on_events_and_the_literal_law():
     capped = solve_many(**PAPER, v1=0.15, until=5, max_events=3)
-    assert (capped.status, capped.events) == (EVENT_LIMIT, 3)
+    assert (capped.status, capped.events) == (Status.EVENT_LIMIT, 3)
     assert capped.t == solve(scene_of(5, v1=0.15), max_events=3).events[-1].t
     literal = solve_many(**PAPER, v1=0.15, until=5, law="three-valued-sgn")
-    assert (literal.status, literal.events) == (STUCK, 1)
+    assert (literal.status, literal.events) == (Status.STUCK_FOR_EVER, 1)
 
 
 @pytest.mark.parametrize(

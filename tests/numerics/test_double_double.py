@@ -1,7 +1,6 @@
 """Double-double: functions to a few 2^-105 of themselves, bounds that hold, the same bits compiled."""
 
 import json
-import math
 
 import mpmath
 import numpy as np
@@ -12,26 +11,30 @@ from hypothesis import strategies as st
 from strategies import long_slips, near_critical, scenes
 
 from numerics.__main__ import main
+from numerics.arithmetic import double_elementary as elementary
+from numerics.arithmetic import double_exponential as exponential
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.double_double import DoubleDouble, exactly
+from numerics.arithmetic.double_double import Double, add, divide, negative, product, square_root, subtract, two_sum
+from numerics.arithmetic.double_numbers import DoubleDouble, exact_sum
+from numerics.arithmetic.double_words import DOUBLE_DOUBLE, UNIT
 from numerics.audit.bounds import Honesty
+from numerics.contact.enclosed import enclosed_contact
+from numerics.contact.surface import contact
 from numerics.errors import OutOfRange
-from numerics.kernel import compilation, double_packed
-from numerics.kernel import double_elementary as elementary
-from numerics.kernel.double_contact import double_contact
-from numerics.kernel.double_double import Double, add, divide, product, square_root, subtract, two_sum
-from numerics.kernel.double_state import COLUMNS, UNIT
-from numerics.kernel.state import ROWS_FULL
-from numerics.old.double_double import double_start, solve_double_double
-from numerics.scene import Law, Scene
+from numerics.motion.begin import begin, in_halves
+from numerics.run.families import run_telling
+from numerics.run.one import run_scene
+from numerics.run.row import solve_start
+from numerics.run.rows import Growing
+from numerics.scene import Law, Pair, Scene
 from numerics.scene.file import load_scene
-from numerics.solver.solve import integrate, solve
-from numerics.trade.double_kernels import DoubleKernels
-from numerics.trade.outcome import letters
+from numerics.solver.solve import solve
 from numerics.trajectory.deferred import Deferred
+from numerics.trajectory.record import end_length, row_length
 
 PAPER = load_scene("figure-4b-b05")
 COMPARED = [PAPER, load_scene("figure-4a"), load_scene("figure-5b")]
+CONTACT = run_telling(DOUBLE_DOUBLE, is_damped=False)(contact)
 any_scene = st.one_of(
     scenes(size=(-2, 2)),
     scenes(exponents=(-9, 9)),
@@ -58,9 +61,12 @@ FUNCTIONS = {
     "versine": (lambda x: 2 * (x / 2).sin() ** 2, elementary.versine, 40, 4),
     "sine deficit": (lambda x: x - x.sin(), elementary.sine_deficit, 40, 4),
     "cosine deficit": (lambda x: x * x / 2 - 1 + x.cos(), elementary.cosine_deficit, 40, 16),
-    "lag": (lambda x: x.sin() - x * x.cos(), elementary.lag, 1, 4),
-    "rise": (lambda x: (x - x.sin()) / (1 - x.cos()), elementary.rise, 2, 6),
-    "depth": (lambda x: 2 - x * (x / 2).cot(), elementary.depth, 2, 8),
+    "depth": (lambda x: 2 - x * (x / 2).cot(), lambda x: elementary.depth_and_cotangent(x)[0], 2, 8),
+    "exponential": (lambda x: x.exp(), exponential.exp, 9, 8),
+    "exponential of -x": (lambda x: (-x).exp(), lambda x: exponential.exp(negative(x)), 9, 8),
+    "exponential less 1": (lambda x: x.expm1(), exponential.expm1, 9, 8),
+    "logarithm": (lambda x: x.log(), exponential.log, 200, 8),
+    "logarithm of 1 + x": (lambda x: x.log1p(), exponential.log1p, 200, 8),
     "arcus tangent": (lambda x: x.atan(), lambda x: elementary.arctangent(x, Double(1.0, 0.0)), 40, 3),
 }
 
@@ -102,9 +108,9 @@ def test_the_contact_is_that_of_balls(gap, push, kind):
     if kind == "inwards":
         push = Double(-push.high, -push.low)
         assume(abs(push.high) < 2.0**30 * gap.high)  # else theta is gap/push next to nothing
-    theta, depth, _ = double_contact(gap, push)
+    theta, depth, _ = CONTACT(gap, push)
     with Ball(200).context():
-        truth = Ball(200).contact(ball(gap), ball(push))
+        truth = enclosed_contact(ball(gap), ball(push))
         assert abs(ball(theta) - truth.theta) <= 32 * UNIT * abs(truth.theta)
         assert abs(ball(depth) - truth.depth) <= 64 * UNIT * abs(truth.depth)
 
@@ -133,57 +139,32 @@ def test_bounds_much_too_narrow_are_found_out():
     assert len(honesty.beyond) == 1
 
 
-def rows_of(state, most, run):
-    """All rows of a run that is interrupted whenever `most` rows are full, and the state that it ends in."""
-    kept, rows = [], np.zeros((most, len(COLUMNS)))
-    while True:
-        count = run(state, 60, rows)
-        kept.append(rows[:count].copy())
-        if state[double_packed.HOW] != ROWS_FULL:
-            return np.concatenate(kept), np.array(state)
-
-
-@given(any_scene, st.integers(1, 7))
-@example(PAPER, 5)
-def test_a_run_may_be_interrupted(scene, most):
-    try:
-        state = double_start(scene)[2]
-        whole, end = rows_of(state.tolist(), 64, double_packed.advance)
-    except (OutOfRange, ArithmeticError, ValueError):
-        return
-    parts, same = rows_of(state.tolist(), most, double_packed.advance)
-    assert np.array_equal(whole, parts, equal_nan=True)
-    assert np.array_equal(end, same, equal_nan=True)
-
-
 @pytest.mark.slow
 def test_compiled_code_has_the_same_bits():
     pytest.importorskip("numba")
-    fast = compilation.compiled(double_packed.advance)
-    fast_answer = compilation.compiled(double_packed.answer)
+    doubles_, telling = DoubleDouble(), run_telling(DOUBLE_DOUBLE, is_damped=False)
 
     @more
     @given(any_scene)
     @example(PAPER)
     def check(scene):
         try:
-            state = double_start(scene)[2]
-            whole, end = rows_of(state.tolist(), 64, double_packed.advance)
+            with doubles_.context():
+                begun = in_halves(begin(scene, doubles_), doubles_.halves)
+            rows, end = Growing(row_length(2), 60), [0.0] * end_length(2)
+            count = telling(solve_start)(*begun, 60, rows, end)
         except (OutOfRange, ArithmeticError, ValueError):
             return
-        same, same_end = rows_of(state.copy(), 64, fast)
-        assert np.array_equal(whole, same, equal_nan=True)
-        assert np.array_equal(end, same_end, equal_nan=True)
-        answers = [0.0] * double_packed.ANSWER, np.zeros(double_packed.ANSWER)
-        double_packed.answer(end.tolist(), answers[0])
-        fast_answer(end, answers[1])
-        assert np.array_equal(answers[0], answers[1], equal_nan=True)
+        fast, fast_end = np.zeros((60, row_length(2))), np.zeros(end_length(2))
+        assert telling.compiled(solve_start)(*begun, 60, fast, fast_end) == count
+        assert np.array_equal(np.array(rows.rows).reshape(-1, row_length(2)), fast[:count], equal_nan=True)
+        assert np.array_equal(end, fast_end, equal_nan=True)
 
     check()
 
 
 def test_the_trajectory_is_that_of_balls_with_its_digits():
-    found, truth = solve(PAPER, arithmetic="double-double"), integrate(PAPER, Ball(60))
+    found, truth = solve(PAPER, arithmetic="double-double"), run_scene(PAPER, Ball(60))
     assert (found.arithmetic.name, found.arithmetic.digits) == ("double-double", 31)
     assert found.modes == truth.modes
     assert found.accuracy.digits >= 25
@@ -204,10 +185,10 @@ def test_numbers_are_exact_sums():
     arithmetic = DoubleDouble()
     for high, low in ((1.0, 2.0**-60), (-3.5, 1e-40), (0.0, 0.0), (2.0**-300, 0.0)):
         with mpmath.workprec(2000):
-            assert exactly(high, low) == mpmath.mpf(high) + mpmath.mpf(low)
+            assert exact_sum(high, low) == mpmath.mpf(high) + mpmath.mpf(low)
     with arithmetic.context():
         third = arithmetic.number(1) / 3
-        assert exactly(*arithmetic.halves(third)) == third
+        assert exact_sum(*arithmetic.halves(third)) == third
         with pytest.raises(OutOfRange):
             arithmetic.halves(mpmath.mpf(10) ** 200)
 
@@ -219,23 +200,24 @@ def test_items_are_made_once_and_on_demand():
     assert (items[-1], items[4], items[1:3], made) == (16, 16, (1, 4), [4, 1, 2])
 
 
-def test_beyond_the_kernels_the_general_loop_has_the_same_digits():
-    damped, far = load_scene("figure-5a"), Scene(PAPER.pair, PAPER.initial, 10**120)
-    assert solve_double_double(far, 10) is None
-    for scene in (damped, far):
-        found = solve(scene, arithmetic="double-double", max_events=5)
-        assert found.arithmetic.name == "double-double"
-        assert len(found.events) <= 5
+def test_beyond_its_range_it_says_so():
+    far = Scene(PAPER.pair, PAPER.initial, 10**120)
+    with pytest.raises(OutOfRange, match="double-double"):
+        solve(far, arithmetic="double-double", max_events=10)
 
 
-def test_what_was_asked_for_decides(monkeypatch, capsys):
+def test_damped_scenes_have_the_digits_of_balls():
+    damped = Scene(Pair(1, 1, 200, "0.5", 3), PAPER.initial, 2)
+    found, truth = solve(damped, arithmetic="double-double"), run_scene(damped, Ball(60))
+    assert (found.modes, found.accuracy) == (truth.modes, None)
+    with mpmath.workdps(60):
+        for one, two in zip(found.event_times, truth.event_times, strict=True):
+            assert abs(one / mpmath.mpf(two.mid().str(50, radius=False)) - 1) < 1e-29
+
+
+def test_what_was_asked_for_decides(capsys):
     with pytest.raises(ValueError, match="31 digits"):
         solve(PAPER, arithmetic="double-double", digits=20)
-    monkeypatch.setattr("numerics.solver.solve.can_compile", lambda: False)
-    assert solve(PAPER, digits=20).arithmetic.name == "ball"
-    monkeypatch.setattr("numerics.solver.solve.can_compile", lambda: True)
-    monkeypatch.setitem(__import__("sys").modules, "numba", math)
-    monkeypatch.setattr("numerics.old.kernel_run.can_compile", lambda: False)
     found = solve(PAPER, digits=20)
     assert (found.arithmetic.name, found.digits) == ("double-double", 20)
     assert "right digits by its error bounds" in found.tried
@@ -244,15 +226,3 @@ def test_what_was_asked_for_decides(monkeypatch, capsys):
     told = capsys.readouterr()
     assert json.loads(told.out)["digits"] >= 25
     assert "double-double with 31 working digits" in told.err
-
-
-def test_the_kernels_compete_in_the_trade():
-    pytest.importorskip("numba")
-    contender = DoubleKernels()
-    found, truth = contender.outcome(contender.prepare(PAPER, 106.0)()), integrate(PAPER, Ball(60))
-    assert found.kinds == letters(truth.event_kinds)
-    with truth.arithmetic.context():
-        ledger, final = truth.ledger, truth.frame.si_state(truth.final)
-        pairs = [(found.last_event, truth.events[-1].t), (found.dissipated, ledger.friction)]
-        for text, value in [*pairs, *zip(found.final, final, strict=True)]:
-            assert abs(arb(text) - value) <= 1e-28 * abs(value)

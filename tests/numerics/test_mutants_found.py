@@ -5,10 +5,11 @@ from fractions import Fraction
 import pytest
 
 from numerics.arithmetic.float64 import Float64
+from numerics.contact import damped
 from numerics.errors import OutOfRange
-from numerics.old import viscous_contact
+from numerics.run.one import run_scene
 from numerics.scene import Pair, Scene, State
-from numerics.solver.solve import integrate, solve
+from numerics.solver.solve import solve
 
 UNEVEN = {"m1": 3, "m2": Fraction(1, 2), "a2": 40, "b": Fraction(1, 5)}  # q and r far from each other
 
@@ -30,9 +31,9 @@ def test_a_slip_of_too_many_pieces_is_refused(monkeypatch):
     """m1 = m2, Omega = L = 1: body 2 starts at 20 L Omega, a handful of half oscillations before the contact."""
     scene = Scene(Pair(m1=1, m2=1, a1="0.01", a2=2, b=1), State(x1="0.5", v2=-20), until=30)
     assert solve(scene).events
-    monkeypatch.setattr(viscous_contact, "MAX_PIECES", 3)
+    monkeypatch.setattr(damped, "MAX_PIECES", 3)
     with pytest.raises(OutOfRange, match="half oscillations"):
-        integrate(scene, Float64())
+        run_scene(scene, Float64())
 
 
 def test_a_slip_of_more_oscillations_than_may_be_inspected_is_solved():

@@ -192,7 +192,7 @@ class Simulation(RuleBasedStateMachine):
                 return True
             if any(abs(exact(t) - self.began - self.now) < short for t in times):
                 return True
-            states = [event.reduced for event in self.whole.events] + [self.whole.segments[0].motion.state(arb(0))]
+            states = [event.reduced for event in self.whole.events] + [self.whole.segments[0].state(arb(0))]
             return any(
                 not abs(state.w) > near or not abs(abs(state.X + two_zeta * state.V1) - 1) > near
                 for event, state in zip([*self.whole.events, None], states, strict=True)

@@ -89,7 +89,7 @@ class EdgeArcs(Protocol):
 
 
 def run_by_edges(pair: EdgePair, arcs: EdgeArcs, text: Callable[[Extra], str] | None = None) -> PeerRun:
-    """Run from event to event, by the rules of numerics/modes.py; `text` writes numbers that are finer than floats."""
+    """Run from event to event, by the rules of motion/modes.py; `text` writes numbers that are finer than floats."""
     zero, a1, a2, held = pair.zero, pair.a1, pair.a2, pair.held
     log, arcs.steps = EventLog(), 0
     t, load, v, g, sign = zero, pair.load, pair.v1, pair.gap, pair.first  # sign 0 is stick

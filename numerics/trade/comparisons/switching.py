@@ -11,7 +11,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from numerics.motion.modes import EventKind, Mode, mode_at_start, slip_mode
+from numerics.motion.begin import mode_at_start
+from numerics.motion.modes import MODES, EventKind, Mode
 from numerics.scene import Law, Scene
 from numerics.trade.comparisons.peer import PeerFailed, Unsupported
 
@@ -21,7 +22,7 @@ MAX_ON_THE_SPOT = 100
 
 @dataclass(frozen=True)
 class SwitchedPair:
-    """A scene in floats, SI units, with the rules of numerics/modes.py (reading `filippov`) at float precision."""
+    """A scene in floats, SI units, with the rules of motion/modes.py (reading `filippov`) at float precision."""
 
     m1: float
     m2: float
@@ -67,10 +68,10 @@ class SwitchedPair:
         """Return the mode that follows when the guard of `mode` is met at x1, v1."""
         load = self.load(x1, v1)
         if mode is Mode.STICK:
-            return slip_mode(-1 if load > 0 else 1)
+            return MODES[-1 if load > 0 else 1]
         beyond = mode.sign * load - self.held
         if beyond > 0 or (beyond == 0 and mode.sign * self.load_rate(x1, v1) > 0):
-            return slip_mode(-mode.sign)
+            return MODES[-mode.sign]
         return Mode.STICK
 
     def energy(self, x1: float, v1: float, v2: float) -> float:
