@@ -14,10 +14,11 @@ from numerics.arithmetic.ball import Ball
 from numerics.audit.draws import KINDS
 from numerics.audit.table import Progress, Row
 from numerics.errors import NumericsError
+from numerics.run.one import run_scene
 from numerics.scene import Scene
-from numerics.solver.solve import integrate, solve
-from numerics.trajectory.accuracy import Accuracy
+from numerics.solver.solve import solve
 from numerics.trajectory.comparison import SequenceDiffers, distance, require_same_sequence
+from numerics.trajectory.digits import Accuracy
 from numerics.trajectory.trajectory import Trajectory
 
 Solver = Callable[[Scene], Trajectory]
@@ -55,7 +56,7 @@ class Honesty:
         """Solve a scene in float64 and in balls; compare every number that carries a bound."""
         try:
             floats = solver(scene)
-            balls = integrate(scene, Ball(_DIGITS), MAX_EVENTS)
+            balls = run_scene(scene, Ball(_DIGITS), MAX_EVENTS)
         except NumericsError:
             self.refused += 1
             return
@@ -83,10 +84,9 @@ class Honesty:
                 bounds = (accuracy.t[index], *accuracy.y[index])
                 for value, truth, bound in zip((one.t, *one.y), (two.t, *two.y), bounds, strict=True):
                     yield self._ratio(value, truth, bound)
-            final, truths = floats.frame.si_state(floats.final), balls.frame.si_state(balls.final)
-            for value, truth, bound in zip(final, truths, accuracy.final, strict=True):
+            for value, truth, bound in zip(floats.final_state, balls.final_state, accuracy.final, strict=True):
                 yield self._ratio(value, truth, bound)
-            energy = floats.frame.energy(floats.final), balls.frame.energy(balls.final), accuracy.energy
+            energy = floats.final_energy, balls.final_energy, accuracy.energy
             excess = floats.final.w, balls.final.w, accuracy.energy_excess
             spent = _spent(floats), _spent(balls), accuracy.dissipated
             for value, truth, bound in (energy, excess, spent):

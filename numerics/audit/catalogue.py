@@ -13,18 +13,26 @@ from random import Random
 
 from flint import arb
 
+from numerics.arithmetic import elementary, float64
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball_words import BALL
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.slip_contact import positive_root
 from numerics.audit.formulas import Arguments, Formula
-from numerics.motion.frame import Frame, ReducedState
-from numerics.old.oscillator import Oscillator
-from numerics.old.undamped import UndampedStick
-from numerics.scene import Law, Pair
+from numerics.contact.seed import positive_root
+from numerics.contact.surface import contact
+from numerics.flows.oscillator import log_quotient, oscillator
+from numerics.motion.codes import STICK
+from numerics.motion.frame import Frame
+from numerics.motion.tellings import motion_telling
+from numerics.motion.undamped import Pair as UndampedPair
+from numerics.motion.undamped import Start, locate
+from numerics.scene import Pair
 
-_FLOAT, _BALL = Float64(), Ball(90)
+_FLOAT = Float64()
 _FRAME = Frame(_FLOAT, Pair(1, 2, 1, 1))
+_PAIR = UndampedPair(_FRAME.q, _FRAME.r, _FRAME.sqrt_q, 0.0, literal=False)
+_CONTACT = motion_telling(BALL, is_damped=False)(contact)
 _TURN = 2 * math.pi
 
 
@@ -36,30 +44,32 @@ def formulas() -> tuple[Formula, ...]:
 def _library() -> tuple[Formula, ...]:
     """Functions of the C library: not ours, but every bound stands on them."""
     return (
-        Formula("cos x", lambda x: _FLOAT.cos_sin(x)[0], lambda x: x.cos(), 1e-300, 1e300),
-        Formula("sin x", lambda x: _FLOAT.cos_sin(x)[1], lambda x: x.sin(), 1e-300, 1e300),
-        Formula("exp x", _FLOAT.exp, lambda x: x.exp(), 1e-300, 700.0, _either_sign),
-        Formula("expm1 x, x <= 0", _FLOAT.expm1, lambda x: x.expm1(), 1e-300, 1e4, lambda _, x: (-x,)),
-        Formula("log x", _FLOAT.log, lambda x: x.log(), 1e-300, 1e300),
-        Formula("log1p x, |x| < 1/2", _FLOAT.log1p, lambda x: x.log1p(), 1e-300, 0.5, _either_sign),
-        Formula("atan2(y, x) by y/x", _FLOAT.atan2, arb.atan2, 1e-200, 1e200, _point_of_slope),
+        Formula("cos x", lambda x: float64.sine_cosine(x)[1], lambda x: x.cos(), 1e-300, 1e300),
+        Formula("sin x", lambda x: float64.sine_cosine(x)[0], lambda x: x.sin(), 1e-300, 1e300),
+        Formula("exp x", float64.exp, lambda x: x.exp(), 1e-300, 700.0, _either_sign),
+        Formula("expm1 x, x <= 0", float64.expm1, lambda x: x.expm1(), 1e-300, 1e4, lambda _, x: (-x,)),
+        Formula("log x", float64.log, lambda x: x.log(), 1e-300, 1e300),
+        Formula("log1p x, |x| < 1/2", float64.log1p, lambda x: x.log1p(), 1e-300, 0.5, _either_sign),
+        Formula("atan2(y, x) by y/x", float64.atan2, arb.atan2, 1e-200, 1e200, _point_of_slope),
     )
 
 
 def _deficits() -> tuple[Formula, ...]:
     return (
-        Formula("versine: 1 - cos x", _FLOAT.versine, lambda x: 1 - x.cos(), 1e-153, 1e300),
-        Formula("sine deficit: x - sin x", _FLOAT.sine_deficit, lambda x: x - x.sin(), 1e-102, 1e300),
+        Formula("versine: 1 - cos x", float64.versine, lambda x: 1 - x.cos(), 1e-153, 1e300),
+        Formula("sine deficit: x - sin x", float64.sine_deficit, lambda x: x - x.sin(), 1e-102, 1e300),
         Formula(
             "cosine deficit: x^2/2 - 1 + cos x",
-            _FLOAT.cosine_deficit,
+            float64.cosine_deficit,
             lambda x: x * x / 2 - 1 + x.cos(),
             1e-76,
             1e150,
         ),
-        Formula("lag: sin x - x cos x", _FLOAT.lag, lambda x: x.sin() - x * x.cos(), 1e-102, math.pi),
-        Formula("rise: (x - sin x)/(1 - cos x)", _FLOAT.rise, lambda x: (x - x.sin()) / (1 - x.cos()), 1e-300, _TURN),
-        Formula("depth: 2 - x cot(x/2)", _FLOAT.depth, lambda x: 2 - x * (x / 2).cot(), 1e-153, _TURN),
+        Formula("lag: sin x - x cos x", elementary.lag, lambda x: x.sin() - x * x.cos(), 1e-102, math.pi),
+        Formula(
+            "rise: (x - sin x)/(1 - cos x)", elementary.rise, lambda x: (x - x.sin()) / (1 - x.cos()), 1e-300, _TURN
+        ),
+        Formula("depth: 2 - x cot(x/2)", elementary.depth, lambda x: 2 - x * (x / 2).cot(), 1e-153, _TURN),
     )
 
 
@@ -67,7 +77,7 @@ def _motions() -> tuple[Formula, ...]:
     return (
         Formula(
             "bracket: b + sqrt(b^2 + c)",
-            lambda b, c: positive_root(_FLOAT, b, c),
+            positive_root,
             lambda b, c: b + (b * b + c).sqrt(),
             1e-100,
             1e100,
@@ -75,8 +85,8 @@ def _motions() -> tuple[Formula, ...]:
         ),
         Formula(
             "slip angle of a ray by its push",
-            lambda u: _FLOAT.contact(0.0, u).theta,
-            lambda u: _BALL.contact(arb(0), u).theta,
+            lambda u: contact(0.0, u).theta,
+            lambda u: _CONTACT(arb(0), u).theta,
             1e-96,
             1e9,
             cost=20,
@@ -91,19 +101,19 @@ def _motions() -> tuple[Formula, ...]:
         ),
         Formula(
             "slow rate k/(d + n) by n/d",
-            lambda n, d, k: Oscillator(_FLOAT, d, k, -1, n).slow_rate,
+            lambda n, d, k: oscillator(d, k, -1, n).slow,
             lambda n, d, k: k / (d + n),
             1e-100,
             1.0,
             _overdamped,
         ),
         Formula(
-            "first zero of a damped motion by n/d",
-            lambda n, d, v: Oscillator(_FLOAT, d, d * d, -1, n).first_zero(1.0, v),
-            lambda n, d, v: (-2 * n / (v + d + n)).log1p() / (2 * n),
+            "logarithm of a quotient by its excess over 1",
+            lambda base, excess: log_quotient(base, base + excess, excess),
+            lambda base, excess: (excess / base).log1p(),
             1e-100,
-            1.0,
-            lambda random, x: (x, 1.0, -(10.0 ** random.uniform(1, 6))),
+            1e100,
+            lambda random, x: (1.0, x if x >= 0.5 else random.choice((-1, 1)) * x),
         ),
     )
 
@@ -149,8 +159,8 @@ def _inside_the_edge(random: Random, w: float) -> Arguments:
 
 
 def _stick_angle(w: float, offset: float, v: float) -> Number:
-    start = ReducedState(1 + offset, v, v, 0.0, w)
-    return UndampedStick(_FRAME, Law.FILIPPOV, start, 1, offset).duration()
+    start = Start(STICK, 1.0, 1 + offset, 0.0, offset, v, 0.0, True, 0.0, w, 0.0, 0.0, 0.0)
+    return locate(_PAIR, start)[1]
 
 
 def _exact_stick_angle(w: arb, offset: arb, v: arb) -> arb:
@@ -175,14 +185,14 @@ def _constant(name: str) -> Callable[..., float]:
 
 def _exact(name: str) -> Callable[..., arb]:
     """Return a rational property of the pair as a function of the parameters."""
-    return lambda *parameters: _BALL.number(getattr(_pair(tuple(float(one) for one in parameters)), name))
+    return lambda *parameters: Ball.number(getattr(_pair(tuple(float(one) for one in parameters)), name))
 
 
 def _exact_speed(*parameters: arb) -> arb:
     pair = _pair(tuple(float(one) for one in parameters))
-    return _BALL.number(pair.half_width**2 * pair.a2 / pair.mass).sqrt()
+    return Ball.number(pair.half_width**2 * pair.a2 / pair.mass).sqrt()
 
 
 def _exact_two_zeta(*parameters: arb) -> arb:
     pair = _pair(tuple(float(one) for one in parameters))
-    return _BALL.number(pair.a1**2 / (pair.a2 * pair.mass)).sqrt()
+    return Ball.number(pair.a1**2 / (pair.a2 * pair.mass)).sqrt()

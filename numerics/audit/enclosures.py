@@ -15,22 +15,32 @@ from random import Random
 
 from flint import arb
 
+from numerics.arithmetic import ball_words
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball_words import BALL
 from numerics.arithmetic.protocol import Number
 from numerics.audit.draws import KINDS, damping, decimal, masses, signed
 from numerics.audit.table import Progress, Row
+from numerics.contact.free import first_contact
+from numerics.contact.surface import contact
 from numerics.errors import NumericsError
-from numerics.motion.frame import Frame, ReducedState
-from numerics.old.slip_flow import SlipFlow
-from numerics.old.undamped import UndampedStick
-from numerics.old.viscous import slip_oscillator, stick_oscillator
-from numerics.scene import Law, Scene
-from numerics.solver.solve import integrate
+from numerics.flows.oscillator import first_zero, integral_of_square, overdamped_jerk_zero, propagate
+from numerics.flows.slip import Variables, guard_and_gap, push_at, slid_at
+from numerics.motion import undamped
+from numerics.motion.begin import begin
+from numerics.motion.codes import MOVING, STICK
+from numerics.motion.frame import Frame
+from numerics.motion.tellings import motion_telling
+from numerics.run.one import run_scene
+from numerics.scene import Scene
 from numerics.trajectory.trajectory import Trajectory
 
 _DIGITS = (10, 15, 25, 50)
 _MAX_EVENTS = 30
 _KEPT = 5
+_TOLD = motion_telling(BALL, is_damped=False)
+_LATE = 10**9
+"""Decay times within which a damped motion is asked for its zeros."""
 
 Points = tuple[Fraction, ...]
 Numbers = tuple[Number, ...]
@@ -53,7 +63,7 @@ def functions() -> tuple[Enclosed, ...]:
 
 def _elementary() -> tuple[Enclosed, ...]:
     def one(name: str, draw: Callable[[Random], Points]) -> Enclosed:
-        return Enclosed(name, draw, lambda ball, x: (getattr(ball, name)(x),))
+        return Enclosed(name, draw, lambda _, x: (getattr(ball_words, name)(x),))
 
     positive = lambda random: (decimal(random, -40, 20),)  # noqa: E731
     either = lambda random: (signed(random, -40, 3),)  # noqa: E731
@@ -62,35 +72,37 @@ def _elementary() -> tuple[Enclosed, ...]:
     return (
         *(one(name, positive) for name in ("sqrt", "log")),
         *(one(name, either) for name in ("exp", "expm1")),
-        *(one(name, angle) for name in ("versine", "sine_deficit", "cosine_deficit", "lag")),
-        *(one(name, in_turn) for name in ("rise", "depth")),
+        *(one(name, angle) for name in ("versine", "sine_deficit", "cosine_deficit")),
+        Enclosed("depth_and_cotangent", in_turn, lambda _, x: ball_words.depth_and_cotangent(x)),
         one("log1p", lambda random: (decimal(random, -40, 5),)),
-        Enclosed("cos_sin", angle, lambda ball, x: ball.cos_sin(x)),
-        Enclosed("atan2", lambda random: (*angle(random), *angle(random)), lambda ball, y, x: (ball.atan2(y, x),)),
+        Enclosed("sine_cosine", angle, lambda _, x: ball_words.sine_cosine(x)),
+        Enclosed("atan2", lambda random: (*angle(random), *angle(random)), lambda _, y, x: (ball_words.atan2(y, x),)),
     )
 
 
 def _slips() -> tuple[Enclosed, ...]:
-    def ends(ball: Ball, gap: Number, push: Number) -> Numbers:
-        end = ball.contact(gap, push)
-        return end.theta, end.depth, end.versine
+    def flows(_: Ball, guard: Number, gap: Number, push: Number, theta: Number) -> Numbers:
+        at = Variables(guard, gap, push)
+        return (*_TOLD(guard_and_gap)(at, theta), _TOLD(push_at)(at, theta), _TOLD(slid_at)(at, theta))
 
-    def flows(ball: Ball, guard: Number, gap: Number, push: Number, theta: Number) -> Numbers:
-        flow = SlipFlow(ball, guard, gap, push)
-        return flow.guard(theta), flow.gap(theta), flow.push(theta), flow.slid(theta)
-
-    def lands(ball: Ball, guard: Number, gap: Number, push: Number) -> Numbers:
-        return (SlipFlow(ball, guard, gap, push).first_contact(),)
+    def lands(_: Ball, guard: Number, gap: Number, push: Number) -> Numbers:
+        return (_TOLD(first_contact)(Variables(guard, gap, push), True)[0],)
 
     def sticks(ball: Ball, scene: Scene, offset: Number, v: Number) -> Numbers:
-        zero = ball.number(0)
-        start = ReducedState(1 + offset, v, v, zero, v * v + offset * (2 + offset))
-        duration = UndampedStick(Frame(ball, scene.pair), Law.FILIPPOV, start, 1, offset).duration()
-        return () if duration is None else (duration,)
+        frame, zero = Frame(ball, scene.pair), ball.number(0)
+        pair = undamped.Pair(frame.q, frame.r, frame.sqrt_q, zero, literal=False)
+        w = v * v + offset * (2 + offset)
+        start = undamped.Start(STICK, 1.0, 1 + offset, zero, offset, v, zero, True, zero, w, zero, zero, zero)
+        how, duration, _ = _TOLD(undamped.locate)(pair, start)
+        return (duration,) if how == MOVING else ()
 
     start = lambda random: (decimal(random, -6, 6), signed(random, -9, 2), signed(random, -9, 3))  # noqa: E731
     return (
-        Enclosed("end of a slip from S", lambda random: (decimal(random, -30, 3), decimal(random, -30, 6)), ends),
+        Enclosed(
+            "end of a slip from S",
+            lambda random: (decimal(random, -30, 3), decimal(random, -30, 6)),
+            lambda _, gap, push: _TOLD(contact)(gap, push),
+        ),
         Enclosed("flow of a slip", lambda random: (*start(random), decimal(random, -12, 3)), flows),
         Enclosed("first contact of a slip", start, lands),
         Enclosed(
@@ -101,14 +113,14 @@ def _slips() -> tuple[Enclosed, ...]:
 
 def _oscillations() -> tuple[Enclosed, ...]:
     def moves(ball: Ball, scene: Scene, y: Number, v: Number, t: Number) -> Numbers:
-        frame, found = Frame(ball, scene.pair), []
-        for oscillator in (stick_oscillator(frame), slip_oscillator(frame)):
-            found += [*oscillator.propagate(y, v, t), oscillator.integral_of_square(y, v, t)]
+        pair, found = begin(scene, ball).pair, []
+        for of in (pair.stick, pair.slip):
+            found += [*_TOLD(propagate)(of, y, v, t), _TOLD(integral_of_square)(of, y, v, t)]
         return tuple(found)
 
     def passes_zero(ball: Ball, scene: Scene, y: Number, v: Number) -> Numbers:
-        zero = stick_oscillator(Frame(ball, scene.pair)).first_zero(y, v)
-        return () if zero is None else (zero,)
+        of = begin(scene, ball).pair.stick
+        return (_TOLD(overdamped_jerk_zero if of.regime < 0 else first_zero)(of, y, v, ball.number(_LATE)),)
 
     def constants(ball: Ball, scene: Scene) -> Numbers:
         frame = Frame(ball, scene.pair)
@@ -183,8 +195,8 @@ def _trajectory_row(random: Random, scenes: int, progress: Progress) -> Row:
             progress(f"ball trajectories: {kind}, scene {case + 1} of {scenes}")
             scene, digits = draw(random), random.choice(_DIGITS)
             try:
-                coarse = integrate(scene, Ball(digits), _MAX_EVENTS)
-                fine = integrate(scene, Ball(3 * digits), _MAX_EVENTS)
+                coarse = run_scene(scene, Ball(digits), _MAX_EVENTS)
+                fine = run_scene(scene, Ball(3 * digits), _MAX_EVENTS)
             except NumericsError as error:
                 undecided[type(error).__name__] += 1
                 continue

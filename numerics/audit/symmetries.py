@@ -16,7 +16,7 @@ from typing import NamedTuple
 from numerics.audit.draws import KINDS
 from numerics.audit.table import Progress, Row
 from numerics.errors import NumericsError
-from numerics.motion.frame import ReducedState
+from numerics.motion.records import ReducedState
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory

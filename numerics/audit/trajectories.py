@@ -1,7 +1,7 @@
-"""Trajectories of extreme scenes in the three arithmetics, compared event by event; what their energy ledgers leave.
+"""Trajectories of extreme scenes in every arithmetic, compared event by event; what their energy ledgers leave.
 
-The ball trajectory is proved, so it is the reference. A typed refusal is an answer; an event that a point arithmetic
-misses or invents is not.
+The ball trajectory is proved, so it is the reference. A typed refusal is an answer, and so is a run that says of itself
+that its error bounds leave the sequence of events open; an event that is missed or invented without a word is not.
 """
 
 from __future__ import annotations
@@ -26,12 +26,20 @@ Solver = Callable[[Scene], Trajectory]
 BALL_DIGITS = 20
 MAX_EVENTS = 30
 _MAX_DIGITS = 2000
-MOST_RESIDUAL = {"float64": 1e-13, "mpmath": 1e-38, "ball": 10.0 ** (2 - BALL_DIGITS)}
+MOST_RESIDUAL = {
+    "float64": 1e-13,
+    "double-double": 1e-28,
+    "mpmath": 1e-38,
+    "ball": 10.0 ** (2 - BALL_DIGITS),
+}
 """Largest energy residual, relative to all the energy that changed hands; mpmath works with 42 digits here."""
 _KEPT = 5
+_PATIENCE = 20
+"""Times as many scenes of a kind are drawn at most, until every arithmetic has answered one."""
 
 SOLVERS: dict[str, Solver] = {
     "float64": lambda scene: solve(scene, max_events=MAX_EVENTS),
+    "double-double": lambda scene: solve(scene, arithmetic="double-double", max_events=MAX_EVENTS),
     "mpmath": lambda scene: solve(scene, arithmetic="mpmath", max_events=MAX_EVENTS),
     "ball": lambda scene: solve(
         scene, digits=BALL_DIGITS, arithmetic="ball", max_events=MAX_EVENTS, max_digits=_MAX_DIGITS
@@ -42,12 +50,12 @@ SOLVERS: dict[str, Solver] = {
 def audit_trajectories(
     seed: int, cases: int, progress: Progress, solvers: Mapping[str, Solver] | None = None
 ) -> Iterator[Row]:
-    """Yield a row for each kind of scene, `cases` scenes each, then the rows of the energy ledger."""
+    """Yield a row for each kind of scene, `cases` scenes or some more, then the rows of the energy ledger."""
     ledgers = {name: Ledgers(name) for name in SOLVERS}
     for kind, draw in KINDS.items():
         comparison, random = Comparison(kind), Random(f"{seed} {kind}")
-        for case in range(cases):
-            progress(f"trajectories: {kind}, scene {case + 1} of {cases}")
+        while comparison.scenes < cases or (comparison.silent and comparison.scenes < _PATIENCE * cases):
+            progress(f"trajectories: {kind}, scene {comparison.scenes + 1} of {cases}")
             comparison.compare(draw(random), solvers or SOLVERS, ledgers)
         yield comparison.row()
     yield from (ledger.row() for ledger in ledgers.values())
@@ -59,7 +67,12 @@ class Comparison:
     def __init__(self, kind: str) -> None:
         """Start counting."""
         self.kind, self.scenes, self.answered, self.events = kind, 0, Counter[str](), 0
-        self.refused, self.differing = Counter[str](), list[str]()
+        self.refused, self.differing, self.open = Counter[str](), list[str](), Counter[str]()
+
+    @property
+    def silent(self) -> bool:
+        """Return whether some arithmetic has not answered yet."""
+        return not all(self.answered[name] for name in SOLVERS)
 
     def compare(self, scene: Scene, solvers: Mapping[str, Solver], ledgers: Mapping[str, Ledgers]) -> None:
         """Solve a scene in every arithmetic and hold the points against the balls."""
@@ -76,7 +89,10 @@ class Comparison:
             try:
                 require_same_sequence(trajectory, balls)
             except SequenceDiffers as error:
-                self.differing.append(f"{error} ({scene})")
+                if trajectory.certain:
+                    self.differing.append(f"{error} ({scene})")
+                else:
+                    self.open[name] += 1
 
     def _solved(self, name: str, solver: Solver, scene: Scene) -> Trajectory | None:
         try:
@@ -90,12 +106,14 @@ class Comparison:
     def row(self) -> Row:
         """Return what was found; every kind of scene must also be answered by every arithmetic now and then."""
         measured = {"events compared": self.events, "missed or invented": len(self.differing)}
+        measured |= {f"other than proved, and said so, {name}": count for name, count in sorted(self.open.items())}
         measured |= {f"refused by {name}": count for name, count in sorted(self.refused.items())}
         details = [
             {"answered": dict(self.answered), "refused": dict(self.refused), "differing": self.differing[:_KEPT]}
         ]
-        passed = self.events > 0 and not self.differing and all(self.answered[name] for name in SOLVERS)
-        return Row("trajectories", self.kind, self.scenes, measured, "missed or invented = 0", passed, details)
+        passed = self.events > 0 and not self.differing and not self.silent
+        required = "missed or invented = 0, where not said"
+        return Row("trajectories", self.kind, self.scenes, measured, required, passed, details)
 
 
 class Ledgers:
