@@ -13,7 +13,18 @@ if TYPE_CHECKING:
     from numerics.solver.prepared import Solver
     from numerics.solver.solve import solve
 
-__all__ = ["Law", "Pair", "Scene", "Solver", "State", "load_scene", "sensitivities", "solve", "solve_many", "solve_scenes"]
+__all__ = [
+    "Law",
+    "Pair",
+    "Scene",
+    "Solver",
+    "State",
+    "load_scene",
+    "sensitivities",
+    "solve",
+    "solve_many",
+    "solve_scenes",
+]
 _HOMES = {
     "Solver": "numerics.solver.prepared",
     "solve": "numerics.solver.solve",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import graphlib
 import importlib
 import re
 import subprocess
@@ -13,6 +14,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
+TELLING = ROOT / "numerics" / "arithmetic" / "telling.py"
 FORBIDDEN = {
     "theory": {"numerics", "paper_checks", "flint", "mpmath", "numpy", "matplotlib"},
     "numerics": {"theory", "paper_checks", "sympy"},
@@ -57,31 +59,86 @@ def within(module: str, package: str) -> bool:
     return module == package or module.startswith(f"{package}.")
 
 
-def strangers(path: Path) -> set[str]:
-    """Return what a kernel imports although numba need not compile it, or would not notice that it has changed."""
-    if path.name == "compilation.py":
-        allowed = sys.stdlib_module_names | {"numba"}
-    else:
-        allowed = {"__future__", "math", "typing", "fractions", "functools", "numerics.kernel"}
-    modules = imported_modules(path) - {"numerics"}
-    return {one for one in modules if not any(within(one, package) for package in allowed)}
+FLOORS = (
+    ("errors", "exits"),
+    ("scene",),
+    ("arithmetic",),
+    ("flows",),
+    ("contact",),
+    ("motion",),
+    ("bounds",),
+    ("trajectory",),
+    ("run",),
+    ("sensitivity", "long_time", "batch"),
+    ("solver", "merging"),
+    ("audit", "trade"),
+    ("faces",),
+    ("__main__",),
+)
+"""The rooms of numerics/ from the ground up; each imports only rooms on lower floors, or itself."""
 
 
-def test_kernels_stand_on_kernels_alone():
-    sources = list((ROOT / "numerics" / "kernel").glob("*.py"))
-    assert len(sources) > 10
-    assert not {path.name: sorted(wrong) for path in sources if (wrong := strangers(path))}
+def floor_of(room: str) -> int:
+    return next(number for number, rooms in enumerate(FLOORS) if room in rooms)
 
 
-@pytest.mark.parametrize("line", ["import numpy", "from numerics.scene import Pair", "from numerics import scene"])
-def test_a_kernel_that_leans_on_others_is_found_out(tmp_path, line):
-    (tmp_path / "motion.py").write_text(f"import math\nfrom numerics.kernel.state import End\n{line}\n", "utf-8")
-    assert strangers(tmp_path / "motion.py")
+def room_of(module: str) -> str:
+    return module.split(".")[1]
+
+
+def climbing(path: Path, room: str) -> set[str]:
+    """Return what a file of a room imports from its own floor, other than itself, or from above."""
+    modules = {one for one in imported_modules(path) if one.startswith("numerics.")}
+    known = {name for rooms in FLOORS for name in rooms}
+    rooms = {one for one in map(room_of, modules) if one in known}
+    return {one for one in rooms - {room} if floor_of(one) >= floor_of(room)}
+
+
+def files_of_numerics() -> list[tuple[str, Path]]:
+    """Return every file with its room; numerics/__init__ names the public functions of all floors."""
+    base = ROOT / "numerics"
+    files = [path for path in base.rglob("*.py") if path != base / "__init__.py"]
+    return [(path.relative_to(base).parts[0].removesuffix(".py"), path) for path in files]
+
+
+def test_every_room_of_numerics_imports_lower_floors_only():
+    assert len(files_of_numerics()) > 80
+    assert not {str(path): found for room, path in files_of_numerics() if (found := climbing(path, room))}
+
+
+@pytest.mark.parametrize(
+    "line", ["from numerics.run.loop import run", "from numerics import run", "import numerics.solver"]
+)
+def test_a_room_that_leans_on_what_stands_on_it_is_found_out(tmp_path, line):
+    (tmp_path / "dense.py").write_text(f"import math\n{line}\n", "utf-8")
+    assert climbing(tmp_path / "dense.py", "trajectory")
+
+
+def test_no_two_files_of_numerics_import_each_other():
+    graph = {}
+    for _, path in files_of_numerics():
+        name = ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
+        graph[name] = {one for one in imported_modules(path) if one.startswith("numerics.") and one != name}
+    graph = {name: used & set(graph) for name, used in graph.items()}
+    assert graphlib.TopologicalSorter(graph).prepare() is None  # raises CycleError
+
+
+def test_no_file_of_numerics_is_longer_than_a_few_screens():
+    lengths = {str(path): len(path.read_text("utf-8").splitlines()) for _, path in files_of_numerics()}
+    assert not {path: lines for path, lines in lengths.items() if lines > 250}
+
+
+def test_what_numba_compiles_lives_where_the_cache_looks():
+    """numba's cache is named after the sources of these rooms; a text elsewhere would be missed when it changes."""
+    rooms = {room for room, path in files_of_numerics() if "import text" in path.read_text("utf-8")}
+    listed = set(re.findall(r'"(\w+)"', re.search(r"_ROOMS = \(([^)]*)\)", TELLING.read_text("utf-8")).group(1)))
+    assert rooms - {"sensitivity", "long_time"} <= listed  # dual numbers and long times are never compiled
 
 
 def judged(path: Path) -> bool:
     """Return whether a module imports the trade, which sets up and judges the comparisons."""
-    return any(within(one, "numerics.trade") for one in imported_modules(path))
+    modules = {one for one in imported_modules(path) if within(one, "numerics.trade")}
+    return any(not within(one, "numerics.trade.comparisons") for one in modules - {"numerics.trade"})
 
 
 def test_comparisons_do_not_know_the_trade():
@@ -90,7 +147,7 @@ def test_comparisons_do_not_know_the_trade():
     assert not [path.name for path in sources if judged(path)]
 
 
-@pytest.mark.parametrize("line", ["import numerics.trade.judge", "from numerics import trade"])
+@pytest.mark.parametrize("line", ["import numerics.trade.judge", "from numerics.trade import judge"])
 def test_a_comparison_that_knows_the_trade_is_found_out(tmp_path, line):
     (tmp_path / "peer.py").write_text(line, "utf-8")
     assert judged(tmp_path / "peer.py")

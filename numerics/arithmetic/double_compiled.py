@@ -32,7 +32,7 @@ def declare_operators() -> None:
         @overload(function, prefer_literal=True)
         def _implementation(a, b):  # type: ignore[no-untyped-def]
             if is_double(a) and is_double(b):
-                return lambda a, b: both(a, b)
+                return lambda a, b: both(a, b)  # noqa: PLW0108 - numba wants these names
             if is_double(a) and is_whole(b):
                 return lambda a, b: both(a, Double(float(b), 0.0))
             if is_whole(a) and is_double(b):
@@ -45,7 +45,7 @@ def declare_operators() -> None:
     @overload(operator.mul, prefer_literal=True)
     def _times(a, b):  # type: ignore[no-untyped-def]
         if is_double(a) and is_double(b):
-            return lambda a, b: multiply(a, b)
+            return lambda a, b: multiply(a, b)  # noqa: PLW0108
         if is_whole(a) and is_double(b):
             if _is_power_of_two(a):
                 return lambda a, b: exact(b, float(a))
@@ -57,7 +57,7 @@ def declare_operators() -> None:
     @overload(operator.truediv, prefer_literal=True)
     def _over(a, b):  # type: ignore[no-untyped-def]
         if is_double(a) and is_double(b):
-            return lambda a, b: over(a, b)
+            return lambda a, b: over(a, b)  # noqa: PLW0108
         if is_double(a) and is_whole(b):
             if _is_power_of_two(b):
                 return lambda a, b: exact(a, 1.0 / float(b))
@@ -68,7 +68,7 @@ def declare_operators() -> None:
 
     @overload(operator.neg)
     def _negative(a):  # type: ignore[no-untyped-def]
-        return (lambda a: turned(a)) if is_double(a) else None
+        return (lambda a: turned(a)) if is_double(a) else None  # noqa: PLW0108
 
 
 def _is_power_of_two(kind: Any) -> bool:

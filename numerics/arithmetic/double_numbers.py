@@ -1,4 +1,4 @@
-"""Double-double, seen from Python: compiled code works with pairs of floats, Python with the mpmath numbers they are."""
+"""Double-double, seen from Python: compiled code has pairs of floats, Python the mpmath numbers they are."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ class _Words:
         """Return gradient/divisor; nan where the divisor is 0, as the function has no derivative there."""
         if gradient is None:
             return None
-        if not self._base["positive"](divisor * divisor) and not divisor != 0:
+        if not self._base["positive"](divisor * divisor) and divisor == 0:
             return np.full_like(gradient, divisor * float("nan"))
         return gradient / divisor
 

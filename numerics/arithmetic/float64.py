@@ -111,9 +111,7 @@ class Float64:
     name = "float64"
     digits = 15
     telling = FLOAT64
-    sqrt, atan2 = staticmethod(sqrt), staticmethod(atan2)
-    sine_cosine, versine, sine_deficit = staticmethod(sine_cosine), staticmethod(versine), staticmethod(sine_deficit)
-    cosine_deficit, pi = staticmethod(cosine_deficit), staticmethod(half_turn)
+    sqrt = staticmethod(sqrt)
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context that does nothing: binary64 needs none."""

@@ -153,9 +153,7 @@ class Multiprecision:
 
     name = "mpmath"
     telling = MPMATH
-    sqrt, atan2 = staticmethod(sqrt), staticmethod(atan2)
-    sine_cosine, versine, sine_deficit = staticmethod(sine_cosine), staticmethod(versine), staticmethod(sine_deficit)
-    cosine_deficit, pi = staticmethod(cosine_deficit), staticmethod(half_turn)
+    sqrt = staticmethod(sqrt)
 
     def __init__(self, digits: int) -> None:
         """Fix the working precision in decimal digits."""

@@ -1,4 +1,4 @@
-"""What an arithmetic is, seen from Python: how its numbers are read, decided and written, and how it tells the texts."""
+"""What an arithmetic is, seen from Python: how its numbers are read and written, and how it tells the texts."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """One text, told in each arithmetic: the same code object with that arithmetic's words in its globals.
 
-A text is a plain function under `@text`. It calls other texts, and words: `sqrt`, `sign`, `contact`, ... A text's module
-imports its words from float64.py, so as it stands it speaks binary64. Told in another arithmetic, every word that its
-code loads as a global is that arithmetic's, and every text that it calls is told too. numba (an optional extra) then
-compiles what was told, as a second, free choice: the bits are the same.
+A text is a plain function under `@text`. It calls other texts, and words: `sqrt`, `sign`, `finite`, ... Its module imports
+the words from float64.py, so as it stands it speaks binary64. Told in another arithmetic, every word that its code loads
+as a global is that arithmetic's, and every text that it calls is told too. numba (an optional extra) then compiles what
+was told, as a second, free choice: the bits are the same.
 
 What numba compiles is kept in the user's cache folder, under a name made from the sources of all texts, since numba
 itself would not notice that a called text has changed.
@@ -27,6 +27,8 @@ from typing import Any, TypeVar
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _TEXTS: set[Any] = set()
 _COMPILED: dict[Any, Any] = {}
+_ROOMS = ("arithmetic", "flows", "contact", "motion", "bounds", "trajectory", "run", "batch")
+"""Where texts and words are, from whose sources the name of the cache folder is made."""
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 _ONE_AT_A_TIME = threading.RLock()
 """The threads of a batch may all ask for the same text first, and numba's cache folder is set for the process."""
@@ -53,8 +55,8 @@ class Telling:
     """Texts as one arithmetic tells them: `Telling(...)(function)` is the text `function`, told.
 
     `words` maps the names of words to what this arithmetic says for them; `spoken` are the same of binary64, which the
-    texts' modules import. `instead` replaces whole texts by others: the loop's steps by those of another kind of motion;
-    for a template it has a function that makes the other of the told function that was handed.
+    texts' modules import. `instead` replaces whole texts: the loop's steps by those of another kind of motion; for a
+    template it has a function that makes another of the told function that was handed.
     """
 
     def __init__(
@@ -89,7 +91,7 @@ class Telling:
         return self._told[function]
 
     def compiled(self, function: _Function) -> _Function:
-        """Return a text as told, compiled, to be called from Python; interpreted without numba. The bits are the same."""
+        """Return a text as told, compiled, to be called from Python; interpreted without numba."""
         key = (self.name, function, "entry")
         if key not in _COMPILED:
             if not can_compile():
@@ -227,7 +229,7 @@ def _digest_of_sources() -> str:
     """Return a name for the sources of every room that has texts or words in it."""
     digest = hashlib.sha256()
     numerics = Path(__file__).parent.parent
-    for room in ("arithmetic", "flows", "contact", "motion", "bounds", "trajectory", "run"):
+    for room in _ROOMS:
         for source in sorted((numerics / room).glob("*.py")):
             digest.update(source.read_bytes())
     return digest.hexdigest()[:16]

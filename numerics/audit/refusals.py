@@ -2,7 +2,7 @@
 
 Half of the texts carry a fault of a known kind, so they describe no scene by construction. The others have random
 characters changed; whether they still describe one is decided by `describes_a_scene`, a second reading that shares no
-code with scene_file.py.
+code with scene/.
 """
 
 from __future__ import annotations
@@ -32,7 +32,8 @@ Reader = Callable[[str], object]
 _NO_NUMBERS = (
     *("nan", "inf", "-inf", "true", "1979-05-27", "12:00:00", "[1]", '["1","2"]', "{}", "{x=1}", "", "+", "--1"),
     *("1e1001", "-1e-1001", "1e999999999", "1e99999999999999999999", "1e", ".5", "1.", "01", "1__0", "1,5", "1 kg"),
-    *('""', '" "', '"', '"nan"', '"inf"', '"sNaN"', '"0x10"', '"1,5"', '"1 kg"', '"1/2"', '"1_000"', '"1e1.5"', '"e5"'),
+    *('""', '" "', '"', '"nan"', '"inf"', '"sNaN"', '"0x10"', '"1,5"', '"1 kg"', '"1_000"', '"1e1.5"', '"e5"'),
+    *('"1/0"', '"1/"', '"/2"', '"1/2/3"', '"1//2"', '"1/0e9"', '"1/nan"', '"0x1/2"', "1/2", '"1e1001/3"', '"½"'),
     *('"٣"', '"१"', '"--1"', '"+-1"', '"1e1001"', '"__import__"', '"1\\n2"', '"\\u0000"', '"$(reboot)"'),
 )
 _NO_LAWS = ('"Filippov"', '""', "1", "true", "[]", "nan", '"filippov "', '"three_valued_sgn"', "{}")
@@ -117,7 +118,7 @@ def _scene(random: Random) -> Tables:
     def number() -> str:
         digits = f"{random.randint(1, 9)}.{random.randint(1, 999)}"
         text = random.choice((str(random.randint(1, 99)), digits, f"{digits}e{random.randint(-200, 200)}"))
-        return random.choice((text, f'"{text}"'))
+        return random.choice((text, f'"{text}"', f'"{text}/{random.randint(1, 99)}"'))
 
     return {
         "pair": {name: number() for name in _SECTIONS["pair"]},
@@ -150,7 +151,7 @@ def _faulty(random: Random) -> str:
     elif kind == "sign":
         tables[home][positive] = f'"-{tables[home][positive].strip(chr(34))}"'
     elif kind == "zero":
-        tables[home][positive] = random.choice(("0", "0.0", "-0.0", '"0e5"', '"-.0"', "0e-1000"))
+        tables[home][positive] = random.choice(("0", "0.0", "-0.0", '"0e5"', '"0/7"', '"-.0"', "0e-1000"))
     elif kind == "missing":
         del tables[home][positive]
     elif kind == "unknown":
@@ -175,7 +176,7 @@ def _scrambled(random: Random) -> str:
         at = random.randrange(len(characters) - 1)
         kind = random.randrange(4)
         if kind == 0:
-            characters[at] = random.choice("0123456789.-+eE_\"'[]{}=#,\n \\xnµ٣\x00abmv")
+            characters[at] = random.choice("0123456789/.-+eE_\"'[]{}=#,\n \\xnµ٣\x00abmv")
         elif kind == 1:
             characters.insert(at, characters[at])
         elif kind == 2:
@@ -209,12 +210,19 @@ def describes_a_scene(text: str) -> bool:
 
 
 def _read(value: object) -> Fraction | None:
-    """Return a decimal in the allowed range, None for everything else: read character by character."""
+    """Return a decimal in the allowed range, or a ratio of two of them; None for everything else."""
     if type(value) is int:
         return Fraction(value) if abs(value) < 10**2000 else None
     if not isinstance(value, str):
         return None
-    text = value.replace("_", "") if isinstance(value, _FloatText) else value.strip()
+    parts = [value.replace("_", "")] if isinstance(value, _FloatText) else value.split("/")
+    read = [_decimal(part.strip()) for part in parts]
+    above, below = read[0], read[1] if len(read) > 1 else Fraction(1)
+    return above / below if len(read) <= 2 and above is not None and below else None
+
+
+def _decimal(text: str) -> Fraction | None:
+    """Return a decimal in the allowed range, None for everything else: read character by character."""
     mantissa, mark, exponent = text.lower().partition("e")
     sign = mantissa[:1] if mantissa[:1] in ("+", "-") else ""
     whole, _, part = mantissa[len(sign) :].partition(".")

@@ -158,8 +158,8 @@ def stays(pair: Pair, start: Start, errors: Errors) -> bool:
 def keeps_off(pair: Pair, start: Start, errors: Errors, at: At, tau: float, shift: float, found: float) -> bool:
     """Return whether the guard has certainly not passed zero until tau (off by `shift`), where the state is `at`.
 
-    In stick `found` is the edge that the load heads for, and its distance from that edge is the guard; in a slip how far
-    above 0 the guard stayed.
+    In stick `found` is the edge that the load heads for, and its distance from that edge is the guard; in a slip it is
+    how far above 0 the guard stayed.
     """
     if start.mode == 0:
         x_own, v_own = rounding(pair.stick, start.X, start.V1, tau)

@@ -1,6 +1,6 @@
 """Where a damped motion ends, certified: the first contact of a slip, and the exit from the sliding region.
 
-With y = s X + r, the guard of a slip is f(tau) = y'(tau) - c - tau, c = s V2 at the start: a damped sinusoid and a line.
+With y = s X + r, the guard of a slip is f(tau) = y'(tau) - c - tau, c = s V2 at the start: a damped sinusoid, a line.
 The zeros of f'' = y''' are closed-form; between two of them f' is monotone and has at most one zero, which a bracket
 encloses; between two zeros of f' the guard is monotone and has at most one root. Nothing is sampled.
 """

@@ -15,7 +15,7 @@ from typing import Any
 
 from flint import arb, ctx
 
-from numerics.arithmetic.ball import BALL, precision
+from numerics.arithmetic.ball_words import BALL, precision
 from numerics.contact.enclosed_root import EnclosedRoot
 from numerics.contact.root import root
 from numerics.contact.seed import binary64_contact, late_angle

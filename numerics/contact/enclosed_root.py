@@ -7,7 +7,7 @@ from typing import Any
 import flint
 from flint import arb
 
-from numerics.arithmetic.ball import BALL, magnitude_bits, positive, precision, rough, working_digits
+from numerics.arithmetic.ball_words import BALL, magnitude_bits, positive, precision, rough, working_digits
 from numerics.arithmetic.float64 import FLOAT64
 from numerics.arithmetic.telling import text_of
 from numerics.contact.root import Pair, root_of

@@ -1,4 +1,4 @@
-"""Newton's method kept inside a bracket: one loop for every point arithmetic, handed the function whose root it finds."""
+"""Newton's method kept inside a bracket: one loop for every point arithmetic, handed the function it is for."""
 
 from __future__ import annotations
 

@@ -21,7 +21,8 @@ from functools import cached_property
 import flint
 from flint import acb, arb, fmpq, fmpq_series
 
-from numerics.arithmetic.ball import Ball, precision
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball_words import precision
 from numerics.long_time.series import angle_and_depth, polynomial, scaled, series_terms, shifted, shifted_even
 
 ORDER = 24

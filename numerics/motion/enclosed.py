@@ -6,7 +6,7 @@ import math
 
 from flint import arb
 
-from numerics.arithmetic.ball import BALL, ZERO, mean_value, sqrt
+from numerics.arithmetic.ball_words import BALL, ZERO, mean_value, sqrt
 from numerics.contact.enclosed import enclosed_contact
 from numerics.flows.slip import Variables, guard_and_gap, slid_at
 from numerics.motion.undamped import Landing, Pair, Start

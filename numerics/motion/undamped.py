@@ -27,6 +27,14 @@ from numerics.contact.surface import contact
 from numerics.flows.slip import Variables, gap_at, push_at, slid_at
 from numerics.motion.codes import MOVING, OUT_OF_RANGE, RAY, STICK, STUCK, SURFACE
 from numerics.motion.records import At, no_damping
+from numerics.motion.seen import (
+    seen_excess_at_exit,
+    seen_exit_time,
+    seen_flow,
+    seen_landing,
+    seen_on_ray,
+    seen_ray_landing,
+)
 
 
 class Pair(NamedTuple):
@@ -227,43 +235,3 @@ def flow(pair: Pair, start: Start, tau: Number) -> At:
     X, V1 = signed(side, 1 + q * gap_at(at, theta)), signed(side, pair.sqrt_q * push_at(at, theta))
     V2, Z, lost = signed(side, pair.sqrt_q * turned), start.Z - signed(side, q * slid), 2 * pair.r * q * slid
     return seen_flow(pair, start, tau, At(X, V1, V2, Z, start.w - lost, start.spent + lost, no_damping()))
-
-
-# What follows returns what was found. Over dual numbers other texts stand in their place (sensitivity/gradients.py),
-# which give it gradients: the formulas above hold with guard, gap or damping exactly 0, and derivatives need neighbours.
-
-
-@text
-def seen_exit_time(pair: Pair, start: Start, side: float, duration: Number) -> Number:  # noqa: ARG001
-    """Return the duration of a stick phase."""
-    return duration
-
-
-@text
-def seen_excess_at_exit(pair: Pair, start: Start, duration: Number) -> Number:  # noqa: ARG001
-    """Return the excess at the end of a stick phase."""
-    return start.w
-
-
-@text
-def seen_on_ray(pair: Pair, start: Start) -> Start:  # noqa: ARG001
-    """Return the start of a slip from an exit ray."""
-    return start
-
-
-@text
-def seen_ray_landing(pair: Pair, start: Start, found: Landing) -> Landing:  # noqa: ARG001
-    """Return the end of a slip from an exit ray."""
-    return found
-
-
-@text
-def seen_landing(pair: Pair, start: Start, found: Landing) -> Landing:  # noqa: ARG001
-    """Return the end of another slip."""
-    return found
-
-
-@text
-def seen_flow(pair: Pair, start: Start, tau: Number, found: At) -> At:  # noqa: ARG001
-    """Return a state."""
-    return found

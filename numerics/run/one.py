@@ -1,4 +1,4 @@
-"""One scene, solved once in one arithmetic: the loop is told, interpreted or compiled, and its record made a Trajectory."""
+"""One scene, solved once in one arithmetic: the loop is told, interpreted or compiled; its record is a Trajectory."""
 
 from __future__ import annotations
 
@@ -126,8 +126,8 @@ def left_range(arithmetic: Arithmetic, is_damped: bool) -> Exception:
     if arithmetic.name == "ball":
         return OutOfRange(f"the oscillation of one slip is beyond what is inspected{many}")
     return OutOfRange(
-        f"a number of this scene left the range of {arithmetic.name} on the way, or one slip turns through an angle that "
-        f'{arithmetic.digits} digits do not resolve; use arithmetic="ball"{many}'
+        f"a number of this scene left the range of {arithmetic.name} on the way, or one slip turns through an angle "
+        f'that {arithmetic.digits} digits do not resolve; use arithmetic="ball"{many}'
     )
 
 
@@ -161,6 +161,6 @@ def halved(si: SI) -> NDArray[np.float64] | None:
 
 def _room(row: NDArray[np.float64], max_events: int) -> int:
     """Return for how many events there should be room, at a guess: pair, horizon and share of the mass say it."""
-    m1, m2, a2, until = row[0], row[2], row[4], row[16]
+    m1, a2, until = row[0], row[4], row[16]
     turns = until * math.sqrt(a2 / m1) / math.pi
     return int(min(max_events, 16 + _EVENTS_PER_TURN * min(turns, 1e6)))

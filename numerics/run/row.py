@@ -1,4 +1,4 @@
-"""One run as compiled code knows it: from a row of SI numbers, or from a start, to rows of events and a row for the end."""
+"""One run as compiled code knows it: from a row of SI numbers, or a start, to rows of events and a row for the end."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def si_of(row: Any) -> SI:
 @text
 def in_range(row: Any) -> bool:
     """Return whether double-double keeps its digits in products of these numbers."""
-    for index in range(0, 2 * SI_NUMBERS, 2):
+    for index in range(0, 2 * SI_NUMBERS, 2):  # noqa: SIM110 - numba has no generators in `all`
         if not (row[index] == 0.0 or _SMALLEST < abs(row[index]) < _LARGEST):
             return False
     return True

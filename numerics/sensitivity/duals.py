@@ -19,7 +19,7 @@ from numerics.contact.root import root, root_of
 from numerics.contact.surface import Contact, contact
 from numerics.flows import oscillator
 from numerics.flows.slip import Variables, slid_at
-from numerics.motion import undamped
+from numerics.motion import seen, undamped
 from numerics.motion.tellings import motion_telling
 from numerics.sensitivity import gradients
 
@@ -36,16 +36,16 @@ def _dual_telling(base: Telling) -> Telling:
     formulas = Telling(f"formulas of dual {base.name}", words, words_of(float64))
     instead = {
         contact: _contact(motions(contact), words),
-        root: lambda pair: _root(motions, pair, words),
+        root: lambda pair: _root(motions, pair),
         slid_at: _slid(motions(slid_at), formulas(slid_at)),
         oscillator.smooth_in_damping: _basis(words),
         undamped.ray_landing: _landing(motions),
-        undamped.seen_ray_landing: gradients.ray_landing,
-        undamped.seen_landing: gradients.landing,
-        undamped.seen_on_ray: gradients.on_ray,
-        undamped.seen_exit_time: gradients.exit_time,
-        undamped.seen_excess_at_exit: gradients.excess_at_exit,
-        undamped.seen_flow: gradients.flow,
+        seen.seen_ray_landing: gradients.ray_landing,
+        seen.seen_landing: gradients.landing,
+        seen.seen_on_ray: gradients.on_ray,
+        seen.seen_exit_time: gradients.exit_time,
+        seen.seen_excess_at_exit: gradients.excess_at_exit,
+        seen.seen_flow: gradients.flow,
         undamped.velocity: gradients.velocity,
     }
     return Telling(f"dual {base.name}", words, words_of(float64), instead)
@@ -83,7 +83,7 @@ def _contact(found: Callable[..., Contact], words: dict[str, Any]) -> Callable[[
     return dual_contact
 
 
-def _root(motions: Telling, pair: Any, words: dict[str, Any]) -> Callable[..., DualNumber]:
+def _root(motions: Telling, pair: Any) -> Callable[..., DualNumber]:
     """Return the root that the base finds; its derivatives follow from those of the function at a fixed argument.
 
     The ends of the bracket do not count: the root is the same for all that hold it.
@@ -98,7 +98,9 @@ def _root(motions: Telling, pair: Any, words: dict[str, Any]) -> Callable[..., D
     return dual_root
 
 
-def _slid(found: Callable[..., Any], formula: Callable[..., DualNumber]) -> Callable[[Variables, DualNumber], DualNumber]:
+def _slid(
+    found: Callable[..., Any], formula: Callable[..., DualNumber]
+) -> Callable[[Variables, DualNumber], DualNumber]:
     """Return K as the base has it, with the gradient of its formula."""
 
     def dual_slid(at: Variables, theta: DualNumber) -> DualNumber:
@@ -123,9 +125,7 @@ def _basis(words: dict[str, Any]) -> Callable[..., tuple[DualNumber, DualNumber]
     return basis
 
 
-def _sine_by_square(
-    of: Any, t: DualNumber, found: tuple[DualNumber, DualNumber], words: dict[str, Any]
-) -> DualNumber:
+def _sine_by_square(of: Any, t: DualNumber, found: tuple[DualNumber, DualNumber], words: dict[str, Any]) -> DualNumber:
     """Return the derivative of e^(-dt) sin(nt)/n with respect to n^2, (t cos - sin/n)/(2 n^2), next to n = 0 by series.
 
     It is -t^3 (1/3! - 2 z/5! + 3 z^2/7! - ...) with z = n^2 t^2.

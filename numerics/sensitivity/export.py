@@ -56,6 +56,7 @@ def sensitivity_arrays(trajectory: Trajectory) -> dict[str, NDArray[Any]]:
 
 def sensitivity_table(trajectory: Trajectory, balls: Trajectory) -> str:
     """Return the derivatives of the last event's time and of the final state as text: SI units, right digits only."""
+
     def without_radius(name: str, value: Number, _: Number) -> Written:
         return {name: str(value.str(TABLE_DIGITS, radius=False))}
 

@@ -1,7 +1,7 @@
 """Gradients of the undamped motions, whose values are found by formulas that hold at one point only.
 
-Those chain their values through what is free of cancellation, with guard 0, gap 0 or damping 0 exactly. Derivatives need
-the neighbours too: all formulas here are right to first order in
+Those chain their values through what is free of cancellation, with guard 0, gap 0 or damping 0 exactly. Derivatives
+need the neighbours too: all formulas here are right to first order in
 
     g      the guard at the start of a slip, 0 on the switching surface
     d      the gap on an exit ray, which a damper makes -2 zeta sqrt(w)/q: the region is |X + 2 zeta V| <= 1

@@ -1,6 +1,6 @@
 """How cost grows: with digits, with the number of events, with the size of a batch and the cores, with the mass ratio.
 
-Only our own methods are followed here. Beside the digits stands the cost of one arb.sin_cos at the same precision, the
+Only our own methods are followed here, and of solve_many batches only. Beside the digits stands the cost of one arb.sin_cos at the same precision, the
 least that a transcendental event could cost.
 """
 
@@ -14,6 +14,7 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.telling import can_compile
 from numerics.batch.parallel import available_cores
 from numerics.trade import ours
 from numerics.trade.child import Child
@@ -125,23 +126,13 @@ def _growth(
 
 
 def along_batches(extent: Extent) -> Iterator[Growth]:
-    """Yield the time per scene of bigger and bigger batches, on one core and on all; nothing without a batch path."""
+    """Yield the time per scene of bigger and bigger batches, on one core and on all; nothing without numba."""
     scene = paper_scenes()[-1].scene
-    for cores in sorted({1, available_cores()}):
+    for cores in sorted({1, available_cores()}) if can_compile() else ():
         for size in extent.batch:
-            call = ours.batch_call(scene, size, cores)
-            if call is None:
-                return
-            seconds = timed(call, budget=0.3).seconds
-            yield Growth(
-                "batch",
-                "solve_many",
-                float(size),
-                None,
-                seconds / size,
-                "1 core" if cores == 1 else f"{cores} cores",
-                cores=cores,
-            )
+            each = timed(ours.batch_call(scene, size, cores), budget=0.3).seconds / size
+            note = "1 core" if cores == 1 else f"{cores} cores"
+            yield Growth("batch", ours.MANY, float(size), None, each, note, cores=cores)
 
 
 def growth(
@@ -154,7 +145,7 @@ def growth(
     source: str,
 ) -> Iterator[Growth]:
     """Yield every curve of the contenders that are ours."""
-    own = [one for one in contenders if one.ours]
+    own = [one for one in contenders if one.ours and one.label != ours.MANY]
     if not own:
         return
     progress("growth along digits")

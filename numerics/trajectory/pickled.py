@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from flint import arb
 
-from numerics.arithmetic.ball import precision
+from numerics.arithmetic.ball_words import precision
 
 _RADIUS_BITS = 30
 

@@ -16,13 +16,13 @@ CODES = ("mode", "kind", "side", "late", "x", "v", "place", "relative")
 """Floats of an event: mode (-1, 0, +1), kind of motion and side after it; bounds on the errors of tau, X, V and Z, and
 on the relative error of t, x1, v and x2."""
 NUMBERS = ("tau", "length", "X", "V", "Z", "w", "gap", "push")
-"""Numbers of an event: its time, how long the motion before it lasted, the state, and how the motion after it starts."""
+"""Numbers of an event: its time, how long the motion before it lasted, the state, how the motion after it starts."""
 END_CODES = (
     *("how", "events", "mode", "first_mode", "certain", "digits", "worst"),
     *("x_error", "v1_error", "v2_error", "place_error", "w_error", "spent_error", "damped_error"),
 )
-"""Floats of the end: how the run ended (codes.py), how many events it had, the mode there and at the start, whether the bounds leave no doubt
-about the sequence of events, right digits and the relative error of all events by the bounds; bounds on the errors."""
+"""Floats of the end: how the run ended (codes.py), how many events it had, the mode there and at the start, whether the bounds
+leave no doubt about the sequence of events, right digits and the relative error of all events by the bounds; bounds on the errors."""
 END_NUMBERS = (
     *("tau", "length", "X", "V1", "V2", "Z", "w", "spent", "damped"),
     *("X0", "V10", "V20", "Z0", "w0", "length_unit", "rate", "energy_unit"),

@@ -18,7 +18,7 @@ ENTRY, EXIT, CROSSING = 0, 1, 2
 
 @text
 def si_table(rows: Any, end: Any, table: Any, kinds: Any) -> None:
-    """Fill table (5, m) and kinds (k,) from the rows of k events and that of the end; m = k + 2, or k + 1 without it."""
+    """Fill table (5, m) and kinds (k,) from the rows of k events and of the end; m = k + 2, or k + 1 without it."""
     length, rate, mode, count = end[_UNITS], end[_UNITS + 1], end[_FIRST_MODE], len(rows)
     speed = length * rate
     _place(table, 0, 0 * rate, (end[_START], end[_START + 1], end[_START + 2], end[_START + 3]), length, speed)

@@ -183,7 +183,7 @@ class Trajectory(Run):
             return self._dense.state(t, side)
 
     def mode_at(self, t: Any, side: Side = "right") -> Any:
-        """Return the mode at time t (s), an object array of modes for a sequence; at an event that on the given side."""
+        """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
         with self.arithmetic.context():
             if np.ndim(t) == 0:
                 return self._dense.mode(t, side)

@@ -13,13 +13,14 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.errors import EventUndecided, NumericsError, PrecisionExhausted
 from numerics.motion.modes import EventKind, Mode
+from numerics.run.one import run_scene
 from numerics.scene import Law, Pair, Scene, State
-from numerics.solver.solve import integrate, solve
+from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction, require_same_sequence
-from numerics.trajectory.trajectory import Status
+from numerics.trajectory.status import Status
 
 PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
-ARITHMETICS = ["float64", "mpmath", "ball"]
+ARITHMETICS = ["float64", "double-double", "mpmath", "ball"]
 
 
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)
@@ -172,7 +173,7 @@ def test_the_literal_law_never_lets_go():
 def test_precisions_are_restored_after_errors(digits):
     for failing in (
         lambda: solve(PAPER, digits=300, arithmetic="ball", max_digits=100),
-        lambda: integrate(grazed(), Ball(30)),
+        lambda: run_scene(grazed(), Ball(30)),
         lambda: solve(PAPER, arithmetic="mpmath", digits=digits).sol(99),
         lambda: solve(PAPER, arithmetic="ball", digits=digits).sol(99),
     ):
@@ -192,7 +193,7 @@ def grazed() -> Scene:
 
 def test_an_undecided_event_carries_its_question():
     with pytest.raises(EventUndecided) as caught:
-        integrate(grazed(), Ball(30))
+        run_scene(grazed(), Ball(30))
     assert "horizon" in caught.value.question
     assert "+/-" in caught.value.enclosure
     assert caught.value.digits == 30

@@ -1,0 +1,268 @@
+"""What a user meets: one place to import from, short texts, equality, pickles, tables, pictures, numbers of any kind."""
+
+import copy
+import pickle
+import subprocess
+import sys
+from decimal import Decimal
+from fractions import Fraction
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+
+import numerics
+from numerics import Pair, Scene, Solver, State, sensitivities, solve, solve_many
+from numerics.errors import InvalidScene, MissingTool
+from numerics.motion.modes import Mode
+from numerics.scene.file import parse_scene
+from numerics.trajectory.figures import sampled
+from numerics.trajectory.status import Status
+
+mpl.use("Agg")
+
+PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
+DAMPED = Scene(Pair(1, 1, 200, "0.5", a1=4), State(v1="0.45"), until=3)
+STUCK = Scene(PAPER.pair, State(x1="0.001"), until=3)
+HOW = [
+    {},
+    {"arithmetic": "double-double"},
+    {"arithmetic": "mpmath"},
+    {"arithmetic": "ball", "digits": 20},
+    {"digits": 12},
+    {"max_events": 3},
+]
+
+
+def runs(scene=PAPER):
+    return [solve(scene, **how) for how in HOW if scene.pair.a1 == 0 or how.get("arithmetic") != "double-double"]
+
+
+# one place
+
+
+def test_everything_a_user_needs_is_in_one_place():
+    assert all(callable(getattr(numerics, name)) for name in numerics.__all__)
+    with pytest.raises(AttributeError, match="solv"):
+        numerics.solv  # noqa: B018
+
+
+def test_the_names_are_functions_whatever_was_imported_before():
+    code = (
+        "import numerics.solver.solve, numerics.sensitivity.sensitivity, numerics.batch.batch\n"
+        "from numerics import Pair, Scene, Solver, State, sensitivities, solve, solve_many\n"
+        "scene = Scene(Pair(1, 1, 200, 0.5), State(v1=0.15), 1)\n"
+        "print(sensitivities(solve(scene)).energy.shape)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (done.stdout, done.stderr) == ("(9,)\n", "")
+
+
+@pytest.mark.parametrize("given", [PAPER.pair, None, "figure-4a"])
+def test_what_is_no_scene_is_told_how_to_build_one(given):
+    with pytest.raises(TypeError, match=r"build Scene\(Pair\(\.\.\.\)"):
+        solve(given)
+
+
+# texts
+
+
+@pytest.mark.parametrize("how", HOW)
+@pytest.mark.parametrize("scene", [PAPER, STUCK])
+def test_a_trajectory_shows_itself_in_a_few_short_lines(scene, how):
+    run = solve(scene, **how)
+    lines = repr(run).splitlines()
+    names = [line.split(":")[0].strip() for line in lines]
+    assert names == ["message", "success", "status", "arithmetic", "events", "t", "final mode"]
+    assert all(len(line) < 120 for line in lines)
+    assert f"events: {len(run.events)}" in repr(run)
+    html = run._repr_html_()
+    assert html.count("<tr>") == len(lines)
+    assert run.message in html
+
+
+def test_only_digits_that_something_bounds_are_called_right():
+    assert "right digits" in repr(solve(PAPER))
+    assert "right digits" in repr(solve(PAPER, digits=20))
+    assert "right digits" not in repr(solve(PAPER, arithmetic="mpmath"))
+
+
+def test_a_sensitivity_shows_itself_in_one_line():
+    found = sensitivities(solve(PAPER))
+    assert len(repr(found)) < 120
+    assert "final energy" in found._repr_html_()
+
+
+def test_the_status_of_a_run_and_of_a_batch_are_the_same_kind():
+    batch = solve_many(1, 1, 200, 0.5, v1=np.array([0.15, 0.0]), x1=np.array([0.0, 0.001]), until=3)
+    for found, scene in zip(batch.status, (PAPER, STUCK), strict=True):
+        assert Status(found) is solve(scene).status
+
+
+# equality and pickles
+
+
+@pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK])
+def test_two_equal_solves_are_equal_and_come_back_from_a_pickle(scene):
+    for one, two in zip(runs(scene), runs(scene), strict=True):
+        assert one == two
+        assert not one != two
+        for back in (pickle.loads(pickle.dumps(one)), copy.deepcopy(one)):
+            assert back == one
+            assert repr(back) == repr(one)
+            assert back.modes == one.modes
+            with one.arithmetic.context():
+                assert [one.arithmetic.text(a, 60) for a in back.y.flat] == [
+                    one.arithmetic.text(a, 60) for a in one.y.flat
+                ]
+            assert [str(a) for a in back.sol(1)] == [str(a) for a in one.sol(1)]
+
+
+def test_unequal_runs_are_not_equal():
+    different = [*runs(), *runs(STUCK), solve(PAPER, t_eval=[1]), solve(PAPER, arithmetic="ball", digits=21)]
+    for i, one in enumerate(different):
+        assert [one == two for two in different].count(True) == 1, HOW[i % len(HOW)]
+    assert solve(PAPER) != "a trajectory"
+
+
+@pytest.mark.parametrize("how", HOW[:4])
+def test_times_asked_for_survive_a_pickle_and_compare(how):
+    own = solve(PAPER, **how)
+    for times in (np.linspace(0, 2, 5), ["1/3", Fraction(1, 2)], list(own.t[:3])):
+        one, two = solve(PAPER, **how, t_eval=times), solve(PAPER, **how, t_eval=times)
+        assert one == two != own
+        back = pickle.loads(pickle.dumps(one))
+        assert back == one
+        assert back.y.shape == (4, len(times))
+
+
+# times asked for
+
+
+@pytest.mark.parametrize("how", HOW[:4])
+def test_t_eval_gives_state_and_energy_at_those_times(how):
+    times = [0, 0.5, "1/3", 2]
+    run = solve(PAPER, **how, t_eval=times)
+    assert run.t.shape == run.energy.shape == (4,)
+    with run.arithmetic.context():
+        number = run.arithmetic.to_float
+        assert [number(one) for one in run.t] == pytest.approx([0, 0.5, 1 / 3, 2])
+        assert [str(one) for one in run.y.flat] == [str(one) for one in run.sol(times).flat]
+    assert len(run.events) == len(solve(PAPER).events)
+
+
+def test_times_beyond_the_horizon_are_refused():
+    with pytest.raises(ValueError, match="outside the solved time"):
+        solve(PAPER, t_eval=[1, 4]).y  # noqa: B018
+
+
+@pytest.mark.parametrize("how", HOW[:4])
+def test_mode_at_takes_arrays(how):
+    run = solve(PAPER, **how)
+    times = np.linspace(0, 3, 40)
+    modes = run.mode_at(times)
+    assert list(modes) == [run.mode_at(one) for one in times]
+    assert run.mode_at([]).shape == (0,)
+    assert list(run.mode_at(run.event_times, "left")) == [event.before for event in run.events]
+    assert list(run.mode_at(run.event_times)) == [event.after for event in run.events]
+
+
+# tables
+
+
+@pytest.mark.parametrize("how", HOW)
+def test_a_data_frame_has_start_events_and_end(how):
+    pd = pytest.importorskip("pandas")
+    run = solve(PAPER, **how)
+    frame = run.to_dataframe()
+    assert list(frame.columns) == ["t", "mode", "x1", "v1", "x2", "v2", "energy", "energy_excess"]
+    assert len(frame) == len(run.t)
+    assert list(frame["mode"][:-1]) == [mode.value for mode in run.modes][: len(frame) - 1]
+    assert frame["mode"].iloc[-1] == run.final_mode.value
+    assert pd.api.types.is_float_dtype(frame["x1"])
+    assert len(solve(PAPER, **how, t_eval=[0, "1/20"]).to_dataframe()) == 2
+
+
+def test_without_pandas_the_missing_tool_is_named(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(MissingTool, match="pandas"):
+        solve(PAPER).to_dataframe()
+
+
+# pictures
+
+
+@pytest.mark.parametrize("kind", ["velocities", "positions", "phase", "excess", "energy"])
+@pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK])
+def test_every_picture_has_a_title_units_and_shaded_sticking(scene, kind):
+    from matplotlib import pyplot as plt
+
+    ax = solve(scene).plot(kind=kind)
+    assert ax.get_title()
+    assert ("(" in ax.get_xlabel() + ax.get_ylabel()) or kind == "excess"
+    labels = ax.get_legend_handles_labels()[1]
+    assert ("$S_0$" if kind == "phase" else "stick") in labels
+    assert len(ax.collections) >= 1
+    again = solve(scene).plot(kind, ax)
+    assert again is ax
+    plt.close("all")
+
+
+def test_a_picture_of_no_kind_is_refused():
+    with pytest.raises(ValueError, match="velocities, positions, phase, excess, energy"):
+        solve(PAPER).plot("speed")
+
+
+@pytest.mark.parametrize("how", HOW)
+@pytest.mark.parametrize("scene", [PAPER, DAMPED])
+def test_what_is_drawn_is_the_trajectory(scene, how):
+    if scene is DAMPED and how.get("arithmetic") == "double-double":
+        return
+    run = solve(scene, **how)
+    curve, number = sampled(run), run.arithmetic.to_float
+    assert np.all(np.diff(curve.t) >= 0)
+    assert set(curve.segment) == set(range(len(run.segments)))
+    for at in range(0, len(curve.t), 37):
+        state = run.sol(min(float(curve.t[at]), number(run.end_time)))
+        assert curve.y[:, at] == pytest.approx([number(one) for one in state], abs=1e-12)
+    unit = float(scene.pair.critical_energy)
+    total = unit * (1 + curve.w) + curve.lost.sum(axis=0)
+    assert total == pytest.approx(np.full(len(total), float(scene.energy)), rel=1e-9)
+
+
+# numbers of any kind
+
+ONE_HALF = [0.5, "0.5", "1/2", " 1 / 2 ", Decimal("0.5"), Fraction(1, 2), np.float64(0.5), np.float32(0.5)]
+TWO = [2, 2.0, "2", "4/2", np.int64(2), np.int32(2), np.uint8(2), np.float64(2)]
+
+
+@pytest.mark.parametrize("half", ONE_HALF)
+def test_every_kind_of_number_is_read(half):
+    assert Pair(1, 1, 200, half) == PAPER.pair
+    assert State(x1=half).x1 == Fraction(1, 2)
+    assert Solver(PAPER.pair)(State(v1="0.15"), half) == solve(Scene(PAPER.pair, PAPER.initial, half))
+
+
+@pytest.mark.parametrize("two", TWO)
+def test_whole_numbers_of_numpy_are_numbers(two):
+    pair = Pair(m1=two, m2=two, a2=200, b=two)
+    assert pair == Pair(2, 2, 200, 2)
+    assert hash(pair) == hash(Pair(2, 2, 200, 2))
+
+
+def test_a_ratio_is_a_number_in_a_scene_file_and_in_a_batch():
+    text = '[pair]\nm1 = "1/3"\nm2 = 1\na2 = 200\nb = "1/2"\n[initial]\nv1 = "3/20"\n[run]\nuntil = "7/3"\n'
+    scene = parse_scene(text)
+    assert (scene.pair.m1, scene.initial.v1, scene.until) == (Fraction(1, 3), Fraction(3, 20), Fraction(7, 3))
+    batch = solve_many("1/3", 1, 200, "1/2", v1=["3/20", "1/7"], until="7/3", exact=True)
+    assert batch.final[0].tolist() == [float(one) for one in solve(scene).final_state]
+
+
+@pytest.mark.parametrize("bad", ["1/0", "1//2", "/2", "1/", "1/2/3", "1/x", "1e400/1e-4000"])
+def test_what_is_no_ratio_is_refused(bad):
+    with pytest.raises(InvalidScene):
+        Pair(1, 1, 200, bad)
+
+
+def test_the_first_segment_sticks_where_the_modes_say_so():
+    assert solve(STUCK).mode_at(0) is Mode.STICK
