@@ -12,6 +12,7 @@ from numerics.motion.codes import EVENT_LIMIT, STUCK
 from numerics.motion.frame import Frame
 from numerics.scene import Scene
 from numerics.trajectory.digits import Accuracy, bounds_in_si
+from numerics.trajectory.pickled import plain, restored
 from numerics.trajectory.record import Record
 from numerics.trajectory.status import Status
 from numerics.trajectory.summary import summary
@@ -125,14 +126,15 @@ class Run:
     def __getstate__(self) -> tuple[Any, ...]:
         """Return what is pickled: the scene and what the run wrote, without what was made of it since."""
         arithmetic = self.arithmetic.name, self.arithmetic.digits
-        return self.scene, arithmetic, self.record.plain(), self.bounded, self.digits, self.tried, self.t_eval
+        times = None if self.t_eval is None else plain(tuple(self.t_eval))
+        return self.scene, arithmetic, self.record.plain(), self.bounded, self.digits, self.tried, times
 
     def __setstate__(self, state: tuple[Any, ...]) -> None:
         """Restore a pickled trajectory."""
         scene, (name, digits), record, bounded, asked, tried, t_eval = state
         arithmetic, record = arithmetic_named(name, digits), Record.restored(*record)
         self.__init__(  # type: ignore[misc]
-            scene, arithmetic, record, bounded=bounded, digits=asked, tried=tried, t_eval=t_eval
+            scene, arithmetic, record, bounded=bounded, digits=asked, tried=tried, t_eval=restored(t_eval)
         )
 
     def __repr__(self) -> str:
