@@ -9,11 +9,12 @@ from flint import arb, fmpq
 from strategies import scaled_speed
 
 from numerics.scene import Pair, Scene, State
-from numerics.sensitivity.sensitivity import WRT
+from numerics.sensitivity.sensitivity import WRT, sensitivities
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
 DIGITS = 70
+COORDINATES = ("x1", "v1", "x2", "v2")
 STEP = Fraction(1, 10**24)
 """Relative to the natural scale of what is moved."""
 SMALLEST = 1e-9
@@ -31,7 +32,7 @@ class Deviation(NamedTuple):
 def moved(scene: Scene, name: str, by: Fraction) -> Scene:
     """The scene with one number changed."""
     numbers = {key: getattr(scene.pair, key) for key in Pair.__slots__}
-    state = {key: getattr(scene.initial, key) for key in State.__slots__}
+    state = {key: getattr(scene.initial, key) for key in COORDINATES}
     target = state if name in state else numbers
     target[name] += by
     return Scene(Pair(**numbers), State(**state), scene.until, scene.law)
@@ -41,7 +42,7 @@ def natural_scale(scene: Scene, name: str) -> Fraction:
     """L, L Omega, or the parameter itself; Omega M for a missing damper."""
     pair = scene.pair
     speed = scaled_speed(pair, Fraction(1))
-    if name in State.__slots__:
+    if name in COORDINATES:
         return pair.half_width if name in {"x1", "x2"} else speed
     return getattr(pair, name) or speed / pair.half_width * pair.mass
 
@@ -62,7 +63,7 @@ def numbers(trajectory: Trajectory, base: Trajectory, events: int) -> list[arb]:
 
 def derivatives(base: Trajectory, name: str, events: int) -> list[arb]:
     """The derivatives of `numbers`, from the sensitivities."""
-    found, units, index = base.sensitivity, _units(base), WRT.index(name)
+    found, units, index = sensitivities(base), _units(base), WRT.index(name)
     rows = [value / unit for value, unit in zip(found.final[:, index], units, strict=True)]
     for t, y in list(zip(found.t[:, index], found.y[:, :, index], strict=True))[len(found.t) - events :]:
         rows += [t * base.frame.rate, *(value / unit for value, unit in zip(y, units, strict=True))]

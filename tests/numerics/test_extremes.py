@@ -16,7 +16,7 @@ from numerics.motion.modes import EventKind
 from numerics.scene import Law, Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import distance, require_same_sequence
-from numerics.trajectory.trajectory import Status
+from numerics.trajectory.status import Status
 
 PAPER = {"m1": 1, "m2": 1, "a2": 200, "b": "0.5"}
 PUSHED = State(v1="0.15")

@@ -1,4 +1,4 @@
-"""Caps that name themselves and their flag, phases that are lost and said to be, files that appear whole or not."""
+"""Caps that name themselves, phases that are lost and said to be, files that appear whole or not."""
 
 import json
 import os
@@ -19,7 +19,7 @@ from numerics.long_time.energy import energy_at
 from numerics.scene import Pair, Scene, State
 from numerics.scene.file import parse_scene
 from numerics.solver.solve import solve
-from numerics.trajectory.trajectory import Status
+from numerics.trajectory.status import Status
 
 PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 REPORT = [sys.executable, "-m", "paper_checks", "report"]
@@ -43,40 +43,40 @@ until = 1e22
 
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath"])
-def test_the_cap_on_digits_names_its_flag_at_once(arithmetic):
+def test_the_cap_on_digits_names_its_argument_at_once(arithmetic):
     began = time.perf_counter()
-    with pytest.raises(PrecisionExhausted, match="--max-digits"):
+    with pytest.raises(PrecisionExhausted, match="raise max_digits"):
         solve(PAPER, arithmetic=arithmetic, digits=10**8)
-    with pytest.raises(PrecisionExhausted, match="--max-digits"):
+    with pytest.raises(PrecisionExhausted, match="raise max_digits"):
         solve(PAPER, arithmetic=arithmetic, digits=100, max_digits=50)
     assert time.perf_counter() - began < 1
 
 
-def test_the_caps_on_late_energies_name_their_flags():
-    with pytest.raises(PrecisionExhausted, match="--max-digits"):
+def test_the_caps_on_late_energies_name_their_arguments():
+    with pytest.raises(PrecisionExhausted, match="raise max_digits"):
         energy_at(PAPER, "1e50", digits=200, max_digits=100)
-    with pytest.raises(OutOfRange, match="--max-steps"):
+    with pytest.raises(OutOfRange, match="raise max_steps"):
         energy_at(PAPER, "1e50", max_steps=3)
 
 
 def test_digits_that_need_countless_steps_are_refused_at_once():
     began = time.perf_counter()
-    with pytest.raises(OutOfRange, match=r"about .*e\+?\d+ events .*--max-steps"):
+    with pytest.raises(OutOfRange, match=r"about .*e\+?\d+ events .*max_steps"):
         energy_at(PAPER, "1e1000", digits=1000)
     assert time.perf_counter() - began < 5
 
 
-def test_an_undecided_event_names_the_flag():
+def test_an_undecided_event_names_the_argument():
     first = solve(PAPER, digits=80, arithmetic="ball").events[0].t.mid().str(60, radius=False)
     touched = Scene(PAPER.pair, PAPER.initial, first)
-    with pytest.raises(EventUndecided, match="--max-digits"):
+    with pytest.raises(EventUndecided, match="raise max_digits"):
         solve(touched, digits=10, arithmetic="ball", max_digits=40)
 
 
-def test_the_cap_on_events_names_its_flag():
+def test_the_cap_on_events_names_its_argument():
     run = solve(Scene(PAPER.pair, PAPER.initial, "1e22"), max_events=5)
     assert run.status is Status.EVENT_LIMIT
-    assert "--max-events" in run.message
+    assert "raise max_events" in run.message
 
 
 # phases

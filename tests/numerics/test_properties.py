@@ -14,7 +14,7 @@ from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Law, Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import distance, require_same_sequence
-from numerics.trajectory.trajectory import Status
+from numerics.trajectory.status import Status
 
 CAP = 25
 LIGHT_DRIVER = Scene(  # its contact after 1e-16 of reduced time was passed over in float64
@@ -34,7 +34,7 @@ def solved(scene, **how):
 
 def dissipated(run):
     """What each segment takes from E/E_cr: friction and viscosity."""
-    return [segment.motion.losses(segment.length) for segment in run.segments]
+    return [segment.losses(segment.length) for segment in run.segments]
 
 
 @given(scenes(damped=None))
@@ -45,7 +45,7 @@ def test_energy_never_grows_and_the_ledger_closes_in_balls(scene):
             assert not friction < 0
             assert not viscous < 0
             assert (friction.is_zero()) == (segment.mode is Mode.STICK)
-        energy = [run.frame.energy(run.segments[0].motion.state(run.arithmetic.number(0))), *run.energy[1:]]
+        energy = [run.frame.energy(run.segments[0].state(run.arithmetic.number(0))), *run.energy[1:]]
         for before, after, segment in zip(energy, energy[1:], run.segments, strict=False):
             assert not after > before
             if segment.mode is Mode.STICK and scene.pair.a1 == 0:
@@ -121,7 +121,7 @@ def test_the_sign_of_v1_minus_v2_is_that_of_the_mode(scene):
     with run.arithmetic.context():
         for segment in run.segments:
             for part in range(1, 8):
-                state = segment.motion.state(segment.length * part / 8)
+                state = segment.state(segment.length * part / 8)
                 relative = state.V1 - state.V2
                 if segment.mode is Mode.STICK:
                     assert relative == 0
@@ -143,8 +143,8 @@ def test_every_segment_solves_its_equation(scene):
             rate = 1 + a1 / min(m1, m2) + mpmath.sqrt(a2 / m1)
             step = min(length, 1 / rate) * mpmath.mpf(10) ** -12
 
-            def at(t, motion=segment.motion):
-                return run.frame.si_state(motion.state(run.frame.rate * t))
+            def at(t, segment=segment):
+                return run.frame.si_state(segment.state(run.frame.rate * t))
 
             middle = length * 2 / 5
             states = [at(middle + k * step) for k in (-2, -1, 1, 2)]
@@ -238,9 +238,10 @@ def edge(run, event):
 def conditioning(run, event) -> float:
     """How far an event moves when the guard does: 1 over the rate at which it is crossed, in reduced time."""
     index = run.events.index(event)
-    motion, tau = run.segments[index].motion, run.segments[index].length
+    segment = run.segments[index]
+    tau = segment.length
     h = tau / 10**6
-    before = motion.state(tau - h)
+    before = segment.state(tau - h)
     if event.before is Mode.STICK:
         return 100 / min(1.0, abs(float(event.reduced.V1.mid()) or 1e-9))
     return 100 * max(1.0, float((h / abs(before.V1 - before.V2)).mid()))

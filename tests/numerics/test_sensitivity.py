@@ -14,15 +14,17 @@ from strategies import near_critical, scenes
 
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.dual import Dual
 from numerics.arithmetic.float64 import Float64
 from numerics.errors import EventUndecided, NumericsError
 from numerics.motion.modes import Mode
-from numerics.old import tangent
+from numerics.run.one import run_scene
 from numerics.scene import Law, Pair, Scene, State
-from numerics.sensitivity.sensitivity import WRT, differentiable
-from numerics.solver.solve import integrate, solve
+from numerics.sensitivity import duals, gradients
+from numerics.sensitivity.duals import dual
+from numerics.sensitivity.sensitivity import WRT, differentiable, sensitivities
+from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.record import NUMBERS
 
 PAPER = Pair(1, 1, 200, "0.5")
 LIGHT = Pair("0.1", 1, 200, "0.5")
@@ -121,19 +123,26 @@ def test_a_start_on_a_ray_and_its_neighbours_on_either_side():
 
 def test_a_wrong_derivative_is_seen(monkeypatch):
     """Without the slope by n^2 the critical oscillator would not feel its damping regime change."""
-    monkeypatch.setattr(tangent, "_sine_by_square", lambda oscillator, t, cosine, sine: 0 * sine)
+    monkeypatch.setattr(duals, "_sine_by_square", lambda of, t, found, words: 0 * found[1])
     assert max(found.size for found in deviations(SMOOTH["critical slip"])) > 1e-3
 
 
 def test_a_start_on_the_surface_needs_its_guard(monkeypatch):
+    """The text is told anew with a formula that forgets the guard."""
     scene = SMOOTH["crossings from S"]
     assert max(found.size for found in deviations(scene)) < 1e-15
-    formula = tangent._slipped
-    monkeypatch.setattr(
-        tangent,
-        "_slipped",
-        lambda f, flow, a: (at := formula(f, flow, a))._replace(guard=at.guard - flow.guard_at_start),
-    )
+
+    def forgetful(base):
+        honest = _dual_telling(base)
+        told = honest(gradients.slipped)
+        return honest.but("forgetful", {gradients.slipped: lambda *given: without_guard(told, *given)})
+
+    def without_guard(formula, pair, at, theta):
+        found = formula(pair, at, theta)
+        return found._replace(guard=found.guard - at.guard)
+
+    _dual_telling = duals._dual_telling
+    monkeypatch.setattr(duals, "_dual_telling", forgetful)
     assert max(found.size for found in deviations(scene)) > 1e-3
 
 
@@ -149,16 +158,16 @@ def test_balls_contain_the_derivatives(name):
     low, high = (solve(ALL[name], arithmetic="ball", digits=digits) for digits in (15, 120))
     points = solve(ALL[name], arithmetic="mpmath", digits=80)
     with high.arithmetic.context():
-        for wide, narrow, point in zip(*(every(one.sensitivity) for one in (low, high, points)), strict=True):
+        for wide, narrow, point in zip(*(every(sensitivities(one)) for one in (low, high, points)), strict=True):
             assert wide.overlaps(narrow)
             assert abs(narrow - ball(as_fraction(point))) < arb("1e-50") * (1 + abs(narrow))
-        largest = max(abs(one) for one in every(high.sensitivity))
-        assert max(one.rad() for one in every(low.sensitivity)) < arb("1e-15") * largest
+        largest = max(abs(one) for one in every(sensitivities(high)))
+        assert max(one.rad() for one in every(sensitivities(low))) < arb("1e-15") * largest
 
 
 @pytest.mark.parametrize("name", ALL)
 def test_float64_is_close(name):
-    floats, balls = solve(ALL[name]).sensitivity, solve(ALL[name], digits=20, arithmetic="ball").sensitivity
+    floats, balls = sensitivities(solve(ALL[name])), sensitivities(solve(ALL[name], digits=20, arithmetic="ball"))
     ours, theirs = (every(one).reshape(-1, len(WRT)) for one in (floats, balls))
     true = np.array([[float(one.mid()) for one in row] for row in theirs])
     assert (np.abs(ours - true) <= 1e-11 * np.abs(true).max(axis=0) + 1e-12).all()
@@ -167,18 +176,20 @@ def test_float64_is_close(name):
 @pytest.mark.parametrize("name", ALL)
 @pytest.mark.parametrize("arithmetic", [Float64(), Ball(40)], ids=["float64", "ball"])
 def test_values_are_those_of_the_solver(name, arithmetic):
-    plain, duals = integrate(ALL[name], arithmetic), integrate(differentiable(ALL[name]), Dual(arithmetic))
-    for one, two in zip(plain.events, duals.events, strict=True):
-        for ours, theirs in zip((one.t, *one.reduced), (two.t, *two.reduced), strict=True):
+    plain, double = run_scene(ALL[name], arithmetic), run_scene(differentiable(ALL[name]), dual(arithmetic))
+    assert len(plain.record) == len(double.record)
+    for number in NUMBERS:
+        for ours, theirs in zip(plain.record.numbers(number), double.record.numbers(number), strict=True):
             assert str(ours) == str(theirs.value)
-    assert [str(one) for one in plain.final] == [str(two.value) for two in duals.final]
+    for number in ("X", "V1", "V2", "Z", "w"):
+        assert str(plain.record.end(number)) == str(double.record.end(number).value)
 
 
 @given(scenes(damped=None, periods=(1, 2)))
 def test_identities(scene):
     """Euler's identity for the three scaling groups, translations of x2, and the energy of the final state."""
     trajectory = solve(scene, digits=20, arithmetic="ball")
-    found, pair, at = trajectory.sensitivity, scene.pair, scene.initial
+    found, pair, at = sensitivities(trajectory), scene.pair, scene.initial
     with trajectory.arithmetic.context():
         weigh = Weights(pair, at)
         final, energy = trajectory.frame.si_state(trajectory.final), trajectory.frame.energy(trajectory.final)
@@ -205,7 +216,7 @@ class Weights:
     """Sums of derivatives, each times its quantity and a whole number."""
 
     def __init__(self, pair, at):
-        self.values = [ball(getattr(at if name in State.__slots__ else pair, name)) for name in WRT]
+        self.values = [ball(getattr(at if name in {"x1", "v1", "x2", "v2"} else pair, name)) for name in WRT]
 
     def __call__(self, row, **weights):
         return sum((row[k] * self.values[k] * weights[name] for k, name in enumerate(WRT) if name in weights), arb(0))
@@ -225,7 +236,7 @@ def test_neighbours_never_move_apart(scene):
     trajectory = solve(scene, arithmetic="ball", digits=15)
     weights = np.sqrt([float(scene.pair.a2), float(scene.pair.m1), float(scene.pair.m2)])
     rows, columns = [0, 1, 3], [WRT.index(name) for name in ("x1", "v1", "v2")]
-    final = trajectory.sensitivity.final
+    final = sensitivities(trajectory).final
     jacobian = np.array([[float(final[i, j].mid()) for j in columns] for i in rows])
     assert np.linalg.norm(weights[:, None] * jacobian / weights, 2) <= 1 + 1e-9
     if trajectory.final_mode is Mode.STICK:
@@ -234,21 +245,20 @@ def test_neighbours_never_move_apart(scene):
 
 @given(near_critical(exponents=(3, 12)))
 def test_near_critical_sensitivities_are_enclosed_and_close(scene):
-    balls, floats = solve(scene, digits=20, arithmetic="ball").sensitivity, solve(scene).sensitivity
+    balls, floats = sensitivities(solve(scene, digits=20, arithmetic="ball")), sensitivities(solve(scene))
     true = np.array([[float(one.mid()) for one in row] for row in balls.t])
     assert (np.abs(floats.t - true) <= 1e-8 * np.abs(true).max(axis=0) + 1e-13).all()
 
 
 def test_shapes_and_cap():
     trajectory = solve(SMOOTH["slip"], max_events=3)
-    found = trajectory.sensitivity
-    assert found is trajectory.sensitivity
+    found = sensitivities(trajectory)
     assert (found.t.shape, found.y.shape, found.final.shape, found.energy.shape) == ((3, 9), (3, 4, 9), (4, 9), (9,))
     assert found.t.dtype == float
     assert np.abs(found.final - found.y[-1]).max() < 1e-13 * np.abs(found.final).max()
-    whole = solve(SMOOTH["slip"]).sensitivity
+    whole = sensitivities(solve(SMOOTH["slip"]))
     assert (found.t == whole.t[:3]).all()
-    none = solve(SMOOTH["stuck for ever"], digits=20, arithmetic="ball").sensitivity
+    none = sensitivities(solve(SMOOTH["stuck for ever"], digits=20, arithmetic="ball"))
     assert (none.t.shape, none.y.shape, none.t.dtype) == ((0, 9), (0, 4, 9), object)
 
 
@@ -258,7 +268,7 @@ def test_an_event_on_the_horizon_has_no_derivative_there():
     trajectory = solve(Scene(pair, State(v1="1.5"), Fraction(*first.as_integer_ratio())))
     assert len(trajectory.events) == 1
     with pytest.raises(EventUndecided, match="horizon"):
-        _ = trajectory.sensitivity
+        sensitivities(trajectory)
 
 
 def scene_file(tmp_path):
@@ -271,7 +281,7 @@ def scene_file(tmp_path):
 def test_json_carries_them(arithmetic, tmp_path, capsys):
     assert main(["solve", scene_file(tmp_path), "--json", "--sensitivity", "--arithmetic", arithmetic]) == 0
     record = json.loads(capsys.readouterr().out)
-    truth = solve(Scene(PAPER, State(v1="0.15"), 1), digits=60, arithmetic="ball").sensitivity
+    truth = sensitivities(solve(Scene(PAPER, State(v1="0.15"), 1), digits=60, arithmetic="ball"))
     for event, t, y in zip(record["events"], truth.t, truth.y, strict=True):
         assert set(event["sensitivity"]) == {"t", "x1", "v1", "x2", "v2"}
         for row, true in zip(event["sensitivity"].values(), (t, *y), strict=True):
@@ -297,7 +307,7 @@ def exponent(text):
 def test_the_archive_and_the_table_carry_them(tmp_path, capsys):
     path = tmp_path / "out.npz"
     assert main(["solve", scene_file(tmp_path), "--npz", str(path), "--sensitivity", "--digits", "20"]) == 0
-    found = solve(Scene(PAPER, State(v1="0.15"), 1)).sensitivity
+    found = sensitivities(solve(Scene(PAPER, State(v1="0.15"), 1)))
     with np.load(path) as archive:
         assert tuple(archive["sensitivity_wrt"]) == WRT
         for name in ("t", "y", "final", "energy"):

@@ -10,7 +10,7 @@ import sympy as sp
 
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
-from numerics.trajectory.trajectory import Status
+from numerics.trajectory.status import Status
 from paper_checks import samples
 from paper_checks.checks import section3_convergence, section3_itineraries, section3_near_critical, section3_viscous
 from paper_checks.evidence import Verdict
