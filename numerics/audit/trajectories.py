@@ -35,7 +35,7 @@ MOST_RESIDUAL = {
 """Largest energy residual, relative to all the energy that changed hands; mpmath works with 42 digits here."""
 _KEPT = 5
 _PATIENCE = 20
-"""Times as many scenes of a kind are drawn at most, until every arithmetic has answered one."""
+"""So many more scenes of a kind are drawn at most, until every arithmetic has answered one."""
 
 SOLVERS: dict[str, Solver] = {
     "float64": lambda scene: solve(scene, max_events=MAX_EVENTS),
@@ -54,7 +54,7 @@ def audit_trajectories(
     ledgers = {name: Ledgers(name) for name in SOLVERS}
     for kind, draw in KINDS.items():
         comparison, random = Comparison(kind), Random(f"{seed} {kind}")
-        while comparison.scenes < cases or (comparison.silent and comparison.scenes < _PATIENCE * cases):
+        while comparison.scenes < cases or (comparison.silent and comparison.scenes < cases + _PATIENCE):
             progress(f"trajectories: {kind}, scene {comparison.scenes + 1} of {cases}")
             comparison.compare(draw(random), solvers or SOLVERS, ledgers)
         yield comparison.row()
