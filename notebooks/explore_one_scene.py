@@ -28,15 +28,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 from IPython.display import Latex, Markdown, display
 
+from numerics import Pair, Scene, State, sensitivities, solve
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.errors import EventUndecided, PrecisionExhausted
-from numerics.faces.plot import draw
+from numerics.faces.plot import overview
 from numerics.long_time.excursion_map import excursions
 from numerics.motion.frame import Frame
 from numerics.motion.modes import EventKind
-from numerics.scene import Pair, Scene, State
-from numerics.solver.solve import solve
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.export import as_record
 from paper_checks.formula import equation
@@ -67,8 +66,8 @@ display(
 
 # %%
 fast = solve(scene)
-display(draw(fast))
-fast.message
+display(overview(fast))
+fast
 
 # %% [markdown]
 # The same algorithm runs over mpmath numbers and over balls. With balls the order of all events is proved and every
@@ -163,6 +162,16 @@ rows = [
 head = "| float64, in J | $E(0)$ | $E(5)$ | friction | viscous | residual |\n|---|---|---|---|---|---|\n"
 display(Markdown(head + "\n".join(rows)))
 print(f"damped, in balls: residual {solve(damped, digits=15, arithmetic='ball').ledger.residual} J")
+solve(damped).plot("energy")
+plt.show()
+
+# %% [markdown]
+# ## What depends on what
+#
+# `sensitivities` differentiates through all events: how the final state moves with the initial one and the parameters.
+
+# %%
+sensitivities(fast)
 
 # %% [markdown]
 # ## On the edge

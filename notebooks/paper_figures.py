@@ -22,9 +22,8 @@
 # %config InlineBackend.figure_formats = ["svg"]
 from IPython.display import Markdown
 
+from numerics import load_scene, solve
 from numerics.motion.modes import Mode
-from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
 from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.figures import FIGURES
 from paper_checks.steps.perpetual_slips import every_excursion, first_exit, starts_below

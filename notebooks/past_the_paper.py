@@ -27,11 +27,11 @@ from flint import arb
 from IPython.display import Latex, display
 from sympy import lambdify
 
+from numerics import Pair, Scene, State
 from numerics.long_time.energy import energy_at
 from numerics.merging.cell import CRITICAL_SHARE, Verdict
 from numerics.merging.figure import draw_map
 from numerics.merging.map import Window, merging_cells
-from numerics.scene import Pair, Scene, State
 from paper_checks.formula import equation
 from theory import excursion, near_critical, return_map
 from theory.symbols import q, theta
