@@ -82,7 +82,7 @@ def depth_and_cotangent(x: Number) -> tuple[Number, Number]:
 
 def _cancelled_bits(x: Any) -> int:
     """Return how many leading bits |x| falls short of 1, plus a guard."""
-    return max(0, -int(mpmath.mag(x))) + 8 if x != 0 else 8
+    return max(0, -int(mpmath.mag(x))) + 8 if x and mpmath.isfinite(x) else 8
 
 
 def sign(x: Number, question: int) -> int:  # noqa: ARG001
