@@ -11,7 +11,8 @@ from sympy import Expr, Rational
 from numerics.motion.modes import Mode
 from numerics.scene import Scene
 from numerics.solver.solve import solve
-from numerics.trajectory.trajectory import Status, Trajectory
+from numerics.trajectory.status import Status
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.evidence import Evidence, EvidenceKind
 
 ENGINE = "python-flint"

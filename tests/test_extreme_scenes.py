@@ -10,9 +10,9 @@ from extremes.regenerate import ANSWERS, HERE, answer, catalogue, scene
 
 from numerics.errors import EventUndecided, NumericsError
 from numerics.long_time.energy import energy_at
-from numerics.motion.modes import mode_at_start
+from numerics.motion.begin import mode_at_start
 from numerics.solver.solve import solve
-from numerics.trajectory.export import as_record
+from numerics.solver.truth import record as as_record
 
 CATALOGUE = catalogue()
 ANSWER = json.loads(ANSWERS.read_text("utf-8"))
@@ -97,7 +97,7 @@ def test_right_to_the_digits_claimed_or_refused(name, way):
     if isinstance(found, NumericsError):
         assert type(found).__name__ in refusal.split(" or ")
         assert str(found).isprintable()
-        assert "ball" in str(found) or "raise the precision" in str(found)
+        assert "ball" in str(found) or "raise max_digits" in str(found)
     else:
         assert "right" in refusal.split(" or ")
         require_right(found, ANSWER[name], scene(name).pair)

@@ -30,7 +30,9 @@ class DoubleDouble(Multiprecision):
         """Return a number as its binary64 number and that of the rest, in this context; raises OutOfRange."""
         high = float(x)
         if x != 0 and not SMALLEST < abs(high) < LARGEST:
-            raise OutOfRange("a number of this scene is beyond the range of double-double (1e-130 to 1e100); use balls")
+            raise OutOfRange(
+                'a number of this scene is beyond the range of double-double (1e-130 to 1e100); use arithmetic="ball"'
+            )
         return two_sum(high, float(x - high))
 
 

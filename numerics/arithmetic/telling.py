@@ -1,9 +1,9 @@
 """One text, told in each arithmetic: the same code object with that arithmetic's words in its globals.
 
-A text is a plain function under `@text`. It calls other texts, and words: `sqrt`, `sign`, `finite`, ... Its module imports
-the words from float64.py, so as it stands it speaks binary64. Told in another arithmetic, every word that its code loads
-as a global is that arithmetic's, and every text that it calls is told too. numba (an optional extra) then compiles what
-was told, as a second, free choice: the bits are the same.
+A text is a plain function under `@text`. It calls other texts, and words: `sqrt`, `sign`, `finite`, ... Its module
+imports the words from float64.py, so as it stands it speaks binary64. Told in another arithmetic, every word that its
+code loads as a global is that arithmetic's, and every text that it calls is told too. numba (an optional extra) then
+compiles what was told, as a second, free choice: the bits are the same.
 
 What numba compiles is kept in the user's cache folder, under a name made from the sources of all texts, since numba
 itself would not notice that a called text has changed.
@@ -158,19 +158,16 @@ def _called_texts(function: Any) -> Iterator[tuple[str, Any]]:
             yield name, inner
 
 
+@cache
 def can_compile() -> bool:
-    """Return whether numba is installed and not switched off by NUMBA_DISABLE_JIT."""
-    return os.environ.get("NUMBA_DISABLE_JIT", "0") in {"", "0"} and _numba_is_installed()
+    """Return whether numba is installed and not switched off by NUMBA_DISABLE_JIT, which numba reads once, too."""
+    off = os.environ.get("NUMBA_DISABLE_JIT", "0") not in {"", "0"}
+    return not off and importlib.util.find_spec("numba") is not None
 
 
 def compiles_now() -> bool:
     """Return whether compiled code is at hand: numba is installed, and has been imported already."""
     return "numba" in sys.modules and can_compile()
-
-
-@cache
-def _numba_is_installed() -> bool:
-    return importlib.util.find_spec("numba") is not None
 
 
 def compiled_word(word: Any) -> Any:

@@ -61,7 +61,7 @@ def run_float64(scene: Scene, max_events: int, progress: Progress | None = None)
     telling = run_telling(FLOAT64, is_damped=scene.pair.a1 > 0)
     row, literal = scene_row(scene), scene.law is Law.THREE_VALUED_SGN
     end = np.empty(end_length(1))
-    if row is not None and compiles_now():
+    if row is not None and worth_compiling():
         rows = np.empty((_room(row, max_events), row_length(1)))
         count = telling.compiled(solve_row)(row, literal, max_events, rows, end)
         if count > len(rows):
@@ -71,6 +71,18 @@ def run_float64(scene: Scene, max_events: int, progress: Progress | None = None)
             return _floats(scene, rows[:count], end, progress)
     begun = begin(scene, _FLOAT64)
     return _floats(scene, *_from_start(telling, begun, 1, max_events, (scene, progress)), progress)
+
+
+_SEEN = [0]
+"""How many scenes were solved in float64 so far."""
+_MANY = 200
+"""So many short runs cost Python what it takes numba to come."""
+
+
+def worth_compiling() -> bool:
+    """Return whether compiled code is at hand, or there have been so many runs that it is worth the wait."""
+    _SEEN[0] += 1
+    return compiles_now() or (_SEEN[0] > _MANY and can_compile())
 
 
 def run_double_double(scene: Scene, max_events: int, progress: Progress | None = None) -> Trajectory:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
+import numpy as np
+
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
@@ -59,7 +61,11 @@ def solve(
             if value is not None:
                 require_whole(name, value, 1)
     found = _solve(scene, digits, arithmetic, (max_events, max_digits, progress))
-    return found if t_eval is None else found.but(t_eval=t_eval)
+    if t_eval is None:
+        return found
+    if np.ndim(t_eval) != 1:
+        raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
+    return found.but(t_eval=t_eval)
 
 
 def _solve(

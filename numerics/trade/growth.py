@@ -1,7 +1,7 @@
 """How cost grows: with digits, with the number of events, with the size of a batch and the cores, with the mass ratio.
 
-Only our own methods are followed here, and of solve_many batches only. Beside the digits stands the cost of one arb.sin_cos at the same precision, the
-least that a transcendental event could cost.
+Only our own methods are followed here; solve_many by the size of its batches. Beside the digits stands the cost of one
+arb.sin_cos at the same precision, the least that a transcendental event could cost.
 """
 
 from __future__ import annotations

@@ -133,8 +133,10 @@ def _compared_writer(trajectory: Trajectory, truth: Trajectory) -> Writer:
         final = dict(zip(("t", *END_NAMES), (truth.end_time, *_end_values(truth)), strict=True))
 
     def write(name: str, value: Number, index: int) -> Written:
-        at_event = times[index] if name == "t" or index < 0 else states[STATE_NAMES.index(name), index]
-        true = final[name] if index < 0 else at_event
+        if index < 0:
+            true = final[name]
+        else:
+            true = times[index] if name == "t" else states[STATE_NAMES.index(name), index]
         with truth.arithmetic.context():
             return {name: right_digits_text(as_fraction(value), distance(value, true), most)}
 

@@ -21,8 +21,9 @@ END_CODES = (
     *("how", "events", "mode", "first_mode", "certain", "digits", "worst"),
     *("x_error", "v1_error", "v2_error", "place_error", "w_error", "spent_error", "damped_error"),
 )
-"""Floats of the end: how the run ended (codes.py), how many events it had, the mode there and at the start, whether the bounds
-leave no doubt about the sequence of events, right digits and the relative error of all events by the bounds; bounds on the errors."""
+"""Floats of the end: how the run ended (codes.py), how many events it had, the mode there and at the start, whether the
+bounds leave no doubt about the sequence of events, right digits and the relative error of all events by the bounds;
+bounds on the errors."""
 END_NUMBERS = (
     *("tau", "length", "X", "V1", "V2", "Z", "w", "spent", "damped"),
     *("X0", "V10", "V20", "Z0", "w0", "length_unit", "rate", "energy_unit"),

@@ -1,7 +1,7 @@
 """Numbers as decimal text that carries the digits that are right, no more.
 
-A ball is printed with its radius, rounded outwards: [text - radius, text + radius] contains the true value. A float64
-or mpmath number is compared with a ball from an independent solve, and cut where the two part.
+A ball is printed with its radius, rounded outwards: [text - radius, text + radius] contains the true value. A point is
+cut at the bound of its error, or where it parts from a ball of an independent solve.
 """
 
 from __future__ import annotations

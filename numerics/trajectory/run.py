@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from typing import Any, Self
 
@@ -23,7 +24,7 @@ class Run:
 
     def __init__(
         self,
-        scene: Scene,
+        scene: Scene | Callable[[], Scene],
         arithmetic: Arithmetic,
         record: Record,
         *,
@@ -36,13 +37,18 @@ class Run:
 
         reached; `tried`: why the arithmetic was chosen, where `solve` chose it.
         """
-        self.scene, self.arithmetic, self.record = scene, arithmetic, record
+        self._given, self.arithmetic, self.record = scene, arithmetic, record
         self.bounded, self.digits, self.tried, self.t_eval = bounded, digits, tried, t_eval
 
     def but(self, **changed: Any) -> Self:
         """Return the same trajectory with other `digits`, `tried` or `t_eval`."""
         kept = {name: getattr(self, name) for name in ("bounded", "digits", "tried", "t_eval")}
-        return type(self)(self.scene, self.arithmetic, self.record, **(kept | changed))
+        return type(self)(self._given, self.arithmetic, self.record, **(kept | changed))
+
+    @cached_property
+    def scene(self) -> Scene:
+        """Return the scene; a prepared solver makes it when it is looked at."""
+        return self._given if isinstance(self._given, Scene) else self._given()
 
     @property
     def certain(self) -> bool:

@@ -183,7 +183,8 @@ def energy_dissipation_places(context: Context) -> Finding:
 @check("viscous-no-direct-effect")
 def viscous_no_direct_effect(context: Context) -> Finding:
     """Show that the sliding region and the adhesion force depend on a1."""
-    from numerics.motion.modes import Mode, mode_at_start
+    from numerics.motion.begin import mode_at_start
+    from numerics.motion.modes import Mode
     from numerics.scene import Pair, Scene, State
     from paper_checks.evidence import EvidenceKind
 

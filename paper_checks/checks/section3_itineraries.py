@@ -5,7 +5,8 @@ from __future__ import annotations
 from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
-from numerics.trajectory.trajectory import Status, Trajectory
+from numerics.trajectory.status import Status
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, exact, itinerary, solved, text
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
 from paper_checks.registry import Context, check

@@ -12,7 +12,8 @@ from flint import arb
 from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Law, Pair, Scene
 from numerics.scene.file import load_scene
-from numerics.trajectory.trajectory import Segment, Trajectory
+from numerics.trajectory.segment import Segment
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
 from paper_checks.evidence import Evidence, EvidenceKind, Finding, Subject, Verdict, conclude
 from paper_checks.exact import identity
@@ -66,7 +67,7 @@ def _slips(trajectory: Trajectory) -> int:
 def _ends(trajectory: Trajectory, segment: Segment) -> tuple[tuple[arb, arb], tuple[arb, arb]]:
     """Return (x1, v1) at both ends of a segment, SI."""
     frame = trajectory.frame
-    states = [segment.motion.state(tau) for tau in (frame.arithmetic.number(0), segment.length)]
+    states = [segment.state(tau) for tau in (frame.arithmetic.number(0), segment.length)]
     first, last = (frame.si_state(state)[:2] for state in states)
     return first, last
 
@@ -78,7 +79,7 @@ def peak_after_adhesion(trajectory: Trajectory) -> arb:
         for segment in trajectory.segments[_slips(trajectory) + 1 :]:
             (x, v), (end, _) = _ends(trajectory, segment)
             if segment.mode is Mode.STICK and x < 0 < end and v > 0:
-                return frame.speed * (1 + segment.motion.state(frame.arithmetic.number(0)).w).sqrt()
+                return frame.speed * (1 + segment.state(frame.arithmetic.number(0)).w).sqrt()
     raise ValueError("no such stick phase in the solved time; solve further")
 
 

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from numerics.solver.solve import MAX_EVENTS, solve
+from numerics.run.one import MAX_EVENTS
+from numerics.solver.solve import solve
 from numerics.trade.front import Point
 from numerics.trade.growth import Growth
 from numerics.trade.ours import BALL, COMPILED, MPMATH, OBJECTS, PLAIN

@@ -11,7 +11,8 @@ import sympy as sp
 from flint import arb
 
 from numerics.motion.modes import EventKind
-from numerics.trajectory.trajectory import Event, Trajectory
+from numerics.trajectory.segment import Event
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import ball, compare, exact
 from paper_checks.evidence import Evidence
 from paper_checks.exact import identity

@@ -155,6 +155,12 @@ def test_times_beyond_the_horizon_are_refused():
         solve(PAPER, t_eval=[1, 4]).y  # noqa: B018
 
 
+@pytest.mark.parametrize("times", [1, "abc", [[1, 2]]])
+def test_times_that_are_no_sequence_are_refused_at_once(times):
+    with pytest.raises(ValueError, match="sequence of times"):
+        solve(PAPER, t_eval=times)
+
+
 @pytest.mark.parametrize("how", HOW[:4])
 def test_mode_at_takes_arrays(how):
     run = solve(PAPER, **how)
