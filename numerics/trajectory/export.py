@@ -133,10 +133,7 @@ def _compared_writer(trajectory: Trajectory, truth: Trajectory) -> Writer:
         final = dict(zip(("t", *END_NAMES), (truth.end_time, *_end_values(truth)), strict=True))
 
     def write(name: str, value: Number, index: int) -> Written:
-        if index < 0:
-            true = final[name]
-        else:
-            true = times[index] if name == "t" else states[STATE_NAMES.index(name), index]
+        true = final[name] if index < 0 else (times if name == "t" else states[STATE_NAMES.index(name)])[index]
         with truth.arithmetic.context():
             return {name: right_digits_text(as_fraction(value), distance(value, true), most)}
 
