@@ -17,7 +17,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.telling import can_compile
 from numerics.batch.parallel import available_cores
 from numerics.trade import ours
-from numerics.trade.child import Child
+from numerics.trade.child import Child, Deadline
 from numerics.trade.clock import compiled_pair_seconds, timed
 from numerics.trade.contender import Contender
 from numerics.trade.judge import first_difference
@@ -143,15 +143,17 @@ def growth(
     limits: Limits,
     progress: Callable[[str], None],
     source: str,
+    deadline: Deadline,
 ) -> Iterator[Growth]:
-    """Yield every curve of the contenders that are ours."""
+    """Yield every curve of the contenders that are ours, as long as there is time."""
     own = [one for one in contenders if one.ours and one.label != ours.MANY]
-    if not own:
-        return
-    progress("growth along digits")
-    yield from along_digits(child, own, extent, limits, source)
-    for axis in ("events", "m1/m2"):
+    curves = {
+        "digits": along_digits(child, own, extent, limits, source),
+        "events": along_scenes(child, references, "events", own, extent, limits, source),
+        "m1/m2": along_scenes(child, references, "m1/m2", own, extent, limits, source),
+        "batches": along_batches(extent),
+    }
+    for axis, curve in curves.items() if own else ():
         progress(f"growth along {axis}")
-        yield from along_scenes(child, references, axis, own, extent, limits, source)
-    progress("growth along batches")
-    yield from along_batches(extent)
+        while deadline.left() > 0 and (point := next(curve, None)) is not None:
+            yield point

@@ -143,6 +143,12 @@ def _ended(status: Status, note: str, told: dict[str, Any]) -> Ran:
     )
 
 
+def not_tried(contender: Contender, scene: Benchmark, setting: float, note: str) -> Measurement:
+    """Return that a setting was not tried, and why."""
+    ran = Ran(Status.NOT_TRIED, note)
+    return Measurement(contender.label, contender.ours, scene.name, contender.knob, setting, ran, None)
+
+
 def measure(
     child: Child,
     references: References,
@@ -156,11 +162,11 @@ def measure(
     found: list[Measurement] = []
     stopped: str | None = None
     for setting in settings:
-        if stopped is None:
-            ran = run(child, source, contender.label, scene, setting, limits)
-            stopped = ran.note if ran.status is Status.STOPPED else None
-        else:
-            ran = Ran(Status.NOT_TRIED, f"a coarser setting was {stopped}")
+        if stopped is not None:
+            found.append(not_tried(contender, scene, setting, f"a coarser setting was {stopped}"))
+            continue
+        ran = run(child, source, contender.label, scene, setting, limits)
+        stopped = ran.note if ran.status is Status.STOPPED else None
         verdict = None
         if ran.outcome is not None:
             digits = reference.digits_for(contender.knob, setting)

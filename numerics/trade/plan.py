@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from numerics.errors import NumericsError
-from numerics.trade.child import Child
+from numerics.trade.child import Child, Deadline
 from numerics.trade.contender import Contender, all_contenders
 from numerics.trade.front import Point, points
 from numerics.trade.growth import Extent, Growth, growth
 from numerics.trade.interface import Wait, interface
 from numerics.trade.machine import machine
-from numerics.trade.measure import SOURCE, Limits, Measurement, References, measure
+from numerics.trade.measure import SOURCE, Limits, Measurement, References, measure, not_tried
 from numerics.trade.reference import POINT_DIGITS
 from numerics.trade.scenes import Benchmark, benchmarks
 
 Progress = Callable[[str], None]
+TIME_IS_UP = "the time for this size was up; a larger --size, or --only"
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,8 @@ class Size:
     """how long the parent waits for one run of the long scene, s"""
     extent: Extent
     reference_limit: float = 900.0
+    whole: float = math.inf
+    """after so many seconds nothing more is begun, s; ours come first"""
 
 
 _DECADES = (10.0, 30.0, 50.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
@@ -48,7 +52,8 @@ SIZES = {
         scenes=("figure-4b-b05", "near-critical-1e-6", "long"),
         limits=Limits(prepare=30, run=0.5, budget=0.02),
         long_run=0.5,
-        extent=Extent((10, 100, 1000), (10, 100), (1, 100), (-12, 0, 12)),
+        extent=Extent((10, 100), (10, 100), (1, 100), (-12, 0, 12)),
+        whole=50,
     ),
     "default": Size(
         settings=3,
@@ -113,20 +118,26 @@ def trade(
     left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
     present = [one for one in everyone if one.label not in left_out]
     found: list[Measurement] = []
+    deadline = Deadline(size.whole)
     with Child() as child, Child() as prover:
         references = References(prover, size.reference_limit)
         for scene in scenes:
             progress(f"{scene.name}: the proved reference")
             references.get(scene, POINT_DIGITS)
         for contender in present:
-            child.end()  # a new one for each, which then imports once for all scenes
+            if not contender.ours:
+                child.end()  # a new one for each, which then imports once for all scenes
             for scene in scenes:
                 limits = replace(size.limits, run=size.long_run) if scene.name.startswith("long") else size.limits
                 progress(f"{contender.label}: {scene.name}")
+                if deadline.left() == 0:
+                    found += [not_tried(contender, scene, one, TIME_IS_UP) for one in settings(contender, size)]
+                    continue
+                limits = replace(limits, prepare=min(limits.prepare, deadline.left()))
                 found += measure(child, references, contender, scene, settings(contender, size), limits, source)
-        grown = list(growth(child, references, present, size.extent, size.limits, progress, source))
+        grown = list(growth(child, references, present, size.extent, size.limits, progress, source, deadline))
     waits = []
-    if not only and contenders is None:
+    if not only and contenders is None and deadline.left() > 0:
         progress("what a user waits for")
         waits = interface(size.limits.budget, size_name != "small")
     return Trade(size_name, machine(), scenes, present, left_out, found, references.as_records(), grown, waits)
