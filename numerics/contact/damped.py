@@ -151,7 +151,7 @@ def first_fall(of: Oscillator, y: Number, v: Number, c: Number, level: bool, ris
             spared = min(spared, max(rough(value), 0.0))
         if is_last:
             break
-        point = point + step
+        point = point + step if of.regime > 0 else step
         left, rose, count = right, rises, count + 1
     return undefined(), 0.0
 
