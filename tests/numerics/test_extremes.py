@@ -147,11 +147,21 @@ def test_damping_of_every_size(a1):
     balls = solve(scene, digits=50, arithmetic="ball")
     points = solve(scene, arithmetic="mpmath", digits=60)
     require_same_sequence(points, balls)
-    for arithmetic in ("float64", "double-double"):  # the latter had no infinite step to the next piece of a guard
+    for arithmetic in ("float64", "double-double"):
         try:
             require_same_sequence(solve(scene, arithmetic=arithmetic), balls)
         except OutOfRange:
             assert a1 in ("1e-300", "1e150", "1e300")
+
+
+@pytest.mark.parametrize("a1", [2, 3, 10])
+@pytest.mark.parametrize(("x1", "v1", "v2"), [(-2, -2, -5), (0, 0, 20), (2, 5, -15), (0, -5, 15), (-5, -5, -25)])
+def test_slips_without_oscillation_in_every_arithmetic(a1, x1, v1, v2):
+    """Their guard has one turn at most; the next one is at infinity, which double-double took for no number."""
+    scene = Scene(Pair(1, 1, 1, 1, a1), State(x1=x1, v1=v1, v2=v2), until=50)
+    balls = solve(scene, digits=20, arithmetic="ball")
+    for arithmetic in ("float64", "double-double", "mpmath"):
+        require_same_sequence(solve(scene, arithmetic=arithmetic), balls)
 
 
 def test_an_exact_graze_with_irrational_data_is_undecided():
