@@ -128,7 +128,8 @@ def _roughly(record: Any) -> Any:
     """Return a record with binary64 numbers in the place of balls."""
     if isinstance(record, arb):
         return rough(record)
-    return type(record)._make(_roughly(one) for one in record) if isinstance(record, tuple) else record
+    make = getattr(type(record), "_make", tuple)
+    return make(_roughly(one) for one in record) if isinstance(record, tuple) else record
 
 
 def _numbers(record: Any) -> list[float]:
