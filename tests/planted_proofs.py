@@ -25,7 +25,7 @@ FREE = [
         "-> g t = -1) /\\ (V1 t < V2 t -> g t = 1) }",
         "an arc's friction",
     ),
-    ("Paper", "(PI * sqrt ((m1 + m2) / a2))", "(PI * sqrt (m1 / a2))", "the stay on S0"),
+    ("Paper", "tau n - te n) (PI * sqrt ((m1 + m2) / a2))", "tau n - te n) (PI * sqrt (m1 / a2))", "the stay on S0"),
     (
         "Merge",
         "<-> m2 / (m1 + m2) * depth p ^ 2 < hh p ^ 2)",

@@ -3,20 +3,8 @@
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp MergeSet Gap
-  Alternate Cross Alternation Margin Reentry Kappa.
+  Alternate Cross Alternation Margin Reentry Kappa Return.
 Local Open Scope R_scope.
-
-(** t1 is the next contact after t0; t is the first contact in [-l, l] after t0, all earlier ones being crossings *)
-Definition contact_after (v1 v2 : R -> R) t0 t1 := t0 < t1 /\ (forall t, t0 < t < t1 -> v1 t <> v2 t) /\ v1 t1 = v2 t1.
-Inductive first_reentry (l : R) (x v1 v2 : R -> R) : R -> R -> Prop :=
-  | fr_in t0 t1 : contact_after v1 v2 t0 t1 -> - l <= x t1 <= l -> first_reentry l x v1 v2 t0 t1
-  | fr_cross t0 t1 t : contact_after v1 v2 t0 t1 -> ~ (- l <= x t1 <= l) -> first_reentry l x v1 v2 t1 t ->
-    first_reentry l x v1 v2 t0 t.
-Lemma contact_unique v1 v2 t0 t1 t1' : contact_after v1 v2 t0 t1 -> contact_after v1 v2 t0 t1' -> t1 = t1'.
-Proof.
-  intros (A & B & C) (A' & B' & C'). destruct (Rtotal_order t1 t1') as [Lt|[|Gt]]; auto; exfalso;
-    [apply (B' t1)|apply (B t1')]; auto.
-Qed.
 
 Section Equivalence.
 Variables m1 m2 a2 b : R.

@@ -122,6 +122,51 @@ CITED: dict[str, tuple[str, str]] = {
         "Equivalence.merging_set",
         "At the first re-entry after any number of crossings the pair merges exactly if its slip angle is in one interval.",
     ),
+    "first-re-entry": (
+        "Return.returns",
+        "From beyond S0, or from an exit ray, a solution comes back to S0 after finitely many slips, for every mass ratio.",
+    ),
+    "merging-set": (
+        "Merging.merging_set_energies",
+        "For m1/m2 <= -cos 2 phi*: the energies on S0 that merge at the first re-entry, which exists, are exactly one interval.",
+    ),
+    "no-low-level": (
+        "Levels.no_low_level",
+        "For m1/m2 > -cos 2 phi*: no slip from S, whatever its gap and push, ends at or below E_cr.",
+    ),
+    "heavy-never-merges": (
+        "Heavy.heavy_never_merges",
+        "For m1/m2 > -cos 2 phi*: no solution that has touched S above E_cr ever merges, after whatever number of slips.",
+    ),
+    # the surface, the sliding region and the case study, for solutions
+    "rate-above": ("Surface.rate_above", "While v1 > v2 the relative velocity has the rate Phi+ . n_S."),
+    "rate-below": ("Surface.rate_below", "While v1 < v2 the relative velocity has the rate Phi- . n_S."),
+    "transversal-beyond": ("Surface.transversal_beyond", "On S beyond S0 both rates have the sign of -x."),
+    "transversal-inside": ("Surface.transversal_inside", "Each field points back to S exactly in the interior of S0."),
+    "slips-beyond": (
+        "Surface.slips_beyond",
+        "At a contact beyond S0 every solution slips at once, with the sign of -x.",
+    ),
+    "slips-on-ray": (
+        "Surface.slips_on_ray",
+        "On an edge of S0, moving outwards, every solution slips at once, inwards.",
+    ),
+    "sticks-inside": ("Surface.sticks_inside", "On S0, but for the exit rays, every solution sticks for a while."),
+    "arc-to-ray": ("Cross.to_ray", "On S0 above E_cr every solution sticks until it reaches one of the two exit rays."),
+    "ellipse-iff": ("Surface.ellipse_iff", "An ellipse on S is a solution exactly if its energy is at most E_cr."),
+    "slips-from-rest": (
+        "Example.slips_from_rest",
+        "Case study, b = 0.5: released at rest beyond 5 mm every solution slips at once.",
+    ),
+    "slips-from-6-mm": (
+        "Example.six_millimetres",
+        "Case study, b = 0.5: released at rest at 6 mm every solution slips at once.",
+    ),
+    "sticks-from-rest": ("Example.rest_inside", "Released at rest inside S0 every solution sticks for ever."),
+    "sticks-from-5-mm": (
+        "Example.five_millimetres",
+        "Case study, b = 0.5: released at rest up to 5 mm every solution sticks for ever.",
+    ),
     # damping
     "captive-sticks": ("Viscous.captive_sticks", "On S below the captive level the pair sticks for ever."),
     "captive-merges": (

@@ -31,7 +31,7 @@ NAMES = {one: one.name for one in (m1, m2, a1, a2, b, t)} | {
 }
 HEADER = f"""(** Written by paper_checks/proofs/ties.py: each definition of the proofs is what the theory derives. *)
 From Coq Require Import Reals Lra Psatz Nsatz.
-From {LIBRARY} Require Import Dini Pair Stick Excursion Rate Turning Cycle Orbit Gap Alternate Sharp Viscous.
+From {LIBRARY} Require Import Dini Pair Stick Excursion Rate Turning Cycle Orbit Gap Alternate Sharp Surface Viscous.
 Local Open Scope R_scope.
 
 (** every square root of a parameter as a letter of its own *)
@@ -134,6 +134,13 @@ def _surface() -> Iterator[Tie]:
         _equal("m1 m2 a2 b", PAIR, "Ecr m1 m2 a2 b", energy.critical_energy()),
         "intros; unfold Ecr; field; lra.",
     )
+    for sign, name in ((1, "above"), (-1, "below")):
+        yield Tie(
+            f"tie_rate_{name}",
+            f"The rate of the relative velocity {name} S: the field's normal component.",
+            _equal("m1 m2 a2 b x", PAIR, f"normal_rate m1 m2 a2 b ({sign}) x", filippov.transversality(sign)),
+            "intros; unfold normal_rate; field; lra.",
+        )
     yield Tie(
         "tie_captive",
         "With damping: the level whose ellipse lies in the sliding region.",
