@@ -60,5 +60,47 @@ FORCED = [
     ("Sync", "T + Rabs (w T) / (kap * g) <= t", "T + Rabs (w T) / (2 * kap * g) <= t", "caught twice as fast"),
 ]
 
-PLANTED = FREE + FORCED
-QUICK = {"half the longest stay", "a decimal", "the sharp constant"}
+PAST = [
+    (
+        "Levels",
+        "- cos (2 * ps) < m1 / m2 -> forall p d,",
+        "m1 / m2 < - cos (2 * ps) -> forall p d,",
+        "light drivers' levels",
+    ),
+    ("Return", "* (depth p * (depth p + 2 * d)). Proof", "* (depth p * (depth p + d)). Proof", "the loss of a slip"),
+    (
+        "Return",
+        "Rabs (x u - x t) <= sqrt (2 * e / m1)",
+        "Rabs (x u - x t) <= sqrt (e / m1)",
+        "body 1 slower than it is",
+    ),
+    (
+        "Heavy",
+        "- cos (2 * ps) < m1 / m2 -> forall x v1 v2 s t0,",
+        "m1 / m2 < - cos (2 * ps) -> forall x v1 v2 s t0,",
+        "light drivers that never merge",
+    ),
+    ("Merging", "<-> El <= energy", "<-> El < energy", "the merging interval without its end"),
+    ("Surface", "< t + T -> 0 < x t * (v2 u - v1 u).", "< t + T -> 0 < x t * (v1 u - v2 u).", "the sign of a slip"),
+    ("Surface", "- L < y < L <-> normal_rate", "- L <= y <= L <-> normal_rate", "transversality on an edge"),
+    ("Surface", "(x t = L -> v1 t <= 0)", "(x t = L -> v1 t <= 1)", "sticking on an exit ray"),
+    (
+        "Surface",
+        "energy m1 m2 a2 x0 v0 v0 <= Ecr. Proof. split",
+        "energy m1 m2 a2 x0 v0 v0 < Ecr. Proof. split",
+        "no critical ellipse",
+    ),
+    ("Example", "x 0 = 6 / 1000 ->", "x 0 = 5 / 1000 ->", "slipping from 5 mm"),
+    ("Example", "- (5 / 1000) <= x 0 <= 5 / 1000 ->", "- (6 / 1000) <= x 0 <= 6 / 1000 ->", "sticking from 6 mm"),
+    ("Time", "<= 27 / 2 * sqrt q * hh p ^ 3. Proof", "<= 27 / 2 * sqrt q * hh p ^ 4. Proof", "the cycle time's order"),
+    (
+        "Consequences",
+        "(x t1 < - L m1 m2 a2 b /\\ exists T",
+        "(L m1 m2 a2 b < x t1 /\\ exists T",
+        "crossing on the wrong side",
+    ),
+    ("Consequences", "C * exp (- (k * t)) <= energy", "C * exp (k * t) <= energy", "faster than exponential"),
+]
+
+PLANTED = FREE + FORCED + PAST
+QUICK = {"half the longest stay", "a decimal", "slipping from 5 mm"}

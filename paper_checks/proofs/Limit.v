@@ -312,17 +312,20 @@ Proof.
       apply Rmult_le_compat_l; lra. }
     pose proof (cos_below (om * (u - ts)) ltac:(lra)) as CB.
     set (q := cos (om * (u - ts))) in *. set (zu := om * (u - ts)) in *.
-    assert (zu ^ 2 <= z) by nra.
+    assert (zu ^ 2 <= z).
+    { replace (zu ^ 2) with (zu * zu) by ring. apply Rle_trans with (zu * 1); [apply Rmult_le_compat_l; lra|lra]. }
     assert (Q : R0 - g <= R * q). { assert (1 - z / 2 <= q) by lra. assert (0 < 1 - z / 2) by lra.
       assert (R0 * (1 - z / 2) <= R * q) by (apply Rmult_le_compat; lra). lra. }
     assert (DA : Rabs ((A u - A tc) * cos (om * u)) <= g / 2).
     { rewrite Rabs_mult. assert (Rabs (A u - A tc) <= g / 2) by (apply Rabs_le; lra).
       assert (Rabs (cos (om * u)) <= 1) by (apply Rabs_le; lra).
-      pose proof (Rabs_pos (A u - A tc)). pose proof (Rabs_pos (cos (om * u))). nra. }
+      pose proof (Rabs_pos (A u - A tc)). pose proof (Rabs_pos (cos (om * u))). 
+      apply Rle_trans with (g / 2 * 1); [apply Rmult_le_compat; auto|lra]. }
     assert (DB : Rabs ((B u - B tc) * sin (om * u)) <= g / 2).
     { rewrite Rabs_mult. assert (Rabs (B u - B tc) <= g / 2) by (apply Rabs_le; lra).
       assert (Rabs (sin (om * u)) <= 1) by (apply Rabs_le; lra).
-      pose proof (Rabs_pos (B u - B tc)). pose proof (Rabs_pos (sin (om * u))). nra. }
+      pose proof (Rabs_pos (B u - B tc)). pose proof (Rabs_pos (sin (om * u))). 
+      apply Rle_trans with (g / 2 * 1); [apply Rmult_le_compat; auto|lra]. }
     apply Rabs_inv in DA. apply Rabs_inv in DB. unfold g in *. lra. }
   pose proof (outside_costs ts tau g ltac:(lra) Htau Hg Out) as Cost. fold e0 in Cost.
   pose proof (KT ts ltac:(lra)). pose proof (Hl (ts + tau) ltac:(lra)). lra.

@@ -214,7 +214,10 @@ Proof.
   assert (A1 : v2 ^ 2 <= 2 * v1 ^ 2 + 4 * U * r). { pose proof (pow2_ge_0 (2 * v1 - v2)). nra. }
   (* v1 P = M v1^2 - m2 v1 (v1 - v2) *)
   assert (A2 : v1 * (m1 * v1 + m2 * v2) <= M * v1 ^ 2 + m2 * U * r).
-  { assert (- (v1 * (v1 - v2)) <= U * r). { unfold r, Rabs; destruct Rcase_abs; nra. }
+  { assert (- (v1 * (v1 - v2)) <= U * r).
+    { apply Rle_trans with (Rabs v1 * r).
+      - unfold r. rewrite <- Rabs_mult, <- Rabs_Ropp. apply Rle_abs.
+      - apply Rmult_le_compat_r; [auto|apply Rabs_le; lra]. }
     assert (m2 * - (v1 * (v1 - v2)) <= m2 * (U * r)) by (apply Rmult_le_compat_l; lra). unfold M. lra. }
   assert (A3 : x * - (a2 * x + a1 * v1) <= - (a2 * x ^ 2 / 2) + a1 ^ 2 / (2 * a2) * v1 ^ 2).
   { apply Rminus_le_0. replace (_ - _) with (/ (2 * a2) * (a2 * x + a1 * v1) ^ 2) by (field; lra).
@@ -231,7 +234,8 @@ Proof.
   { apply Rle_trans with (c * ((/ a2 + M) * e)); [apply Rmult_le_compat_l; lra|]. rewrite <- Rmult_assoc.
     apply Rle_trans with (1 / 2 * e); [apply Rmult_le_compat_r; lra|lra]. }
   assert (A6 : k * (e + c * (x * (m1 * v1 + m2 * v2))) <= k * (3 / 2 * e)) by (apply Rmult_le_compat_l; lra).
-  assert (A7 : k * (3 / 2) * (a2 * x ^ 2 / 2) <= c * (a2 * x ^ 2 / 2)). { apply Rmult_le_compat_r; auto. nra. }
+  assert (A7 : k * (3 / 2) * (a2 * x ^ 2 / 2) <= c * (a2 * x ^ 2 / 2)). { apply Rmult_le_compat_r; auto.
+    apply Rmult_le_pos; [apply Rmult_le_pos; [lra|apply pow2_ge_0]|lra]. }
   assert (A8 : k * (3 / 2 * (m1 + 2 * m2)) * v1 ^ 2 <= a1 * v1 ^ 2) by (apply Rmult_le_compat_r; auto).
   assert (A9 : k * (6 * m2 * U) * r <= b * r) by (apply Rmult_le_compat_r; auto).
   assert (A10 : k * (3 / 2) * (m2 * v2 ^ 2 / 2) <= k * (3 / 2) * (m2 * (2 * v1 ^ 2 + 4 * U * r) / 2)).

@@ -55,6 +55,10 @@ CITED: dict[str, tuple[str, str]] = {
     "exits": ("Orbit.exits", "The exits of a solution follow the orbit of the return map."),
     "exit-energy": ("Orbit.exit_energy", "The energy at each exit is E_cr (1 + q y) along that orbit."),
     "cycle-time": ("Orbit.cycle_time", "The time of a cycle differs from pi/Omega by at most 6 sqrt(w)/Omega."),
+    "cycle-time-sharp": (
+        "Time.cycle_time_sharp",
+        "The time of a cycle differs from pi/Omega by at most (27/2) sqrt q u^3/Omega where u <= 2/3: by a constant times w^(3/2).",
+    ),
     "h-increases": ("Excursion.h_increases", "h increases on (0, 2 pi): each push has one slip angle."),
     "depth-upper": ("Rate.depth_upper", "The depth of an excursion is at most (3/2) h^2."),
     "depth-lower": ("Rate.depth_lower", "The depth of an excursion is at least (3/2) (sin phi/phi)^6 h^2."),
@@ -81,6 +85,10 @@ CITED: dict[str, tuple[str, str]] = {
     "exit-and-entry-times": (
         "Paper.times",
         "For every solution that never merges: entries and exits alternate; stays on S0 tend to pi/Omega, slips to 0.",
+    ),
+    "slower-than-exponential": (
+        "Consequences.slower_than_exponential",
+        "A solution that never merges keeps its excess energy above every decaying exponential in the end.",
     ),
     # who merges
     "merges-iff": ("Merge.merges_iff", "From S0 with slip angle up to pi: E > E_cr for ever exactly if r c^2 < h^2."),
@@ -154,6 +162,22 @@ CITED: dict[str, tuple[str, str]] = {
     "sticks-inside": ("Surface.sticks_inside", "On S0, but for the exit rays, every solution sticks for a while."),
     "arc-to-ray": ("Cross.to_ray", "On S0 above E_cr every solution sticks until it reaches one of the two exit rays."),
     "ellipse-iff": ("Surface.ellipse_iff", "An ellipse on S is a solution exactly if its energy is at most E_cr."),
+    "return-alternatives": (
+        "Consequences.return_alternatives",
+        "From v1 < v2 every solution comes into S0, or to S beyond the left end, whence it goes on into v1 > v2 at once.",
+    ),
+    "return-alternatives-mirror": (
+        "Consequences.return_alternatives_mirror",
+        "From v1 > v2 every solution comes into S0, or to S beyond the right end, whence it goes on into v1 < v2 at once.",
+    ),
+    "synchronisation": (
+        "Consequences.relative_velocity_vanishes",
+        "v1 - v2 tends to 0 for all m1, m2, a2, b > 0, a1 >= 0 and from every start.",
+    ),
+    "driven-acceleration": (
+        "Forced.only_gentle",
+        "Body 2 changes its velocity by at most b/m2 times the time, whatever the force.",
+    ),
     "slips-from-rest": (
         "Example.slips_from_rest",
         "Case study, b = 0.5: released at rest beyond 5 mm every solution slips at once.",

@@ -6,6 +6,7 @@ import re
 import subprocess
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -59,17 +60,18 @@ def ask(
     filled = [tuple(group) for group in groups if group]
     lines = [_said(name, f"Check {name}.") for name in theorems]
     lines += [_said(name, f"Print {name}.") for name in definitions]
-    lines += [_assumptions(f"group {number}", group) for number, group in enumerate(filled)]
-    said = _run(compiled, lines)
+    with ThreadPoolExecutor(2) as pool:  # each waits for a process of its own
+        together = [pool.submit(_run, compiled, [_assumptions("all", group)]) for group in filled]
+        printed = pool.submit(_run, compiled, lines).result()
     axioms: dict[str, tuple[str, ...]] = {}
-    for number, group in enumerate(filled):
-        found = _axioms(said.pop(f"group {number}"))
+    for group, answer in zip(filled, together, strict=True):
+        found = _axioms(answer.result()["all"])
         if all(allowed(one) for one in found):
             axioms |= dict.fromkeys(group, found)
         else:
             alone = _run(compiled, [_assumptions(name, [name]) for name in group])
             axioms |= {name: _axioms(text) for name, text in alone.items()}
-    return Answers({name: _trimmed(name, text) for name, text in said.items()}, axioms)
+    return Answers({name: _trimmed(name, text) for name, text in printed.items()}, axioms)
 
 
 def _said(mark: str, command: str) -> str:
