@@ -99,6 +99,7 @@ PAST = [
         "(L m1 m2 a2 b < x t1 /\\ exists T",
         "crossing on the wrong side",
     ),
+    ("Ends", "(forall n, Rabs (x (tau n)) = L)", "(forall n, Rabs (x (te n)) = L)", "entries at the ends"),
     ("Consequences", "C * exp (- (k * t)) <= energy", "C * exp (k * t) <= energy", "faster than exponential"),
 ]
 

@@ -86,6 +86,10 @@ CITED: dict[str, tuple[str, str]] = {
         "Paper.times",
         "For every solution that never merges: entries and exits alternate; stays on S0 tend to pi/Omega, slips to 0.",
     ),
+    "exits-near-endpoints": (
+        "Ends.exits_near_endpoints",
+        "A solution that never merges leaves S0 exactly at its ends, enters it ever closer to them, and ever more slowly.",
+    ),
     "slower-than-exponential": (
         "Consequences.slower_than_exponential",
         "A solution that never merges keeps its excess energy above every decaying exponential in the end.",
