@@ -1,4 +1,7 @@
-(** MERGING.md, A: the identities, and the long slip's next contact. All in the half angle p, theta = 2 p. *)
+(** Long and short slips alternate: the identities and inequalities of one slip after another, in the half angle p
+    (theta = 2 p, k = cot p, c the depth, D = c + gap). A slip is long if its depth alone reaches the other end of S0.
+    After a long slip that crosses, the next contact function at the mirror angle is at least P = pi (1 + k^2) - theta;
+    after a short one that crosses, the next push exceeds that of the shortest long slip by at least P. *)
 From Coq Require Import Reals Lra Psatz Nsatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion Rate Turning Orbit Gap.
@@ -13,10 +16,12 @@ Proof.
   replace (1 + (cos p / sin p) ^ 2) with ((sin p * sin p + cos p * cos p) / sin p ^ 2) by (field; lra).
     rewrite SC. field. lra.
 Qed.
+(** k' = -(1 + k^2) *)
 Lemma derive_ct p : 0 < p < PI -> is_derive ct p (- (1 + ct p ^ 2)).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. unfold ct. auto_derive; [lra|]. field. lra.
 Qed.
+(** h' = c (1 + k^2), in the half angle *)
 Lemma derive_hh p : 0 < p < PI -> is_derive hh p (depth p * (1 + ct p ^ 2)).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
@@ -32,6 +37,7 @@ Proof.
     2:{ field_simplify_eq; [|lra]. ring. }
     rewrite SC. replace (cos p * cos p) with (1 - sin p * sin p) by lra. field. lra.
 Qed.
+(** c' = 2 h, in the half angle *)
 Lemma derive_depth p : 0 < p < PI -> is_derive depth p (2 * hh p).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
@@ -52,12 +58,16 @@ Qed.
 
 (** P = pi (1 + k^2) - theta *)
 Definition Pf p := PI * (1 + ct p ^ 2) - 2 * p.
+(** the slope of P *)
 Definition dP p := - (2 * PI * ct p * (1 + ct p ^ 2)) - 2.
+(** it is the slope *)
 Lemma derive_P p : 0 < p < PI -> is_derive Pf p (dP p).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. unfold Pf, dP, ct. auto_derive; [lra|]. field. lra.
 Qed.
+(** k = 0 at pi/2 *)
 Lemma ct_half_pi : ct (PI / 2) = 0. Proof. unfold ct. rewrite cos_PI2, sin_PI2. field. Qed.
+(** the slope increases beyond pi/2: P is convex there *)
 Lemma dP_incr u v : PI / 2 <= u -> u < v -> v < PI -> dP u < dP v.
 Proof.
   intros. pose proof PI_RGT_0. pose proof (ct_falls u v ltac:(lra) ltac:(lra) ltac:(lra)) as F.
@@ -70,8 +80,10 @@ Proof.
     pose proof (pow2_ge_0 A). nra. }
   assert (2 * PI * (A * (1 + A ^ 2)) < 2 * PI * (B * (1 + B ^ 2))) by (apply Rmult_lt_compat_l; lra). lra.
 Qed.
+(** k = -1/sqrt 3 at 2 pi/3 *)
 Lemma ct_2PI3 : ct (2 * (PI / 3)) = - / sqrt 3.
 Proof. unfold ct. rewrite cos_2PI3, sin_2PI3. pose proof (sqrt_lt_R0 3 ltac:(lra)). field. lra. Qed.
+(** P vanishes at pi/2 and at 2 pi/3 *)
 Lemma P_zeros : Pf (PI / 2) = 0 /\ Pf (2 * (PI / 3)) = 0.
 Proof.
   unfold Pf. rewrite ct_half_pi, ct_2PI3. pose proof (sqrt_lt_R0 3 ltac:(lra)). split; [field|].
@@ -108,6 +120,7 @@ Lemma ct_mirror p : 0 < p < PI -> ct (PI - p) = - ct p.
 Proof. intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold ct. rewrite sin_PI_x.
   rewrite <- (Ropp_involutive (cos (PI - p))), <- Rtrigo_facts.cos_pi_minus.
   replace (PI - (PI - p)) with p by ring. field. lra. Qed.
+(** h at the mirror angle: h~ + h = pi (1 + k^2) *)
 Lemma hh_mirror p : 0 < p < PI -> hh (PI - p) + hh p = PI * (1 + ct p ^ 2).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (ct_mirror p Hp) as C. unfold ct in C.
@@ -116,8 +129,10 @@ Proof.
     unfold Rdiv in C. lra. }
   rewrite inv_sin2 by auto. unfold hh. rewrite sin_PI_x, C'. field. lra.
 Qed.
+(** theta - 2 h = k c *)
 Lemma two_hh p : 0 < p < PI -> 2 * p - 2 * hh p = ct p * depth p.
 Proof. intros Hp. pose proof (next_push 0 p Hp) as Q. rewrite push_0, Rplus_0_r in Q. lra. Qed.
+(** the depth increases *)
 Lemma depth_incr p p' : 0 < p -> p < p' -> p' < PI -> depth p < depth p'.
 Proof.
   intros. destruct (MVT_cor2 depth (fun t => 2 * hh t) p p' ltac:(lra)) as (t & E & Ht).

@@ -38,6 +38,7 @@ Hypotheses (Hc : 0 < c) (c1 : c * m1 <= a1 / 4) (c2 : c * a1 <= a2 / 2) (c3 : c 
 Let W t := a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + c * m1 * (x t * v1 t).
 Let g := G + b.
 
+(** the rate of W, the Lyapunov function E of body 1 with a cross term *)
 Lemma W_dini t : 0 <= t -> dini_le W t (- a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t *
   v1 t) + g * (Rabs (v1 t) + c * Rabs (x t))).
 Proof.
@@ -75,6 +76,7 @@ Proof.
   lra.
 Qed.
 
+(** W is between a quarter and three quarters of a2 x^2 + m1 v1^2 *)
 Lemma W_below t : (a2 * x t ^ 2 + m1 * v1 t ^ 2) / 4 <= W t <= 3 / 4 * (a2 * x t ^ 2 + m1 * v1 t ^ 2).
 Proof.
   assert (Cr : forall k, k = 1 \/ k = -1 -> k * (c * m1 * (x t * v1 t)) <= m1 / 4 * v1 t ^ 2 + a2 / 4 * x t ^ 2).
@@ -85,6 +87,7 @@ Proof.
   pose proof (Cr 1 ltac:(auto)). pose proof (Cr (-1) ltac:(auto)). unfold W. lra.
 Qed.
 
+(** that rate is at most a constant minus c/3 W *)
 Lemma W_rate t : - a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t * v1 t) + g * (Rabs (v1 t)
   + c * Rabs (x t))
   <= g ^ 2 / a1 + c * (g ^ 2 / a2) - c / 3 * W t.
@@ -108,6 +111,7 @@ Proof.
     apply (Rmult_le_compat_l (c / 3)) in Wu; [|lra]. lra.
 Qed.
 
+(** so W is bounded *)
 Lemma W_bounded : exists C, forall t, 0 <= t -> W t <= C.
 Proof.
   set (R0 := g ^ 2 / a1 + c * (g ^ 2 / a2)). exists (Rmax (W 0) (3 * R0 / c)). apply barrier; [|apply Rmax_l|].
@@ -122,6 +126,7 @@ Proof.
 Qed.
 End One.
 
+(** so the motion is bounded; v2 by chasing v1 *)
 Theorem bounded U x v1 v2 s G : forced U x v1 v2 s -> 0 <= G -> (forall r t, 0 <= r <= t ->
   Rabs (U t - U r) <= G * (t - r)) ->
   exists B, forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B.

@@ -28,6 +28,7 @@ Proof.
   unfold Rabs; destruct Rcase_abs; lra.
 Qed.
 
+(** the path is bounded by the energy that is left, so x1 - x2 has a limit *)
 Theorem displacement_limit : exists zl, forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
 Proof.
   set (lowest := fun y => exists t, 0 <= t /\ y = - E t).

@@ -4,8 +4,11 @@ From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
 From InertialPair Require Import Dini Stick Turning.
 Local Open Scope R_scope.
+(** a bracket of phi* , from below *)
 Definition lo := 1898637871626800 / 1000000000000000.
+(** and from above *)
 Definition hi := 1898637871626801 / 1000000000000000.
+(** phi* is in the bracket, and the ratio has these decimals *)
 Theorem decimals p : 0 < p <= PI -> (forall q, 0 < q <= PI -> K q = 0 -> q = p) ->
   lo < p < hi /\ Rabs (- cos (2 * p) - 79263163272865 / 100000000000000) <= 2 / 100000000000000.
 Proof.

@@ -1,5 +1,5 @@
-(** Direct re-entry for every slip that lands inside S0; the exact set that merges at the first landing;
-  crossings from a ray. *)
+(** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and the exact set of energies that merge
+    after the first slip. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap MergeSet.
@@ -93,6 +93,7 @@ Proof.
   exists (t + T). split; [lra|]. split; [auto|]. intros t' Ht'. specialize (I1 (t' - t) ltac:(lra)).
     replace (t + (t' - t)) with t' in I1 by ring. exact I1.
 Qed.
+(** either ray: the mirror image of the left one, and at rest the energy would be at most E_cr *)
 Lemma to_ray t u : 0 <= t -> v1 t = v2 t -> - L <= x t <= L -> 0 < u -> E t = Ecr * (1 + q * u ^ 2) ->
   exists k t2, (k = 1 \/ k = -1) /\ t <= t2 < t + PI / om /\ on_ray m1 m2 a2 b k u x v1 v2 t2 /\
     forall t', t <= t' <= t2 -> v1 t' = v2 t' /\ - L <= x t' <= L.

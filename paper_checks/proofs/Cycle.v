@@ -16,21 +16,30 @@ Let Ecr := Ecr m1 m2 a2 b.
 
 (** o1: frequency of the slip; ray u: speed on the exit ray in the reduced unit, so that E = E_cr (1 + q u^2) there *)
 Definition o1 := sqrt (a2 / m1).
+(** the speed on an exit ray for the push u *)
 Definition ray u := b / (m2 * o1) * u.
 (** the state on the exit ray of the side k = 1 or -1 *)
 Definition on_ray k u (x v1 v2 : R -> R) t := k * x t = L /\ k * v1 t = ray u /\ k * v2 t = ray u.
 
+(** the slip frequency is positive *)
 Lemma o1_pos : 0 < o1. Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; lra. Qed.
+(** a2 by the slip frequency *)
 Lemma o1_sq : a2 = m1 * (o1 * o1). Proof. unfold o1. rewrite sqrt_sqrt; [field; lra|].
   apply Rlt_le, Rdiv_lt_0_compat; lra. Qed.
+(** the driving body's share is positive *)
 Lemma q_pos : 0 < q. Proof. unfold q, M; apply Rdiv_lt_0_compat; lra. Qed.
+(** the driven body's share is positive *)
 Lemma r_pos : 0 < r. Proof. unfold r, M; apply Rdiv_lt_0_compat; lra. Qed.
+(** both shares are 1 together *)
 Lemma qr_one : q + r = 1. Proof. unfold q, r, M; field; lra. Qed.
+(** a positive push is a positive speed *)
 Lemma ray_pos u : 0 < u -> 0 < ray u.
 Proof. intros. pose proof o1_pos. unfold ray. apply Rmult_lt_0_compat; auto. apply Rdiv_lt_0_compat; auto.
   apply Rmult_lt_0_compat; auto. Qed.
+(** a2 by the stick frequency *)
 Lemma Mom : a2 = M * (om * om).
 Proof. unfold om, M. rewrite (omega_sq m1 m2 a2) by auto. field; lra. Qed.
+(** the half width by the slip frequency *)
 Lemma L_o1 : L = b * M / (m1 * (o1 * o1) * m2).
 Proof. unfold L, Stick.L. fold M. rewrite o1_sq at 1. auto. Qed.
 
@@ -44,6 +53,7 @@ Proof.
     rewrite E. unfold ray. rewrite L_o1. rewrite o1_sq. unfold q, M. field. repeat split; lra. }
   assert (0 < M) by (unfold M; lra). apply Rmult_integral in Z. lra.
 Qed.
+(** and the other way round *)
 Lemma ray_level u : energy m1 m2 a2 L (ray u) (ray u) = Ecr * (1 + q * u ^ 2).
 Proof.
   unfold Ecr. rewrite Ecr_L by auto. fold L. pose proof o1_pos. unfold energy, ray. rewrite L_o1. rewrite o1_sq.
@@ -52,7 +62,9 @@ Qed.
 
 (** *** Slip: from the ray x = L at the speed ray u *)
 Definition Sx u t := b / a2 + b * m1 / (a2 * m2) * (cos (o1 * t) + u * sin (o1 * t)).
+(** the speed of body 1 *)
 Definition S1 u t := b / (m2 * o1) * (u * cos (o1 * t) - sin (o1 * t)).
+(** the speed of body 2 *)
 Definition S2 u t := b / (m2 * o1) * (u - o1 * t).
 
 (** the guard v1 - v2 is a positive multiple of h(theta) - u: h increases, so it is negative until h(theta) = u *)
@@ -79,6 +91,7 @@ Proof.
         I by (field; lra). auto. }
     nra.
 Qed.
+(** v1 < v2 inside the slip *)
 Lemma slip_sign p t : 0 < p < PI -> 0 < t < 2 * p / o1 -> S1 (hh p) t < S2 (hh p) t.
 Proof.
   intros Hp Ht. pose proof o1_pos as O.
@@ -163,7 +176,9 @@ Qed.
 
 (** *** Stick: the arc of an ellipse above E_cr inside the strip *)
 Definition Cx al rho t := L * rho * cos (al + om * t).
+(** its speed *)
 Definition Cv al rho t := - (L * rho * om * sin (al + om * t)).
+(** the arc obeys the law from the angle al to the edge: the friction that sticking needs stays in [-1, 1] *)
 Lemma stick_arc al rho : 1 <= rho -> 0 <= al -> rho * cos al <= 1 ->
   arc m1 m2 a2 b ((acos (- / rho) - al) / om) (Cx al rho) (Cv al rho) (Cv al rho) (fun t => m2 / b * (- (om * om)
     * Cx al rho t)).
@@ -196,8 +211,10 @@ Qed.
 
 (** rho: amplitude over L at the level y = w/q *)
 Definition amp y := sqrt (1 + q * y).
+(** its square *)
 Lemma amp_sq y : 0 <= y -> amp y * amp y = 1 + q * y.
 Proof. intros. pose proof q_pos. apply sqrt_sqrt. assert (0 <= q * y) by (apply Rmult_le_pos; lra). lra. Qed.
+(** it is at least 1 *)
 Lemma amp_ge y : 0 <= y -> 1 <= amp y.
 Proof. intros. pose proof q_pos. unfold amp. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt.
   assert (0 <= q * y) by (apply Rmult_le_pos; lra). lra. Qed.

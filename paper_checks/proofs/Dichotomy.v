@@ -22,6 +22,7 @@ Let X := X m1 m2 a2.
 Let V := V m1 m2 a2.
 Let distance x0 v0 t := energy m1 m2 a2 (x t - X x0 v0 t) (v1 t - V x0 v0 t) (v2 t - V x0 v0 t).
 
+(** what is paid for by energy converges *)
 Lemma paid_limit (F : R -> R) l : (forall t, 0 <= t -> l <= E t) ->
   (forall r t, 0 <= r <= t -> Rabs (F t - F r) <= kap * (E r - E t)) -> 0 < kap ->
   exists a, forall t, 0 <= t -> Rabs (F t - a) <= kap * (E t - l).
@@ -42,6 +43,7 @@ Proof.
   - assert (F t - kap * (E t - l) <= a); [|lra]. apply Ub. exists t; auto.
 Qed.
 
+(** A, B and E converge, so the solution tends to the stuck motion with those values *)
 Theorem convergence : exists x0 v0,
   energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\
   (forall t, 0 <= t -> energy m1 m2 a2 x0 v0 v0 <= E t) /\

@@ -2,14 +2,19 @@
 From Coq Require Import Reals Lra Psatz.
 Local Open Scope R_scope.
 
+(** a bound of the absolute value, both sides *)
 Lemma Rabs_inv x a : Rabs x <= a -> - a <= x <= a.
 Proof. intros H. pose proof (Rle_abs x). pose proof (Rle_abs (- x)). rewrite Rabs_Ropp in *. lra. Qed.
 
+(** f (h) = o(h) for h -> 0+ *)
 Definition little (f : R -> R) :=
   forall eps, 0 < eps -> exists d, 0 < d /\ forall h, 0 < h < d -> Rabs (f h) <= eps * h.
+(** f (h) = O(h) for h -> 0+ *)
 Definition big (f : R -> R) :=
   exists C d, 0 < C /\ 0 < d /\ forall h, 0 < h < d -> Rabs (f h) <= C * h.
+(** l is the right derivative of f at t *)
 Definition rderiv (f : R -> R) (t l : R) := little (fun h => f (t + h) - f t - l * h).
+(** the upper right derivative of f at t is at most l *)
 Definition dini_le (f : R -> R) (t l : R) :=
   forall eps, 0 < eps -> exists d, 0 < d /\ forall h, 0 < h < d -> f (t + h) - f t <= (l + eps) * h.
 (** continuity on [0, +oo) *)
@@ -17,12 +22,15 @@ Definition cont (f : R -> R) :=
   forall t, 0 <= t -> forall eps, 0 < eps -> exists d, 0 < d /\
   forall s, 0 <= s -> Rabs (s - t) < d -> Rabs (f s - f t) < eps.
 
+(** o(h) of equal functions *)
 Lemma little_ext f g : (forall h, f h = g h) -> little f -> little g.
 Proof. intros E H e He; destruct (H e He) as (d & Hd & K). exists d; split; auto. intros; rewrite <- E; auto. Qed.
 
+(** 0 is o(h) *)
 Lemma little_0 : little (fun _ => 0).
 Proof. intros e He; exists 1; split; [lra|]. intros h Hh; rewrite Rabs_R0; nra. Qed.
 
+(** sums of o(h) *)
 Lemma little_plus f g : little f -> little g -> little (fun h => f h + g h).
 Proof.
   intros F G e He. destruct (F (e/2)) as (d1 & ? & K1); [lra|]. destruct (G (e/2)) as (d2 & ? & K2); [lra|].
@@ -32,6 +40,7 @@ Proof.
   pose proof (Rabs_triang (f h) (g h)). lra.
 Qed.
 
+(** multiples of o(h) *)
 Lemma little_scal c f : little f -> little (fun h => c * f h).
 Proof.
   intros F e He. pose proof (Rabs_pos c). destruct (F (e / (Rabs c + 1))) as (d & ? & K).
@@ -43,19 +52,24 @@ Proof.
   apply Rmult_le_compat_r; nra.
 Qed.
 
+(** differences of o(h) *)
 Lemma little_minus f g : little f -> little g -> little (fun h => f h - g h).
 Proof. intros F G. apply little_ext with (fun h => f h + (-1) * g h); [intros; ring|]. apply little_plus; auto.
   apply little_scal; auto. Qed.
 
+(** o(h) is O(h) *)
 Lemma little_big f : little f -> big f.
 Proof. intros F. destruct (F 1) as (d & ? & K); [lra|]. exists 1, d; repeat split; try lra; auto. Qed.
 
+(** h is O(h) *)
 Lemma big_id : big (fun h => h).
 Proof. exists 1, 1; repeat split; try lra. intros; rewrite Rabs_pos_eq; lra. Qed.
 
+(** O(h) of equal functions *)
 Lemma big_ext f g : (forall h, f h = g h) -> big f -> big g.
 Proof. intros E (C & d & ? & ? & K); exists C, d; repeat split; auto. intros; rewrite <- E; auto. Qed.
 
+(** sums of O(h) *)
 Lemma big_plus f g : big f -> big g -> big (fun h => f h + g h).
 Proof.
   intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2).
@@ -65,6 +79,7 @@ Proof.
   pose proof (Rabs_triang (f h) (g h)). lra.
 Qed.
 
+(** multiples of O(h) *)
 Lemma big_scal c f : big f -> big (fun h => c * f h).
 Proof.
   intros (C & d & ? & ? & K). pose proof (Rabs_pos c). exists ((Rabs c + 1) * C), d; repeat split; auto; [nra|].
@@ -72,10 +87,12 @@ Proof.
   rewrite Rmult_assoc. apply Rmult_le_compat; lra.
 Qed.
 
+(** differences of O(h) *)
 Lemma big_minus f g : big f -> big g -> big (fun h => f h - g h).
 Proof. intros F G. apply big_ext with (fun h => f h + (-1) * g h); [intros; ring|]. apply big_plus; auto.
   apply big_scal; auto. Qed.
 
+(** a product of two O(h) is o(h) *)
 Lemma big_mult f g : big f -> big g -> little (fun h => f h * g h).
 Proof.
   intros (C1 & d1 & ? & ? & K1) (C2 & d2 & ? & ? & K2) e He.
@@ -94,6 +111,7 @@ Proof.
   nra.
 Qed.
 
+(** a product of O(h) and o(h) is o(h) *)
 Lemma big_little_mult f g : big f -> little g -> little (fun h => f h * g h).
 Proof. intros; apply big_mult; auto; apply little_big; auto. Qed.
 
@@ -104,24 +122,30 @@ Proof.
   apply big_plus; [apply little_big; auto | apply big_scal, big_id].
 Qed.
 
+(** right derivatives of functions that are equal from some time on *)
 Lemma rderiv_ext f g t l : (forall u, t <= u -> f u = g u) -> rderiv f t l -> rderiv g t l.
 Proof.
   intros E H e He. destruct (H e He) as (d & ? & K). exists d; split; auto. intros h Hh.
   rewrite <- !E by lra. apply K; auto.
 Qed.
 
+(** of a sum *)
 Lemma rderiv_plus f g t l k : rderiv f t l -> rderiv g t k -> rderiv (fun u => f u + g u) t (l + k).
 Proof. intros F G. eapply little_ext; [|exact (little_plus _ _ F G)]. intros; simpl; ring. Qed.
 
+(** of a multiple *)
 Lemma rderiv_scal c f t l : rderiv f t l -> rderiv (fun u => c * f u) t (c * l).
 Proof. intros F. eapply little_ext; [|exact (little_scal c _ F)]. intros; simpl; ring. Qed.
 
+(** of a difference *)
 Lemma rderiv_minus f g t l k : rderiv f t l -> rderiv g t k -> rderiv (fun u => f u - g u) t (l - k).
 Proof. intros F G. eapply little_ext; [|exact (little_minus _ _ F G)]. intros; simpl; ring. Qed.
 
+(** of a constant *)
 Lemma rderiv_const c t : rderiv (fun _ => c) t 0.
 Proof. eapply little_ext; [|exact little_0]. intros; simpl; ring. Qed.
 
+(** of a product *)
 Lemma rderiv_mult f g t l k : rderiv f t l -> rderiv g t k -> rderiv (fun u => f u * g u) t (l * g t + f t * k).
 Proof.
   intros F G.
@@ -130,9 +154,11 @@ Proof.
   intros; simpl; ring.
 Qed.
 
+(** of an equal value *)
 Lemma rderiv_eq f t l k : l = k -> rderiv f t l -> rderiv f t k.
 Proof. intros ->; auto. Qed.
 
+(** a right derivative bounds the upper right derivative *)
 Lemma rderiv_dini f t l k : l <= k -> rderiv f t l -> dini_le f t k.
 Proof.
   intros Hl H e He. destruct (H e He) as (d & ? & K). exists d; split; auto. intros h Hh.
@@ -143,6 +169,7 @@ Qed.
 Lemma cont_const c : cont (fun _ => c).
 Proof. intros t _ e He; exists 1; split; [lra|]. intros. rewrite Rminus_diag_eq, Rabs_R0; auto. Qed.
 
+(** continuity of a sum *)
 Lemma cont_plus f g : cont f -> cont g -> cont (fun u => f u + g u).
 Proof.
   intros F G t Ht e He. destruct (F t Ht (e/2)) as (d1 & ? & K1); [lra|].
@@ -154,6 +181,7 @@ Proof.
   pose proof (Rabs_triang (f s - f t) (g s - g t)). lra.
 Qed.
 
+(** of a product *)
 Lemma cont_mult f g : cont f -> cont g -> cont (fun u => f u * g u).
 Proof.
   intros F G t Ht e He. pose proof (Rabs_pos (f t)). pose proof (Rabs_pos (g t)).
@@ -176,9 +204,11 @@ Proof.
   unfold k in *. lra.
 Qed.
 
+(** of a multiple *)
 Lemma cont_scal c f : cont f -> cont (fun u => c * f u).
 Proof. intros. apply cont_mult; auto. apply cont_const. Qed.
 
+(** of a difference *)
 Lemma cont_minus f g : cont f -> cont g -> cont (fun u => f u - g u).
 Proof.
   intros F G t Ht e He. destruct (cont_plus f (fun u => -1 * g u) F (cont_scal (-1) g G) t Ht e He) as (d & ? & K).
@@ -186,18 +216,21 @@ Proof.
   replace (f s - g s - (f t - g t)) with (f s + -1 * g s - (f t + -1 * g t)) by ring. auto.
 Qed.
 
+(** of an equal function *)
 Lemma cont_ext f g : (forall u, 0 <= u -> f u = g u) -> cont f -> cont g.
 Proof.
   intros E F t Ht e He. destruct (F t Ht e He) as (d & ? & K). exists d; split; auto. intros s Hs Hd.
   rewrite <- !E by auto. auto.
 Qed.
 
+(** of a function shifted in time *)
 Lemma cont_shift f s : 0 <= s -> cont f -> cont (fun u => f (s + u)).
 Proof.
   intros Hs F t Ht e He. destruct (F (s + t)) with (eps := e) as (d & ? & K); try lra.
   exists d; split; auto. intros r Hr Hd. apply K; [lra|]. replace (s + r - (s + t)) with (r - t) by ring; auto.
 Qed.
 
+(** a Lipschitz function is continuous *)
 Lemma lip_cont f K : 0 <= K -> (forall r t, 0 <= r <= t -> Rabs (f t - f r) <= K * (t - r)) -> cont f.
 Proof.
   intros HK L t Ht e He. exists (e / (K + 1)); split. { apply Rdiv_lt_0_compat; lra. }
@@ -247,6 +280,7 @@ Proof.
   pose proof (Cub _ H2). lra.
 Qed.
 
+(** an upper right derivative <= 0 everywhere: the function does not increase *)
 Theorem dini_mono f s t : cont f -> 0 <= s <= t -> (forall r, s <= r < t -> dini_le f r 0) -> f t <= f s.
 Proof.
   intros C Hst D. apply le_epsilon. intros e He.
@@ -269,6 +303,7 @@ Proof.
   specialize (K h Hh). lra.
 Qed.
 
+(** the same with a right derivative *)
 Corollary rderiv_mono f s t l : cont f -> 0 <= s <= t -> (forall r, s <= r < t -> rderiv f r (l r) /\ l r <= 0) ->
   f t <= f s.
 Proof. intros C H D. apply dini_mono; auto. intros r Hr. destruct (D r Hr). eapply rderiv_dini; eauto. Qed.

@@ -16,21 +16,29 @@ Section Entrain.
 Variables m1 m2 a1 a2 b F om : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HF : 0 <= F) (Hom : 0 < om).
 Let M := m1 + m2.
+(** the square of the pair's dynamic stiffness at om *)
 Definition Z := (a2 - (m1 + m2) * om ^ 2) ^ 2 + (a1 * om) ^ 2.
 Hypothesis HZ : 0 < Z.
 (** beta |a2 - M om^2 + i a1 om| / om^2 *)
 Definition Fstar := b / m2 * sqrt Z / om ^ 2.
+(** the response's part in phase *)
 Definition cA := F * (a2 - (m1 + m2) * om ^ 2) / Z.
+(** and out of phase *)
 Definition cB := - F * a1 * om / Z.
+(** the stuck response: its place *)
 Definition rX t := cA * sin (om * t) + cB * cos (om * t).
+(** and its speed *)
 Definition rV t := om * (cA * cos (om * t) - cB * sin (om * t)).
 (** the impulse of F sin (om t) *)
 Definition drive t := F / om * (1 - cos (om * t)).
 
+(** the place has the speed as its derivative *)
 Lemma derive_rX t : is_derive rX t (rV t).
 Proof. unfold rX, rV. auto_derive; auto. ring. Qed.
+(** the speed's derivative *)
 Lemma derive_rV t : is_derive rV t (- om ^ 2 * rX t).
 Proof. unfold rX, rV. auto_derive; auto. ring. Qed.
+(** the impulse has the force as its derivative *)
 Lemma derive_drive t : is_derive drive t (F * sin (om * t)).
 Proof. unfold drive. auto_derive; auto. field; lra. Qed.
 
@@ -38,6 +46,7 @@ Proof. unfold drive. auto_derive; auto. field; lra. Qed.
 Lemma balance t : M * (- om ^ 2 * rX t) + a1 * rV t + a2 * rX t = F * sin (om * t).
 Proof. unfold rX, rV, cA, cB, M. pose proof HZ as Q. unfold Z in *. field. lra. Qed.
 
+(** the response's amplitude is F over the stiffness *)
 Lemma amplitude : cA ^ 2 + cB ^ 2 = (F / sqrt Z) ^ 2.
 Proof.
   assert (Sz : sqrt Z ^ 2 = Z) by (rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra). pose proof (sqrt_lt_R0 Z HZ).
@@ -46,6 +55,7 @@ Proof.
   transitivity (F ^ 2 * ((a2 - (m1 + m2) * om ^ 2) ^ 2 + (a1 * om) ^ 2) / Z ^ 2); [field; lra|reflexivity].
 Qed.
 
+(** so the place is bounded by it *)
 Lemma rX_bound t : Rabs (rX t) <= F / sqrt Z.
 Proof.
   pose proof (sqrt_lt_R0 Z HZ). assert (Rp : 0 <= F / sqrt Z) by (apply Rmult_le_pos; [auto|apply Rlt_le,
@@ -56,6 +66,7 @@ Proof.
   replace (cA ^ 2 + cB ^ 2) with ((cA ^ 2 + cB ^ 2) * (n * n + c * c)) by (rewrite SC; ring). nra.
 Qed.
 
+(** F <= F* says that body 2 can be accelerated so *)
 Lemma Fstar_load : F <= Fstar <-> om ^ 2 * (F / sqrt Z) <= b / m2.
 Proof.
   pose proof (sqrt_lt_R0 Z HZ). assert (0 < om ^ 2) by nra.
@@ -106,6 +117,7 @@ Proof.
   rewrite Rabs_left in B by (assert (0 < om ^ 2 * R) by (apply Rmult_lt_0_compat; nra); lra). lra.
 Qed.
 
+(** a stuck solution needs the friction it asks for, at the peak as well *)
 Theorem entrained_iff : (exists s, forced m1 m2 a1 a2 b drive rX rV rV s) <-> F <= Fstar.
 Proof.
   split.
@@ -113,6 +125,7 @@ Proof.
   - intros HS. eexists. apply entrained, HS.
 Qed.
 
+(** the speed has the force's period *)
 Lemma rV_period n t : rV (t + INR n * (2 * PI / om)) = rV t.
 Proof. unfold rV. replace (om * (t + INR n * (2 * PI / om))) with (om * t + 2 * INR n * PI) by (field; lra).
   rewrite cos_period, sin_period. auto. Qed.
@@ -201,10 +214,14 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Hb : 0 < b) (Hom : 0 < om).
 Let M := m1 + m2.
 Let a2 := 9 * M * om ^ 2.
 Let c := 2 / sqrt 3 * (b / m2) / om ^ 2.
+(** the response with a free third harmonic: its place *)
 Definition tX t := c * (sin (om * t) + / 54 * sin (3 * (om * t))).
+(** its speed *)
 Definition tV t := c * om * (cos (om * t) + / 18 * cos (3 * (om * t))).
+(** its acceleration *)
 Definition tA t := - om ^ 2 * (c * (sin (om * t) + / 6 * sin (3 * (om * t)))).
 
+(** the triple angle *)
 Lemma sin_3 y : sin (3 * y) = 3 * sin y - 4 * sin y ^ 3.
 Proof.
   replace (3 * y) with (2 * y + y) by ring. rewrite sin_plus, sin_2a, cos_2a_sin.
@@ -212,6 +229,7 @@ Proof.
   replace (2 * sin y * cos y * cos y) with (2 * sin y * (1 - sin y * sin y)) by (rewrite <- Q; ring). ring.
 Qed.
 
+(** the third harmonic flattens the peak to sqrt 3/2 *)
 Lemma peak y : -1 <= y <= 1 -> Rabs (y + / 6 * (3 * y - 4 * y ^ 3)) <= sqrt 3 / 2.
 Proof.
   intros Hy. assert (S : sqrt 3 * sqrt 3 = 3) by (apply sqrt_sqrt; lra).
@@ -225,6 +243,7 @@ Proof.
     apply Rabs_le. lra.
 Qed.
 
+(** so it allows a larger force than F* *)
 Theorem third_harmonic : exists F U x v s, Fstar m1 m2 0 a2 b om < F /\ F = 2 / sqrt 3 * Fstar m1 m2 0 a2 b om /\
   (forall t, 0 <= t -> rderiv U t (F * sin (om * t))) /\ forced m1 m2 0 a2 b U x v v s /\
   forall t, x (t + 2 * PI / om) = x t /\ v (t + 2 * PI / om) = v t.

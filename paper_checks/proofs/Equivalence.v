@@ -1,5 +1,5 @@
-(** MERGING.md, A: the first re-entry, after any number of crossings, merges exactly if the half angle is in [pl,
-  pu]. *)
+(** The first re-entry after an exit, after any number of crossings, merges exactly if the half angle of the exit is in one
+    interval: if it is the first landing by the return map, and after a crossing it is above E_cr. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp MergeSet Gap
@@ -14,6 +14,7 @@ Hypotheses (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / (m1 / (m1 + m2))) (HK :
 Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
 
+(** after a crossing the pair is beyond S0 *)
 Lemma crossed_out t p : crossed m1 m2 a2 b pc x v1 v2 t p -> ~ (- L m1 m2 a2 b <= x t <= L m1 m2 a2 b).
 Proof.
   intros (k & d & Hk & Hd & _ & _ & (Ex & _)) N. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0.

@@ -36,6 +36,7 @@ Proof.
     assert (a2 * x 0 ^ 2 <= a2 * L m1 m2 a2 b ^ 2) by (apply Rmult_le_compat_l; lra). lra. }
   apply (sticks_iff m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H 0) with (u := t) in E; try lra. rewrite Rplus_0_l in E. exact E.
 Qed.
+(** In the case study: anywhere up to 5 mm. *)
 Theorem five_millimetres x v1 v2 s : solution 1 1 0 200 (1 / 2) x v1 v2 s -> v1 0 = 0 -> v2 0 = 0 ->
   - (5 / 1000) <= x 0 <= 5 / 1000 -> forall t, 0 <= t -> v1 t = v2 t.
 Proof.

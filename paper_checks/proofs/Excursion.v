@@ -1,4 +1,5 @@
-(** The return map from ray to ray in the half slip angle: h increases; y_n -> 0; n y_n -> 4/(9 r). *)
+(** One excursion from an exit ray: h increases on (0, 2 pi), so each push has one slip angle; and the trigonometric
+    inequalities in the half angle that bound its depth. *)
 From Coq Require Import Reals Lra Psatz Nsatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick.
@@ -16,9 +17,12 @@ Proof.
     apply rderiv_scal, rderiv_of_derive, D.
 Qed.
 
+(** the sine is not negative on [0, pi] *)
 Lemma sin_pos u : 0 <= u <= PI -> 0 <= sin u. Proof. intros; apply sin_ge_0; lra. Qed.
 
+(** squares as products, for nsatz *)
 Lemma pow2e (z : R) : z ^ 2 = z * z. Proof. ring. Qed.
+(** cubes as products, for nsatz *)
 Lemma pow3e (z : R) : z ^ 3 = z * z * z. Proof. ring. Qed.
 Ltac circle t := let SC := fresh "SC" in assert (SC : sin t * sin t + cos t * cos t = 1) by exact (sin2_cos2 t);
   set (s := sin t) in *; set (c := cos t) in *; clearbody s c; rewrite ?pow2e, ?pow3e.
@@ -26,6 +30,7 @@ Ltac der := intros; auto_derive; [auto|ring].
 Ltac dern := let t := fresh "t" in intros t; auto_derive; [auto|]; rewrite ?cos_2a_cos, ?sin_2a; circle t; nsatz.
 Ltac zero := cbv beta; rewrite ?sin_0, ?cos_0; ring.
 
+(** sin u <= u *)
 Lemma sin_below u : 0 <= u -> sin u <= u.
 Proof.
   intros Hu. cut (0 <= u - sin u); [lra|].
@@ -39,12 +44,14 @@ Proof.
   intros. apply (from_zero (fun u => sin u - u * cos u) (fun u => u * sin u) PI); auto; [der| |zero].
   intros t Ht. apply Rmult_le_pos; [lra|apply sin_pos; lra].
 Qed.
+(** and positive inside *)
 Lemma g_pos u : 0 < u < PI -> 0 < sin u - u * cos u.
 Proof.
   intros Hu. apply Rle_lt_trans with (sin (u / 2) - u / 2 * cos (u / 2)). { apply g_nonneg; lra. }
   apply (incr_function (fun u => sin u - u * cos u) 0 PI (fun u => u * sin u)); try (simpl; lra); [der|].
   intros t Ht0 Ht1; simpl in Ht0, Ht1. apply Rmult_lt_0_compat; auto. apply sin_gt_0; auto.
 Qed.
+(** 2 - 2 cos u - u sin u >= 0, the numerator of h' *)
 Lemma N_nonneg u : 0 <= u <= 2 * PI -> 0 <= 2 - 2 * cos u - u * sin u.
 Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin, sin_2a.
@@ -56,11 +63,13 @@ Qed.
 
 (** *** h increases on (0, 2 pi) *)
 Definition h u := (u - sin u) / (1 - cos u).
+(** 1 - cos u > 0 *)
 Lemma one_cos u : 0 < u < 2 * PI -> 0 < 1 - cos u.
 Proof.
   intros Hu. replace u with (2 * (u / 2)) by field. rewrite cos_2a_sin.
     pose proof (sin_gt_0 (u / 2) ltac:(lra) ltac:(lra)). nra.
 Qed.
+(** its slope is that numerator over a square *)
 Theorem h_increases u v : 0 < u -> u < v -> v < 2 * PI -> h u < h v.
 Proof.
   intros. apply (incr_function h 0 (2 * PI) (fun t => (2 - 2 * cos t - t * sin t) / (1 - cos t) ^ 2)); try (simpl; lra).
@@ -83,10 +92,12 @@ Proof.
     [der| |zero].
   intros; apply N_nonneg; lra.
 Qed.
+(** p >= sin p cos p *)
 Lemma A_nonneg p : 0 <= p -> 0 <= p - sin p * cos p.
 Proof.
   intros. pose proof (sin_below (2 * p) ltac:(lra)) as Q. rewrite sin_2a in Q. lra.
 Qed.
+(** strictly inside *)
 Lemma A_pos p : 0 < p < PI -> 0 < p - sin p * cos p.
 Proof.
   intros Hp. apply Rle_lt_trans with (p / 2 - sin (p / 2) * cos (p / 2)). { apply A_nonneg; lra. }
@@ -94,6 +105,7 @@ Proof.
   - intros t _ _. revert t. dern.
   - intros t Ht0 Ht1; simpl in Ht0, Ht1. pose proof (sin_gt_0 t Ht0 Ht1). nra.
 Qed.
+(** p - sin p cos p <= (2/3) p^3 *)
 Lemma A_above p : 0 <= p <= PI -> p - sin p * cos p <= 2 / 3 * p ^ 3.
 Proof.
   intros. cut (0 <= 2 * p ^ 3 - 3 * (p - sin p * cos p)); [lra|].
@@ -102,6 +114,7 @@ Proof.
   - intros t Ht. pose proof (sin_below t ltac:(lra)). pose proof (sin_pos t ltac:(lra)). nra.
   - zero.
 Qed.
+(** sin^3 p <= 3 (sin p - p cos p) *)
 Lemma g_above_cube p : 0 <= p <= PI -> sin p ^ 3 <= 3 * (sin p - p * cos p).
 Proof.
   intros. cut (0 <= 3 * (sin p - p * cos p) - sin p ^ 3); [lra|].
@@ -110,6 +123,7 @@ Proof.
   - intros t Ht. apply Rmult_le_pos; [pose proof (sin_pos t ltac:(lra)); lra|apply A_nonneg; lra].
   - zero.
 Qed.
+(** the inequality behind the lower bound of the depth *)
 Lemma depth_above p : 0 <= p <= PI -> 4 * (sin p - p * cos p) * sin p ^ 3 <= 3 * (p - sin p * cos p) ^ 2.
 Proof.
   intros. cut (0 <= 3 * (p - sin p * cos p) ^ 2 - 4 * (sin p - p * cos p) * sin p ^ 3); [lra|].

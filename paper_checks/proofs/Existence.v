@@ -20,6 +20,7 @@ Proof.
   - intros B HB. exact (L B HB).
 Qed.
 
+(** a bound times a factor *)
 Lemma abs_scal c y B : 0 <= c -> Rabs y <= B -> Rabs (c * y) <= c * B.
 Proof. intros Hc HB. rewrite Rabs_mult, (Rabs_pos_eq c) by auto. apply Rmult_le_compat_l; auto. Qed.
 
@@ -31,11 +32,14 @@ Definition sub (c : R -> R) (t : R) (z : R -> R) :=
   z 0 <= 0 /\ (forall p q, 0 <= p <= q -> q <= t -> - (q - p) <= z q - z p <= q - p) /\
   forall p q, 0 <= p <= q -> q <= t -> (forall u, p <= u <= q -> c u < z u) -> z q <= z p - (q - p).
 
+(** the chaser: the supremum of all that start at 0, fall no faster than 1 and rise only below c *)
 Definition chase c t := real (Lub_Rbar (fun y => exists z, sub c t z /\ y = z t)).
 
+(** the function -t is one of them *)
 Lemma sub_fall c t : sub c t (fun u => - u).
 Proof. repeat split; intros; simpl; lra. Qed.
 
+(** it is their least upper bound *)
 Lemma chase_lub c t : 0 <= t -> (forall z, sub c t z -> z t <= chase c t) /\
   (forall y, (forall z, sub c t z -> z t <= y) -> chase c t <= y).
 Proof.
@@ -50,6 +54,7 @@ Qed.
 (** a subsolution may go on with slope -1, and with slope 1 as long as it stays below c *)
 Definition ext (z : R -> R) r k u := if Rle_dec u r then z u else z r + k * (u - r).
 
+(** one of them can be prolonged by a line: falling, or rising below c *)
 Lemma ext_sub c z r t k : 0 <= r <= t -> sub c r z ->
   k = -1 \/ (k = 1 /\ forall u, r <= u <= t -> z r + (u - r) <= c u) -> sub c t (ext z r k).
 Proof.
@@ -67,9 +72,11 @@ Proof.
     + specialize (O q ltac:(lra)). destruct (Rle_dec q r); [lra|]. specialize (B q ltac:(lra)). lra.
 Qed.
 
+(** and cut off *)
 Lemma sub_less c r t z : r <= t -> sub c t z -> sub c r z.
 Proof. intros Hr (Z & Lz & Fz). repeat split; auto; intros; try (apply Lz; lra). apply Fz; auto; lra. Qed.
 
+(** the chaser starts at 0 *)
 Lemma chase_0 c : chase c 0 = 0.
 Proof.
   destruct (chase_lub c 0 (Rle_refl 0)) as (U & L). apply Rle_antisym.
@@ -77,6 +84,7 @@ Proof.
   - specialize (U _ (sub_fall c 0)). simpl in U. lra.
 Qed.
 
+(** it is 1-Lipschitz *)
 Lemma chase_lip c r t : 0 <= r <= t -> - (t - r) <= chase c t - chase c r <= t - r.
 Proof.
   intros Hr. destruct (chase_lub c r ltac:(lra)) as (Ur & Lr). destruct (chase_lub c t ltac:(lra)) as (Ut & Lt). split.
@@ -99,10 +107,12 @@ Proof.
     apply Fz. intros u Hu. specialize (O u Hu). specialize (C u ltac:(lra)). lra.
 Qed.
 
+(** the right derivative of a function that is a line for a while *)
 Lemma rderiv_exact f t l d : 0 < d -> (forall h, 0 < h < d -> f (t + h) - f t = l * h) -> rderiv f t l.
 Proof. intros Hd F e He. exists d; split; auto. intros h Hh. rewrite F by auto.
   rewrite Rminus_diag_eq, Rabs_R0 by auto. nra. Qed.
 
+(** above c it falls with speed 1 *)
 Lemma chase_down c t : cont c -> 0 <= t -> c t < chase c t -> rderiv (chase c) t (-1).
 Proof.
   intros C Ht Hc. set (g := chase c t - c t). destruct (C t Ht (g / 4)) as (d & Hd & K); [unfold g; lra|].
@@ -118,6 +128,7 @@ Proof.
   apply Rabs_def2 in Q. unfold g in *. lra.
 Qed.
 
+(** below c it rises with speed 1 *)
 Lemma chase_up c t : cont c -> 0 <= t -> chase c t < c t -> rderiv (chase c) t 1.
 Proof.
   intros C Ht Hc. set (g := c t - chase c t). destruct (C t Ht (g / 4)) as (d & Hd & K); [unfold g; lra|].
@@ -136,6 +147,7 @@ End Chase.
 (** ** Integrals of functions that are continuous on [0, +oo) *)
 Definition integral (f : R -> R) (t : R) : R := RInt (fun u => f (Rmax 0 u)) 0 t.
 
+(** continuity in the sense of the library *)
 Lemma max_continuous f u : cont f -> continuous (fun u => f (Rmax 0 u)) u.
 Proof.
   intros C. apply continuity_pt_filterlim. intros e He.
@@ -144,6 +156,7 @@ Proof.
   unfold Rmax; destruct (Rle_dec 0 r), (Rle_dec 0 u); unfold Rabs; repeat destruct Rcase_abs; lra.
 Qed.
 
+(** the derivative of an integral *)
 Lemma integral_derive f t : cont f -> is_derive (integral f) t (f (Rmax 0 t)).
 Proof.
   intros C. apply (is_derive_RInt (fun u => f (Rmax 0 u)) (integral f) 0 t); [|apply max_continuous; auto].
@@ -152,16 +165,20 @@ Proof.
   intros r _. apply max_continuous; auto.
 Qed.
 
+(** and its right derivative *)
 Lemma integral_rderiv f t : cont f -> 0 <= t -> rderiv (integral f) t (f t).
 Proof. intros C Ht. pose proof (rderiv_of_derive _ _ _ (integral_derive f t C)) as Q.
   rewrite Rmax_right in Q by lra. auto. Qed.
 
+(** an integral is continuous *)
 Lemma integral_cont f : cont f -> cont (integral f).
 Proof. intros C. apply cont_of_derive with (fun t => f (Rmax 0 t)). intros; apply integral_derive; auto. Qed.
 
+(** it starts at 0 *)
 Lemma integral_0 f : integral f 0 = 0.
 Proof. unfold integral. rewrite RInt_point. reflexivity. Qed.
 
+(** of a constant *)
 Lemma integral_const c t : integral (fun _ => c) t = c * t.
 Proof. unfold integral. rewrite RInt_const. unfold scal; simpl; unfold mult; simpl. ring. Qed.
 
@@ -197,25 +214,35 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 
 Let k := b / m1 + b / m2.
 Let kp : 0 < k. Proof. unfold k. apply Rplus_lt_0_compat; apply Rdiv_lt_0_compat; auto. Qed.
 
+(** x by v1 *)
 Definition place v t := x0 + integral v t.
+(** m1 v1 + b s by v1: the momentum without friction *)
 Definition force v t := m1 * v10 - a2 * integral (place v) t - a1 * integral v t.
+(** what the impulse chases *)
 Definition aim v t := (force v t / m1 - v20) / k.
+(** the impulse of friction by v1 *)
 Definition impulse v := chase (aim v).
+(** one step of the iteration: v1 by v1 *)
 Definition next v t := (force v t - b * impulse v t) / m1.
 
+(** x is continuous *)
 Lemma place_cont v : cont v -> cont (place v).
 Proof. intros. apply cont_plus; [apply cont_const|apply integral_cont; auto]. Qed.
+(** the momentum is continuous *)
 Lemma force_cont v : cont v -> cont (force v).
 Proof.
   intros. repeat apply cont_minus; [apply cont_const| |]; apply cont_scal, integral_cont; auto. apply place_cont; auto.
 Qed.
+(** the aim is continuous *)
 Lemma aim_cont v : cont v -> cont (aim v).
 Proof.
   intros. apply cont_ext with (fun u => / k * (/ m1 * force v u - v20)). { intros; unfold aim; field; lra. }
   apply cont_scal, cont_minus; [apply cont_scal, force_cont; auto|apply cont_const].
 Qed.
+(** the impulse is continuous *)
 Lemma impulse_cont v : cont (impulse v).
 Proof. apply (lip_cont _ 1); [lra|]. intros r t Hr. rewrite Rmult_1_l. apply Rabs_le, chase_lip; auto. Qed.
+(** the next iterate is continuous *)
 Lemma next_cont v : cont v -> cont (next v).
 Proof.
   intros. apply cont_ext with (fun u => / m1 * (force v u - b * impulse v u)). { intros; unfold next; field; lra. }
@@ -279,7 +306,9 @@ Proof.
   pose proof (abs_scal b _ _ ltac:(lra) S). pose proof (F t Ht). lra.
 Qed.
 
+(** the iterates, from 0 *)
 Fixpoint it n : R -> R := match n with O => fun _ => 0 | S n => next (it n) end.
+(** they are continuous *)
 Lemma it_cont n : cont (it n).
 Proof. induction n; simpl; [apply cont_const|apply next_cont; auto]. Qed.
 
@@ -290,6 +319,7 @@ Proof.
   apply Rdiv_lt_0_compat; auto. nra.
 Qed.
 
+(** the first two differ by at most C exp (lam t) *)
 Lemma it_first t : 0 <= t -> Rabs (it 1 t - it 0 t) <= C * exp (lam * t).
 Proof.
   intros Ht. simpl. unfold next, force.
@@ -317,6 +347,7 @@ Proof.
   assert (0 < y * / m1) by nra. nra.
 Qed.
 
+(** each difference is half the one before, in the weighted norm *)
 Lemma it_step n t : 0 <= t -> Rabs (it (S n) t - it n t) <= C * (/ 2) ^ n * exp (lam * t).
 Proof.
   revert t. induction n; intros t Ht.
@@ -329,6 +360,7 @@ Qed.
 (** the limit of the iterates, as a least upper bound *)
 Definition limit t := real (Lub_Rbar (fun y => exists n, y = it n t - 2 * C * (/ 2) ^ n * exp (lam * t))).
 
+(** so they converge, at that rate *)
 Lemma limit_near n t : 0 <= t -> Rabs (limit t - it n t) <= 2 * C * (/ 2) ^ n * exp (lam * t).
 Proof.
   intros Ht. set (r := fun n => 2 * C * (/ 2) ^ n * exp (lam * t)).
@@ -352,6 +384,7 @@ Proof.
   apply Rabs_le; lra.
 Qed.
 
+(** powers of 1/2 become small *)
 Lemma small q e : 0 < q -> 0 < e -> exists n, q * (/ 2) ^ n < e.
 Proof.
   intros Hq He. destruct (pow_lt_1_zero (/ 2)) with (y := e / q) as (n & N).
@@ -360,6 +393,7 @@ Proof.
   apply Rmult_lt_compat_l with (r := q) in N; auto. replace (q * (e / q)) with e in N by (field; lra). auto.
 Qed.
 
+(** the limit is continuous *)
 Lemma limit_cont : cont limit.
 Proof.
   intros t Ht e He. assert (Hl : 1 <= lam) by (unfold lam; lra). pose proof (exp_pos (lam * (t + 1))) as Ep.
@@ -377,6 +411,7 @@ Proof.
   apply Rabs_def2 in B1. apply Rabs_def2 in B2. apply Rabs_def2 in Kd. apply Rabs_def1; lra.
 Qed.
 
+(** the limit is a fixed point *)
 Lemma limit_fixed t : 0 <= t -> next limit t = limit t.
 Proof.
   intros Ht. apply Rminus_diag_uniq. destruct (Req_dec (next limit t - limit t) 0) as [|N]; auto. exfalso.
@@ -392,6 +427,7 @@ Proof.
     unfold Rminus at 1 in Hn. lra.
 Qed.
 
+(** and a fixed point is a solution *)
 Theorem existence : exists x v1 v2 s, solution m1 m2 a1 a2 b x v1 v2 s /\ x 0 = x0 /\ v1 0 = v10 /\ v2 0 = v20.
 Proof.
   set (v := limit). pose proof limit_cont as CV. fold v in CV.

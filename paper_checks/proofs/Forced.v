@@ -5,6 +5,7 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Existence.
 Local Open Scope R_scope.
 
+(** right derivatives are unique *)
 Lemma rderiv_unique f t l k : rderiv f t l -> rderiv f t k -> l = k.
 Proof.
   intros F G. apply Rminus_diag_uniq. destruct (Req_dec (l - k) 0) as [|N]; auto. exfalso. apply Rabs_pos_lt in N.
@@ -15,6 +16,7 @@ Proof.
   rewrite Rabs_mult, (Rabs_pos_eq (d / 2)) in Q by lra. nra.
 Qed.
 
+(** the absolute value is continuous *)
 Lemma cont_abs f : cont f -> cont (fun u => Rabs (f u)).
 Proof.
   intros C t Ht e He. destruct (C t Ht e He) as (d & Hd & K). exists d; split; auto. intros s Hs Hd1.
@@ -71,6 +73,7 @@ Proof.
     apply rderiv_eq with (- (a2 * x t + a1 * v1 t) + 0); [ring|]. apply rderiv_plus; [auto|apply rderiv_const].
 Qed.
 
+(** the impulse of friction is continuous *)
 Lemma forced_cs U x v1 v2 s : forced U x v1 v2 s -> cont s.
 Proof. intros H. apply (lip_cont s 1); [lra|]. intros. rewrite Rmult_1_l. apply (f_lip _ _ _ _ _ H); auto. Qed.
 
@@ -82,6 +85,7 @@ Proof.
     lra). lra.
 Qed.
 
+(** v2 is continuous *)
 Lemma forced_cv2 U x v1 v2 s : forced U x v1 v2 s -> cont v2.
 Proof.
   intros H. apply cont_ext with (fun u => (v2 0 - b / m2 * s 0) + b / m2 * s u).
@@ -126,6 +130,7 @@ Proof.
     set (e1 := e / (q + 1)) in *. nra.
 Qed.
 
+(** increments of the impulse are O(h) *)
 Lemma big_s U x v1 v2 s t : forced U x v1 v2 s -> 0 <= t -> big (fun h => s (t + h) - s t).
 Proof. intros H. apply big_lip, (f_lip _ _ _ _ _ H). Qed.
 
@@ -134,6 +139,7 @@ Variables U x v1 v2 s U' x' v1' v2' s' : R -> R.
 Hypotheses (H : forced U x v1 v2 s) (H' : forced U' x' v1' v2' s').
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 
+(** the energy distance is continuous *)
 Lemma forced_cont_D : cont D.
 Proof.
   pose proof (forced_cv2 _ _ _ _ _ H). pose proof (forced_cv2 _ _ _ _ _ H'). destruct H, H'.
@@ -210,6 +216,7 @@ Proof.
   replace ((k / (2 * sqrt (y t)) + e) * h * (2 * sqrt (y t))) with ((k + 2 * sqrt (y t) * e) * h) by (field; lra). auto.
 Qed.
 
+(** so is the root of what is bounded away from 0 *)
 Lemma cont_sqrt y c : 0 < c -> (forall u, c <= y u) -> cont y -> cont (fun u => sqrt (y u)).
 Proof.
   intros Hc P C t Ht e He. pose proof (sqrt_lt_R0 _ Hc) as Sp. destruct (C t Ht (sqrt c * e)) as (d & Hd & K); [nra|].
@@ -224,6 +231,7 @@ Proof.
   rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. apply Rmult_le_compat_r; [apply Rabs_pos|lra].
 Qed.
 
+(** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
 Theorem input_to_state du J r t : (forall u, 0 <= u -> rderiv (fun r => U r - U' r) u (du u)) ->
   cont J -> (forall u, 0 <= u -> rderiv J u (Rabs (du u))) -> 0 <= r <= t -> N t <= N r + (J t - J r) / sqrt m1.
 Proof.
@@ -292,6 +300,7 @@ Proof.
   assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h) by (apply Rmult_le_pos; [apply Rmult_le_pos; auto|lra]). lra.
 Qed.
 
+(** equal states stay equal *)
 Theorem forced_unique U x v1 v2 s x' v1' v2' s' t0 : forced U x v1 v2 s -> forced U x' v1' v2' s' -> 0 <= t0 ->
   x t0 = x' t0 -> v1 t0 = v1' t0 -> v2 t0 = v2' t0 -> forall t, t0 <= t -> x t = x' t /\ v1 t = v1' t /\ v2 t = v2' t.
 Proof.
@@ -474,6 +483,7 @@ Proof.
   rewrite Ed. apply Req_le. unfold p. field.
 Qed.
 
+(** the place at T for a given change of velocity: largest and smallest by accelerating first or last *)
 Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> 0 <= T ->
   Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
 Proof.
@@ -507,12 +517,14 @@ Qed.
 (** the bang-bang motion with its kinks at 0, tau, 2 tau: y |y| / 2 has the derivative |y|,
   and |y| the right derivative +-1 *)
 Definition side y := if Rle_dec 0 y then 1 else -1.
+(** the right derivative of |t - c| *)
 Lemma rderiv_Rabs c t : rderiv (fun u => Rabs (u - c)) t (side (t - c)).
 Proof.
   unfold side. destruct (Rle_dec 0 (t - c)).
   - apply rderiv_exact with 1; [lra|]. intros h Hh. rewrite !Rabs_pos_eq by lra. ring.
   - apply rderiv_exact with (c - t); [lra|]. intros h Hh. rewrite !Rabs_left by lra. ring.
 Qed.
+(** and of its integral *)
 Lemma rderiv_half c t : rderiv (fun u => (u - c) * Rabs (u - c) / 2) t (Rabs (t - c)).
 Proof.
   intros e He. exists e; split; auto. intros h Hh. apply Rle_trans with (h * h / 2); [|nra].
@@ -520,11 +532,15 @@ Proof.
   unfold Rabs. destruct (Rcase_abs (y + h)), (Rcase_abs y); split; nra.
 Qed.
 
+(** the velocity of the fastest transfer: up, then down *)
 Definition bang tau t := b / m2 * ((Rabs (t - 2 * tau) + Rabs (t - 0) - 2 * Rabs (t - tau)) / 2).
+(** its place *)
 Definition run tau t := b / m2 * (((t - 2 * tau) * Rabs (t - 2 * tau) / 2 + (t - 0) * Rabs (t - 0) / 2
   - 2 * ((t - tau) * Rabs (t - tau) / 2)) / 2).
+(** its acceleration *)
 Definition push tau t := b / m2 * ((side (t - 2 * tau) + side (t - 0) - 2 * side (t - tau)) / 2).
 
+(** the velocity has that acceleration *)
 Lemma rderiv_bang tau t : rderiv (bang tau) t (push tau t).
 Proof.
   unfold bang, push. apply rderiv_scal. apply rderiv_eq with (/ 2 * (side (t - 2 * tau) + side (t - 0) - 2 * side
@@ -532,6 +548,7 @@ Proof.
   apply rderiv_ext with (fun u => / 2 * (Rabs (u - 2 * tau) + Rabs (u - 0) - 2 * Rabs (u - tau))); [intros; field|].
   apply rderiv_scal, rderiv_minus; [apply rderiv_plus|apply rderiv_scal]; apply rderiv_Rabs.
 Qed.
+(** the place has that velocity *)
 Lemma rderiv_run tau t : rderiv (run tau) t (bang tau t).
 Proof.
   unfold run, bang. apply rderiv_scal. apply rderiv_eq with (/ 2 * (Rabs (t - 2 * tau) + Rabs (t - 0) - 2 * Rabs
@@ -540,6 +557,7 @@ Proof.
     ((u - tau) * Rabs (u - tau) / 2))); [intros; field|].
   apply rderiv_scal, rderiv_minus; [apply rderiv_plus|apply rderiv_scal]; apply rderiv_half.
 Qed.
+(** the velocity changes as fast as friction allows and no faster *)
 Lemma bang_lip tau p q : 0 <= tau -> 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p).
 Proof.
   intros Ht Hp. unfold bang. rewrite <- Rmult_minus_distr_l. apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat; auto|].

@@ -5,6 +5,7 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Existence Forced.
 Local Open Scope R_scope.
 
+(** a continuous function is bounded up to each time *)
 Lemma cont_bounded f t : cont f -> 0 <= t -> exists B, forall u, 0 <= u <= t -> Rabs (f u) <= B.
 Proof.
   intros C Ht. set (g := fun u => Rabs (f (Rmax 0 u))).
@@ -23,26 +24,36 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 
 Let k := b / m1 + b / m2.
 Let kp : 0 < k. Proof. unfold k. apply Rplus_lt_0_compat; apply Rdiv_lt_0_compat; auto. Qed.
 
+(** x by v1 *)
 Definition place v t := x0 + integral v t.
+(** m1 v1 + b s by v1: the momentum without friction, with the force's impulse *)
 Definition force v t := m1 * v10 + (U t - U 0) - a2 * integral (place v) t - a1 * integral v t.
+(** what the impulse of friction chases *)
 Definition aim v t := (force v t / m1 - v20) / k.
+(** the impulse of friction by v1 *)
 Definition impulse v := chase (aim v).
+(** one step of the iteration *)
 Definition next v t := (force v t - b * impulse v t) / m1.
 
+(** x is continuous *)
 Lemma place_cont v : cont v -> cont (place v).
 Proof. intros. apply cont_plus; [apply cont_const|apply integral_cont; auto]. Qed.
+(** the momentum is continuous *)
 Lemma force_cont v : cont v -> cont (force v).
 Proof.
   intros. repeat apply cont_minus; [apply cont_plus; [|apply cont_minus]; auto using cont_const| |];
     apply cont_scal, integral_cont; auto. apply place_cont; auto.
 Qed.
+(** the aim is continuous *)
 Lemma aim_cont v : cont v -> cont (aim v).
 Proof.
   intros. apply cont_ext with (fun u => / k * (/ m1 * force v u - v20)). { intros; unfold aim; field; lra. }
   apply cont_scal, cont_minus; [apply cont_scal, force_cont; auto|apply cont_const].
 Qed.
+(** the impulse is continuous *)
 Lemma impulse_cont v : cont (impulse v).
 Proof. apply (lip_cont _ 1); [lra|]. intros r t Hr. rewrite Rmult_1_l. apply Rabs_le, chase_lip; auto. Qed.
+(** the next iterate is continuous *)
 Lemma next_cont v : cont v -> cont (next v).
 Proof.
   intros. apply cont_ext with (fun u => / m1 * (force v u - b * impulse v u)). { intros; unfold next; field; lra. }
@@ -107,7 +118,9 @@ Proof.
   pose proof (abs_scal b _ _ ltac:(lra) S). pose proof (F t ltac:(lra)). lra.
 Qed.
 
+(** the iterates, from 0 *)
 Fixpoint it n : R -> R := match n with O => fun _ => 0 | S n => next (it n) end.
+(** they are continuous *)
 Lemma it_cont n : cont (it n).
 Proof. induction n; simpl; [apply cont_const|apply next_cont; auto]. Qed.
 
@@ -141,6 +154,7 @@ Proof.
     apply P. lra.
 Qed.
 
+(** the first two differ by at most C(t) exp (lam t) *)
 Lemma it_first t : 0 <= t -> Rabs (it 1 t - it 0 t) <= C t * exp (lam * t).
 Proof.
   intros Ht. simpl. unfold next, force.
@@ -172,6 +186,7 @@ Proof.
   assert (0 < y * / m1) by nra. nra.
 Qed.
 
+(** each difference is half the one before, up to T *)
 Lemma it_step n T t : 0 <= t <= T -> Rabs (it (S n) t - it n t) <= C T * (/ 2) ^ n * exp (lam * t).
 Proof.
   revert t. induction n; intros t Ht.
@@ -185,6 +200,7 @@ Qed.
 (** the limit of the iterates, as a least upper bound *)
 Definition limit t := real (Lub_Rbar (fun y => exists n, y = it n t - 2 * C t * (/ 2) ^ n * exp (lam * t))).
 
+(** so they converge, at that rate *)
 Lemma limit_near n t : 0 <= t -> Rabs (limit t - it n t) <= 2 * C t * (/ 2) ^ n * exp (lam * t).
 Proof.
   intros Ht. set (r := fun n => 2 * C t * (/ 2) ^ n * exp (lam * t)).
@@ -209,12 +225,14 @@ Proof.
   apply Rabs_le; lra.
 Qed.
 
+(** the same with one constant up to T *)
 Lemma limit_near' n T t : 0 <= t <= T -> Rabs (limit t - it n t) <= 2 * C T * (/ 2) ^ n * exp (lam * t).
 Proof.
   intros Ht. eapply Rle_trans; [apply limit_near; lra|]. apply Rmult_le_compat_r; [apply Rlt_le, exp_pos|].
   apply Rmult_le_compat_r; [apply pow_le; lra|]. pose proof (C_mono t T Ht). lra.
 Qed.
 
+(** the limit is continuous *)
 Lemma limit_cont : cont limit.
 Proof.
   intros t Ht e He. assert (Hl : 1 <= lam) by (unfold lam; lra). pose proof (exp_pos (lam * (t + 1))) as Ep.
@@ -233,6 +251,7 @@ Proof.
   apply Rabs_def2 in B1. apply Rabs_def2 in B2. apply Rabs_def2 in Kd. apply Rabs_def1; lra.
 Qed.
 
+(** the limit is a fixed point *)
 Lemma limit_fixed t : 0 <= t -> next limit t = limit t.
 Proof.
   intros Ht. apply Rminus_diag_uniq. destruct (Req_dec (next limit t - limit t) 0) as [|N]; auto. exfalso.
@@ -249,6 +268,7 @@ Proof.
     unfold Rminus at 1 in Hn. lra.
 Qed.
 
+(** and a fixed point is a solution *)
 Theorem forced_existence : exists x v1 v2 s, forced m1 m2 a1 a2 b U x v1 v2 s /\ x 0 = x0 /\ v1 0 = v10 /\ v2 0 = v20.
 Proof.
   set (v := limit). pose proof limit_cont as CV. fold v in CV.

@@ -5,10 +5,12 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit.
 Local Open Scope R_scope.
 
+(** k = cot p *)
 Definition ct p := cos p / sin p.
 (** the push whose slip from the gap d has the half angle p *)
 Definition push d p := hh p - d * ct p.
 
+(** it decreases *)
 Lemma ct_falls p q : 0 < p -> p < q -> q < PI -> ct q < ct p.
 Proof.
   intros. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin_gt_0 q ltac:(lra) ltac:(lra)) as S'.
@@ -23,6 +25,7 @@ Proof.
   intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq).
   unfold push. assert (d * ct q <= d * ct p) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
+(** one half angle for each push *)
 Theorem push_root d u : 0 < d -> exists! p, 0 < p < PI /\ push d p = u.
 Proof.
   intros Hd. assert (Ex : exists p, 0 < p < PI /\ push d p = u).
@@ -63,6 +66,7 @@ Proof.
   - pose proof (push_incr d p p' ltac:(lra) ltac:(lra) Lt ltac:(lra)). lra.
   - pose proof (push_incr d p' p ltac:(lra) ltac:(lra) Gt ltac:(lra)). lra.
 Qed.
+(** without a gap the push is h *)
 Lemma push_0 p : push 0 p = hh p. Proof. unfold push. ring. Qed.
 
 (** A1: theta - u = h + k D, with D = c + d, k = cot p, theta = 2 p, u = h - k d *)
@@ -89,8 +93,10 @@ Let ray := ray m1 m2 a2 b.
 
 (** on S on the side k, a gap q d beyond the end of the strip, moving outwards at the speed ray u *)
 Definition at_gap k d u (x v1 v2 : R -> R) t := k * x t = L * (1 + q * d) /\ k * v1 t = ray u /\ k * v2 t = ray u.
+(** an exit ray is a gap of 0 *)
 Lemma ray_gap k u x v1 v2 t : on_ray m1 m2 a2 b k u x v1 v2 t <-> at_gap k 0 u x v1 v2 t.
 Proof. unfold on_ray, at_gap. fold L ray. rewrite Rmult_0_r, Rplus_0_r, Rmult_1_r. tauto. Qed.
+(** the mirror image *)
 Lemma gap_mirror k d u x v1 v2 t : at_gap k d u x v1 v2 t <->
   at_gap (- k) d u (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) t.
 Proof.
@@ -98,8 +104,11 @@ Proof.
   replace (- k * - v2 t) with (k * v2 t) by ring. tauto.
 Qed.
 
+(** the slip from a gap: place of body 1 *)
 Definition Gx d u t := b / a2 + b * m1 / (a2 * m2) * ((1 + d) * cos (o1 * t) + u * sin (o1 * t)).
+(** its speed *)
 Definition G1 d u t := b / (m2 * o1) * (u * cos (o1 * t) - (1 + d) * sin (o1 * t)).
+(** the speed of body 2 *)
 Definition G2 u t := b / (m2 * o1) * (u - o1 * t).
 
 (** the guard v1 - v2 is a positive multiple of push d (theta/2) - u *)
@@ -111,6 +120,7 @@ Proof.
   pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 z) as SC. unfold Rsqr in SC.
   unfold G1, G2. rewrite Ez, cos_2a_sin, sin_2a. unfold push, hh, ct. field. lra.
 Qed.
+(** v1 < v2 until the half angle p *)
 Lemma gap_sign d p t : 0 <= d -> 0 < p < PI -> 0 < t < 2 * p / o1 -> G1 d (push d p) t < G2 (push d p) t.
 Proof.
   intros Hd Hp Ht. assert (O : 0 < o1) by (apply o1_pos; auto).
@@ -124,6 +134,7 @@ Proof.
   { apply Rmult_lt_0_compat; [|lra]. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. }
   nra.
 Qed.
+(** the slip obeys the law until then *)
 Lemma gap_arc d p : 0 <= d -> 0 < p < PI ->
   arc m1 m2 a2 b (2 * p / o1) (Gx d (push d p)) (G1 d (push d p)) (G2 (push d p)) (fun _ => -1).
 Proof.
@@ -163,6 +174,7 @@ Qed.
 
 (** the energy at X = 1 - q D and the speed ray w: E_cr (1 + q y'), y' = w^2 - 2 D + q D^2 *)
 Definition level p d := let D := depth p + d in hh p ^ 2 - 2 * (1 - hh p * ct p) * D + (ct p ^ 2 + q) * D ^ 2.
+(** that level, computed *)
 Lemma gap_energy p d : let D := depth p + d in
   energy m1 m2 a2 (L * (1 - q * D)) (- ray (hh p + ct p * D)) (- ray (hh p + ct p * D)) = Ecr * (1 + q * level p d).
 Proof.

@@ -92,6 +92,7 @@ Qed.
 
 (** one round takes at least a fixed time, unless the level is small: then E stays above E_cr for ever anyway *)
 Let tau := 2 * half (2 / 3) / o1.
+(** so there is a next contact in S0 above E_cr, or the energy never comes down *)
 Lemma next_above t0 : above t0 -> (forall t, 0 <= t -> Ecr < E t) \/ exists t, t0 + tau <= t /\ above t.
 Proof.
   intros A. pose proof A as (Ht & Ev & Hx & HE). destruct (Rle_dec (E t0) (Ecr * (1 + 4 / 9 * q))) as [Sm|Bg].

@@ -4,6 +4,7 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Dichotomy Slip Cycle Orbit Sharp.
 Local Open Scope R_scope.
 
+(** sin u >= u - u^3/6 *)
 Lemma sin_above u : 0 <= u <= PI -> u - u ^ 3 / 6 <= sin u.
 Proof.
   intros Hu. cut (0 <= sin u - (u - u ^ 3 / 6)); [lra|].
@@ -15,8 +16,10 @@ Proof.
   - rewrite sin_0. field.
 Qed.
 
+(** from squares to absolute values *)
 Lemma sq_le z c : 0 <= c -> z ^ 2 <= c ^ 2 -> Rabs z <= c.
 Proof. intros. apply Rabs_le. split; nra. Qed.
+(** a positive product with a positive factor *)
 Lemma pos_factor a c : 0 < a -> 0 < a * c -> 0 < c.
 Proof. intros Ha P. apply Rmult_lt_reg_l with a; lra. Qed.
 
@@ -83,6 +86,7 @@ Proof.
   match type of R1 with on_ray _ _ _ _ _ _ _ _ _ (t0 + ?TT) => set (T := TT) in * end.
   exists (t0 + T). fold om in T1. split; [lra|]. auto.
 Qed.
+(** from S0 at a level above E_cr it sticks up to an exit ray, at that level *)
 Theorem start_level x v1 v2 s t0 u : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L ->
   0 < u -> en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * u ^ 2) ->
   exists k t1, (k = 1 \/ k = -1) /\ t0 <= t1 < t0 + PI / om /\ on_ray m1 m2 a2 b k u x v1 v2 t1.
@@ -99,6 +103,7 @@ Proof.
     exists 1, t1. split; [auto|]. split; [auto|]. apply ray_mirror. exact A2.
 Qed.
 
+(** the same at a small level, by its half angle *)
 Theorem start x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L ->
   Ecr < en (x t0) (v1 t0) (v2 t0) -> small (en (x t0) (v1 t0) (v2 t0)) ->
   exists k t1 p, (k = 1 \/ k = -1) /\ t0 <= t1 < t0 + PI / om /\ ok m1 m2 p /\ on_ray m1 m2 a2 b k (hh p) x v1 v2 t1 /\

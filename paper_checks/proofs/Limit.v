@@ -1,13 +1,16 @@
-(** The dichotomy without LaSalle: A, B are the state turned back along the stuck motion; E pays for their change. *)
+(** The energy tends to a limit of at most E_cr. The state is turned back by the angle Omega t: its coordinates A, B move only
+    by slip, and slip costs energy, so they are paid for and converge; above E_cr each turn would cost a fixed amount. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
 Local Open Scope R_scope.
 
+(** a natural number above each real one *)
 Lemma nat_above y : exists k : nat, y < INR k.
 Proof. destruct (nfloor_ex (Rmax 0 y) (Rmax_l _ _)) as (n & _ & Hn). exists (S n). rewrite S_INR.
   pose proof (Rmax_r 0 y). lra. Qed.
 
+(** polar coordinates, at a time as late as one likes *)
 Lemma polar A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
   exists t, t0 <= t /\ R * cos (om * t) = A /\ R * sin (om * t) = B.
 Proof.
@@ -37,6 +40,7 @@ Proof.
   replace ((om * t0 - phi) / (2 * PI) * (2 * PI)) with (om * t0 - phi) in Hk by (field; lra). lra.
 Qed.
 
+(** cos z >= 1 - z^2/2 *)
 Lemma cos_below z : 0 <= z <= 1 -> 1 - z ^ 2 / 2 <= cos z.
 Proof.
   intros Hz. replace z with (2 * (z / 2)) at 2 by field. rewrite cos_2a_sin.
@@ -67,6 +71,7 @@ Let M_pos : 0 < M. Proof. unfold M; lra. Qed.
 Let kap_pos : 0 < kap. Proof. unfold kap; apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. Qed.
 Let Ha1 : 0 <= 0 := Rle_refl 0.
 
+(** the momentum feels the spring alone *)
 Lemma P_rate t : 0 <= t -> rderiv P t (- a2 * x t).
 Proof.
   intros Ht. eapply rderiv_ext with (f := fun u => (m1 * v1 u + b * s u) + (m2 * v2 0 - b * s 0)).
@@ -74,31 +79,42 @@ Proof.
   eapply rderiv_eq; [|apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)|apply rderiv_const]]. ring.
 Qed.
 
+(** the turning frame: cosine *)
 Lemma turn_cos t : rderiv (fun u => cos (om * u)) t (- om * sin (om * t)).
 Proof. apply rderiv_of_derive. auto_derive; auto. ring. Qed.
+(** and sine *)
 Lemma turn_sin t : rderiv (fun u => sin (om * u)) t (om * cos (om * t)).
 Proof. apply rderiv_of_derive. auto_derive; auto. ring. Qed.
+(** they are continuous *)
 Lemma cont_cos : cont (fun u => cos (om * u)).
 Proof. apply cont_of_derive with (fun t => - om * sin (om * t)). intros t; auto_derive; auto. ring. Qed.
+(** both *)
 Lemma cont_sin : cont (fun u => sin (om * u)).
 Proof. apply cont_of_derive with (fun t => om * cos (om * t)). intros t; auto_derive; auto. ring. Qed.
+(** v2 is continuous *)
 Lemma cont_v : cont v2. Proof. exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H). Qed.
+(** the momentum is continuous *)
 Lemma cont_P : cont P.
 Proof. apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
+(** the relative velocity is continuous *)
 Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
+(** the energy is continuous *)
 Lemma cont_En : cont E. Proof. exact (cont_E m1 m2 0 a2 b Hm2 _ _ _ _ H). Qed.
+(** A is continuous *)
 Lemma cont_A : cont A.
 Proof.
   apply cont_minus; apply cont_mult; auto using cont_cos, cont_sin. { apply (s_cx _ _ _ _ _ _ _ _ _ H). }
   apply cont_ext with (fun u => / (M * om) * P u). { intros; unfold Rdiv; ring. } apply cont_scal, cont_P.
 Qed.
+(** B is continuous *)
 Lemma cont_B : cont B.
 Proof.
   apply cont_plus; apply cont_mult; auto using cont_cos, cont_sin. { apply (s_cx _ _ _ _ _ _ _ _ _ H). }
   apply cont_ext with (fun u => / (M * om) * P u). { intros; unfold Rdiv; ring. } apply cont_scal, cont_P.
 Qed.
 
+(** A changes only by slip *)
 Lemma A_rate t : 0 <= t -> rderiv A t (m2 / M * w t * cos (om * t)).
 Proof.
   intros Ht. pose proof (s_x _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (P_rate t Ht) as Q.
@@ -108,6 +124,7 @@ Proof.
     rderiv_mult; [exact Q|apply turn_sin]]].
   unfold w, P. replace a2 with (M * (om * om)) by (rewrite om_sq; field; lra). unfold M in *. field. split; lra.
 Qed.
+(** B changes only by slip *)
 Lemma B_rate t : 0 <= t -> rderiv B t (m2 / M * w t * sin (om * t)).
 Proof.
   intros Ht. pose proof (s_x _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (P_rate t Ht) as Q.
@@ -118,8 +135,10 @@ Proof.
   unfold w, P. replace a2 with (M * (om * om)) by (rewrite om_sq; field; lra). unfold M in *. field. split; lra.
 Qed.
 
+(** and slip costs energy *)
 Lemma E_rate t : 0 <= t -> rderiv E t (- b * Rabs (w t)).
 Proof. intros Ht. eapply rderiv_eq; [|apply (energy_rate m1 m2 0 a2 b Hm1 Hm2 _ _ _ _ H t Ht)]. unfold w; ring. Qed.
+(** the energy never increases *)
 Lemma E_mono r t : 0 <= r <= t -> E t <= E r.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 
@@ -141,11 +160,14 @@ Proof.
     - intros u Hu. split; auto. apply rderiv_plus; apply rderiv_scal; [apply RF|apply E_rate]; lra. }
   pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). apply Rabs_le; lra.
 Qed.
+(** A moves at most kap times the energy lost *)
 Lemma A_paid r t : 0 <= r <= t -> Rabs (A t - A r) <= kap * (E r - E t).
 Proof. intros. apply paid with (fun u => cos (om * u)); auto using cont_A, A_rate, COS_bound. Qed.
+(** and so does B *)
 Lemma B_paid r t : 0 <= r <= t -> Rabs (B t - B r) <= kap * (E r - E t).
 Proof. intros. apply paid with (fun u => sin (om * u)); auto using cont_B, B_rate, SIN_bound. Qed.
 
+(** x from A and B *)
 Lemma x_AB t : x t = A t * cos (om * t) + B t * sin (om * t).
 Proof.
   pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold A, B.
@@ -154,6 +176,7 @@ Proof.
     by ring.
   rewrite SC; ring.
 Qed.
+(** the momentum from A and B *)
 Lemma P_AB t : P t = M * om * (B t * cos (om * t) - A t * sin (om * t)).
 Proof.
   pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold A, B.
@@ -162,6 +185,7 @@ Proof.
     + c * c)) by (field; split; lra).
   rewrite SC; ring.
 Qed.
+(** the energy from A, B and the relative velocity *)
 Lemma E_AB t : E t = a2 / 2 * (A t ^ 2 + B t ^ 2) + m1 * m2 / (2 * M) * w t ^ 2.
 Proof.
   pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold E, energy, A, B, w.
@@ -250,6 +274,7 @@ Proof.
       pose proof (E_mono t u ltac:(lra)). lra.
 Qed.
 
+(** there is a contact after every time *)
 Lemma contact' T : 0 <= T -> exists t, T <= t /\ w t = 0.
 Proof.
   intros HT. destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (t & Ht & Ev).

@@ -1,16 +1,18 @@
-(** The one numerical inequality of MERGING.md, A (c), with q replaced by its least value at p.
-  Uses Interval (primitive integers). *)
+(** The one numerical inequality behind the merging set: a short slip that ends in S0 stays above E_cr, with the share q
+    replaced by the least one at which the slip is short. By interval arithmetic away from p = 0. *)
 From Coq Require Import Reals Lra Psatz.
 From Interval Require Import Tactic.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion Rate Gap.
 Local Open Scope R_scope.
 
+(** in the middle, by interval arithmetic *)
 Lemma margin_mid p : 7 / 10 <= p <= 16 / 10 ->
   0 < ((p - sin p * cos p) / (sin p * sin p)) * ((p - sin p * cos p) / (sin p * sin p))
     - (1 - 2 * ((p - sin p * cos p) / (sin p * sin p)) * (cos p / sin p)) * (1 + (PI - p) * (cos p / sin p)).
 Proof. intros Hp. interval with (i_bisect p, i_taylor p, i_depth 14, i_prec 60). Qed.
 
+(** at small angles 2 h k >= 1, so the left side is not positive *)
 Theorem margin p : 0 < p < PI / 2 -> (1 - 2 * hh p * ct p) * (1 + (PI - p) * ct p) < hh p ^ 2.
 Proof.
   intros Hp. pose proof PI_4 as P4. pose proof PI2_3_2. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.

@@ -47,6 +47,7 @@ Proof.
   - pose proof (depth_upper p Hp) as D. pose proof (depth_pos p Hp). rewrite E in D. unfold ratio. rewrite E.
     apply Rmult_le_reg_r with (depth p); auto. replace (2 / 3 / depth p * depth p) with (2 / 3) by (field; lra). lra.
 Qed.
+(** for long slips *)
 Lemma ratio_long p : PI - / 20 <= p < PI -> 1 <= ratio p.
 Proof.
   intros Hp. pose proof PI2_3_2 as P3. pose proof PI_4 as P4. assert (P : 0 < p < PI) by lra. rewrite ratio_AB by auto.

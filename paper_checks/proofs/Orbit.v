@@ -14,6 +14,7 @@ Proof.
   assert (sin p / p * p = sin p) by (field; lra). nra.
 Qed.
 
+(** it exists, as h goes from 0 to infinity *)
 Lemma half_ex u : 0 < u -> {p | 0 < p < PI /\ hh p = u}.
 Proof.
   intros Hu. set (F := fun p => p - sin p * cos p - u * sin p ^ 2). set (p0 := Rmin 1 (u / 4)).
@@ -31,11 +32,15 @@ Proof.
     exists z. split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S.
     unfold hh. unfold F in Z. replace (z - sin z * cos z) with (u * sin z ^ 2) by lra. field. lra.
 Qed.
+(** the half angle by the push *)
 Definition half u := match Rlt_dec 0 u with left Hu => proj1_sig (half_ex u Hu) | right _ => 1 end.
+(** what it is *)
 Lemma half_spec u : 0 < u -> 0 < half u < PI /\ hh (half u) = u.
 Proof. intros Hu. unfold half. destruct (Rlt_dec 0 u); [|lra]. exact (proj2_sig (half_ex u r)). Qed.
+(** h = pi/2 at p = pi/2 *)
 Lemma hh_half_pi : hh (PI / 2) = PI / 2.
 Proof. unfold hh. rewrite sin_PI2, cos_PI2. field. Qed.
+(** h is monotone, the other way round *)
 Lemma hh_le p q : 0 < p < PI -> 0 < q < PI -> hh p <= hh q -> p <= q.
 Proof. intros Hp Hq I. destruct (Rle_dec p q); auto.
   pose proof (hh_incr q p ltac:(lra) ltac:(lra) ltac:(lra)); lra. Qed.
@@ -47,6 +52,7 @@ Proof.
   unfold depth. apply Rmult_le_reg_r with (sin p); auto.
     replace (2 * (sin p - p * cos p) / sin p * sin p) with (2 * (sin p - p * cos p)) by (field; lra). nra.
 Qed.
+(** it comes back inwards: h < theta *)
 Lemma back p : 0 < p <= PI / 2 -> hh p < 2 * p.
 Proof.
   intros Hp. destruct (Req_dec p (PI / 2)) as [->|N]. { rewrite hh_half_pi. lra. }
@@ -85,6 +91,7 @@ Proof.
       pose proof (pow_lt _ 2 G). apply Rmult_lt_0_compat; lra. }
     unfold Rdiv. pose proof (Rmult_lt_0_compat _ _ Nu De). lra.
 Qed.
+(** so an excursion shorter than one that ends above E_cr ends above it too *)
 Lemma stays_above r p q : 0 < p -> p <= q -> q <= PI / 2 -> r * depth q ^ 2 < hh q ^ 2 -> r * depth p ^ 2 < hh p ^ 2.
 Proof.
   intros Hp Hpq Hq I. pose proof PI_RGT_0. pose proof (depth_pos p ltac:(lra)) as Dp.
@@ -127,7 +134,9 @@ Let o1_pos : 0 < o1 := o1_pos m1 a2 Hm1 Ha2.
 
 (** excursions up to theta = pi that land above E_cr, and the return map in the half angle *)
 Definition ok p := 0 < p <= PI / 2 /\ r * depth p ^ 2 < hh p ^ 2.
+(** the half angle of the next excursion *)
 Definition next p := half (sqrt (hh p ^ 2 - r * depth p ^ 2)).
+(** the time of a cycle: a slip, and a stick between two arc cosines *)
 Definition cyc p := 2 * p / o1 + (acos (- / amp (hh (next p) ^ 2)) - acos ((1 - q * depth p) / amp (hh (next p) ^
   2))) / om.
 
@@ -141,6 +150,7 @@ Proof.
   replace (r * (3 / 2 * hh p ^ 2) ^ 2) with (9 / 4 * r * hh p ^ 2 * hh p ^ 2) by field.
     rewrite <- (Rmult_1_l (hh p ^ 2)) at 3. apply Rmult_lt_compat_r; auto.
 Qed.
+(** the next excursion is one of them too, and its level is that of the return map *)
 Lemma next_ok p : ok p -> ok (next p) /\ hh (next p) ^ 2 = hh p ^ 2 - r * depth p ^ 2.
 Proof.
   intros (Hp & Hs). assert (P : 0 < p < PI) by (pose proof PI_RGT_0; lra). pose proof (hh_pos p P) as H0.
@@ -151,6 +161,7 @@ Proof.
   assert (hh (next p) <= hh p). { pose proof (hh_pos _ Hn). nra. }
   pose proof (hh_le (next p) p Hn P ltac:(lra)). split; [lra|]. apply (stays_above r (next p) p); lra.
 Qed.
+(** such an angle is below pi *)
 Lemma ok_pi p : ok p -> 0 < p < PI. Proof. intros (Hp & _). pose proof PI_RGT_0. lra. Qed.
 
 (** The cycle from ray to ray, on either side: slip with k (v1 - v2) < 0, then stick inside the strip. *)
@@ -180,6 +191,7 @@ Proof.
       replace (t0 + u) with (t1 + (u - 2 * p / o1)) by (unfold t1; ring). apply Si. lra.
 Qed.
 
+(** the mirror image of a ray *)
 Lemma ray_mirror k u x v1 v2 t : on_ray k u x v1 v2 t <->
   on_ray (- k) u (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) t.
 Proof.
@@ -188,6 +200,7 @@ Proof.
   replace (- k * - v2 t) with (k * v2 t) by ring. tauto.
 Qed.
 
+(** the cycle on either side *)
 Theorem cycle k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->
   on_ray k (hh p) x v1 v2 t0 ->
   2 * p / o1 <= cyc p < 2 * p / o1 + PI / om /\ on_ray (- k) (hh (next p)) x v1 v2 (t0 + cyc p) /\
@@ -211,6 +224,7 @@ Proof.
   unfold om, o1, omega, Cycle.o1. rewrite <- sqrt_div_alt by (apply Rdiv_lt_0_compat; auto). f_equal. unfold q, M.
     field. lra.
 Qed.
+(** slip, and both arc cosines, are at most multiples of the push *)
 Theorem cycle_time p : ok p -> Rabs (om * cyc p - PI) <= 6 * sqrt q * hh p.
 Proof.
   intros Hok. pose proof (ok_pi p Hok) as Hp. destruct (next_ok p Hok) as (Hn & E).
@@ -257,9 +271,12 @@ Qed.
 
 (** *** The exits of the solution *)
 Fixpoint orb p n := match n with O => p | S n => next (orb p n) end.
+(** the times of the exits *)
 Fixpoint tim t0 p n := match n with O => t0 | S n => tim t0 p n + cyc (orb p n) end.
+(** the orbit stays among them *)
 Lemma orb_ok p n : ok p -> ok (orb p n).
 Proof. intros Hp. induction n; simpl; auto. apply next_ok; auto. Qed.
+(** a cycle takes no negative time *)
 Lemma cyc_pos p : ok p -> 0 <= cyc p.
 Proof.
   intros Hp. pose proof (ok_pi _ Hp). assert (0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
@@ -276,11 +293,14 @@ Proof.
   assert (acos ((1 - q * depth p) / rho) <= acos (- / rho)); [|lra]. apply cos_decr_0; try lra.
     rewrite !cos_acos by lra. lra.
 Qed.
+(** the exit times do not decrease *)
 Lemma tim_mono t0 p n : ok p -> tim t0 p n <= tim t0 p (S n).
 Proof. intros Hp. simpl. pose proof (cyc_pos _ (orb_ok p n Hp)). lra. Qed.
+(** they are not before the first *)
 Lemma tim_start t0 p n : ok p -> t0 <= tim t0 p n.
 Proof. intros Hp. induction n; [simpl; lra|]. pose proof (tim_mono t0 p n Hp). lra. Qed.
 
+(** by induction on the cycles *)
 Theorem exits k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->
   on_ray k (hh p) x v1 v2 t0 ->
   forall n, on_ray (k * (-1) ^ n) (hh (orb p n)) x v1 v2 (tim t0 p n).
@@ -294,6 +314,7 @@ Proof.
   - pose proof (tim_start t0 p n Hp). lra.
   - apply orb_ok; auto.
 Qed.
+(** the energy on a ray *)
 Lemma ray_energy k u x v1 v2 t : k = 1 \/ k = -1 -> on_ray k u x v1 v2 t ->
   energy m1 m2 a2 (x t) (v1 t) (v2 t) = Ecr * (1 + q * u ^ 2).
 Proof.
@@ -301,6 +322,7 @@ Proof.
   assert (Ev : v2 t = v1 t) by (destruct Hk; subst k; lra). rewrite <- Ex, <- E1, Ev.
   unfold energy. destruct Hk; subst k; field.
 Qed.
+(** so the energy at each exit is that of the orbit *)
 Theorem exit_energy k x v1 v2 s t0 p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> ok p ->
   on_ray k (hh p) x v1 v2 t0 ->
   forall n, energy m1 m2 a2 (x (tim t0 p n)) (v1 (tim t0 p n)) (v2 (tim t0 p n)) = Ecr * (1 + q * hh (orb p n) ^ 2).

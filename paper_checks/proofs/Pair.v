@@ -1,4 +1,5 @@
-(** The friction pair: solutions, contraction, uniqueness, energy, bounded dwell. *)
+(** The friction pair: what a solution is; two solutions never move apart in the energy norm, so they are unique; the rate of
+    the energy; and how long a stay off S can last. With damping a1 >= 0 throughout. *)
 From Coq Require Import Reals Lra Psatz.
 From InertialPair Require Import Dini.
 Local Open Scope R_scope.
@@ -19,11 +20,14 @@ Record solution (x v1 v2 s : R -> R) : Prop := {
   s_v1 : forall t, 0 <= t -> rderiv (fun u => m1 * v1 u + b * s u) t (- (a2 * x t + a1 * v1 t));
   s_v2 : forall t, 0 <= t -> m2 * v2 t - b * s t = m2 * v2 0 - b * s 0 }.
 
+(** the energy E of the pair *)
 Definition energy (x v1 v2 : R) := a2 * x ^ 2 / 2 + m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2.
 
+(** the impulse is continuous *)
 Lemma cont_s x v1 v2 s : solution x v1 v2 s -> cont s.
 Proof. intros H. apply (lip_cont s 1); [lra|]. intros. rewrite Rmult_1_l. apply (s_lip _ _ _ _ H); auto. Qed.
 
+(** v2 is continuous, as m2 v2 - b s is constant *)
 Lemma cont_v2 x v1 v2 s : solution x v1 v2 s -> cont v2.
 Proof.
   intros H. apply cont_ext with (fun u => (v2 0 - b / m2 * s 0) + b / m2 * s u).
@@ -32,6 +36,7 @@ Proof.
   apply cont_plus; [apply cont_const|]. apply cont_scal. apply (cont_s _ _ _ _ H).
 Qed.
 
+(** a solution from a later time on is a solution *)
 Lemma shift_solution x v1 v2 s t0 : 0 <= t0 -> solution x v1 v2 s ->
   solution (fun u => x (t0 + u)) (fun u => v1 (t0 + u)) (fun u => v2 (t0 + u)) (fun u => s (t0 + u)).
 Proof.
@@ -55,6 +60,7 @@ Variables x v1 v2 s x' v1' v2' s' : R -> R.
 Hypotheses (H : solution x v1 v2 s) (H' : solution x' v1' v2' s').
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
 
+(** the energy distance is continuous *)
 Lemma cont_D : cont D.
 Proof.
   destruct H, H'.
@@ -126,11 +132,13 @@ Proof.
     assert (- e1 * h * (w - w') <= ds * (w - w')) by (apply Rmult_le_compat_r; lra). nra.
 Qed.
 
+(** increments of a 1-Lipschitz function are O(h) *)
 Lemma big_lip f : (forall r t, 0 <= r <= t -> Rabs (f t - f r) <= t - r) -> forall t, 0 <= t ->
   big (fun h => f (t + h) - f t).
 Proof. intros L t Ht. exists 1, 1; repeat split; try lra. intros h Hh. replace (1 * h) with (t + h - t) by ring.
   apply L; lra. Qed.
 
+(** its upper right derivative is at most 0: the elastic terms cancel, damping and friction only take away *)
 Lemma D_dini t : 0 <= t -> dini_le D t 0.
 Proof.
   intros Ht e He.
@@ -178,13 +186,16 @@ Proof.
   lra.
 Qed.
 
+(** so it never grows *)
 Theorem contraction r t : 0 <= r <= t -> D t <= D r.
 Proof. intros Hr. apply dini_mono; auto. apply cont_D. intros u Hu. apply D_dini; lra. Qed.
 End Two.
 
+(** the energy is not negative *)
 Lemma energy_pos x v1 v2 : 0 <= energy x v1 v2.
 Proof. unfold energy. pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2). nra. Qed.
 
+(** and 0 only at rest *)
 Lemma energy_zero x v1 v2 : energy x v1 v2 <= 0 -> x = 0 /\ v1 = 0 /\ v2 = 0.
 Proof.
   unfold energy. intros E. pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2).
@@ -210,6 +221,7 @@ Variables x v1 v2 s : R -> R.
 Hypothesis H : solution x v1 v2 s.
 Let E t := energy (x t) (v1 t) (v2 t).
 
+(** the work of friction, and of the damper *)
 Theorem energy_rate t : 0 <= t -> rderiv E t (- b * Rabs (v1 t - v2 t) - a1 * v1 t ^ 2).
 Proof.
   intros Ht.
@@ -248,6 +260,7 @@ Proof.
   unfold E. rewrite EX, EV, EW. unfold energy, rest, dX, dV, dW. field. split; lra.
 Qed.
 
+(** the energy is continuous *)
 Lemma cont_E : cont E.
 Proof.
   apply cont_ext with (fun t => a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + m2 / 2 * (v2 t * v2 t)).
@@ -255,6 +268,7 @@ Proof.
   destruct H. repeat apply cont_plus; apply cont_scal; apply cont_mult; auto; eapply cont_v2; eauto.
 Qed.
 
+(** so the energy never increases *)
 Theorem energy_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof.
   intros Hr. apply (rderiv_mono E r t (fun u => - b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2)); auto. apply cont_E.
@@ -280,6 +294,7 @@ Proof.
   lra.
 Qed.
 
+(** the velocity of body 2 changes at a constant rate and is bounded by the energy *)
 Theorem dwell r t : 0 <= r <= t ->
   (forall u, r <= u < t -> v2 u < v1 u) \/ (forall u, r <= u < t -> v1 u < v2 u) ->
   t - r <= 2 * sqrt (2 * E r * m2) / b.

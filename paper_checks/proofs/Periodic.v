@@ -31,6 +31,7 @@ Proof.
   apply Rle_trans with (/ INR N); [|lra]. apply Rinv_le_contravar; [apply lt_0_INR; lia|]. apply le_INR in Hn. lra.
 Qed.
 
+(** three bounded sequences have a common cluster point *)
 Lemma cluster (u v w : nat -> R) B : (forall n, Rabs (u n) <= B /\ Rabs (v n) <= B /\ Rabs (w n) <= B) ->
   exists x y z, forall e N, 0 < e -> exists n, (N <= n)%nat /\ Rabs (u n - x) < e /\ Rabs (v n - y) < e /\
     Rabs (w n - z) < e.
@@ -51,6 +52,7 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 <
 Let forced := forced m1 m2 a1 a2 b.
 Let energy := energy m1 m2 a2.
 
+(** a motion from a later time on, under the force from then on *)
 Lemma forced_shift U x v1 v2 s t0 : 0 <= t0 -> forced U x v1 v2 s ->
   forced (fun u => U (t0 + u)) (fun u => x (t0 + u)) (fun u => v1 (t0 + u)) (fun u => v2 (t0 + u)) (fun u => s (t0
     + u)).
@@ -70,6 +72,7 @@ Proof.
   - intros t Hu. rewrite Rplus_0_r. rewrite (f_v2 (t0 + t)), (f_v2 t0) by lra. auto.
 Qed.
 
+(** a triangle inequality for the energy *)
 Lemma energy_3 x y z x' y' z' x'' y'' z'' :
   energy (x + x' + x'') (y + y' + y'') (z + z' + z'') <= 3 * (energy x y z + energy x' y' z' + energy x'' y'' z'').
 Proof.
@@ -85,6 +88,7 @@ Variables (U : R -> R) (G P : R).
 Hypotheses (HG : 0 <= G) (LU : forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) (HP : 0 < P)
   (PU : forall t, 0 <= t -> U (P + t) - U P = U t - U 0).
 
+(** a motion shifted by a period is a motion *)
 Lemma forced_period x v1 v2 s : forced U x v1 v2 s ->
   forced U (fun u => x (P + u)) (fun u => v1 (P + u)) (fun u => v2 (P + u)) (fun u => s (P + u)).
 Proof.
@@ -92,6 +96,7 @@ Proof.
   intros t Ht. rewrite Rplus_0_r, PU by auto. auto.
 Qed.
 
+(** by any number of periods *)
 Lemma forced_periods n x v1 v2 s : forced U x v1 v2 s ->
   forced U (fun u => x (INR n * P + u)) (fun u => v1 (INR n * P + u)) (fun u => v2 (INR n * P + u)) (fun u => s
     (INR n * P + u)).
@@ -108,6 +113,7 @@ Proof.
   auto.
 Qed.
 
+(** the motion from the cluster point is periodic *)
 Theorem periodic_exists : exists x v1 v2 s, forced U x v1 v2 s /\
   forall t, 0 <= t -> x (P + t) = x t /\ v1 (P + t) = v1 t /\ v2 (P + t) = v2 t.
 Proof.

@@ -4,21 +4,27 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion.
 Local Open Scope R_scope.
 
+(** h in the half angle *)
 Definition hh p := (p - sin p * cos p) / sin p ^ 2.          (* h in the half angle *)
 Definition depth p := 2 * (sin p - p * cos p) / sin p.       (* c = 2 - theta cot(theta/2) *)
 
+(** it is h *)
 Lemma hh_h p : 0 < p < PI -> hh p = h (2 * p).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). unfold hh, h. rewrite cos_2a_sin, sin_2a. field.
   split; [|lra]. assert (0 < sin p * sin p) by nra. lra.
 Qed.
+(** it increases *)
 Lemma hh_incr p q : 0 < p -> p < q -> q < PI -> hh p < hh q.
 Proof. intros. rewrite !hh_h by lra. apply h_increases; lra. Qed.
+(** it is positive *)
 Lemma hh_pos p : 0 < p < PI -> 0 < hh p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [apply A_pos; auto|]. apply pow_lt, sin_gt_0; lra. Qed.
+(** the depth is positive *)
 Lemma depth_pos p : 0 < p < PI -> 0 < depth p.
 Proof. intros Hp. apply Rdiv_lt_0_compat; [pose proof (g_pos p Hp); lra|apply sin_gt_0; lra]. Qed.
 
+(** h >= (2/3) p *)
 Lemma hh_below p : 0 < p < PI -> 2 / 3 * p <= hh p.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (cusa (2 * p) ltac:(lra)) as C.
@@ -26,6 +32,7 @@ Proof.
   replace ((p - sin p * cos p) / sin p ^ 2 * sin p ^ 2) with (p - sin p * cos p) by (field; lra). nra.
 Qed.
 
+(** an upper bound of the depth *)
 Theorem depth_upper p : 0 < p < PI -> depth p <= 3 / 2 * hh p ^ 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (depth_above p ltac:(lra)) as Q.
@@ -36,6 +43,7 @@ Proof.
     (field; lra). auto.
 Qed.
 
+(** and a lower one *)
 Theorem depth_lower p : 0 < p < PI -> 3 / 2 * (sin p / p) ^ 6 * hh p ^ 2 <= depth p.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_above_cube p ltac:(lra)) as G.
@@ -52,6 +60,7 @@ Proof.
   apply Rmult_le_compat_l; auto. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rdiv_lt_0_compat; apply pow_lt; lra.
 Qed.
 
+(** sin p/p decreases *)
 Lemma sinc_decr p q : 0 < p -> p <= q -> q < PI -> sin q / q <= sin p / p.
 Proof.
   intros Hp Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|].
@@ -60,6 +69,7 @@ Proof.
   - intros t T0 T1; simpl in T0, T1. auto_derive; [lra|]. field; lra.
   - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|apply pow_lt; auto].
 Qed.
+(** and is positive *)
 Lemma sinc_pos p : 0 < p < PI -> 0 < sin p / p.
 Proof. intros. apply Rdiv_lt_0_compat; [apply sin_gt_0|]; lra. Qed.
 
@@ -73,12 +83,15 @@ Hypothesis step : forall n, y (S n) = y n - r * depth (phi n) ^ 2.
 Let kappa := 9 / 4 * r.
 Let si n := sin (phi n) / phi n.
 
+(** the level is positive *)
 Lemma y_pos n : 0 < y n. Proof. apply pow_lt, hh_pos; auto. Qed.
+(** each excursion loses at most kappa y^2 *)
 Lemma loss_upper n : y n - y (S n) <= kappa * y n ^ 2.
 Proof.
   rewrite step. pose proof (depth_upper _ (Hphi n)) as D. pose proof (depth_pos _ (Hphi n)). fold (y n) in D.
   assert (depth (phi n) ^ 2 <= (3 / 2 * y n) ^ 2) by (apply pow_incr; lra). unfold kappa. nra.
 Qed.
+(** and at least kappa (sin phi/phi)^12 y^2 *)
 Lemma loss_lower n : kappa * si n ^ 12 * y n ^ 2 <= y n - y (S n).
 Proof.
   rewrite step. pose proof (depth_lower _ (Hphi n)) as D. fold (y n) (si n) in D. pose proof (y_pos n).
@@ -88,20 +101,25 @@ Proof.
   replace (kappa * si n ^ 12 * y n ^ 2) with (r * (3 / 2 * si n ^ 6 * y n) ^ 2) by (unfold kappa; field).
   assert (r * (3 / 2 * si n ^ 6 * y n) ^ 2 <= r * depth (phi n) ^ 2) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
+(** the level falls *)
 Theorem y_falls n : y (S n) < y n.
 Proof. rewrite step. pose proof (pow_lt _ 2 (depth_pos _ (Hphi n))). nra. Qed.
+(** so does the half angle *)
 Lemma phi_falls n : phi (S n) <= phi n.
 Proof.
   destruct (Rle_dec (phi (S n)) (phi n)) as [|N]; auto. exfalso. pose proof (y_falls n) as Y.
   pose proof (Hphi n). pose proof (Hphi (S n)).
   assert (hh (phi n) < hh (phi (S n))) by (apply hh_incr; lra). pose proof (hh_pos _ (Hphi n)). unfold y in Y. nra.
 Qed.
+(** it stays below the first one *)
 Lemma phi_0 n : phi n <= phi 0%nat.
 Proof. induction n; [lra|]. pose proof (phi_falls n); lra. Qed.
+(** and its sinc above the first one *)
 Lemma si_0 n : si 0%nat <= si n.
 Proof. pose proof (Hphi n). pose proof (Hphi 0%nat). apply sinc_decr; try lra. apply phi_0. Qed.
 
 Let d n := / y (S n) - / y n.
+(** 1/y gains at least this *)
 Lemma d_lower n : kappa * si n ^ 12 <= d n.
 Proof.
   pose proof (y_pos n) as Y. pose proof (y_pos (S n)) as Y'. pose proof (loss_lower n) as Q. pose proof (y_falls n).
@@ -113,6 +131,7 @@ Proof.
   apply Rle_trans with (2 := Q). rewrite Rmult_assoc, Rmult_assoc. apply Rmult_le_compat_l; [unfold kappa; lra|].
     apply Rmult_le_compat_l; [lra|]. nra.
 Qed.
+(** and at most this *)
 Lemma d_upper n : kappa * y n < 1 -> d n <= kappa / (1 - kappa * y n).
 Proof.
   intros K. pose proof (y_pos n) as Y. pose proof (y_pos (S n)) as Y'. pose proof (loss_upper n) as Q.
@@ -135,6 +154,7 @@ Proof.
   assert (kappa * si 0%nat ^ 12 <= kappa * si n ^ 12) by (apply Rmult_le_compat_l; [unfold kappa; lra|auto]). lra.
 Qed.
 
+(** the level tends to 0, as 1/y gains a fixed amount *)
 Theorem y_to_zero : is_lim_seq y 0.
 Proof.
   set (al := kappa * si 0%nat ^ 12). assert (Hal : 0 < al).
@@ -149,6 +169,7 @@ Proof.
   assert (Q := is_lim_seq_inv _ _ L). simpl in Q. apply Q. discriminate.
 Qed.
 
+(** so does the half angle *)
 Lemma phi_to_zero : is_lim_seq phi 0.
 Proof.
   apply is_lim_seq_le_le with (fun _ => 0) (fun n => 3 / 2 * sqrt (y n)).
@@ -160,6 +181,7 @@ Proof.
     apply is_lim_seq_scal_l. apply is_lim_seq_continuous; [|apply y_to_zero]. apply continuity_pt_sqrt; lra.
 Qed.
 
+(** so the gain of 1/y tends to kappa *)
 Lemma d_limit : is_lim_seq d kappa.
 Proof.
   assert (Sl : is_lim_seq si 1).
@@ -187,6 +209,7 @@ Proof.
   destruct Ev as (n0 & K). exists n0. intros n Hn. split; [apply d_lower|apply d_upper; auto].
 Qed.
 
+(** the gains add up to 1/y *)
 Lemma telescope n : sum_f_R0 d n = / y (S n) - / y 0%nat.
 Proof. induction n; simpl; [reflexivity|]. rewrite IHn. unfold d. ring. Qed.
 

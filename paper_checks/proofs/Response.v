@@ -12,9 +12,11 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Existence Forced.
 Local Open Scope R_scope.
 
+(** from squares to absolute values *)
 Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
 Proof. intros; split; nra. Qed.
 
+(** what decreases and is not negative has a limit *)
 Lemma dec_limit f : (forall r t, 0 <= r <= t -> f t <= f r) -> (forall t, 0 <= f t) ->
   exists l, 0 <= l /\ (forall t, 0 <= t -> l <= f t) /\ forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
     f t <= l + e.
@@ -133,8 +135,10 @@ Let y t := x t - x' t.
 Let p t := v1 t - v1' t.
 Let q t := v2 t - v2' t.
 
+(** the energy distance does not increase *)
 Lemma D_mono r t : 0 <= r <= t -> D t <= D r.
 Proof. intros Hr. exact (forced_contraction m1 m2 a1 a2 b Hm1 Hm2 Ha Hb _ _ _ _ _ _ _ _ _ r t H H' Hr). Qed.
+(** and is not negative *)
 Lemma D_pos t : 0 <= D t.
 Proof. apply energy_pos; auto. Qed.
 
@@ -265,6 +269,7 @@ End Two.
 
 (** a bounded motion under a bounded force has a Lipschitz relative velocity *)
 Definition speed B G := / m1 * ((a2 + a1) * B + b + G) + b / m2.
+(** the relative velocity of a bounded motion is Lipschitz *)
 Lemma w_lip U x v1 v2 s G B : forced U x v1 v2 s -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) ->
   (forall t, 0 <= t -> Rabs (x t) <= B /\ Rabs (v1 t) <= B /\ Rabs (v2 t) <= B) ->
   forall r t, 0 <= r <= t -> Rabs ((v1 t - v2 t) - (v1 r - v2 r)) <= speed B G * (t - r).

@@ -11,10 +11,12 @@ Local Open Scope R_scope.
 
 (** t1 is the next contact after t0; t is the first contact in [-l, l] after t0, all earlier ones being crossings *)
 Definition contact_after (v1 v2 : R -> R) t0 t1 := t0 < t1 /\ (forall t, t0 < t < t1 -> v1 t <> v2 t) /\ v1 t1 = v2 t1.
+(** the inductive definition *)
 Inductive first_reentry (l : R) (x v1 v2 : R -> R) : R -> R -> Prop :=
   | fr_in t0 t1 : contact_after v1 v2 t0 t1 -> - l <= x t1 <= l -> first_reentry l x v1 v2 t0 t1
   | fr_cross t0 t1 t : contact_after v1 v2 t0 t1 -> ~ (- l <= x t1 <= l) -> first_reentry l x v1 v2 t1 t ->
     first_reentry l x v1 v2 t0 t.
+(** there is only one next contact *)
 Lemma contact_unique v1 v2 t0 t1 t1' : contact_after v1 v2 t0 t1 -> contact_after v1 v2 t0 t1' -> t1 = t1'.
 Proof.
   intros (A & B & C) (A' & B' & C'). destruct (Rtotal_order t1 t1') as [Lt|[|Gt]]; auto; exfalso;
@@ -106,12 +108,14 @@ Qed.
 
 (** so a slip that crosses has a half angle of at least this *)
 Definition least_angle e := Rmin 1 (o1 * L / sqrt (2 * e / m1)).
+(** it is an angle *)
 Lemma least_angle_in e : 0 < e -> 0 < least_angle e < PI.
 Proof.
   intros He. pose proof PI2_1. assert (V0 : 0 < sqrt (2 * e / m1)) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; lra).
   pose proof (Rmin_l 1 (o1 * L / sqrt (2 * e / m1))). split; [|unfold least_angle; lra].
   apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
 Qed.
+(** the way is more than 2 L *)
 Lemma crossing_long k d p t0 e : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p < PI -> E t0 <= e -> 0 < e ->
   at_gap m1 m2 a2 b k d (push d p) x v1 v2 t0 -> 2 / q < depth p + d -> least_angle e <= p.
 Proof.
@@ -138,11 +142,13 @@ Qed.
 
 (** and it costs at least this *)
 Definition least_cost e := Ecr * (q * r) * depth (least_angle e) ^ 2.
+(** it is positive *)
 Lemma least_cost_pos e : 0 < e -> 0 < least_cost e.
 Proof.
   intros He. apply Rmult_lt_0_compat; [|apply pow_lt, depth_pos, least_angle_in; auto].
   apply Rmult_lt_0_compat; [exact E0|apply Rmult_lt_0_compat; auto].
 Qed.
+(** by the depth of at least that angle *)
 Lemma crossing_costs k d p t0 e : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p < PI -> E t0 <= e -> 0 < e ->
   at_gap m1 m2 a2 b k d (push d p) x v1 v2 t0 -> 2 / q < depth p + d ->
   E (t0 + 2 * p / o1) <= E t0 - least_cost e.

@@ -4,6 +4,7 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit.
 Local Open Scope R_scope.
 
+(** the inverse of a root *)
 Lemma root_inv M a : 0 < M -> 0 < a -> / sqrt (a / M) = sqrt (M / a).
 Proof.
   intros HM Ha. assert (P : 0 < sqrt (a / M)) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; auto).
@@ -29,8 +30,10 @@ Definition rate := 4 * PI / 9 * (m1 / m2) * sqrt ((m1 + m2) / a2).
 Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
 Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
 Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
+(** E_cr is positive *)
 Lemma Ecr_pos : 0 < Ecr.
 Proof. unfold Ecr. rewrite Ecr_L by auto. pose proof (pow_lt _ 2 (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)). nra. Qed.
+(** the energy never increases *)
 Lemma E_falls u t : 0 <= u <= t -> E t <= E u.
 Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H u t). Qed.
 
@@ -42,18 +45,28 @@ Let y n := hh (ph n) ^ 2.
 Let tm := tim m1 m2 a2 t0 p.
 Let cy n := cyc m1 m2 a2 (ph n).
 
+(** every half angle of the orbit is one of short excursions above E_cr *)
 Lemma ph_ok n : ok m1 m2 (ph n). Proof. apply orb_ok; auto. Qed.
+(** below pi *)
 Lemma ph_pi n : 0 < ph n < PI. Proof. exact (ok_pi m1 m2 _ (ph_ok n)). Qed.
+(** the return map *)
 Lemma y_step n : y (S n) = y n - r * depth (ph n) ^ 2.
 Proof. exact (proj2 (next_ok m1 m2 Hm1 Hm2 (ph n) (ph_ok n))). Qed.
+(** one cycle more *)
 Lemma tm_S n : tm (S n) = tm n + cy n. Proof. reflexivity. Qed.
+(** the exit times do not decrease *)
 Lemma tm_up n : tm n <= tm (S n). Proof. apply tim_mono; auto. Qed.
+(** they are not before the first *)
 Lemma tm_from n : t0 <= tm n. Proof. apply tim_start; auto. Qed.
+(** the energy at the exits *)
 Lemma exit_level n : E (tm n) = Ecr * (1 + q * y n).
 Proof. exact (exit_energy m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 p Hk H Ht Hp HR n). Qed.
+(** the levels are positive *)
 Lemma y_plus n : 0 < y n. Proof. apply pow_lt, hh_pos, ph_pi. Qed.
 
+(** they tend to 0 *)
 Theorem level_to_zero : is_lim_seq y 0. Proof. exact (y_to_zero r r_pos ph ph_pi y_step). Qed.
+(** at the rate of the return map *)
 Theorem level_rate : is_lim_seq (fun n => INR n * y n) (4 / (9 * r)). Proof.
   exact (Rate.sharp r r_pos ph ph_pi y_step). Qed.
 (** k w_k -> 4 q / (9 r) for the exits of the solution *)
@@ -84,6 +97,7 @@ Proof.
   - replace (Finite PI) with (Finite (PI + 0)) by (f_equal; ring).
     apply is_lim_seq_plus'; [apply is_lim_seq_const|auto].
 Qed.
+(** the cycle time tends to pi/Omega *)
 Lemma cy_limit : is_lim_seq cy (PI / om).
 Proof. apply is_lim_seq_ext with (fun n => tm (S n) - tm n); [|apply cycle_limit]. intros n. rewrite tm_S. ring. Qed.
 
@@ -94,6 +108,7 @@ Proof.
   replace (Finite 0) with (Rbar_mult (2 / o1 m1 a2) 0) by (simpl; f_equal; ring).
   apply is_lim_seq_scal_l. exact (phi_to_zero r r_pos ph ph_pi y_step).
 Qed.
+(** so the stick tends to pi/Omega *)
 Theorem stick_time : is_lim_seq (fun n => tm (S n) - (tm n + 2 * ph n / o1 m1 a2)) (PI / om).
 Proof.
   apply is_lim_seq_ext with (fun n => tm (S n) - tm n - 2 * ph n / o1 m1 a2). { intros n; ring. }
@@ -101,8 +116,10 @@ Proof.
     apply is_lim_seq_minus'; [apply cycle_limit|apply slip_time].
 Qed.
 
+(** the exit times are sums of cycle times *)
 Lemma tm_sum n : tm (S n) = t0 + sum_f_R0 cy n.
 Proof. induction n; [reflexivity|]. rewrite tm_S, IHn. simpl sum_f_R0. ring. Qed.
+(** so the n-th exit time over n tends to pi/Omega *)
 Theorem time_rate : is_lim_seq (fun n => tm n / INR n) (PI / om).
 Proof.
   assert (C : is_lim_seq (fun n => sum_f_R0 cy (pred n) / INR n) (PI / om)).
@@ -115,6 +132,7 @@ Proof.
   exists 1%nat. intros n Hn. destruct n; [inversion Hn|]. rewrite tm_sum. simpl pred. field.
     apply not_0_INR; discriminate.
 Qed.
+(** they tend to infinity *)
 Lemma tm_inf : is_lim_seq tm p_infty.
 Proof.
   apply is_lim_seq_ext_loc with (fun n => INR n * (tm n / INR n)).
@@ -122,6 +140,7 @@ Proof.
   apply is_lim_seq_mult with p_infty (PI / om); [apply is_lim_seq_INR|apply time_rate|].
   apply is_Rbar_mult_p_infty_pos. simpl. apply Rdiv_lt_0_compat; auto. apply PI_RGT_0.
 Qed.
+(** and exceed every time *)
 Lemma tm_above B : exists n, B < tm n.
 Proof. pose proof tm_inf as T. apply is_lim_seq_spec in T. destruct (T B) as (n & K). exists n. apply K; auto. Qed.
 
@@ -141,6 +160,7 @@ Proof.
   - exists (N + j)%nat. split; [lia|]. rewrite Nat.add_succ_r in Hj. lra.
   - apply IHj; lra.
 Qed.
+(** every later time lies in some cycle *)
 Lemma in_cycle N t : tm N <= t -> exists n, (N <= n)%nat /\ tm n <= t <= tm (S n).
 Proof.
   intros HN. destruct (tm_above t) as (n & Hn). apply (bracket N n); auto.
@@ -198,8 +218,10 @@ Qed.
 (** *** Explicit bounds in the time, from the exit at t0 *)
 Let del := 6 * sqrt q * hh p.
 Let kap := 9 / 4 * r.
+(** levels are at most the first one *)
 Lemma y_below n : y n <= y 0.
 Proof. induction n; [lra|]. pose proof (Rate.y_falls r r_pos ph ph_pi y_step n) as F. unfold y in *. lra. Qed.
+(** each cycle time is between these *)
 Lemma cy_bounds n : PI - del <= om * cy n <= PI + del.
 Proof.
   pose proof (cycle_time m1 m2 a2 Hm1 Hm2 Ha2 (ph n) (ph_ok n)) as Q. apply Rabs_inv in Q. fold M in Q. fold q om in Q.
@@ -210,11 +232,13 @@ Proof.
   pose proof (sqrt_pos q). assert (6 * sqrt q * hh (ph n) <= del) by (unfold del; apply Rmult_le_compat_l; lra).
     unfold cy. lra.
 Qed.
+(** so are the exit times *)
 Lemma tm_bounds n : INR n * (PI - del) <= om * (tm n - t0) <= INR n * (PI + del).
 Proof.
   induction n. { change (tm 0) with t0. simpl INR. lra. }
   rewrite S_INR, tm_S. pose proof (cy_bounds n). lra.
 Qed.
+(** the levels fall no faster than this *)
 Lemma y_lower n : kap * y 0 < 1 -> / y n <= / y 0 + INR n * (kap / (1 - kap * y 0)).
 Proof.
   intros Sm. assert (K0 : 0 < kap) by (unfold kap; lra).
@@ -228,6 +252,7 @@ Proof.
   rewrite S_INR. lra.
 Qed.
 
+(** both bounds at any time, by the cycle it lies in *)
 Theorem two_sided_ray t : t0 <= t ->
   / y 0 + kap * (sin p / p) ^ 12 * (om * (t - t0) / (PI + del) - 1) <= / ((E t / Ecr - 1) / q) /\
   (del < PI -> kap * y 0 < 1 -> / ((E t / Ecr - 1) / q) <= / y 0 + kap / (1 - kap * y 0) * (om * (t - t0) / (PI -

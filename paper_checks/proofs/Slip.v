@@ -1,4 +1,5 @@
-(** Explicit arcs: a solution follows any smooth arc that obeys the law; the slip arc and the stick arc; one cycle. *)
+(** A solution runs along any smooth arc that obeys the law of friction, by the contraction between the two; and the mirror
+    image of a solution is one. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate.
@@ -21,6 +22,7 @@ Variable T : R.
 Hypotheses (H : solution m1 m2 0 a2 b x v1 v2 s) (A : arc T X V1 V2 g).
 Let D t := energy m1 m2 a2 (x t - X t) (v1 t - V1 t) (v2 t - V2 t).
 
+(** the energy distance to the arc is continuous *)
 Lemma cont_gap : cont D.
 Proof.
   assert (cont (fun t => x t - X t)). { apply cont_minus; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|eapply cont_of_derive,
@@ -68,6 +70,7 @@ Proof.
       (w - W) * h) by ring. nra.
 Qed.
 
+(** it does not grow, as between two solutions *)
 Lemma gap_dini t : 0 <= t < T -> dini_le D t 0.
 Proof.
   intros Ht e He. pose proof (gap_friction t Ht) as FM.
@@ -119,6 +122,7 @@ Proof.
   lra.
 Qed.
 
+(** so a solution that starts on the arc stays on it *)
 Lemma follow0 : x 0 = X 0 -> v1 0 = V1 0 -> v2 0 = V2 0 -> forall t, 0 <= t <= T -> x t = X t /\ v1 t = V1 t /\
   v2 t = V2 t.
 Proof.
@@ -142,9 +146,11 @@ Qed.
 (** The mirror image of a solution is a solution. *)
 Lemma cont_opp f : cont f -> cont (fun t => - f t).
 Proof. intros C. apply cont_ext with (fun t => -1 * f t); [intros; ring|apply cont_scal; auto]. Qed.
+(** the right derivative of the opposite *)
 Lemma rderiv_opp f t l : rderiv f t l -> rderiv (fun t => - f t) t (- l).
 Proof. intros F. apply rderiv_ext with (fun t => -1 * f t); [intros; ring|].
   apply rderiv_eq with (-1 * l); [ring|]. apply rderiv_scal; auto. Qed.
+(** all terms are odd *)
 Lemma mirror x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s ->
   solution m1 m2 0 a2 b (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) (fun t => - s t).
 Proof.

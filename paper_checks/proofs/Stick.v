@@ -1,9 +1,12 @@
-(** Infinitely many contacts; the stuck ellipse; capture; merging (a1 = 0). *)
+(** Contacts and stuck motions (a1 = 0 from the second section on): every solution meets S in bounded time; the ellipses on
+    S up to E_cr are solutions; on S at such a level a solution moves along its ellipse for ever, and the energy distance
+    to it never grows. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair.
 Local Open Scope R_scope.
 
+(** a derivative is a right derivative *)
 Lemma rderiv_of_derive f t l : is_derive f t l -> rderiv f t l.
 Proof.
   intros H. apply is_derive_Reals in H. intros e He. destruct (H e He) as (d & K).
@@ -13,6 +16,7 @@ Proof.
   rewrite Rabs_mult, (Rabs_pos_eq h) by lra. apply Rmult_le_compat_r; lra.
 Qed.
 
+(** continuity of the library is continuity here *)
 Lemma cont_of_continuity f : continuity f -> cont f.
 Proof.
   intros C t _ e He. destruct (C t e He) as (d & Hd & K). exists d; split; auto. intros u _ Hu.
@@ -20,12 +24,14 @@ Proof.
   apply K. split; [split; [exact I|auto]|exact Hu].
 Qed.
 
+(** a differentiable function is continuous *)
 Lemma cont_of_derive f f' : (forall t, is_derive f t (f' t)) -> cont f.
 Proof.
   intros H. apply cont_of_continuity. intros t. apply derivable_continuous_pt.
   exists (f' t). apply is_derive_Reals, H.
 Qed.
 
+(** the intermediate value theorem *)
 Lemma cont_IVT f p q : cont f -> 0 <= p <= q -> f p * f q <= 0 -> exists c, p <= c <= q /\ f c = 0.
 Proof.
   intros C Hp Hs. set (g := fun u => f (Rmax 0 u)).
@@ -79,25 +85,36 @@ Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 
 (** *** The stuck ellipse (a1 = 0) *)
 Definition omega := sqrt (a2 / (m1 + m2)).
+(** the half width of S0 *)
 Definition L := b * (m1 + m2) / (a2 * m2).
+(** the critical energy *)
 Definition Ecr := b ^ 2 * (m1 + m2) ^ 2 / (2 * a2 * m2 ^ 2).
+(** the stuck motion: its place *)
 Definition X x0 v0 t := x0 * cos (omega * t) + v0 / omega * sin (omega * t).
+(** and its speed *)
 Definition V x0 v0 t := v0 * cos (omega * t) - x0 * omega * sin (omega * t).
 
+(** the frequency is positive *)
 Lemma omega_pos : 0 < omega.
 Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; lra. Qed.
+(** its square *)
 Lemma omega_sq : omega * omega = a2 / (m1 + m2).
 Proof. apply sqrt_sqrt, Rlt_le, Rdiv_lt_0_compat; lra. Qed.
+(** the half width is positive *)
 Lemma L_pos : 0 < L.
 Proof. unfold L; apply Rdiv_lt_0_compat; nra. Qed.
+(** E_cr is the spring's energy at the half width *)
 Lemma Ecr_L : Ecr = a2 * L ^ 2 / 2.
 Proof. unfold Ecr, L; field; lra. Qed.
 
+(** the speed is the place's derivative *)
 Lemma derive_X x0 v0 t : is_derive (X x0 v0) t (V x0 v0 t).
 Proof. pose proof omega_pos. unfold X, V. auto_derive; auto. field; lra. Qed.
+(** and the acceleration that of an oscillator *)
 Lemma derive_V x0 v0 t : is_derive (V x0 v0) t (- (omega * omega) * X x0 v0 t).
 Proof. pose proof omega_pos. unfold X, V. auto_derive; auto. field; lra. Qed.
 
+(** a stuck motion keeps its energy *)
 Lemma ellipse_energy x0 v0 t : energy m1 m2 a2 (X x0 v0 t) (V x0 v0 t) (V x0 v0 t) = energy m1 m2 a2 x0 v0 v0.
 Proof.
   pose proof omega_pos. pose proof omega_sq as Q. pose proof (sin2_cos2 (omega * t)) as SC. unfold Rsqr in SC.
@@ -110,12 +127,14 @@ Proof.
   rewrite SC; ring.
 Qed.
 
+(** up to E_cr it stays inside S0 *)
 Lemma on_surface_inside x v : energy m1 m2 a2 x v v <= Ecr -> - L <= x <= L.
 Proof.
   rewrite Ecr_L. unfold energy. intros H. pose proof (pow2_ge_0 v). pose proof L_pos.
   assert (x ^ 2 <= L ^ 2) by nra. split; nra.
 Qed.
 
+(** inside S0 the friction that sticking needs is at most b *)
 Theorem ellipse_solution x0 v0 : energy m1 m2 a2 x0 v0 v0 <= Ecr ->
   solution m1 m2 0 a2 b (X x0 v0) (V x0 v0) (V x0 v0) (fun t => m2 / b * V x0 v0 t).
 Proof.

@@ -44,8 +44,10 @@ Proof.
   apply rderiv_plus; [|apply rderiv_const].
   apply rderiv_plus; apply rderiv_scal; auto.
 Qed.
+(** with the sign +1 above S *)
 Theorem rate_above t : 0 <= t -> v2 t < v1 t -> rderiv (fun u => v1 u - v2 u) t (normal_rate 1 (x t)).
 Proof. intros Ht Hv. apply rate_by_impulse; auto. apply (s_pos _ _ _ _ _ _ _ _ _ H); auto. Qed.
+(** and -1 below *)
 Theorem rate_below t : 0 <= t -> v1 t < v2 t -> rderiv (fun u => v1 u - v2 u) t (normal_rate (-1) (x t)).
 Proof. intros Ht Hv. apply rate_by_impulse; auto. apply (s_neg _ _ _ _ _ _ _ _ _ H); auto. Qed.
 

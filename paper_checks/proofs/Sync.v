@@ -18,6 +18,7 @@ Hypotheses (H : forced m1 m2 a1 a2 b U x v1 v2 s) (HU : forall t, 0 <= t -> rder
   (Load : forall t, T <= t -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b - g).
 Let w t := v1 t - v2 t.
 
+(** the rate is positive *)
 Lemma kap_pos : 0 < kap.
 Proof. unfold kap, M. apply Rdiv_lt_0_compat; nra. Qed.
 
@@ -52,9 +53,11 @@ Proof.
     + apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto].
 Qed.
 
+(** the relative velocity is continuous *)
 Lemma cont_w : cont w.
 Proof. apply cont_minus; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H)]. Qed.
 
+(** while it slips, |v1 - v2| falls at least at a fixed rate *)
 Theorem catch t : T + Rabs (w T) / (kap * g) <= t -> v1 t = v2 t.
 Proof.
   intros Ht. pose proof kap_pos as Kp. assert (Kg : 0 < kap * g) by nra. pose proof (Rabs_pos (w T)) as Wp.
@@ -88,10 +91,12 @@ Variables m1 m2 a1 a2 b F om : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (HF : 0 <= F) (Hom : 0 < om).
 Let M := m1 + m2.
 
+(** the dynamic stiffness is positive *)
 Lemma Z_pos : 0 < Z m1 m2 a1 a2 om.
 Proof. unfold Z. assert (0 < a1 * om) by (apply Rmult_lt_0_compat; auto).
   pose proof (pow2_ge_0 (a2 - (m1 + m2) * om ^ 2)). assert (0 < (a1 * om) ^ 2) by nra. lra. Qed.
 
+(** the impulse of a force up to F is F-Lipschitz *)
 Lemma drive_lip r t : 0 <= r <= t -> Rabs (drive F om t - drive F om r) <= F * (t - r).
 Proof.
   intros Hr. apply (lip_of_rderiv (drive F om) (fun t => F * sin (om * t))); auto.

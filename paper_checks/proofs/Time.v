@@ -49,6 +49,7 @@ Proof.
   - rewrite sin_acos by lra. f_equal. unfold Rsqr. ring.
 Qed.
 
+(** The cycle time, all terms together. *)
 Theorem cycle_time_sharp p : ok m1 m2 p -> hh p <= 2 / 3 ->
   Rabs (om * cyc m1 m2 a2 p - PI) <= 27 / 2 * sqrt q * hh p ^ 3.
 Proof.

@@ -4,23 +4,30 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion Rate.
 Local Open Scope R_scope.
 
+(** the turning function *)
 Definition K p := (p - sin p * cos p) - sqrt 2 * (sin p - p * cos p).
+(** the factor of its slope that changes sign *)
 Definition k p := 2 * sin p - sqrt 2 * p.
 
+(** the slope *)
 Lemma derive_K p : is_derive K p (sin p * k p).
 Proof.
   unfold K, k. auto_derive; auto. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC. generalize (sqrt 2); intros q. nra.
 Qed.
+(** it is continuous *)
 Lemma cont_K : cont K. Proof. eapply cont_of_derive. apply derive_K. Qed.
+(** so is the factor *)
 Lemma cont_k : cont k.
 Proof. apply cont_of_derive with (fun p => 2 * cos p - sqrt 2). intros t. unfold k. auto_derive; auto. ring. Qed.
 
+(** the mean value theorem for it *)
 Lemma mvt_K u v : u < v -> exists t, u < t < v /\ K v - K u = sin t * k t * (v - u).
 Proof.
   intros Huv. destruct (MVT_cor2 K (fun t => sin t * k t) u v Huv) as (t & E & Ht).
   { intros t _. apply is_derive_Reals, derive_K. } exists t; auto.
 Qed.
 
+(** sin p/p decreases strictly *)
 Lemma sinc_strict p q : 0 < p -> p < q -> q < PI -> sin q / q < sin p / p.
 Proof.
   intros Hp Hpq Hq.
@@ -30,6 +37,7 @@ Proof.
   - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|apply pow_lt; auto].
 Qed.
 
+(** the factor is positive and then negative *)
 Lemma turn : exists p1, 0 < p1 < PI /\ (forall t, 0 < t < p1 -> 0 < k t) /\ (forall t, p1 < t < PI -> k t < 0).
 Proof.
   pose proof PI_RGT_0 as P0. pose proof PI2_1 as P1. assert (S2 : 1 < sqrt 2). { rewrite <- sqrt_1 at 1.
@@ -62,6 +70,7 @@ Proof.
     assert (sin t / t * t = sin t) by (field; lra). nra.
 Qed.
 
+(** so the function rises and then falls, and has one zero *)
 Theorem root : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q < p -> 0 < K q) /\ (forall q, p < q <= PI ->
   K q < 0).
 Proof.
@@ -86,11 +95,13 @@ Qed.
 
 (** *** the ratio h/c and the threshold of merging *)
 Definition ratio p := hh p / depth p.
+(** the ratio without fractions in it *)
 Lemma ratio_AB p : 0 < p < PI -> ratio p = (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p)).
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). pose proof (g_pos p Hp). unfold ratio, hh, depth.
     field. repeat split; lra.
 Qed.
+(** its slope has the sign of -K *)
 Lemma derive_ratio p : 0 < p < PI ->
   is_derive (fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))) p
     ((2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos p) ^ 2)).
@@ -105,6 +116,7 @@ Proof.
   rewrite <- Main. replace (1 + - (1 * c * c + s * (1 * - s))) with (2 * s * s) by lra. field. lra.
 Qed.
 
+(** so it is least at the zero of K *)
 Theorem ratio_least p q : K p = 0 -> 0 < p < PI -> (forall u, 0 < u < p -> 0 < K u) -> (forall u, p < u <= PI ->
   K u < 0) ->
   0 < q < PI -> ratio p <= ratio q.

@@ -5,6 +5,7 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
 Local Open Scope R_scope.
 
+(** from squares to absolute values *)
 Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
 Proof. intros; split; nra. Qed.
 
@@ -103,6 +104,7 @@ Proof. exact (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
 Let steep : 0 < a2 + a1 ^ 2 / M.
 Proof. assert (0 <= a1 ^ 2 / M); [|lra].
   apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; auto]. Qed.
+(** a lower level is captive too *)
 Lemma captive_less e e' : e' <= e -> captive e -> captive e'.
 Proof. unfold captive. intros. nra. Qed.
 
@@ -118,6 +120,7 @@ Proof.
   unfold w in Q. rewrite W in Q. nra.
 Qed.
 
+(** there is a contact in bounded time, and from there on it sticks *)
 Theorem captive_merges T : 0 <= T -> captive (E T) ->
   exists t0, T <= t0 <= T + 2 * sqrt (2 * E T * m2) / b /\ forall t, t0 <= t -> v1 t = v2 t.
 Proof.
@@ -146,6 +149,7 @@ Let M := m1 + m2.
 Let Mp : 0 < M. Proof. unfold M; lra. Qed.
 Let energy := energy m1 m2 a2.
 
+(** a small enough factor *)
 Lemma small_enough p q : 0 <= p -> 0 < q -> exists e, 0 < e /\ forall c, 0 <= c <= e -> c * p <= q.
 Proof.
   intros Hp Hq. exists (q / (p + 1)); split; [apply Rdiv_lt_0_compat; lra|]. intros c Hc.
