@@ -2,6 +2,7 @@
 
 import dataclasses
 import re
+import shutil
 import subprocess
 
 import pytest
@@ -121,6 +122,48 @@ def test_an_axiom_is_reported_by_its_name(planted):
 
     turned = planted(change)
     assert turned.problems == ("Pair.contraction rests on Pair.friction_helps, which nobody has proved",)
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+@pytest.mark.parametrize(
+    ("true", "false", "said"),
+    [
+        ("13 decimals", "13 decimals", ""),
+        ("interval", "idtac", "Critical.decimals is not proved (line "),
+        ("Qed.", "Admitted.", "Critical.decimals: Admitted stands where a proof is needed"),
+        (
+            "Definition lo :=",
+            "Axiom easy : False.\nDefinition lo :=",
+            "Critical.easy: Axiom stands where a proof is needed",
+        ),
+    ],
+)
+def test_a_damaged_file_is_reported_by_the_name_of_its_theorem(tmp_path, monkeypatch, built, true, false, said):
+    shutil.copytree(library.FOLDER, tmp_path / "proofs")
+    damaged = tmp_path / "proofs" / "Critical.v"
+    damaged.write_text(damaged.read_text("utf-8").replace(true, false), "utf-8")
+    store = tmp_path / "store"
+    store.mkdir()
+    for kept in kernel.cache_folder().iterdir():
+        if kept.name != "lock":
+            (store / kept.name).symlink_to(kept)
+    known = library._facts(compiled_here(store), library._sources(library.FOLDER, store), store)
+    monkeypatch.setattr(library, "_facts", lambda compiled, *rest: only(known, compiled.folders))
+    found = build(store=store, folder=tmp_path / "proofs")
+    assert bool(found.problems) == bool(said)
+    assert not said or any(line.startswith(said) for line in found.problems)
+    assert found.theorem("contraction").holds is True
+
+
+def compiled_here(store):
+    return kernel.compile_all(library._sources(library.FOLDER, store), store=store)
+
+
+def only(facts, files):
+    """The facts about the files that compile."""
+    printed = {name: text for name, text in facts.printed.items() if name.split(".")[0] in files}
+    return dataclasses.replace(facts, printed=printed)
 
 
 @pytest.mark.usefixtures("without_kernel")
