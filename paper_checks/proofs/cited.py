@@ -165,6 +165,10 @@ CITED: dict[str, tuple[str, str]] = {
     ),
     "sticks-inside": ("Surface.sticks_inside", "On S0, but for the exit rays, every solution sticks for a while."),
     "arc-to-ray": ("Cross.to_ray", "On S0 above E_cr every solution sticks until it reaches one of the two exit rays."),
+    "arc-to-left-ray": (
+        "Cross.to_ray_left",
+        "On S0 above E_cr and moving to the left every solution sticks until it reaches the left exit ray, at the same level.",
+    ),
     "ellipse-iff": ("Surface.ellipse_iff", "An ellipse on S is a solution exactly if its energy is at most E_cr."),
     "return-alternatives": (
         "Consequences.return_alternatives",

@@ -96,6 +96,8 @@ def build(progress: Progress | None = None, jobs: int = 2, store: Path | None = 
     problems += [*compiled.broken.values(), *silence]
     problems += [proved.problem for proved in theorems.values() if not proved.holds]
     version = kernel.version(os.environ.get("PATH")).split()[0]
+    if problems and not version.startswith(kernel.TESTED_VERSION):
+        problems.append(f"this is Coq {version}, the proofs are written for {kernel.TESTED_VERSION}: that may be all")
     return Built(f"Coq {version}", True, theorems, tuple(dict.fromkeys(problems)), compiled.anew)
 
 

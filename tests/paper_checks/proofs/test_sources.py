@@ -1,6 +1,6 @@
 import pytest
 
-from paper_checks.proofs.sources import Source, all_required, in_order, keys, read, without_comments
+from paper_checks.proofs.sources import FOLDER, LIBRARY, Source, all_required, in_order, keys, read, without_comments
 
 LOW = Source("Low", "Lemma one : True.\nProof. exact I. Qed.\n")
 HIGH = Source("High", "From InertialPair Require Import\n  Low.\nTheorem two : True.\nProof. exact one. Qed.\n")
@@ -65,3 +65,10 @@ def test_the_shipped_files_assume_nothing():
 
 def test_every_shipped_file_says_what_it_proves():
     assert not [name for name, source in read().items() if not source.text.startswith("(** ")]
+
+
+def test_the_project_file_names_every_file_in_an_order_that_compiles():
+    assert (FOLDER / "_CoqProject").read_text("utf-8").split() == [
+        *("-Q", ".", LIBRARY),
+        *(f"{name}.v" for name in in_order(read())),
+    ]
