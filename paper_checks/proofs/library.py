@@ -8,18 +8,15 @@ import re
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from functools import cache
-from hashlib import sha256
-from importlib.metadata import version as version_of
 from pathlib import Path
 
 from paper_checks import atomic
-from paper_checks.proofs import graph, kernel, questions
+from paper_checks.proofs import graph, kernel, questions, tied
 from paper_checks.proofs.cited import CITED
 from paper_checks.proofs.kernel import Compiled, Progress
 from paper_checks.proofs.pins import Pin, Pins, pinned
 from paper_checks.proofs.sources import FOLDER, Source, all_required, digest, keys, read
-
-TIES = "Tie"
+from paper_checks.proofs.tied import TIES
 
 
 @dataclass(frozen=True)
@@ -66,6 +63,10 @@ class Built:
         """A cited theorem by its id. Raises KeyError for an id that is not in the register."""
         return self.theorems[name]
 
+    def ties(self, name: str) -> tuple[Proved, ...]:
+        """The ties of a theorem's definitions to `theory/`: where one does not hold, it is a theorem about something else."""
+        return tuple(self.theorems[one] for one in self.theorems[name].ties)
+
 
 @dataclass(frozen=True)
 class _Facts:
@@ -89,11 +90,12 @@ def build(progress: Progress | None = None, jobs: int = 2, store: Path | None = 
     store = kernel.cache_folder() if store is None else store
     with kernel.locked(store):
         sources = _sources(folder, store)
-        compiled = kernel.compile_all(sources, progress, jobs, store)
+        compiled, untied = tied.compiled(sources, progress, jobs, store)
         facts, silence = _answers(compiled, sources, store)
-    theorems = {one: _judged(one, compiled, facts, pins) for one in names()}
+    broken = compiled.broken | untied
+    theorems = {one: _judged(one, broken, facts, pins) for one in names()}
     problems = [line for source in sources.values() for line in source.unproved()]
-    problems += [*compiled.broken.values(), *silence]
+    problems += [*broken.values(), *silence]
     problems += [proved.problem for proved in theorems.values() if not proved.holds]
     version = kernel.version(os.environ.get("PATH")).split()[0]
     if problems and not version.startswith(kernel.TESTED_VERSION):
@@ -121,24 +123,8 @@ def names() -> dict[str, str]:
 
 def _sources(folder: Path, store: Path) -> dict[str, Source]:
     found = read(folder)
-    found[TIES] = Source(TIES, _tie_text(store))
+    found[TIES] = Source(TIES, tied.text(store))
     return found
-
-
-def _tie_text(store: Path) -> str:
-    """The generated file. Deriving it takes seconds, so its text is kept under a hash of all that it is made from."""
-    import theory
-
-    made_from = [*sorted(Path(theory.__file__).parent.glob("*.py")), FOLDER / "ties.py", FOLDER / "gallina.py"]
-    seen = sha256(version_of("sympy").encode())
-    for path in made_from:
-        seen.update(path.name.encode() + path.read_bytes())
-    kept = store / f"ties-{seen.hexdigest()[:20]}.v"
-    if not kept.exists():
-        from paper_checks.proofs import ties
-
-        atomic.write(kept, ties.text())
-    return kept.read_text("utf-8")
 
 
 def _answers(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> tuple[_Facts, tuple[str, ...]]:
@@ -177,11 +163,10 @@ def _by_intervals(file: str, sources: Mapping[str, Source]) -> bool:
     return any("From Interval" in sources[one].text for one in {file, *all_required(file, sources)})
 
 
-def _judged(one: str, compiled: Compiled, facts: _Facts, pins: Pins) -> Proved:
+def _judged(one: str, broken: Mapping[str, str], facts: _Facts, pins: Pins) -> Proved:
     name = names()[one]
     if name not in facts.printed:
-        file = name.split(".")[0]
-        why = compiled.broken.get(file, f"there is no {name}")
+        why = broken.get(name) or broken.get(name.split(".")[0]) or f"there is no {name}"
         return _proved(one, pins.theorems.get(one), {}, (), False, why if why.startswith(name) else f"{name}: {why}")
     statement = facts.printed[name]
     definitions = definitions_of(statement, facts.printed)

@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 
-from paper_checks.proofs import cited, graph, kernel, library, pins, questions
+from paper_checks.proofs import cited, graph, kernel, library, pins, questions, tied
 from paper_checks.proofs.library import build
 
 MACHINERY = {"Dini.cont", "Dini.little", "Dini.rderiv"}
@@ -154,6 +154,30 @@ def test_a_damaged_file_is_reported_by_the_name_of_its_theorem(tmp_path, monkeyp
     assert bool(found.problems) == bool(said)
     assert not said or any(line.startswith(said) for line in found.problems)
     assert found.theorem("contraction").holds is True
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+def test_a_fault_in_the_theory_breaks_its_tie_and_no_other(tmp_path, monkeypatch, built):
+    store = tmp_path
+    for kept in kernel.cache_folder().iterdir():
+        if kept.name != "lock":
+            (store / kept.name).symlink_to(kept)
+    sources = library._sources(library.FOLDER, store)
+    known = library._facts(compiled_here(store), sources, store)
+    fault = re.sub(r"(Theorem tie_half_width .*? = )", r"\1 2 * ", sources[library.TIES].text)
+    monkeypatch.setattr(tied, "text", lambda store: fault)
+    monkeypatch.setattr(library, "_facts", lambda compiled, sources, store: without("Tie.tie_half_width", known))
+    found = build(store=store)
+    assert len(found.problems) == 1
+    assert found.problems[0].startswith("Tie.tie_half_width is not proved")
+    assert [one.id for one in found.theorems.values() if not one.holds] == ["tie-half-width"]
+    assert {one.id: one.holds for one in found.ties("ellipse-iff")}["tie-critical-energy"] is True
+    assert {one.id: one.holds for one in found.ties("slips-beyond")}["tie-half-width"] is False
+
+
+def without(name, facts):
+    return dataclasses.replace(facts, printed={one: text for one, text in facts.printed.items() if one != name})
 
 
 def compiled_here(store):
