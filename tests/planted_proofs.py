@@ -100,6 +100,7 @@ PAST = [
         "crossing on the wrong side",
     ),
     ("Ends", "(forall n, Rabs (x (tau n)) = L)", "(forall n, Rabs (x (te n)) = L)", "entries at the ends"),
+    ("Perpetual", "te n <= t <= tau n -> v1 t = v2 t)", "te n <= t <= te (S n) -> v1 t = v2 t)", "no slip at all"),
     ("Consequences", "C * exp (- (k * t)) <= energy", "C * exp (k * t) <= energy", "faster than exponential"),
 ]
 

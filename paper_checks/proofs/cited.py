@@ -94,6 +94,10 @@ CITED: dict[str, tuple[str, str]] = {
         "Consequences.slower_than_exponential",
         "A solution that never merges keeps its excess energy above every decaying exponential in the end.",
     ),
+    "stick-slip-for-ever": (
+        "Perpetual.stick_slip_for_ever",
+        "For all m1, m2, a2, b > 0 there is a solution that sticks and slips in turn for ever.",
+    ),
     # who merges
     "merges-iff": ("Merge.merges_iff", "From S0 with slip angle up to pi: E > E_cr for ever exactly if r c^2 < h^2."),
     "turning-point": ("Turning.root", "The turning function has one zero phi* in (0, pi]."),
