@@ -10,6 +10,7 @@ import hashlib
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 FOLDER = Path(__file__).parent
@@ -34,7 +35,7 @@ class Source:
     name: str
     text: str
 
-    @property
+    @cached_property
     def requires(self) -> tuple[str, ...]:
         """The files of this library that it requires, in the order of its text."""
         return tuple(name for names in _REQUIRED.findall(without_comments(self.text)) for name in names.split())
@@ -95,8 +96,13 @@ def in_order(sources: Mapping[str, Source]) -> tuple[str, ...]:
 
 def all_required(name: str, sources: Mapping[str, Source]) -> frozenset[str]:
     """The files below a file, at any depth, without itself."""
-    direct = sources[name].requires
-    return frozenset(direct).union(*(all_required(one, sources) for one in direct))
+    found: set[str] = set()
+    waiting = [name]
+    while waiting:
+        further = set(sources[waiting.pop()].requires) - found
+        found |= further
+        waiting += further
+    return frozenset(found)
 
 
 def keys(sources: Mapping[str, Source], compiler: str) -> dict[str, str]:
