@@ -1,0 +1,169 @@
+(** Sentences of Sections III and V that follow at once: after each stay off S either S0 or a crossing,
+  the places of exits
+    and entries, the decay slower than every exponential, and synchronisation for all parameters. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Limit Dichotomy Viscous Excursion Rate Slip Cycle Orbit Sharp Law
+  Paper.
+From InertialPair Require Import Return Surface.
+Local Open Scope R_scope.
+
+Section Free.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let L := L m1 m2 a2 b.
+Let Ecr := Ecr m1 m2 a2 b.
+Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
+Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
+Variables x v1 v2 s : R -> R.
+Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
+Let w t := v1 t - v2 t.
+Let CW : cont w.
+Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H)]. Qed.
+
+(** the first contact after a time off S *)
+Lemma first_contact t : 0 <= t -> w t <> 0 -> exists t1, t < t1 /\ w t1 = 0 /\ forall u, t <= u < t1 -> 0 < w t * w u.
+Proof.
+  intros Ht Hw. destruct (contact m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb x v1 v2 s t H Ht) as (tc & Tc & Ec).
+  set (A := fun y => t <= y /\ forall u, t <= u <= y -> 0 < w t * w u).
+  assert (At : A t). { split; [lra|]. intros u Hu. replace u with t by lra. nra. }
+  assert (Bd : bound A). { exists tc. intros y (Hy & Q). destruct (Rle_dec y tc); auto. exfalso.
+    specialize (Q tc ltac:(lra)). unfold w in Q at 2. rewrite Ec in Q. lra. }
+  destruct (completeness A Bd (ex_intro _ t At)) as (t1 & Ub & Lub). exists t1.
+  assert (T1 : t <= t1) by (apply Ub, At).
+  assert (Below : forall u, t <= u < t1 -> 0 < w t * w u).
+  { intros u Hu. apply Classical_Prop.NNPP. intros N. assert (t1 <= u); [|lra]. apply Lub. intros y (Hy & Q).
+    destruct (Rle_dec y u); auto. exfalso. apply N, Q. lra. }
+  assert (Z : w t1 = 0).
+  { apply Classical_Prop.NNPP. intros N. destruct (CW t1 ltac:(lra) (Rabs (w t1) / 2)) as (d & Hd & K).
+    { assert (0 < Rabs (w t1)) by (apply Rabs_pos_lt; auto). lra. }
+    assert (Same : forall u, 0 <= u -> Rabs (u - t1) < d -> 0 < w t1 * w u).
+    { intros u Hu Hn. specialize (K u Hu Hn). apply Rabs_def2 in K. unfold Rabs in K; destruct Rcase_abs; nra. }
+    assert (S1 : 0 < w t * w t1).
+    { destruct (Req_dec t t1) as [<-|]; [nra|]. set (u := Rmax t (t1 - d / 2)).
+      assert (Hu : t <= u < t1 /\ t1 - d / 2 <= u) by (unfold u; pose proof (Rmax_l t (t1 - d / 2));
+        pose proof (Rmax_r t (t1 - d / 2));
+        split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
+      pose proof (Below u ltac:(lra)) as B1. pose proof (Same u ltac:(lra) ltac:(apply Rabs_def1; lra)) as B2.
+      assert (0 < (w t * w u) * (w t1 * w u)) by (apply Rmult_lt_0_compat; auto). nra. }
+    assert (A (t1 + d / 2)); [|assert (t1 + d / 2 <= t1) by (apply Ub; auto); lra].
+    split; [lra|]. intros u Hu. destruct (Rlt_dec u t1) as [l|l]; [apply Below; lra|].
+    pose proof (Same u ltac:(lra) ltac:(apply Rabs_def1; lra)) as B2.
+    assert (0 < (w t * w t1) * (w t1 * w u)) by (apply Rmult_lt_0_compat; auto). nra. }
+  split; [|split; auto]. destruct (Req_dec t t1) as [Q|]; [|lra]. exfalso. rewrite <- Q in Z. auto.
+Qed.
+
+(** a stay below S does not end at x > L: there the relative velocity falls *)
+Lemma ends_left t t1 : 0 <= t < t1 -> w t1 = 0 -> (forall u, t <= u < t1 -> w u < 0) -> x t1 <= L.
+Proof.
+  intros Ht Z Neg. destruct (Rle_dec (x t1) L) as [|N]; auto. exfalso. apply Rnot_le_lt in N.
+  destruct (s_cx _ _ _ _ _ _ _ _ _ H t1 ltac:(lra) (x t1 - L) ltac:(lra)) as (d & Hd & K).
+  set (u := Rmax t (t1 - d / 2)).
+  assert (Hu : t <= u < t1 /\ t1 - d / 2 <= u) by (unfold u; pose proof (Rmax_l t (t1 - d / 2));
+    pose proof (Rmax_r t (t1 - d / 2));
+    split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
+  assert (F : w t1 <= w u).
+  { apply (rderiv_mono w u t1 (fun r => normal_rate m1 m2 a2 b (-1) (x r)) CW); [lra|]. intros r Hr. split.
+    - apply (rate_below m1 m2 a2 b Hm1 Hm2 x v1 v2 s H r); [lra|]. pose proof (Neg r ltac:(lra)) as Q.
+      unfold w in Q. lra.
+    - apply Rlt_le. apply (transversal_beyond m1 m2 a2 b Hm1 Hm2 Ha2 Hb (x r) (-1)); [right; auto|]. fold L.
+      pose proof (K r ltac:(lra) ltac:(apply Rabs_def1; lra)) as Q. apply Rabs_def2 in Q. lra. }
+  pose proof (Neg u ltac:(lra)). lra.
+Qed.
+End Free.
+
+(** From the half-space v1 < v2 a solution comes either into S0, or to S beyond the left end, where it goes on into the
+    other half-space at once. *)
+Theorem return_alternatives m1 m2 a2 b x v1 v2 s t : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
+  solution m1 m2 0 a2 b x v1 v2 s ->
+  0 <= t -> v1 t < v2 t -> exists t1, t < t1 /\ (forall u, t <= u < t1 -> v1 u < v2 u) /\ v1 t1 = v2 t1 /\
+    (- L m1 m2 a2 b <= x t1 <= L m1 m2 a2 b \/
+     (x t1 < - L m1 m2 a2 b /\ exists T, 0 < T /\ forall u, t1 < u < t1 + T -> v2 u < v1 u)).
+Proof.
+  intros H1 H2 Ha Hb H Ht Hv. pose proof (L_pos m1 m2 a2 b H1 H2 Ha Hb) as L0.
+  destruct (first_contact m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t Ht ltac:(lra)) as (t1 & T1 & Z & Sg).
+  assert (Neg : forall u, t <= u < t1 -> v1 u < v2 u). { intros u Hu. specialize (Sg u Hu). nra. }
+  exists t1. split; [auto|]. split; [auto|]. split; [lra|].
+  assert (X : x t1 <= L m1 m2 a2 b).
+  { apply (ends_left m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t t1); auto; try lra. intros u Hu. specialize (Neg u Hu). lra. }
+  destruct (Rle_dec (- L m1 m2 a2 b) (x t1)) as [|N]; [left; auto|right]. apply Rnot_le_lt in N. split; [auto|].
+  destruct (slips_beyond m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t1 ltac:(lra) ltac:(lra) ltac:(lra)) as (T & HT & K).
+  exists T. split; [auto|]. intros u Hu. specialize (K u Hu). nra.
+Qed.
+(** The mirror image. *)
+Theorem return_alternatives_mirror m1 m2 a2 b x v1 v2 s t : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
+  solution m1 m2 0 a2 b x v1 v2 s ->
+  0 <= t -> v2 t < v1 t -> exists t1, t < t1 /\ (forall u, t <= u < t1 -> v2 u < v1 u) /\ v1 t1 = v2 t1 /\
+    (- L m1 m2 a2 b <= x t1 <= L m1 m2 a2 b \/
+     (L m1 m2 a2 b < x t1 /\ exists T, 0 < T /\ forall u, t1 < u < t1 + T -> v1 u < v2 u)).
+Proof.
+  intros H1 H2 Ha Hb H Ht Hv.
+  destruct (return_alternatives m1 m2 a2 b _ _ _ _ t H1 H2 Ha Hb (mirror m1 m2 a2 b _ _ _ _ H) Ht ltac:(cbv beta; lra))
+    as (t1 & T1 & A & B & [C|(C & T & HT & K)]); cbv beta in *; exists t1; (split; [auto|]);
+    (split; [intros u Hu; specialize (A u Hu); lra|]); (split; [lra|]); [left; lra|right; split; [lra|]].
+  exists T. split; [auto|]. intros u Hu. specialize (K u Hu). lra.
+Qed.
+
+(** Synchronisation for all parameters: v1 - v2 tends to 0, with damping or without. *)
+Theorem relative_velocity_vanishes m1 m2 a1 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 -> 0 <= a1 -> 0 < a2 -> 0 < b ->
+  solution m1 m2 a1 a2 b x v1 v2 s -> forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+    Rabs (v1 t - v2 t) <= e.
+Proof.
+  intros H1 H2 A1 Ha Hb H e He. destruct (Req_dec a1 0) as [->|N].
+  - destruct (convergence m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H) as (x0 & v0 & _ & _ & _ & C). cbv beta in C.
+    set (mu := Rmin m1 m2). assert (Mu : 0 < mu /\ mu <= m1 /\ mu <= m2).
+    { unfold mu. repeat split; [apply Rmin_glb_lt; auto|apply Rmin_l|apply Rmin_r]. }
+    destruct (C (mu * e ^ 2 / 4)) as (T & HT & K).
+      { apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [lra|apply pow_lt; auto]|lra]. }
+    exists T. split; [auto|]. intros t Hu. specialize (K t Hu). unfold energy in K.
+    set (p := v1 t - V m1 m2 a2 x0 v0 t) in *. set (q := v2 t - V m1 m2 a2 x0 v0 t) in *.
+    replace (v1 t - v2 t) with (p - q) by (unfold p, q; ring).
+    pose proof (pow2_ge_0 p). pose proof (pow2_ge_0 q). pose proof (pow2_ge_0 (p + q)).
+    assert (0 <= a2 * (x t - X m1 m2 a2 x0 v0 t) ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]).
+    assert (mu * p ^ 2 <= m1 * p ^ 2) by (apply Rmult_le_compat_r; lra).
+      assert (mu * q ^ 2 <= m2 * q ^ 2) by (apply Rmult_le_compat_r; lra).
+    assert (Q : 2 * (p ^ 2 + q ^ 2) <= e ^ 2) by (apply Rmult_le_reg_l with mu; lra).
+    apply Rabs_le. split; nra.
+  - destruct (rest m1 m2 a1 a2 b H1 H2 ltac:(lra) Ha Hb (energy m1 m2 a2 (x 0) (v1 0) (v2 0)) 1 (energy_pos m1 m2
+    a2 H1 H2 Ha _ _ _) Rlt_0_1) as (T & HT & K).
+    exists T. split; [auto|]. intros t Hu. destruct (K x v1 v2 s H (Rle_refl _) t Hu) as (_ & ->).
+      rewrite Rminus_diag_eq, Rabs_R0; auto. lra.
+Qed.
+
+(** Slower than exponential: a solution that never merges stays above every exponential in the end. *)
+Theorem slower_than_exponential m1 m2 a2 b x v1 v2 s : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
+  solution m1 m2 0 a2 b x v1 v2 s ->
+  (forall t, 0 <= t -> Ecr m1 m2 a2 b < energy m1 m2 a2 (x t) (v1 t) (v2 t)) ->
+  forall C k, 0 < k -> exists T, forall t, T <= t ->
+    C * exp (- (k * t)) <= energy m1 m2 a2 (x t) (v1 t) (v2 t) - Ecr m1 m2 a2 b.
+Proof.
+  intros H1 H2 Ha Hb H Up C k Hk. pose proof (sharp_law m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H Up) as Law.
+  pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0. set (l := Ecr m1 m2 a2 b * rate m1 m2 a2) in *.
+  assert (L0 : 0 < l). { apply Rmult_lt_0_compat; auto. unfold rate. pose proof PI_RGT_0.
+    apply Rmult_lt_0_compat; [|apply sqrt_lt_R0, Rdiv_lt_0_compat; lra].
+      apply Rmult_lt_0_compat; [lra|apply Rdiv_lt_0_compat; auto]. }
+  apply is_lim_spec in Law. destruct (Law (mkposreal (l / 2) ltac:(lra))) as (M & HM). simpl in HM.
+  exists (Rmax (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))). intros t Ht.
+  pose proof (Rmax_l (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))).
+    pose proof (Rmax_r (Rmax 1 (M + 1)) (8 * Rabs C / (k ^ 2 * l))).
+  pose proof (Rmax_l 1 (M + 1)). pose proof (Rmax_r 1 (M + 1)). assert (T1 : 1 <= t) by lra.
+  specialize (HM t ltac:(lra)). apply Rabs_def2 in HM.
+    set (D := energy m1 m2 a2 (x t) (v1 t) (v2 t) - Ecr m1 m2 a2 b) in *.
+  assert (KK : 0 < k ^ 2) by (apply pow_lt; auto).
+  assert (Ex : k ^ 2 * t ^ 2 / 4 <= exp (k * t)).
+  { replace (k * t) with (k * t / 2 + k * t / 2) by field. rewrite exp_plus.
+    assert (Kt : 0 < k * t) by (apply Rmult_lt_0_compat; lra). pose proof (exp_ineq1 (k * t / 2) ltac:(lra)).
+    replace (k ^ 2 * t ^ 2 / 4) with (k * t / 2 * (k * t / 2)) by field. apply Rmult_le_compat; lra. }
+  assert (X0 : 0 < exp (k * t)) by apply exp_pos. rewrite exp_Ropp.
+  apply Rmult_le_reg_r with (exp (k * t)); auto. rewrite Rmult_assoc, Rinv_l by lra. rewrite Rmult_1_r.
+  assert (Q : 8 * Rabs C <= t * (k ^ 2 * l)).
+  { apply Rmult_le_reg_r with (/ (k ^ 2 * l)); [apply Rinv_0_lt_compat, Rmult_lt_0_compat; auto|].
+    replace (t * (k ^ 2 * l) * / (k ^ 2 * l)) with t by (field; split; lra). unfold Rdiv in *. lra. }
+  assert (Dp : l / 2 <= t * D) by lra. pose proof (Rle_abs C).
+  assert (D1 : 0 < D). { apply Rmult_lt_reg_l with t; lra. }
+  apply Rle_trans with (D * (k ^ 2 * t ^ 2 / 4)); [|apply Rmult_le_compat_l; lra].
+  replace (D * (k ^ 2 * t ^ 2 / 4)) with (t * D * (k ^ 2 * t / 4)) by field.
+  apply Rle_trans with (l / 2 * (k ^ 2 * t / 4)); [lra|]. apply Rmult_le_compat_r; [|auto].
+  apply Rmult_le_pos; [apply Rmult_le_pos|]; lra.
+Qed.

@@ -1,0 +1,309 @@
+(** One cycle: slip from an exit ray, landing inside the strip, stick along an ellipse to the opposite ray. *)
+From Coq Require Import Reals Lra Psatz Nsatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Slip.
+Local Open Scope R_scope.
+
+Section Cycle.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let q := m1 / M.
+Let r := m2 / M.
+Let om := omega m1 m2 a2.
+Let L := L m1 m2 a2 b.
+Let Ecr := Ecr m1 m2 a2 b.
+
+(** o1: frequency of the slip; ray u: speed on the exit ray in the reduced unit, so that E = E_cr (1 + q u^2) there *)
+Definition o1 := sqrt (a2 / m1).
+(** the speed on an exit ray for the push u *)
+Definition ray u := b / (m2 * o1) * u.
+(** the state on the exit ray of the side k = 1 or -1 *)
+Definition on_ray k u (x v1 v2 : R -> R) t := k * x t = L /\ k * v1 t = ray u /\ k * v2 t = ray u.
+
+(** the slip frequency is positive *)
+Lemma o1_pos : 0 < o1. Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; lra. Qed.
+(** a2 by the slip frequency *)
+Lemma o1_sq : a2 = m1 * (o1 * o1). Proof. unfold o1. rewrite sqrt_sqrt; [field; lra|].
+  apply Rlt_le, Rdiv_lt_0_compat; lra. Qed.
+(** the driving body's share is positive *)
+Lemma q_pos : 0 < q. Proof. unfold q, M; apply Rdiv_lt_0_compat; lra. Qed.
+(** the driven body's share is positive *)
+Lemma r_pos : 0 < r. Proof. unfold r, M; apply Rdiv_lt_0_compat; lra. Qed.
+(** both shares are 1 together *)
+Lemma qr_one : q + r = 1. Proof. unfold q, r, M; field; lra. Qed.
+(** a positive push is a positive speed *)
+Lemma ray_pos u : 0 < u -> 0 < ray u.
+Proof. intros. pose proof o1_pos. unfold ray. apply Rmult_lt_0_compat; auto. apply Rdiv_lt_0_compat; auto.
+  apply Rmult_lt_0_compat; auto. Qed.
+(** a2 by the stick frequency *)
+Lemma Mom : a2 = M * (om * om).
+Proof. unfold om, M. rewrite (omega_sq m1 m2 a2) by auto. field; lra. Qed.
+(** the half width by the slip frequency *)
+Lemma L_o1 : L = b * M / (m1 * (o1 * o1) * m2).
+Proof. unfold L, Stick.L. fold M. rewrite o1_sq at 1. auto. Qed.
+
+(** E = E_cr (1 + q u^2) on the surface at x = +-L exactly for the speed ray u *)
+Lemma level_speed v u : energy m1 m2 a2 L v v = Ecr * (1 + q * u ^ 2) -> v ^ 2 = ray u ^ 2.
+Proof.
+  intros E. unfold Ecr in E. rewrite Ecr_L in E by auto. fold L in E. pose proof o1_pos.
+  assert (Z : M / 2 * (v ^ 2 - ray u ^ 2) = 0).
+  { replace (M / 2 * (v ^ 2 - ray u ^ 2)) with (energy m1 m2 a2 L v v - (a2 * L ^ 2 / 2 + M / 2 * ray u ^ 2)) by
+    (unfold energy, M; field).
+    rewrite E. unfold ray. rewrite L_o1. rewrite o1_sq. unfold q, M. field. repeat split; lra. }
+  assert (0 < M) by (unfold M; lra). apply Rmult_integral in Z. lra.
+Qed.
+(** and the other way round *)
+Lemma ray_level u : energy m1 m2 a2 L (ray u) (ray u) = Ecr * (1 + q * u ^ 2).
+Proof.
+  unfold Ecr. rewrite Ecr_L by auto. fold L. pose proof o1_pos. unfold energy, ray. rewrite L_o1. rewrite o1_sq.
+    unfold q, M. field. repeat split; lra.
+Qed.
+
+(** *** Slip: from the ray x = L at the speed ray u *)
+Definition Sx u t := b / a2 + b * m1 / (a2 * m2) * (cos (o1 * t) + u * sin (o1 * t)).
+(** the speed of body 1 *)
+Definition S1 u t := b / (m2 * o1) * (u * cos (o1 * t) - sin (o1 * t)).
+(** the speed of body 2 *)
+Definition S2 u t := b / (m2 * o1) * (u - o1 * t).
+
+(** the guard v1 - v2 is a positive multiple of h(theta) - u: h increases, so it is negative until h(theta) = u *)
+Lemma slip_arc p : 0 < p < PI -> arc m1 m2 a2 b (2 * p / o1) (Sx (hh p)) (S1 (hh p)) (S2 (hh p)) (fun _ => -1).
+Proof.
+  intros Hp. pose proof o1_pos as O. constructor.
+  - intros t. unfold Sx, S1. auto_derive; auto. rewrite o1_sq. field. repeat split; lra.
+  - intros t. unfold Sx, S1. auto_derive; auto. rewrite o1_sq. field. repeat split; lra.
+  - intros t. unfold S2. auto_derive; auto. field. repeat split; lra.
+  - intros t Ht. split; [lra|]. split; [|auto]. intros N. exfalso.
+    assert (G : S1 (hh p) t - S2 (hh p) t = b / (m2 * o1) * ((o1 * t - sin (o1 * t)) - hh p * (1 - cos (o1 * t))))
+      by (unfold S1, S2; field; lra).
+    assert (0 < b / (m2 * o1)) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+    assert (Th : 0 <= o1 * t < 2 * p).
+    { split; [apply Rmult_le_pos; lra|]. replace (2 * p) with (o1 * (2 * p / o1)) by (field; lra).
+      apply Rmult_lt_compat_l; lra. }
+    destruct (Req_dec (o1 * t) 0) as [Z|Z].
+    { rewrite Z, sin_0, cos_0 in G. lra. }
+    assert (h (o1 * t) < h (2 * p)) as I by (apply h_increases; lra). rewrite <- hh_h in I by auto.
+    pose proof (one_cos (o1 * t) ltac:(lra)) as C. unfold h in I.
+    assert (o1 * t - sin (o1 * t) < hh p * (1 - cos (o1 * t))).
+    { apply Rmult_lt_compat_r with (r := 1 - cos (o1 * t)) in I; auto.
+      replace ((o1 * t - sin (o1 * t)) / (1 - cos (o1 * t)) * (1 - cos (o1 * t))) with (o1 * t - sin (o1 * t)) in
+        I by (field; lra). auto. }
+    nra.
+Qed.
+(** v1 < v2 inside the slip *)
+Lemma slip_sign p t : 0 < p < PI -> 0 < t < 2 * p / o1 -> S1 (hh p) t < S2 (hh p) t.
+Proof.
+  intros Hp Ht. pose proof o1_pos as O.
+  assert (G : S1 (hh p) t - S2 (hh p) t = b / (m2 * o1) * ((o1 * t - sin (o1 * t)) - hh p * (1 - cos (o1 * t))))
+    by (unfold S1, S2; field; lra).
+  assert (0 < b / (m2 * o1)) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  assert (Th : 0 < o1 * t < 2 * p).
+  { split; [apply Rmult_lt_0_compat; lra|]. replace (2 * p) with (o1 * (2 * p / o1)) by (field; lra).
+    apply Rmult_lt_compat_l; lra. }
+  assert (h (o1 * t) < h (2 * p)) as I by (apply h_increases; lra). rewrite <- hh_h in I by auto.
+  pose proof (one_cos (o1 * t) ltac:(lra)) as C. unfold h in I.
+  assert (o1 * t - sin (o1 * t) < hh p * (1 - cos (o1 * t))).
+  { apply Rmult_lt_compat_r with (r := 1 - cos (o1 * t)) in I; auto.
+    replace ((o1 * t - sin (o1 * t)) / (1 - cos (o1 * t)) * (1 - cos (o1 * t))) with (o1 * t - sin (o1 * t)) in I
+      by (field; lra). auto. }
+  nra.
+Qed.
+
+(** the landing: X1 = 1 - q c, both speeds ray (u - theta) *)
+Lemma landing p : 0 < p < PI -> Sx (hh p) (2 * p / o1) = L * (1 - q * depth p) /\
+  S1 (hh p) (2 * p / o1) = ray (hh p - 2 * p) /\ S2 (hh p) (2 * p / o1) = ray (hh p - 2 * p).
+Proof.
+  intros Hp. pose proof o1_pos as O. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
+  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
+  unfold Sx, S1, S2, ray. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra). rewrite cos_2a_sin, sin_2a.
+  assert (U : hh p * (sin p * sin p) = p - sin p * cos p) by (unfold hh; field; lra).
+  assert (E1 : hh p * (1 - 2 * sin p * sin p) - 2 * sin p * cos p = hh p - 2 * p) by lra.
+  assert (E2 : 1 - 2 * sin p * sin p + hh p * (2 * sin p * cos p) = 1 - depth p).
+  { unfold depth. apply Rmult_eq_reg_r with (sin p); [|lra].
+    replace ((1 - 2 * (sin p - p * cos p) / sin p) * sin p) with (sin p - 2 * (sin p - p * cos p)) by (field; lra).
+    replace ((1 - 2 * sin p * sin p + hh p * (2 * sin p * cos p)) * sin p)
+      with (sin p - 2 * sin p * (sin p * sin p) + 2 * cos p * (hh p * (sin p * sin p))) by ring. rewrite U.
+    replace (sin p * sin p) with (1 - cos p * cos p) by lra. ring. }
+  rewrite E2. split; [|split].
+  - unfold L, Stick.L, q, M. field. repeat split; lra.
+  - f_equal. exact E1.
+  - f_equal.
+Qed.
+
+(** the return map, from the energy at the landing *)
+Lemma landing_energy p : 0 < p < PI ->
+  energy m1 m2 a2 (L * (1 - q * depth p)) (ray (hh p - 2 * p)) (ray (hh p - 2 * p)) = Ecr * (1 + q * (hh p ^ 2 - r
+    * depth p ^ 2)).
+Proof.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
+    unfold Rsqr in SC. pose proof qr_one as QR.
+  assert (I : depth p ^ 2 - 2 * depth p - 4 * p * hh p + 4 * p ^ 2 = 0).
+  { unfold depth, hh. apply Rmult_eq_reg_r with (sin p ^ 2); [|apply pow_nonzero; lra].
+    replace (((2 * (sin p - p * cos p) / sin p) ^ 2 - 2 * (2 * (sin p - p * cos p) / sin p) -
+      4 * p * ((p - sin p * cos p) / sin p ^ 2) + 4 * p ^ 2) * sin p ^ 2)
+      with (4 * p ^ 2 * (sin p * sin p + cos p * cos p - 1)) by (field; lra). rewrite SC. ring. }
+  set (c := depth p) in *. set (u := hh p) in *. set (d := u - 2 * p) in *.
+  assert (R1 : energy m1 m2 a2 (L * (1 - q * c)) (ray d) (ray d) = energy m1 m2 a2 L (ray d) (ray d) + Ecr * ((1 -
+    q * c) ^ 2 - 1)).
+  { unfold Ecr. rewrite Ecr_L by auto. fold L. unfold energy. field. }
+  rewrite R1, ray_level. replace r with (1 - q) by lra.
+  assert (Z : q * (d ^ 2 + q * c ^ 2 - 2 * c - u ^ 2 + (1 - q) * c ^ 2) = 0).
+  { replace (d ^ 2 + q * c ^ 2 - 2 * c - u ^ 2 + (1 - q) * c ^ 2) with (c ^ 2 - 2 * c - 4 * p * u + 4 * p ^ 2) by
+    (unfold d; ring). rewrite I; ring. }
+  rewrite <- Rmult_plus_distr_l. f_equal. lra.
+Qed.
+
+(** Every solution on the exit ray x = L at t0 slips until the half angle p with hh p = u, and lands as computed. *)
+Theorem slip x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < p < PI -> on_ray 1 (hh p) x v1 v2 t0 ->
+  (forall u, 0 < u < 2 * p / o1 -> v1 (t0 + u) < v2 (t0 + u)) /\
+  x (t0 + 2 * p / o1) = L * (1 - q * depth p) /\
+  v1 (t0 + 2 * p / o1) = ray (hh p - 2 * p) /\ v2 (t0 + 2 * p / o1) = ray (hh p - 2 * p).
+Proof.
+  intros H Ht Hp (Ex & E1 & E2). pose proof o1_pos as O. rewrite Rmult_1_l in Ex, E1, E2.
+  assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+  assert (F := follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s _ _ _ _ _ t0 H (slip_arc p Hp) Ht).
+  destruct (landing p Hp) as (Lx & L1 & L2). rewrite <- Lx. rewrite <- L1 at 1. rewrite <- L2.
+  assert (G : forall u, 0 <= u <= 2 * p / o1 -> x (t0 + u) = Sx (hh p) u /\ v1 (t0 + u) = S1 (hh p) u /\
+    v2 (t0 + u) = S2 (hh p) u).
+  { apply F.
+    - rewrite Ex. unfold Sx. rewrite Rmult_0_r, cos_0, sin_0. unfold L, Stick.L. field. lra.
+    - rewrite E1. unfold S1, ray. rewrite Rmult_0_r, cos_0, sin_0. ring.
+    - rewrite E2. unfold S2, ray. ring. }
+  split; [|apply G; lra]. intros u Hu. destruct (G u ltac:(lra)) as (_ & G1 & G2). rewrite G1, G2.
+    apply slip_sign; auto.
+Qed.
+
+(** *** Stick: the arc of an ellipse above E_cr inside the strip *)
+Definition Cx al rho t := L * rho * cos (al + om * t).
+(** its speed *)
+Definition Cv al rho t := - (L * rho * om * sin (al + om * t)).
+(** the arc obeys the law from the angle al to the edge: the friction that sticking needs stays in [-1, 1] *)
+Lemma stick_arc al rho : 1 <= rho -> 0 <= al -> rho * cos al <= 1 ->
+  arc m1 m2 a2 b ((acos (- / rho) - al) / om) (Cx al rho) (Cv al rho) (Cv al rho) (fun t => m2 / b * (- (om * om)
+    * Cx al rho t)).
+Proof.
+  intros Hr Ha Hc. pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O. fold om in O. pose proof Mom as Mo.
+  assert (M0 : 0 < M) by (unfold M; lra). pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0.
+  constructor.
+  - intros t. unfold Cx, Cv. auto_derive; auto. ring.
+  - intros t. unfold Cx, Cv. auto_derive; auto. rewrite Mo. unfold M. field. lra.
+  - intros t. unfold Cx, Cv. auto_derive; auto. field. lra.
+  - intros t Ht. split; [|split; intros; lra].
+    assert (Ir : 0 < / rho <= 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
+      apply Rinv_le_contravar; lra. }
+    assert (Th : al <= al + om * t <= acos (- / rho)).
+    { split; [assert (0 <= om * t) by (apply Rmult_le_pos; lra); lra|].
+      apply Rplus_le_reg_l with (- al). replace (- al + (al + om * t)) with (om * t) by ring.
+      replace (- al + acos (- / rho)) with (om * ((acos (- / rho) - al) / om)) by (field; lra).
+        apply Rmult_le_compat_l; lra. }
+    pose proof (acos_bound (- / rho)) as Ab.
+    assert (C1 : cos (al + om * t) <= cos al). { apply cos_decr_1; lra. }
+    assert (C2 : - / rho <= cos (al + om * t)). { rewrite <- (cos_acos (- / rho)) at 1 by lra. apply cos_decr_1; lra. }
+    assert (K : m2 / b * (om * om) * L = 1). { unfold L, Stick.L. rewrite Mo at 1. unfold M. field. repeat split; lra. }
+    assert (K2 : -1 <= rho * cos (al + om * t) <= 1).
+    { split; [|apply Rle_trans with (rho * cos al); auto; apply Rmult_le_compat_l; lra].
+      replace (-1) with (rho * - / rho) by (field; lra). apply Rmult_le_compat_l; lra. }
+    replace (m2 / b * (- (om * om) * Cx al rho t)) with (- (m2 / b * (om * om) * L * (rho * cos (al + om * t))))
+      by (unfold Cx; ring).
+    rewrite K. lra.
+Qed.
+
+(** rho: amplitude over L at the level y = w/q *)
+Definition amp y := sqrt (1 + q * y).
+(** its square *)
+Lemma amp_sq y : 0 <= y -> amp y * amp y = 1 + q * y.
+Proof. intros. pose proof q_pos. apply sqrt_sqrt. assert (0 <= q * y) by (apply Rmult_le_pos; lra). lra. Qed.
+(** it is at least 1 *)
+Lemma amp_ge y : 0 <= y -> 1 <= amp y.
+Proof. intros. pose proof q_pos. unfold amp. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt.
+  assert (0 <= q * y) by (apply Rmult_le_pos; lra). lra. Qed.
+
+(** the data of the stick from (L z, v), v < 0,
+  at the level y = u^2: it starts there and ends on the ray x = -L with speed ray u *)
+Lemma stick_ends z v u : 0 < u -> -1 <= z <= 1 -> v < 0 -> energy m1 m2 a2 (L * z) v v = Ecr * (1 + q * u ^ 2) ->
+  let rho := amp (u ^ 2) in let al := acos (z / rho) in let T := (acos (- / rho) - al) / om in
+  1 < rho /\ 0 < al < PI /\ rho * cos al = z /\ al + om * T = acos (- / rho) /\ cos (acos (- / rho)) = - / rho /\
+    0 <= T < PI / om /\
+  Cx al rho 0 = L * z /\ Cv al rho 0 = v /\ Cx al rho T = - L /\ Cv al rho T = - ray u.
+Proof.
+  intros Hu Hz Hv En rho al T.
+  pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O. fold om in O. pose proof Mom as Mo. pose proof q_pos as Q0.
+  assert (M0 : 0 < M) by (unfold M; lra). pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0.
+  assert (U2 : 0 < u ^ 2) by (apply pow_lt; auto).
+  assert (R1 : 1 <= rho) by (apply amp_ge; lra). assert (R2 : rho * rho = 1 + q * u ^ 2) by (apply amp_sq; lra).
+  assert (R3 : 1 < rho). { assert (0 < q * u ^ 2) by (apply Rmult_lt_0_compat; auto).
+    destruct (Req_dec rho 1) as [E|]; [|lra]. rewrite E in R2. lra. }
+  assert (Ir : 0 < / rho < 1). { split; [apply Rinv_0_lt_compat; lra|]. rewrite <- Rinv_1.
+    apply Rinv_lt_contravar; lra. }
+  assert (Zr : - / rho <= z / rho <= / rho). { unfold Rdiv. split; [|]; nra. }
+  pose proof (acos_bound (z / rho)) as Ab. fold al in Ab. pose proof (acos_bound (- / rho)) as Ag.
+  assert (Ca : cos al = z / rho) by (apply cos_acos; lra).
+    assert (Cg : cos (acos (- / rho)) = - / rho) by (apply cos_acos; lra).
+  assert (Ord : al <= acos (- / rho)). { apply cos_decr_0; lra. }
+  assert (Al0 : 0 < al). { destruct (Req_dec al 0) as [E|]; [|lra]. rewrite E, cos_0 in Ca. lra. }
+  assert (AlP : al < PI). { destruct (Req_dec al PI) as [E|]; [|lra]. rewrite E, cos_PI in Ca. lra. }
+  assert (HT : 0 <= T < PI / om).
+  { unfold T. split; [apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]|].
+    apply Rmult_lt_compat_r; [apply Rinv_0_lt_compat; auto|]. lra. }
+  assert (Rc : rho * cos al = z) by (rewrite Ca; field; lra).
+  assert (Ang : al + om * T = acos (- / rho)) by (unfold T; field; lra).
+  assert (Sp : forall g, 0 <= g -> 0 <= L * rho * om * g).
+  { intros g Hg. apply Rmult_le_pos; auto. apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; lra. }
+  repeat (split; [auto; fail|]). split; [|split; [|split]].
+  - unfold Cx. rewrite Rmult_0_r, Rplus_0_r, Rmult_assoc, Rc. auto.
+  - unfold Cv. rewrite Rmult_0_r, Rplus_0_r. pose proof (sin2_cos2 al) as SC. unfold Rsqr in SC.
+    assert (Sa : 0 <= sin al) by (apply sin_ge_0; lra). specialize (Sp _ Sa).
+    assert (Sq : v ^ 2 = (L * rho * om * sin al) ^ 2); [|nra].
+    assert (Z : M / 2 * (v ^ 2 - (L * rho * om * sin al) ^ 2) = 0); [|apply Rmult_integral in Z; lra].
+    unfold Ecr in En. rewrite Ecr_L in En by auto. fold L in En.
+    replace (M / 2 * (v ^ 2 - (L * rho * om * sin al) ^ 2)) with
+      (energy m1 m2 a2 (L * z) v v - a2 * (L * z) ^ 2 / 2 - M * (om * om) * L ^ 2 / 2 * (rho * rho * (sin al * sin al)))
+      by (unfold energy, M; field).
+    rewrite En, <- Mo. replace (sin al * sin al) with (1 - cos al * cos al) by lra.
+    replace (rho * rho * (1 - cos al * cos al)) with (rho * rho - (rho * cos al) * (rho * cos al)) by ring.
+      rewrite Rc, R2. field.
+  - unfold Cx. rewrite Ang, Cg. field. lra.
+  - unfold Cv. rewrite Ang. f_equal. pose proof (sin2_cos2 (acos (- / rho))) as SC. unfold Rsqr in SC. rewrite Cg in SC.
+    set (sg := sin (acos (- / rho))) in *. assert (Sg : 0 <= sg) by (apply sin_ge_0; lra). specialize (Sp _ Sg).
+    pose proof (ray_pos u Hu). assert (Sq : (L * rho * om * sg) ^ 2 = ray u ^ 2); [|nra].
+    apply level_speed. unfold Ecr. rewrite Ecr_L by auto. fold L.
+    replace (energy m1 m2 a2 L (L * rho * om * sg) (L * rho * om * sg)) with
+      (a2 * L ^ 2 / 2 + M * (om * om) * L ^ 2 / 2 * (rho * rho * (sg * sg))) by (unfold energy, M; field).
+    replace (sg * sg) with (1 - / rho * / rho) by lra.
+    replace (rho * rho * (1 - / rho * / rho)) with (rho * rho - 1) by (field; lra). rewrite R2, <- Mo. field.
+Qed.
+
+(** Every solution that is on S inside the strip, at the level y > 0 and moving to the left,
+  sticks until the ray x = -L. *)
+Theorem stick x v1 v2 s t0 z u : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < u ->
+  x t0 = L * z -> -1 <= z <= 1 -> v1 t0 < 0 -> v2 t0 = v1 t0 ->
+  energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * u ^ 2) ->
+  let T := (acos (- / amp (u ^ 2)) - acos (z / amp (u ^ 2))) / om in
+  0 <= T < PI / om /\ on_ray (-1) u x v1 v2 (t0 + T) /\
+  (forall t, 0 <= t <= T -> v1 (t0 + t) = v2 (t0 + t) /\ - L <= x (t0 + t) <= L).
+Proof.
+  intros H Ht Hu Ex Hz Hv Ev En. rewrite Ex, Ev in En.
+  destruct (stick_ends z (v1 t0) u Hu Hz Hv En) as (R3 & Al & Rc & Ang & Cg & HT & X0 & V0 & XT & VT).
+  set (rho := amp (u ^ 2)) in *. set (al := acos (z / rho)) in *. set (T := (acos (- / rho) - al) / om) in *.
+    intros T'. change T' with T. clear T'.
+  pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as O. fold om in O.
+    pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as L0. fold L in L0.
+  assert (A := stick_arc al rho ltac:(lra) ltac:(lra) ltac:(lra)). fold T in A.
+  assert (F := follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s _ _ _ _ _ t0 H A Ht ltac:(congruence) ltac:(congruence)
+    ltac:(congruence)).
+  split; [auto|]. split.
+  - destruct (F T ltac:(lra)) as (G0 & G1 & G2). unfold on_ray. rewrite G0, G1, G2, XT, VT. repeat split; ring.
+  - intros t Hu'. destruct (F t Hu') as (G0 & G1 & G2). split; [rewrite G1, G2; auto|]. rewrite G0. unfold Cx.
+    pose proof (acos_bound (- / rho)) as Ag.
+    assert (Th : al <= al + om * t <= acos (- / rho)).
+    { split; [assert (0 <= om * t) by (apply Rmult_le_pos; lra); lra|]. rewrite <- Ang.
+      apply Rplus_le_compat_l, Rmult_le_compat_l; lra. }
+    assert (C1 : cos (al + om * t) <= cos al) by (apply cos_decr_1; lra).
+    assert (C2 : - / rho <= cos (al + om * t)) by (rewrite <- Cg; apply cos_decr_1; lra).
+    assert (K2 : -1 <= rho * cos (al + om * t) <= 1).
+    { split; [|apply Rle_trans with (rho * cos al); [apply Rmult_le_compat_l|]; lra].
+      replace (-1) with (rho * - / rho) by (field; lra). apply Rmult_le_compat_l; lra. }
+    rewrite Rmult_assoc. split; nra.
+Qed.
+End Cycle.

@@ -1,0 +1,604 @@
+(** The pair under a force on body 1: solutions, contraction, uniqueness, energy, what body 2 can follow, least time.
+    The force enters through its impulse U (U' = u from the right): any continuous U is allowed, so jumps of u are. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Existence.
+Local Open Scope R_scope.
+
+(** right derivatives are unique *)
+Lemma rderiv_unique f t l k : rderiv f t l -> rderiv f t k -> l = k.
+Proof.
+  intros F G. apply Rminus_diag_uniq. destruct (Req_dec (l - k) 0) as [|N]; auto. exfalso. apply Rabs_pos_lt in N.
+  destruct (little_minus _ _ G F (Rabs (l - k) / 2)) as (d & Hd & Q); [lra|]. specialize (Q (d / 2) ltac:(lra)).
+    simpl in Q.
+  replace (f (t + d / 2) - f t - k * (d / 2) - (f (t + d / 2) - f t - l * (d / 2))) with ((l - k) * (d / 2)) in Q
+    by ring.
+  rewrite Rabs_mult, (Rabs_pos_eq (d / 2)) in Q by lra. nra.
+Qed.
+
+(** the absolute value is continuous *)
+Lemma cont_abs f : cont f -> cont (fun u => Rabs (f u)).
+Proof.
+  intros C t Ht e He. destruct (C t Ht e He) as (d & Hd & K). exists d; split; auto. intros s Hs Hd1.
+  eapply Rle_lt_trans; [apply Rabs_triang_inv2|]. auto.
+Qed.
+
+(** a bounded right derivative is a Lipschitz constant *)
+Lemma lip_of_rderiv f f' K r t : cont f -> (forall u, 0 <= u -> rderiv f u (f' u) /\ Rabs (f' u) <= K) -> 0 <= r <= t ->
+  Rabs (f t - f r) <= K * (t - r).
+Proof.
+  intros C F Hr. apply Rabs_le. split.
+  - cut (-1 * f t - -1 * f r <= K * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
+    intros u Hu. destruct (F u ltac:(lra)) as (Q & B). apply Rabs_inv in B.
+      eapply rderiv_dini; [|apply rderiv_scal, Q]. lra.
+  - apply (dini_slope f); auto. intros u Hu. destruct (F u ltac:(lra)) as (Q & B). apply Rabs_inv in B.
+    eapply rderiv_dini; [|exact Q]. lra.
+Qed.
+
+Section Forced.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let energy := energy m1 m2 a2.
+
+(** as [solution], with the impulse U of the force taken from the momentum of body 1 *)
+Record forced (U x v1 v2 s : R -> R) : Prop := {
+  f_lip : forall r t, 0 <= r <= t -> Rabs (s t - s r) <= t - r;
+  f_pos : forall t, 0 <= t -> v2 t < v1 t -> rderiv s t 1;
+  f_neg : forall t, 0 <= t -> v1 t < v2 t -> rderiv s t (-1);
+  f_cU : cont U;
+  f_cx : cont x;
+  f_cv : cont v1;
+  f_x : forall t, 0 <= t -> rderiv x t (v1 t);
+  f_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + b * s r - U r) t (- (a2 * x t + a1 * v1 t));
+  f_v2 : forall t, 0 <= t -> m2 * v2 t - b * s t = m2 * v2 0 - b * s 0 }.
+
+(** no force: the solutions of the free pair, and only they *)
+Theorem free_case x v1 v2 s : forced (fun _ => 0) x v1 v2 s <-> solution m1 m2 a1 a2 b x v1 v2 s.
+Proof.
+  split; intros []; constructor; auto using cont_const; intros t Ht.
+  - apply rderiv_ext with (fun u => m1 * v1 u + b * s u - 0); auto. intros; ring.
+  - apply rderiv_ext with (fun u => m1 * v1 u + b * s u); auto. intros; ring.
+Qed.
+
+(** only the increments of the impulse matter: a constant force impulse is no force *)
+Lemma forced_ext U U' x v1 v2 s : (forall t, 0 <= t -> U' t - U' 0 = U t - U 0) -> forced U x v1 v2 s ->
+  forced U' x v1 v2 s.
+Proof.
+  intros E []. constructor; auto.
+  - apply cont_ext with (fun t => U t + (U' 0 - U 0)). { intros t Ht. specialize (E t Ht). lra. }
+    apply cont_plus; [auto|apply cont_const].
+  - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + b * s r - U r + (U 0 - U' 0)).
+    { intros r Hr. specialize (E r ltac:(lra)). lra. }
+    apply rderiv_eq with (- (a2 * x t + a1 * v1 t) + 0); [ring|]. apply rderiv_plus; [auto|apply rderiv_const].
+Qed.
+
+(** the impulse of friction is continuous *)
+Lemma forced_cs U x v1 v2 s : forced U x v1 v2 s -> cont s.
+Proof. intros H. apply (lip_cont s 1); [lra|]. intros. rewrite Rmult_1_l. apply (f_lip _ _ _ _ _ H); auto. Qed.
+
+(** body 2 is moved by friction only *)
+Lemma forced_v2 U x v1 v2 s r t : forced U x v1 v2 s -> 0 <= r -> 0 <= t -> v2 t - v2 r = b / m2 * (s t - s r).
+Proof.
+  intros H Hr Ht. pose proof (f_v2 _ _ _ _ _ H r Hr). pose proof (f_v2 _ _ _ _ _ H t Ht).
+  apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * (s t - s r))) with (b * (s t - s r)) by (field;
+    lra). lra.
+Qed.
+
+(** v2 is continuous *)
+Lemma forced_cv2 U x v1 v2 s : forced U x v1 v2 s -> cont v2.
+Proof.
+  intros H. apply cont_ext with (fun u => (v2 0 - b / m2 * s 0) + b / m2 * s u).
+  { intros u Hu. pose proof (forced_v2 _ _ _ _ _ 0 u H ltac:(lra) Hu). lra. }
+  apply cont_plus; [apply cont_const|]. apply cont_scal, (forced_cs _ _ _ _ _ H).
+Qed.
+
+(** if w' < w then s rises at least as fast as s': either w > 0 and s rises with slope 1,
+  or w' < 0 and s' falls with slope -1 *)
+Lemma friction_order U x v1 v2 s U' x' v1' v2' s' t : forced U x v1 v2 s -> forced U' x' v1' v2' s' -> 0 <= t ->
+  v1' t - v2' t < v1 t - v2 t -> forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
+  - e * h <= (s (t + h) - s t) - (s' (t + h) - s' t).
+Proof.
+  intros H H' Ht W e He.
+  assert (B : forall h, 0 < h -> s' (t + h) - s' t <= h /\ - h <= s (t + h) - s t).
+  { intros h Hh. pose proof (f_lip _ _ _ _ _ H t (t + h) ltac:(lra)) as L.
+    pose proof (f_lip _ _ _ _ _ H' t (t + h) ltac:(lra)) as L'.
+    apply Rabs_inv in L. apply Rabs_inv in L'. lra. }
+  destruct (Rlt_dec (v2 t) (v1 t)) as [P|P].
+  - destruct (f_pos _ _ _ _ _ H t Ht P e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+    specialize (K h Hh). specialize (B h ltac:(lra)). apply Rabs_inv in K. lra.
+  - destruct (f_neg _ _ _ _ _ H' t Ht ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+    specialize (K h Hh). specialize (B h ltac:(lra)). apply Rabs_inv in K. lra.
+Qed.
+
+(** friction is monotone: the increments of both impulses against the relative velocities *)
+Lemma friction_monotone U x v1 v2 s U' x' v1' v2' s' t : forced U x v1 v2 s -> forced U' x' v1' v2' s' -> 0 <= t ->
+  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
+  - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * ((v1 t - v2 t) - (v1' t - v2' t)).
+Proof.
+  intros H H' Ht e He. set (q := (v1 t - v2 t) - (v1' t - v2' t)). pose proof (Rabs_pos q).
+  assert (He1 : 0 < e / (Rabs q + 1)) by (apply Rdiv_lt_0_compat; lra).
+  assert (Q : e / (Rabs q + 1) * Rabs q <= e).
+  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). apply Rmult_le_compat_l; lra. }
+  destruct (Rtotal_order q 0) as [Lt|[Eq|Gt]].
+  - destruct (friction_order _ _ _ _ _ _ _ _ _ _ t H' H Ht ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto.
+    set (e1 := e / (- q + 1)) in *. nra.
+  - exists 1; split; [lra|]. intros h Hh. rewrite Eq. nra.
+  - destruct (friction_order _ _ _ _ _ _ _ _ _ _ t H H' Ht ltac:(unfold q in Gt; lra) _ He1) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_pos_eq in * by lra.
+    set (e1 := e / (q + 1)) in *. nra.
+Qed.
+
+(** increments of the impulse are O(h) *)
+Lemma big_s U x v1 v2 s t : forced U x v1 v2 s -> 0 <= t -> big (fun h => s (t + h) - s t).
+Proof. intros H. apply big_lip, (f_lip _ _ _ _ _ H). Qed.
+
+Section Two.
+Variables U x v1 v2 s U' x' v1' v2' s' : R -> R.
+Hypotheses (H : forced U x v1 v2 s) (H' : forced U' x' v1' v2' s').
+Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
+
+(** the energy distance is continuous *)
+Lemma forced_cont_D : cont D.
+Proof.
+  pose proof (forced_cv2 _ _ _ _ _ H). pose proof (forced_cv2 _ _ _ _ _ H'). destruct H, H'.
+  assert (cont (fun t => x t - x' t)) by (apply cont_minus; auto).
+  assert (cont (fun t => v1 t - v1' t)) by (apply cont_minus; auto).
+  assert (cont (fun t => v2 t - v2' t)) by (apply cont_minus; auto).
+  apply cont_ext with (fun t => a2 / 2 * ((x t - x' t) * (x t - x' t)) + m1 / 2 * ((v1 t - v1' t) * (v1 t - v1' t))
+    + m2 / 2 * ((v2 t - v2' t) * (v2 t - v2' t))).
+  { intros; unfold D, energy, Pair.energy; field. }
+  repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
+Qed.
+
+(** D' <= du dv1 - a1 dv1^2: the impulses of the two forces enter only through their difference *)
+Lemma forced_D_dini t du : 0 <= t -> rderiv (fun r => U r - U' r) t du ->
+  dini_le D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2).
+Proof.
+  intros Ht HU e He.
+  pose proof (friction_monotone _ _ _ _ _ _ _ _ _ _ t H H' Ht) as FM.
+  pose proof (little_minus _ _ (f_x _ _ _ _ _ H t Ht) (f_x _ _ _ _ _ H' t Ht)) as X.
+  pose proof (little_plus _ _ (little_minus _ _ (f_v1 _ _ _ _ _ H t Ht) (f_v1 _ _ _ _ _ H' t Ht)) HU) as V.
+    simpl in X, V.
+  pose proof (big_minus _ _ (big_s _ _ _ _ _ t H Ht) (big_s _ _ _ _ _ t H' Ht)) as S. simpl in S.
+  set (X0 := x t - x' t). set (P0 := v1 t - v1' t). set (Q0 := v2 t - v2' t).
+  match type of X with little ?f => set (ex := f) in * end. match type of V with little ?f => set (ev := f) in * end.
+  set (ds := fun h => s (t + h) - s t - (s' (t + h) - s' t)) in *.
+  set (dX := fun h => ex h + P0 * h).
+  set (dV := fun h => / m1 * (ev h + (du - (a2 * X0 + a1 * P0)) * h - b * ds h)).
+  set (dW := fun h => b / m2 * ds h).
+  assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
+  assert (BV : big dV). { apply big_scal, big_minus; [|apply big_scal; auto].
+    apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
+  assert (BW : big dW). { apply big_scal; auto. }
+  set (rest := fun h => a2 * X0 * ex h + P0 * ev h + a2 / 2 * (dX h * dX h) + m1 / 2 * (dV h * dV h) + m2 / 2 *
+    (dW h * dW h)).
+  assert (LR : little rest).
+  { unfold rest. repeat apply little_plus; apply little_scal; auto; apply big_mult; auto. }
+  destruct (LR (e / 2)) as (d1 & Hd1 & K1); [lra|].
+  destruct (FM (e / (2 * b))) as (d2 & Hd2 & K2); [apply Rdiv_lt_0_compat; lra|].
+  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh.
+  pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
+  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1.
+  assert (EX : x (t + h) - x' (t + h) = X0 + dX h) by (unfold dX, X0, ex, P0; ring).
+  assert (EV : v1 (t + h) - v1' (t + h) = P0 + dV h) by (unfold dV, X0, P0, ev, ds; field; lra).
+  assert (EW : v2 (t + h) - v2' (t + h) = Q0 + dW h).
+  { pose proof (forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)).
+    pose proof (forced_v2 _ _ _ _ _ t (t + h) H' Ht ltac:(lra)).
+    unfold dW, Q0, ds. lra. }
+  assert (ID : D (t + h) - D t = rest h + (du * P0 - a1 * P0 ^ 2) * h - b * (ds h * (P0 - Q0))).
+  { unfold D. rewrite EX, EV, EW. fold X0 P0 Q0. unfold energy, Pair.energy, rest.
+    unfold dX at 1 2, dV at 1 2, dW at 1 2.
+    unfold dX, dV, dW. field. split; lra. }
+  rewrite ID.
+  assert (K3 : - (e / 2) * h <= b * (ds h * (P0 - Q0))).
+  { replace (- (e / 2) * h) with (b * (- (e / (2 * b)) * h)) by (field; lra). apply Rmult_le_compat_l; [lra|].
+    replace (P0 - Q0) with (v1 t - v2 t - (v1' t - v2' t)) by (unfold P0, Q0; ring). exact K2. }
+  lra.
+Qed.
+
+(** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
+Let N t := sqrt (2 * D t).
+
+(** sqrt is concave: it carries an upper right derivative over without a condition on the increment *)
+Lemma sqrt_dini y t k : (forall u, 0 < y u) -> dini_le y t k -> dini_le (fun u => sqrt (y u)) t (k / (2 * sqrt (y t))).
+Proof.
+  intros P F e He. pose proof (sqrt_lt_R0 _ (P t)) as Sp. destruct (F (2 * sqrt (y t) * e)) as (d & Hd & K); [nra|].
+  exists d; split; auto. intros h Hh. specialize (K h Hh).
+  assert (Q : sqrt (y (t + h)) - sqrt (y t) <= (y (t + h) - y t) / (2 * sqrt (y t))).
+  { rewrite <- (sqrt_sqrt (y (t + h))) at 2 by (apply Rlt_le; auto).
+    rewrite <- (sqrt_sqrt (y t)) at 2 by (apply Rlt_le; auto).
+    apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    pose proof (pow2_ge_0 (sqrt (y (t + h)) - sqrt (y t))). nra. }
+  eapply Rle_trans; [exact Q|]. apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|].
+  unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  replace ((k / (2 * sqrt (y t)) + e) * h * (2 * sqrt (y t))) with ((k + 2 * sqrt (y t) * e) * h) by (field; lra). auto.
+Qed.
+
+(** so is the root of what is bounded away from 0 *)
+Lemma cont_sqrt y c : 0 < c -> (forall u, c <= y u) -> cont y -> cont (fun u => sqrt (y u)).
+Proof.
+  intros Hc P C t Ht e He. pose proof (sqrt_lt_R0 _ Hc) as Sp. destruct (C t Ht (sqrt c * e)) as (d & Hd & K); [nra|].
+  exists d; split; auto. intros u Hu Hd1. specialize (K u Hu Hd1).
+  assert (S1 : sqrt c <= sqrt (y u)) by (apply sqrt_le_1_alt; auto).
+    assert (S2 : sqrt c <= sqrt (y t)) by (apply sqrt_le_1_alt; auto).
+  apply Rmult_lt_reg_l with (sqrt c); auto. eapply Rle_lt_trans; [|exact K].
+  rewrite <- (sqrt_sqrt (y u)) at 2 by (specialize (P u); lra).
+    rewrite <- (sqrt_sqrt (y t)) at 2 by (specialize (P t); lra).
+  replace (sqrt (y u) * sqrt (y u) - sqrt (y t) * sqrt (y t)) with ((sqrt (y u) + sqrt (y t)) * (sqrt (y u) - sqrt
+    (y t))) by ring.
+  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. apply Rmult_le_compat_r; [apply Rabs_pos|lra].
+Qed.
+
+(** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
+Theorem input_to_state du J r t : (forall u, 0 <= u -> rderiv (fun r => U r - U' r) u (du u)) ->
+  cont J -> (forall u, 0 <= u -> rderiv J u (Rabs (du u))) -> 0 <= r <= t -> N t <= N r + (J t - J r) / sqrt m1.
+Proof.
+  intros HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. apply le_epsilon. intros e He.
+  assert (DP : forall u, 0 <= 2 * D u) by (intros u;
+    pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x u - x' u) (v1 u - v1' u) (v2 u - v2' u)); unfold D, energy; lra).
+  assert (e2 : 0 < e ^ 2) by nra.
+  set (y := fun u => 2 * D u + e ^ 2). assert (yP : forall u, e ^ 2 <= y u) by (intros u; unfold y;
+    specialize (DP u); lra).
+  assert (yP0 : forall u, 0 < y u) by (intros u; specialize (yP u); lra).
+  assert (G : sqrt (y t) - / sqrt m1 * J t <= sqrt (y r) - / sqrt m1 * J r).
+  { apply (dini_mono (fun u => sqrt (y u) - / sqrt m1 * J u)); auto.
+    - apply cont_minus; [|apply cont_scal; auto]. apply (cont_sqrt y (e ^ 2)); auto. unfold y.
+      apply cont_plus; [apply cont_scal, forced_cont_D|apply cont_const].
+    - intros u Hu q Hq. pose proof (forced_D_dini u _ ltac:(lra) (HU u ltac:(lra))) as F.
+      set (l := du u * (v1 u - v1' u) - a1 * (v1 u - v1' u) ^ 2) in *.
+      assert (Fy : dini_le y u (2 * l)).
+      { intros p Hp. destruct (F (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
+        specialize (K h Hh). unfold y. lra. }
+      pose proof (sqrt_dini y u _ yP0 Fy) as Fs.
+      destruct (Fs (q / 2)) as (d1 & Hd1 & K1); [lra|].
+      pose proof (rderiv_scal (/ sqrt m1) _ _ _ (HJ u ltac:(lra))) as Jd.
+        destruct (Jd (q / 2)) as (d2 & Hd2 & K2); [lra|].
+      exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2).
+        pose proof (Rmin_r d1 d2).
+      specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
+      assert (B : 2 * l / (2 * sqrt (y u)) <= / sqrt m1 * Rabs (du u)).
+      { pose proof (sqrt_lt_R0 _ (yP0 u)) as Sy.
+        assert (Vb : sqrt m1 * Rabs (v1 u - v1' u) <= sqrt (y u)).
+        { rewrite <- (sqrt_Rsqr_abs (v1 u - v1' u)), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
+          unfold y, D, energy, Pair.energy, Rsqr.
+          pose proof (pow2_ge_0 (x u - x' u)). pose proof (pow2_ge_0 (v2 u - v2' u)). nra. }
+        assert (Lb : l <= Rabs (du u) * Rabs (v1 u - v1' u)).
+        { unfold l. rewrite <- Rabs_mult. pose proof (Rle_abs (du u * (v1 u - v1' u))).
+          pose proof (pow2_ge_0 (v1 u - v1' u)). nra. }
+        apply Rmult_le_reg_r with (sqrt m1 * sqrt (y u)); [nra|].
+        replace (2 * l / (2 * sqrt (y u)) * (sqrt m1 * sqrt (y u))) with (sqrt m1 * l) by (field; lra).
+        replace (/ sqrt m1 * Rabs (du u) * (sqrt m1 * sqrt (y u))) with (Rabs (du u) * sqrt (y u)) by (field; lra).
+        apply Rle_trans with (sqrt m1 * (Rabs (du u) * Rabs (v1 u - v1' u))); [apply Rmult_le_compat_l; lra|].
+        replace (sqrt m1 * (Rabs (du u) * Rabs (v1 u - v1' u))) with (Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1'
+          u))) by ring.
+        apply Rmult_le_compat_l; [apply Rabs_pos|auto]. }
+      assert ((2 * l / (2 * sqrt (y u)) - / sqrt m1 * Rabs (du u)) * h <= 0) by nra. lra. }
+  assert (A : N t <= sqrt (y t)) by (apply sqrt_le_1_alt; unfold y; lra).
+  assert (B : sqrt (y r) <= N r + e).
+  { unfold N. pose proof (sqrt_pos (2 * D r)) as Q. rewrite <- (sqrt_pow2 (sqrt (2 * D r) + e)) by lra.
+    apply sqrt_le_1_alt.
+    pose proof (sqrt_sqrt (2 * D r) (DP r)). unfold y. nra. }
+  unfold Rdiv. lra.
+Qed.
+End Two.
+
+(** *** Contraction, uniqueness: two solutions under the same force (any continuous impulse) *)
+Theorem forced_contraction U x v1 v2 s x' v1' v2' s' r t : forced U x v1 v2 s -> forced U x' v1' v2' s' ->
+  0 <= r <= t ->
+  energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
+Proof.
+  intros H H' Hr.
+  apply (dini_mono (fun t => energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t))); auto. { eapply forced_cont_D; eauto. }
+  intros u Hu e He.
+  assert (Z : rderiv (fun r => U r - U r) u 0) by (apply rderiv_ext with (fun _ => 0); [intros;
+    ring|apply rderiv_const]).
+  destruct (forced_D_dini _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto.
+    intros h Hh.
+  specialize (K h Hh). simpl in K. pose proof (pow2_ge_0 (v1 u - v1' u)).
+  assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h) by (apply Rmult_le_pos; [apply Rmult_le_pos; auto|lra]). lra.
+Qed.
+
+(** equal states stay equal *)
+Theorem forced_unique U x v1 v2 s x' v1' v2' s' t0 : forced U x v1 v2 s -> forced U x' v1' v2' s' -> 0 <= t0 ->
+  x t0 = x' t0 -> v1 t0 = v1' t0 -> v2 t0 = v2' t0 -> forall t, t0 <= t -> x t = x' t /\ v1 t = v1' t /\ v2 t = v2' t.
+Proof.
+  intros H H' Ht X V W t Hu. pose proof (forced_contraction _ _ _ _ _ _ _ _ _ t0 t H H' ltac:(lra)) as C.
+  rewrite X, V, W in C. replace (energy (x' t0 - x' t0) (v1' t0 - v1' t0) (v2' t0 - v2' t0)) with 0 in C by
+    (unfold energy, Pair.energy; field).
+  apply (energy_zero m1 m2 a2 Hm1 Hm2 Ha2) in C. lra.
+Qed.
+
+(** for continuous forces the norm of the difference is an integral *)
+Corollary input_to_state_integral u u' x v1 v2 s x' v1' v2' s' t : cont u -> cont u' ->
+  forced (integral u) x v1 v2 s -> forced (integral u') x' v1' v2' s' -> 0 <= t ->
+  sqrt (2 * energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) <=
+  sqrt (2 * energy (x 0 - x' 0) (v1 0 - v1' 0) (v2 0 - v2' 0)) + integral (fun r => Rabs (u r - u' r)) t / sqrt m1.
+Proof.
+  intros C C' H H' Ht. assert (CA : cont (fun r => Rabs (u r - u' r))) by (apply cont_abs, cont_minus; auto).
+  pose proof (input_to_state _ _ _ _ _ _ _ _ _ _ H H' (fun r => u r - u' r) (integral (fun r => Rabs (u r - u'
+    r))) 0 t) as Q.
+  rewrite integral_0, Rminus_0_r in Q. apply Q; auto using integral_cont; [| |lra]; intros r Hr.
+  - apply rderiv_minus; apply integral_rderiv; auto.
+  - apply (integral_rderiv (fun r => Rabs (u r - u' r))); auto.
+Qed.
+
+(** *** Energy: E' = u v1 - a1 v1^2 - b |v1 - v2| wherever the impulse has the right derivative u *)
+Theorem forced_energy_rate U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rderiv U t u ->
+  rderiv (fun t => energy (x t) (v1 t) (v2 t)) t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
+Proof.
+  intros H Ht HU.
+  assert (F : little (fun h => (s (t + h) - s t) * (v1 t - v2 t) - Rabs (v1 t - v2 t) * h)).
+  { destruct (Rtotal_order (v1 t) (v2 t)) as [Lt|[Eq|Gt]].
+    - eapply little_ext; [|exact (little_scal (v1 t - v2 t) _ (f_neg _ _ _ _ _ H t Ht Lt))].
+      intros h; simpl. rewrite Rabs_left by lra. ring.
+    - eapply little_ext; [|exact little_0]. intros h; simpl. replace (v1 t - v2 t) with 0 by lra. rewrite Rabs_R0; ring.
+    - eapply little_ext; [|exact (little_scal (v1 t - v2 t) _ (f_pos _ _ _ _ _ H t Ht ltac:(lra)))].
+      intros h; simpl. rewrite Rabs_pos_eq by lra. ring. }
+  pose proof (f_x _ _ _ _ _ H t Ht) as X. pose proof (little_plus _ _ (f_v1 _ _ _ _ _ H t Ht) HU) as V. simpl in V.
+  pose proof (big_s _ _ _ _ _ t H Ht) as S. unfold rderiv in X.
+  match type of X with little ?f => set (ex := f) in * end. match type of V with little ?f => set (ev := f) in * end.
+  set (ds := fun h => s (t + h) - s t) in *.
+  set (dX := fun h => ex h + v1 t * h).
+  set (dV := fun h => / m1 * (ev h + (u - (a2 * x t + a1 * v1 t)) * h - b * ds h)).
+  set (dW := fun h => b / m2 * ds h).
+  assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
+  assert (BV : big dV). { apply big_scal, big_minus; [|apply big_scal; auto].
+    apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
+  assert (BW : big dW). { apply big_scal; auto. }
+  set (rest := fun h => a2 * x t * ex h + v1 t * ev h + a2 / 2 * (dX h * dX h) + m1 / 2 * (dV h * dV h) + m2 / 2 *
+    (dW h * dW h)
+     + (- b) * (ds h * (v1 t - v2 t) - Rabs (v1 t - v2 t) * h)).
+  assert (LR : little rest).
+  { unfold rest. repeat apply little_plus; apply little_scal; auto; apply big_mult; auto. }
+  intros e He. destruct (LR e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
+  match goal with |- Rabs ?y <= _ => replace y with (rest h); auto end.
+  assert (EX : x (t + h) = x t + dX h) by (unfold dX, ex; ring).
+  assert (EV : v1 (t + h) = v1 t + dV h) by (unfold dV, ev, ds; field; lra).
+  assert (EW : v2 (t + h) = v2 t + dW h).
+  { pose proof (forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)). unfold dW, ds. lra. }
+  rewrite EX, EV, EW. unfold energy, Pair.energy, rest, dX, dV, dW. field. split; lra.
+Qed.
+
+(** *** What body 2 can follow *)
+
+(** under any force, |v2'| <= b/m2 in the sense of Lipschitz *)
+Theorem only_gentle U x v1 v2 s r t : forced U x v1 v2 s -> 0 <= r <= t -> Rabs (v2 t - v2 r) <= b / m2 * (t - r).
+Proof.
+  intros H Hr. rewrite (forced_v2 _ _ _ _ _ r t H) by lra. apply abs_scal; [|apply (f_lip _ _ _ _ _ H); auto].
+  apply Rlt_le, Rdiv_lt_0_compat; auto.
+Qed.
+
+(** where the acceleration of body 2 is less than b/m2 in size the pair sticks *)
+Theorem must_stick U x v1 v2 s t l : forced U x v1 v2 s -> 0 <= t -> rderiv v2 t l -> Rabs l < b / m2 -> v1 t = v2 t.
+Proof.
+  intros H Ht F B. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+  assert (V : forall k, rderiv s t k -> l = b / m2 * k).
+  { intros k S. apply (rderiv_unique v2 t); auto.
+    apply rderiv_ext with (fun u => (v2 t - b / m2 * s t) + b / m2 * s u).
+    { intros u Hu. pose proof (forced_v2 _ _ _ _ _ t u H Ht ltac:(lra)). lra. }
+    apply rderiv_eq with (0 + b / m2 * k); [ring|]. apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto]. }
+  destruct (Rtotal_order (v1 t) (v2 t)) as [Lt|[Eq|Gt]]; auto; exfalso.
+  - rewrite (V _ (f_neg _ _ _ _ _ H t Ht Lt)) in B. rewrite Rabs_left in B; lra.
+  - rewrite (V _ (f_pos _ _ _ _ _ H t Ht ltac:(lra))) in B. rewrite Rabs_pos_eq in B; lra.
+Qed.
+
+(** every r with |r''| <= b/m2 (r' Lipschitz) is followed, stuck,
+  under the impulse of M r'' + a1 r' + a2 (x0 + r - r(0)) *)
+Theorem trackable x0 r r' : cont r -> (forall t, 0 <= t -> rderiv r t (r' t)) ->
+  (forall p q, 0 <= p <= q -> Rabs (r' q - r' p) <= b / m2 * (q - p)) ->
+  forced (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t)
+    (fun t => x0 + r t - r 0) r' r' (fun t => m2 / b * r' t).
+Proof.
+  intros C R L. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+    assert (Hk' : 0 < m2 / b) by (apply Rdiv_lt_0_compat; auto).
+  assert (Cr' : cont r') by (apply (lip_cont r' (b / m2)); [lra|auto]).
+  assert (Cx : cont (fun t => x0 + r t - r 0)) by (apply cont_minus; [apply cont_plus;
+    [apply cont_const|auto]|apply cont_const]).
+  constructor; auto.
+  - intros p q Hp. replace (m2 / b * r' q - m2 / b * r' p) with (m2 / b * (r' q - r' p)) by ring.
+    replace (q - p) with (m2 / b * (b / m2 * (q - p))) by (field; lra). apply abs_scal; [lra|auto].
+  - intros; lra.
+  - intros; lra.
+  - repeat apply cont_plus; apply cont_scal; auto using integral_cont.
+  - intros t Ht. apply rderiv_eq with (0 + r' t - 0); [ring|].
+    apply rderiv_minus; [apply rderiv_plus; [apply rderiv_const|auto]|apply rderiv_const].
+  - intros t Ht. apply rderiv_ext with (fun u => - a1 * r u + - a2 * integral (fun u => x0 + r u - r 0) u).
+    { intros u Hu. unfold M. field. lra. }
+    apply rderiv_eq with (- a1 * r' t + - a2 * (x0 + r t - r 0)); [ring|].
+    apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
+  - intros t Ht. field; lra.
+Qed.
+
+(** so body 2 can be given the velocity v iff v is b/m2-Lipschitz *)
+Corollary trackable_iff v : (exists U x v1 s, forced U x v1 v s) <->
+  forall p q, 0 <= p <= q -> Rabs (v q - v p) <= b / m2 * (q - p).
+Proof.
+  split.
+  - intros (U & x & v1 & s & H) p q Hp. exact (only_gentle _ _ _ _ _ p q H Hp).
+  - intros L. assert (Cv : cont v) by (apply (lip_cont v (b / m2)); [apply Rlt_le, Rdiv_lt_0_compat|]; auto).
+    eexists _, _, v, _. apply (trackable 0 (integral v) v); auto using integral_cont, integral_rderiv.
+Qed.
+
+(** the force itself, where r' has a right derivative *)
+Lemma tracking_force x0 r r' t l : cont r -> rderiv r t (r' t) -> rderiv r' t l -> 0 <= t ->
+  rderiv (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t) t (M * l + a1 * r' t + a2 *
+    (x0 + r t - r 0)).
+Proof.
+  intros C R R' Ht.
+  assert (Cx : cont (fun t => x0 + r t - r 0)) by (apply cont_minus; [apply cont_plus;
+    [apply cont_const|auto]|apply cont_const]).
+  repeat apply rderiv_plus; apply rderiv_scal; auto. apply (integral_rderiv (fun u => x0 + r u - r 0)); auto.
+Qed.
+
+(** r twice differentiable, |r''| <= b/m2 *)
+Corollary trackable_smooth x0 (r r' r'' : R -> R) : (forall t, is_derive r t (r' t)) -> (forall t,
+  is_derive r' t (r'' t)) ->
+  (forall t, Rabs (r'' t) <= b / m2) ->
+  exists U, forced U (fun t => x0 + r t - r 0) r' r' (fun t => m2 / b * r' t) /\ forall t, 0 <= t ->
+    rderiv U t (M * r'' t + a1 * r' t + a2 * (x0 + r t - r 0)).
+Proof.
+  intros R R' B. assert (C : cont r) by (eapply cont_of_derive; eauto).
+    assert (C' : cont r') by (eapply cont_of_derive; eauto).
+  eexists; split.
+  - apply trackable; auto; intros; [apply rderiv_of_derive; auto|]. apply (lip_of_rderiv r' r''); auto.
+    intros; split; auto using rderiv_of_derive.
+  - intros t Ht. apply tracking_force; auto using rderiv_of_derive.
+Qed.
+
+(** a permanent stick leaves no choice: the force must be M v' + a1 v + a2 x *)
+Theorem stuck_needs U x v1 v2 s t : forced U x v1 v2 s -> (forall r, 0 <= r -> v1 r = v2 r) -> 0 <= t ->
+  rderiv (fun r => M * v1 r - U r) t (- (a2 * x t + a1 * v1 t)).
+Proof.
+  intros H St Ht. apply rderiv_ext with (fun r => m1 * v1 r + b * s r - U r + (m2 * v2 0 - b * s 0)).
+  - intros r Hr. pose proof (f_v2 _ _ _ _ _ H r ltac:(lra)). rewrite (St r) by lra. unfold M. lra.
+  - apply rderiv_eq with (- (a2 * x t + a1 * v1 t) + 0); [ring|].
+    apply rderiv_plus; [apply (f_v1 _ _ _ _ _ H); auto|apply rderiv_const].
+Qed.
+
+(** *** Where body 2 can be: the fastest ways to gain distance are full acceleration and then full braking *)
+Lemma travel y w be T : 0 < be -> 0 <= T -> cont y -> (forall t, 0 <= t -> rderiv y t (w t)) ->
+  (forall p q, 0 <= p <= q -> Rabs (w q - w p) <= be * (q - p)) ->
+  y T - y 0 <= (w 0 + w T) * T / 2 + be / 4 * (T ^ 2 - ((w T - w 0) / be) ^ 2).
+Proof.
+  intros Hbe HT C R Lw. set (d := (w T - w 0) / be). assert (Ed : w T = w 0 + be * d) by (unfold d; field; lra).
+  pose proof (Lw 0 T ltac:(lra)) as L0. rewrite Ed in L0. apply Rabs_inv in L0.
+  assert (Hd : - T <= d <= T) by (split; nra). set (p := (T + d) / 2). assert (Hp : 0 <= p <= T) by (unfold p; lra).
+  assert (A : y p - (w 0 * p + be * p ^ 2 / 2) <= y 0 - (w 0 * 0 + be * 0 ^ 2 / 2)).
+  { apply (rderiv_mono (fun u => y u - (w 0 * u + be * u ^ 2 / 2)) 0 p (fun u => w u - (w 0 + be * u))); [|lra|].
+    - apply cont_minus; auto. apply cont_of_derive with (fun u => w 0 + be * u). intros u. auto_derive; auto; field.
+    - intros u Hu. split.
+      + apply rderiv_minus; [apply R; lra|]. apply rderiv_of_derive. auto_derive; auto; field.
+      + pose proof (Lw 0 u ltac:(lra)) as Q. apply Rabs_inv in Q. lra. }
+  assert (B : y T + (w T * (T - T) + be * (T - T) ^ 2 / 2) <= y p + (w T * (T - p) + be * (T - p) ^ 2 / 2)).
+  { apply (rderiv_mono (fun u => y u + (w T * (T - u) + be * (T - u) ^ 2 / 2)) p T (fun u => w u + - (w T + be *
+    (T - u)))); [|lra|].
+    - apply cont_plus; auto. apply cont_of_derive with (fun u => - (w T + be * (T - u))). intros u.
+      auto_derive; auto; field.
+    - intros u Hu. split.
+      + apply rderiv_plus; [apply R; lra|]. apply rderiv_of_derive. auto_derive; auto; field.
+      + pose proof (Lw u T ltac:(lra)) as Q. apply Rabs_inv in Q. lra. }
+  apply Rle_trans with (w 0 * p + be * p ^ 2 / 2 + (w T * (T - p) + be * (T - p) ^ 2 / 2)); [lra|].
+  rewrite Ed. apply Req_le. unfold p. field.
+Qed.
+
+(** the place at T for a given change of velocity: largest and smallest by accelerating first or last *)
+Theorem reach U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) -> 0 <= T ->
+  Rabs (x2 T - x2 0 - (v2 0 + v2 T) * T / 2) <= b / m2 / 4 * (T ^ 2 - ((v2 T - v2 0) * m2 / b) ^ 2).
+Proof.
+  intros H C R HT. assert (Hk : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+  pose proof (fun p q => only_gentle _ _ _ _ _ p q H) as L.
+  pose proof (travel x2 v2 _ T Hk HT C R L) as A.
+  assert (B : -1 * x2 T - -1 * x2 0 <= (-1 * v2 0 + -1 * v2 T) * T / 2 + b / m2 / 4 * (T ^ 2 - ((-1 * v2 T - -1 *
+    v2 0) / (b / m2)) ^ 2)).
+  { apply (travel (fun u => -1 * x2 u) (fun u => -1 * v2 u)); auto using cont_scal, rderiv_scal.
+    intros p q Hp. replace (-1 * v2 q - -1 * v2 p) with (- (v2 q - v2 p)) by ring. rewrite Rabs_Ropp. auto. }
+  replace ((-1 * v2 T - -1 * v2 0) / (b / m2)) with (- ((v2 T - v2 0) * m2 / b)) in B by (field; lra).
+  replace ((v2 T - v2 0) / (b / m2)) with ((v2 T - v2 0) * m2 / b) in A by (field; lra).
+  set (d := (v2 T - v2 0) * m2 / b) in *. replace ((- d) ^ 2) with (d ^ 2) in B by ring. apply Rabs_le. lra.
+Qed.
+
+(** from rest to rest over the distance D no force is faster than 2 sqrt (m2 D / b) *)
+Theorem least_time U x v1 v2 s x2 T : forced U x v1 v2 s -> cont x2 -> (forall t, 0 <= t -> rderiv x2 t (v2 t)) ->
+  0 <= T ->
+  v2 0 = 0 -> v2 T = 0 -> 2 * sqrt (m2 * Rabs (x2 T - x2 0) / b) <= T.
+Proof.
+  intros H C R HT Z0 ZT. pose proof (reach _ _ _ _ _ _ _ H C R HT) as Q. rewrite Z0, ZT in Q.
+  replace (x2 T - x2 0 - (0 + 0) * T / 2) with (x2 T - x2 0) in Q by field.
+  replace (b / m2 / 4 * (T ^ 2 - ((0 - 0) * m2 / b) ^ 2)) with (b / m2 * (T / 2) ^ 2) in Q by (field; lra).
+  cut (sqrt (m2 * Rabs (x2 T - x2 0) / b) <= T / 2); [lra|].
+  rewrite <- (sqrt_pow2 (T / 2)) by lra. apply sqrt_le_1_alt.
+  replace ((T / 2) ^ 2) with (m2 / b * (b / m2 * (T / 2) ^ 2)) by (field; lra).
+  replace (m2 * Rabs (x2 T - x2 0) / b) with (m2 / b * Rabs (x2 T - x2 0)) by (field; lra).
+  apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
+Qed.
+
+(** the bang-bang motion with its kinks at 0, tau, 2 tau: y |y| / 2 has the derivative |y|,
+  and |y| the right derivative +-1 *)
+Definition side y := if Rle_dec 0 y then 1 else -1.
+(** the right derivative of |t - c| *)
+Lemma rderiv_Rabs c t : rderiv (fun u => Rabs (u - c)) t (side (t - c)).
+Proof.
+  unfold side. destruct (Rle_dec 0 (t - c)).
+  - apply rderiv_exact with 1; [lra|]. intros h Hh. rewrite !Rabs_pos_eq by lra. ring.
+  - apply rderiv_exact with (c - t); [lra|]. intros h Hh. rewrite !Rabs_left by lra. ring.
+Qed.
+(** and of its integral *)
+Lemma rderiv_half c t : rderiv (fun u => (u - c) * Rabs (u - c) / 2) t (Rabs (t - c)).
+Proof.
+  intros e He. exists e; split; auto. intros h Hh. apply Rle_trans with (h * h / 2); [|nra].
+  replace (t + h - c) with (t - c + h) by ring. set (y := t - c). apply Rabs_le.
+  unfold Rabs. destruct (Rcase_abs (y + h)), (Rcase_abs y); split; nra.
+Qed.
+
+(** the velocity of the fastest transfer: up, then down *)
+Definition bang tau t := b / m2 * ((Rabs (t - 2 * tau) + Rabs (t - 0) - 2 * Rabs (t - tau)) / 2).
+(** its place *)
+Definition run tau t := b / m2 * (((t - 2 * tau) * Rabs (t - 2 * tau) / 2 + (t - 0) * Rabs (t - 0) / 2
+  - 2 * ((t - tau) * Rabs (t - tau) / 2)) / 2).
+(** its acceleration *)
+Definition push tau t := b / m2 * ((side (t - 2 * tau) + side (t - 0) - 2 * side (t - tau)) / 2).
+
+(** the velocity has that acceleration *)
+Lemma rderiv_bang tau t : rderiv (bang tau) t (push tau t).
+Proof.
+  unfold bang, push. apply rderiv_scal. apply rderiv_eq with (/ 2 * (side (t - 2 * tau) + side (t - 0) - 2 * side
+    (t - tau))); [field|].
+  apply rderiv_ext with (fun u => / 2 * (Rabs (u - 2 * tau) + Rabs (u - 0) - 2 * Rabs (u - tau))); [intros; field|].
+  apply rderiv_scal, rderiv_minus; [apply rderiv_plus|apply rderiv_scal]; apply rderiv_Rabs.
+Qed.
+(** the place has that velocity *)
+Lemma rderiv_run tau t : rderiv (run tau) t (bang tau t).
+Proof.
+  unfold run, bang. apply rderiv_scal. apply rderiv_eq with (/ 2 * (Rabs (t - 2 * tau) + Rabs (t - 0) - 2 * Rabs
+    (t - tau))); [field|].
+  apply rderiv_ext with (fun u => / 2 * ((u - 2 * tau) * Rabs (u - 2 * tau) / 2 + (u - 0) * Rabs (u - 0) / 2 - 2 *
+    ((u - tau) * Rabs (u - tau) / 2))); [intros; field|].
+  apply rderiv_scal, rderiv_minus; [apply rderiv_plus|apply rderiv_scal]; apply rderiv_half.
+Qed.
+(** the velocity changes as fast as friction allows and no faster *)
+Lemma bang_lip tau p q : 0 <= tau -> 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p).
+Proof.
+  intros Ht Hp. unfold bang. rewrite <- Rmult_minus_distr_l. apply abs_scal; [apply Rlt_le, Rdiv_lt_0_compat; auto|].
+  apply Rabs_le. unfold Rabs; repeat destruct Rcase_abs; lra.
+Qed.
+
+(** the least time is attained, stuck, by an explicit force with three jumps, and the target is held for ever *)
+Theorem least_time_attained x0 D : 0 < D -> exists U x v1 v2 s x2, forced U x v1 v2 s /\
+  cont x2 /\ (forall t, 0 <= t -> rderiv x2 t (v2 t)) /\ x 0 = x0 /\ v1 0 = 0 /\ v2 0 = 0 /\ x2 0 = 0 /\
+  (forall t, 2 * sqrt (m2 * D / b) <= t -> v1 t = 0 /\ v2 t = 0 /\ x2 t = D) /\
+  forall t, 0 <= t -> v1 t = v2 t /\
+    rderiv U t (M * push (sqrt (m2 * D / b)) t + a1 * bang (sqrt (m2 * D / b)) t + a2 * (x0 + x2 t)).
+Proof.
+  intros HD. assert (Hq : 0 < m2 * D / b) by (apply Rdiv_lt_0_compat; nra). set (tau := sqrt (m2 * D / b)).
+  assert (Ht : 0 < tau) by (apply sqrt_lt_R0; auto).
+  assert (Sq : tau * tau = m2 * D / b) by (apply sqrt_sqrt; lra).
+  assert (C : cont (run tau)).
+  { assert (CA : forall c, cont (fun t => (t - c) * Rabs (t - c) / 2)).
+    { intros c. assert (Cl : cont (fun t => t - c)). { apply (lip_cont _ 1); [lra|]. intros r t Hr.
+      replace (t - c - (r - c)) with (t - r) by ring. rewrite Rabs_pos_eq; lra. }
+      apply cont_ext with (fun t => / 2 * ((t - c) * Rabs (t - c))); [intros; field|].
+        apply cont_scal, cont_mult; auto using cont_abs. }
+    unfold run. apply cont_scal. apply cont_ext with (fun t => / 2 * ((t - 2 * tau) * Rabs (t - 2 * tau) / 2 + (t
+      - 0) * Rabs (t - 0) / 2
+      - 2 * ((t - tau) * Rabs (t - tau) / 2))); [intros; field|].
+        apply cont_scal, cont_minus; [apply cont_plus; apply CA|apply cont_scal, CA]. }
+  assert (L : forall p q, 0 <= p <= q -> Rabs (bang tau q - bang tau p) <= b / m2 * (q - p)) by (intros;
+    apply bang_lip; lra).
+  assert (B0 : bang tau 0 = 0). { unfold bang. rewrite Rminus_0_r, Rabs_R0, !Rabs_left by lra. field; lra. }
+  exists (fun t => M * bang tau t + a1 * run tau t + a2 * integral (fun u => x0 + run tau u - run tau 0) t),
+    (fun t => x0 + run tau t - run tau 0), (bang tau), (bang tau), (fun t => m2 / b * bang tau t),
+      (fun t => run tau t - run tau 0).
+  split; [apply trackable; auto using rderiv_run|]. split; [apply cont_minus; auto using cont_const|]. split.
+  { intros t _. apply rderiv_eq with (bang tau t - 0); [ring|].
+    apply rderiv_minus; [apply rderiv_run|apply rderiv_const]. }
+  repeat split; auto; try ring.
+  - unfold bang. rewrite !Rabs_pos_eq by lra. field; lra.
+  - unfold bang. rewrite !Rabs_pos_eq by lra. field; lra.
+  - unfold run. rewrite !(Rabs_pos_eq (t - _)) by lra. rewrite (Rminus_0_r 0), Rabs_R0, !Rabs_left by lra.
+    replace D with (b / m2 * (m2 * D / b)) by (field; lra). rewrite <- Sq. field; lra.
+  - apply rderiv_eq with (M * push tau t + a1 * bang tau t + a2 * (x0 + run tau t - run tau 0)); [ring|].
+    apply (tracking_force x0 (run tau) (bang tau)); auto using rderiv_run, rderiv_bang.
+Qed.
+End Forced.

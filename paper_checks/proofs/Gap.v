@@ -1,0 +1,267 @@
+(** Any slip that starts on S at or beyond the end of the strip: gap d >= 0, push u;
+  it ends where hh p - d cot p = u. *)
+From Coq Require Import Reals Lra Psatz Nsatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit.
+Local Open Scope R_scope.
+
+(** k = cot p *)
+Definition ct p := cos p / sin p.
+(** the push whose slip from the gap d has the half angle p *)
+Definition push d p := hh p - d * ct p.
+
+(** it decreases *)
+Lemma ct_falls p q : 0 < p -> p < q -> q < PI -> ct q < ct p.
+Proof.
+  intros. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin_gt_0 q ltac:(lra) ltac:(lra)) as S'.
+  assert (E : ct p - ct q = sin (q - p) / (sin p * sin q)). { rewrite sin_minus. unfold ct. field. lra. }
+  assert (0 < sin (q - p) / (sin p * sin q)).
+    { apply Rdiv_lt_0_compat; [apply sin_gt_0; lra|apply Rmult_lt_0_compat; auto]. }
+  lra.
+Qed.
+(** h - d cot increases from -oo to +oo: one root *)
+Lemma push_incr d p q : 0 <= d -> 0 < p -> p < q -> q < PI -> push d p < push d q.
+Proof.
+  intros Hd H0 Hpq Hq. pose proof (hh_incr p q H0 Hpq Hq). pose proof (ct_falls p q H0 Hpq Hq).
+  unfold push. assert (d * ct q <= d * ct p) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+(** one half angle for each push *)
+Theorem push_root d u : 0 < d -> exists! p, 0 < p < PI /\ push d p = u.
+Proof.
+  intros Hd. assert (Ex : exists p, 0 < p < PI /\ push d p = u).
+  { set (F := fun p => p - sin p * cos p - d * (sin p * cos p) - u * sin p ^ 2).
+    pose proof PI2_1 as P1. pose proof (Rabs_pos u) as Up. set (e := d / (8 * (1 + Rabs u))).
+    assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
+    assert (E8 : e * (1 + Rabs u) = d / 8) by (unfold e; field; lra).
+    set (p0 := Rmin 1 e). assert (P0 : 0 < p0 /\ p0 <= 1 /\ p0 <= e).
+    { unfold p0. repeat split; [apply Rmin_glb_lt; lra|apply Rmin_l|apply Rmin_r]. }
+    destruct (IVT F p0 PI) as (z & Hz & Z).
+    - intros t. apply derivable_continuous_pt.
+      exists (1 - (1 + d) * (cos t * cos t - sin t * sin t) - u * (2 * sin t * cos t)).
+      apply is_derive_Reals. unfold F. auto_derive; auto. ring.
+    - lra.
+    - unfold F. pose proof (sin_half p0 ltac:(lra)) as S. pose proof (A_above p0 ltac:(lra)) as A.
+      pose proof (sin_below p0 ltac:(lra)) as B. pose proof (sin_below (p0 / 2) ltac:(lra)) as B2.
+        pose proof (sin_pos (p0 / 2) ltac:(lra)) as S2.
+      assert (C : 1 / 2 <= cos p0). { replace p0 with (2 * (p0 / 2)) by field. rewrite cos_2a_sin. nra. }
+      assert (SC : p0 / 4 <= sin p0 * cos p0). { replace (p0 / 4) with (p0 / 2 * (1 / 2)) by field.
+        apply Rmult_le_compat; lra. }
+      assert (DS : d * (p0 / 4) <= d * (sin p0 * cos p0)) by (apply Rmult_le_compat_l; lra).
+      assert (U : - u * sin p0 ^ 2 <= Rabs u * p0 ^ 2).
+      { apply Rle_trans with (Rabs u * sin p0 ^ 2).
+        - apply Rmult_le_compat_r; [apply pow2_ge_0|]. pose proof (Rle_abs (- u)) as Q. rewrite Rabs_Ropp in Q. lra.
+        - apply Rmult_le_compat_l; auto. apply pow_incr. pose proof (sin_pos p0 ltac:(lra)). lra. }
+      assert (P3 : 2 / 3 * p0 ^ 3 <= p0 ^ 2). { assert (0 < p0 ^ 2) by (apply pow_lt; lra).
+        replace (p0 ^ 3) with (p0 * p0 ^ 2) by ring. nra. }
+      assert (Q : p0 ^ 2 * (1 + Rabs u) <= p0 * (d / 8)).
+      { rewrite <- E8. replace (p0 ^ 2 * (1 + Rabs u)) with (p0 * (p0 * (1 + Rabs u))) by ring.
+        apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; lra. }
+      assert (0 < p0 * d) by (apply Rmult_lt_0_compat; lra). lra.
+    - unfold F. rewrite sin_PI. nra.
+    - assert (z <> PI). { intros ->. unfold F in Z. rewrite sin_PI in Z. nra. }
+      exists z. split; [lra|]. pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. unfold push, hh, ct. unfold F in Z.
+      replace (z - sin z * cos z) with (u * sin z ^ 2 + d * (sin z * cos z)) by lra. field. lra. }
+  destruct Ex as (p & Hp & E). exists p. split; [auto|]. intros p' (Hp' & E').
+  destruct (Rtotal_order p p') as [Lt|[|Gt]]; auto; exfalso.
+  - pose proof (push_incr d p p' ltac:(lra) ltac:(lra) Lt ltac:(lra)). lra.
+  - pose proof (push_incr d p' p ltac:(lra) ltac:(lra) Gt ltac:(lra)). lra.
+Qed.
+(** without a gap the push is h *)
+Lemma push_0 p : push 0 p = hh p. Proof. unfold push. ring. Qed.
+
+(** A1: theta - u = h + k D, with D = c + d, k = cot p, theta = 2 p, u = h - k d *)
+Theorem next_push d p : 0 < p < PI -> 2 * p - push d p = hh p + ct p * (depth p + d).
+Proof.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
+  unfold push, hh, ct, depth. apply Rmult_eq_reg_r with (sin p ^ 2); [|apply pow_nonzero; lra].
+  replace ((2 * p - ((p - sin p * cos p) / sin p ^ 2 - d * (cos p / sin p))) * sin p ^ 2)
+    with (2 * p * (sin p * sin p) - (p - sin p * cos p) + d * cos p * sin p) by (field; lra).
+  replace (((p - sin p * cos p) / sin p ^ 2 + cos p / sin p * (2 * (sin p - p * cos p) / sin p + d)) * sin p ^ 2)
+    with (p - sin p * cos p + 2 * cos p * sin p - 2 * p * (cos p * cos p) + d * cos p * sin p) by (field; lra).
+  replace (sin p * sin p) with (1 - cos p * cos p) by lra. ring.
+Qed.
+
+Section Gap.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let q := m1 / M.
+Let o1 := o1 m1 a2.
+Let L := L m1 m2 a2 b.
+Let Ecr := Ecr m1 m2 a2 b.
+Let ray := ray m1 m2 a2 b.
+
+(** on S on the side k, a gap q d beyond the end of the strip, moving outwards at the speed ray u *)
+Definition at_gap k d u (x v1 v2 : R -> R) t := k * x t = L * (1 + q * d) /\ k * v1 t = ray u /\ k * v2 t = ray u.
+(** an exit ray is a gap of 0 *)
+Lemma ray_gap k u x v1 v2 t : on_ray m1 m2 a2 b k u x v1 v2 t <-> at_gap k 0 u x v1 v2 t.
+Proof. unfold on_ray, at_gap. fold L ray. rewrite Rmult_0_r, Rplus_0_r, Rmult_1_r. tauto. Qed.
+(** the mirror image *)
+Lemma gap_mirror k d u x v1 v2 t : at_gap k d u x v1 v2 t <->
+  at_gap (- k) d u (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) t.
+Proof.
+  unfold at_gap. replace (- k * - x t) with (k * x t) by ring. replace (- k * - v1 t) with (k * v1 t) by ring.
+  replace (- k * - v2 t) with (k * v2 t) by ring. tauto.
+Qed.
+
+(** the slip from a gap: place of body 1 *)
+Definition Gx d u t := b / a2 + b * m1 / (a2 * m2) * ((1 + d) * cos (o1 * t) + u * sin (o1 * t)).
+(** its speed *)
+Definition G1 d u t := b / (m2 * o1) * (u * cos (o1 * t) - (1 + d) * sin (o1 * t)).
+(** the speed of body 2 *)
+Definition G2 u t := b / (m2 * o1) * (u - o1 * t).
+
+(** the guard v1 - v2 is a positive multiple of push d (theta/2) - u *)
+Lemma guard d u t : 0 < o1 * t < 2 * PI ->
+  G1 d u t - G2 u t = b / (m2 * o1) * (2 * sin (o1 * t / 2) ^ 2) * (push d (o1 * t / 2) - u).
+Proof.
+  intros Th. assert (O : 0 < o1) by (apply o1_pos; auto). set (z := o1 * t / 2).
+    assert (Ez : o1 * t = 2 * z) by (unfold z; field).
+  pose proof (sin_gt_0 z ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 z) as SC. unfold Rsqr in SC.
+  unfold G1, G2. rewrite Ez, cos_2a_sin, sin_2a. unfold push, hh, ct. field. lra.
+Qed.
+(** v1 < v2 until the half angle p *)
+Lemma gap_sign d p t : 0 <= d -> 0 < p < PI -> 0 < t < 2 * p / o1 -> G1 d (push d p) t < G2 (push d p) t.
+Proof.
+  intros Hd Hp Ht. assert (O : 0 < o1) by (apply o1_pos; auto).
+  assert (Th : 0 < o1 * t < 2 * p).
+  { split; [apply Rmult_lt_0_compat; lra|]. replace (2 * p) with (o1 * (2 * p / o1)) by (field; lra).
+    apply Rmult_lt_compat_l; lra. }
+  pose proof (guard d (push d p) t ltac:(lra)) as G.
+  pose proof (push_incr d (o1 * t / 2) p Hd ltac:(lra) ltac:(lra) ltac:(lra)) as I.
+  pose proof (pow_lt _ 2 (sin_gt_0 (o1 * t / 2) ltac:(lra) ltac:(lra))) as S.
+  assert (0 < b / (m2 * o1) * (2 * sin (o1 * t / 2) ^ 2)).
+  { apply Rmult_lt_0_compat; [|lra]. apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. }
+  nra.
+Qed.
+(** the slip obeys the law until then *)
+Lemma gap_arc d p : 0 <= d -> 0 < p < PI ->
+  arc m1 m2 a2 b (2 * p / o1) (Gx d (push d p)) (G1 d (push d p)) (G2 (push d p)) (fun _ => -1).
+Proof.
+  intros Hd Hp. assert (O : 0 < o1) by (apply o1_pos; auto).
+    assert (Q : a2 = m1 * (o1 * o1)) by (apply o1_sq; auto). constructor.
+  - intros t. unfold Gx, G1. auto_derive; auto. rewrite Q. field. repeat split; lra.
+  - intros t. unfold Gx, G1. auto_derive; auto. rewrite Q. field. repeat split; lra.
+  - intros t. unfold G2. auto_derive; auto. field. repeat split; lra.
+  - intros t Ht. split; [lra|]. split; [|auto]. intros N. exfalso. destruct (Req_dec t 0) as [Z|Z].
+    + rewrite Z in N. unfold G1, G2 in N. rewrite Rmult_0_r, cos_0, sin_0 in N. lra.
+    + pose proof (gap_sign d p t Hd Hp ltac:(lra)). lra.
+Qed.
+
+(** it ends at X = 1 - q D, both speeds - ray (h + k D), D = c + d *)
+Lemma gap_end d p : 0 < p < PI -> let D := depth p + d in
+  Gx d (push d p) (2 * p / o1) = L * (1 - q * D) /\
+  G1 d (push d p) (2 * p / o1) = - ray (hh p + ct p * D) /\ G2 (push d p) (2 * p / o1) = - ray (hh p + ct p * D).
+Proof.
+  intros Hp D. assert (O : 0 < o1) by (apply o1_pos; auto). pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
+  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
+  assert (A1 : push d p - 2 * p = - (hh p + ct p * D)) by (unfold D; rewrite <- next_push; auto; ring).
+  unfold Gx, G1, G2. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra). rewrite cos_2a_sin, sin_2a.
+  assert (U : push d p * (sin p * sin p) = p - sin p * cos p - d * (sin p * cos p)) by (unfold push, hh, ct;
+    field; lra).
+  assert (E1 : push d p * (1 - 2 * sin p * sin p) - (1 + d) * (2 * sin p * cos p) = push d p - 2 * p) by lra.
+  assert (E2 : (1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p) = 1 - D).
+  { unfold D, depth. apply Rmult_eq_reg_r with (sin p); [|lra].
+    replace ((1 - (2 * (sin p - p * cos p) / sin p + d)) * sin p) with (sin p - 2 * (sin p - p * cos p) - d * sin
+      p) by (field; lra).
+    replace (((1 + d) * (1 - 2 * sin p * sin p) + push d p * (2 * sin p * cos p)) * sin p)
+      with ((1 + d) * (sin p - 2 * sin p * (sin p * sin p)) + 2 * cos p * (push d p * (sin p * sin p))) by ring.
+        rewrite U.
+    replace (sin p * sin p) with (1 - cos p * cos p) by lra. ring. }
+  rewrite E1, E2, A1. unfold ray, Cycle.ray. fold o1. split; [|split; ring].
+  unfold L, Stick.L, q, M. field. repeat split; lra.
+Qed.
+
+(** the energy at X = 1 - q D and the speed ray w: E_cr (1 + q y'), y' = w^2 - 2 D + q D^2 *)
+Definition level p d := let D := depth p + d in hh p ^ 2 - 2 * (1 - hh p * ct p) * D + (ct p ^ 2 + q) * D ^ 2.
+(** that level, computed *)
+Lemma gap_energy p d : let D := depth p + d in
+  energy m1 m2 a2 (L * (1 - q * D)) (- ray (hh p + ct p * D)) (- ray (hh p + ct p * D)) = Ecr * (1 + q * level p d).
+Proof.
+  intros D. set (w := hh p + ct p * D). pose proof (ray_level m1 m2 a2 b Hm1 Hm2 Ha2 w) as R. cbv zeta in R.
+    fold M q L ray in R. fold Ecr in R.
+  assert (R1 : energy m1 m2 a2 (L * (1 - q * D)) (- ray w) (- ray w) = energy m1 m2 a2 L (ray w) (ray w) + Ecr *
+    ((1 - q * D) ^ 2 - 1)).
+  { unfold Ecr. rewrite Ecr_L by auto. fold L. unfold energy. field. }
+  rewrite R1, R. unfold level, w. fold D. ring.
+Qed.
+
+(** Every solution that leaves S with gap d and push u = push d p slips with one sign until the half angle p,
+  and meets S there. *)
+Theorem gap_slip k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 <= d ->
+  0 < p < PI ->
+  at_gap k d (push d p) x v1 v2 t0 -> let t1 := t0 + 2 * p / o1 in let D := depth p + d in
+  (forall u, 0 <= u <= 2 * p / o1 -> k * x (t0 + u) = Gx d (push d p) u /\ k * v1 (t0 + u) = G1 d (push d p) u /\
+    k * v2 (t0 + u) = G2 (push d p) u) /\
+  (forall t, t0 < t < t1 -> k * v1 t < k * v2 t) /\
+  k * x t1 = L * (1 - q * D) /\ k * v1 t1 = - ray (hh p + ct p * D) /\ k * v2 t1 = - ray (hh p + ct p * D) /\
+  energy m1 m2 a2 (x t1) (v1 t1) (v2 t1) = Ecr * (1 + q * level p d).
+Proof.
+  intros Hk H Ht Hd Hp HG t1 D. assert (O : 0 < o1) by (apply o1_pos; auto).
+    assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+  assert (F : forall u, 0 <= u <= 2 * p / o1 -> k * x (t0 + u) = Gx d (push d p) u /\
+    k * v1 (t0 + u) = G1 d (push d p) u /\ k * v2 (t0 + u) = G2 (push d p) u).
+  { assert (C : forall y w1 w2 z, solution m1 m2 0 a2 b y w1 w2 z -> at_gap 1 d (push d p) y w1 w2 t0 ->
+      forall u, 0 <= u <= 2 * p / o1 -> y (t0 + u) = Gx d (push d p) u /\ w1 (t0 + u) = G1 d (push d p) u /\
+        w2 (t0 + u) = G2 (push d p) u).
+    { intros y w1 w2 z S (Ex & Ey & Ez). rewrite Rmult_1_l in Ex, Ey, Ez.
+      apply (follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb y w1 w2 z _ _ _ _ _ t0 S (gap_arc d p Hd Hp) Ht).
+      - rewrite Ex. unfold Gx. rewrite Rmult_0_r, cos_0, sin_0. unfold L, Stick.L, q, M. field. lra.
+      - rewrite Ey. unfold G1, ray, Cycle.ray. fold o1. rewrite Rmult_0_r, cos_0, sin_0. ring.
+      - rewrite Ez. unfold G2, ray, Cycle.ray. fold o1. ring. }
+    intros u Hu. destruct Hk; subst k.
+    - destruct (C x v1 v2 s H HG u Hu) as (A & B & E). rewrite <- A, <- B, <- E. repeat split; ring.
+    - apply gap_mirror in HG. replace (- -1) with 1 in HG by ring.
+      destruct (C _ _ _ _ (mirror m1 m2 a2 b _ _ _ _ H) HG u Hu) as (A & B & E). cbv beta in A, B, E.
+        rewrite <- A, <- B, <- E. repeat split; ring. }
+  destruct (gap_end d p Hp) as (Lx & L1 & L2). fold D in Lx, L1, L2.
+    destruct (F (2 * p / o1) ltac:(lra)) as (A & B & C). fold t1 in A, B, C.
+  rewrite Lx in A. rewrite L1 in B. rewrite L2 in C.
+  split; [exact F|]. split.
+  { intros t Hu. destruct (F (t - t0) ltac:(unfold t1 in Hu; lra)) as (_ & A' & B').
+    replace (t0 + (t - t0)) with t in A', B' by ring.
+    rewrite A', B'. apply gap_sign; auto. unfold t1 in Hu; lra. }
+  repeat (split; [auto; fail|]). rewrite <- (gap_energy p d). fold D. rewrite <- A. rewrite <- B at 1. rewrite <- C.
+  unfold energy. destruct Hk; subst k; field.
+Qed.
+
+(** Existence: every push, from every gap d > 0, has its one half angle, so every such slip is covered. *)
+Corollary gap_slips k x v1 v2 s t0 d u : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < d ->
+  at_gap k d u x v1 v2 t0 -> exists p, 0 < p < PI /\ push d p = u /\ (forall t, t0 < t < t0 + 2 * p / o1 ->
+    k * v1 t < k * v2 t) /\
+  v1 (t0 + 2 * p / o1) = v2 (t0 + 2 * p / o1).
+Proof.
+  intros Hk H Ht Hd HG. destruct (push_root d u Hd) as (p & (Hp & E) & _). exists p. rewrite <- E in HG.
+  destruct (gap_slip k x v1 v2 s t0 d p Hk H Ht ltac:(lra) Hp HG) as (_ & A & _ & B & C & _).
+    repeat (split; [auto; fail|]).
+  destruct Hk; subst k; lra.
+Qed.
+
+(** Crossing: D > 2/q. It meets S beyond the other end, with gap D - 2/q and push h + k D,
+  and slips on with the other sign. *)
+Theorem crossing k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 <= d ->
+  0 < p < PI ->
+  at_gap k d (push d p) x v1 v2 t0 -> 2 / q < depth p + d ->
+  let t1 := t0 + 2 * p / o1 in let d' := depth p + d - 2 / q in let u' := 2 * p - push d p in
+  0 < d' /\ (forall t, t0 < t < t1 -> k * v1 t < k * v2 t) /\ at_gap (- k) d' u' x v1 v2 t1 /\
+    u' = hh p + ct p * (depth p + d) /\
+  exists p', 0 < p' < PI /\ push d' p' = u' /\ (forall p2, 0 < p2 < PI -> push d' p2 = u' -> p2 = p') /\
+    (forall t, t1 < t < t1 + 2 * p' / o1 -> k * v2 t < k * v1 t) /\ v1 (t1 + 2 * p' / o1) = v2 (t1 + 2 * p' / o1).
+Proof.
+  intros Hk H Ht Hd Hp HG HD t1 d' u'. assert (O : 0 < o1) by (apply o1_pos; auto).
+    assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+  destruct (gap_slip k x v1 v2 s t0 d p Hk H Ht Hd Hp HG) as (_ & Sg & A & B & C & _). fold t1 in Sg, A, B, C.
+  assert (D0 : 0 < d') by (unfold d'; lra). assert (U : u' = hh p + ct p * (depth p + d)) by (apply next_push; auto).
+  assert (Q0 : 0 < q) by (apply q_pos; auto).
+  assert (G : at_gap (- k) d' u' x v1 v2 t1).
+  { rewrite <- U in B, C. unfold at_gap. split; [|split; lra].
+    replace (- k * x t1) with (- (k * x t1)) by ring. rewrite A. unfold d'. field. lra. }
+  assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra).
+  repeat (split; [auto; fail|]). destruct (push_root d' u' D0) as (p' & (Hp' & E) & Un). exists p'.
+    split; [auto|]. split; [auto|]. split.
+  - intros p2 Hp2 E2. symmetry. apply Un; auto.
+  - rewrite <- E in G. destruct (gap_slip (- k) x v1 v2 s t1 d' p' Hk' H ltac:(unfold t1;
+    lra) ltac:(lra) Hp' G) as (_ & S2 & _ & B2 & C2 & _).
+    split; [intros t Hu; specialize (S2 t Hu); lra|]. destruct Hk; subst k; lra.
+Qed.
+End Gap.

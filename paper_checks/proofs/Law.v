@@ -1,0 +1,339 @@
+(** Every start on S0 slightly above E_cr, and every solution that never merges: no merging, and the sharp law. *)
+From Coq Require Import Reals Lra Lia Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Dichotomy Slip Cycle Orbit Sharp.
+Local Open Scope R_scope.
+
+(** sin u >= u - u^3/6 *)
+Lemma sin_above u : 0 <= u <= PI -> u - u ^ 3 / 6 <= sin u.
+Proof.
+  intros Hu. cut (0 <= sin u - (u - u ^ 3 / 6)); [lra|].
+  apply (from_zero (fun u => sin u - (u - u ^ 3 / 6)) (fun u => cos u - (1 - u ^ 2 / 2)) PI); auto.
+  - intros t; auto_derive; auto. field.
+  - intros t Ht. pose proof (sin_below (t / 2) ltac:(lra)). replace t with (2 * (t / 2)) at 1 by field.
+    rewrite cos_2a_sin.
+    pose proof (sin_pos (t / 2) ltac:(lra)). nra.
+  - rewrite sin_0. field.
+Qed.
+
+(** from squares to absolute values *)
+Lemma sq_le z c : 0 <= c -> z ^ 2 <= c ^ 2 -> Rabs z <= c.
+Proof. intros. apply Rabs_le. split; nra. Qed.
+(** a positive product with a positive factor *)
+Lemma pos_factor a c : 0 < a -> 0 < a * c -> 0 < c.
+Proof. intros Ha P. apply Rmult_lt_reg_l with a; lra. Qed.
+
+Section Law.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let q := m1 / M.
+Let r := m2 / M.
+Let om := omega m1 m2 a2.
+Let L := L m1 m2 a2 b.
+Let Ecr := Ecr m1 m2 a2 b.
+Let en := energy m1 m2 a2.
+Let q_pos : 0 < q := q_pos m1 m2 Hm1 Hm2.
+Let r_pos : 0 < r := r_pos m1 m2 Hm1 Hm2.
+Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
+Let L0 : 0 < L := L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb.
+Let E0 : 0 < Ecr := Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb.
+
+(** The relative excess w = E/E_cr - 1 is small: u = sqrt (w/q) <= pi/2, and w < 4 q/(9 r). *)
+Definition small E := E / Ecr - 1 <= q * (PI / 2) ^ 2 /\ E / Ecr - 1 < 4 * q / (9 * r).
+(** simpler: w <= 4q/9 is enough *)
+Lemma small_simple E : E <= Ecr * (1 + 4 / 9 * q) -> small E.
+Proof.
+  intros HE. assert (W : E / Ecr - 1 <= 4 / 9 * q).
+  { apply Rmult_le_reg_l with Ecr; auto. replace (Ecr * (E / Ecr - 1)) with (E - Ecr) by (field; lra). lra. }
+  pose proof PI2_1. pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR. split.
+  { assert (1 <= (PI / 2) ^ 2) by nra. assert (q * 1 <= q * (PI / 2) ^ 2) by (apply Rmult_le_compat_l; lra). lra. }
+  apply Rle_lt_trans with (1 := W). apply Rmult_lt_reg_r with (9 * r); [lra|].
+    replace (4 * q / (9 * r) * (9 * r)) with (4 * q) by (field; lra).
+  replace (4 / 9 * q * (9 * r)) with (4 * (q * r)) by field. nra.
+Qed.
+
+(** the half slip angle of a small level *)
+Lemma level_angle E : Ecr < E -> small E -> exists p, ok m1 m2 p /\ E = Ecr * (1 + q * hh p ^ 2).
+Proof.
+  intros HE (Sm1 & Sm2). set (w := E / Ecr - 1) in *.
+  assert (W : 0 < w). { unfold w. apply Rmult_lt_reg_l with Ecr; auto.
+    replace (Ecr * (E / Ecr - 1)) with (E - Ecr) by (field; lra). lra. }
+  assert (Wq : 0 < w / q) by (apply Rdiv_lt_0_compat; auto).
+  set (u := sqrt (w / q)). assert (U : 0 < u) by (apply sqrt_lt_R0; auto).
+  assert (U2 : u ^ 2 = w / q). { unfold u. rewrite <- Rsqr_pow2, Rsqr_sqrt; lra. }
+  destruct (half_spec u U) as (Hp & Hh). exists (half u).
+  split; [|rewrite Hh, U2; unfold w; field; split; lra]. apply ok_small; auto.
+  - split; [lra|]. apply hh_le; auto; [pose proof PI_RGT_0; lra|]. rewrite Hh, hh_half_pi.
+    assert (u ^ 2 <= (PI / 2) ^ 2). { rewrite U2. apply Rmult_le_reg_l with q; auto.
+      replace (q * (w / q)) with w by (field; lra). auto. }
+    pose proof PI_RGT_0. nra.
+  - fold M r. rewrite Hh, U2. apply Rmult_lt_compat_r with (r := 9 / 4 * r / q) in Sm2; [|apply Rdiv_lt_0_compat; lra].
+    replace (4 * q / (9 * r) * (9 / 4 * r / q)) with 1 in Sm2 by (field; split; lra).
+      replace (w * (9 / 4 * r / q)) with (9 / 4 * r * (w / q)) in Sm2 by (field; lra). auto.
+Qed.
+
+(** from S0 at any level above E_cr it reaches an exit ray within a half period *)
+Lemma start_level_left x v1 v2 s t0 u : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
+  - L <= x t0 <= L -> v1 t0 < 0 ->
+  0 < u -> en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * u ^ 2) ->
+  exists t1, t0 <= t1 < t0 + PI / om /\ on_ray m1 m2 a2 b (-1) u x v1 v2 t1.
+Proof.
+  intros H Ht Ev Hx Hv Hu En.
+  destruct (stick m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 (x t0 / L) u H Ht Hu) as (T1 & R1 & _); auto.
+  { fold L. field. lra. }
+  { split; apply Rmult_le_reg_r with L; auto; replace (x t0 / L * L) with (x t0) by (field; lra); lra. }
+  match type of R1 with on_ray _ _ _ _ _ _ _ _ _ (t0 + ?TT) => set (T := TT) in * end.
+  exists (t0 + T). fold om in T1. split; [lra|]. auto.
+Qed.
+(** from S0 at a level above E_cr it sticks up to an exit ray, at that level *)
+Theorem start_level x v1 v2 s t0 u : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L ->
+  0 < u -> en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * u ^ 2) ->
+  exists k t1, (k = 1 \/ k = -1) /\ t0 <= t1 < t0 + PI / om /\ on_ray m1 m2 a2 b k u x v1 v2 t1.
+Proof.
+  intros H Ht Ev Hx Hu En. destruct (Rtotal_order (v1 t0) 0) as [N|[Z|P]].
+  - destruct (start_level_left x v1 v2 s t0 u) as (t1 & A1 & A2); auto. exists (-1), t1. auto.
+  - exfalso. pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ q_pos (pow_lt _ 2 Hu))) as Q.
+    assert (HE : Ecr < en (x t0) (v1 t0) (v2 t0)) by (rewrite En; lra).
+    unfold en, energy in HE. rewrite <- Ev, Z in HE. unfold Ecr in HE. rewrite Ecr_L in HE by auto. fold L in HE.
+    assert (x t0 ^ 2 <= L ^ 2) by nra. clear Q En. nra.
+  - assert (Em : en (- x t0) (- v1 t0) (- v2 t0) = en (x t0) (v1 t0) (v2 t0)) by (unfold en, energy; field).
+    destruct (start_level_left _ _ _ _ t0 u (mirror m1 m2 a2 b _ _ _ _ H) Ht) as (t1 & A1 & A2); try (cbv beta;
+      rewrite ?Em; auto; lra).
+    exists 1, t1. split; [auto|]. split; [auto|]. apply ray_mirror. exact A2.
+Qed.
+
+(** the same at a small level, by its half angle *)
+Theorem start x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L ->
+  Ecr < en (x t0) (v1 t0) (v2 t0) -> small (en (x t0) (v1 t0) (v2 t0)) ->
+  exists k t1 p, (k = 1 \/ k = -1) /\ t0 <= t1 < t0 + PI / om /\ ok m1 m2 p /\ on_ray m1 m2 a2 b k (hh p) x v1 v2 t1 /\
+    en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * hh p ^ 2).
+Proof.
+  intros H Ht Ev Hx HE Sm. destruct (level_angle _ HE Sm) as (p & Hp & En).
+  destruct (start_level x v1 v2 s t0 (hh p) H Ht Ev Hx (hh_pos p (ok_pi m1 m2 p Hp)) En) as (k & t1 & Hk & T1 & HR).
+  exists k, t1, p. auto.
+Qed.
+
+(** *** The claim of the paper: from S0, slightly above E_cr, no merging, ... *)
+Theorem no_merging_from_S0 x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
+  - L <= x t0 <= L ->
+  Ecr < en (x t0) (v1 t0) (v2 t0) -> small (en (x t0) (v1 t0) (v2 t0)) ->
+  (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) /\
+  (exists x0 v0, en x0 v0 v0 = Ecr /\ forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+     en (x t - X m1 m2 a2 x0 v0 t) (v1 t - V m1 m2 a2 x0 v0 t) (v2 t - V m1 m2 a2 x0 v0 t) <= e) /\
+  is_lim (fun t => t * (en (x t) (v1 t) (v2 t) - Ecr)) p_infty (Ecr * rate m1 m2 a2).
+Proof.
+  intros H Ht Ev Hx HE Sm. destruct (start x v1 v2 s t0 H Ht Ev Hx HE Sm) as (k & t1 & p & Hk & T1 & Hp & HR & _).
+  assert (T0 : 0 <= t1) by lra.
+  pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk T0 Hp HR) as NM.
+  split; [exact NM|]. split; [|exact (sharp_from_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk T0 Hp HR)].
+  destruct (dichotomy m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as [(tm & x0 & v0 & Hm & He & K)|(x0 & v0 & He & _ & K)].
+  - exfalso. specialize (NM tm Hm). destruct (K 0 ltac:(lra)) as (K1 & K2 & K3). rewrite Rplus_0_r in K1, K2, K3.
+    cbv beta in NM. rewrite K1, K2, K3, ellipse_energy in NM by auto. fold Ecr in NM, He. lra.
+  - exists x0, v0. split; [exact He|exact K].
+Qed.
+
+(** *** ... and explicit bounds of 1/w for w = E/E_cr - 1: both slopes tend to the sharp (9 m2/(4 m1)) omega/pi as
+  w0 -> 0. *)
+Theorem two_sided x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L ->
+  let w t := en (x t) (v1 t) (v2 t) / Ecr - 1 in let w0 := w t0 in let K := 9 / 4 * (m2 / m1) in
+  0 < w0 <= 4 / 9 * q -> forall t, t0 <= t ->
+  / w0 + K * (1 - 3 / 8 * w0 / q) ^ 12 * (om * (t - t0) / (PI + 6 * sqrt w0) - 2) <= / w t /\
+  (6 * sqrt w0 < PI -> / w t <= / w0 + K / (1 - K * w0) * (om * (t - t0) / (PI - 6 * sqrt w0) + 1)).
+Proof.
+  intros H Ht Ev Hx w w0 K HW t Hu. pose proof PI_RGT_0 as P0.
+  assert (EW : en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + w0)) by (unfold w0, w; field; lra).
+  assert (HE : Ecr < en (x t0) (v1 t0) (v2 t0)) by (rewrite EW; nra).
+  assert (Sm : small (en (x t0) (v1 t0) (v2 t0))) by (apply small_simple; rewrite EW; apply Rmult_le_compat_l; lra).
+  destruct (start x v1 v2 s t0 H Ht Ev Hx HE Sm) as (k & t1 & p & Hk & T1 & Hp & HR & EP).
+  pose proof (ok_pi m1 m2 p Hp) as Pp. pose proof (hh_pos p Pp) as H0.
+  assert (W0 : w0 = q * hh p ^ 2). { rewrite EW in EP. apply Rmult_eq_reg_l in EP; lra. }
+  assert (Y0 : hh p ^ 2 = w0 / q) by (rewrite W0; field; lra).
+  assert (De : 6 * sqrt q * hh p = 6 * sqrt w0).
+  { rewrite W0, sqrt_mult_alt by lra. rewrite <- Rsqr_pow2, sqrt_Rsqr by lra. ring. }
+  pose proof (sqrt_pos w0) as S0.
+  (* the constant of the lower bound *)
+  set (sg := 1 - 3 / 8 * w0 / q).
+  assert (Wq : w0 / q <= 4 / 9). { apply Rmult_le_reg_r with q; auto.
+    replace (w0 / q * q) with w0 by (field; lra). lra. }
+  assert (Sg : 0 <= sg <= sin p / p).
+  { assert (Es : sg = 1 - 3 / 8 * hh p ^ 2) by (rewrite Y0; unfold sg; field; lra). split; [rewrite Es, Y0; lra|].
+    pose proof (sin_above p ltac:(lra)) as Sa. pose proof (hh_below p Pp) as Hbl.
+    assert (p ^ 2 <= (3 / 2 * hh p) ^ 2) by (apply pow_incr; lra).
+    apply Rmult_le_reg_r with p; [lra|]. replace (sin p / p * p) with (sin p) by (field; lra).
+    apply Rle_trans with (p - p ^ 3 / 6); auto. rewrite Es.
+      replace (p - p ^ 3 / 6) with ((1 - p ^ 2 / 6) * p) by field. apply Rmult_le_compat_r; lra. }
+  assert (Sg12 : sg ^ 12 <= (sin p / p) ^ 12) by (apply pow_incr; auto).
+  assert (K0 : 0 < K) by (unfold K; apply Rmult_lt_0_compat; [lra|apply Rdiv_lt_0_compat; auto]).
+  assert (Kq : 9 / 4 * r = q * K) by (unfold K, q, r, M; field; lra).
+  assert (KY : q * K * (w0 / q) = K * w0) by (field; lra).
+  assert (KW : K * w0 < 1).
+  { pose proof (qr_one m1 m2 Hm1 Hm2) as QR. fold M q r in QR. rewrite <- KY, <- Kq.
+    assert (r * (w0 / q) <= r * (4 / 9)) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (Sg0 : 0 <= K * sg ^ 12) by (apply Rmult_le_pos; [lra|apply pow_le; lra]).
+  assert (KK : 0 < K / (1 - K * w0)) by (apply Rdiv_lt_0_compat; lra).
+  assert (OT : 0 <= om * (t - t0)) by (apply Rmult_le_pos; lra).
+  assert (OP : om * (PI / om) = PI) by (field; lra).
+  pose proof (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Hp HR t ltac:(lra)) as N.
+    cbv beta in N. fold en Ecr in N.
+  assert (EWt : en (x t) (v1 t) (v2 t) = Ecr * (1 + w t)) by (unfold w; field; lra). rewrite EWt in N.
+  assert (Wt : 0 < w t) by (apply Rmult_lt_reg_l with Ecr; lra).
+  assert (Wd : w t <= w0).
+  { apply Rmult_le_reg_l with Ecr; auto.
+    pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t0 t ltac:(lra)) as F. cbv beta in F. fold en in F.
+    rewrite EW, EWt in F. lra. }
+  assert (Id : / w0 <= / w t) by (apply Rinv_le_contravar; auto).
+  set (n0 := om * (t - t0) / (PI + 6 * sqrt w0) - 2).
+  assert (N0 : n0 * (PI + 6 * sqrt w0) = om * (t - t0) - 2 * (PI + 6 * sqrt w0)) by (unfold n0; field; lra).
+  assert (ToT : om * (t1 - t0) <= PI) by (rewrite <- OP; apply Rmult_le_compat_l; lra).
+  assert (Neg : n0 <= 0 -> K * sg ^ 12 * n0 <= 0) by (intros; rewrite <- (Rmult_0_r (K * sg ^ 12));
+    apply Rmult_le_compat_l; lra).
+  destruct (Rle_dec t1 t) as [G|G].
+  - (* after the first exit *)
+    destruct (two_sided_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) Hp HR t G) as (Lo & Up).
+    change (orb m1 m2 p 0) with p in Lo, Up. fold om M in Lo, Up. fold q r in Lo, Up. fold Ecr in Lo, Up.
+      rewrite De, Kq, Y0 in Lo, Up.
+    change (energy m1 m2 a2 (x t) (v1 t) (v2 t) / Ecr - 1) with (w t) in Lo, Up.
+    replace (/ (w0 / q)) with (q * / w0) in Lo, Up by (field; lra).
+      replace (/ (w t / q)) with (q * / w t) in Lo, Up by (field; lra).
+    split.
+    + destruct (Rle_dec 0 n0) as [Z|Z]; [|specialize (Neg ltac:(lra)); lra].
+      apply Rmult_le_reg_l with q; auto. apply Rle_trans with (2 := Lo). rewrite Rmult_plus_distr_l.
+        apply Rplus_le_compat_l.
+      assert (Nn : n0 <= om * (t - t1) / (PI + 6 * sqrt w0) - 1).
+      { apply Rmult_le_reg_r with (PI + 6 * sqrt w0); [lra|]. rewrite N0.
+        replace ((om * (t - t1) / (PI + 6 * sqrt w0) - 1) * (PI + 6 * sqrt w0)) with (om * (t - t1) - PI - 6 *
+          sqrt w0) by (field; lra). lra. }
+      set (n1 := om * (t - t1) / (PI + 6 * sqrt w0) - 1) in *.
+      replace (q * (K * sg ^ 12 * n0)) with (q * K * (sg ^ 12 * n0)) by ring. rewrite (Rmult_assoc (q * K)).
+      apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. apply Rmult_le_compat; auto. apply pow_le; lra.
+    + intros Hd. specialize (Up Hd ltac:(rewrite KY; auto)). apply Rmult_le_reg_l with q; auto.
+      apply Rle_trans with (1 := Up). rewrite (Rmult_plus_distr_l q (/ w0)). apply Rplus_le_compat_l.
+      replace (q * K * (w0 / q)) with (K * w0) by (field; lra).
+      replace (q * K / (1 - K * w0)) with (q * (K / (1 - K * w0))) by (field; lra). rewrite Rmult_assoc.
+      apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; [lra|]. apply Rplus_le_compat_r.
+      apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; lra|]. apply Rmult_le_compat_l; lra.
+  - (* on the first ellipse *)
+    assert (Tt : om * (t - t0) <= om * (t1 - t0)) by (apply Rmult_le_compat_l; lra).
+    assert (Nn : n0 <= 0) by (apply Rmult_le_reg_r with (PI + 6 * sqrt w0); [lra|]; rewrite N0, Rmult_0_l; lra).
+    split; [specialize (Neg Nn); lra|]. intros Hd.
+    assert (W1 : w0 <= w t).
+    { apply Rmult_le_reg_l with Ecr; auto.
+      pose proof (E_falls m1 m2 a2 b Hm1 Hm2 Hb x v1 v2 s H t t1 ltac:(lra)) as F. cbv beta in F. fold en in F.
+      pose proof (ray_energy m1 m2 a2 b Hm1 Hm2 Ha2 k (hh p) x v1 v2 t1 Hk HR) as RE. fold en M q Ecr in RE.
+        fold q in RE. rewrite RE, EWt, <- W0 in F. lra. }
+    assert (/ w t <= / w0) by (apply Rinv_le_contravar; lra).
+    assert (0 <= om * (t - t0) / (PI - 6 * sqrt w0)).
+      { apply Rmult_le_pos; [apply Rmult_le_pos; lra|apply Rlt_le, Rinv_0_lt_compat; lra]. }
+    assert (0 <= K / (1 - K * w0) * (om * (t - t0) / (PI - 6 * sqrt w0) + 1)) by (apply Rmult_le_pos; lra). lra.
+Qed.
+
+(** *** Every solution that never merges comes back to S0 slightly above E_cr *)
+(** Near the middle of the critical ellipse the speed of the stuck pair is stationary,
+  that of a slipping body is not: contact. *)
+Lemma strip x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s -> (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
+  forall e, 0 < e -> exists t, 0 <= t /\ v1 t = v2 t /\ - L <= x t <= L /\ en (x t) (v1 t) (v2 t) <= Ecr + e.
+Proof.
+  intros H Up e He. destruct (convergence m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as (x0 & v0 & H1 & _ & H3 & H4).
+    cbv beta in H3, H4.
+  pose proof (Mom m1 m2 a2 Hm1 Hm2 Ha2) as Mo. fold M om in Mo. assert (M0 : 0 < M) by (unfold M; lra).
+  assert (El : en x0 v0 v0 = Ecr).
+  { destruct (Req_dec (en x0 v0 v0) Ecr) as [|N]; auto. exfalso. fold en in H3. fold en Ecr in H1.
+    destruct (H3 ((Ecr - en x0 v0 v0) / 2)) as (T & HT & K); [lra|]. specialize (K T ltac:(lra)).
+      specialize (Up T HT). lra. }
+  (* the critical ellipse crosses the middle at T' *)
+  assert (Cir : (- (v0 / om)) ^ 2 + x0 ^ 2 = L ^ 2).
+  { unfold Ecr in El. rewrite Ecr_L in El by auto. fold L in El. unfold en, energy in El.
+    apply Rmult_eq_reg_l with (a2 / 2); [|lra]. replace (a2 / 2 * L ^ 2) with (a2 * L ^ 2 / 2) by field. rewrite <- El.
+    rewrite Mo. unfold M. field. lra. }
+  set (d0 := Rmin (a2 * L ^ 2 / 8) (m2 * (L * om) ^ 2 / 128)).
+  assert (Lo2 : 0 < (L * om) ^ 2) by (apply pow_lt, Rmult_lt_0_compat; auto).
+    assert (L2 : 0 < L ^ 2) by (apply pow_lt; auto).
+  assert (D0 : 0 < d0). { apply Rmin_glb_lt; [|]; apply Rdiv_lt_0_compat; try lra; apply Rmult_lt_0_compat; auto. }
+  assert (D1 : d0 <= a2 * L ^ 2 / 8) by apply Rmin_l. assert (D2 : d0 <= m2 * (L * om) ^ 2 / 128) by apply Rmin_r.
+  destruct (H3 e He) as (Ta & HTa & Ka). destruct (H4 d0 D0) as (Tb & HTb & Kb).
+  destruct (polar (- (v0 / om)) x0 L om (Rmax Ta Tb) L0 om_pos Cir) as (T & HT & Cc & Cs).
+  pose proof (Rmax_l Ta Tb). pose proof (Rmax_r Ta Tb).
+  assert (XT : forall t, X m1 m2 a2 x0 v0 t = - (L * sin (om * (t - T)))).
+  { intros t. unfold X. fold om. replace (om * (t - T)) with (om * t - om * T) by ring. rewrite sin_minus, <- Cs.
+    replace (v0 / om) with (- (L * cos (om * T))) by lra. ring. }
+  assert (VT : forall t, V m1 m2 a2 x0 v0 t = - (L * om * cos (om * (t - T)))).
+  { intros t. unfold V. fold om. replace (om * (t - T)) with (om * t - om * T) by ring. rewrite cos_minus, <- Cs.
+    replace v0 with (- (L * cos (om * T)) * om) by (rewrite Cc; field; lra). ring. }
+  set (tau := 1 / 2 / om). assert (Tau : 0 < tau) by (unfold tau; apply Rdiv_lt_0_compat; lra).
+    assert (Ot : om * tau = 1 / 2) by (unfold tau; field; lra).
+  assert (Near : forall t, T <= t -> Rabs (x t - X m1 m2 a2 x0 v0 t) <= L / 2 /\
+    Rabs (v2 t - V m1 m2 a2 x0 v0 t) <= L * om / 8).
+  { intros t Hu. specialize (Kb t ltac:(lra)). unfold energy in Kb.
+    pose proof (pow2_ge_0 (v1 t - V m1 m2 a2 x0 v0 t)) as P1.
+    pose proof (pow2_ge_0 (x t - X m1 m2 a2 x0 v0 t)) as P0. pose proof (pow2_ge_0 (v2 t - V m1 m2 a2 x0 v0 t)) as P2.
+    set (dx := x t - X m1 m2 a2 x0 v0 t) in *. set (dv := v2 t - V m1 m2 a2 x0 v0 t) in *.
+    assert (0 <= a2 * dx ^ 2) by (apply Rmult_le_pos; lra). assert (0 <= m2 * dv ^ 2) by (apply Rmult_le_pos; lra).
+    assert (0 <= m1 * (v1 t - V m1 m2 a2 x0 v0 t) ^ 2) by (apply Rmult_le_pos; lra).
+    assert (0 < L * om) by (apply Rmult_lt_0_compat; auto). split.
+    - assert (dx ^ 2 <= (L / 2) ^ 2). { apply Rmult_le_reg_l with (a2 / 2); lra. } apply sq_le; lra.
+    - assert (dv ^ 2 <= (L * om / 8) ^ 2). { apply Rmult_le_reg_l with (m2 / 2); lra. } apply sq_le; lra. }
+  assert (CW : cont (fun t => v1 t - v2 t)).
+  { apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H)]. }
+  assert (Con : exists t, T <= t <= T + tau /\ v1 t = v2 t).
+  { apply Classical_Prop.NNPP. intros No. set (w := fun t => v1 t - v2 t) in *.
+    assert (NZ : forall t, T <= t <= T + tau -> w t <> 0). { intros t Hu Z. apply No. exists t; split; auto.
+      unfold w in Z; lra. }
+    assert (Sg : forall t, T <= t <= T + tau -> 0 < w T * w t).
+    { intros t Hu. destruct (Rlt_dec 0 (w T * w t)); auto. exfalso.
+      destruct (cont_IVT w T t CW) as (c & Hc & Zc); try lra. apply (NZ c); [lra|auto]. }
+    assert (Sl : exists k, (k = 1 \/ k = -1) /\ s (T + tau) - s T = k * (T + tau - T)).
+    { destruct (Rlt_dec 0 (w T)) as [P|P]; [exists 1|exists (-1)]; (split; [auto|]);
+        apply (slip_impulse m1 m2 0 a2 b x v1 v2 s H T (T + tau)); auto; try lra; intros t Hu; fold (w t);
+          apply (pos_factor (Rabs (w T)));
+        try (apply Rabs_pos_lt, NZ; lra); pose proof (Sg t ltac:(lra)) as Q; pose proof (NZ T ltac:(lra));
+        [rewrite Rabs_pos_eq|rewrite Rabs_left]; lra. }
+    destruct Sl as (k & Hk & Sl). pose proof (s_v2 _ _ _ _ _ _ _ _ _ H T ltac:(lra)) as W1.
+      pose proof (s_v2 _ _ _ _ _ _ _ _ _ H (T + tau) ltac:(lra)) as W2.
+    assert (Dv : v2 (T + tau) - v2 T = k * (L * om / 2)).
+    { apply Rmult_eq_reg_l with m2; [|lra].
+      replace (m2 * (v2 (T + tau) - v2 T)) with (b * (s (T + tau) - s T)) by lra. rewrite Sl.
+      replace (k * (T + tau - T)) with (k * tau) by ring. unfold tau, L, Stick.L. rewrite Mo at 1. unfold M.
+        field. repeat split; lra. }
+    destruct (Near T ltac:(lra)) as (_ & N1). destruct (Near (T + tau) ltac:(lra)) as (_ & N2). rewrite VT in N1, N2.
+    replace (om * (T - T)) with 0 in N1 by ring. replace (om * (T + tau - T)) with (1 / 2) in N2 by lra.
+      rewrite cos_0 in N1.
+    pose proof (cos_below (1 / 2) ltac:(lra)) as Cb. pose proof (COS_bound (1 / 2)) as Cu. apply Rabs_inv in N1.
+      apply Rabs_inv in N2.
+    assert (Lo : 0 < L * om) by (apply Rmult_lt_0_compat; auto).
+    assert (L * om * (7 / 8) <= L * om * cos (1 / 2) <= L * om * 1) by (split; apply Rmult_le_compat_l; lra).
+    destruct Hk; subst k; lra. }
+  destruct Con as (t & Hu & Ev). exists t. split; [lra|]. split; [auto|]. split; [|rewrite <- El; apply Ka; lra].
+  destruct (Near t ltac:(lra)) as (N1 & _). rewrite XT in N1. apply Rabs_inv in N1.
+  assert (Th : 0 <= om * (t - T) <= 1 / 2). { split; [apply Rmult_le_pos; lra|]. rewrite <- Ot.
+    apply Rmult_le_compat_l; lra. }
+  pose proof (sin_below (om * (t - T)) ltac:(lra)). pose proof PI2_1. pose proof (sin_pos (om * (t - T)) ltac:(lra)).
+  assert (0 <= L * sin (om * (t - T)) <= L * (1 / 2)) by (split; [apply Rmult_le_pos|apply Rmult_le_compat_l];
+    lra). lra.
+Qed.
+
+(** the sharp law for every solution that never merges *)
+Theorem sharp_law x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s -> (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
+  is_lim (fun t => t * (en (x t) (v1 t) (v2 t) - Ecr)) p_infty (Ecr * rate m1 m2 a2).
+Proof.
+  intros H Up. destruct (strip x v1 v2 s H Up (Ecr * (4 / 9 * q))) as (t & Ht & Ev & Hx & HE).
+  { apply Rmult_lt_0_compat; auto. lra. }
+  apply (no_merging_from_S0 x v1 v2 s t); auto. apply small_simple. lra.
+Qed.
+
+(** *** Section III, complete: a solution merges in finite time with an ellipse up to the critical one,
+    or it tends to one motion on the critical ellipse and t (E - E_cr) tends to E_cr (4 pi/9) (m1/m2) sqrt (M/a2). *)
+Theorem trichotomy x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s ->
+  (exists t0 x0 v0, 0 <= t0 /\ en x0 v0 v0 <= Ecr /\
+     forall u, 0 <= u -> x (t0 + u) = X m1 m2 a2 x0 v0 u /\ v1 (t0 + u) = V m1 m2 a2 x0 v0 u /\
+       v2 (t0 + u) = V m1 m2 a2 x0 v0 u) \/
+  (exists x0 v0, en x0 v0 v0 = Ecr /\ (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) /\
+     (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+       en (x t - X m1 m2 a2 x0 v0 t) (v1 t - V m1 m2 a2 x0 v0 t) (v2 t - V m1 m2 a2 x0 v0 t) <= e) /\
+     is_lim (fun t => t * (en (x t) (v1 t) (v2 t) - Ecr)) p_infty (Ecr * rate m1 m2 a2)).
+Proof.
+  intros H. destruct (dichotomy m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) as [Me|(x0 & v0 & He & Up & K)]; [left;
+    exact Me|right].
+  exists x0, v0. split; [exact He|]. split; [exact Up|]. split; [exact K|]. apply (sharp_law x v1 v2 s H Up).
+Qed.
+End Law.

@@ -1,0 +1,371 @@
+(** The energy tends to a limit of at most E_cr. The state is turned back by the angle Omega t: its coordinates A, B move only
+    by slip, and slip costs energy, so they are paid for and converge; above E_cr each turn would cost a fixed amount. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick.
+Local Open Scope R_scope.
+
+(** a natural number above each real one *)
+Lemma nat_above y : exists k : nat, y < INR k.
+Proof. destruct (nfloor_ex (Rmax 0 y) (Rmax_l _ _)) as (n & _ & Hn). exists (S n). rewrite S_INR.
+  pose proof (Rmax_r 0 y). lra. Qed.
+
+(** polar coordinates, at a time as late as one likes *)
+Lemma polar A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
+  exists t, t0 <= t /\ R * cos (om * t) = A /\ R * sin (om * t) = B.
+Proof.
+  intros HR Hom E.
+  assert (Hq : -1 <= A / R <= 1).
+  { assert (- R <= A <= R) by (pose proof (pow2_ge_0 B); split; nra).
+    split; apply Rmult_le_reg_r with R; auto; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
+  assert (S2 : (R * sin (acos (A / R))) ^ 2 = B ^ 2).
+  { rewrite sin_acos by auto. rewrite Rpow_mult_distr. unfold Rsqr. rewrite <- Rsqr_pow2 with (x := sqrt _).
+    rewrite Rsqr_sqrt.
+    - replace (B ^ 2) with (R ^ 2 - A ^ 2) by lra. field; lra.
+    - nra. }
+  assert (exists phi, R * cos phi = A /\ R * sin phi = B) as (phi & C & S).
+  { assert (Cp : R * cos (acos (A / R)) = A) by (rewrite cos_acos by auto; field; lra).
+    assert (D : R * sin (acos (A / R)) = B \/ R * sin (acos (A / R)) = - B).
+    { assert (M : (R * sin (acos (A / R)) - B) * (R * sin (acos (A / R)) + B) = 0) by nra.
+      apply Rmult_integral in M. lra. }
+    destruct D as [D|D]; [exists (acos (A / R))|exists (- acos (A / R))]; [auto|]. rewrite cos_neg, sin_neg.
+      split; lra. }
+  destruct (nat_above ((om * t0 - phi) / (2 * PI))) as (k & Hk). pose proof PI_RGT_0.
+  exists ((phi + 2 * INR k * PI) / om).
+  replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by (field; lra).
+  rewrite cos_period, sin_period. repeat split; auto.
+  apply Rmult_le_reg_l with om; auto. replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by
+    (field; lra).
+  apply Rmult_lt_compat_r with (r := 2 * PI) in Hk; [|lra].
+  replace ((om * t0 - phi) / (2 * PI) * (2 * PI)) with (om * t0 - phi) in Hk by (field; lra). lra.
+Qed.
+
+(** cos z >= 1 - z^2/2 *)
+Lemma cos_below z : 0 <= z <= 1 -> 1 - z ^ 2 / 2 <= cos z.
+Proof.
+  intros Hz. replace z with (2 * (z / 2)) at 2 by field. rewrite cos_2a_sin.
+  destruct (Req_dec z 0) as [->|N]. { replace (0 / 2) with 0 by field. rewrite sin_0. lra. }
+  assert (sin (z / 2) < z / 2) by (apply sin_lt_x; lra).
+  assert (0 <= sin (z / 2)). { pose proof PI2_1. unfold Rdiv in *. apply sin_ge_0; lra. }
+  nra.
+Qed.
+
+Section Limit.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Variables x v1 v2 s : R -> R.
+Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+
+Let M := m1 + m2.
+Let om := omega m1 m2 a2.
+Let w t := v1 t - v2 t.
+Let P t := m1 * v1 t + m2 * v2 t.
+Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
+Let A t := x t * cos (om * t) - P t / (M * om) * sin (om * t).
+Let B t := x t * sin (om * t) + P t / (M * om) * cos (om * t).
+Let kap := m2 / (M * b).
+
+Let om_pos : 0 < om := omega_pos m1 m2 a2 Hm1 Hm2 Ha2.
+Let om_sq : om * om = a2 / M := omega_sq m1 m2 a2 Hm1 Hm2 Ha2.
+Let M_pos : 0 < M. Proof. unfold M; lra. Qed.
+Let kap_pos : 0 < kap. Proof. unfold kap; apply Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. Qed.
+Let Ha1 : 0 <= 0 := Rle_refl 0.
+
+(** the momentum feels the spring alone *)
+Lemma P_rate t : 0 <= t -> rderiv P t (- a2 * x t).
+Proof.
+  intros Ht. eapply rderiv_ext with (f := fun u => (m1 * v1 u + b * s u) + (m2 * v2 0 - b * s 0)).
+  { intros u Hu. unfold P. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H u ltac:(lra)). lra. }
+  eapply rderiv_eq; [|apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)|apply rderiv_const]]. ring.
+Qed.
+
+(** the turning frame: cosine *)
+Lemma turn_cos t : rderiv (fun u => cos (om * u)) t (- om * sin (om * t)).
+Proof. apply rderiv_of_derive. auto_derive; auto. ring. Qed.
+(** and sine *)
+Lemma turn_sin t : rderiv (fun u => sin (om * u)) t (om * cos (om * t)).
+Proof. apply rderiv_of_derive. auto_derive; auto. ring. Qed.
+(** they are continuous *)
+Lemma cont_cos : cont (fun u => cos (om * u)).
+Proof. apply cont_of_derive with (fun t => - om * sin (om * t)). intros t; auto_derive; auto. ring. Qed.
+(** both *)
+Lemma cont_sin : cont (fun u => sin (om * u)).
+Proof. apply cont_of_derive with (fun t => om * cos (om * t)). intros t; auto_derive; auto. ring. Qed.
+(** v2 is continuous *)
+Lemma cont_v : cont v2. Proof. exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H). Qed.
+(** the momentum is continuous *)
+Lemma cont_P : cont P.
+Proof. apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
+(** the relative velocity is continuous *)
+Lemma cont_w : cont w.
+Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|apply cont_v]. Qed.
+(** the energy is continuous *)
+Lemma cont_En : cont E. Proof. exact (cont_E m1 m2 0 a2 b Hm2 _ _ _ _ H). Qed.
+(** A is continuous *)
+Lemma cont_A : cont A.
+Proof.
+  apply cont_minus; apply cont_mult; auto using cont_cos, cont_sin. { apply (s_cx _ _ _ _ _ _ _ _ _ H). }
+  apply cont_ext with (fun u => / (M * om) * P u). { intros; unfold Rdiv; ring. } apply cont_scal, cont_P.
+Qed.
+(** B is continuous *)
+Lemma cont_B : cont B.
+Proof.
+  apply cont_plus; apply cont_mult; auto using cont_cos, cont_sin. { apply (s_cx _ _ _ _ _ _ _ _ _ H). }
+  apply cont_ext with (fun u => / (M * om) * P u). { intros; unfold Rdiv; ring. } apply cont_scal, cont_P.
+Qed.
+
+(** A changes only by slip *)
+Lemma A_rate t : 0 <= t -> rderiv A t (m2 / M * w t * cos (om * t)).
+Proof.
+  intros Ht. pose proof (s_x _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (P_rate t Ht) as Q.
+  eapply rderiv_ext with (f := fun u => x u * cos (om * u) - / (M * om) * (P u * sin (om * u))).
+  { intros; unfold A; field. split; lra. }
+  eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_mult; [exact X|apply turn_cos]|apply rderiv_scal,
+    rderiv_mult; [exact Q|apply turn_sin]]].
+  unfold w, P. replace a2 with (M * (om * om)) by (rewrite om_sq; field; lra). unfold M in *. field. split; lra.
+Qed.
+(** B changes only by slip *)
+Lemma B_rate t : 0 <= t -> rderiv B t (m2 / M * w t * sin (om * t)).
+Proof.
+  intros Ht. pose proof (s_x _ _ _ _ _ _ _ _ _ H t Ht) as X. pose proof (P_rate t Ht) as Q.
+  eapply rderiv_ext with (f := fun u => x u * sin (om * u) + / (M * om) * (P u * cos (om * u))).
+  { intros; unfold B; field. split; lra. }
+  eapply rderiv_eq; [|apply rderiv_plus; [apply rderiv_mult; [exact X|apply turn_sin]|apply rderiv_scal,
+    rderiv_mult; [exact Q|apply turn_cos]]].
+  unfold w, P. replace a2 with (M * (om * om)) by (rewrite om_sq; field; lra). unfold M in *. field. split; lra.
+Qed.
+
+(** and slip costs energy *)
+Lemma E_rate t : 0 <= t -> rderiv E t (- b * Rabs (w t)).
+Proof. intros Ht. eapply rderiv_eq; [|apply (energy_rate m1 m2 0 a2 b Hm1 Hm2 _ _ _ _ H t Ht)]. unfold w; ring. Qed.
+(** the energy never increases *)
+Lemma E_mono r t : 0 <= r <= t -> E t <= E r.
+Proof. exact (energy_decreases m1 m2 0 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
+
+(** energy pays for every change of A and B *)
+Lemma paid F c r t : 0 <= r <= t -> cont F -> (forall u, 0 <= u -> rderiv F u (m2 / M * w u * c u)) ->
+  (forall u, -1 <= c u <= 1) -> Rabs (F t - F r) <= kap * (E r - E t).
+Proof.
+  intros Hr CF RF Hc. pose proof cont_En.
+  assert (Z : forall k u, k = 1 \/ k = -1 -> k * (m2 / M * w u * c u) + kap * (- b * Rabs (w u)) <= 0).
+  { intros k u Hk. assert (0 < m2 / M) by (apply Rdiv_lt_0_compat; lra).
+    replace (kap * (- b * Rabs (w u))) with (- (m2 / M * Rabs (w u))) by (unfold kap; field; lra).
+    assert (k * (w u * c u) <= Rabs (w u)). { specialize (Hc u).
+      unfold Rabs; destruct Rcase_abs; destruct Hk; subst k; nra. }
+    assert (m2 / M * (k * (w u * c u)) <= m2 / M * Rabs (w u)) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (Q : forall k, k = 1 \/ k = -1 -> k * F t + kap * E t <= k * F r + kap * E r).
+  { intros k Hk. apply (rderiv_mono (fun u => k * F u + kap * E u) r t (fun u => k * (m2 / M * w u * c u) + kap *
+    (- b * Rabs (w u)))); auto.
+    - apply cont_plus; apply cont_scal; auto.
+    - intros u Hu. split; auto. apply rderiv_plus; apply rderiv_scal; [apply RF|apply E_rate]; lra. }
+  pose proof (Q 1 (or_introl eq_refl)). pose proof (Q (-1) (or_intror eq_refl)). apply Rabs_le; lra.
+Qed.
+(** A moves at most kap times the energy lost *)
+Lemma A_paid r t : 0 <= r <= t -> Rabs (A t - A r) <= kap * (E r - E t).
+Proof. intros. apply paid with (fun u => cos (om * u)); auto using cont_A, A_rate, COS_bound. Qed.
+(** and so does B *)
+Lemma B_paid r t : 0 <= r <= t -> Rabs (B t - B r) <= kap * (E r - E t).
+Proof. intros. apply paid with (fun u => sin (om * u)); auto using cont_B, B_rate, SIN_bound. Qed.
+
+(** x from A and B *)
+Lemma x_AB t : x t = A t * cos (om * t) + B t * sin (om * t).
+Proof.
+  pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold A, B.
+  set (c := cos (om * t)) in *. set (n := sin (om * t)) in *.
+  replace ((x t * c - P t / (M * om) * n) * c + (x t * n + P t / (M * om) * c) * n) with (x t * (n * n + c * c))
+    by ring.
+  rewrite SC; ring.
+Qed.
+(** the momentum from A and B *)
+Lemma P_AB t : P t = M * om * (B t * cos (om * t) - A t * sin (om * t)).
+Proof.
+  pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold A, B.
+  set (c := cos (om * t)) in *. set (n := sin (om * t)) in *.
+  replace (M * om * ((x t * n + P t / (M * om) * c) * c - (x t * c - P t / (M * om) * n) * n)) with (P t * (n * n
+    + c * c)) by (field; split; lra).
+  rewrite SC; ring.
+Qed.
+(** the energy from A, B and the relative velocity *)
+Lemma E_AB t : E t = a2 / 2 * (A t ^ 2 + B t ^ 2) + m1 * m2 / (2 * M) * w t ^ 2.
+Proof.
+  pose proof (sin2_cos2 (om * t)) as SC. unfold Rsqr in SC. unfold E, energy, A, B, w.
+  set (c := cos (om * t)) in *. set (n := sin (om * t)) in *.
+  replace ((x t * c - P t / (M * om) * n) ^ 2 + (x t * n + P t / (M * om) * c) ^ 2) with
+    ((x t ^ 2 + P t ^ 2 / (M * (M * (om * om)))) * (n * n + c * c)) by (field; split; lra).
+  rewrite SC. rewrite om_sq. unfold P, M in *. field. split; lra.
+Qed.
+
+(** outside the strip the relative velocity runs down at a positive rate *)
+Lemma w_falls r t g : 0 <= r <= t -> (forall u, r <= u < t -> L m1 m2 a2 b + g <= x u) ->
+  w t - w r <= - (a2 / m1 * g) * (t - r).
+Proof.
+  intros Hr Hx. apply dini_slope; auto using cont_w. intros u Hu e He.
+  destruct (s_v1 _ _ _ _ _ _ _ _ _ H u ltac:(lra) (m1 * e)) as (d & Hd & K). { apply Rmult_lt_0_compat; auto. }
+  exists d; split; auto. intros h Hh. specialize (K h Hh). simpl in K. apply Rabs_inv in K.
+  pose proof (s_lip _ _ _ _ _ _ _ _ _ H u (u + h) ltac:(lra)) as Ls. apply Rabs_inv in Ls.
+  pose proof (s_v2 _ _ _ _ _ _ _ _ _ H u ltac:(lra)) as W1.
+    pose proof (s_v2 _ _ _ _ _ _ _ _ _ H (u + h) ltac:(lra)) as W2.
+  specialize (Hx u Hu). unfold w.
+  set (ds := s (u + h) - s u) in *. set (dv := v1 (u + h) - v1 u) in *.
+  assert (D2 : v2 (u + h) - v2 u = b / m2 * ds).
+  { apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * ds)) with (b * ds) by (field; lra). unfold ds; lra. }
+  replace (v1 (u + h) - v2 (u + h) - (v1 u - v2 u)) with (dv - (v2 (u + h) - v2 u)) by (unfold dv; ring). rewrite D2.
+  apply Rmult_le_reg_l with m1; auto.
+  assert (K2 : m1 * dv <= - a2 * x u * h - b * ds + m1 * e * h) by (unfold dv, ds; lra).
+  assert (C1 : - a2 * x u * h <= - a2 * (L m1 m2 a2 b + g) * h) by (apply Rmult_le_compat_r; nra).
+  assert (C2 : - (b * (m1 + m2) / m2) * ds <= (b * (m1 + m2) / m2) * h).
+  { assert (0 < b * (m1 + m2) / m2) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra). nra. }
+  replace (m1 * (dv - b / m2 * ds)) with (m1 * dv + b * ds - (b * (m1 + m2) / m2) * ds) by (field; lra).
+  replace (m1 * ((- (a2 / m1 * g) + e) * h)) with (- a2 * g * h + m1 * e * h) by (field; lra).
+  replace (- a2 * (L m1 m2 a2 b + g) * h) with (- (b * (m1 + m2) / m2) * h - a2 * g * h) in C1 by (unfold L;
+    field; lra).
+  lra.
+Qed.
+
+(** so a stay outside costs energy *)
+Lemma outside_costs r tau g : 0 <= r -> 0 < tau -> 0 < g -> (forall u, r <= u < r + tau -> L m1 m2 a2 b + g <= x u) ->
+  b * (a2 / m1 * g) * tau ^ 2 / 8 <= E r - E (r + tau).
+Proof.
+  intros Hr Ht Hg Hx. set (c := a2 / m1 * g).
+    assert (Hc : 0 < c) by (unfold c; apply Rmult_lt_0_compat; auto; apply Rdiv_lt_0_compat; auto).
+  set (m := r + tau / 2). pose proof (E_mono r m ltac:(unfold m; lra)) as M1.
+    pose proof (E_mono m (r + tau) ltac:(unfold m; lra)) as M2.
+  assert (CQ : forall k, cont (fun u => k * (u - m) ^ 2)).
+  { intros k. apply cont_of_derive with (fun u => k * (2 * (u - m))). intros u; auto_derive; auto. ring. }
+  assert (RQ : forall k u, rderiv (fun u => k * (u - m) ^ 2) u (k * (2 * (u - m)))).
+  { intros k u. apply rderiv_of_derive. auto_derive; auto. ring. }
+  destruct (Rle_dec (w m) 0) as [W|W].
+  - assert (Q : E (r + tau) + b * c / 2 * (r + tau - m) ^ 2 <= E m + b * c / 2 * (m - m) ^ 2).
+    { apply (rderiv_mono (fun u => E u + b * c / 2 * (u - m) ^ 2) m (r + tau) (fun u => - b * Rabs (w u) + b * c /
+      2 * (2 * (u - m)))).
+      - apply cont_plus; auto using cont_En.
+      - unfold m; lra.
+      - intros u Hu. split. { apply rderiv_plus; auto. apply E_rate; unfold m in Hu; lra. }
+        assert (F : w u - w m <= - c * (u - m)). { apply w_falls; [unfold m in *; lra|].
+          intros z Hz; apply Hx; unfold m in *; lra. }
+        assert (c * (u - m) <= Rabs (w u)) by (unfold Rabs; destruct Rcase_abs; nra). nra. }
+    replace (r + tau - m) with (tau / 2) in Q by (unfold m; field). replace (m - m) with 0 in Q by ring. lra.
+  - assert (Q : E m + - (b * c / 2) * (m - m) ^ 2 <= E r + - (b * c / 2) * (r - m) ^ 2).
+    { apply (rderiv_mono (fun u => E u + - (b * c / 2) * (u - m) ^ 2) r m (fun u => - b * Rabs (w u) + - (b * c /
+      2) * (2 * (u - m)))).
+      - apply cont_plus; auto using cont_En.
+      - unfold m; lra.
+      - intros u Hu. split. { apply rderiv_plus; auto. apply E_rate; unfold m in Hu; lra. }
+        assert (F : w m - w u <= - c * (m - u)). { apply w_falls; [unfold m in *; lra|].
+          intros z Hz; apply Hx; unfold m in *; lra. }
+        assert (c * (m - u) <= Rabs (w u)) by (unfold Rabs; destruct Rcase_abs; nra). nra. }
+    replace (r - m) with (- (tau / 2)) in Q by (unfold m; field). replace (m - m) with 0 in Q by ring. lra.
+Qed.
+
+(** E has a limit *)
+Lemma E_limit : exists l, 0 <= l /\ (forall t, 0 <= t -> l <= E t) /\ forall e, 0 < e -> exists T, 0 <= T /\
+  forall t, T <= t -> E t <= l + e.
+Proof.
+  destruct (completeness (fun y => exists t, 0 <= t /\ y = - E t)) as (k & Ub & Lub).
+  { exists 0. intros y (t & _ & ->). pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E; lra. }
+  { exists (- E 0), 0; split; [lra|auto]. }
+  exists (- k). repeat split.
+  - assert (k <= 0); [|lra]. apply Lub. intros y (t & _ & ->).
+    pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E; lra.
+  - intros t Ht. assert (- E t <= k); [|lra]. apply Ub. exists t; auto.
+  - intros e He. apply Classical_Prop.NNPP. intros N.
+    assert (k <= k - e); [|lra]. apply Lub. intros y (t & Ht & ->).
+    destruct (Rle_dec (- E t) (k - e)) as [|G]; auto. exfalso. apply N. exists t; split; auto. intros u Hu.
+      pose proof (E_mono t u ltac:(lra)). lra.
+Qed.
+
+(** there is a contact after every time *)
+Lemma contact' T : 0 <= T -> exists t, T <= t /\ w t = 0.
+Proof.
+  intros HT. destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (t & Ht & Ev).
+  exists t; split; [lra|]. unfold w; lra.
+Qed.
+
+(** *** No level above E_cr is a limit *)
+Theorem limit_not_above l : (forall t, 0 <= t -> l <= E t) -> (forall e, 0 < e -> exists T, 0 <= T /\ forall t,
+  T <= t -> E t <= l + e) ->
+  l <= Ecr m1 m2 a2 b.
+Proof.
+  intros Hl Hlim. destruct (Rle_dec l (Ecr m1 m2 a2 b)) as [|N]; auto. exfalso.
+  pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
+  set (LL := L m1 m2 a2 b) in *.
+  set (R0 := sqrt (2 * l / a2)).
+  assert (R0sq : R0 * R0 = 2 * l / a2). { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. nra. }
+  assert (HR0 : LL < R0).
+  { assert (0 <= R0) by apply sqrt_pos. assert (LL ^ 2 < R0 * R0). { rewrite R0sq.
+    apply Rmult_lt_reg_r with a2; auto. unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. nra. } nra. }
+  set (g := (R0 - LL) / 4). assert (Hg : 0 < g) by (unfold g; lra).
+  set (z := Rmin 1 (2 * g / R0)). assert (Hz : 0 < z). { apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; lra. }
+  assert (Hz1 : z <= 1) by apply Rmin_l. assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r.
+  assert (Hz3 : R0 * z <= 2 * g). { replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra).
+    apply Rmult_le_compat_l; lra. }
+  set (tau := z / om). assert (Htau : 0 < tau) by (apply Rdiv_lt_0_compat; auto).
+  set (e0 := b * (a2 / m1 * g) * tau ^ 2 / 8).
+  assert (He0 : 0 < e0).
+  { assert (0 < a2 / m1) by (apply Rdiv_lt_0_compat; auto). assert (0 < tau ^ 2) by (apply pow_lt; auto).
+    unfold e0. apply Rdiv_lt_0_compat; [|lra]. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
+      apply Rmult_lt_0_compat; auto. }
+  set (d := Rmin (e0 / 2) (g / (2 * kap))).
+  assert (Hkp : 0 < kap) by exact kap_pos.
+  assert (Hd : 0 < d). { apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; [exact Hg|].
+    apply Rmult_lt_0_compat; [lra|exact Hkp]. }
+  assert (Hd1 : d <= e0 / 2) by apply Rmin_l. assert (Hd2 : d <= g / (2 * kap)) by apply Rmin_r.
+  assert (Hd3 : kap * d <= g / 2). { replace (g / 2) with (kap * (g / (2 * kap))) by (field; lra).
+    apply Rmult_le_compat_l; lra. }
+  destruct (Hlim d Hd) as (T & HT & KT).
+  destruct (contact' T HT) as (tc & Htc & Wc).
+  pose proof (E_AB tc) as EAB. rewrite Wc in EAB.
+  set (R := sqrt (A tc ^ 2 + B tc ^ 2)).
+  assert (Rsq : R * R = A tc ^ 2 + B tc ^ 2). { apply sqrt_sqrt. pose proof (pow2_ge_0 (A tc)).
+    pose proof (pow2_ge_0 (B tc)). lra. }
+  assert (HR : R0 <= R).
+  { assert (0 <= R) by apply sqrt_pos. assert (R0 * R0 <= R * R); [|nra]. rewrite R0sq.
+    apply Rmult_le_reg_r with a2; auto.
+    unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. specialize (Hl tc ltac:(lra)). nra. }
+  destruct (polar (A tc) (B tc) R om tc) as (ts & Hts & Cs & Ss); auto; try lra.
+  assert (Out : forall u, ts <= u < ts + tau -> LL + g <= x u).
+  { intros u Hu. rewrite x_AB.
+    assert (PA := A_paid tc u ltac:(lra)). assert (PB := B_paid tc u ltac:(lra)).
+    pose proof (KT tc ltac:(lra)) as K1. pose proof (Hl u ltac:(lra)) as K2.
+    assert (KK : kap * (E tc - E u) <= g / 2). { apply Rle_trans with (kap * d); auto. apply Rmult_le_compat_l; lra. }
+    apply Rabs_inv in PA. apply Rabs_inv in PB.
+    pose proof (COS_bound (om * u)) as Cb. pose proof (SIN_bound (om * u)) as Sb.
+    assert (Main : A tc * cos (om * u) + B tc * sin (om * u) = R * cos (om * (u - ts))).
+    { rewrite <- Cs, <- Ss. replace (om * (u - ts)) with (om * u - om * ts) by ring. rewrite cos_minus. ring. }
+    assert (Zu : 0 <= om * (u - ts) <= z).
+    { split; [apply Rmult_le_pos; lra|]. replace z with (om * tau) by (unfold tau; field; lra).
+      apply Rmult_le_compat_l; lra. }
+    pose proof (cos_below (om * (u - ts)) ltac:(lra)) as CB.
+    set (q := cos (om * (u - ts))) in *. set (zu := om * (u - ts)) in *.
+    assert (zu ^ 2 <= z).
+    { replace (zu ^ 2) with (zu * zu) by ring. apply Rle_trans with (zu * 1); [apply Rmult_le_compat_l; lra|lra]. }
+    assert (Q : R0 - g <= R * q). { assert (1 - z / 2 <= q) by lra. assert (0 < 1 - z / 2) by lra.
+      assert (R0 * (1 - z / 2) <= R * q) by (apply Rmult_le_compat; lra). lra. }
+    assert (DA : Rabs ((A u - A tc) * cos (om * u)) <= g / 2).
+    { rewrite Rabs_mult. assert (Rabs (A u - A tc) <= g / 2) by (apply Rabs_le; lra).
+      assert (Rabs (cos (om * u)) <= 1) by (apply Rabs_le; lra).
+      pose proof (Rabs_pos (A u - A tc)). pose proof (Rabs_pos (cos (om * u))). 
+      apply Rle_trans with (g / 2 * 1); [apply Rmult_le_compat; auto|lra]. }
+    assert (DB : Rabs ((B u - B tc) * sin (om * u)) <= g / 2).
+    { rewrite Rabs_mult. assert (Rabs (B u - B tc) <= g / 2) by (apply Rabs_le; lra).
+      assert (Rabs (sin (om * u)) <= 1) by (apply Rabs_le; lra).
+      pose proof (Rabs_pos (B u - B tc)). pose proof (Rabs_pos (sin (om * u))). 
+      apply Rle_trans with (g / 2 * 1); [apply Rmult_le_compat; auto|lra]. }
+    apply Rabs_inv in DA. apply Rabs_inv in DB. unfold g in *. lra. }
+  pose proof (outside_costs ts tau g ltac:(lra) Htau Hg Out) as Cost. fold e0 in Cost.
+  pose proof (KT ts ltac:(lra)). pose proof (Hl (ts + tau) ltac:(lra)). lra.
+Qed.
+
+(** *** The dichotomy, first form: E falls to a limit <= E_cr; once E <= E_cr the pair merges in bounded time. *)
+Theorem dichotomy_energy :
+  (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b) \/
+  ((forall t, 0 <= t -> Ecr m1 m2 a2 b < E t) /\ forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+    E t <= Ecr m1 m2 a2 b + e).
+Proof.
+  destruct E_limit as (l & Hl0 & Hl & Hlim). pose proof (limit_not_above l Hl Hlim) as HL.
+  destruct (Classical_Prop.classic (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b)) as [|N]; [left; auto|right].
+  split.
+  - intros t Ht. destruct (Rlt_dec (Ecr m1 m2 a2 b) (E t)); auto. exfalso; apply N; exists t; split; auto; lra.
+  - intros e He. destruct (Hlim e He) as (T & HT & K). exists T; split; auto. intros t Hu. specialize (K t Hu). lra.
+Qed.
+End Limit.

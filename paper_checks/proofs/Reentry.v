@@ -1,0 +1,91 @@
+(** After a crossing: every short slip that ends in S0 stays above E_cr;
+  so does the first re-entry after any number of crossings. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Gap Alternate Cross
+  Alternation Margin.
+Local Open Scope R_scope.
+
+(** p <= pi - pc gives q >= 1/(1 + (pi - p) k), so the margin holds *)
+Lemma short_margin q pc p : 0 < q -> PI / 2 < pc < PI -> depth pc = 2 / q -> 0 < p <= PI - pc ->
+  1 - 2 * hh p * ct p < q * hh p ^ 2.
+Proof.
+  intros Hq Hpc Dc Hp. pose proof PI_RGT_0. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
+    pose proof (cos_gt_0 p ltac:(lra) ltac:(lra)) as C.
+  assert (Kp : 0 < ct p) by (apply Rdiv_lt_0_compat; auto). pose proof (margin p ltac:(lra)) as M.
+  assert (W : 0 < (PI - p) * ct p) by (apply Rmult_lt_0_compat; lra).
+  assert (De : depth (PI - p) = 2 * (1 + (PI - p) * ct p)).
+  { pose proof (two_hh (PI - p) ltac:(lra)) as T. pose proof (two_hh p ltac:(lra)) as T2. rewrite ct_mirror in T by lra.
+    pose proof (hh_mirror p ltac:(lra)) as Hm. pose proof (half_depth p ltac:(lra)) as Hd.
+    apply Rmult_eq_reg_l with (ct p); [|lra].
+    (* 2 (h~ + h) = 2 pi (1 + k^2); the theta's cancel *)
+    pose proof (half_depth (PI - p) ltac:(lra)) as Hd'. rewrite ct_mirror in Hd' by lra.
+    assert (Q : hh p = p * (1 + ct p ^ 2) - ct p). { rewrite inv_sin2 by lra. pose proof (sin2_cos2 p) as SC.
+      unfold hh, ct. field. lra. }
+    assert (Q' : hh (PI - p) = (PI - p) * (1 + ct p ^ 2) + ct p) by lra. rewrite Q' in T. lra. }
+  assert (Le : depth pc <= depth (PI - p)). { destruct (Req_dec pc (PI - p)) as [<-|]; [lra|].
+    apply Rlt_le, depth_incr; lra. }
+  rewrite Dc, De in Le. assert (Q1 : 1 <= q * (1 + (PI - p) * ct p)).
+  { apply Rmult_le_reg_l with (2 / q); [apply Rdiv_lt_0_compat; lra|].
+    replace (2 / q * (q * (1 + (PI - p) * ct p))) with (2 * (1 + (PI - p) * ct p)) by (field; lra). lra. }
+  pose proof (pow_lt _ 2 (hh_pos p ltac:(lra))) as H2. set (w := 1 + (PI - p) * ct p) in *.
+  apply Rmult_lt_reg_r with w; [unfold w; lra|]. apply Rlt_le_trans with (1 := M).
+  replace (q * hh p ^ 2 * w) with (q * w * hh p ^ 2) by ring. rewrite <- (Rmult_1_l (hh p ^ 2)) at 1.
+    apply Rmult_le_compat_r; lra.
+Qed.
+
+(** the invariant of the slips after a crossing: a gap, and a half angle that is long or short *)
+Definition crossed m1 m2 a2 b pc (x v1 v2 : R -> R) t p := exists k d, (k = 1 \/ k = -1) /\ 0 < d /\ 0 < p < PI /\
+  (pc <= p \/ p <= PI - pc) /\
+  at_gap m1 m2 a2 b k d (push d p) x v1 v2 t.
+
+Section Reentry.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let q := m1 / (m1 + m2).
+Variable pc : R.
+Hypotheses (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q) (HK : / sqrt 3 <= - ct pc).
+Variables x v1 v2 s : R -> R.
+Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Let Q0 : 0 < q. Proof. apply q_pos; auto. Qed.
+
+(** from a ray with p > pc it crosses, and the next slip is short *)
+Theorem enter k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 -> pc < p ->
+  exists p', p' <= PI - pc /\ crossed m1 m2 a2 b pc x v1 v2 (t0 + 2 * p / o1 m1 a2) p'.
+Proof.
+  intros Hk Ht Hp HR Hl. apply ray_gap in HR. rewrite <- push_0 in HR.
+  assert (HD : 2 / q < depth p + 0). { rewrite <- Dc. pose proof (depth_incr pc p ltac:(lra) Hl ltac:(lra)). lra. }
+  destruct (alternation m1 m2 a2 b x v1 v2 s k t0 0 p pc Hm1 Hm2 Ha2 Hb Hpc Dc HK Hk H Ht (Rle_refl 0) Hp HR HD)
+    as (p' & Hp' & D' & G & A & _).
+  exists p'. assert (p' <= PI - pc) by (apply A; lra). split; [auto|]. exists (- k), (depth p + 0 - 2 / q).
+  split; [destruct Hk; [right|left]; lra|]. auto.
+Qed.
+
+(** after a crossing the next contact is either again a crossing, or in S0 above E_cr,
+  whence it sticks up to a ray: no merging there *)
+Theorem next_contact t0 p : 0 <= t0 -> crossed m1 m2 a2 b pc x v1 v2 t0 p -> let t1 := t0 + 2 * p / o1 m1 a2 in
+  v1 t1 = v2 t1 /\ (forall t, t0 < t < t1 -> v1 t <> v2 t) /\
+  ((exists p', crossed m1 m2 a2 b pc x v1 v2 t1 p' /\ (pc <= p -> p' <= PI - pc) /\ (p <= PI - pc -> pc <= p')) \/
+   (p <= PI - pc /\ - L m1 m2 a2 b <= x t1 <= L m1 m2 a2 b /\ Ecr m1 m2 a2 b < energy m1 m2 a2 (x t1) (v1 t1) (v2 t1) /\
+    exists k u t2, (k = 1 \/ k = -1) /\ 0 < u /\ t1 <= t2 /\ on_ray m1 m2 a2 b k u x v1 v2 t2)).
+Proof.
+  intros Ht (k & d & Hk & Hd & Hp & Ls & HG) t1.
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht ltac:(lra) Hp HG) as (_ & Sg & _ & B & C
+    & _). fold t1 in Sg, B, C.
+  split; [destruct Hk; subst k; lra|]. split. { intros t Hu E. specialize (Sg t Hu). rewrite E in Sg. lra. }
+  destruct (Rlt_dec (2 / q) (depth p + d)) as [HD|N].
+  - left. destruct (alternation m1 m2 a2 b x v1 v2 s k t0 d p pc Hm1 Hm2 Ha2 Hb Hpc Dc HK Hk H Ht ltac:(lra) Hp HG
+    HD) as (p' & Hp' & D' & G & A1 & A2).
+    exists p'. split; [|auto]. exists (- k), (depth p + d - 2 / q). split; [destruct Hk; [right|left]; lra|].
+      repeat (split; [auto; fail|]). split; [|auto].
+    destruct Ls as [I|I]; [right; auto|left; auto].
+  - right. apply Rnot_lt_le in N.
+    assert (Sh : p <= PI - pc). { destruct Ls as [I|]; auto. exfalso. assert (depth pc <= depth p); [|lra].
+      destruct (Req_dec pc p) as [<-|]; [lra|]. apply Rlt_le, depth_incr; lra. }
+    destruct (reentry m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 d p Hk Ht ltac:(lra) Hp HG N) as (_ & _ & Hx & _
+      & _ & _ & Up).
+    assert (Y : 0 < level m1 m2 p d) by (apply level_pos; auto; apply (short_margin q pc); auto; lra).
+    destruct (Up Y) as (HE & k' & t2 & Hk' & T2 & HR & _). fold t1 in HE, Hx, T2. repeat (split; [auto; fail|]).
+    exists k', (sqrt (level m1 m2 p d)), t2. split; [auto|]. split; [apply sqrt_lt_R0; auto|]. split; [lra|auto].
+Qed.
+End Reentry.

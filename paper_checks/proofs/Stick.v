@@ -1,0 +1,210 @@
+(** Contacts and stuck motions (a1 = 0 from the second section on): every solution meets S in bounded time; the ellipses on
+    S up to E_cr are solutions; on S at such a level a solution moves along its ellipse for ever, and the energy distance
+    to it never grows. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair.
+Local Open Scope R_scope.
+
+(** a derivative is a right derivative *)
+Lemma rderiv_of_derive f t l : is_derive f t l -> rderiv f t l.
+Proof.
+  intros H. apply is_derive_Reals in H. intros e He. destruct (H e He) as (d & K).
+  exists d; split; [apply cond_pos|]. intros h Hh.
+  assert (Q : Rabs ((f (t + h) - f t) / h - l) < e). { apply K; [lra|]. rewrite Rabs_pos_eq; lra. }
+  replace (f (t + h) - f t - l * h) with (((f (t + h) - f t) / h - l) * h) by (field; lra).
+  rewrite Rabs_mult, (Rabs_pos_eq h) by lra. apply Rmult_le_compat_r; lra.
+Qed.
+
+(** continuity of the library is continuity here *)
+Lemma cont_of_continuity f : continuity f -> cont f.
+Proof.
+  intros C t _ e He. destruct (C t e He) as (d & Hd & K). exists d; split; auto. intros u _ Hu.
+  destruct (Req_dec u t) as [->|N]. { rewrite Rminus_diag_eq, Rabs_R0; auto. }
+  apply K. split; [split; [exact I|auto]|exact Hu].
+Qed.
+
+(** a differentiable function is continuous *)
+Lemma cont_of_derive f f' : (forall t, is_derive f t (f' t)) -> cont f.
+Proof.
+  intros H. apply cont_of_continuity. intros t. apply derivable_continuous_pt.
+  exists (f' t). apply is_derive_Reals, H.
+Qed.
+
+(** the intermediate value theorem *)
+Lemma cont_IVT f p q : cont f -> 0 <= p <= q -> f p * f q <= 0 -> exists c, p <= c <= q /\ f c = 0.
+Proof.
+  intros C Hp Hs. set (g := fun u => f (Rmax 0 u)).
+  assert (CG : continuity g).
+  { intros t e He. destruct (C (Rmax 0 t) (Rmax_l _ _) e He) as (d & Hd & K). exists d; split; auto.
+    intros u (_ & Hu). apply K; [apply Rmax_l|]. eapply Rle_lt_trans; [|exact Hu]. simpl. unfold R_dist.
+    unfold Rmax; destruct (Rle_dec 0 u), (Rle_dec 0 t); unfold Rabs; repeat destruct Rcase_abs; lra. }
+  destruct (IVT_cor g p q CG) as (c & Hc & Z); try lra.
+  { unfold g. rewrite !Rmax_right by lra. auto. }
+  exists c; split; auto. unfold g in Z. rewrite Rmax_right in Z by lra. auto.
+Qed.
+
+Section Contact.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+
+(** every trajectory meets S again, within a bounded time *)
+Theorem contact x v1 v2 s T : solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= T ->
+  exists t, T <= t <= T + 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b /\ v1 t = v2 t.
+Proof.
+  intros H HT. set (tau := 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b).
+  assert (Ht : 0 <= tau). { unfold tau. apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto].
+    pose proof (sqrt_pos (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2)); lra. }
+  apply Classical_Prop.NNPP. intros No.
+  assert (NZ : forall t, T <= t <= T + tau -> v1 t - v2 t <> 0).
+  { intros t Hu Z. apply No. exists t; split; auto. lra. }
+  assert (CW : cont (fun t => v1 t - v2 t)).
+  { apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ H)]. }
+  set (w := fun t => v1 t - v2 t) in *.
+  assert (Sg : forall p q, T <= p <= q -> q <= T + tau -> 0 < w p * w q).
+  { intros p q Hp Hq. destruct (Rlt_dec 0 (w p * w q)); auto. exfalso.
+    destruct (cont_IVT w p q CW) as (c & Hc & Zc); try lra. apply (NZ c); [lra|auto]. }
+  destruct (CW (T + tau) ltac:(lra) (Rabs (w (T + tau)))) as (d & Hd & K).
+  { apply Rabs_pos_lt. unfold w. apply NZ; lra. }
+  assert (Same : forall u, T <= u < T + tau + d -> 0 < w u * w (T + tau)).
+  { intros u Hu. destruct (Rle_dec u (T + tau)); [apply Sg; lra|].
+    specialize (K u ltac:(lra)). assert (Rabs (u - (T + tau)) < d) by (rewrite Rabs_pos_eq; lra).
+    specialize (K H0). apply Rabs_def2 in K. unfold Rabs in K; destruct Rcase_abs; nra. }
+  assert (DW := dwell m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s H T (T + tau + d / 2) ltac:(lra)).
+  fold tau in DW. cut (T + tau + d / 2 - T <= tau); [lra|]. apply DW.
+  pose proof (NZ (T + tau) ltac:(lra)) as N0. fold (w (T + tau)) in N0.
+  destruct (Rlt_dec 0 (w (T + tau))) as [P|P]; [left|right]; intros u Hu; pose proof (Same u ltac:(lra)) as Q;
+    unfold w in Q, P, N0; nra.
+Qed.
+
+End Contact.
+
+Section Stick.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+
+(** *** The stuck ellipse (a1 = 0) *)
+Definition omega := sqrt (a2 / (m1 + m2)).
+(** the half width of S0 *)
+Definition L := b * (m1 + m2) / (a2 * m2).
+(** the critical energy *)
+Definition Ecr := b ^ 2 * (m1 + m2) ^ 2 / (2 * a2 * m2 ^ 2).
+(** the stuck motion: its place *)
+Definition X x0 v0 t := x0 * cos (omega * t) + v0 / omega * sin (omega * t).
+(** and its speed *)
+Definition V x0 v0 t := v0 * cos (omega * t) - x0 * omega * sin (omega * t).
+
+(** the frequency is positive *)
+Lemma omega_pos : 0 < omega.
+Proof. apply sqrt_lt_R0, Rdiv_lt_0_compat; lra. Qed.
+(** its square *)
+Lemma omega_sq : omega * omega = a2 / (m1 + m2).
+Proof. apply sqrt_sqrt, Rlt_le, Rdiv_lt_0_compat; lra. Qed.
+(** the half width is positive *)
+Lemma L_pos : 0 < L.
+Proof. unfold L; apply Rdiv_lt_0_compat; nra. Qed.
+(** E_cr is the spring's energy at the half width *)
+Lemma Ecr_L : Ecr = a2 * L ^ 2 / 2.
+Proof. unfold Ecr, L; field; lra. Qed.
+
+(** the speed is the place's derivative *)
+Lemma derive_X x0 v0 t : is_derive (X x0 v0) t (V x0 v0 t).
+Proof. pose proof omega_pos. unfold X, V. auto_derive; auto. field; lra. Qed.
+(** and the acceleration that of an oscillator *)
+Lemma derive_V x0 v0 t : is_derive (V x0 v0) t (- (omega * omega) * X x0 v0 t).
+Proof. pose proof omega_pos. unfold X, V. auto_derive; auto. field; lra. Qed.
+
+(** a stuck motion keeps its energy *)
+Lemma ellipse_energy x0 v0 t : energy m1 m2 a2 (X x0 v0 t) (V x0 v0 t) (V x0 v0 t) = energy m1 m2 a2 x0 v0 v0.
+Proof.
+  pose proof omega_pos. pose proof omega_sq as Q. pose proof (sin2_cos2 (omega * t)) as SC. unfold Rsqr in SC.
+  assert (M : a2 = (m1 + m2) * (omega * omega)) by (rewrite Q; field; lra).
+  unfold energy, X, V. set (c := cos (omega * t)) in *. set (n := sin (omega * t)) in *. rewrite M.
+  replace ((m1 + m2) * (omega * omega) * (x0 * c + v0 / omega * n) ^ 2 / 2 + m1 * (v0 * c - x0 * omega * n) ^ 2 /
+    2 + m2 * (v0 * c - x0 * omega * n) ^ 2 / 2)
+    with (((m1 + m2) * (omega * omega) * x0 ^ 2 / 2 + m1 * v0 ^ 2 / 2 + m2 * v0 ^ 2 / 2) * (n * n + c * c)) by
+      (field; lra).
+  rewrite SC; ring.
+Qed.
+
+(** up to E_cr it stays inside S0 *)
+Lemma on_surface_inside x v : energy m1 m2 a2 x v v <= Ecr -> - L <= x <= L.
+Proof.
+  rewrite Ecr_L. unfold energy. intros H. pose proof (pow2_ge_0 v). pose proof L_pos.
+  assert (x ^ 2 <= L ^ 2) by nra. split; nra.
+Qed.
+
+(** inside S0 the friction that sticking needs is at most b *)
+Theorem ellipse_solution x0 v0 : energy m1 m2 a2 x0 v0 v0 <= Ecr ->
+  solution m1 m2 0 a2 b (X x0 v0) (V x0 v0) (V x0 v0) (fun t => m2 / b * V x0 v0 t).
+Proof.
+  intros HE.
+  assert (RS : forall t, rderiv (fun t => m2 / b * V x0 v0 t) t (m2 / b * (- (omega * omega) * X x0 v0 t))).
+  { intros t. apply rderiv_scal, rderiv_of_derive, derive_V. }
+  assert (CX : cont (X x0 v0)) by (eapply cont_of_derive; intros; apply derive_X).
+  assert (CV : cont (V x0 v0)) by (eapply cont_of_derive; intros; apply derive_V).
+  assert (Sl : forall t, -1 <= m2 / b * (- (omega * omega) * X x0 v0 t) <= 1).
+  { intros t. rewrite omega_sq. assert (In := on_surface_inside (X x0 v0 t) (V x0 v0 t)).
+    rewrite ellipse_energy in In. specialize (In HE). unfold L in In.
+    set (k := m2 / b * (a2 / (m1 + m2))).
+      assert (0 < k) by (unfold k; apply Rmult_lt_0_compat; apply Rdiv_lt_0_compat; lra).
+    assert (k * (b * (m1 + m2) / (a2 * m2)) = 1) by (unfold k; field; lra).
+    replace (m2 / b * (- (a2 / (m1 + m2)) * X x0 v0 t)) with (- (k * X x0 v0 t)) by (unfold k; ring). nra. }
+  constructor; auto.
+  - intros r t Hr. apply Rabs_le. split.
+    + assert (Q := dini_slope (fun t => -1 * (m2 / b * V x0 v0 t)) 1 r t (cont_scal _ _ (cont_scal _ _ CV)) Hr).
+      simpl in Q.
+      cut (-1 * (m2 / b * V x0 v0 t) - -1 * (m2 / b * V x0 v0 r) <= 1 * (t - r)); [lra|]. apply Q. intros u _.
+      eapply rderiv_dini; [|apply rderiv_scal, RS]. specialize (Sl u); lra.
+    + assert (Q := dini_slope (fun t => (m2 / b * V x0 v0 t)) 1 r t (cont_scal _ _ CV) Hr). simpl in Q.
+      cut ((m2 / b * V x0 v0 t) - (m2 / b * V x0 v0 r) <= 1 * (t - r)); [lra|]. apply Q. intros u _.
+      eapply rderiv_dini; [|apply RS]. specialize (Sl u); lra.
+  - intros; lra.
+  - intros; lra.
+  - intros; apply rderiv_of_derive, derive_X.
+  - intros t Ht. apply rderiv_ext with (fun u => (m1 + m2) * V x0 v0 u).
+    { intros; field; lra. }
+    apply rderiv_eq with ((m1 + m2) * (- (omega * omega) * X x0 v0 t)). { rewrite omega_sq; field; lra. }
+    apply rderiv_scal, rderiv_of_derive, derive_V.
+  - intros t Ht. field; lra.
+Qed.
+
+(** *** Capture: on S with E <= E_cr the pair moves along the ellipse for ever *)
+Theorem capture x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 ->
+  v1 t0 = v2 t0 -> energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) <= Ecr ->
+  forall u, 0 <= u -> x (t0 + u) = X (x t0) (v1 t0) u /\ v1 (t0 + u) = V (x t0) (v1 t0) u /\
+    v2 (t0 + u) = V (x t0) (v1 t0) u.
+Proof.
+  intros H Ht Ev HE u Hu. rewrite <- Ev in HE.
+  pose proof (ellipse_solution _ _ HE) as HS. pose proof (shift_solution m1 m2 0 a2 b x v1 v2 s t0 Ht H) as Sh.
+  apply (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0 Sh HS); try lra.
+  - unfold X. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0. ring.
+  - unfold V. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0. ring.
+  - unfold V. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0, <- Ev. ring.
+Qed.
+
+(** merging: E <= E_cr at the time T is enough *)
+Theorem merging x v1 v2 s T : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= T ->
+  energy m1 m2 a2 (x T) (v1 T) (v2 T) <= Ecr ->
+  exists t0, T <= t0 <= T + 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b /\
+  energy m1 m2 a2 (x t0) (v1 t0) (v1 t0) <= Ecr /\
+  forall u, 0 <= u -> x (t0 + u) = X (x t0) (v1 t0) u /\ v1 (t0 + u) = V (x t0) (v1 t0) u /\
+    v2 (t0 + u) = V (x t0) (v1 t0) u.
+Proof.
+  intros H HT HE.
+  destruct (contact m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb x v1 v2 s T H HT) as (t0 & Ht & Ev).
+  assert (ED : energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) <= energy m1 m2 a2 (x T) (v1 T) (v2 T)).
+  { apply (energy_decreases m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb x v1 v2 s H); lra. }
+  exists t0; split; [auto|]. split; [rewrite <- Ev in ED; lra|]. apply (capture x v1 v2 s t0); auto; lra.
+Qed.
+
+(** stability of every stuck motion: the energy distance to it never increases *)
+Theorem ellipse_stable x0 v0 x v1 v2 s r t : energy m1 m2 a2 x0 v0 v0 <= Ecr ->
+  solution m1 m2 0 a2 b x v1 v2 s -> 0 <= r <= t ->
+  energy m1 m2 a2 (x t - X x0 v0 t) (v1 t - V x0 v0 t) (v2 t - V x0 v0 t) <=
+  energy m1 m2 a2 (x r - X x0 v0 r) (v1 r - V x0 v0 r) (v2 r - V x0 v0 r).
+Proof.
+  intros HE H Hr.
+  exact (contraction m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Hb _ _ _ _ _ _ _ _ H (ellipse_solution x0 v0 HE) r t Hr).
+Qed.
+End Stick.

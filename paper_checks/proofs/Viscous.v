@@ -1,0 +1,329 @@
+(** Captive level and, with a1 > 0, the way to rest: E decays exponentially,
+  and the pair sticks for ever in finite time. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick.
+Local Open Scope R_scope.
+
+(** from squares to absolute values *)
+Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
+Proof. intros; split; nra. Qed.
+
+Section Captive.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let Mp : 0 < M. Proof. unfold M; lra. Qed.
+(** at or below the captive level, S is met only inside the strip |a2 x + a1 v| <= b M / m2 *)
+Definition captive (e : R) := 2 * e * (a2 + a1 ^ 2 / M) <= (b * M / m2) ^ 2.
+
+(** without damping it is the critical energy *)
+Lemma captive_Ecr e : a1 = 0 -> captive e <-> e <= Ecr m1 m2 a2 b.
+Proof.
+  intros Z. unfold captive, Ecr. rewrite Z. fold M.
+  replace (2 * e * (a2 + 0 ^ 2 / M)) with (2 * a2 * e) by (field; lra).
+  replace ((b * M / m2) ^ 2) with (2 * a2 * (b ^ 2 * M ^ 2 / (2 * a2 * m2 ^ 2))) by (field; lra).
+  split; intros Q; [apply Rmult_le_reg_l with (2 * a2); lra|apply Rmult_le_compat_l; lra].
+Qed.
+
+(** the load at the mean velocity is inside the strip, by Cauchy-Schwarz, on S or not *)
+Lemma captive_load x v1 v2 : captive (energy m1 m2 a2 x v1 v2) ->
+  - (b * M / m2) <= a2 * x + a1 * ((m1 * v1 + m2 * v2) / M) <= b * M / m2.
+Proof.
+  intros C. apply sq_le_abs. { apply Rlt_le, Rdiv_lt_0_compat; auto. apply Rmult_lt_0_compat; auto. }
+  eapply Rle_trans; [|exact C]. apply Rminus_le_0.
+  replace (_ - _) with (a2 / M * (a1 * x - (m1 * v1 + m2 * v2)) ^ 2 + (a2 + a1 ^ 2 / M) * (m1 * m2 / M) * (v1 -
+    v2) ^ 2).
+  2: { unfold energy, M in *. field. lra. }
+  assert (0 <= a1 ^ 2 / M). { apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+  assert (0 < a2 / M) by (apply Rdiv_lt_0_compat; auto).
+  assert (0 < m1 * m2 / M) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  apply Rplus_le_le_0_compat; apply Rmult_le_pos; try apply pow2_ge_0; try lra. apply Rmult_le_pos; lra.
+Qed.
+
+Section One.
+Variables x v1 v2 s : R -> R.
+Hypothesis H : solution m1 m2 a1 a2 b x v1 v2 s.
+Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
+Let w t := v1 t - v2 t.
+
+Let split_w t u : 0 <= t <= u -> / m1 * (m1 * v1 u + b * s u) - (b / m1 + b / m2) * s u - (v2 0 - b / m2 * s 0) = w u.
+Proof.
+  intros Hu. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H u ltac:(lra)) as Q. unfold w.
+  replace (v2 u) with (b / m2 * s u + (v2 0 - b / m2 * s 0)); [field; lra|].
+  apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * s u + (v2 0 - b / m2 * s 0))) with (b * s u + (m2
+    * v2 0 - b * s 0)) by (field; lra). lra.
+Qed.
+
+(** the relative acceleration in slip *)
+Lemma slip_rate k t : 0 <= t -> (k = 1 \/ k = -1) -> 0 < k * w t ->
+  rderiv w t (- (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)).
+Proof.
+  intros Ht Hk Hw.
+  assert (S : rderiv s t k). { unfold w in Hw.
+    destruct Hk; subst k; [apply (s_pos _ _ _ _ _ _ _ _ _ H)|apply (s_neg _ _ _ _ _ _ _ _ _ H)]; lra. }
+  eapply rderiv_ext; [intros u Hu; apply (split_w t); lra|].
+  eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_minus; apply rderiv_scal;
+    [apply (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)|exact S]|apply rderiv_const]].
+  field; lra.
+Qed.
+
+(** at or below the captive level |v1 - v2| does not grow *)
+Lemma gap_rate t : 0 <= t -> captive (E t) -> dini_le (fun u => w u * w u) t 0.
+Proof.
+  intros Ht C. pose proof (captive_load _ _ _ C) as Q. fold M in Q.
+  assert (Sl : forall k, (k = 1 \/ k = -1) -> 0 < k * w t -> dini_le (fun u => w u * w u) t 0).
+  { intros k Hk Hw. pose proof (slip_rate k t Ht Hk Hw) as R.
+    set (w' := - (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)) in *.
+    apply rderiv_dini with (w' * w t + w t * w'); [|apply rderiv_mult; exact R].
+    cut (w t * w' <= 0); [lra|].
+    assert (W : m1 * w' = - (a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) - k * (b * M / m2) - a1 * m2 / M * w t).
+    { unfold w', w, M. field. unfold M in Mp. lra. }
+    assert (0 <= a1 * m2 / M). { apply Rmult_le_pos; [nra|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+    assert (m1 * (w t * w') <= 0); [|nra]. replace (m1 * (w t * w')) with (w t * (m1 * w')) by ring. rewrite W.
+    assert (0 <= a1 * m2 / M * (w t * w t)) by (apply Rmult_le_pos; [auto|nra]).
+    set (l := a2 * x t + a1 * ((m1 * v1 t + m2 * v2 t) / M)) in *. set (c := b * M / m2) in *.
+      destruct Hk; subst k; nra. }
+  destruct (Rtotal_order (w t) 0) as [Lt|[Eq|Gt]]; [apply (Sl (-1)); auto; lra| |apply (Sl 1); auto; lra].
+  apply rderiv_dini with 0; [lra|].
+  assert (B : big (fun h => w (t + h) - w t)).
+  { pose proof (rderiv_big _ _ _ (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)) as B1.
+    pose proof (big_lip s (s_lip _ _ _ _ _ _ _ _ _ H) t Ht) as B2.
+    destruct (big_minus _ _ (big_scal (/ m1) _ B1) (big_scal (b / m1 + b / m2) _ B2)) as (C0 & d & HC & Hd & B).
+    exists C0, d; repeat split; auto. intros h Hh. specialize (B h Hh). simpl in B.
+    rewrite <- !(split_w t) by lra. eapply Rle_trans; [|exact B]. right. f_equal. ring. }
+  intros e He. destruct (big_mult _ _ B B e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+    specialize (K h Hh). simpl in K.
+  rewrite Eq in *. replace (w (t + h) * w (t + h) - 0 * 0 - 0 * h) with ((w (t + h) - 0) * (w (t + h) - 0)) by
+    ring. exact K.
+Qed.
+
+Let E_mono r t : 0 <= r <= t -> E t <= E r.
+Proof. exact (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ H r t). Qed.
+
+Let steep : 0 < a2 + a1 ^ 2 / M.
+Proof. assert (0 <= a1 ^ 2 / M); [|lra].
+  apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; auto]. Qed.
+(** a lower level is captive too *)
+Lemma captive_less e e' : e' <= e -> captive e -> captive e'.
+Proof. unfold captive. intros. nra. Qed.
+
+(** contact at or below the captive level is for ever *)
+Theorem captive_sticks t0 : 0 <= t0 -> v1 t0 = v2 t0 -> captive (E t0) -> forall t, t0 <= t -> v1 t = v2 t.
+Proof.
+  intros Ht W C t Hu.
+  assert (CW : cont w). { apply cont_minus;
+    [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ H)]. }
+  assert (Q : w t * w t <= w t0 * w t0).
+  { apply (dini_mono (fun u => w u * w u)); [apply cont_mult; auto|lra|]. intros r Hr. apply gap_rate; [lra|].
+    apply captive_less with (E t0); auto. apply E_mono; lra. }
+  unfold w in Q. rewrite W in Q. nra.
+Qed.
+
+(** there is a contact in bounded time, and from there on it sticks *)
+Theorem captive_merges T : 0 <= T -> captive (E T) ->
+  exists t0, T <= t0 <= T + 2 * sqrt (2 * E T * m2) / b /\ forall t, t0 <= t -> v1 t = v2 t.
+Proof.
+  intros HT C. destruct (contact m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (t0 & Ht & W).
+  exists t0; split; auto. apply captive_sticks; auto; [lra|]. apply captive_less with (E T); auto. apply E_mono; lra.
+Qed.
+
+(** then it moves as one body *)
+Theorem one_body t0 : (forall t, t0 <= t -> v1 t = v2 t) -> forall t, 0 <= t -> t0 <= t ->
+  rderiv x t (v1 t) /\ rderiv (fun u => (m1 + m2) * v1 u) t (- (a2 * x t + a1 * v1 t)).
+Proof.
+  intros W t Ht Hu. split; [apply (s_x _ _ _ _ _ _ _ _ _ H); auto|].
+  apply rderiv_ext with (fun u => (m1 * v1 u + b * s u) + (m2 * v2 0 - b * s 0)).
+  { intros r Hr. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H r ltac:(lra)) as Q. pose proof (W r ltac:(lra)) as Z.
+    rewrite <- Z in Q. lra. }
+  eapply rderiv_eq; [|apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)|apply rderiv_const]]. ring.
+Qed.
+End One.
+End Captive.
+
+(** ** a1 > 0 *)
+Section Viscous.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let Mp : 0 < M. Proof. unfold M; lra. Qed.
+Let energy := energy m1 m2 a2.
+
+(** a small enough factor *)
+Lemma small_enough p q : 0 <= p -> 0 < q -> exists e, 0 < e /\ forall c, 0 <= c <= e -> c * p <= q.
+Proof.
+  intros Hp Hq. exists (q / (p + 1)); split; [apply Rdiv_lt_0_compat; lra|]. intros c Hc.
+  apply Rle_trans with (q / (p + 1) * (p + 1)); [apply Rmult_le_compat; lra|right; field; lra].
+Qed.
+
+(** |x P| <= (1/a2 + M) E *)
+Lemma cross_bound x v1 v2 : Rabs (x * (m1 * v1 + m2 * v2)) <= (/ a2 + M) * energy x v1 v2.
+Proof.
+  assert (Ha : 0 < / a2) by (apply Rinv_0_lt_compat; auto).
+  assert (A : x ^ 2 + (m1 * v1 + m2 * v2) ^ 2 <= 2 * ((/ a2 + M) * energy x v1 v2)).
+  { apply Rminus_le_0.
+    replace (_ - _) with (/ a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2) + M * (a2 * x ^ 2) + m1 * m2 * (v1 - v2) ^ 2) by
+      (unfold energy, Pair.energy, M; field; lra).
+    pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2). pose proof (pow2_ge_0 (v1 - v2)).
+    assert (0 <= m1 * m2 * (v1 - v2) ^ 2) by (apply Rmult_le_pos; [nra|auto]).
+    assert (0 <= / a2 * (m1 * v1 ^ 2 + m2 * v2 ^ 2)) by (apply Rmult_le_pos; nra).
+    assert (0 <= M * (a2 * x ^ 2)) by (apply Rmult_le_pos; nra). lra. }
+  pose proof (pow2_ge_0 (x + (m1 * v1 + m2 * v2))). pose proof (pow2_ge_0 (x - (m1 * v1 + m2 * v2))).
+    apply Rabs_le. nra.
+Qed.
+
+(** The strict Lyapunov function E + c x P, for c small on {E <= E0}: its rate is at most -k times itself. *)
+Lemma rate_bound E0 : 0 <= E0 -> exists c k, 0 < c /\ 0 < k /\ c * (/ a2 + M) <= 1 / 2 /\ forall x v1 v2,
+  energy x v1 v2 <= E0 ->
+  (- b * Rabs (v1 - v2) - a1 * v1 ^ 2) + c * (v1 * (m1 * v1 + m2 * v2) + x * - (a2 * x + a1 * v1))
+  <= - k * (energy x v1 v2 + c * (x * (m1 * v1 + m2 * v2))).
+Proof.
+  intros HE. assert (Ha : 0 < / a2) by (apply Rinv_0_lt_compat; auto).
+  (* the bound U of |v1| and |v2| *)
+  set (U := 1 + 2 * E0 / m1 + 2 * E0 / m2).
+  assert (HU1 : 0 <= 2 * E0 / m1) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]).
+  assert (HU2 : 0 <= 2 * E0 / m2) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]).
+  assert (HU : 1 <= U) by (unfold U; lra).
+  assert (Sq : 0 <= a1 ^ 2 / (2 * a2)). { apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; lra]. }
+  destruct (small_enough (/ a2 + M) (1 / 2)) as (c1 & Hc1 & K1); [lra|lra|].
+  destruct (small_enough (m2 * U) (b / 2)) as (c2 & Hc2 & K2); [nra|lra|].
+  destruct (small_enough (M + a1 ^ 2 / (2 * a2)) (a1 / 2)) as (c3 & Hc3 & K3); [lra|lra|].
+  assert (exists c, 0 < c /\ c <= c1 /\ c <= c2 /\ c <= c3) as (c & Hc & L1 & L2 & L3).
+  { exists (Rmin c1 (Rmin c2 c3)). pose proof (Rmin_l c1 (Rmin c2 c3)). pose proof (Rmin_r c1 (Rmin c2 c3)).
+    pose proof (Rmin_l c2 c3). pose proof (Rmin_r c2 c3). repeat split; try lra. repeat apply Rmin_glb_lt; auto. }
+  specialize (K1 c ltac:(lra)). specialize (K2 c ltac:(lra)). specialize (K3 c ltac:(lra)).
+  (* k: 3/2 k E <= c a2 x^2/2 + a1 v1^2/2 + b |v1 - v2|/2, with v2^2 <= 2 v1^2 + 4 U |v1 - v2| *)
+  destruct (small_enough (3 / 2) c) as (k1 & Hk1 & J1); [lra|lra|].
+  destruct (small_enough (3 / 2 * (m1 + 2 * m2)) a1) as (k2 & Hk2 & J2); [lra|lra|].
+  destruct (small_enough (6 * m2 * U) b) as (k3 & Hk3 & J3); [nra|lra|].
+  assert (exists k, 0 < k /\ k <= k1 /\ k <= k2 /\ k <= k3) as (k & Hk & N1 & N2 & N3).
+  { exists (Rmin k1 (Rmin k2 k3)). pose proof (Rmin_l k1 (Rmin k2 k3)). pose proof (Rmin_r k1 (Rmin k2 k3)).
+    pose proof (Rmin_l k2 k3). pose proof (Rmin_r k2 k3). repeat split; try lra. repeat apply Rmin_glb_lt; auto. }
+  specialize (J1 k ltac:(lra)). specialize (J2 k ltac:(lra)). specialize (J3 k ltac:(lra)).
+  exists c, k. repeat split; auto. intros x v1 v2 B.
+  pose proof (pow2_ge_0 x) as X2. pose proof (pow2_ge_0 v1) as V2. pose proof (pow2_ge_0 v2) as W2.
+  assert (En : energy x v1 v2 = a2 * x ^ 2 / 2 + m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2) by reflexivity.
+  assert (U1 : - U <= v1 <= U).
+  { assert (v1 ^ 2 <= 2 * E0 / m1). { apply Rmult_le_reg_l with m1; auto.
+    replace (m1 * (2 * E0 / m1)) with (2 * E0) by (field; lra). nra. }
+    apply sq_le_abs; [lra|]. unfold U in *. nra. }
+  assert (U2 : - U <= v2 <= U).
+  { assert (v2 ^ 2 <= 2 * E0 / m2). { apply Rmult_le_reg_l with m2; auto.
+    replace (m2 * (2 * E0 / m2)) with (2 * E0) by (field; lra). nra. }
+    apply sq_le_abs; [lra|]. unfold U in *. nra. }
+  set (r := Rabs (v1 - v2)). assert (R0 : 0 <= r) by apply Rabs_pos.
+  assert (Rr : r * r = (v1 - v2) ^ 2) by (unfold r, Rabs; destruct Rcase_abs; ring).
+  assert (R2 : r <= 2 * U) by (unfold r, Rabs; destruct Rcase_abs; lra).
+  (* v2^2 *)
+  assert (A1 : v2 ^ 2 <= 2 * v1 ^ 2 + 4 * U * r). { pose proof (pow2_ge_0 (2 * v1 - v2)). nra. }
+  (* v1 P = M v1^2 - m2 v1 (v1 - v2) *)
+  assert (A2 : v1 * (m1 * v1 + m2 * v2) <= M * v1 ^ 2 + m2 * U * r).
+  { assert (- (v1 * (v1 - v2)) <= U * r).
+    { apply Rle_trans with (Rabs v1 * r).
+      - unfold r. rewrite <- Rabs_mult, <- Rabs_Ropp. apply Rle_abs.
+      - apply Rmult_le_compat_r; [auto|apply Rabs_le; lra]. }
+    assert (m2 * - (v1 * (v1 - v2)) <= m2 * (U * r)) by (apply Rmult_le_compat_l; lra). unfold M. lra. }
+  assert (A3 : x * - (a2 * x + a1 * v1) <= - (a2 * x ^ 2 / 2) + a1 ^ 2 / (2 * a2) * v1 ^ 2).
+  { apply Rminus_le_0. replace (_ - _) with (/ (2 * a2) * (a2 * x + a1 * v1) ^ 2) by (field; lra).
+    apply Rmult_le_pos; [apply Rlt_le, Rinv_0_lt_compat; lra|apply pow2_ge_0]. }
+  assert (A4 : c * (v1 * (m1 * v1 + m2 * v2) + x * - (a2 * x + a1 * v1)) <= a1 / 2 * v1 ^ 2 + b / 2 * r - c * (a2
+    * x ^ 2 / 2)).
+  { apply Rle_trans with (c * (M * v1 ^ 2 + m2 * U * r + (- (a2 * x ^ 2 / 2) + a1 ^ 2 / (2 * a2) * v1 ^ 2)));
+    [apply Rmult_le_compat_l; lra|].
+    assert (c * (M + a1 ^ 2 / (2 * a2)) * v1 ^ 2 <= a1 / 2 * v1 ^ 2) by (apply Rmult_le_compat_r; auto).
+    assert (c * (m2 * U) * r <= b / 2 * r) by (apply Rmult_le_compat_r; auto). lra. }
+  pose proof (cross_bound x v1 v2) as CB. apply Rabs_inv in CB. set (e := energy x v1 v2) in *.
+  assert (Ep : 0 <= e) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 x v1 v2)).
+  assert (A5 : c * (x * (m1 * v1 + m2 * v2)) <= e / 2).
+  { apply Rle_trans with (c * ((/ a2 + M) * e)); [apply Rmult_le_compat_l; lra|]. rewrite <- Rmult_assoc.
+    apply Rle_trans with (1 / 2 * e); [apply Rmult_le_compat_r; lra|lra]. }
+  assert (A6 : k * (e + c * (x * (m1 * v1 + m2 * v2))) <= k * (3 / 2 * e)) by (apply Rmult_le_compat_l; lra).
+  assert (A7 : k * (3 / 2) * (a2 * x ^ 2 / 2) <= c * (a2 * x ^ 2 / 2)). { apply Rmult_le_compat_r; auto.
+    apply Rmult_le_pos; [apply Rmult_le_pos; [lra|apply pow2_ge_0]|lra]. }
+  assert (A8 : k * (3 / 2 * (m1 + 2 * m2)) * v1 ^ 2 <= a1 * v1 ^ 2) by (apply Rmult_le_compat_r; auto).
+  assert (A9 : k * (6 * m2 * U) * r <= b * r) by (apply Rmult_le_compat_r; auto).
+  assert (A10 : k * (3 / 2) * (m2 * v2 ^ 2 / 2) <= k * (3 / 2) * (m2 * (2 * v1 ^ 2 + 4 * U * r) / 2)).
+  { apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; lra. }
+  rewrite En in A6 |- *. lra.
+Qed.
+
+(** E <= 3 E(0) exp (-k t), with one k for all starts in {E <= E0} *)
+Theorem decay E0 : 0 <= E0 -> exists k, 0 < k /\ forall x v1 v2 s, solution m1 m2 a1 a2 b x v1 v2 s ->
+  energy (x 0) (v1 0) (v2 0) <= E0 -> forall t, 0 <= t ->
+  energy (x t) (v1 t) (v2 t) <= 3 * energy (x 0) (v1 0) (v2 0) * exp (- k * t).
+Proof.
+  intros HE. destruct (rate_bound E0 HE) as (c & k & Hc & Hk & Small & Rate).
+  exists k; split; auto. intros x v1 v2 s H B t Ht.
+  set (E := fun t => energy (x t) (v1 t) (v2 t)). set (P := fun t => m1 * v1 t + m2 * v2 t).
+  set (L := fun t => E t + c * (x t * P t)).
+  assert (Em : forall u, 0 <= u -> E u <= E0).
+  { intros u Hu. eapply Rle_trans; [|exact B].
+    apply (energy_decreases m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ H); lra. }
+  assert (PR : forall u, 0 <= u -> rderiv P u (- (a2 * x u + a1 * v1 u))).
+  { intros u Hu. apply rderiv_ext with (fun r => (m1 * v1 r + b * s r) + (m2 * v2 0 - b * s 0)).
+    { intros r Hr. unfold P. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H r ltac:(lra)). lra. }
+    eapply rderiv_eq; [|apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H u Hu)|apply rderiv_const]]. ring. }
+  assert (CL : cont L).
+  { apply cont_plus; [exact (cont_E m1 m2 a1 a2 b Hm2 _ _ _ _ H)|].
+    apply cont_scal, cont_mult; [apply (s_cx _ _ _ _ _ _ _ _ _ H)|].
+    apply cont_plus; apply cont_scal; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ H)]. }
+  assert (RE : forall u, is_derive (fun u => exp (k * u)) u (k * exp (k * u))). { intros u. auto_derive; auto. ring. }
+  assert (Q : exp (k * t) * L t <= exp (k * 0) * L 0).
+  { set (L' := fun u => (- b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2) + c * (v1 u * P u + x u * - (a2 * x u + a1 * v1 u))).
+    apply (rderiv_mono (fun u => exp (k * u) * L u) 0 t (fun u => k * exp (k * u) * L u + exp (k * u) * L' u)); [|lra|].
+    - apply cont_mult; auto. eapply cont_of_derive; exact RE.
+    - intros u Hu. split.
+      + apply (rderiv_mult (fun u => exp (k * u)) L); [apply rderiv_of_derive, RE|]. apply rderiv_plus.
+        * apply (energy_rate m1 m2 a1 a2 b Hm1 Hm2 _ _ _ _ H); lra.
+        * apply rderiv_scal, rderiv_mult; [apply (s_x _ _ _ _ _ _ _ _ _ H)|apply PR]; lra.
+      + pose proof (Rate (x u) (v1 u) (v2 u) (Em u ltac:(lra))) as R. pose proof (exp_pos (k * u)).
+        fold (P u) (E u) in R. change (L' u <= - k * L u) in R.
+        assert (exp (k * u) * L' u <= exp (k * u) * (- k * L u)) by (apply Rmult_le_compat_l; lra). lra. }
+  rewrite Rmult_0_r, exp_0 in Q.
+  assert (LB : forall u, E u / 2 <= L u <= 3 / 2 * E u).
+  { intros u. pose proof (cross_bound (x u) (v1 u) (v2 u)) as CB. apply Rabs_inv in CB. fold (P u) (E u) in CB.
+    assert (Ep : 0 <= E u) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)).
+    assert (D : c * ((/ a2 + M) * E u) <= E u / 2). { rewrite <- Rmult_assoc.
+      apply Rle_trans with (1 / 2 * E u); [apply Rmult_le_compat_r; lra|lra]. }
+    unfold L. split; nra. }
+  pose proof (LB t). pose proof (LB 0). pose proof (exp_pos (k * t)).
+  replace (- k * t) with (- (k * t)) by ring. rewrite exp_Ropp. change (E t <= 3 * E 0 * / exp (k * t)).
+  apply Rmult_le_reg_l with (exp (k * t)); auto.
+    replace (exp (k * t) * (3 * E 0 * / exp (k * t))) with (3 * E 0) by (field; lra).
+  assert (exp (k * t) * (E t / 2) <= exp (k * t) * L t) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
+(** one time after which every pair that started in {E <= E0} is stuck and has at most the energy e *)
+Theorem rest E0 e : 0 <= E0 -> 0 < e -> exists T, 0 <= T /\ forall x v1 v2 s, solution m1 m2 a1 a2 b x v1 v2 s ->
+  energy (x 0) (v1 0) (v2 0) <= E0 -> forall t, T <= t -> energy (x t) (v1 t) (v2 t) <= e /\ v1 t = v2 t.
+Proof.
+  intros HE He. destruct (decay E0 HE) as (k & Hk & D).
+  assert (Sp : 0 <= a1 ^ 2 / M). { apply Rmult_le_pos; [apply pow2_ge_0|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+  assert (Tp : 0 < b * M / m2) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
+  destruct (small_enough (2 * (a2 + a1 ^ 2 / M)) ((b * M / m2) ^ 2)) as (l & Hl & Cl); [lra|nra|].
+  set (d := Rmin e l). assert (Hd : 0 < d) by (apply Rmin_glb_lt; auto).
+  assert (de : d <= e) by apply Rmin_l. assert (dl : d <= l) by apply Rmin_r.
+  set (T0 := 3 * E0 / d / k). assert (HT0 : 0 <= T0).
+  { unfold T0. repeat (apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto]). lra. }
+  set (T := T0 + 2 * sqrt (2 * d * m2) / b).
+  assert (HS : 0 <= 2 * sqrt (2 * d * m2) / b).
+  { apply Rmult_le_pos; [pose proof (sqrt_pos (2 * d * m2)); lra|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+  exists T; split; [unfold T; lra|]. intros x v1 v2 s H B t Ht.
+  assert (HE0 : energy (x T0) (v1 T0) (v2 T0) <= d).
+  { eapply Rle_trans; [apply (D x v1 v2 s H B T0 HT0)|]. replace (- k * T0) with (- (k * T0)) by ring. rewrite exp_Ropp.
+    pose proof (exp_pos (k * T0)). apply Rmult_le_reg_r with (exp (k * T0)); auto.
+      rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    assert (1 + k * T0 <= exp (k * T0)) by apply exp_ineq1_le.
+    assert (d * (k * T0) = 3 * E0) by (unfold T0; field; lra). nra. }
+  assert (Cap : captive m1 m2 a1 a2 b (energy (x T0) (v1 T0) (v2 T0))).
+  { assert (0 <= energy (x T0) (v1 T0) (v2 T0)) by (exact (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)).
+    specialize (Cl (energy (x T0) (v1 T0) (v2 T0)) ltac:(lra)). unfold captive. fold M. lra. }
+  destruct (captive_merges m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Ha2 Hb x v1 v2 s H T0 HT0 Cap) as (t0 & Ht0 & W).
+  assert (Sq : sqrt (2 * energy (x T0) (v1 T0) (v2 T0) * m2) <= sqrt (2 * d * m2)).
+  { apply sqrt_le_1_alt, Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; lra. }
+  assert (Sb : 2 * sqrt (2 * energy (x T0) (v1 T0) (v2 T0) * m2) / b <= 2 * sqrt (2 * d * m2) / b).
+  { apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra]. }
+  fold energy in Ht0. unfold T in Ht. split; [|apply W; lra].
+  assert (Q := energy_decreases m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ H T0 t ltac:(lra)). fold energy in Q. lra.
+Qed.
+End Viscous.

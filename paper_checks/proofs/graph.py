@@ -1,0 +1,84 @@
+"""What a proof uses, read from the record that the compiler writes beside each compiled file.
+
+The record names every reference in a file with its place, so the references between one statement's name and the next
+one's are those of the statement and of its proof.
+"""
+
+from __future__ import annotations
+
+import bisect
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from paper_checks.proofs.sources import LIBRARY
+
+Graph = Mapping[str, frozenset[str]]
+"""From "File.name" to all that its text refers to directly, in this library."""
+
+_REFERENCE = re.compile(rf"R(\d+):\d+ {LIBRARY}\.(\w+) \S+ ([^\s:]+) \w+")
+_STATEMENT = re.compile(r"(\w+) (\d+):\d+ (\S+) (\S+)")
+# a section's variables and local lemmas ("var") are named with their section, all else without it
+_DEFINITIONS = {"def", "rec", "ind"}
+_STATEMENTS = {"prf", "def", "rec", "ind", "proj", "constr", "ax", "var"}
+
+
+def references(folders: Mapping[str, Path]) -> tuple[Graph, frozenset[str]]:
+    """The graph of all compiled files, given the folder of each; and which of its names are definitions."""
+    found: dict[str, set[str]] = {}
+    definitions: set[str] = set()
+    for file, folder in folders.items():
+        definitions |= _read((folder / f"{file}.glob").read_text("utf-8"), file, found)
+    return {name: frozenset(used - {name}) for name, used in found.items()}, frozenset(definitions)
+
+
+def _read(record: str, file: str, found: dict[str, set[str]]) -> set[str]:
+    places: list[int] = []
+    names: list[str] = []
+    used: list[tuple[int, str]] = []
+    definitions: set[str] = set()
+    for line in record.splitlines():
+        if match := _REFERENCE.match(line):
+            place, other, name = match.groups()
+            used.append((int(place), f"{other}.{name}"))
+        elif (match := _STATEMENT.match(line)) and match[1] in _STATEMENTS:
+            places.append(int(match[2]))
+            names.append(f"{file}.{match[3]}.{match[4]}" if match[1] == "var" else f"{file}.{match[4]}")
+            if match[1] in _DEFINITIONS:
+                definitions.add(names[-1])
+    order = sorted(range(len(places)), key=places.__getitem__)
+    starts = [places[one] for one in order]
+    for name in names:
+        found.setdefault(name, set())
+    for place, other in used:
+        if (index := bisect.bisect_right(starts, place) - 1) >= 0:
+            found[names[order[index]]].add(other)
+    return definitions
+
+
+def everything_below(name: str, graph: Graph) -> frozenset[str]:
+    """All that a proof rests on at any depth, without itself."""
+    found: set[str] = set()
+    waiting = list(graph.get(name, ()))
+    while waiting:
+        one = waiting.pop()
+        if one not in found:
+            found.add(one)
+            waiting += graph.get(one, ())
+    return frozenset(found - {name})
+
+
+def nearest(name: str, wanted: Iterable[str], graph: Graph) -> tuple[str, ...]:
+    """Those of `wanted` that a proof uses itself or through proofs that are not wanted."""
+    stops, seen, found = frozenset(wanted) - {name}, {name}, set()
+    waiting = list(graph.get(name, ()))
+    while waiting:
+        one = waiting.pop()
+        if one in seen:
+            continue
+        seen.add(one)
+        if one in stops:
+            found.add(one)
+        else:
+            waiting += graph.get(one, ())
+    return tuple(sorted(found))

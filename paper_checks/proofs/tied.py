@@ -1,0 +1,49 @@
+"""The file of ties as the library needs it: its text kept between runs, and no tie judged by another one's fault."""
+
+from __future__ import annotations
+
+import re
+from hashlib import sha256
+from importlib.metadata import version
+from pathlib import Path
+
+from paper_checks import atomic
+from paper_checks.proofs import kernel
+from paper_checks.proofs.kernel import Compiled, Progress
+from paper_checks.proofs.sources import FOLDER, Source
+
+TIES = "Tie"
+
+
+def text(store: Path) -> str:
+    """The generated file. Deriving it takes seconds, so its text is kept under a hash of all that it is made from."""
+    import theory
+
+    made_from = [*sorted(Path(theory.__file__).parent.glob("*.py")), FOLDER / "ties.py", FOLDER / "gallina.py"]
+    seen = sha256(version("sympy").encode())
+    for path in made_from:
+        seen.update(path.name.encode() + path.read_bytes())
+    kept = store / f"ties-{seen.hexdigest()[:20]}.v"
+    if not kept.exists():
+        from paper_checks.proofs import ties
+
+        atomic.write(kept, ties.text())
+    return kept.read_text("utf-8")
+
+
+def compiled(
+    sources: dict[str, Source], progress: Progress | None, jobs: int, store: Path
+) -> tuple[Compiled, dict[str, str]]:
+    """All files compiled; a tie that is not proved is taken out of its file, so that the others are judged by themselves.
+
+    The second part says by name what is wrong with each that was taken out; `sources` then holds what was compiled.
+    """
+    untied: dict[str, str] = {}
+    found = kernel.compile_all(sources, progress, jobs, store)
+    while said := re.match(rf"{TIES}\.(\w+) is not proved", found.broken.get(TIES, "")):
+        parts = re.split(r"(?=^\(\*\* )", sources[TIES].text, flags=re.MULTILINE)
+        kept = [part for part in parts if not re.search(rf"\b{said[1]}\b", part)]
+        untied[f"{TIES}.{said[1]}"] = found.broken[TIES]
+        sources[TIES] = Source(TIES, "".join(kept))
+        found = kernel.compile_all(sources, None, jobs, store)
+    return found, untied

@@ -1,0 +1,17 @@
+"""Whether the proof kernel is here; `INERTIAL_PAIR_KERNEL=required` (the continuous integration) allows no fallback."""
+
+import os
+
+import pytest
+
+from paper_checks.proofs import kernel
+
+MISSING = kernel.why_not(os.environ.get("PATH"))
+
+
+@pytest.fixture
+def needs_kernel():
+    if MISSING and os.environ.get("INERTIAL_PAIR_KERNEL") == "required":
+        pytest.fail(MISSING)
+    if MISSING:
+        pytest.skip(MISSING)

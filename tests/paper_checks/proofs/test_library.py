@@ -1,0 +1,216 @@
+"""The shipped theorems: all proved as pinned, and every kind of fault turns one by its name."""
+
+import dataclasses
+import re
+import shutil
+import subprocess
+
+import pytest
+
+from paper_checks.proofs import cited, graph, kernel, library, pins, questions, tied
+from paper_checks.proofs.library import build
+
+MACHINERY = {"Dini.cont", "Dini.little", "Dini.rderiv"}
+
+
+@pytest.fixture(scope="module")
+def built():
+    return build()
+
+
+@pytest.fixture
+def planted(monkeypatch):
+    """Build with the kernel's answers changed by a function."""
+
+    def plant(change):
+        real = library._facts
+        monkeypatch.setattr(library, "_facts", lambda *given: change(real(*given)))
+        return build()
+
+    return plant
+
+
+@pytest.fixture
+def without_kernel(monkeypatch, tmp_path):
+    monkeypatch.setenv("PATH", str(tmp_path))
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+def test_every_cited_theorem_is_proved_as_pinned(built):
+    assert built.problems == ()
+    assert [one.id for one in built.theorems.values() if one.holds is not True] == []
+    assert set(built.theorems) >= set(cited.CITED)
+    assert len(built.theorems) > 90
+
+
+@pytest.mark.usefixtures("needs_kernel")
+def test_nothing_rests_on_an_axiom_beyond_the_classical_reals_but_where_intervals_are_computed(built):
+    beyond = {one.file for one in built.theorems.values() if set(one.axioms) - questions.CLASSICAL_REALS}
+    assert built.theorem("sharp-law").file not in beyond
+    assert built.theorem("margin").file in beyond
+    assert all(one.axioms for one in built.theorems.values())
+
+
+@pytest.mark.usefixtures("needs_kernel")
+def test_definitions_of_the_model_are_tied_to_the_theory(built):
+    tied = {name for one in built.theorems.values() for name in pins.pinned().tied.get(one.id, ())}
+    assert tied >= {"Pair.solution", "Pair.energy", "Stick.Ecr", "Stick.L", "Rate.hh", "Rate.depth", "Cycle.Sx"}
+    law = built.theorem("sharp-law")
+    assert set(law.definitions) - tied - MACHINERY == set()
+    assert {"tie-solution", "tie-energy", "tie-critical-energy", "tie-rate"} <= set(law.ties)
+
+
+@pytest.mark.usefixtures("needs_kernel")
+def test_what_a_proof_uses_is_known_and_has_no_circle(built):
+    def below(one, above=()):
+        assert one not in above
+        for other in built.theorem(one).uses:
+            below(other, (*above, one))
+
+    for one in built.theorems:
+        below(one)
+    assert "convergence" in built.theorem("sharp-law").uses
+    assert "uniqueness" in built.theorem("capture").uses
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+def test_the_kernel_itself_finds_the_same_lemmas_below_a_theorem(tmp_path):
+    store = kernel.cache_folder()
+    compiled = kernel.compile_all(library._sources(library.FOLDER, store), store=store)
+    references, definitions = graph.references(compiled.folders)
+    name = "Stick.capture"
+    text = f"From InertialPair Require Stick.\nPrint Opaque Dependencies {name}.\n"
+    (tmp_path / "Ask.v").write_text(text, "utf-8")
+    command = ["coqc", "-q", "-w", "none", *compiled.arguments(), "Ask.v"]
+    said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    ours = set(compiled.folders)
+    seen = {one for one in re.findall(r"^ *(\w+\.\w+) :", said, re.MULTILINE) if one.split(".")[0] in ours}
+    read = {one for one in graph.everything_below(name, references) if one in references} - definitions
+    parts = {one for one in read if one.count(".") > 1 or one.startswith("Pair.s_")}  # of a section, of a record
+    assert seen - {name} == read - parts
+
+
+@pytest.mark.usefixtures("needs_kernel")
+def test_a_statement_that_is_not_the_pinned_one_turns_that_theorem_alone(planted):
+    def change(facts):
+        said = facts.printed["Law.sharp_law"].replace("t * (", "2 * t * (")
+        return dataclasses.replace(facts, printed=facts.printed | {"Law.sharp_law": said})
+
+    turned = planted(change)
+    assert turned.problems == ("Law.sharp_law does not say what is pinned",)
+    assert [one.id for one in turned.theorems.values() if not one.holds] == ["sharp-law"]
+
+
+@pytest.mark.usefixtures("needs_kernel")
+def test_a_definition_that_is_not_the_pinned_one_turns_all_that_rest_on_it(planted):
+    def change(facts):
+        said = facts.printed["Sharp.rate"].replace("9", "8")
+        return dataclasses.replace(facts, printed=facts.printed | {"Sharp.rate": said})
+
+    turned = planted(change)
+    assert "Law.sharp_law rests on Sharp.rate, which is not defined as pinned" in turned.problems
+    assert turned.theorem("trichotomy").holds is False
+    assert turned.theorem("contraction").holds is True
+
+
+@pytest.mark.usefixtures("needs_kernel")
+def test_an_axiom_is_reported_by_its_name(planted):
+    def change(facts):
+        return dataclasses.replace(facts, axioms=facts.axioms | {"Pair.contraction": ["Pair.friction_helps"]})
+
+    turned = planted(change)
+    assert turned.problems == ("Pair.contraction rests on Pair.friction_helps, which nobody has proved",)
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+@pytest.mark.parametrize(
+    ("true", "false", "said"),
+    [
+        ("13 decimals", "13 decimals", ""),
+        ("interval", "idtac", "Critical.decimals is not proved (line "),
+        ("Qed.", "Admitted.", "Critical.decimals: Admitted stands where a proof is needed"),
+        (
+            "Definition lo :=",
+            "Axiom easy : False.\nDefinition lo :=",
+            "Critical.easy: Axiom stands where a proof is needed",
+        ),
+    ],
+)
+def test_a_damaged_file_is_reported_by_the_name_of_its_theorem(tmp_path, monkeypatch, built, true, false, said):
+    shutil.copytree(library.FOLDER, tmp_path / "proofs")
+    damaged = tmp_path / "proofs" / "Critical.v"
+    damaged.write_text(damaged.read_text("utf-8").replace(true, false), "utf-8")
+    store = tmp_path / "store"
+    store.mkdir()
+    for kept in kernel.cache_folder().iterdir():
+        if kept.name != "lock":
+            (store / kept.name).symlink_to(kept)
+    known = library._facts(compiled_here(store), library._sources(library.FOLDER, store), store)
+    monkeypatch.setattr(library, "_facts", lambda compiled, *rest: only(known, compiled.folders))
+    found = build(store=store, folder=tmp_path / "proofs")
+    assert bool(found.problems) == bool(said)
+    assert not said or any(line.startswith(said) for line in found.problems)
+    assert found.theorem("contraction").holds is True
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("needs_kernel")
+def test_a_fault_in_the_theory_breaks_its_tie_and_no_other(tmp_path, monkeypatch, built):
+    store = tmp_path
+    for kept in kernel.cache_folder().iterdir():
+        if kept.name != "lock":
+            (store / kept.name).symlink_to(kept)
+    sources = library._sources(library.FOLDER, store)
+    known = library._facts(compiled_here(store), sources, store)
+    fault = re.sub(r"(Theorem tie_half_width .*? = )", r"\1 2 * ", sources[library.TIES].text)
+    monkeypatch.setattr(tied, "text", lambda store: fault)
+    monkeypatch.setattr(library, "_facts", lambda compiled, sources, store: without("Tie.tie_half_width", known))
+    found = build(store=store)
+    assert len(found.problems) == 1
+    assert found.problems[0].startswith("Tie.tie_half_width is not proved")
+    assert [one.id for one in found.theorems.values() if not one.holds] == ["tie-half-width"]
+    assert {one.id: one.holds for one in found.ties("ellipse-iff")}["tie-critical-energy"] is True
+    assert {one.id: one.holds for one in found.ties("slips-beyond")}["tie-half-width"] is False
+
+
+def without(name, facts):
+    return dataclasses.replace(facts, printed={one: text for one, text in facts.printed.items() if one != name})
+
+
+def compiled_here(store):
+    return kernel.compile_all(library._sources(library.FOLDER, store), store=store)
+
+
+def only(facts, files):
+    """The facts about the files that compile."""
+    printed = {name: text for name, text in facts.printed.items() if name.split(".")[0] in files}
+    return dataclasses.replace(facts, printed=printed)
+
+
+@pytest.mark.usefixtures("without_kernel")
+def test_without_the_kernel_nothing_is_proved_and_nothing_is_broken():
+    found = build()
+    assert not found.ran
+    assert found.problems == ()
+    assert {one.holds for one in found.theorems.values()} == {None}
+    assert {one.problem for one in found.theorems.values()} == {found.kernel}
+    assert "is_lim" in found.theorem("sharp-law").statement
+    assert found.theorem("sharp-law").uses
+    assert "Stick.Ecr" in found.theorem("sharp-law").definitions
+
+
+def test_an_unknown_id_is_an_error(without_kernel):
+    with pytest.raises(KeyError):
+        build().theorem("no-such-theorem")
+
+
+def test_pins_come_back_as_they_were_written():
+    assert pins.read(pins.written(pins.pinned())) == pins.pinned()
+
+
+def test_every_theorem_has_a_sentence_and_its_own_name():
+    assert len({name for name, _ in cited.CITED.values()}) == len(cited.CITED)
+    assert all(sentence.endswith(".") for _, sentence in cited.CITED.values())

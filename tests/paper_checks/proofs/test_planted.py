@@ -1,0 +1,96 @@
+"""Every planted false statement, and every tie with a planted factor, breaks a proof; a few unless PLANT=all."""
+
+import os
+import re
+
+import pytest
+from planted_proofs import PLANTED, QUICK
+
+from paper_checks.proofs import kernel, library
+from paper_checks.proofs.sources import Source, all_required, in_order
+
+EVERYTHING = os.environ.get("PLANT") == "all"
+TIES = ["tie_critical_energy", "tie_level"]
+
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("needs_kernel")]
+
+
+@pytest.fixture(scope="session")
+def compiled():
+    store = kernel.cache_folder()
+    with kernel.locked(store):
+        sources = library._sources(library.FOLDER, store)
+        assert not kernel.compile_all(sources, store=store).broken
+    return sources, store
+
+
+@pytest.fixture
+def store(compiled, tmp_path):
+    """A store that holds all that is compiled, and keeps what a planted fault compiles out of the user's cache."""
+    for folder in compiled[1].iterdir():
+        if folder.is_dir():
+            (tmp_path / folder.name).symlink_to(folder)
+    return tmp_path
+
+
+def first_broken(changed, sources, store):
+    """What breaks first when a file is replaced: itself, or a file that rests on it."""
+    sources = sources | {changed.name: changed}
+    for name in in_order(sources):
+        below = all_required(name, sources) | {name}
+        if changed.name in below:
+            found = kernel.compile_all({one: sources[one] for one in below}, store=store)
+            if found.broken:
+                return found.broken[name]
+    return None
+
+
+def fault(sources, file, true, false):
+    """The file with the one place of the true text replaced by the false one."""
+    pattern = re.compile(r"\s+".join(re.escape(word) for word in true.split()))
+    text, count = pattern.subn(lambda _: false, sources[file].text)
+    assert count == 1, f"{file}.v has {count} places that read {true!r}"
+    return Source(file, text)
+
+
+@pytest.mark.parametrize(
+    ("file", "true", "false"),
+    [pytest.param(*one[:3], id=one[3]) for one in PLANTED if EVERYTHING or one[3] in QUICK],
+)
+def test_a_false_statement_is_not_proved(compiled, store, file, true, false):
+    sources, _ = compiled
+    assert first_broken(fault(sources, file, true, false), sources, store)
+
+
+def tie_names(text):
+    return re.findall(r"^Theorem (\w+) :", text, re.MULTILINE)
+
+
+@pytest.mark.parametrize("name", TIES)
+def test_a_tie_to_a_wrong_expression_is_not_proved(compiled, store, name):
+    check_wrong_tie(compiled, store, name)
+
+
+@pytest.mark.skipif(not EVERYTHING, reason="PLANT=all tries every tie")
+def test_no_tie_to_a_wrong_expression_is_proved(compiled, store):
+    names = set(tie_names(compiled[0][library.TIES].text)) - {"tie_solution", "tie_captive", "tie_stick_rotation"}
+    assert len(names) > 20
+    for name in sorted(names):
+        check_wrong_tie(compiled, store, name)
+
+
+def check_wrong_tie(compiled, store, name):
+    """Twice the theory's side of one tie."""
+    sources, _ = compiled
+    text = sources[library.TIES].text
+    header, blocks = text[: text.index("Theorem ")], re.findall(r"^Theorem .*? Qed\.\n", text, re.MULTILINE | re.DOTALL)
+    wrong = []
+    for block in blocks:
+        statement, proof = block.split(".\nProof.", maxsplit=1)
+        if f"Theorem {name} " in statement:
+            left, right = statement.rsplit(" = ", maxsplit=1)
+            wrong.append(f"{left} = 2 * {right}.\nProof.{proof}")
+            break
+        if name in {"tie_push", "tie_return_map", "tie_level"} and re.search("tie_(half_angle_h|depth) ", statement):
+            wrong.append(block)
+    assert first_broken(Source("Wrong", header + "".join(wrong)), sources, store).startswith(f"Wrong.{name} ")

@@ -1,0 +1,108 @@
+"""False statements and definitions next to the true ones: (file, true text, false text, what is false in words).
+
+White space in the true text matches any white space. Where a changed statement merely breaks its proof it is not here:
+each is false, or makes a theorem above it false.
+"""
+
+FREE = [
+    ("Stick", "(m1 + m2) ^ 2 / (2 * a2 * m2 ^ 2).", "(m1 + m2) ^ 2 / (a2 * m2 ^ 2).", "the critical energy, twice"),
+    ("Pair", "t - r <= 2 * sqrt (2 * E r * m2) / b.", "t - r <= sqrt (2 * E r * m2) / b.", "half the longest stay"),
+    ("Pair", "v1 t < v2 t -> rderiv s t (-1);", "v1 t < v2 t -> rderiv s t 1;", "friction that pushes"),
+    ("Rate", "(fun n => INR n * y n) (4 / (9 * r)).", "(fun n => INR n * y n) (4 / (8 * r)).", "the map's rate"),
+    ("Rate", "depth p <= 3 / 2 * hh p ^ 2.", "depth p <= 14 / 10 * hh p ^ 2.", "the depth's bound"),
+    ("Critical", "79263163272865 / 100000000000000", "79263163272965 / 100000000000000", "a decimal"),
+    ("Limit", "l <= Ecr m1 m2 a2 b.", "l < Ecr m1 m2 a2 b.", "a limit below E_cr"),
+    ("Sharp", "Definition rate := 4 * PI / 9", "Definition rate := 4 * PI / 8", "the sharp constant"),
+    ("Cycle", "(m2 * o1) * (u - o1 * t).", "(m2 * o1) * (u + o1 * t).", "body 2 driven on"),
+    ("Cycle", "r * depth p ^ 2)). Proof.", "r * depth p ^ 3)). Proof.", "an exponent of the return map"),
+    ("Orbit", "<= 6 * sqrt q * hh p. Proof", "<= 2 * sqrt q * hh p. Proof", "the cycle time too sharp"),
+    ("Orbit", "depth p <= 2. Proof", "depth p <= 1. Proof", "half the depth"),
+    ("Law", "let K := 9 / 4 * (m2 / m1) in 0 < w0", "let K := 9 / 4 * (m1 / m2) in 0 < w0", "the masses exchanged"),
+    ("Law", "E / Ecr - 1 < 4 * q / (9 * r).", "E / Ecr - 1 < 5 * q / (9 * r).", "a level that is not small"),
+    (
+        "Slip",
+        "-> g t = 1) /\\ (V1 t < V2 t -> g t = -1) }",
+        "-> g t = -1) /\\ (V1 t < V2 t -> g t = 1) }",
+        "an arc's friction",
+    ),
+    ("Paper", "tau n - te n) (PI * sqrt ((m1 + m2) / a2))", "tau n - te n) (PI * sqrt (m1 / a2))", "the stay on S0"),
+    (
+        "Merge",
+        "<-> m2 / (m1 + m2) * depth p ^ 2 < hh p ^ 2)",
+        "<-> m2 / (m1 + m2) * depth p ^ 2 <= hh p ^ 2)",
+        "equality does not stay above E_cr",
+    ),
+]
+
+FORCED = [
+    ("Forced", "m1 * v1 r + b * s r - U r) t", "m1 * v1 r + b * s r + U r) t", "the sign of the force"),
+    ("Forced", "v1 t < v2 t -> rderiv s t (-1);", "v1 t < v2 t -> rderiv s t 1;", "friction that pushes"),
+    ("Forced", "<= b / m2 / 4 * (T ^ 2", "<= b / m2 / 5 * (T ^ 2", "the reach"),
+    ("Forced", "v2 T = 0 -> 2 * sqrt (m2 *", "v2 T = 0 -> 21 / 10 * sqrt (m2 *", "the least time"),
+    ("Forced", "N t <= N r + (J t - J r) / sqrt m1.", "N t <= N r + (J t - J r) / sqrt (2 * m1).", "input to state"),
+    ("Forced", "(u * v1 t - a1 * v1 t ^ 2", "(u * v2 t - a1 * v1 t ^ 2", "the power of the force"),
+    (
+        "Forced",
+        "forall p q, 0 <= p <= q -> Rabs (v q - v p) <= b / m2 * (q - p).",
+        "forall p q, 0 <= p <= q -> Rabs (v q - v p) <= 2 * b / m2 * (q - p).",
+        "following twice as fast",
+    ),
+    ("Entrain", "b / m2 * sqrt Z / om ^ 2.", "b / m2 * sqrt Z / om.", "F*"),
+    ("Entrain", "stuck_for_ever x v1 v2 s : 0 < a1 ->", "stuck_for_ever x v1 v2 s : 0 <= a1 ->", "without damping"),
+    ("Entrain", "F = 2 / sqrt 3 * Fstar", "F = 12 / 10 * Fstar", "the third harmonic's factor"),
+    ("Response", "d <= c / 4 -> d < b / m2 * (c / (8 * K)) ->", "d <= c / 4 ->", "a crossing for nothing"),
+    ("Bounded", "(Hm2 : 0 < m2) (Ha1 : 0 < a1)", "(Hm2 : 0 < m2) (Ha1 : 0 <= a1)", "bounded without damping"),
+    ("Bounded", "c * (g ^ 2 / a2) - c / 3 * W t.", "c * (g ^ 2 / a2) - 3 * c * W t.", "decay nine times as fast"),
+    ("ForcedExistence", "0 < a2 -> 0 < b -> cont U ->", "0 < a2 -> 0 < b ->", "a force without an impulse"),
+    ("Periodic", "U (P + t) - U P = U t - U 0)", "U (P + t) - U P = U 0 - U t)", "an antiperiodic force"),
+    ("Sync", "synchronises x v1 v2 s : F < Fstar", "synchronises x v1 v2 s : F <= Fstar", "finite time at F*"),
+    ("Sync", "(Hm2 : 0 < m2) (Ha1 : 0 < a1)", "(Hm2 : 0 < m2) (Ha1 : 0 <= a1)", "entrained without damping"),
+    ("Sync", "T + Rabs (w T) / (kap * g) <= t", "T + Rabs (w T) / (2 * kap * g) <= t", "caught twice as fast"),
+]
+
+PAST = [
+    (
+        "Levels",
+        "- cos (2 * ps) < m1 / m2 -> forall p d,",
+        "m1 / m2 < - cos (2 * ps) -> forall p d,",
+        "light drivers' levels",
+    ),
+    ("Return", "* (depth p * (depth p + 2 * d)). Proof", "* (depth p * (depth p + d)). Proof", "the loss of a slip"),
+    (
+        "Return",
+        "Rabs (x u - x t) <= sqrt (2 * e / m1)",
+        "Rabs (x u - x t) <= sqrt (e / m1)",
+        "body 1 slower than it is",
+    ),
+    (
+        "Heavy",
+        "- cos (2 * ps) < m1 / m2 -> forall x v1 v2 s t0,",
+        "m1 / m2 < - cos (2 * ps) -> forall x v1 v2 s t0,",
+        "light drivers that never merge",
+    ),
+    ("Merging", "<-> El <= energy", "<-> El < energy", "the merging interval without its end"),
+    ("Surface", "< t + T -> 0 < x t * (v2 u - v1 u).", "< t + T -> 0 < x t * (v1 u - v2 u).", "the sign of a slip"),
+    ("Surface", "- L < y < L <-> normal_rate", "- L <= y <= L <-> normal_rate", "transversality on an edge"),
+    ("Surface", "(x t = L -> v1 t <= 0)", "(x t = L -> v1 t <= 1)", "sticking on an exit ray"),
+    (
+        "Surface",
+        "energy m1 m2 a2 x0 v0 v0 <= Ecr. Proof. split",
+        "energy m1 m2 a2 x0 v0 v0 < Ecr. Proof. split",
+        "no critical ellipse",
+    ),
+    ("Example", "x 0 = 6 / 1000 ->", "x 0 = 5 / 1000 ->", "slipping from 5 mm"),
+    ("Example", "- (5 / 1000) <= x 0 <= 5 / 1000 ->", "- (6 / 1000) <= x 0 <= 6 / 1000 ->", "sticking from 6 mm"),
+    ("Time", "<= 27 / 2 * sqrt q * hh p ^ 3. Proof", "<= 27 / 2 * sqrt q * hh p ^ 4. Proof", "the cycle time's order"),
+    (
+        "Consequences",
+        "(x t1 < - L m1 m2 a2 b /\\ exists T",
+        "(L m1 m2 a2 b < x t1 /\\ exists T",
+        "crossing on the wrong side",
+    ),
+    ("Ends", "(forall n, Rabs (x (tau n)) = L)", "(forall n, Rabs (x (te n)) = L)", "entries at the ends"),
+    ("Perpetual", "te n <= t <= tau n -> v1 t = v2 t)", "te n <= t <= te (S n) -> v1 t = v2 t)", "no slip at all"),
+    ("Consequences", "C * exp (- (k * t)) <= energy", "C * exp (k * t) <= energy", "faster than exponential"),
+]
+
+PLANTED = FREE + FORCED + PAST
+QUICK = {"half the longest stay", "a decimal", "slipping from 5 mm"}
