@@ -8,7 +8,7 @@ from paper_checks.evidence import Evidence, Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
 from paper_checks.formula import equation
-from paper_checks.points import EDGE, FIGURE_3A, INSIDE
+from paper_checks.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.registry import Context, check
 from paper_checks.steps.solutions import (
     adhesion_factor,
@@ -69,7 +69,7 @@ def modes_from_closed_form(_: Context) -> Finding:
         exhibit(
             "at the start of Fig. 3 (a) (3), (4) give $\\ddot x_1\\neq\\ddot x_2$, $(m_1+m_2)\\,\\ddot x_1=-a_2x_1$: the "
             "total mass and no adhesion",
-            FIGURE_3A,
+            START_AT_6MM,
             (sp.Abs(broken.acceleration1), ">", b / m2),
             ((m1 + m2) * broken.acceleration1, "=", -a2 * x1),
             (broken.acceleration2, "=", 0),
@@ -88,8 +88,8 @@ def modes_from_closed_form(_: Context) -> Finding:
         "$|\\ddot x_1|<b/m_2$; where $|\\ddot x_1|>b/m_2$ body 2 is left without acceleration, and where "
         "$|\\ddot x_1|=b/m_2$ with half of it. The free system is in these two branches at isolated instants only.",
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, $u=0$ with $x_1=0.006$, $\\dot x_1=\\dot x_2=0$, the "
-        f"start of Fig. 3 (a): (3), (4) give $\\ddot x_1={value_at(broken.acceleration1, FIGURE_3A)}$ and "
-        f"$\\ddot x_2={value_at(broken.acceleration2, FIGURE_3A)}$, neither mode (i) nor mode (ii).",
+        f"start of Fig. 3 (a): (3), (4) give $\\ddot x_1={value_at(broken.acceleration1, START_AT_6MM)}$ and "
+        f"$\\ddot x_2={value_at(broken.acceleration2, START_AT_6MM)}$, neither mode (i) nor mode (ii).",
         derivation=tuple(
             f"Branch {one.name}: $$\\ddot{{x}}_1={sp.latex(one.acceleration1)},\\qquad "
             f"\\ddot{{x}}_2={sp.latex(one.acceleration2)}$$"
@@ -162,7 +162,7 @@ def interface_force_balance(_: Context) -> Finding:
         "accelerations, are opposite. The failing branches last no time in the free system, so they do no harm there.",
         exhibit(
             "at the start of Fig. 3 (a) the interface pushes body 1 and does not push body 2",
-            FIGURE_3A,
+            START_AT_6MM,
             (sp.Abs(broken.acceleration1), ">", b / m2),
             (broken.force_on_first, "=", sp.Rational(3, 5)),
             (broken.force_on_second, "=", 0),
@@ -193,8 +193,8 @@ def interface_force_balance(_: Context) -> Finding:
         "$\\dot z=0$, $|\\ddot x_1|<b/m_2$. At $\\dot z=0$ with $|\\ddot x_1|\\geqslant b/m_2$ they are not; the free system "
         "is there at isolated instants only, so it conserves the balance of momentum at almost every time.",
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, $x_1=0.006$, at rest: the interface force on body 1 is "
-        f"$m_1\\ddot x_1+a_2x_1={value_at(broken.force_on_first, FIGURE_3A)}$, on body 2 $m_2\\ddot x_2="
-        f"{value_at(broken.force_on_second, FIGURE_3A)}$.",
+        f"$m_1\\ddot x_1+a_2x_1={value_at(broken.force_on_first, START_AT_6MM)}$, on body 2 $m_2\\ddot x_2="
+        f"{value_at(broken.force_on_second, START_AT_6MM)}$.",
         derivation=(
             equation("0", driving_equation()),
             equation("0", driven_equation()),

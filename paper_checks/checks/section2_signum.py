@@ -11,7 +11,7 @@ from paper_checks.evidence import Evidence, Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
 from paper_checks.formula import equation
-from paper_checks.points import EXAMPLE_PAIR, FIGURE_3A, INSIDE
+from paper_checks.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.registry import Context, check
 from paper_checks.steps import solutions
 from theory.closed_forms import Regime, residual, solution
@@ -39,7 +39,7 @@ def no_solution_inside() -> Evidence:
 
 def two_solutions() -> tuple[Evidence, ...]:
     """(5), (6) from the start of Fig. 3 (a): a stick and a slip, both by substitution."""
-    slipping = solved(load_scene("figure-3a"))
+    slipping = solved(load_scene("start-at-6mm"))
     stuck, loose = (solution(mode, Regime.UNDAMPED) for mode in ("stick", "slip-"))
     return (
         identity(
@@ -89,7 +89,7 @@ def no_solution_under_control() -> tuple[Evidence, ...]:
 @check("sgn-three-valued")
 def sgn_three_valued(_: Context) -> Finding:
     """Existence and uniqueness at z' = 0 in (3)-(4), in (e1)-(e3) with sgn(0) = 0, and in (5)-(6)."""
-    first_contact = solved(load_scene("figure-3a")).events[0].t
+    first_contact = solved(load_scene("start-at-6mm")).events[0].t
     literal = free_system(sp.Integer(0))
     return conclude(
         Verdict.HOLDS_CORRECTED,
@@ -117,7 +117,7 @@ def sgn_three_valued(_: Context) -> Finding:
             "grow, as $\\ddot z=0$ where $\\dot z>0$; and it cannot stay 0, as $\\ddot z=1/4$ where $\\dot z=0$.",
             "Both solutions of (5)–(6): with $\\dot z=0$ and with $\\dot z<0$ they read "
             f"$${sp.latex(sp.Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
-            f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], FIGURE_3A)}"
+            f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], START_AT_6MM)}"
             "<0$.",
         ),
         figure=None,

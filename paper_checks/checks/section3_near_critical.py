@@ -115,14 +115,14 @@ def exits_near_endpoints(context: Context) -> Finding:
     """Exit and entry points tend to the corner."""
     limits = critical_limits()
     length = b * (m1 + m2) / (a2 * m2)
-    first_entry = next(one for one in solved(load_scene("figure-4a")).events if one.kind is EventKind.ENTRY)
+    first_entry = next(one for one in solved(load_scene("velocities")).events if one.kind is EventKind.ENTRY)
     return conclude(
         Verdict.HOLDS,
         EVENTUALLY
         + " Exits are at $x_1=\\pm L$ with $|v_1|=L\\Omega\\sqrt w$; entries at $|x_1|=L(1-\\tfrac32w+\\dots)$ with "
         '$|v_1|=2L\\Omega\\sqrt w+\\dots$. "All" is meant for large $k$, as the limits before it: finitely many earlier '
-        "entries may lie anywhere in $S_0$ (the first entry of figure-4a is at $x_1=0.706L$).",
-        within("the first entry of figure-4a is at $x_1=0.706\\,L$", first_entry.reduced.X, "0.7055", "0.7065"),
+        "entries may lie anywhere in $S_0$ (the first entry of velocities is at $x_1=0.706L$).",
+        within("the first entry of velocities is at $x_1=0.706\\,L$", first_entry.reduced.X, "0.7055", "0.7065"),
         *angle_of_excursion(),
         *never_merges(),
         identity("exit points tend to $(L,0)$: position", limits.exit_position, length, seed=context.seed),

@@ -27,7 +27,7 @@ step = sp.Symbol("h", positive=True)
 @check("euler-reproduces-figures")
 def euler_reproduces_figures(context: Context) -> Finding:
     """Run the method in balls, and compare it with the solutions of both readings."""
-    literal = solved(load_scene("figure-4a-literal"))
+    literal = solved(load_scene("velocities-literal"))
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "Forward Euler does produce what the figures are said to show, but two different laws: Fig. 3 (a) is the stuck solution "
@@ -43,7 +43,7 @@ def euler_reproduces_figures(context: Context) -> Finding:
         *(item.as_counterexample() for item in (_never_meets(), _grows(), *_misses())),
         *(
             item.as_correction()
-            for item in (*_one_step(context), _chatter_is_small(), *_energy_of_figure_3a(), *_converges())
+            for item in (*_one_step(context), _chatter_is_small(), *_energy_of_start_at_6mm(), *_converges())
         ),
         *_program(),
         corrected="Forward Euler approximates the Filippov solution, unless it starts at $\\dot z=0$ exactly, as in Fig. 3 (a). Of the "
@@ -111,7 +111,7 @@ def _chatter_is_small() -> Evidence:
     )
 
 
-def _energy_of_figure_3a() -> tuple[Evidence, ...]:
+def _energy_of_start_at_6mm() -> tuple[Evidence, ...]:
     """Return how much energy the stuck run of Fig. 3 (a) gains in 5 s, for two steps."""
     rate = Fraction(100)  # Omega^2, 1/s^2
     grown = {}
@@ -144,7 +144,7 @@ def _grows() -> Evidence:
     """Return that the coarsest step makes the oscillation of Fig. 4 (a) grow."""
     return compare(
         "Fig. 4 (a), step 0.01 s: $E(7)/E(0)$ above 1000: it never sticks",
-        run("figure-4a", STEPS[0]).energy_ratio,
+        run("velocities", STEPS[0]).energy_ratio,
         ">",
         arb(1000),
     )
@@ -156,14 +156,14 @@ def _first_adhesion(scene: Scene) -> arb:
 
 def _misses() -> tuple[Evidence, ...]:
     """Return how late the first adhesion of Fig. 4 (a) comes with coarser steps."""
-    true = _first_adhesion(load_scene("figure-4a"))
+    true = _first_adhesion(load_scene("velocities"))
     return tuple(
         _late(f"Fig. 4 (a), step {float(h):g} s: the first adhesion is late by more than {late} s", h, true, ">", late)
         for h, late in ((COARSE, "1.7"), (Fraction("2e-4"), "0.2"), (Fraction("1e-4"), "0.2"))
     )
 
 
-def _late(statement: str, h: Fraction, true: arb, relation: str, bound: str, name: str = "figure-4a") -> Evidence:
+def _late(statement: str, h: Fraction, true: arb, relation: str, bound: str, name: str = "velocities") -> Evidence:
     """Compare the error of a run's first adhesion time with a bound, s."""
     time = run(name, h).adhesion_time
     if time is None:
@@ -176,9 +176,9 @@ def _late(statement: str, h: Fraction, true: arb, relation: str, bound: str, nam
 def _converges() -> tuple[Evidence, ...]:
     """Return that the first adhesion time is right to a few steps, from some step size on."""
     tried = (
-        ("figure-3b", "Fig. 3 (b)", STEPS),
-        ("figure-4b-b02", "Fig. 4 (b), b = 0.2", STEPS[2:]),
-        ("figure-4a", "Fig. 4 (a)", STEPS[4:]),
+        ("start-with-speed", "Fig. 3 (b)", STEPS),
+        ("relative-motion-b02", "Fig. 4 (b), b = 0.2", STEPS[2:]),
+        ("velocities", "Fig. 4 (a)", STEPS[4:]),
     )
     return tuple(
         _late(
@@ -196,8 +196,8 @@ def _converges() -> tuple[Evidence, ...]:
 
 def _program() -> tuple[Evidence, ...]:
     """Return what the program in binary64 does under the literal reading: contacts and chatter."""
-    moving = forward_euler(load_scene("figure-4a-literal"), 1e-4)
-    resting = forward_euler(load_scene("figure-3a-literal"), 1e-4)
+    moving = forward_euler(load_scene("velocities-literal"), 1e-4)
+    resting = forward_euler(load_scene("start-at-6mm-literal"), 1e-4)
     return (
         Evidence(
             EvidenceKind.SIMULATION,

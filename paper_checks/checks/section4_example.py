@@ -8,7 +8,7 @@ from paper_checks.evidence import Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
 from paper_checks.formula import equation
-from paper_checks.points import FIGURE_3A
+from paper_checks.points import START_AT_6MM
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
 from paper_checks.steps.solutions import bracket_is_off_in_slip
@@ -89,7 +89,7 @@ def example_reduction(_: Context) -> Finding:
         "acceleration, or at equality with half of it, while (6) makes it stick whatever force that takes.",
         exhibit(
             "at the start of Fig. 3 (a), $x_1=0.006$, $b=0.5$, (4) gives $\\ddot x_2=0$ and (6) gives $\\ddot x_2\\neq 0$",
-            FIGURE_3A,
+            START_AT_6MM,
             (sp.Abs(broken.acceleration1), ">", b),
             (broken.acceleration2, "=", 0),
             (literal[1], "=", literal[0]),
@@ -119,8 +119,8 @@ def example_reduction(_: Context) -> Finding:
         corrected="(3)–(4) reduce to (5) and, where $\\dot z\\neq 0$ or $|x_1|<b/100$, to (6). At $\\dot z=0$ with "
         "$|x_1|>b/100$, (4) gives $\\ddot x_2=0$; with $|x_1|=b/100$, $\\ddot x_2=\\ddot x_1/2$.",
         counterexample="$b=0.5$, $x_1=0.006$, both bodies at rest, the start of Fig. 3 (a): (4) gives "
-        f"$\\ddot x_2={value_at(broken.acceleration2, FIGURE_3A)}$, (6) gives "
-        f"$\\ddot x_2=\\ddot x_1={value_at(literal[1], FIGURE_3A)}$.",
+        f"$\\ddot x_2={value_at(broken.acceleration2, START_AT_6MM)}$, (6) gives "
+        f"$\\ddot x_2=\\ddot x_1={value_at(literal[1], START_AT_6MM)}$.",
         derivation=(
             "With $s=\\mathrm{sgn}(\\dot z)$ and $\\sigma=\\mathrm{sgn}(|\\ddot x_1|-b)$, (3) and (4) become",
             equation(r"\ddot{x}_1", derived[0]),

@@ -50,10 +50,10 @@ def point_of(scene: Scene) -> Point:
     return {a1: sp.Integer(0), **{symbol: sp.Rational(value) for symbol, value in values.items()}}
 
 
-@check("figure-3a-permanent-stiction")
+@check("start-at-6mm-sticks")
 def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) -> Finding:  # noqa: ARG001
     """Start from rest at `start` m: inside or outside S0 decides."""
-    scene = replace(load_scene("figure-3a"), initial=State(x1=start))
+    scene = replace(load_scene("start-at-6mm"), initial=State(x1=start))
     point, slipping = point_of(scene), solved(scene)
     broken = branch_named("broken adhesion")
     counterexample = (
@@ -89,7 +89,7 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
         "At $x_1(0)=0.006$ m it slips infinitely often.",
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1(0)=0.006$, the other initial values zero.",
         derivation=ARGUMENT,
-        figure="figure-3a",
+        figure="start-at-6mm",
     )
 
 
@@ -117,10 +117,10 @@ def _from_rest(scene: Scene) -> tuple[Evidence, ...]:
     )
 
 
-@check("figure-3b-synchronises")
+@check("start-with-speed-synchronises")
 def synchronises(context: Context, speed: Fraction = Fraction(15, 100)) -> Finding:  # noqa: ARG001
     """Start with v1 = `speed` m/s, b = 0.5."""
-    scene = replace(load_scene("figure-3b"), initial=State(v1=speed))
+    scene = replace(load_scene("start-with-speed"), initial=State(v1=speed))
     found, literal = solved(scene), solved(literally(scene))
     contact = literal.events[0]
     counterexample = (
@@ -149,7 +149,7 @@ def synchronises(context: Context, speed: Fraction = Fraction(15, 100)) -> Findi
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.15$; the excess energy "
         "$w=E/E_{cr}-1$ is positive after every slip.",
         derivation=(VANISHING, *ARGUMENT),
-        figure="figure-3b",
+        figure="start-with-speed",
     )
 
 
@@ -167,12 +167,12 @@ def _decline(trajectory: Trajectory, name: str) -> Evidence:
     return replace(shown, passed=shown.passed and falling, cases=len(exits))
 
 
-@check("figure-4b-convergence")
+@check("relative-motion-converges")
 def convergence(context: Context, speed: Fraction = Fraction(15, 100)) -> Finding:  # noqa: ARG001
     """Start with v1 = `speed` m/s for the three values of b."""
     runs = [
         (f"b = {float(scene.pair.b):g}", solved(replace(scene, initial=State(v1=speed), until=Fraction(8))))
-        for scene in map(load_scene, ("figure-4b-b005", "figure-4b-b02", "figure-4b-b05"))
+        for scene in map(load_scene, ("relative-motion-b005", "relative-motion-b02", "relative-motion-b05"))
     ]
     return conclude(
         Verdict.HOLDS,
@@ -190,5 +190,5 @@ def convergence(context: Context, speed: Fraction = Fraction(15, 100)) -> Findin
             for name, run in runs
         ),
         derivation=(VANISHING, *ARGUMENT),
-        figure="figure-4b",
+        figure="relative-motion",
     )

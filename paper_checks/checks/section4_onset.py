@@ -11,7 +11,7 @@ from paper_checks.evidence import Evidence, Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
 from paper_checks.formula import equation
-from paper_checks.points import EXAMPLE_PAIR, FIGURE_3A, INSIDE, scene_at
+from paper_checks.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM, scene_at
 from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
@@ -24,7 +24,7 @@ from theory.filippov import derivative_along, edge_contact, half_width
 from theory.model import CASE_STUDY, case_study_mode, slip, stick
 from theory.symbols import E0, a2, b, free, m1, m2, undamped, v1, v2, x1
 
-FIGURE_3B = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.15"), v2: 0}
+START_WITH_SPEED = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.15"), v2: 0}
 TOGETHER = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.03"), v2: sp.Rational("0.03")}
 
 
@@ -37,31 +37,31 @@ def subcritical_level() -> sp.Basic:
 def example_stiction_never_violated(_: Context) -> Finding:
     """Evaluate |x1''| against b/m2 in both modes of the example."""
     literal, slipping = case_study_mode(0)[0], case_study_mode(1)[0]
-    contact = solved(load_scene("figure-4a")).events[0]
-    at_contact = -(exact(200) * contact.y[0] + exact(load_scene("figure-4a").pair.b))
+    contact = solved(load_scene("velocities")).events[0]
+    at_contact = -(exact(200) * contact.y[0] + exact(load_scene("velocities").pair.b))
     stuck = free(stick().acceleration1)
     return conclude(
         Verdict.REFUTED,
         "The paper's own start of Fig. 3 (a) violates the inequality: $\\dot z=0$ and "
-        f"$|\\ddot x_1|={value_at(abs(literal), FIGURE_3A)}>{value_at(b / m2, FIGURE_3A)}=b/m_2$. Nothing in (5), (6) bounds "
+        f"$|\\ddot x_1|={value_at(abs(literal), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$. Nothing in (5), (6) bounds "
         "$|\\ddot x_1|$, so the dropped switching would act there; (6) makes the pair stick all the same. In slip the bound "
         "fails as well, already at the start of Fig. 3 (b), but there the first bracket of (4) is 0 and nothing follows. What "
         "is true: up to the critical energy $|\\ddot x_1|\\leqslant b/m_2$ whenever $\\dot z=0$.",
         exhibit(
             "at the start of Fig. 3 (a), $\\dot z=0$ and $|\\ddot x_1|>b/m_2$ by (5)",
-            FIGURE_3A,
+            START_AT_6MM,
             (sp.Abs(literal), ">", b / m2),
         ).as_counterexample(),
         exhibit(
             "at the start of Fig. 3 (b), in slip, $|\\ddot x_1|=b/m_2$, not less",
-            FIGURE_3B,
+            START_WITH_SPEED,
             (sp.Abs(slipping), "=", b / m2),
         ).as_counterexample(),
         compare(
             "in Fig. 4 (a), just before the first event, $|\\ddot x_1|>b/m_2=0.05$",
             abs(at_contact),
             ">",
-            exact(load_scene("figure-4a").pair.b),
+            exact(load_scene("velocities").pair.b),
         ).as_counterexample(),
         prove(
             "with $a_1=u=0$ and $\\dot z=0$, $E\\leqslant E_{cr}$ implies $|\\ddot x_1|\\leqslant b/m_2$",
@@ -74,7 +74,7 @@ def example_stiction_never_violated(_: Context) -> Finding:
         "exactly if $|x_1|\\geqslant b/100$; it does not act if $E\\leqslant E_{cr}=b^2/100$ (but for $|\\ddot x_1|=b/m_2$ at "
         "$E=E_{cr}$), nor in any stick phase of (3)–(4).",
         counterexample="$b=0.5$, $x_1=0.006$, both bodies at rest, the start of Fig. 3 (a): $|\\ddot x_1|="
-        f"{value_at(abs(literal), FIGURE_3A)}>{value_at(b / m2, FIGURE_3A)}=b/m_2$.",
+        f"{value_at(abs(literal), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$.",
         derivation=(
             equation(r"\ddot{x}_1|_{\dot{z}=0}", literal),
             equation(r"\ddot{x}_1|_{\dot{z}>0}", slipping),

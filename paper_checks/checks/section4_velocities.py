@@ -32,9 +32,9 @@ SLIPS = (Mode.SLIP_PLUS, Mode.SLIP_MINUS) * TEETH + (Mode.SLIP_PLUS,)
 """The itinerary up to the first adhesion: twenty crossings."""
 
 
-def figure_4a(friction: Fraction | None = None) -> Scene:
+def velocities_scene(friction: Fraction | None = None) -> Scene:
     """Return the scene of Fig. 4 (a) up to 8 s, with another b (N) where one is given."""
-    scene = replace(load_scene("figure-4a"), until=Fraction(8))
+    scene = replace(load_scene("velocities"), until=Fraction(8))
     pair = scene.pair
     return scene if friction is None else replace(scene, pair=Pair(m1=pair.m1, m2=pair.m2, a2=pair.a2, b=friction))
 
@@ -82,10 +82,10 @@ def peak_after_adhesion(trajectory: Trajectory) -> arb:
     raise ValueError("no such stick phase in the solved time; solve further")
 
 
-@check("figure-4a-constant-damping-rate")
+@check("constant-damping-rate")
 def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
     """Enclose the positive peaks of v1 and what each cycle takes from them."""
-    scene = figure_4a(friction)
+    scene = velocities_scene(friction)
     run = solved(scene)
     peaks = positive_peaks(run)
     with run.arithmetic.context():
@@ -133,7 +133,7 @@ def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
             "$4b/\\sqrt{a_2m_1}$ of $v_1$. But the pair crosses at $v_1=v_2\\neq 0$, so it takes less, and the less the smaller "
             "the amplitude.",
         ),
-        figure="figure-4a",
+        figure="velocities",
     )
 
 
@@ -162,10 +162,10 @@ def _linear_decay(context: Context) -> tuple[Evidence, ...]:
     )
 
 
-@check("figure-4a-saw-tooth")
+@check("saw-tooth")
 def saw_tooth(context: Context, friction: Fraction | None = None) -> Finding:
     """Show that v2 has the slopes +b and -b in turn up to the first adhesion."""
-    run = solved(figure_4a(friction))
+    run = solved(velocities_scene(friction))
     slopes = sp.Matrix([free(slip(sign).acceleration2) for sign in (1, -1)])
     return conclude(
         Verdict.HOLDS,
@@ -182,18 +182,18 @@ def saw_tooth(context: Context, friction: Fraction | None = None) -> Finding:
         within("first adhesion (s)", run.events[len(SLIPS) - 1].t, "4.549769", "4.549770"),
         *_literal(friction),
         derivation=("$$\\ddot x_2=\\frac{b}{m_2}\\,\\mathrm{sgn}(\\dot z)=\\pm 0.05\\ \\mathrm{m/s^2}$$",),
-        figure="figure-4a",
+        figure="velocities",
     )
 
 
-@check("figure-4a-synchronisation-time")
+@check("synchronisation-time")
 def synchronisation_time(
     context: Context,  # noqa: ARG001
     friction: Fraction | None = None,
     time: Fraction = Fraction(47, 10),
 ) -> Finding:
     """Look at the pair at t = `time` s, and at its adhesions before and after."""
-    run = solved(figure_4a(friction))
+    run = solved(velocities_scene(friction))
     entries = [event for event in run.events if event.kind is EventKind.ENTRY]
     bound = relative_speed_bound(run, first_exit(run))
     y = run.sol(time)
@@ -221,13 +221,13 @@ def synchronisation_time(
         "$|\\dot z|\\leqslant 0.00233$ m/s (1.6 % of its start), falling from slip to slip to 0 as $t\\to\\infty$.",
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.05$, $\\dot x_1(0)=0.15$; $|\\dot z(4.7)|=0.00231$ m/s.",
         derivation=ARGUMENT,
-        figure="figure-4a",
+        figure="velocities",
     )
 
 
 def _literal(friction: Fraction | None) -> tuple[Evidence, ...]:
     """Return what (5), (6) read literally do from the same start."""
-    run = solved(replace(figure_4a(friction), law=Law.THREE_VALUED_SGN))
+    run = solved(replace(velocities_scene(friction), law=Law.THREE_VALUED_SGN))
     return (
         itinerary("(5), (6) read literally: slip+, then stick", run, (Mode.SLIP_PLUS, Mode.STICK)),
         stuck_for_ever("and that stick lasts for ever", run),

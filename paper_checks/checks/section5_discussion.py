@@ -13,7 +13,7 @@ from paper_checks.evidence import Evidence, Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
 from paper_checks.formula import equation
-from paper_checks.points import EXAMPLE_PAIR, FIGURE_3A
+from paper_checks.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
 from paper_checks.steps import solutions
@@ -29,7 +29,7 @@ APART = sp.Rational("0.0004")
 
 def readings_part() -> tuple[Evidence, ...]:
     """Fig. 3 (a): the literal reading sticks for ever, the Filippov law slips at once; how far x2 is apart."""
-    literal, filippov = solved(load_scene("figure-3a-literal")), solved(load_scene("figure-3a"))
+    literal, filippov = solved(load_scene("start-at-6mm-literal")), solved(load_scene("start-at-6mm"))
     apart = abs(literal.sol(COMPARED_AT)[2] - filippov.sol(COMPARED_AT)[2])
     return (
         stuck_for_ever("from the start of Fig. 3 (a), (5)–(6) read literally stick for ever", literal),
@@ -58,7 +58,9 @@ def same_fields() -> tuple[Evidence, ...]:
 @check("two-descriptions")
 def two_descriptions(_: Context) -> Finding:
     """Compare the solutions of (3)-(4), of (5)-(6) and of (e1)-(e3)."""
-    literal, filippov = (solved(load_scene(name)).sol(COMPARED_AT)[2] for name in ("figure-3a-literal", "figure-3a"))
+    literal, filippov = (
+        solved(load_scene(name)).sol(COMPARED_AT)[2] for name in ("start-at-6mm-literal", "start-at-6mm")
+    )
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "The two readings describe the same motion for (2)–(4), where the stiction bracket makes them agree, and part for "
@@ -68,7 +70,7 @@ def two_descriptions(_: Context) -> Finding:
         *(item.as_counterexample() for item in readings_part()),
         exhibit(
             "for that literal stick, body 2 has $m_2|\\ddot x_2|>b$: more than friction can give",
-            FIGURE_3A,
+            START_AT_6MM,
             (sp.Abs(m2 * case_study_mode(0)[1]), ">", b),
         ).as_counterexample(),
         *(item.as_correction() for item in same_fields()),
@@ -83,7 +85,7 @@ def two_descriptions(_: Context) -> Finding:
             equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{S_0}", sliding_field().T),
             equation(r"(\ddot{x}_1,\ddot{x}_2)|_{(7)}", sp.Matrix(case_study_mode(0)).T),
         ),
-        figure="figure-3a",
+        figure="start-at-6mm",
     )
 
 
@@ -130,7 +132,7 @@ def acceleration_bound(_: Context) -> Finding:
         ).as_counterexample(),
         exhibit(
             "under (5)–(6) the start of Fig. 3 (a) has $|\\ddot x_2|>b/m_2$",
-            FIGURE_3A,
+            START_AT_6MM,
             (sp.Abs(literal[1]), ">", b / m2),
         ).as_counterexample(),
         bounded_in_slip().as_correction(),
@@ -149,7 +151,7 @@ def acceleration_bound(_: Context) -> Finding:
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. In slip with $\\dot z>0$ at "
         f"$x_1={value_at(x1, unloaded)}$: $\\ddot x_1={value_at(slipping[0], unloaded)}$, "
         f"$\\ddot x_2={value_at(slipping[1], unloaded)}$. Under (5)–(6) at $x_1=0.006$, $\\dot z=0$: "
-        f"$|\\ddot x_2|={value_at(sp.Abs(literal[1]), FIGURE_3A)}>{value_at(b / m2, FIGURE_3A)}=b/m_2$.",
+        f"$|\\ddot x_2|={value_at(sp.Abs(literal[1]), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$.",
         derivation=(
             equation(r"\ddot{x}_2|_{\dot{z}>0}", branch_named("slip+").acceleration2),
             equation(r"\ddot{x}_2|_{\dot{z}<0}", branch_named("slip-").acceleration2),

@@ -51,12 +51,12 @@ def synchronisation_all_parameters(context: Context) -> Finding:
 @check("finite-time-then-alternation")
 def finite_time_then_alternation(_: Context) -> Finding:
     """Exhibit a trajectory that meets z' = 0 in finite time and then alternates without end."""
-    name = "figure-5b"
+    name = "itinerary-that-creeps"
     trajectory = solved(load_scene(name))
     entry = next(event for event in trajectory.events if event.after is Mode.STICK)
     return conclude(
         Verdict.HOLDS,
-        "The scene figure-5b ($m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.21$) meets a synchronised orbit after a "
+        "The scene itinerary-that-creeps ($m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.21$) meets a synchronised orbit after a "
         "finite, enclosed time, with an energy above critical, and then sticks and slips in turn for ever, which is proved "
         "and not extrapolated. No single mode does it: every slip ends after a finite time. Once a trajectory has merged "
         "with a periodic orbit, $E\\leqslant E_{cr}$, no alternation follows: 'can' is the right word.",
@@ -98,7 +98,7 @@ def merges_with_a_damper() -> tuple[Evidence, ...]:
 @check("viscous-accelerates")
 def viscous_accelerates(_: Context) -> Finding:
     """Compare Fig. 4 (a) with and without a damper, and prove that a damper ends every alternation."""
-    undamped_run, damped_run = solved(load_scene("figure-4a")), solved(scene_at(DAMPED, "8"))
+    undamped_run, damped_run = solved(load_scene("velocities")), solved(scene_at(DAMPED, "8"))
     tilted = surface(damped=True).sliding.args[1]
     return conclude(
         Verdict.HOLDS_CORRECTED,
@@ -106,7 +106,7 @@ def viscous_accelerates(_: Context) -> Finding:
         "trajectories creep to $E_{cr}$ by endless stick and slip, with $a_1>0$ every trajectory sticks for ever from a "
         "finite time on and comes to rest. The trajectory of Fig. 4 (a) never stops slipping without a damper; with $a_1=5$ "
         "N s/m it merges within a second. The sliding region is tilted: $|a_2x_1+a_1v_1|\\leqslant b(m_1+m_2)/m_2$.",
-        *(item.as_counterexample() for item in perpetual_slips.never_merges(undamped_run, "figure-4a")),
+        *(item.as_counterexample() for item in perpetual_slips.never_merges(undamped_run, "velocities")),
         *(item.as_counterexample() for item in merges_with_a_damper()),
         *(item.as_correction() for item in dissipation.in_every_mode()),
         *(item.as_correction() for item in dissipation.rest()),

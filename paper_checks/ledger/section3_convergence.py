@@ -113,7 +113,7 @@ CONVERGENCE = (
         Verdict.HOLDS,
     ),
     Claim(
-        "figure-5a-itinerary",
+        "itinerary-that-merges",
         SECTION,
         "figure of both itineraries, (a)",
         r"A trajectory enters the sliding region $S_0$ of $S$ and merges with one of the elliptic closed "
@@ -121,7 +121,7 @@ CONVERGENCE = (
         Verdict.HOLDS,
     ),
     Claim(
-        "figure-5b-itinerary",
+        "itinerary-that-creeps",
         SECTION,
         "figure of both itineraries, (b)",
         r"A trajectory that starts at $O_1\in\Omega_+$ crosses $S$ at $A_1\in S_+$ into $\Omega_-$ and at "

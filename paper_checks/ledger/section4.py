@@ -64,7 +64,7 @@ EXAMPLE_SYSTEM = (
 
 NUMERICAL_RESULTS = (
     Claim(
-        "figure-3a-permanent-stiction",
+        "start-at-6mm-sticks",
         SECTION,
         "IV-B, first figure (a)",
         r"With $x_1(t_0)=0.006$, the other initial values zero and $b=0.5$, the system (5), (6) starts in "
@@ -73,7 +73,7 @@ NUMERICAL_RESULTS = (
         Verdict.REFUTED,
     ),
     Claim(
-        "figure-3b-synchronises",
+        "start-with-speed-synchronises",
         SECTION,
         "IV-B, first figure (b)",
         r"With $\dot{x}_1(t_0)=0.15$, the other initial values zero and $b=0.5$, the system (5), (6) "
@@ -82,7 +82,7 @@ NUMERICAL_RESULTS = (
         Verdict.HOLDS_CORRECTED,
     ),
     Claim(
-        "figure-4a-constant-damping-rate",
+        "constant-damping-rate",
         SECTION,
         "IV-B, second figure (a)",
         r"With $\dot{x}_1(t_0)=0.15$, the other initial values zero and $b=0.05$, one can recognize a "
@@ -91,7 +91,7 @@ NUMERICAL_RESULTS = (
         Verdict.HOLDS_CORRECTED,
     ),
     Claim(
-        "figure-4a-saw-tooth",
+        "saw-tooth",
         SECTION,
         "IV-B, second figure (a)",
         r"The $\dot{x}_2(t)$ trajectory proceeds as a saw-shaped oscillation, owing to the constant "
@@ -99,14 +99,14 @@ NUMERICAL_RESULTS = (
         Verdict.HOLDS,
     ),
     Claim(
-        "figure-4a-synchronisation-time",
+        "synchronisation-time",
         SECTION,
         "IV-B, second figure (a)",
         r"Both bodies synchronize as $\dot{z}$ approaches zero at the time $t\approx 4.7$ sec.",
         Verdict.REFUTED,
     ),
     Claim(
-        "figure-4b-convergence",
+        "relative-motion-converges",
         SECTION,
         "IV-B, second figure (b)",
         r"The $(z,\dot{z})$ state converges towards the invariant set $\dot{z}=0$ for the three values "

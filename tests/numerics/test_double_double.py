@@ -30,8 +30,8 @@ from numerics.trade.double_kernels import DoubleKernels
 from numerics.trade.outcome import letters
 from numerics.trajectory.deferred import Deferred
 
-PAPER = load_scene("figure-4b-b05")
-COMPARED = [PAPER, load_scene("figure-4a"), load_scene("figure-5b")]
+PAPER = load_scene("relative-motion-b05")
+COMPARED = [PAPER, load_scene("velocities"), load_scene("itinerary-that-creeps")]
 any_scene = st.one_of(
     scenes(size=(-2, 2)),
     scenes(exponents=(-9, 9)),
@@ -220,7 +220,7 @@ def test_items_are_made_once_and_on_demand():
 
 
 def test_beyond_the_kernels_the_general_loop_has_the_same_digits():
-    damped, far = load_scene("figure-5a"), Scene(PAPER.pair, PAPER.initial, 10**120)
+    damped, far = load_scene("itinerary-that-merges"), Scene(PAPER.pair, PAPER.initial, 10**120)
     assert solve_double_double(far, 10) is None
     for scene in (damped, far):
         found = solve(scene, arithmetic="double-double", max_events=5)
@@ -240,7 +240,7 @@ def test_what_was_asked_for_decides(monkeypatch, capsys):
     assert (found.arithmetic.name, found.digits) == ("double-double", 20)
     assert "right digits by its error bounds" in found.tried
     assert solve(PAPER, digits=30).arithmetic.name == "ball"
-    assert main(["solve", "figure-4b-b05", "--arithmetic", "double-double", "--json", "--explain"]) == 0
+    assert main(["solve", "relative-motion-b05", "--arithmetic", "double-double", "--json", "--explain"]) == 0
     told = capsys.readouterr()
     assert json.loads(told.out)["digits"] >= 25
     assert "double-double with 31 working digits" in told.err

@@ -25,7 +25,7 @@ from numerics.scene import Law, Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import integrate, solve
 
-PAPER = load_scene("figure-4b-b05")
+PAPER = load_scene("relative-motion-b05")
 any_scene = st.one_of(
     scenes(size=(-2, 2)),
     scenes(exponents=(-9, 9)),
@@ -39,7 +39,7 @@ more = settings(max_examples=6 * settings().max_examples)
 @more
 @given(any_scene)
 @example(PAPER)
-@example(load_scene("figure-5b"))
+@example(load_scene("itinerary-that-creeps"))
 @example(Scene(Pair(Fraction(1, 10**7), 10**9, 1, 1), State(v2=-Fraction(1, 10**4)), 198))
 def test_the_kernels_give_the_bits_of_the_general_loop(scene):
     try:

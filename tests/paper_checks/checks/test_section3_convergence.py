@@ -46,8 +46,8 @@ CHECKS = {
     "rate-one-over-t": section3_near_critical.rate_one_over_t,
     "viscous-energy-rate": section3_viscous.viscous_energy_rate,
     "viscous-origin-stable": section3_viscous.viscous_origin_stable,
-    "figure-5a-itinerary": section3_itineraries.figure_5a,
-    "figure-5b-itinerary": section3_itineraries.figure_5b,
+    "itinerary-that-merges": section3_itineraries.itinerary_that_merges,
+    "itinerary-that-creeps": section3_itineraries.itinerary_that_creeps,
 }
 CONVERGENCE = "paper_checks.checks.section3_convergence."
 NEAR = "paper_checks.checks.section3_near_critical."
@@ -187,12 +187,12 @@ def test_a_fault_in_a_step_turns_the_claim(plant, claim_id, target, fault):
 
 
 OTHER_SCENES = [
-    ("figure-5a-itinerary", lambda: load_scene("figure-5b")),
-    ("figure-5a-itinerary", lambda: load_scene("figure-3a")),
-    ("figure-5a-itinerary", lambda: replace(load_scene("figure-5a"), until=Fraction(1, 10**4))),
-    ("figure-5b-itinerary", lambda: load_scene("figure-5a")),
-    ("figure-5b-itinerary", lambda: load_scene("figure-4a")),
-    ("figure-5b-itinerary", lambda: replace(load_scene("figure-5b"), until=Fraction(1, 10))),
+    ("itinerary-that-merges", lambda: load_scene("itinerary-that-creeps")),
+    ("itinerary-that-merges", lambda: load_scene("start-at-6mm")),
+    ("itinerary-that-merges", lambda: replace(load_scene("itinerary-that-merges"), until=Fraction(1, 10**4))),
+    ("itinerary-that-creeps", lambda: load_scene("itinerary-that-merges")),
+    ("itinerary-that-creeps", lambda: load_scene("velocities")),
+    ("itinerary-that-creeps", lambda: replace(load_scene("itinerary-that-creeps"), until=Fraction(1, 10))),
 ]
 
 
@@ -204,12 +204,12 @@ def test_another_scene_does_not_have_the_itinerary(claim_id, scene):
 
 
 ITINERARY_FAULTS = [
-    ("figure-5a-itinerary", ITINERARIES + "Status", lambda _: SimpleNamespace(STUCK_FOR_EVER=Status.REACHED_HORIZON)),
-    ("figure-5a-itinerary", ITINERARIES + "exact", lambda exact: lambda value: exact(value - 1)),
-    ("figure-5a-itinerary", ITINERARIES + "PLUS", lambda _: section3_itineraries.MINUS),
-    ("figure-5b-itinerary", ITINERARIES + "PLUS", lambda _: section3_itineraries.MINUS),
-    ("figure-5b-itinerary", ITINERARIES + "exact", lambda exact: lambda value: exact(value + 3)),
-    ("figure-5b-itinerary", "paper_checks.steps.perpetual_slips.h", doubled),
+    ("itinerary-that-merges", ITINERARIES + "Status", lambda _: SimpleNamespace(STUCK_FOR_EVER=Status.REACHED_HORIZON)),
+    ("itinerary-that-merges", ITINERARIES + "exact", lambda exact: lambda value: exact(value - 1)),
+    ("itinerary-that-merges", ITINERARIES + "PLUS", lambda _: section3_itineraries.MINUS),
+    ("itinerary-that-creeps", ITINERARIES + "PLUS", lambda _: section3_itineraries.MINUS),
+    ("itinerary-that-creeps", ITINERARIES + "exact", lambda exact: lambda value: exact(value + 3)),
+    ("itinerary-that-creeps", "paper_checks.steps.perpetual_slips.h", doubled),
 ]
 
 
