@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.formula import equation
 from paper_checks.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.registry import Context, check

@@ -7,9 +7,11 @@ from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Status, Trajectory
 from paper_checks.enclosure import compare, exact, itinerary, solved, text
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, EvidenceKind, argument
+from paper_checks.finding import Finding, Verdict, carried, conclude
 from paper_checks.registry import Context, check
 from paper_checks.steps.perpetual_slips import ARGUMENT, never_merges
+from paper_checks.steps.turned_back import merges_or_creeps
 
 PLUS, MINUS, STICK = Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK
 
@@ -33,16 +35,19 @@ def itinerary_that_merges(context: Context, scene: Scene | None = None) -> Findi
         Verdict.HOLDS,
         "The paper gives no numbers; the scene itinerary-that-merges is one such trajectory. It slips once, enters $S_0$ and sticks "
         "for ever on an ellipse below the critical one.",
-        itinerary("slip in $\\Omega_+$, then stick", trajectory, (PLUS, STICK)),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            "numerics, balls",
-            "there is no later event: the stick phase never ends",
-            for_ever and len(trajectory.events) == 1,
-            1,
-            trajectory.message,
+        carried(
+            "statement",
+            itinerary("slip in $\\Omega_+$, then stick", trajectory, (PLUS, STICK)),
+            Evidence(
+                EvidenceKind.ENCLOSURE,
+                "numerics, balls",
+                "there is no later event: the stick phase never ends",
+                for_ever and len(trajectory.events) == 1,
+                1,
+                trajectory.message,
+            ),
+            compare("after it, $w=E/E_{cr}-1<0$", trajectory.final.w, "<", exact(0)),
         ),
-        compare("after it, $w=E/E_{cr}-1<0$", trajectory.final.w, "<", exact(0)),
         derivation=(_points(trajectory, ("A",)), f"$w={trajectory.final.w.mid().str(10, radius=False)}$ on the orbit."),
         figure="itinerary-that-merges",
     )
@@ -59,25 +64,35 @@ def itinerary_that_creeps(context: Context, scene: Scene | None = None) -> Findi
         "The paper gives no numbers; the scene itinerary-that-creeps passes all the named points in their order, with $O_2$ in the stick "
         "phase after $A_3$. At its first exit the excess is small enough for the argument that no later slip merges, so by the "
         "dichotomy it tends to the critical orbit.",
-        itinerary(
-            "$O_1A_1$ in $\\Omega_+$, $A_1B_1$ in $\\Omega_-$, $B_1A_2$ in $\\Omega_+$, stick $A_2C_1$, $C_1B_2$ in $\\Omega_-$, "
-            "stick $B_2D_1$, $D_1A_3$ in $\\Omega_+$, stick $A_3O_2$",
-            trajectory,
-            (PLUS, MINUS, PLUS, STICK, MINUS, STICK, PLUS, STICK),
+        carried(
+            "points",
+            itinerary(
+                "$O_1A_1$ in $\\Omega_+$, $A_1B_1$ in $\\Omega_-$, $B_1A_2$ in $\\Omega_+$, stick $A_2C_1$, $C_1B_2$ in $\\Omega_-$, "
+                "stick $B_2D_1$, $D_1A_3$ in $\\Omega_+$, stick $A_3O_2$",
+                trajectory,
+                (PLUS, MINUS, PLUS, STICK, MINUS, STICK, PLUS, STICK),
+            ),
+            Evidence(
+                EvidenceKind.ENCLOSURE,
+                "numerics, balls",
+                "the events are crossing, crossing, entry, exit, entry, exit, entry",
+                kinds == (crossing, crossing, entry, leave, entry, leave, entry),
+                len(kinds),
+                ", ".join(kind.value for kind in kinds),
+            ),
+            compare("$A_1\\in S_+$: $X>1$", trajectory.events[0].reduced.X, ">", exact(1)),
+            compare("$B_1\\in S_-$: $X<-1$", trajectory.events[1].reduced.X, "<", exact(-1)),
+            compare("$C_1\\in\\ell_+$: $V>0$", trajectory.events[3].reduced.V1, ">", exact(0)),
+            compare("$D_1\\in\\ell_-$: $V<0$", trajectory.events[5].reduced.V1, "<", exact(0)),
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            "numerics, balls",
-            "the events are crossing, crossing, entry, exit, entry, exit, entry",
-            kinds == (crossing, crossing, entry, leave, entry, leave, entry),
-            len(kinds),
-            ", ".join(kind.value for kind in kinds),
+        carried(
+            "creeps",
+            argument(
+                "No later slip merges, so $E>E_{cr}$ for ever, and the trajectory tends to the critical orbit.",
+                *never_merges(trajectory, "itinerary-that-creeps"),
+                merges_or_creeps(),
+            ),
         ),
-        compare("$A_1\\in S_+$: $X>1$", trajectory.events[0].reduced.X, ">", exact(1)),
-        compare("$B_1\\in S_-$: $X<-1$", trajectory.events[1].reduced.X, "<", exact(-1)),
-        compare("$C_1\\in\\ell_+$: $V>0$", trajectory.events[3].reduced.V1, ">", exact(0)),
-        compare("$D_1\\in\\ell_-$: $V<0$", trajectory.events[5].reduced.V1, "<", exact(0)),
-        *never_merges(trajectory, "itinerary-that-creeps"),
         derivation=(
             _points(trajectory, ("A_1", "B_1", "A_2", "C_1", "B_2", "D_1", "A_3")),
             f"$w={text(trajectory.events[3].reduced.w)}$ at $C_1$.",

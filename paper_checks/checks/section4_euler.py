@@ -13,8 +13,9 @@ from numerics.scene.file import load_scene
 from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.enclosure import ENGINE, compare, solved, stuck_for_ever, text, within
 from paper_checks.euler_in_balls import COARSE, HORIZONS, STEPS, run
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove

@@ -13,9 +13,10 @@ from numerics.scene import Law, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence
 from paper_checks.exact import identity
 from paper_checks.exhibit import Point, exhibit
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.registry import Context, check
 from paper_checks.steps.dissipation import in_every_mode
 from paper_checks.steps.perpetual_slips import (

@@ -14,8 +14,9 @@ from numerics.scene import Law, Pair, Scene
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Segment, Trajectory
 from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Subject, Verdict, conclude
+from paper_checks.evidence import Evidence, EvidenceKind, Subject
 from paper_checks.exact import identity
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.registry import Context, check
 from paper_checks.steps.perpetual_slips import (
     ARGUMENT,

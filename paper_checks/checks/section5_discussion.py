@@ -9,9 +9,10 @@ import sympy as sp
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
 from paper_checks.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.formula import equation
 from paper_checks.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.registry import Context, check

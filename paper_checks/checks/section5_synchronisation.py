@@ -15,8 +15,9 @@ from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.formula import equation
 from paper_checks.points import EXAMPLE_PAIR, scene_at
 from paper_checks.registry import Context, check

@@ -1,6 +1,6 @@
 """Section II: dynamics of a pair of bodies with frictional interface."""
 
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.ledger.claim import Claim
 
 SECTION = "II"

@@ -1,6 +1,6 @@
 """Section IV: illustrative case study. Unit masses, a1 = 0, a2 = 200, SI units."""
 
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.ledger.claim import Claim
 
 SECTION = "IV"

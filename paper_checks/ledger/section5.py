@@ -1,6 +1,6 @@
 """Section V: discussion."""
 
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.ledger.claim import Claim
 
 SECTION = "V"

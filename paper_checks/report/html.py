@@ -8,7 +8,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 
-from paper_checks.evidence import Evidence, Finding, Verdict
+from paper_checks.evidence import Evidence
+from paper_checks.finding import Finding, Verdict
 from paper_checks.report import blocks, mathematics
 from paper_checks.report.summary import OUTCOMES, PAPER, TITLE, findings_first, kind, section_title, sections
 from paper_checks.runner import Row
@@ -110,7 +111,7 @@ def _claim(row: Row, figures: Mapping[str, str]) -> str:
     return (
         f'<tbody id="{claim.id}" data-section="{escape(claim.section)}" data-verdict="{finding.verdict.value}">\n'
         f'<tr><th scope="row">{_link(row)}</th><td>{escape(claim.section)}: {mathematics.html(claim.where)}</td>'
-        f"<td>{_badge(finding.verdict)}</td><td>{kind(finding)}</td></tr>\n"
+        f"<td>{_badge(finding.verdict)}</td><td>{kind(row)}</td></tr>\n"
         f'<tr><td colspan="4"><details><summary>{mathematics.html(claim.statement)}</summary>\n'
         f"{_behind(row, figures)}</details></td></tr>\n</tbody>"
     )

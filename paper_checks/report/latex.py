@@ -64,7 +64,7 @@ def _list(title: str, environment: str, items: Iterable[str]) -> str:
 def _table(rows: Sequence[Row]) -> str:
     lines = "\n".join(
         rf"{_identifier(row)} & {latex(row.claim.section)}: {latex(row.claim.where)} & "
-        rf"{row.finding.verdict.value} & {latex(kind(row.finding))} \\"
+        rf"{row.finding.verdict.value} & {latex(kind(row))} \\"
         for row in rows
     )
     return (

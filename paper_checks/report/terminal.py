@@ -10,7 +10,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.ledger import Claim
 from paper_checks.report.mathematics import plain
 from paper_checks.report.summary import OUTCOMES, first_sentence, is_new_theorem, kind, speaker
@@ -73,7 +73,7 @@ def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
     if times:
         table.add_column("seconds", justify="right", no_wrap=True)
     for row in rows:
-        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row.finding)), Text(row.claim.where)]
+        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row)), Text(row.claim.where)]
         cells += [Text(plain(first_sentence(row.finding.reason)))] if reasons else []
         cells += [Text(f"{row.seconds:.1f}")] if times else []
         table.add_row(*cells)

@@ -3,13 +3,13 @@
 import pytest
 
 from paper_checks.errors import LedgerError
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.ledger import CLAIMS, Claim
 from paper_checks.ledger.claim import in_order
 
 
 def claim(name="a", **changes):
-    return Claim(**{"id": name, "section": "II", "where": "w", "statement": "s", "recorded": Verdict.HOLDS} | changes)
+    return Claim(**{"id": name, "section": "II", "where": "w", "said": "s", "recorded": Verdict.HOLDS} | changes)
 
 
 def test_the_sections_come_in_paper_order():

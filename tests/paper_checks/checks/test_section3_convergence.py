@@ -13,7 +13,7 @@ from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Status
 from paper_checks import samples
 from paper_checks.checks import section3_convergence, section3_itineraries, section3_near_critical, section3_viscous
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.registry import Context
 from paper_checks.runner import decide
 from paper_checks.steps import excursions
@@ -57,6 +57,7 @@ CAPTURE = "paper_checks.steps.capture."
 DISSIPATION = "paper_checks.steps.dissipation."
 SOLUTIONS = "paper_checks.steps.solutions."
 EXCURSIONS = "paper_checks.steps.excursions."
+TURNED = "paper_checks.steps.turned_back."
 
 
 @pytest.mark.parametrize("claim_id", CHECKS)
@@ -175,7 +176,13 @@ STEP_FAULTS = [
     ("viscous-origin-stable", DISSIPATION + "captive_energy", doubled),
     ("viscous-origin-stable", DISSIPATION + "load", lambda load: lambda damped: load(False)),
     ("viscous-origin-stable", DISSIPATION + "lipschitz_constant", without(a1)),
-    ("viscous-origin-stable", SOLUTIONS + "contraction_rate", plus(a1 * v1**2)),
+    ("dichotomy", SOLUTIONS + "contraction_rate", plus(a1 * v1**2)),
+    ("dichotomy", TURNED + "rates", negated),
+    ("dichotomy", TURNED + "energy_parts", halved),
+    ("dichotomy", TURNED + "half_width", halved),
+    ("dichotomy", TURNED + "relative_rate", negated),
+    ("relative-displacement-limit", CAPTURE + "energy", halved),
+    ("exits-near-endpoints", "theory.near_critical.exit_speed", plus(1)),
 ]
 
 

@@ -12,7 +12,7 @@ from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.checks import section4_euler, section4_numerical_results, section4_velocities
 from paper_checks.enclosure import solved
 from paper_checks.euler_in_balls import STEPS, euler_in_balls, run
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.registry import Context
 from paper_checks.runner import decide
 from paper_checks.steps.perpetual_slips import never_merges

@@ -8,7 +8,7 @@ import sympy as sp
 from flint import arb
 
 from paper_checks.checks import theorems_excursion, theorems_merging, theorems_rate, theorems_return_map
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.ledger import CLAIMS, Kind
 from paper_checks.registry import Context
 from paper_checks.runner import decide
