@@ -30,7 +30,7 @@ from paper_checks.figures import FIGURES
 from paper_checks.steps.perpetual_slips import every_excursion, first_exit, starts_below
 
 # %% [markdown]
-# ## Figure 3 (a)
+# ## Figure 4 (a)
 #
 # From rest at $x_1(0)=0.006$ m, with $b=0.5$ N. The paper sees stiction at all times.
 
@@ -53,7 +53,7 @@ print(", ".join(mode.value for mode in exact.modes[:5]), "...")
 print(f"first adhesion at t = {exact.events[0].t.str(15)} s")
 
 # %% [markdown]
-# The picture of the paper is what eqs (5), (6) give when sgn(0) = 0 is read literally: at $\dot z=0$ the pair sticks,
+# The picture of the paper is what eqs (11), (12) give when sgn(0) = 0 is read literally: at $\dot z=0$ the pair sticks,
 # whatever force that takes.
 
 # %%
@@ -68,7 +68,7 @@ for step in (1e-3, 1e-4):
 # Forward Euler starts at $\dot z=0$ exactly and stays there, while its energy grows.
 
 # %% [markdown]
-# ## Figure 3 (b)
+# ## Figure 4 (b)
 #
 # From $\dot x_1(0)=0.15$ m/s, with $b=0.5$ N. The paper sees the bodies synchronise after a period of time.
 
@@ -82,7 +82,7 @@ entry, leaving = exact.events[1:3]
 print(f"first adhesion from {entry.t.str(12)} s to {leaving.t.str(12)} s")
 
 # %% [markdown]
-# The bodies stick and slip in turn. Read literally, (5) and (6) hold them together from the first contact on, outside
+# The bodies stick and slip in turn. Read literally, (11) and (12) hold them together from the first contact on, outside
 # the sliding region.
 
 # %%
@@ -92,7 +92,7 @@ print(f"contact at t = {contact.t.str(12)} s, x1 = {contact.y[0].str(12)} m")
 print(literal.message)
 
 # %% [markdown]
-# ## Figure 4 (a)
+# ## Figure 5 (a)
 #
 # The same start with $b=0.05$ N. The paper sees both bodies synchronise at $t\approx 4.7$ s.
 
@@ -122,7 +122,7 @@ for step in (1e-3, 1e-4):
 # 1 ms there is not even that within 5 s.
 
 # %% [markdown]
-# ## Figure 4 (b)
+# ## Figure 5 (b)
 #
 # The relative motion $(z,\dot z)$ for three values of $b$. The paper sees it converge to $\dot z=0$.
 

@@ -127,7 +127,9 @@ def _plant(options: argparse.Namespace) -> int:
 
 def _report(options: argparse.Namespace) -> int:
     from numerics.trade.recorded import UnreadableTrade, recorded
+    from paper_checks.drawing.proof_graph import proof_graph
     from paper_checks.ledger import CLAIMS
+    from paper_checks.report import proof
     from paper_checks.report.files import write
     from paper_checks.runner import exit_code
     from paper_checks.speed import section
@@ -139,7 +141,9 @@ def _report(options: argparse.Namespace) -> int:
         return USAGE
     rows = _rows(CLAIMS, options.seed)
     complaints: list[str] = []
-    figures, after = {**_figures(), **section.figures(trade)}, [section.section(trade)]
+    graph = {proof.FIGURE: lambda: proof_graph(rows)}
+    figures = {**_figures(), **section.figures(trade), **graph}
+    after = [proof.section(rows), section.section(trade)]
     try:
         path = write(options.out, options.format, rows, figures, complaints.append, after)
     except OSError as error:

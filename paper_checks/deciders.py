@@ -105,3 +105,19 @@ def fails_at(point: Point, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = di
         return Evidence(found.kind, found.engine, statement, passed, found.cases, found.value)
 
     return decide
+
+
+def false_value(value: Callable[[], arb]) -> Decide:
+    """Decide that an equation is false: the enclosed value of its left side differs from the right one."""
+
+    def decide(formula: Formula) -> Evidence:
+        from paper_checks.enclosure import exact
+
+        found, claimed = value(), exact(sp.Rational(formula.right))
+        apart = bool(found < claimed or found > claimed)
+        passed = None if not apart else formula.relation == "="
+        return Evidence(
+            EvidenceKind.ENCLOSURE, "python-flint", f"{shown(formula)} is false", passed, 1, str(found.str(12))
+        )
+
+    return decide

@@ -19,7 +19,7 @@ from numerics.scene.file import load_scene
 STEPS = tuple(Fraction(text) for text in ("1e-2", "1e-3", "2e-4", "1e-4", "5e-5", "1e-5"))
 """The steps tried, s."""
 COARSE = Fraction(1, 1000)
-"""A step, s, from which on the first adhesion of Fig. 4 (a) comes more than a second late, if ever."""
+"""A step, s, from which on the first adhesion of Fig. 5 (a) comes more than a second late, if ever."""
 HORIZONS = {"start-with-speed": 1, "relative-motion-b02": 2, "velocities": 5}
 """How far each scene is run, s: past its first adhesion."""
 DIGITS = 80

@@ -60,7 +60,7 @@ def filippov_equivalence(context: Context) -> Finding:
     spurious = [one for one in branches() if one.name in ("half adhesion", "broken adhesion")]
     off_surface = [
         identity(
-            f"off $S$ the field of (3), (4) with $a_1=u=0$ is that of (e1)–(e3), sign {sign:+d}",
+            f"off $S$ the field of (3), (4) with $a_1=u=0$ is that of (5)–(7), sign {sign:+d}",
             undamped(slip(sign).field),
             undamped(free_system(sp.Integer(sign))),
             seed=context.seed,
@@ -69,7 +69,7 @@ def filippov_equivalence(context: Context) -> Finding:
     ]
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "Read with the three-valued signum of eq. (1), which the text prefers, (e1)–(e3) has no solution through the "
+        "Read with the three-valued signum of eq. (1), which the text prefers, (5)–(7) has no solution through the "
         "interior of $S_0$ with $x_1\\neq 0$; read in Filippov's sense, as Section III does, it has the same solutions as "
         "(2)–(4). With sgn(0) = 0 a solution would have to stay on $S$, but its accelerations differ there. On $S$ outside "
         "the open strip the right sides of (3)–(4) and of Filippov's system differ too, at isolated instants only.",
@@ -86,7 +86,7 @@ def filippov_equivalence(context: Context) -> Finding:
         solutions.spurious_branches_leave().as_correction(),
         solutions.edge_is_isolated().as_correction(),
         identity(
-            "with sgn(0) = 0 in (e1)–(e3), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",
+            "with sgn(0) = 0 in (5)–(7), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",
             literal[1] - literal[2],
             -a2 * x1 / m1,
             seed=context.seed,
@@ -97,7 +97,7 @@ def filippov_equivalence(context: Context) -> Finding:
             sp.And(*(sp.Lt(cleared(sign * transversality(sign)), 0, evaluate=False) for sign in (1, -1))),
         ).as_counterexample(),
         corrected=claim_named("filippov-equivalence").corrected,
-        counterexample="$m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (e1)–(e3) with "
+        counterexample="$m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (5)–(7) with "
         "sgn(0) = 0 asks for $\\dot v_1=-0.8$, $\\dot v_2=0$ on $S$ and for a return to $S$ off it.",
         derivation=(
             "A solution of (3)–(4) spends almost every instant of $\\{t:\\dot z=0\\}$ with $\\ddot z=0$, so only a branch "
@@ -121,7 +121,7 @@ def _leaves_surface(branch, context: Context) -> Evidence:  # type: ignore[no-un
 
 
 def energy_identity(context: Context) -> Evidence:
-    """Return that dE/dt = -b sigma (v1 - v2) for every value of the set-valued sign, (edot) for every solution."""
+    """Return that dE/dt = -b sigma (v1 - v2) for every value of the set-valued sign, (8) for every solution."""
     return identity(
         r"$\dot E=-b\,\sigma\,(v_1-v_2)$ for every $\sigma\in[-1,1]$ that friction may take, so $\dot E=-b|v_1-v_2|$ for "
         r"every $\sigma\in\mathrm{Sign}(v_1-v_2)$",

@@ -1,4 +1,4 @@
-"""Section III, the figure of both itineraries: one scene for each, its events proved in balls."""
+"""Section III, Fig. 3: one scene for each, its events proved in balls."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from paper_checks.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
-from paper_checks.steps import capture
+from paper_checks.steps.creeping import EVENTUALLY, creeps_for_ever, sharp_limit, two_sided
 from paper_checks.steps.excursions import (
     angle_of_excursion,
     enclosed_creep,
@@ -25,23 +25,14 @@ from paper_checks.steps.excursions import (
     no_merging_at_any_energy,
 )
 from paper_checks.steps.turned_back import merges_or_creeps
-from theory.energy import critical_energy
 from theory.near_critical import (
     critical_limits,
     cycle,
     cycle_limit,
     excess_ratio_limit,
-    inverse_step,
-    quadratic_coefficient,
     rate_constant,
 )
-from theory.symbols import a2, b, epsilon, m1, m2, q, r
-
-EVENTUALLY = (
-    "The trajectory tends to one motion on the critical ellipse. Near its crossing of $x_1=0$ both fields push to $S$, so the "
-    "trajectory is on $S_0$ there from some time on; it then sticks up to a ray, which it leaves with a small excess $w$, and the "
-    "excursion ends inside $S_0$ again."
-)
+from theory.symbols import a2, b, epsilon, m1, m2
 
 
 def _series(name: str, expression: sp.Expr) -> str:
@@ -170,18 +161,6 @@ def exits_near_endpoints(context: Context) -> Finding:
     )
 
 
-def creeps_for_ever() -> Evidence:
-    """From S0 slightly above E_cr the pair never merges, and tends to the critical orbit."""
-    return argument(
-        "On $S_0$ above $E_{cr}$ the pair sticks up to a ray. From there with $w\\leqslant q(\\pi/2-1)^2$ every excursion ends inside "
-        "$S_0$ with $0<w'<w$, by induction without end; so $E>E_{cr}$ for ever, and the trajectory tends to the critical orbit.",
-        *capture.leaves_above_critical(),
-        *angle_of_excursion(),
-        *never_merges(),
-        merges_or_creeps(),
-    )
-
-
 @check("no-merging-near-critical")
 def no_merging_near_critical(context: Context) -> Finding:  # noqa: ARG001
     """Every excursion from a ray with w <= q (pi/2 - 1)^2 ends in S0 with 0 < w' < w."""
@@ -223,51 +202,11 @@ def slower_than_exponential(context: Context) -> Finding:
     )
 
 
-def printed_rate_constant() -> sp.Expr:
-    """Return the sharp constant of the 1/t law as the report states it, J s."""
-    return b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2) * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
-
-
-def _sharp(context: Context) -> Evidence:
-    """Return that t (E - E_cr) tends to the sharp constant."""
-    return argument(
-        "Along the exits $1/w$ gains $9r/(4q)$ and the time $\\pi/\\Omega$ per cycle, both in the limit, so $1/(t\\,w)$ tends to their "
-        "quotient; between two exits $w$ lies between its values there, whose ratio tends to 1, as does that of the times.",
-        creeps_for_ever(),
-        identity("$1/w'-1/w\\to 9r/(4q)$ as $w\\to 0$", inverse_step(), 9 * r / (4 * q), seed=context.seed),
-        identity(
-            "equivalently $w'=w-\\tfrac{9r}{4q}w^2+\\dots$", quadratic_coefficient(), 9 * r / (4 * q), seed=context.seed
-        ),
-        identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), sp.pi, seed=context.seed),
-        identity(
-            "so $t\\,(E-E_{cr})\\to E_{cr}\\,\\tfrac{4\\pi}{9}\\tfrac{m_1}{m_2}\\sqrt{(m_1+m_2)/a}$",
-            rate_constant(),
-            printed_rate_constant(),
-            seed=context.seed,
-        ),
-        identity(
-            "with $E_{cr}$ as derived", critical_energy(), b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2), seed=context.seed
-        ),
-        cites=("Stolz and Cesàro",),
-    )
-
-
-def _between(limit: Evidence) -> Evidence:
-    """Return that t (E - E_cr) is bounded from both sides, by numbers that depend on E(0) alone."""
-    return argument(
-        "A continuous positive $t\\,w(t)$ with a positive limit is bounded from both sides on $[t_0,\\infty)$. A start on $S_0$ with "
-        "$E(0)>E_{cr}$ is on one of two arcs, mirror images of each other, on which only the time to the ray, at most half a "
-        "period, depends on the start: over these times the bounds are attained, so they depend on $E(0)$ and $t_0$ alone.",
-        limit,
-    )
-
-
 @check("rate-one-over-t")
-def rate_one_over_t(context: Context) -> Finding:
+def rate_one_over_t(context: Context) -> Finding:  # noqa: ARG001
     """The bound cannot hold as t -> 0; from any positive time on it does, with one limit for all starts."""
     c1, above, now = sp.symbols("c_1 e_0 e", positive=True)
     t = sp.Symbol("t", positive=True)
-    limit = _sharp(context)
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "As written, for all $t$, the lower bound fails near $t=0$: $c_1/t$ is unbounded there, while $E(t)-E_{cr}\\leqslant "
@@ -280,8 +219,8 @@ def rate_one_over_t(context: Context) -> Finding:
             [sp.Eq(2 * above * t, c1), sp.Le(now, above)],
             sp.Gt(c1, now * t, evaluate=False),
         ).as_counterexample(),
-        carried("two-sided", _between(limit).as_correction()),
-        carried("limit", limit.as_correction()),
+        carried("two-sided", two_sided().as_correction()),
+        carried("limit", sharp_limit().as_correction()),
         enclosed_rate(Fraction(1, 2), Fraction(1, 2), 1000, Fraction(1, 20)).as_correction(),
         enclosed_rate(Fraction(1, 2), Fraction(1, 10), 1000, Fraction(1, 20)).as_correction(),
         corrected=claim_named("rate-one-over-t").corrected,

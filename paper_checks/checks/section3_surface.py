@@ -52,7 +52,7 @@ def width_as_printed() -> Evidence:
 
 
 def outside_proofs() -> list[Evidence]:
-    """Return the four proofs of (trans)."""
+    """Return the four proofs of (9)."""
     return [
         prove(
             f"$\\Phi_{name}\\cdot n_S{relation}0$ on $S_{part}$",
@@ -65,7 +65,7 @@ def outside_proofs() -> list[Evidence]:
 
 
 def strip_proofs() -> list[Evidence]:
-    """Return the two proofs of (trans')."""
+    """Return the two proofs of (10)."""
     return [
         prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", within(), sp.Ge(product(-1), 0, evaluate=False)),
         prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", within(), sp.Le(product(1), 0, evaluate=False)),
@@ -78,7 +78,7 @@ def _products() -> tuple[str, ...]:
 
 @check("transversality-outside")
 def transversality_outside(context: Context) -> Finding:
-    """Prove (trans) for all parameters."""
+    """Prove (9) for all parameters."""
     return conclude(
         Verdict.HOLDS,
         "Both products are $-(a_2m_2x_1\\pm b(m_1+m_2))/(m_1m_2)$: beyond either edge the spring term outweighs friction.",
@@ -98,7 +98,7 @@ def transversality_outside(context: Context) -> Finding:
 
 @check("transversality-strip")
 def transversality_strip(context: Context) -> Finding:
-    """Prove (trans') for all parameters, and that it is sharp at the edges."""
+    """Prove (10) for all parameters, and that it is sharp at the edges."""
     return conclude(
         Verdict.HOLDS,
         "The two products differ by $2b(m_1+m_2)/(m_1m_2)>0$; each vanishes at one edge of the strip only.",

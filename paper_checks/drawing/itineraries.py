@@ -1,4 +1,4 @@
-"""The figure of Section III: two itineraries, projected orthogonally on the switching plane S."""
+"""Fig. 3: two itineraries, projected orthogonally on the switching plane S."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fig. 3 (a), (b) and Fig. 4 (b): phase portraits, the exact solution beside forward Euler."""
+"""Fig. 4 (a), (b) and Fig. 5 (b): phase portraits, the exact solution beside forward Euler."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ def start_at_6mm() -> Figure:
     return _bodies(
         solved("start-at-6mm", SHOWN),
         euler("start-at-6mm-literal", SHOWN),
-        "Fig. 3 (a): $b=0.5$ N, $x_1(0)=6$ mm, else 0; up to $t=1.5$ s",
+        "Fig. 4 (a): $b=0.5$ N, $x_1(0)=6$ mm, else 0; up to $t=1.5$ s",
         "exact: slips at once, never sticks for good",
-        "forward Euler on (5), (6), step " + STEP_TEXT + ": stuck",
+        "forward Euler on (11), (12), step " + STEP_TEXT + ": stuck",
     )
 
 
@@ -50,9 +50,9 @@ def start_with_speed() -> Figure:
     return _bodies(
         solved("start-with-speed", SHOWN),
         euler("start-with-speed-literal", SHOWN),
-        "Fig. 3 (b): $b=0.5$ N, $\\dot x_1(0)=150$ mm/s, else 0; up to $t=1.5$ s",
+        "Fig. 4 (b): $b=0.5$ N, $\\dot x_1(0)=150$ mm/s, else 0; up to $t=1.5$ s",
         "exact: sticks and slips in turn for ever",
-        "forward Euler on (5), (6), step " + STEP_TEXT + ": chatter",
+        "forward Euler on (11), (12), step " + STEP_TEXT + ": chatter",
     )
 
 
@@ -93,9 +93,9 @@ def relative_motion() -> Figure:
         axes.set(xlabel="$z=x_1-x_2$ (mm)", ylabel="$\\dot z=\\dot x_1-\\dot x_2$ (mm/s)")
     for row, what in zip(panels, ("", ", close-up"), strict=True):
         row[0].set_title(f"exact{what}")
-        row[1].set_title(f"forward Euler on (5), (6), step {STEP_TEXT}{what}")
+        row[1].set_title(f"forward Euler on (11), (12), step {STEP_TEXT}{what}")
     panels[1, 0].set(xlim=(-1.0, 3.0), ylim=(-14, 24))
-    figure.suptitle("Fig. 4 (b): $\\dot x_1(0)=150$ mm/s, else 0; up to $t=6$ s", fontsize=10)
+    figure.suptitle("Fig. 5 (b): $\\dot x_1(0)=150$ mm/s, else 0; up to $t=6$ s", fontsize=10)
     handles, labels = panels[1, 0].get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
     figure.legend(unique.values(), unique.keys(), loc="outside lower center", ncols=6)

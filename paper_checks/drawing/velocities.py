@@ -1,4 +1,4 @@
-"""Fig. 4 (a): both velocities against time, the exact solution beside forward Euler, and the printed 4.7 s in close-up."""
+"""Fig. 5 (a): both velocities against time, the exact solution beside forward Euler, and the printed 4.7 s in close-up."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def velocities_scene() -> Figure:
     euler_t, euler_v1, euler_v2 = thinned(run, (1, 3))
     for axes, title, at, v1, v2 in (
         (rows[0], "exact", t, MM * y[1], MM * y[3]),
-        (rows[1], f"forward Euler on (5), (6), step {STEP_TEXT}", euler_t, euler_v1, euler_v2),
+        (rows[1], f"forward Euler on (11), (12), step {STEP_TEXT}", euler_t, euler_v1, euler_v2),
     ):
         axes.plot(at, v1, color=BODY_1, label="$\\dot x_1$")
         axes.plot(at, v2, color=BODY_2, ls=(0, (5, 1.2)), label="$\\dot x_2$")
@@ -48,7 +48,7 @@ def velocities_scene() -> Figure:
     mark_events(rows[0], exact, 3)
     _close_up(rows[2], exact)
     rows[0].legend(loc="upper right", ncols=4)
-    figure.suptitle("Fig. 4 (a): $b=0.05$ N, $\\dot x_1(0)=150$ mm/s, else 0", fontsize=10)
+    figure.suptitle("Fig. 5 (a): $b=0.05$ N, $\\dot x_1(0)=150$ mm/s, else 0", fontsize=10)
     return figure
 
 

@@ -17,7 +17,7 @@ AFTER_FIGURE = "after Fig. 3"
 HALF_PERIOD = sp.pi * sp.sqrt((m1 + m2) / a2)
 ECR = sp.Symbol("E_{cr}", positive=True)
 RATE = ECR * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
-C1, TIME, EXCESS = sp.symbols("c_1 t e", positive=True)
+C1, TIME, EXCESS = (sp.Symbol(name, positive=True) for name in ("c_1(E(0))", "t", "E(t)-E_{cr}"))
 
 
 def sharp_limit() -> Formula:
@@ -202,9 +202,8 @@ CONVERGENCE = (
         (
             clause(
                 "bounds",
-                r"The energy of such solutions satisfies $c_1(E(0))/t\leqslant E(t)-E_{cr}\leqslant c_2(E(0))/t$ with "
-                r"$0<c_1(E(0))<c_2(E(0))$; for all $t>0$, so also «lower», where $e=E(0)-E_{cr}$ is the most that $E(t)-E_{cr}$ "
-                r"can be.",
+                r"The energy of such solutions satisfies «lower» and $E(t)-E_{cr}\leqslant c_2(E(0))/t$ with "
+                r"$0<c_1(E(0))<c_2(E(0))$.",
                 lower=Formula(C1 / TIME, "<=", EXCESS, fails_at({C1: 2, TIME: 1, EXCESS: 1}), false=True),
             ),
         ),

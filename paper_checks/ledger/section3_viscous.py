@@ -7,14 +7,12 @@ from paper_checks.deciders import condition, equals
 from paper_checks.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from theory.closed_forms import discriminant
-from theory.energy import slip_rate
+from theory.energy import energy
+from theory.filippov import derivative_along
+from theory.model import free_system
 from theory.symbols import a1, a2, b, m1, m2, v1, v2
 
 SECTION = "III"
-
-
-def _viscous_rate(sign: int) -> sp.Expr:
-    return -sign * b * (v1 - v2) - a1 * v1**2
 
 
 def _underdamped() -> Formula:
@@ -32,10 +30,13 @@ VISCOUS = (
         (
             clause(
                 "rate",
-                r"With viscous friction, the counterpart of (8) reads $\dot{E}=-b\,|v_1-v_2|-a_1 v_1^2$: «plus» in $\Omega_+$, "
-                r"«minus» in $\Omega_-$.",
-                plus=Formula(r"\dot{E}", "=", _viscous_rate(1), equals(lambda: slip_rate(1))),
-                minus=Formula(r"\dot{E}", "=", _viscous_rate(-1), equals(lambda: slip_rate(-1))),
+                r"With viscous friction, the counterpart of (8) reads «rate».",
+                rate=Formula(
+                    r"\dot{E}",
+                    "=",
+                    -b * sp.Abs(v1 - v2) - a1 * v1**2,
+                    equals(lambda: derivative_along(free_system(sp.Abs(v1 - v2) / (v1 - v2)), energy())),
+                ),
                 kernel=("Pair.energy_rate",),
             ),
         ),

@@ -69,7 +69,7 @@ def _table(rows: Sequence[Row]) -> str:
     )
     return (
         "\\subsection*{Claims}\n\\begin{longtable}{@{}p{0.35\\textwidth}p{0.25\\textwidth}ll@{}}\n"
-        f"Claim & Where & Verdict & Evidence \\\\ \\hline \\endhead\n{lines}\n\\end{{longtable}}"
+        f"Claim & Where & Verdict & Established by \\\\ \\hline \\endhead\n{lines}\n\\end{{longtable}}"
     )
 
 

@@ -58,7 +58,7 @@ LONG = (
 )
 
 
-def claim(name, recorded=Verdict.HOLDS, section="III", where="after (edot)", statement="$E$ decreases."):
+def claim(name, recorded=Verdict.HOLDS, section="III", where="after (8)", statement="$E$ decreases."):
     return Claim(name, section, where, statement, recorded)
 
 
@@ -73,7 +73,7 @@ def rows():
             Finding(Verdict.HOLDS, "An identity.", (EXACT, SMT), derivation=DERIVATION, figure="sine"),
         ),
         Row(
-            claim("example-stiction-never-violated", Verdict.REFUTED, "IV", "after eq. (6)", LONG),
+            claim("example-stiction-never-violated", Verdict.REFUTED, "IV", "after eq. (12)", LONG),
             Finding(Verdict.REFUTED, LONG, both, corrected, counter, DERIVATION, "sine"),
             1.25,
         ),
