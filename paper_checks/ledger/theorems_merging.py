@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from paper_checks.clause import Formula, clause
 from paper_checks.deciders import decimal, equals
+from paper_checks.evidence import Evidence
 from paper_checks.ledger.theorem import C, H, R, in_angle, theorem
 from theory.excursion import angle
 from theory.merging import critical_mass_ratio, turning_function
+from theory.merging_share import density, large_energy_limit, level, relative
 from theory.return_map import (
     return_map_of_angle,
 )
-from theory.symbols import q
+from theory.symbols import X, q
+from theory.symbols import r as share_of_q
 
 if TYPE_CHECKING:
     from flint import arb
@@ -29,6 +34,19 @@ def _critical_ratio() -> arb:
 
     with precision():
         return (1 - critical_value()) / critical_value()
+
+
+def _bands(share: Fraction) -> Formula:
+    """Return how many bands there are at least for a share; decided by the energies that balls prove to merge, and not."""
+
+    def decide(formula: Formula) -> Evidence:
+        from paper_checks.steps.merging_bands import bands
+
+        number, found = bands(share)
+        proved = formula.relation == ">=" and bool(formula.right <= number)
+        return replace(found, statement=f"${formula.latex}$ for $r={share}$", passed=proved or None)
+
+    return Formula("n", ">=", sp.Integer(9), decide)
 
 
 MERGING = (
@@ -87,6 +105,39 @@ MERGING = (
             r"If $m_1/m_2<\mu^*$, an interval of energies on $S_0$ merges where the pair first meets $S$ after it left $S_0$; if they "
             r"are equal, just one energy does.",
             kernel=("Cross.merging_set_S0",),
+        ),
+    ),
+)
+
+SHARES = (
+    theorem(
+        "merging-bands",
+        clause(
+            "bands",
+            r"The energies on $S_0$ above $E_{cr}$ that ever merge, at the first re-entry or later, form more than one band: for $r=m_2/M$ "
+            r"equal to $\tfrac{3}{5}$ there are «first», for $\tfrac{7}{10}$ «second», for $\tfrac{4}{5}$ «third».",
+            first=_bands(Fraction(3, 5)),
+            second=_bands(Fraction(7, 10)),
+            third=_bands(Fraction(4, 5)),
+        ),
+    ),
+    theorem(
+        "merging-share",
+        clause(
+            "share",
+            r"Let $r\leqslant r^*$ and $e=E/E_{cr}>1$. The share (Liouville measure) of the states of energy $E$ that merge is the integral over "
+            r"$X^2+V^2\leqslant 1$ of «density», where $g=|V_1-V_2|$ at the energy $E$ of the slip that ends at $(X,V)$ on $S$.",
+            density=Formula(
+                "f",
+                "=",
+                (1 - X) / relative / (2 * sp.pi * sp.sqrt(q) * sp.sqrt(R) * sp.sqrt(level)),
+                equals(density, lambda: {R: share_of_q}),
+            ),
+        ),
+        clause(
+            "limit",
+            r"As $E$ grows, «limit».",
+            limit=Formula(r"e\,\int f", "->", 1 / (2 * sp.sqrt(q)), equals(large_energy_limit)),
         ),
     ),
 )
