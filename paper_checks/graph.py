@@ -124,6 +124,6 @@ def numbered(row_id: str, found: Sequence[Proof]) -> dict[Evidence, str]:
     steps = closure(step for proof in found for step in (*proof.kernel, *proof.steps, *proof.bindings))
     names: dict[Evidence, str] = {}
     for step in steps:
-        theorem = step.statement.removeprefix("the theorem ")
-        names[step] = theorem if step.kind is EvidenceKind.KERNEL else f"{row_id}/{len(names) + 1}"
+        theorem = kernel.name_of(step) if step.kind is EvidenceKind.KERNEL else ""
+        names[step] = theorem or f"{row_id}/{len(names) + 1}"
     return names

@@ -1,4 +1,4 @@
-"""The seam to the proof kernel: theorems by name, as steps of a proof. Nothing else imports `paper_checks.proofs`."""
+"""The seam to the proof kernel: its cited theorems, by id, as steps of a proof. Nothing else imports `paper_checks.proofs`."""
 
 from __future__ import annotations
 
@@ -11,28 +11,33 @@ from paper_checks.evidence import Evidence, EvidenceKind
 
 PROVED, NOT_RUN, FAILED = "proved", "not run", "failed"
 STATUS = {True: PROVED, None: NOT_RUN, False: FAILED}
-_OUTCOMES = {status: passed for passed, status in STATUS.items()}
+"""What the kernel's answer is called."""
 
 
 @dataclass(frozen=True)
 class Unavailable:
-    """What stands for a theorem where there is no kernel."""
+    """What stands for a theorem where there are no proofs."""
 
-    name: str
-    reason: str
+    id: str
+    name: str = ""
+    sentence: str = ""
     statement: str = ""
-    status: str = NOT_RUN
-    axioms: tuple[str, ...] = ()
     uses: tuple[str, ...] = ()
+    axioms: tuple[str, ...] = ()
+    holds: bool | None = None
+    problem: str = "the proofs are not part of this installation"
 
 
 @cache
 def theorem(name: str) -> Any:
-    """Return what the kernel says of a theorem, `File.name`; it is not run where the proofs or `coqc` are missing."""
+    """Return what the kernel says of the theorem with this id; where the proofs are missing, that it was not run.
+
+    Raises KeyError for an id that the proofs do not cite.
+    """
     try:
         proofs = importlib.import_module("paper_checks.proofs")
     except ModuleNotFoundError:
-        return Unavailable(name, "the proofs are not part of this installation")
+        return Unavailable(name)
     return proofs.theorem(name)
 
 
@@ -43,15 +48,19 @@ def step(name: str) -> Evidence:
     Passed is True where the kernel accepted it, None where it was not run, False where it was refused.
     """
     found = theorem(name)
-    passed = _OUTCOMES.get(found.status)
-    value = " ".join(found.statement.split()) if passed else f"kernel {found.status}: {name}: {found.reason}"
-    rests_on = tuple(step(used) for used in found.uses) if passed else ()
+    problem = f": {found.problem}" if found.problem else ""
+    value = " ".join(found.statement.split()) if found.holds else f"kernel {STATUS[found.holds]}: {name}{problem}"
     return Evidence(
         EvidenceKind.KERNEL,
         "Coq",
-        f"the theorem {name}",
-        passed,
+        f"the theorem {name}" + (f" ({found.name}): {found.sentence}" if found.name else ""),
+        found.holds,
         value=value,
         assumptions=tuple(found.axioms),
-        rests_on=rests_on,
+        rests_on=tuple(step(used) for used in found.uses) if found.holds else (),
     )
+
+
+def name_of(item: Evidence) -> str:
+    """Return the id of the theorem that a step of the kernel states."""
+    return item.statement.removeprefix("the theorem ").partition(" (")[0]

@@ -22,7 +22,6 @@ def infinitely_many_crossings(context: Context) -> Finding:  # noqa: ARG001
         "in $\\Omega_+$ or $\\Omega_-$ lasts at most $2\\sqrt{2Em_2}/b$, since there $v_2$ changes at a constant rate and is "
         "bounded by the energy. So the times at which a trajectory is on $S$ have no last one; one that sticks is on $S$ at "
         "every instant.",
-        carried("rates", capture.meets_surface()[0]),
         carried("crossings", contact_again()),
         derivation=(
             "$$m_2v_2^2\\leqslant 2E(0),\\quad |\\dot v_2|=b/m_2\\ \\Rightarrow\\ T\\leqslant\\frac{2\\sqrt{2E(0)m_2}}{b}$$",

@@ -82,9 +82,10 @@ def transversality_outside(context: Context) -> Finding:
     return conclude(
         Verdict.HOLDS,
         "Both products are $-(a_2m_2x_1\\pm b(m_1+m_2))/(m_1m_2)$: beyond either edge the spring term outweighs friction.",
-        carried("signs", width_as_printed(), *outside_proofs()),
         carried(
-            "normal",
+            "signs",
+            width_as_printed(),
+            *outside_proofs(),
             identity(
                 "$n_S$ is the gradient of $v_1-v_2$: it points from $\\Omega_-$ to $\\Omega_+$",
                 normal(),

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from paper_checks import kernel
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.report.mathematics import plain
 from paper_checks.runner import Row
@@ -33,7 +34,9 @@ def edges(rows: Sequence[Row]) -> Iterator[tuple[str, Evidence]]:
 
 def name_of(step: Evidence) -> str:
     """Return the short name of a step."""
-    text = step.statement.removeprefix("the theorem ")
+    if step.kind is EvidenceKind.KERNEL:
+        return kernel.name_of(step)
+    text = step.statement
     if len(text) <= WIDTH:
         return text
     cut = text[:WIDTH].rsplit(" ", 1)[0]

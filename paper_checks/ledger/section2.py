@@ -40,7 +40,7 @@ SECTION_2 = (
             clause(
                 "unique",
                 r"from every initial state there is exactly one such solution, forward in time.",
-                kernel=("Existence.well_posed",),
+                kernel=("well-posed",),
             ),
         ),
     ),

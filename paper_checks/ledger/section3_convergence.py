@@ -38,15 +38,12 @@ ALTERNATIVES = (
         AFTER_FIGURE,
         (
             clause(
-                "rates",
-                r"Since «minus» in $\Omega_-$ and «plus» in $\Omega_+$,",
+                "crossings",
+                r"Since «minus» in $\Omega_-$ and «plus» in $\Omega_+$, (8) implies that every trajectory has infinitely many "
+                r"intersections with the switching plane $S$.",
                 minus=_acceleration(-1),
                 plus=_acceleration(1),
-            ),
-            clause(
-                "crossings",
-                r"(8) implies that every trajectory has infinitely many intersections with the switching plane $S$.",
-                kernel=("Stick.contact",),
+                kernel=("contact",),
             ),
         ),
         Verdict.HOLDS,
@@ -65,6 +62,7 @@ ALTERNATIVES = (
                 r"Any trajectory from $\Omega_-$ that meets $S$ enters $S_0$ and stays in it for some time, or crosses $S$ "
                 r"transversally into $\Omega_+$ at a point of $S_-$ or of $\ell_-$, or touches $S$ at a point of $\ell_+$ and goes "
                 r"on in $\Omega_-$; the same holds from $\Omega_+$ with all signs exchanged.",
+                kernel=("return-alternatives", "return-alternatives-mirror", "sticks-inside", "slips-on-ray"),
             ),
         ),
     ),
@@ -78,7 +76,7 @@ ALTERNATIVES = (
                 r"Any trajectory of (5)–(7) either merges with one of the elliptic periodic trajectories "
                 r"$\{E=E_0\}\cap S_0$, $E_0\leqslant E_{cr}$, in finite time or converges to the largest of them, "
                 r"$\{E=E_{cr}\}\cap S_0$, asymptotically.",
-                kernel=("Dichotomy.dichotomy",),
+                kernel=("dichotomy",),
             ),
         ),
         Verdict.HOLDS,
@@ -93,7 +91,7 @@ ALTERNATIVES = (
                 r"In the latter scenario there are times $t_1<\tau_1<t_2<\tau_2<\cdots$ such that the trajectory "
                 r"belongs to $S_0$ during each $[t_k,\tau_k]$ and «limit» as $k\to\infty$.",
                 limit=Formula(r"\tau_k-t_k", "->", HALF_PERIOD, equals(lambda: critical_limits().stick_duration)),
-                kernel=("Paper.times",),
+                kernel=("exit-and-entry-times",),
             ),
         ),
         Verdict.HOLDS,
@@ -107,7 +105,7 @@ ALTERNATIVES = (
                 "slips",
                 r"For the same times, «limit» as $k\to\infty$: the trajectory leaves $S_0$ only for short intervals of time.",
                 limit=Formula(r"t_{k+1}-\tau_k", "->", sp.Integer(0), equals(lambda: critical_limits().slip_duration)),
-                kernel=("Paper.times",),
+                kernel=("exit-and-entry-times",),
             ),
         ),
         Verdict.HOLDS,
@@ -135,6 +133,7 @@ ALTERNATIVES = (
                     r"|x_1|", "->", b * (m1 + m2) / (a2 * m2), equals(lambda: critical_limits().entry_position)
                 ),
                 speed=Formula(r"|v_1|", "->", sp.Integer(0), equals(lambda: critical_limits().entry_velocity)),
+                kernel=("exits-near-endpoints",),
             ),
         ),
     ),
@@ -149,7 +148,7 @@ CONVERGENCE = (
             clause(
                 "limit",
                 r"Equation (8) implies that $x_1-x_2\to\mathrm{const}$ for any trajectory.",
-                kernel=("Corollaries.displacement_limit",),
+                kernel=("displacement-limit",),
             ),
         ),
         Verdict.HOLDS,
@@ -163,7 +162,7 @@ CONVERGENCE = (
                 "stable",
                 r"The set of periodic trajectories $\{E=E_0\}\cap S_0$ with $E_0\leqslant E_{cr}$, including the "
                 r"equilibrium at the origin, is globally asymptotically stable.",
-                kernel=("Stick.ellipse_stable", "Dichotomy.convergence"),
+                kernel=("ellipse-stable", "convergence"),
             ),
         ),
         Verdict.HOLDS,
@@ -177,7 +176,7 @@ CONVERGENCE = (
                 "creeps",
                 r"Any trajectory starting from $S_0$ with energy $E_0$ slightly higher than $E_{cr}$ converges to "
                 r"the periodic trajectory $\{E=E_{cr}\}\cap S_0$ without merging with it.",
-                kernel=("Law.no_merging_from_S0",),
+                kernel=("no-merging-from-S0",),
             ),
         ),
         Verdict.HOLDS,
@@ -190,7 +189,7 @@ CONVERGENCE = (
             clause(
                 "slow",
                 r"This convergence is slow, slower than exponential.",
-                kernel=("Paper.one_over_t",),
+                kernel=("slower-than-exponential",),
             ),
         ),
         Verdict.HOLDS,
@@ -214,13 +213,13 @@ CONVERGENCE = (
                 r"For every such solution, which starts on $S_0$ slightly above $E_{cr}$, and every $t_0>0$ there are "
                 r"$0<c_1<c_2$, which depend on $E(0)$ and $t_0$ alone, with $c_1/t\leqslant E(t)-E_{cr}\leqslant c_2/t$ for "
                 r"$t\geqslant t_0$;",
-                kernel=("Paper.one_over_t",),
+                kernel=("one-over-t",),
             ),
             clause(
                 "limit",
                 r"and «limit» as $t\to\infty$, whatever $E(0)$ is.",
                 limit=sharp_limit(),
-                kernel=("Law.sharp_law",),
+                kernel=("sharp-law",),
             ),
         ),
     ),

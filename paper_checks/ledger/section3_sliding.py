@@ -113,13 +113,13 @@ SLIDING = (
                         lambda: derivative_along(undamped(free_system(sp.Abs(v1 - v2) / (v1 - v2))), energy()),
                     ),
                 ),
-                kernel=("Pair.energy_rate",),
+                kernel=("energy-rate",),
             ),
             clause(
                 "sign",
                 r"and «sign».",
                 sign=Formula(-b * sp.Abs(v1 - v2), "<=", sp.Integer(0), implied()),
-                kernel=("Pair.energy_decreases",),
+                kernel=("energy-decreases",),
             ),
         ),
         Verdict.HOLDS,
@@ -140,13 +140,13 @@ SLIDING = (
                     implied(lambda: [sp.Gt(v1, v2)]),
                 ),
                 below=Formula(b * (v1 - v2), "<", sp.Integer(0), implied(lambda: [sp.Lt(v1, v2)])),
-                kernel=("Pair.energy_rate",),
+                kernel=("energy-rate",),
             ),
             clause(
                 "conserved",
                 r"it is conserved on the parts which belong to $S$: «conserved».",
                 conserved=Formula(r"\dot E", "=", sp.Integer(0), equals(lambda: undamped(slip_rate(1)).subs(v2, v1))),
-                kernel=("Pair.energy_rate",),
+                kernel=("energy-rate",),
             ),
         ),
         Verdict.HOLDS,
@@ -157,19 +157,16 @@ SLIDING = (
         "(9)",
         (
             clause(
-                "normal",
-                r"With the normal «normal», which points from $\Omega_-$ to $\Omega_+$,",
-                normal=Formula("n_S", "=", sp.Matrix([0, 1, -1]), equals(lambda: sp.Matrix(normal()))),
-            ),
-            clause(
                 "signs",
-                r"«plus_above», «minus_above» on $S_+$ and «plus_below», «minus_below» on $S_-$, where $S_\pm$ are the parts of "
+                r"With the normal «normal», which points from $\Omega_-$ to $\Omega_+$, «plus_above», «minus_above» on $S_+$ and «plus_below», «minus_below» on $S_-$, where $S_\pm$ are the parts of "
                 r"$S$ with $\pm x_1>L$, «width».",
                 plus_above=_at_guard(1, "<", 1),
                 minus_above=_at_guard(-1, "<", 1),
                 plus_below=_at_guard(1, ">", -1),
                 minus_below=_at_guard(-1, ">", -1),
                 width=width(),
+                normal=Formula("n_S", "=", sp.Matrix([0, 1, -1]), equals(lambda: sp.Matrix(normal()))),
+                kernel=("rate-above", "rate-below", "transversal-beyond"),
             ),
         ),
         Verdict.HOLDS,
@@ -185,6 +182,7 @@ SLIDING = (
                 minus=_at_guard(-1, ">=", 0),
                 plus=_at_guard(1, "<=", 0),
                 width=width(),
+                kernel=("rate-above", "rate-below", "transversal-inside"),
             ),
         ),
         Verdict.HOLDS,
@@ -194,11 +192,12 @@ SLIDING = (
         SECTION,
         "after (10)",
         (
-            clause("region", r"$S_0$ is the sliding region;"),
+            clause("region", r"$S_0$ is the sliding region;", kernel=("transversal-inside", "sticks-inside")),
             clause(
                 "modes",
                 r"it consists of trajectories and parts thereof known as sliding modes, each in the intersection of $S_0$ with an "
                 r"ellipsoid $E=E_0$ of constant energy.",
+                kernel=("sticks-inside", "energy-rate"),
             ),
         ),
         Verdict.HOLDS,
@@ -212,9 +211,9 @@ SLIDING = (
                 "closed",
                 r"For $E_0\leqslant E_{cr}$, «level», the intersection $\{E=E_0\}\cap S_0$ is a closed elliptic trajectory;",
                 level=Formula("E_{cr}", "=", LEVEL, equals(critical_energy)),
-                kernel=("Stick.ellipse_solution",),
+                kernel=("ellipse-iff",),
             ),
-            clause("open", r"for $E_0>E_{cr}$ it is not."),
+            clause("open", r"for $E_0>E_{cr}$ it is not.", kernel=("ellipse-iff",)),
         ),
         Verdict.HOLDS,
     ),
@@ -227,11 +226,13 @@ SLIDING = (
                 "arcs",
                 r"For $E_0>E_{cr}$ the intersection $\{E=E_0\}\cap S_0$ consists of two disjoint elliptic arcs, "
                 r"each being a part of a trajectory.",
+                kernel=("arc-to-ray", "arc-to-left-ray"),
             ),
             clause(
                 "exits",
                 r"One of these trajectories exits $S_0$ through the ray $\ell_-$ into $\Omega_+$, the other through the ray "
                 r"$\ell_+$ into $\Omega_-$.",
+                kernel=("arc-to-ray", "arc-to-left-ray", "slips-on-ray"),
             ),
         ),
         Verdict.HOLDS,

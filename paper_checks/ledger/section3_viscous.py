@@ -37,7 +37,7 @@ VISCOUS = (
                     -b * sp.Abs(v1 - v2) - a1 * v1**2,
                     equals(lambda: derivative_along(free_system(sp.Abs(v1 - v2) / (v1 - v2)), energy())),
                 ),
-                kernel=("Pair.energy_rate",),
+                kernel=("energy-rate",),
             ),
         ),
         Verdict.HOLDS,
@@ -54,13 +54,13 @@ VISCOUS = (
             clause(
                 "origin",
                 r"For every $a_1>0$ the origin is globally asymptotically stable;",
-                kernel=("Viscous.decay", "Viscous.rest"),
+                kernel=("viscous-decay", "viscous-rest"),
             ),
             clause(
                 "ends",
                 r"the switching does not go on: every trajectory sticks for ever from a finite time on, while without a damper "
                 r"whole families stick and slip in turn for ever;",
-                kernel=("Viscous.rest", "Law.no_merging_from_S0"),
+                kernel=("viscous-rest", "no-merging-from-S0"),
             ),
             clause(
                 "spiral",

@@ -120,11 +120,13 @@ EXAMPLE_SYSTEM = (
                     condition(_level),
                     sharp=True,
                 ),
+                kernel=("sticks-iff",),
             ),
             clause(
                 "at-once",
                 r"They do so at once exactly if $\dot x_1(0)\neq\dot x_2(0)$, or $|x_1(0)|>L$, or the start is on an exit ray, "
                 r"$x_1(0)=\pm L$ with $\pm v>0$.",
+                kernel=("slips-beyond", "slips-on-ray", "sticks-inside"),
             ),
         ),
     ),

@@ -75,6 +75,7 @@ NUMERICAL_RESULTS = (
                     sp.Rational(1, 200),
                     equals(lambda: half_width().subs(CASE_STUDY).subs(b, sp.Rational(1, 2))),
                 ),
+                kernel=("sticks-from-rest", "slips-beyond"),
             ),
             clause("slips", r"At $x_1(0)=0.006$ m it slips at once, and infinitely often."),
         ),

@@ -47,7 +47,7 @@ SECTION_5 = (
                 r"For any initial conditions of the free system (2)–(4) with $u=0$, the global asymptotic "
                 r"convergence $\dot{z}(t)\to 0$ for $t\to\infty$ is warranted for all the admissible (i.e. "
                 r"physical) system parameters $m_1,m_2,a_2,b>0$ and $a_1\geqslant 0$.",
-                kernel=("Dichotomy.convergence", "Viscous.rest"),
+                kernel=("synchronisation",),
             ),
         ),
         Verdict.HOLDS,
@@ -73,7 +73,7 @@ SECTION_5 = (
             clause(
                 "ends",
                 r"For every $a_1>0$ every trajectory sticks for ever from a finite time on, and tends to the origin;",
-                kernel=("Viscous.decay", "Viscous.rest"),
+                kernel=("viscous-decay", "viscous-rest"),
             ),
             clause(
                 "captive",
@@ -84,13 +84,13 @@ SECTION_5 = (
                     b**2 * (m1 + m2) ** 3 / (2 * m2**2 * (a2 * (m1 + m2) + a1**2)),
                     equals(captive_energy),
                 ),
-                kernel=("Viscous.captive_merges",),
+                kernel=("captive-merges",),
             ),
             clause(
                 "alternates",
                 r"for $a_1=0$ it may alternate for ever and then tends to the orbit $E=E_{cr}$. So damping the driving body can "
                 r"accelerate the synchronisation, and it replaces the endless alternation by a finite one.",
-                kernel=("Law.no_merging_from_S0",),
+                kernel=("no-merging-from-S0",),
             ),
         ),
     ),
@@ -118,6 +118,7 @@ SECTION_5 = (
                 r"Under the Filippov law, and under (3)–(4), «bound» in stick, on $S_0$, and with equality in slip, whatever the driving "
                 r"body does; in stick $\ddot x_2=\ddot x_1$.",
                 bound=Formula(sp.Abs(DRIVEN), "<=", b / m2, _stick_bound()),
+                kernel=("driven-acceleration",),
             ),
         ),
     ),

@@ -50,7 +50,7 @@ EXCURSIONS = (
             r"$v_1<v_2$ (and $u>0$ if $d=0$), ends at the one angle $\theta=\sqrt{a/m_1}\,t\in(0,2\pi)$ with «contact», «rise».",
             contact=in_angle("u", H - gap * sp.cot(theta / 2), lambda: sp.solve(contact_condition(), push)[0]),
             rise=Formula("h", "=", (theta - sp.sin(theta)) / (1 - sp.cos(theta)), equals(h)),
-            kernel=("Gap.gap_slip", "Gap.push_root"),
+            kernel=("gap-slip",),
         ),
         clause(
             "landing",
@@ -59,13 +59,13 @@ EXCURSIONS = (
             push=in_angle("u'", push - theta, lambda: landing().push),
             loss=in_angle("w'-w", -q * R * C * (C + 2 * gap), lambda: landing().excess_change),
             depth=Formula("c", "=", 2 - theta * sp.cot(theta / 2), equals(depth)),
-            kernel=("Gap.gap_slip",),
+            kernel=("gap-slip",),
         ),
         clause(
             "stays",
             r"From a ray it re-enters $S_0$ if $c(\theta)\leqslant c^*$, «edge», and crosses $S$ otherwise;",
             edge=Formula("c^*", "=", 2 / q, equals(_crossing_depth)),
-            kernel=("Cross.reentry", "Cross.ray_crossing"),
+            kernel=("re-entry", "ray-crossing"),
         ),
         clause(
             "leaves",

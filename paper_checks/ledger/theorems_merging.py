@@ -60,19 +60,19 @@ MERGING = (
             r"«after».",
             before=in_angle("w", q * H**2, lambda: q * return_map_of_angle()[0]),
             after=in_angle("w'", q * (H**2 - R * C**2), lambda: q * return_map_of_angle()[1]),
-            kernel=("Cross.merging_set_S0", "Cross.merges_at_first_landing"),
+            kernel=("merging-set-first-slip",),
         ),
         clause(
             "crossings",
             r"Where it crosses $S$ instead, once or more often, its first re-entry of $S_0$ is above $E_{cr}$: so at the first "
             r"re-entry, after any number of crossings, the same interval merges, and no other energy.",
-            kernel=("Equivalence.merging_set",),
+            kernel=("merging-set",),
         ),
-        clause("below", r"Below $w_a$ it never merges.", kernel=("Merge.merges_iff",)),
+        clause("below", r"Below $w_a$ it never merges."),
         clause(
             "none",
             r"For $r<r^*$ no energy on $S_0$ above $E_{cr}$ merges where the trajectory first meets $S$.",
-            kernel=("Cross.merging_set_ray",),
+            kernel=("heavy-never-merges",),
         ),
         clause(
             "limits",
@@ -93,18 +93,19 @@ MERGING = (
             ),
             ratio=Formula(r"\mu^*", "=", -sp.cos(2 * ANGLE), equals(critical_mass_ratio, lambda: {ANGLE: angle})),
             digits=Formula(r"\mu^*", "=...", sp.Rational("0.79263"), decimal(_critical_ratio)),
-            kernel=("Turning.root", "Critical.decimals"),
+            kernel=("turning-point", "critical-mass-ratio-digits"),
         ),
         clause(
             "heavier",
             r"If $m_1/m_2>\mu^*$, no slip that starts on $S$ above $E_{cr}$, from a ray or beyond an edge, ends with "
             r"$E\leqslant E_{cr}$: whether a trajectory merges is decided by its energy at its first contact with $S$.",
+            kernel=("no-low-level", "heavy-never-merges"),
         ),
         clause(
             "lighter",
             r"If $m_1/m_2<\mu^*$, an interval of energies on $S_0$ merges where the pair first meets $S$ after it left $S_0$; if they "
             r"are equal, just one energy does.",
-            kernel=("Cross.merging_set_S0",),
+            kernel=("merging-set-first-slip",),
         ),
     ),
 )

@@ -47,7 +47,7 @@ RATES = (
             "limit",
             r"Along every trajectory that never merges «limit» as $t\to\infty$: a limit, the same for every $E(0)$.",
             limit=sharp_limit(),
-            kernel=("Law.sharp_law",),
+            kernel=("sharp-law",),
         ),
     ),
     theorem(
