@@ -15,7 +15,7 @@
 #
 # A scene is a pair of bodies, an initial state and a horizon. Here one scene is built, solved in three arithmetics,
 # asked for more and more digits, and taken to the places where double precision and even balls have to give up.
-# The pair is that of the paper's Fig. 4 (a): unit masses, $a_2=200$ N/m, $b=0.05$ N, $\dot x_1(0)=0.15$ m/s.
+# The pair is that of the paper's Fig. 5 (a): unit masses, $a_2=200$ N/m, $b=0.05$ N, $\dot x_1(0)=0.15$ m/s.
 
 # %%
 # %matplotlib inline

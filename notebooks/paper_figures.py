@@ -29,15 +29,15 @@ from paper_checks.figures import FIGURES
 from paper_checks.steps.perpetual_slips import every_excursion, first_exit, starts_below
 
 # %% [markdown]
-# ## Figure 3 (a)
+# ## Figure 4 (a)
 #
 # From rest at $x_1(0)=0.006$ m, with $b=0.5$ N. The paper sees stiction at all times.
 
 # %%
-FIGURES["figure-3a"]()
+FIGURES["start-at-6mm"]()
 
 # %%
-scene = load_scene("figure-3a")
+scene = load_scene("start-at-6mm")
 pair, start = scene.pair, scene.initial
 print(f"half width of the sliding region: L = {float(pair.half_width)} m, start: x1(0) = {float(start.x1)} m")
 needed = pair.m2 * pair.a2 * start.x1 / pair.mass
@@ -52,11 +52,11 @@ print(", ".join(mode.value for mode in exact.modes[:5]), "...")
 print(f"first adhesion at t = {exact.events[0].t.str(15)} s")
 
 # %% [markdown]
-# The picture of the paper is what eqs (5), (6) give when sgn(0) = 0 is read literally: at $\dot z=0$ the pair sticks,
+# The picture of the paper is what eqs (11), (12) give when sgn(0) = 0 is read literally: at $\dot z=0$ the pair sticks,
 # whatever force that takes.
 
 # %%
-literal = load_scene("figure-3a-literal")
+literal = load_scene("start-at-6mm-literal")
 print(solve(literal, digits=20, arithmetic="ball").message)
 for step in (1e-3, 1e-4):
     run = forward_euler(literal, step)
@@ -67,39 +67,39 @@ for step in (1e-3, 1e-4):
 # Forward Euler starts at $\dot z=0$ exactly and stays there, while its energy grows.
 
 # %% [markdown]
-# ## Figure 3 (b)
+# ## Figure 4 (b)
 #
 # From $\dot x_1(0)=0.15$ m/s, with $b=0.5$ N. The paper sees the bodies synchronise after a period of time.
 
 # %%
-FIGURES["figure-3b"]()
+FIGURES["start-with-speed"]()
 
 # %%
-exact = solve(load_scene("figure-3b"), digits=20, arithmetic="ball")
+exact = solve(load_scene("start-with-speed"), digits=20, arithmetic="ball")
 print(", ".join(mode.value for mode in exact.modes[:8]), "...")
 entry, leaving = exact.events[1:3]
 print(f"first adhesion from {entry.t.str(12)} s to {leaving.t.str(12)} s")
 
 # %% [markdown]
-# The bodies stick and slip in turn. Read literally, (5) and (6) hold them together from the first contact on, outside
+# The bodies stick and slip in turn. Read literally, (11) and (12) hold them together from the first contact on, outside
 # the sliding region.
 
 # %%
-literal = solve(load_scene("figure-3b-literal"), digits=20, arithmetic="ball")
+literal = solve(load_scene("start-with-speed-literal"), digits=20, arithmetic="ball")
 contact = literal.events[0]
 print(f"contact at t = {contact.t.str(12)} s, x1 = {contact.y[0].str(12)} m")
 print(literal.message)
 
 # %% [markdown]
-# ## Figure 4 (a)
+# ## Figure 5 (a)
 #
 # The same start with $b=0.05$ N. The paper sees both bodies synchronise at $t\approx 4.7$ s.
 
 # %%
-FIGURES["figure-4a"]()
+FIGURES["velocities"]()
 
 # %%
-exact = solve(load_scene("figure-4a"), digits=20, arithmetic="ball")
+exact = solve(load_scene("velocities"), digits=20, arithmetic="ball")
 adhesions = [
     f"| {begin.str(12, radius=False)} | {end.str(12, radius=False)} | {(end - begin).str(6, radius=False)} |"
     for mode, begin, end in zip(exact.modes, exact.t, exact.t[1:], strict=False)
@@ -113,7 +113,7 @@ Markdown("| sticks from (s) | until (s) | for (s) |\n|---|---|---|\n" + "\n".joi
 # %%
 print(f"mode at 4.7 s: {exact.mode_at('4.7').value}")
 for step in (1e-3, 1e-4):
-    run = forward_euler(load_scene("figure-4a-literal"), step)
+    run = forward_euler(load_scene("velocities-literal"), step)
     print(f"Euler, step {step:g} s: v1 = v2 at {run.exact_contacts} steps, chatter: {run.chatter} changes of sign")
 
 # %% [markdown]
@@ -121,17 +121,17 @@ for step in (1e-3, 1e-4):
 # 1 ms there is not even that within 5 s.
 
 # %% [markdown]
-# ## Figure 4 (b)
+# ## Figure 5 (b)
 #
 # The relative motion $(z,\dot z)$ for three values of $b$. The paper sees it converge to $\dot z=0$.
 
 # %%
-FIGURES["figure-4b"]()
+FIGURES["relative-motion"]()
 
 # %%
 runs = {
     f"$b={float(scene.pair.b):g}$": solve(scene, digits=25, arithmetic="ball")
-    for scene in map(load_scene, ("figure-4b-b005", "figure-4b-b02", "figure-4b-b05"))
+    for scene in map(load_scene, ("relative-motion-b005", "relative-motion-b02", "relative-motion-b05"))
 }
 rows = [
     f"| {name} | {next(event.t for event in run.events if event.after is Mode.STICK).str(8, radius=False)} "
@@ -160,10 +160,10 @@ Markdown("| statement | checked by | found true |\n|---|---|---|\n" + "\n".join(
 # The paper draws them without numbers; these scenes exhibit them. Both are projected on the plane $S$.
 
 # %%
-FIGURES["figure-5a"]()
+FIGURES["itinerary-that-merges"]()
 
 # %%
-merging = solve(load_scene("figure-5a"), digits=20, arithmetic="ball")
+merging = solve(load_scene("itinerary-that-merges"), digits=20, arithmetic="ball")
 print(", ".join(mode.value for mode in merging.modes))
 print(f"w after the slip: {merging.final.w.str(12)}; {merging.message}")
 
@@ -171,10 +171,10 @@ print(f"w after the slip: {merging.final.w.str(12)}; {merging.message}")
 # (a) The pair enters the sliding region once, with $w<0$, and stays on an orbit below $E_{cr}$.
 
 # %%
-FIGURES["figure-5b"]()
+FIGURES["itinerary-that-creeps"]()
 
 # %%
-winding = solve(load_scene("figure-5b"), digits=20, arithmetic="ball")
+winding = solve(load_scene("itinerary-that-creeps"), digits=20, arithmetic="ball")
 points = ("A1", "B1", "A2", "C1", "B2", "D1", "A3")
 rows = [
     f"| {point} | {event.kind.value} | {event.t.str(8, radius=False)} | {event.y[0].str(8, radius=False)} "

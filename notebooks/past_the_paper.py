@@ -114,7 +114,7 @@ plt.show()
 # ## The energy at any time
 #
 # Near $0$ the map has a Fatou coordinate, which turns iteration into addition. `energy_at` counts excursions with it,
-# so that any number of them costs the same. The pair of the paper's Fig. 4 (a), at times from 0.1 s to $10^{100}$ s:
+# so that any number of them costs the same. The pair of the paper's Fig. 5 (a), at times from 0.1 s to $10^{100}$ s:
 
 # %%
 pair = Pair(m1=1, m2=1, a2=200, b="0.05")

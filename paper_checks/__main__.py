@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 # Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
 
-COMMANDS = ("run", "list", "report")
+COMMANDS = ("run", "list", "report", "plant")
 USAGE, UNCHECKED, INTERRUPTED = 2, 3, 130
 EPILOGUE = (
     "Exit codes: 0 every verdict is the recorded one; 1 some verdict differs; 2 usage; "
@@ -54,7 +54,7 @@ def _parser() -> argparse.ArgumentParser:
         description="Check every claim of the paper. Without a command: run.",
         epilog=EPILOGUE,
     )
-    commands = parser.add_subparsers(required=True, metavar="{run,list,report}")
+    commands = parser.add_subparsers(required=True, metavar="{run,list,report,plant}")
     run = commands.add_parser("run", help="check the claims, print verdicts and evidence", epilog=EPILOGUE)
     run.add_argument("ids", nargs="*", metavar="ID", help="claims to check; all without it (see list)")
     run.add_argument("--json", action="store_true", help="print a JSON list")
@@ -70,6 +70,9 @@ def _parser() -> argparse.ArgumentParser:
         "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
     )
     report.set_defaults(command=_report)
+    plant = commands.add_parser("plant", help="change every formula of every clause, and see that its row turns")
+    plant.add_argument("ids", nargs="*", metavar="ID", help="claims to plant faults in; all without it")
+    plant.set_defaults(command=_plant)
     for command in (run, report):
         command.add_argument("--seed", type=int, default=0, metavar="N", help="of random cases; default: %(default)s")
     return parser
@@ -107,9 +110,26 @@ def _list(options: argparse.Namespace) -> int:
     return 0
 
 
+def _plant(options: argparse.Namespace) -> int:
+    from paper_checks.planting import places, planted
+
+    claims = _chosen(options.ids)
+    if claims is None:
+        return USAGE
+    formulas, found = list(places(claims)), list(planted(claims))
+    for one in found:
+        if not one.turned:
+            print(f"{one.claim}, clause {one.clause}: survived with a changed {one.fault}: {one.latex}")
+    turned = sum(one.turned for one in found)
+    print(f"{turned} of {len(found)} faults turned their rows, in {len(formulas)} formulas of {len(claims)} claims")
+    return 0 if turned == len(found) else 1
+
+
 def _report(options: argparse.Namespace) -> int:
     from numerics.trade.recorded import UnreadableTrade, recorded
+    from paper_checks.drawing.proof_graph import proof_graph
     from paper_checks.ledger import CLAIMS
+    from paper_checks.report import proof
     from paper_checks.report.files import write
     from paper_checks.runner import exit_code
     from paper_checks.speed import section
@@ -121,7 +141,9 @@ def _report(options: argparse.Namespace) -> int:
         return USAGE
     rows = _rows(CLAIMS, options.seed)
     complaints: list[str] = []
-    figures, after = {**_figures(), **section.figures(trade)}, [section.section(trade)]
+    graph = {proof.FIGURE: lambda: proof_graph(rows)}
+    figures = {**_figures(), **section.figures(trade), **graph}
+    after = [proof.section(rows), section.section(trade)]
     try:
         path = write(options.out, options.format, rows, figures, complaints.append, after)
     except OSError as error:

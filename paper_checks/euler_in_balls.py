@@ -19,8 +19,8 @@ from numerics.scene.file import load_scene
 STEPS = tuple(Fraction(text) for text in ("1e-2", "1e-3", "2e-4", "1e-4", "5e-5", "1e-5"))
 """The steps tried, s."""
 COARSE = Fraction(1, 1000)
-"""A step, s, from which on the first adhesion of Fig. 4 (a) comes more than a second late, if ever."""
-HORIZONS = {"figure-3b": 1, "figure-4b-b02": 2, "figure-4a": 5}
+"""A step, s, from which on the first adhesion of Fig. 5 (a) comes more than a second late, if ever."""
+HORIZONS = {"start-with-speed": 1, "relative-motion-b02": 2, "velocities": 5}
 """How far each scene is run, s: past its first adhesion."""
 DIGITS = 80
 """Working digits; the balls of a rotation widen by about 14 digits in a second of the case study."""

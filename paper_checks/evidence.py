@@ -1,29 +1,13 @@
-"""Verdicts, evidence and findings: the data that the report is a pure function of.
-
-A `Finding` is judged when it is built: one that claims more than its evidence carries cannot exist.
-"""
+"""Evidence: what was checked, how strong that is, and what it rests on. It is a node of the graph of a proof."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import Enum
 
 _NON_FINITE = re.compile(r"(?<![\w\\])[+-]?(?:nan|inf|infinity)(?!\w)", re.IGNORECASE)
-
-
-class Verdict(Enum):
-    """What was found about a claim; the value is the word that the reader sees."""
-
-    HOLDS = "holds"
-    HOLDS_CORRECTED = "holds-corrected"
-    """False as written in some detail; the corrected statement is given and checked."""
-    REFUTED = "refuted"
-    """False, with a checked counterexample and the nearest true statement."""
-    UNDECIDED = "undecided"
-    """The evidence does not settle it."""
-    UNCHECKED = "unchecked"
-    """A needed tool is missing, or no check exists."""
 
 
 class EvidenceKind(Enum):
@@ -37,6 +21,8 @@ class EvidenceKind(Enum):
     """A symbolic identity."""
     ENCLOSURE = "enclosure"
     """Ball arithmetic: holds for every point of a stated set."""
+    ARGUMENT = "argument"
+    """A written inference over checked steps, which names the theorem that it cites."""
     PROPERTY = "property"
     """Random cases in a stated number."""
     SIMULATION = "simulation"
@@ -50,7 +36,7 @@ class EvidenceKind(Enum):
     @property
     def decisive(self) -> bool:
         """Whether this kind can settle a claim; samples cannot."""
-        return self.strength >= EvidenceKind.ENCLOSURE.strength
+        return self.strength >= EvidenceKind.ARGUMENT.strength
 
 
 class Subject(Enum):
@@ -62,10 +48,6 @@ class Subject(Enum):
     """That the counterexample is real and violates the paper's statement."""
     CORRECTION = "correction"
     """The corrected statement, or a step of its proof."""
-
-
-class InvalidFindingError(ValueError):
-    """A finding that claims more than its evidence carries."""
 
 
 @dataclass(frozen=True)
@@ -84,125 +66,70 @@ class Evidence:
     value: str = ""
     assumptions: tuple[str, ...] = ()
     about: Subject = Subject.CLAIM
+    rests_on: tuple[Evidence, ...] = ()
+    """The steps that an inference is made from, or the theorems that one of the kernel uses."""
+    cites: tuple[str, ...] = ()
+    """Theorems of others that an argument uses."""
+    supports: bool = False
+    """Whether it stands beside a proof without being a step of it."""
 
     def __post_init__(self) -> None:
-        """Take the pass from evidence that is vacuous or not finite."""
+        """Take the pass from evidence that is vacuous or not finite; what cannot settle a claim only supports it."""
         if not isinstance(self.passed, bool | None):
             raise TypeError(f"passed is {self.passed!r}; it must be True, False or None: decide it before")
         if self.passed and (self.cases < 1 or _NON_FINITE.search(self.value)):
             object.__setattr__(self, "passed", None)
+        if not self.kind.decisive:
+            object.__setattr__(self, "supports", True)
 
     @property
     def decides(self) -> bool:
-        """Whether it passed and is of a kind that can settle a claim."""
-        return self.passed is True and self.kind.decisive
+        """Whether it passed and is a step that can settle a claim."""
+        return self.passed is True and not self.supports
+
+    def as_support(self) -> Evidence:
+        """Return the same evidence, as what stands beside a proof and is no step of it."""
+        return replace(self, supports=True)
 
     def as_counterexample(self) -> Evidence:
         """Return the same evidence, as evidence that the counterexample is real."""
-        return replace(self, about=Subject.COUNTEREXAMPLE)
+        return self._about(Subject.COUNTEREXAMPLE)
 
     def as_correction(self) -> Evidence:
         """Return the same evidence, as evidence for the corrected statement."""
-        return replace(self, about=Subject.CORRECTION)
+        return self._about(Subject.CORRECTION)
+
+    def _about(self, subject: Subject) -> Evidence:
+        return replace(self, about=subject, rests_on=tuple(step._about(subject) for step in self.rests_on))
 
 
-@dataclass(frozen=True)
-class Finding:
-    """What a check returns; its texts are prose with LaTeX between ``$`` (inline) and ``$$`` (displayed).
+def argument(statement: str, *rests_on: Evidence, cites: tuple[str, ...] = ()) -> Evidence:
+    """Return a written inference: as good as what it rests on.
 
-    A dollar itself is written with a backslash before it. Raises InvalidFindingError where the evidence does
-    not carry the verdict.
+    Raises ValueError where it rests on nothing and cites nothing.
     """
-
-    verdict: Verdict
-    reason: str
-    evidence: tuple[Evidence, ...] = ()
-    corrected: str | None = None
-    counterexample: str | None = None
-    derivation: tuple[str, ...] = ()
-    figure: str | None = None
-    missing: str | None = None
-    """What is missing for a proof; required where the verdict is undecided or unchecked."""
-
-    def __post_init__(self) -> None:
-        """Judge the finding."""
-        if objection := objection_to(self):
-            raise InvalidFindingError(f"{self.verdict.value}: {objection}")
-
-    @property
-    def strongest(self) -> EvidenceKind | None:
-        """The strongest kind that carries the verdict.
-
-        A refuted or corrected claim stands on two legs, counterexample and correction: the weaker one counts.
-        """
-        legs = [_strongest(self.evidence, about) for about in (Subject.COUNTEREXAMPLE, Subject.CORRECTION)]
-        standing = [kind for kind in legs if kind]
-        return min(standing, key=lambda kind: kind.strength, default=_strongest(self.evidence, Subject.CLAIM))
+    if not (rests_on or cites):
+        raise ValueError(f"an argument rests on steps, or cites a theorem: {statement}")
+    outcomes = {step.passed for step in rests_on if not step.supports}
+    passed = False if False in outcomes else None if None in outcomes else True
+    return Evidence(EvidenceKind.ARGUMENT, "written inference", statement, passed, rests_on=rests_on, cites=cites)
 
 
-def _strongest(evidence: tuple[Evidence, ...], about: Subject) -> EvidenceKind | None:
-    kinds = [item.kind for item in evidence if item.passed and item.about is about]
-    return max(kinds, key=lambda kind: kind.strength, default=None)
+def closure(steps: Iterable[Evidence]) -> tuple[Evidence, ...]:
+    """Return the steps and all that they rest on, each once, those that others rest on first."""
+    found: dict[Evidence, None] = {}
+
+    def visit(step: Evidence) -> None:
+        for below in step.rests_on:
+            visit(below)
+        found.setdefault(step)
+
+    for step in steps:
+        visit(step)
+    return tuple(found)
 
 
-def _decided(evidence: tuple[Evidence, ...], about: Subject) -> bool:
-    return any(item.decides for item in evidence if item.about is about)
-
-
-def objection_to(finding: Finding) -> str | None:
-    """Say why the evidence does not carry the verdict; None where it does."""
-    if not finding.reason.strip():
-        return "no reason is given"
-    if finding.verdict in (Verdict.UNDECIDED, Verdict.UNCHECKED):
-        return None if finding.missing else "it must say what is missing"
-    if finding.verdict is Verdict.HOLDS:
-        return _objection_to_holds(finding)
-    return _objection_to_correction(finding)
-
-
-def _objection_to_holds(finding: Finding) -> str | None:
-    for item in finding.evidence:
-        if not item.passed:
-            return f"its evidence did not pass: {item.statement}"
-    if finding.corrected or finding.counterexample:
-        return "a claim that holds has no counterexample and needs no correction"
-    if not _decided(finding.evidence, Subject.CLAIM):
-        return "no decisive evidence (enclosure or stronger) passed for the claim"
-    return None
-
-
-def _objection_to_correction(finding: Finding) -> str | None:
-    if not finding.counterexample:
-        return "a counterexample is missing"
-    if not finding.corrected:
-        return "the corrected statement is missing"
-    for item in finding.evidence:
-        if item.about is not Subject.CLAIM and not item.passed:
-            return f"its evidence did not pass: {item.statement}"
-    for about in (Subject.COUNTEREXAMPLE, Subject.CORRECTION):
-        if not _decided(finding.evidence, about):
-            return f"no decisive evidence (enclosure or stronger) passed for the {about.value}"
-    return None
-
-
-def conclude(
-    verdict: Verdict,
-    reason: str,
-    *evidence: Evidence,
-    corrected: str | None = None,
-    counterexample: str | None = None,
-    derivation: tuple[str, ...] = (),
-    figure: str | None = None,
-    missing: str | None = None,
-) -> Finding:
-    """Return the finding with this verdict where the evidence carries it, and an undecided one elsewhere.
-
-    This is how a check ends: the verdict is what the check set out to show, and failed evidence turns it.
-    """
-    extras = (corrected, counterexample, derivation, figure)
-    try:
-        return Finding(verdict, reason, evidence, *extras, missing)
-    except InvalidFindingError as objection:
-        return Finding(
-            Verdict.UNDECIDED, f"Not carried by its evidence: {objection}", evidence, *extras, str(objection)
-        )
+def weakest(steps: Iterable[Evidence]) -> EvidenceKind | None:
+    """Return the weakest kind among the steps and all that they rest on, but for what merely supports."""
+    kinds = [step.kind for step in closure(steps) if not step.supports]
+    return min(kinds, key=lambda kind: kind.strength, default=None)

@@ -8,10 +8,10 @@ from functools import wraps
 from matplotlib.figure import Figure
 
 from paper_checks.drawing.euler_convergence import euler_convergence
-from paper_checks.drawing.itineraries import figure_5a, figure_5b
-from paper_checks.drawing.phase_portraits import figure_3a, figure_3b, figure_4b
+from paper_checks.drawing.itineraries import itinerary_that_creeps, itinerary_that_merges
+from paper_checks.drawing.phase_portraits import relative_motion, start_at_6mm, start_with_speed
 from paper_checks.drawing.style import house_style
-from paper_checks.drawing.velocities import figure_4a
+from paper_checks.drawing.velocities import velocities_scene
 from paper_checks.report.files import Figures
 
 
@@ -27,12 +27,12 @@ def _styled(draw: Callable[[], Figure]) -> Callable[[], Figure]:
 FIGURES: Figures = {
     name: _styled(draw)
     for name, draw in (
-        ("figure-3a", figure_3a),
-        ("figure-3b", figure_3b),
-        ("figure-4a", figure_4a),
-        ("figure-4b", figure_4b),
-        ("figure-5a", figure_5a),
-        ("figure-5b", figure_5b),
+        ("start-at-6mm", start_at_6mm),
+        ("start-with-speed", start_with_speed),
+        ("velocities", velocities_scene),
+        ("relative-motion", relative_motion),
+        ("itinerary-that-merges", itinerary_that_merges),
+        ("itinerary-that-creeps", itinerary_that_creeps),
         ("euler-convergence", euler_convergence),
     )
 }

@@ -21,8 +21,8 @@ def at_rest(position: str) -> dict[Symbol, Rational | int]:
     return {**EXAMPLE_PAIR, x1: Rational(position), v1: 0, v2: 0}
 
 
-# The start of the paper's Fig. 3 (a), beyond the edge of S0; a point inside it; the edge itself.
-FIGURE_3A = at_rest("0.006")
+# The start of the paper's Fig. 4 (a), beyond the edge of S0; a point inside it; the edge itself.
+START_AT_6MM = at_rest("0.006")
 INSIDE = at_rest("0.004")
 EDGE = at_rest("0.005")
 

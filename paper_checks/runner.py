@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from paper_checks.errors import ToolMissingError
-from paper_checks.evidence import Finding, Verdict
+from paper_checks.evidence import EvidenceKind
+from paper_checks.finding import Finding, Verdict
+from paper_checks.graph import SETTLED, Proof, established_by, judged, kernel_status, proofs
 from paper_checks.ledger import Claim
 from paper_checks.registry import Check, Context, Registry
 
@@ -19,6 +21,18 @@ class Row:
     claim: Claim
     finding: Finding
     seconds: float = 0.0
+    proofs: tuple[Proof, ...] = field(default=(), repr=False)
+
+    @property
+    def established_by(self) -> EvidenceKind | None:
+        """The weakest kind of step that the verdict needs; None where nothing is settled."""
+        settled = self.finding.verdict in SETTLED
+        return established_by(self.proofs) if settled else None
+
+    @property
+    def kernel(self) -> str | None:
+        """The proof kernel's part: proved, not run, failed; None where no theorem of it is named."""
+        return kernel_status(self.proofs)
 
     @property
     def as_recorded(self) -> bool:
@@ -38,9 +52,18 @@ def run(
         if progress:
             progress(claim)
         begin = time.perf_counter()
-        finding = decide(registry.of(claim.id), context)
-        rows.append(Row(claim, finding, time.perf_counter() - begin))
+        rows.append(row(claim, decide(registry.of(claim.id), context), begin))
     return rows
+
+
+def row(claim: Claim, finding: Finding, begun: float) -> Row:
+    """Join a claim with what was found about it: its formulas and the kernel's theorems may turn the finding."""
+    try:
+        found = proofs(claim, finding)
+        finding = judged(finding, found)
+    except Exception as error:  # noqa: BLE001  a formula's failure is that row's verdict
+        found, finding = (), _failed(error)
+    return Row(claim, finding, time.perf_counter() - begun, found)
 
 
 def decide(checks: Sequence[Check], context: Context) -> Finding:
@@ -56,12 +79,16 @@ def _isolated(check: Check, context: Context) -> Finding:
         finding = check(context)
         if not isinstance(finding, Finding):
             raise TypeError(f"{check.__name__} returned {type(finding).__name__}, not a Finding")
-    except ToolMissingError as error:
-        return Finding(Verdict.UNCHECKED, f"A tool is missing: {_literal(error)}.", missing=_literal(error))
     except Exception as error:  # noqa: BLE001  a check's failure, whatever it is, is that row's verdict
-        text = f"{type(error).__name__}: {_literal(error)}"
-        return Finding(Verdict.UNDECIDED, f"The check failed. {text}", missing="a check that runs to its end")
+        return _failed(error)
     return finding
+
+
+def _failed(error: Exception) -> Finding:
+    if isinstance(error, ToolMissingError):
+        return Finding(Verdict.UNCHECKED, f"A tool is missing: {_literal(error)}.", missing=_literal(error))
+    text = f"{type(error).__name__}: {_literal(error)}"
+    return Finding(Verdict.UNDECIDED, f"The check failed. {text}", missing="a check that runs to its end")
 
 
 def _literal(error: Exception) -> str:
@@ -92,6 +119,7 @@ def joined(findings: Sequence[Finding]) -> Finding:
         tuple(step for finding in findings for step in finding.derivation),
         next((finding.figure for finding in findings if finding.figure), None),
         missing,
+        tuple(one for finding in findings for one in finding.carried),
     )
 
 

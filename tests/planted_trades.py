@@ -9,7 +9,7 @@ from typing import Any
 from numerics.trade.ours import COMPILED, OBJECTS, PLAIN
 from numerics.trade.recorded import RecordedTrade, recorded
 
-SCENES = ("figure-4a", "figure-4b-b05", "near-critical-1e-6")
+SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
 
 
 def run(contender: str, scene: str, seconds: float | None, error: Any = None, **more: Any) -> dict[str, Any]:

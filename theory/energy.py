@@ -55,7 +55,7 @@ def energy() -> Expr:
 
 @cache
 def slip_rate(sign: int) -> Expr:
-    """dE/dt in slip with sgn(v1 - v2) = sign, W; with a1 = 0 this is (edot) as |v1 - v2| = sign (v1 - v2)."""
+    """dE/dt in slip with sgn(v1 - v2) = sign, W; with a1 = 0 this is (8) as |v1 - v2| = sign (v1 - v2)."""
     return simplify(derivative_along(slip(sign).field, energy()))
 
 
@@ -144,7 +144,7 @@ def other(quantity: Expr) -> Expr:
 
 @cache
 def contraction_rate() -> Expr:
-    """Rate of half the squared energy distance of two solutions, from (e1)-(e3) set-valued friction, W."""
+    """Rate of half the squared energy distance of two solutions, from (5)-(7) set-valued friction, W."""
     field = free_system(sigma)
     return simplify(inner_product(STATE - other(STATE), field - other(field)).expand())
 
@@ -172,7 +172,7 @@ def monotonicity_terms() -> tuple[Expr, Expr]:
 
 @cache
 def linear_part() -> ImmutableMatrix:
-    """The metric times the matrix of (e1)-(e3) without friction: skew but for -a1 in the middle."""
+    """The metric times the matrix of (5)-(7) without friction: skew but for -a1 in the middle."""
     field = free_system(sigma).subs(sigma, 0)
     return ImmutableMatrix(metric() * field.jacobian(STATE))
 

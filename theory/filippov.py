@@ -118,7 +118,7 @@ def as_set(condition: Expr) -> ConditionSet:
 
 @cache
 def manifest_signs(damped: bool = False) -> dict[tuple[str, int], Expr]:
-    """Transversality products of (trans), (trans') with a sign that can be read off.
+    """Transversality products of (9), (10) with a sign that can be read off.
 
     Keys are (part of S, sign of the field).  On S_+ and S_- the edge is at distance d > 0; on S0
     x1 = L (lambda - mu) with lambda, mu >= 0 and lambda + mu = 1, so each product is a monomial or a sum

@@ -1,4 +1,4 @@
-"""Section II and IV-A: eqs (1) to (8) and (e1)-(e3); every branch solved from the closed form (3), (4).
+"""Section II and IV-A: eqs (1) to (14) and (5)-(7); every branch solved from the closed form (3), (4).
 
 The closed form contains sgn twice.  ``branch`` puts a value for each and solves for the accelerations; the
 forces on the bodies then follow from Newton's law alone, so that nothing presupposes which branches are
@@ -133,7 +133,7 @@ def stiction_condition() -> Expr:
 
 @cache
 def free_system(sign: Expr) -> ImmutableMatrix:
-    """(e1)-(e3) with the damper kept: the field on (x1, v1, v2) for a value ``sign`` of sign(v1 - v2).
+    """(5)-(7) with the damper kept: the field on (x1, v1, v2) for a value ``sign`` of sign(v1 - v2).
 
     Any value is accepted; values strictly between -1 and 1 are the set-valued (Filippov) friction.
     """
@@ -146,9 +146,9 @@ CASE_STUDY = {m1: Integer(1), m2: Integer(1), a1: S.Zero, a2: Integer(200), u: S
 
 @cache
 def case_study_closed_form() -> tuple[Expr, Expr]:
-    """Right sides of eqs (5), (6), from (3), (4) with unit masses, a2 = 200 and the stiction bracket at 1.
+    """Right sides of eqs (11), (12), from (3), (4) with unit masses, a2 = 200 and the stiction bracket at 1.
 
-    The second keeps x1'' as a symbol, as eq (6) does.
+    The second keeps x1'' as a symbol, as eq (12) does.
     """
     kept = {STICTION_SIGN: Integer(-1)}
     first = solve(driving_equation().subs(CASE_STUDY), acceleration1)[0]
@@ -158,7 +158,7 @@ def case_study_closed_form() -> tuple[Expr, Expr]:
 
 @cache
 def case_study_mode(sign: int) -> tuple[Expr, Expr]:
-    """Accelerations (x1'', x2'') of eqs (7) (sign 0) and (8) (sign 1 or -1), from eqs (5), (6)."""
+    """Accelerations (x1'', x2'') of eqs (13) (sign 0) and (14) (sign 1 or -1), from eqs (11), (12)."""
     first, second = (side.subs(RELATIVE_SIGN, Integer(sign)) for side in case_study_closed_form())
     return first, second.subs(acceleration1, first)
 

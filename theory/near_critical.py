@@ -13,11 +13,11 @@ from sympy import (
     Integer,
     Symbol,
     asin,
+    atan2,
     cancel,
     cos,
     expand,
     limit,
-    pi,
     series,
     simplify,
     sin,
@@ -28,8 +28,9 @@ from sympy import (
 from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
-from theory.scaling import canonical_pair, half_width, stick_frequency, to_si
-from theory.symbols import epsilon, q, t, theta, v1_0, w, x1_0
+from theory.filippov import at_edge
+from theory.scaling import canonical_pair, excess, half_width, stick_frequency, to_si
+from theory.symbols import V1, V2, X, epsilon, q, t, theta, v1_0, w, x1, x1_0
 
 ORDER = 8  # enough for two terms beyond the leading one in w'
 
@@ -101,6 +102,16 @@ def stick_rotation() -> tuple[Expr, Expr]:
     return angles[cosine], angles[sine]
 
 
+def angle_of(cosine: Expr, sine: Expr, order: int) -> Expr:
+    """The angle in (-pi, pi] with this cosine and sine, series in epsilon, as such a series (approximate).
+
+    It is the angle at epsilon = 0 and a small one, whose sine is that of the difference.
+    """
+    first = atan2(sine.subs(epsilon, 0), cosine.subs(epsilon, 0))
+    rest = expand(sine * cos(first) - cosine * sin(first))
+    return first + taylor(asin(theta), theta, order).subs(theta, rest)
+
+
 @cache
 def cycle(order: int = ORDER) -> CycleSeries:
     """The series of one excursion and the following stick, below epsilon**order (approximate)."""
@@ -109,10 +120,8 @@ def cycle(order: int = ORDER) -> CycleSeries:
     excess_after = in_speed(next_excess(), order)
     speed_after = taylor(epsilon * sqrt(expand(excess_after / epsilon**2)), epsilon, order - 1)
     state = {x1_0: position, v1_0: velocity, epsilon: speed_after}
-    sine = taylor(stick_rotation()[1].subs(state, simultaneous=True), epsilon, order - 1)
-    # The rotation ends near pi, where the cosine is negative: the angle is pi - asin(sine).
-    small = taylor(asin(theta), theta, order - 1)
-    stick = truncate(pi - small.subs(theta, sine), epsilon, order - 1)
+    cosine, sine = (taylor(part.subs(state, simultaneous=True), epsilon, order - 1) for part in stick_rotation())
+    stick = truncate(angle_of(cosine, sine, order - 1), epsilon, order - 1)
     slip = sqrt(q) * slip_angle(order)
     return CycleSeries(
         slip_angle=slip_angle(order),
@@ -204,6 +213,13 @@ class CriticalLimits:
 
 
 @cache
+def exit_speed() -> Expr:
+    """V of the ray l_+ with excess w, dimensionless: solved from the energy on the edge X = 1."""
+    common = Symbol("V", positive=True)
+    return solve(excess().subs({X: 1, V1: common, V2: common}, simultaneous=True) - w, common)[0]
+
+
+@cache
 def critical_limits() -> CriticalLimits:
     """Limits for w -> 0 of the durations and of the exit and entry points on the side of l_+."""
     found = cycle()
@@ -212,8 +228,8 @@ def critical_limits() -> CriticalLimits:
     return CriticalLimits(
         stick_duration=limit(found.stick_duration, epsilon, 0) / frequency,
         slip_duration=limit(found.slip_duration, epsilon, 0) / frequency,
-        exit_position=length,
-        exit_velocity=limit(epsilon, epsilon, 0) * speed,
+        exit_position=at_edge(x1, 1),
+        exit_velocity=limit(exit_speed(), w, 0) * speed,
         entry_position=limit(found.position, epsilon, 0) * length,
         entry_velocity=limit(found.velocity, epsilon, 0) * speed,
     )

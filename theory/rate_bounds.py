@@ -6,7 +6,7 @@ As w decreases from one excursion to the next, so does theta: a bound for the fi
 
 from functools import cache
 
-from sympy import Expr, cos, diff, expand_trig, factor, limit, pi, simplify, sin, sqrt, tan
+from sympy import Expr, Rational, Symbol, cos, diff, expand_trig, factor, limit, pi, simplify, sin, sqrt, tan
 
 from theory.excursion import angle, displacement_of_angle, excursion, h, h_slope, half_tangent, half_tangent_form
 from theory.symbols import q, r, theta
@@ -78,3 +78,31 @@ def no_merging_excess() -> Expr:
     E_cr" made explicit.  Larger values may also do.
     """
     return factor((q * h() ** 2).subs(theta, pi / 2))
+
+
+# The first exit's y0 = w0/q, depth c0, slip angle theta_0, and the reduced time s since then (dimensionless).
+first_excess, first_depth, first_angle = (Symbol(name, positive=True) for name in ("y_0", "c_0", "theta_0"))
+elapsed = Symbol("s", nonnegative=True)
+
+
+def gains() -> tuple[Expr, Expr]:
+    """Least and largest gain (a', A) of 1/y per excursion from the first exit on.
+
+    y - y' = r c^2 with c/y >= c0/y0 and c <= 3 y/2 lies between a' y^2 and (9 r/4) y^2, and y'/y >= 1 - r c0^2/y0.
+    """
+    slowest = r * (first_depth / first_excess) ** 2
+    fastest = Rational(9, 4) * r / (1 - r * first_depth**2 / first_excess)
+    return slowest, fastest
+
+
+def cycle_times() -> tuple[Expr, Expr]:
+    """Shortest and longest reduced time (T_-, T_+) of an excursion and its stick from the first exit on."""
+    inward = q * first_depth / (1 - q * first_depth)
+    return pi - sqrt(q) * (first_angle - sqrt(first_excess)) * inward, pi + sqrt(q) * first_angle
+
+
+def excess_bounds() -> tuple[Expr, Expr]:
+    """Bounds of w at the reduced time s after the first exit: q over 1/y0 and what it has gained."""
+    (slowest, fastest), (shortest, longest) = gains(), cycle_times()
+    least = q / (1 / first_excess + fastest * (elapsed / shortest + 1))
+    return least, q / (1 / first_excess + slowest * (elapsed / longest - 1))

@@ -26,11 +26,11 @@ def shipped_scenes() -> tuple[str, ...]:
 
 
 def load_scene(name_or_path: str | Path) -> Scene:
-    """Return the scene of a shipped short name such as "figure-4a", or of a TOML file.
+    """Return the scene of a shipped short name such as "velocities", or of a TOML file.
 
     Raises InvalidScene (one line, with the remedy) if there is no such file or it describes no scene.
 
-    >>> load_scene("figure-4a").pair.b
+    >>> load_scene("velocities").pair.b
     Fraction(1, 20)
     """
     name = str(name_or_path)

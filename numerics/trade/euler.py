@@ -28,7 +28,7 @@ STEPS = (1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5)
 """The steps that are tried, s."""
 STUCK_STEPS = (1e-2, 1e-3, 1e-4, 1e-5)
 """The steps whose energy in stick is measured, s."""
-STUCK = "figure-3a-literal"
+STUCK = "start-at-6mm-literal"
 """Stuck for ever under the law read literally: forward Euler then holds v1 = v2 exactly."""
 NUDGE = Fraction(1, 10**9)
 """m/s between the bodies: enough for forward Euler to chatter instead."""
@@ -133,7 +133,7 @@ def stick_energy(step: float) -> StickEnergy:
     theory = (1 + step**2 * float(stuck.pair.a2 / stuck.pair.mass)) ** steps
     # well within the region, so that a pair that gains little energy stays in it
     start = State(x1=stuck.pair.half_width / 2, v1=NUDGE)
-    loose = forward_euler(replace(load_scene("figure-3a"), initial=start), step)
+    loose = forward_euler(replace(load_scene("start-at-6mm"), initial=start), step)
     out = bool(np.any(np.abs(loose.y[0]) > float(stuck.pair.half_width)))
     ratio = None if out else float(loose.energy[-1] / loose.energy[0])
     return StickEnergy(step, float(stuck.until), float(held.energy[-1] / held.energy[0]), theory, ratio, loose.chatter)

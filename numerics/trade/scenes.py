@@ -10,7 +10,7 @@ from typing import Any
 from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 
-HEADLINE = "figure-4b-b05"
+HEADLINE = "relative-motion-b05"
 """The scene of the headline ratios."""
 EXCURSIONS = 16
 """Horizon of the near-critical scenes, in excursions."""
@@ -28,8 +28,8 @@ class Benchmark:
 def paper_scenes() -> list[Benchmark]:
     """Return the three pairs of the paper's Section IV, as shipped, 5 s each; b = 0.5 is figure 3 (b) as well."""
     return [
-        Benchmark("figure-4a", "the paper's b = 0.05: first crossings, then excursions", load_scene("figure-4a")),
-        Benchmark("figure-4b-b02", "the paper's b = 0.2", load_scene("figure-4b-b02")),
+        Benchmark("velocities", "the paper's b = 0.05: first crossings, then excursions", load_scene("velocities")),
+        Benchmark("relative-motion-b02", "the paper's b = 0.2", load_scene("relative-motion-b02")),
         Benchmark(HEADLINE, "the paper's b = 0.5, also its figure 3 (b): the headline ratios", load_scene(HEADLINE)),
     ]
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, argument
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
+from paper_checks.finding import Finding, Verdict, carried, conclude
 from paper_checks.formula import equation
-from paper_checks.points import EDGE, FIGURE_3A, INSIDE
+from paper_checks.ledger import claim_named
+from paper_checks.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.registry import Context, check
 from paper_checks.steps.solutions import (
     adhesion_factor,
@@ -67,9 +69,9 @@ def modes_from_closed_form(_: Context) -> Finding:
         "total mass, yet body 2 is not accelerated with it. With $u=0$ they last no time, so the motion of the free "
         "system is made of the two modes only.",
         exhibit(
-            "at the start of Fig. 3 (a) (3), (4) give $\\ddot x_1\\neq\\ddot x_2$, $(m_1+m_2)\\,\\ddot x_1=-a_2x_1$: the "
+            "at the start of Fig. 4 (a) (3), (4) give $\\ddot x_1\\neq\\ddot x_2$, $(m_1+m_2)\\,\\ddot x_1=-a_2x_1$: the "
             "total mass and no adhesion",
-            FIGURE_3A,
+            START_AT_6MM,
             (sp.Abs(broken.acceleration1), ">", b / m2),
             ((m1 + m2) * broken.acceleration1, "=", -a2 * x1),
             (broken.acceleration2, "=", 0),
@@ -88,8 +90,8 @@ def modes_from_closed_form(_: Context) -> Finding:
         "$|\\ddot x_1|<b/m_2$; where $|\\ddot x_1|>b/m_2$ body 2 is left without acceleration, and where "
         "$|\\ddot x_1|=b/m_2$ with half of it. The free system is in these two branches at isolated instants only.",
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, $u=0$ with $x_1=0.006$, $\\dot x_1=\\dot x_2=0$, the "
-        f"start of Fig. 3 (a): (3), (4) give $\\ddot x_1={value_at(broken.acceleration1, FIGURE_3A)}$ and "
-        f"$\\ddot x_2={value_at(broken.acceleration2, FIGURE_3A)}$, neither mode (i) nor mode (ii).",
+        f"start of Fig. 4 (a): (3), (4) give $\\ddot x_1={value_at(broken.acceleration1, START_AT_6MM)}$ and "
+        f"$\\ddot x_2={value_at(broken.acceleration2, START_AT_6MM)}$, neither mode (i) nor mode (ii).",
         derivation=tuple(
             f"Branch {one.name}: $$\\ddot{{x}}_1={sp.latex(one.acceleration1)},\\qquad "
             f"\\ddot{{x}}_2={sp.latex(one.acceleration2)}$$"
@@ -135,9 +137,7 @@ def stiction_bracket(_: Context) -> Finding:
         ).as_correction(),
         stick_is_filippov().as_correction(),
         stick_region().as_correction(),
-        corrected="At $\\dot z=0$, (4) keeps adhesion where $|\\ddot x_1|<b/m_2$, breaks it where $|\\ddot x_1|>b/m_2$, and "
-        "hands on half of the adhesion force where $|\\ddot x_1|=b/m_2$. The stiction condition of Coulomb's law is "
-        "$|\\ddot x_1|\\leqslant b/m_2$, equality included; $|\\ddot x_1|>b/m_2$ is its violation.",
+        corrected=claim_named("stiction-bracket").corrected,
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, both bodies at rest. At $x_1=0.004$, "
         f"$|\\ddot x_1|={value_at(abs(stuck.acceleration1), INSIDE)}<b/m_2$: the printed condition is violated, and the "
         f"bodies adhere. At $x_1=0.005$, $|\\ddot x_1|={value_at(abs(stuck.acceleration1), EDGE)}=b/m_2$: "
@@ -155,14 +155,14 @@ def interface_force_balance(_: Context) -> Finding:
     """Compare, branch by branch, the interface forces that Newton's law finds on the two bodies."""
     broken, half = branch_named("broken adhesion"), branch_named("half adhesion")
     return conclude(
-        Verdict.REFUTED,
-        "Where (4) breaks adhesion at $\\dot z=0$, body 1 still feels the reaction of a body that it no longer drives. There, "
-        "for $|\\ddot x_1|>b/m_2$, body 1 carries both masses in (3) and so feels $-m_2\\ddot x_1$, while (4) gives body 2 no "
-        "force at all; at equality body 2 gets half. In slip and in stick the two forces, found by Newton's law from the "
-        "accelerations, are opposite. The failing branches last no time in the free system, so they do no harm there.",
+        Verdict.HOLDS_CORRECTED,
+        "In slip and in stick the two forces, found by Newton's law from the accelerations, are opposite, as the text has it. But "
+        "(3), (4) have two more branches at $\\dot z=0$, where adhesion breaks: there, for $|\\ddot x_1|>b/m_2$, body 1 carries both "
+        "masses in (3) and so feels $-m_2\\ddot x_1$, while (4) gives body 2 no force at all; at equality body 2 gets half. The paper "
+        "does not say that these balance, and they last no time in the free system, so they do no harm there.",
         exhibit(
-            "at the start of Fig. 3 (a) the interface pushes body 1 and does not push body 2",
-            FIGURE_3A,
+            "at the start of Fig. 4 (a) the interface pushes body 1 and does not push body 2",
+            START_AT_6MM,
             (sp.Abs(broken.acceleration1), ">", b / m2),
             (broken.force_on_first, "=", sp.Rational(3, 5)),
             (broken.force_on_second, "=", 0),
@@ -174,27 +174,34 @@ def interface_force_balance(_: Context) -> Finding:
             (half.force_on_second, "=", -half.force_on_first / 2),
             (half.force_imbalance, "!=", 0),
         ).as_counterexample(),
-        *(
-            identity(
-                f"in the branch {name} the forces on both bodies add up to 0", branch_named(name).force_imbalance, 0
-            ).as_correction()
-            for name in ("stick", "slip+", "slip-")
+        carried(
+            "balanced",
+            *(
+                identity(
+                    f"in the branch {name} the forces on both bodies add up to 0", branch_named(name).force_imbalance, 0
+                ).as_correction()
+                for name in ("stick", "slip+", "slip-")
+            ),
         ),
-        identity(
-            "with broken adhesion their sum is $-m_2\\ddot x_1$",
-            broken.force_imbalance,
-            -m2 * broken.acceleration1,
-        ).as_correction(),
-        identity(
-            "with half adhesion it is $-m_2\\ddot x_1/2$", half.force_imbalance, -m2 * half.acceleration1 / 2
-        ).as_correction(),
-        *(item.as_correction() for item in leaves_the_surface()),
-        corrected="The forces that (3), (4) put on the two bodies are equal and opposite for $\\dot z\\neq 0$ and for "
-        "$\\dot z=0$, $|\\ddot x_1|<b/m_2$. At $\\dot z=0$ with $|\\ddot x_1|\\geqslant b/m_2$ they are not; the free system "
-        "is there at isolated instants only, so it conserves the balance of momentum at almost every time.",
+        carried(
+            "broken",
+            argument(
+                "The two branches leave $\\dot z=0$ at once, or hold at isolated instants.",
+                identity(
+                    "with broken adhesion the sum of the forces is $-m_2\\ddot x_1$",
+                    broken.force_imbalance,
+                    -m2 * broken.acceleration1,
+                ),
+                identity(
+                    "with half adhesion it is $-m_2\\ddot x_1/2$", half.force_imbalance, -m2 * half.acceleration1 / 2
+                ),
+                *leaves_the_surface(),
+            ).as_correction(),
+        ),
+        corrected=claim_named("interface-force-balance").corrected,
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, $x_1=0.006$, at rest: the interface force on body 1 is "
-        f"$m_1\\ddot x_1+a_2x_1={value_at(broken.force_on_first, FIGURE_3A)}$, on body 2 $m_2\\ddot x_2="
-        f"{value_at(broken.force_on_second, FIGURE_3A)}$.",
+        f"$m_1\\ddot x_1+a_2x_1={value_at(broken.force_on_first, START_AT_6MM)}$, on body 2 $m_2\\ddot x_2="
+        f"{value_at(broken.force_on_second, START_AT_6MM)}$.",
         derivation=(
             equation("0", driving_equation()),
             equation("0", driven_equation()),

@@ -7,11 +7,13 @@ import sympy as sp
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
 from paper_checks.enclosure import compare, exact, itinerary, solved, text
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
+from paper_checks.finding import Finding, Verdict, carried, conclude
 from paper_checks.formula import equation
-from paper_checks.points import EXAMPLE_PAIR, FIGURE_3A, INSIDE
+from paper_checks.ledger import claim_named
+from paper_checks.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.registry import Context, check
 from paper_checks.steps import solutions
 from theory.closed_forms import Regime, residual, solution
@@ -25,10 +27,10 @@ CONTROL = EXAMPLE_PAIR[b] * (EXAMPLE_PAIR[m1] + EXAMPLE_PAIR[m2]) / EXAMPLE_PAIR
 
 
 def no_solution_inside() -> Evidence:
-    """(e1)-(e3) with sgn(0) = 0 at a point inside S0: neither staying on S nor leaving it is possible."""
+    """(5)-(7) with sgn(0) = 0 at a point inside S0: neither staying on S nor leaving it is possible."""
     literal = free_system(sp.Integer(0))
     return exhibit(
-        "with $\\mathrm{sgn}(0)=0$ in (e1)–(e3), at $x_1=0.004$ at rest: both fields point to $S$, so a solution must stay "
+        "with $\\mathrm{sgn}(0)=0$ in (5)–(7), at $x_1=0.004$ at rest: both fields point to $S$, so a solution must stay "
         "on it, where $\\dot v_1\\neq\\dot v_2$",
         INSIDE,
         (transversality(1), "<", 0),
@@ -38,19 +40,19 @@ def no_solution_inside() -> Evidence:
 
 
 def two_solutions() -> tuple[Evidence, ...]:
-    """(5), (6) from the start of Fig. 3 (a): a stick and a slip, both by substitution."""
-    slipping = solved(load_scene("figure-3a"))
+    """(11), (12) from the start of Fig. 4 (a): a stick and a slip, both by substitution."""
+    slipping = solved(load_scene("start-at-6mm"))
     stuck, loose = (solution(mode, Regime.UNDAMPED) for mode in ("stick", "slip-"))
     return (
         identity(
-            "a pair that sticks for ever satisfies (5), (6) (stick, by substitution)", sp.Matrix(residual(stuck)), 0
+            "a pair that sticks for ever satisfies (11), (12) (stick, by substitution)", sp.Matrix(residual(stuck)), 0
         ),
         identity(
             "a pair that slips with $\\dot z<0$ satisfies them too (slip, by substitution)",
             sp.Matrix(residual(loose)),
             0,
         ),
-        itinerary("from the start of Fig. 3 (a) the slip has $\\dot z<0$ at first", slipping, [Mode.SLIP_MINUS]),
+        itinerary("from the start of Fig. 4 (a) the slip has $\\dot z<0$ at first", slipping, [Mode.SLIP_MINUS]),
         compare("and until a time $t_1>0$", slipping.events[0].t, ">", exact(0)),
     )
 
@@ -88,26 +90,25 @@ def no_solution_under_control() -> tuple[Evidence, ...]:
 
 @check("sgn-three-valued")
 def sgn_three_valued(_: Context) -> Finding:
-    """Existence and uniqueness at z' = 0 in (3)-(4), in (e1)-(e3) with sgn(0) = 0, and in (5)-(6)."""
-    first_contact = solved(load_scene("figure-3a")).events[0].t
+    """Existence and uniqueness at z' = 0 in (3)-(4), in (5)-(7) with sgn(0) = 0, and in (11)-(12)."""
+    first_contact = solved(load_scene("start-at-6mm")).events[0].t
     literal = free_system(sp.Integer(0))
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "What gives (3)–(4) well-defined solutions at $\\dot z=0$ is the total mass in (3) with the stiction bracket in (4), "
         "not $\\mathrm{sgn}(0)=0$: with $u=0$ every initial state has exactly one solution, the Filippov solution. Put into "
-        "Coulomb's law alone, (e1)–(e3), the three-valued signum leaves no solution through the interior of $S_0$ with "
-        "$x_1\\neq 0$; where the bracket is dropped, (5)–(6), solutions are not unique; and under a control that holds "
+        "Coulomb's law alone, (5)–(7), the three-valued signum leaves no solution through the interior of $S_0$ with "
+        "$x_1\\neq 0$; where the bracket is dropped, (11)–(12), solutions are not unique; and under a control that holds "
         "$|\\ddot x_1|=b/m_2$, (3)–(4) itself has none.",
         no_solution_inside().as_counterexample(),
         *(item.as_counterexample() for item in two_solutions()),
         *(item.as_counterexample() for item in no_solution_under_control()),
-        *(item.as_correction() for item in solutions.same_solutions()),
-        corrected="For $u=0$ and every initial state, (3)–(4) has exactly one solution forward in time (absolutely "
-        "continuous, equations met at almost every time): the solution of (e1)–(e3) in Filippov's sense, where "
-        "$\\mathrm{sgn}(0)$ is the whole interval $[-1,1]$.",
-        counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. (e1)–(e3) with $\\mathrm{sgn}(0)=0$ from $x_1=0.004$ at "
+        carried("same", solutions.equivalent().as_correction()),
+        carried("unique", solutions.one_solution().as_correction()),
+        corrected=claim_named("sgn-three-valued").corrected,
+        counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. (5)–(7) with $\\mathrm{sgn}(0)=0$ from $x_1=0.004$ at "
         f"rest: $\\dot v_1={value_at(literal[1], INSIDE)}$ and $\\dot v_2=0$ on $S$, while off $S$ both fields lead back: no "
-        "solution. (5)–(6) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ for ever, and a slip with "
+        "solution. (11)–(12) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ for ever, and a slip with "
         f"$\\dot z<0$ until $t_1=$ {text(first_contact)} s: two solutions. (3)–(4) with $u=1+50t^2$ from rest at 0: none.",
         derivation=(
             *solutions.ARGUMENT,
@@ -115,9 +116,9 @@ def sgn_three_valued(_: Context) -> Finding:
             "No solution with $u=1+50t^2$: for a short time $\\dot z<0$ is impossible, as $\\ddot z>0$ there. While "
             "$\\dot z\\geqslant 0$, $x_1=t^2/4$ (a linear equation with zero data for the difference). Then $\\dot z$ cannot "
             "grow, as $\\ddot z=0$ where $\\dot z>0$; and it cannot stay 0, as $\\ddot z=1/4$ where $\\dot z=0$.",
-            "Both solutions of (5)–(6): with $\\dot z=0$ and with $\\dot z<0$ they read "
+            "Both solutions of (11)–(12): with $\\dot z=0$ and with $\\dot z<0$ they read "
             f"$${sp.latex(sp.Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
-            f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], FIGURE_3A)}"
+            f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], START_AT_6MM)}"
             "<0$.",
         ),
         figure=None,

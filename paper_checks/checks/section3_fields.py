@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, argument
 from paper_checks.exact import identity
+from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.ledger import claim_named
 from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
@@ -43,8 +45,8 @@ def vector_fields(context: Context, printed=printed_field) -> Finding:  # type: 
         Verdict.HOLDS,
         "Solving (3) and (4) for the accelerations with the sign of the relative velocity put to 1 and to -1 gives the "
         "printed components; they jump across the switching surface.",
-        *evidence,
-        jump,
+        carried("fields", *evidence),
+        carried("jump", jump),
         derivation=tuple(f"$$\\Phi_{name}={sp.latex(phi(sign).T)}$$" for name, sign in (("-", -1), ("+", 1))),
     )
 
@@ -58,7 +60,7 @@ def filippov_equivalence(context: Context) -> Finding:
     spurious = [one for one in branches() if one.name in ("half adhesion", "broken adhesion")]
     off_surface = [
         identity(
-            f"off $S$ the field of (3), (4) with $a_1=u=0$ is that of (e1)–(e3), sign {sign:+d}",
+            f"off $S$ the field of (3), (4) with $a_1=u=0$ is that of (5)–(7), sign {sign:+d}",
             undamped(slip(sign).field),
             undamped(free_system(sp.Integer(sign))),
             seed=context.seed,
@@ -67,7 +69,7 @@ def filippov_equivalence(context: Context) -> Finding:
     ]
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "Read with the three-valued signum of eq. (1), which the text prefers, (e1)–(e3) has no solution through the "
+        "Read with the three-valued signum of eq. (1), which the text prefers, (5)–(7) has no solution through the "
         "interior of $S_0$ with $x_1\\neq 0$; read in Filippov's sense, as Section III does, it has the same solutions as "
         "(2)–(4). With sgn(0) = 0 a solution would have to stay on $S$, but its accelerations differ there. On $S$ outside "
         "the open strip the right sides of (3)–(4) and of Filippov's system differ too, at isolated instants only.",
@@ -84,7 +86,7 @@ def filippov_equivalence(context: Context) -> Finding:
         solutions.spurious_branches_leave().as_correction(),
         solutions.edge_is_isolated().as_correction(),
         identity(
-            "with sgn(0) = 0 in (e1)–(e3), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",
+            "with sgn(0) = 0 in (5)–(7), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",
             literal[1] - literal[2],
             -a2 * x1 / m1,
             seed=context.seed,
@@ -94,9 +96,8 @@ def filippov_equivalence(context: Context) -> Finding:
             [inside],
             sp.And(*(sp.Lt(cleared(sign * transversality(sign)), 0, evaluate=False) for sign in (1, -1))),
         ).as_counterexample(),
-        corrected="With $a_1=u=0$, the solutions of (2)–(4) (absolutely continuous, equations met at almost every time) "
-        "are exactly the solutions of (e1)–(e3) in Filippov's sense.",
-        counterexample="$m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (e1)–(e3) with "
+        corrected=claim_named("filippov-equivalence").corrected,
+        counterexample="$m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (5)–(7) with "
         "sgn(0) = 0 asks for $\\dot v_1=-0.8$, $\\dot v_2=0$ on $S$ and for a return to $S$ off it.",
         derivation=(
             "A solution of (3)–(4) spends almost every instant of $\\{t:\\dot z=0\\}$ with $\\ddot z=0$, so only a branch "
@@ -120,7 +121,7 @@ def _leaves_surface(branch, context: Context) -> Evidence:  # type: ignore[no-un
 
 
 def energy_identity(context: Context) -> Evidence:
-    """Return that dE/dt = -b sigma (v1 - v2) for every value of the set-valued sign, (edot) for every solution."""
+    """Return that dE/dt = -b sigma (v1 - v2) for every value of the set-valued sign, (8) for every solution."""
     return identity(
         r"$\dot E=-b\,\sigma\,(v_1-v_2)$ for every $\sigma\in[-1,1]$ that friction may take, so $\dot E=-b|v_1-v_2|$ for "
         r"every $\sigma\in\mathrm{Sign}(v_1-v_2)$",
@@ -147,13 +148,23 @@ def energy_rate(context: Context) -> Finding:
         "Along every value that set-valued friction can take, the chain rule gives $-b\\sigma(v_1-v_2)$, and "
         "$\\sigma(v_1-v_2)=|v_1-v_2|$. As the right side is continuous, $E$ is continuously differentiable along every "
         "trajectory, events included.",
-        energy_identity(context),
-        *modes,
-        identity(r"on $S_0$, $\dot E=0$ along the sliding field", undamped(stick_rate()), 0, seed=context.seed),
-        prove(
-            "$-b\\,|v_1-v_2|\\leqslant 0$ (case $v_1\\geqslant v_2$; the other is its mirror)",
-            [sp.Ge(v1, v2)],
-            sp.Le(-b * (v1 - v2), 0, evaluate=False),
+        carried(
+            "rate",
+            argument(
+                "A solution has a derivative at almost every time, that of the value that friction takes there; the chain rule "
+                "gives the rate, and $\\sigma(v_1-v_2)=|v_1-v_2|$ for $\\sigma\\in\\mathrm{Sign}(v_1-v_2)$.",
+                energy_identity(context),
+                *modes,
+                identity(r"on $S_0$, $\dot E=0$ along the sliding field", undamped(stick_rate()), 0, seed=context.seed),
+            ),
+        ),
+        carried(
+            "sign",
+            prove(
+                "$-b\\,|v_1-v_2|\\leqslant 0$ (case $v_1\\geqslant v_2$; the other is its mirror)",
+                [sp.Ge(v1, v2)],
+                sp.Le(-b * (v1 - v2), 0, evaluate=False),
+            ),
         ),
         derivation=(
             f"$$E={sp.latex(energy())}$$",
@@ -168,14 +179,24 @@ def energy_dissipation_places(context: Context) -> Finding:
     return conclude(
         Verdict.HOLDS,
         "The rate $-b|v_1-v_2|$ is negative exactly where the velocities differ.",
-        energy_identity(context),
-        prove(
-            "in $\\Omega_+$, $\\dot E<0$", [sp.Gt(v1, v2)], sp.Lt(cleared(undamped(slip_rate(1))), 0, evaluate=False)
+        carried(
+            "dissipated",
+            energy_identity(context),
+            prove(
+                "in $\\Omega_+$, $\\dot E<0$",
+                [sp.Gt(v1, v2)],
+                sp.Lt(cleared(undamped(slip_rate(1))), 0, evaluate=False),
+            ),
+            prove(
+                "in $\\Omega_-$, $\\dot E<0$",
+                [sp.Lt(v1, v2)],
+                sp.Lt(cleared(undamped(slip_rate(-1))), 0, evaluate=False),
+            ),
         ),
-        prove(
-            "in $\\Omega_-$, $\\dot E<0$", [sp.Lt(v1, v2)], sp.Lt(cleared(undamped(slip_rate(-1))), 0, evaluate=False)
+        carried(
+            "conserved",
+            identity(r"on $S$, $\dot E=0$", undamped(slip_rate(1)).subs(v2, v1), 0, seed=context.seed),
         ),
-        identity(r"on $S$, $\dot E=0$", undamped(slip_rate(1)).subs(v2, v1), 0, seed=context.seed),
         derivation=("$$\\dot E<0\\iff v_1\\neq v_2$$",),
     )
 
@@ -204,28 +225,40 @@ def viscous_no_direct_effect(context: Context) -> Finding:
         "The damper tilts the sliding region and so decides at which states the pair sticks: the force that adhesion needs "
         "contains $a_1$. That it is dissipative is right, and the friction force of slip does not contain $a_1$.",
         example.as_counterexample(),
-        identity(
-            "adhesion needs the interface force $-m_2(a_2x_1+a_1v_1)/(m_1+m_2)$ on body 2 (at $u=0$)",
-            free(force),
-            -m2 * (a2 * x1 + a1 * v1) / (m1 + m2),
-            seed=context.seed,
-        ).as_correction(),
-        identity(
-            "in slip the force on body 2 is $\\pm b$, without $a_1$",
-            sp.Matrix([free(slip(sign).force_on_second) for sign in (1, -1)]),
-            sp.Matrix([b, -b]),
-            seed=context.seed,
-        ).as_correction(),
-        identity(
-            "the edge of $S_0$ is at the load $b(m_1+m_2)/m_2$", load_threshold(), b * (m1 + m2) / m2, seed=context.seed
-        ).as_correction(),
-        prove(
-            "$-a_1v_1^2\\leqslant 0$: the damper dissipates",
-            [],
-            sp.Le(-a1 * v1**2, 0, evaluate=False),
-        ).as_correction(),
-        corrected="Viscous damping of the driving body is dissipative and does not enter the friction force of slip; it "
-        "changes adhesion, whose region becomes $|a_2x_1+a_1v_1|\\leqslant b(m_1+m_2)/m_2$.",
+        carried(
+            "tilted-strip",
+            argument(
+                "Adhesion lasts where friction can give the force that it needs, at most $b$ in absolute value.",
+                identity(
+                    "adhesion needs the interface force $-m_2(a_2x_1+a_1v_1)/(m_1+m_2)$ on body 2 (at $u=0$)",
+                    free(force),
+                    -m2 * (a2 * x1 + a1 * v1) / (m1 + m2),
+                    seed=context.seed,
+                ),
+                identity(
+                    "the edge of $S_0$ is at the load $b(m_1+m_2)/m_2$",
+                    load_threshold(),
+                    b * (m1 + m2) / m2,
+                    seed=context.seed,
+                ),
+            ).as_correction(),
+        ),
+        carried(
+            "friction-of-slip",
+            identity(
+                "in slip the force on body 2 is $\\pm b$, without $a_1$",
+                sp.Matrix([free(slip(sign).force_on_second) for sign in (1, -1)]),
+                sp.Matrix([b, -b]),
+                seed=context.seed,
+            ).as_correction(),
+            identity(
+                "the damper changes $\\dot E$ by $-a_1v_1^2\\leqslant 0$",
+                slip_rate(1) - undamped(slip_rate(1)),
+                -a1 * v1**2,
+                seed=context.seed,
+            ).as_correction(),
+        ),
+        corrected=claim_named("viscous-no-direct-effect").corrected,
         counterexample="$m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1=0.006$, $v_1=v_2=-0.3$: $a_2x_1=1.2>1$ slips without the "
         "damper; with $a_1=1$ the load is $1.2-0.3=0.9<1$ and the pair sticks.",
         derivation=(f"$$f_{{\\text{{adhesion}}}}={sp.latex(force)}$$",),

@@ -1,4 +1,4 @@
-"""Section IV-B, the integrator: what forward Euler makes of eqs (5), (6), and for which steps."""
+"""Section IV-B, the integrator: what forward Euler makes of eqs (11), (12), and for which steps."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ from numerics.scene.file import load_scene
 from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.enclosure import ENGINE, compare, solved, stuck_for_ever, text, within
 from paper_checks.euler_in_balls import COARSE, HORIZONS, STEPS, run
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.exact import identity
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
@@ -27,36 +28,36 @@ step = sp.Symbol("h", positive=True)
 @check("euler-reproduces-figures")
 def euler_reproduces_figures(context: Context) -> Finding:
     """Run the method in balls, and compare it with the solutions of both readings."""
-    literal = solved(load_scene("figure-4a-literal"))
+    literal = solved(load_scene("velocities-literal"))
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "Forward Euler does produce what the figures are said to show, but two different laws: Fig. 3 (a) is the stuck solution "
-        "of (5)–(6) read literally, kept because the run starts at $\\dot z=0$ exactly; Fig. 3 (b) and Fig. 4 are chatter about "
-        "$\\dot z=0$, which no step ever meets, and this chatter imitates Filippov's sliding, not the branch sgn = 0 of (5)–(6), "
-        "which would stick for ever at the first contact. And the step matters: in Fig. 4 (a) a step of 0.01 s makes the "
+        "Forward Euler does produce what the figures are said to show, but two different laws: Fig. 4 (a) is the stuck solution "
+        "of (11)–(12) read literally, kept because the run starts at $\\dot z=0$ exactly; Fig. 4 (b) and Fig. 5 are chatter about "
+        "$\\dot z=0$, which no step ever meets, and this chatter imitates Filippov's sliding, not the branch sgn = 0 of (11)–(12), "
+        "which would stick for ever at the first contact. And the step matters: in Fig. 5 (a) a step of 0.01 s makes the "
         "oscillation grow, 0.001 s first sticks at 6.33 s, 0.0002 s and 0.0001 s at 4.772 s, and only below that at the true "
         "4.5498 s. The printed 4.7 s is near what 0.0001 s or 0.0002 s gives.",
         stuck_for_ever(
-            "the solution of (5), (6) with sgn(0) = 0 from Fig. 4 sticks for ever", literal
+            "the solution of (11), (12) with sgn(0) = 0 from Fig. 5 sticks for ever", literal
         ).as_counterexample(),
         within("from its first contact on, at (s)", literal.events[0].t, "0.106886", "0.106887").as_counterexample(),
         *(item.as_counterexample() for item in (_never_meets(), _grows(), *_misses())),
         *(
             item.as_correction()
-            for item in (*_one_step(context), _chatter_is_small(), *_energy_of_figure_3a(), *_converges())
+            for item in (*_one_step(context), _chatter_is_small(), *_energy_of_start_at_6mm(), *_converges())
         ),
         *_program(),
-        corrected="Forward Euler approximates the Filippov solution, unless it starts at $\\dot z=0$ exactly, as in Fig. 3 (a). Of the "
-        "steps tried, $5\\cdot10^{-5}$ s and $10^{-5}$ s give the first adhesion of Fig. 4 (a) within three steps, $10^{-4}$ s and more "
-        "do not; Fig. 3 (b) has it with all of them. Fig. 3 (a) gains 5 % of its energy in 5 s with $10^{-4}$ s, 65 % with $10^{-3}$ s.",
-        counterexample="The paper's own scene of Fig. 4 (a): (5)–(6) read literally stick from 0.1069 s on; Euler with the step "
+        corrected="Forward Euler approximates the Filippov solution, unless it starts at $\\dot z=0$ exactly, as in Fig. 4 (a). Of the "
+        "steps tried, $5\\cdot10^{-5}$ s and $10^{-5}$ s give the first adhesion of Fig. 5 (a) within three steps, $10^{-4}$ s and more "
+        "do not; Fig. 4 (b) has it with all of them. Fig. 4 (a) gains 5 % of its energy in 5 s with $10^{-4}$ s, 65 % with $10^{-3}$ s.",
+        counterexample="The paper's own scene of Fig. 5 (a): (11)–(12) read literally stick from 0.1069 s on; Euler with the step "
         "$10^{-4}$ s has $\\dot z\\neq 0$ at each of its 50000 steps and first chatters at 4.772 s.",
         derivation=(
             "In stick one step is $(x_1,v)\\mapsto(x_1+hv,\\,v-h\\Omega^2x_1)$: $$E\\mapsto(1+h^2\\Omega^2)\\,E,\\qquad "
             "\\Omega^2=\\frac{a_2}{m_1+m_2},$$ a growth by $e^{h\\Omega^2}$ in a second.",
             "In slip the amplitude about $\\mp b/a_2$ grows by $\\sqrt{1+h^2a_2/m_1}$ a step, against a loss of $4b/a_2$ a cycle by "
             "friction. With amplitude $A$ and step $h$ the growth wins where about $$A\\,h\\,>\\,\\frac{4b}{\\pi\\sqrt{a_2^3/m_1}}"
-            "\\ :$$ in Fig. 4 (a), $A=0.0106$ m, for steps above 0.002 s.",
+            "\\ :$$ in Fig. 5 (a), $A=0.0106$ m, for steps above 0.002 s.",
             "In the strip both fields push to $\\dot z=0$, so $\\dot z$ flips about it with $|\\dot z|\\leqslant hC$, "
             "$C=2b(m_1+m_2)/(m_1m_2)$; on average over the flips this is Filippov's convex combination.",
         ),
@@ -111,16 +112,16 @@ def _chatter_is_small() -> Evidence:
     )
 
 
-def _energy_of_figure_3a() -> tuple[Evidence, ...]:
-    """Return how much energy the stuck run of Fig. 3 (a) gains in 5 s, for two steps."""
+def _energy_of_start_at_6mm() -> tuple[Evidence, ...]:
+    """Return how much energy the stuck run of Fig. 4 (a) gains in 5 s, for two steps."""
     rate = Fraction(100)  # Omega^2, 1/s^2
     grown = {}
     for h in (Fraction(1, 1000), Fraction(1, 10000)):
         factor = 1 + h**2 * rate
         grown[h] = arb(fmpq(factor.numerator, factor.denominator)) ** int(5 / h)
     return (
-        within("Fig. 3 (a), step $10^{-3}$ s: $E(5)/E(0)$", grown[Fraction(1, 1000)], "1.64", "1.65"),
-        within("Fig. 3 (a), step $10^{-4}$ s: $E(5)/E(0)$", grown[Fraction(1, 10000)], "1.0512", "1.0513"),
+        within("Fig. 4 (a), step $10^{-3}$ s: $E(5)/E(0)$", grown[Fraction(1, 1000)], "1.64", "1.65"),
+        within("Fig. 4 (a), step $10^{-4}$ s: $E(5)/E(0)$", grown[Fraction(1, 10000)], "1.0512", "1.0513"),
     )
 
 
@@ -133,7 +134,7 @@ def _never_meets() -> Evidence:
         EvidenceKind.ENCLOSURE,
         ENGINE,
         "forward Euler from $\\dot x_1(0)=0.15$ never meets $\\dot z=0$ ($b=0.05,0.2,0.5$, steps of $10^{-2}$ to $10^{-5}$ s): the "
-        "branch (7) is never used, and both readings of sgn(0) give the same run",
+        "branch (13) is never used, and both readings of sgn(0) give the same run",
         not met,
         steps,
         f"sign of the relative velocity proved at {steps} steps of {len(runs)} runs",
@@ -141,10 +142,10 @@ def _never_meets() -> Evidence:
 
 
 def _grows() -> Evidence:
-    """Return that the coarsest step makes the oscillation of Fig. 4 (a) grow."""
+    """Return that the coarsest step makes the oscillation of Fig. 5 (a) grow."""
     return compare(
-        "Fig. 4 (a), step 0.01 s: $E(7)/E(0)$ above 1000: it never sticks",
-        run("figure-4a", STEPS[0]).energy_ratio,
+        "Fig. 5 (a), step 0.01 s: $E(7)/E(0)$ above 1000: it never sticks",
+        run("velocities", STEPS[0]).energy_ratio,
         ">",
         arb(1000),
     )
@@ -155,15 +156,15 @@ def _first_adhesion(scene: Scene) -> arb:
 
 
 def _misses() -> tuple[Evidence, ...]:
-    """Return how late the first adhesion of Fig. 4 (a) comes with coarser steps."""
-    true = _first_adhesion(load_scene("figure-4a"))
+    """Return how late the first adhesion of Fig. 5 (a) comes with coarser steps."""
+    true = _first_adhesion(load_scene("velocities"))
     return tuple(
-        _late(f"Fig. 4 (a), step {float(h):g} s: the first adhesion is late by more than {late} s", h, true, ">", late)
+        _late(f"Fig. 5 (a), step {float(h):g} s: the first adhesion is late by more than {late} s", h, true, ">", late)
         for h, late in ((COARSE, "1.7"), (Fraction("2e-4"), "0.2"), (Fraction("1e-4"), "0.2"))
     )
 
 
-def _late(statement: str, h: Fraction, true: arb, relation: str, bound: str, name: str = "figure-4a") -> Evidence:
+def _late(statement: str, h: Fraction, true: arb, relation: str, bound: str, name: str = "velocities") -> Evidence:
     """Compare the error of a run's first adhesion time with a bound, s."""
     time = run(name, h).adhesion_time
     if time is None:
@@ -176,9 +177,9 @@ def _late(statement: str, h: Fraction, true: arb, relation: str, bound: str, nam
 def _converges() -> tuple[Evidence, ...]:
     """Return that the first adhesion time is right to a few steps, from some step size on."""
     tried = (
-        ("figure-3b", "Fig. 3 (b)", STEPS),
-        ("figure-4b-b02", "Fig. 4 (b), b = 0.2", STEPS[2:]),
-        ("figure-4a", "Fig. 4 (a)", STEPS[4:]),
+        ("start-with-speed", "Fig. 4 (b)", STEPS),
+        ("relative-motion-b02", "Fig. 5 (b), b = 0.2", STEPS[2:]),
+        ("velocities", "Fig. 5 (a)", STEPS[4:]),
     )
     return tuple(
         _late(
@@ -196,13 +197,13 @@ def _converges() -> tuple[Evidence, ...]:
 
 def _program() -> tuple[Evidence, ...]:
     """Return what the program in binary64 does under the literal reading: contacts and chatter."""
-    moving = forward_euler(load_scene("figure-4a-literal"), 1e-4)
-    resting = forward_euler(load_scene("figure-3a-literal"), 1e-4)
+    moving = forward_euler(load_scene("velocities-literal"), 1e-4)
+    resting = forward_euler(load_scene("start-at-6mm-literal"), 1e-4)
     return (
         Evidence(
             EvidenceKind.SIMULATION,
             "binary64",
-            "Fig. 4 (a), literal reading, step $10^{-4}$ s: no step meets $\\dot z=0$",
+            "Fig. 5 (a), literal reading, step $10^{-4}$ s: no step meets $\\dot z=0$",
             moving.exact_contacts == 0,
             len(moving.t),
             f"{moving.exact_contacts} contacts, {moving.chatter} sign changes inside the strip",
@@ -210,7 +211,7 @@ def _program() -> tuple[Evidence, ...]:
         Evidence(
             EvidenceKind.SIMULATION,
             "binary64",
-            "Fig. 3 (a), literal reading, step $10^{-4}$ s: every step has $\\dot z=0$ exactly",
+            "Fig. 4 (a), literal reading, step $10^{-4}$ s: every step has $\\dot z=0$ exactly",
             resting.exact_contacts == len(resting.t),
             len(resting.t),
             f"{resting.exact_contacts} contacts",

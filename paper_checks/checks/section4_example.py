@@ -1,14 +1,14 @@
-"""Section IV-A, eqs (5) to (8): the eigenfrequency, the reduction from (3), (4), the two modes."""
+"""Section IV-A, eqs (11) to (14): the eigenfrequency, the reduction from (3), (4), the two modes."""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import Finding, Verdict, conclude
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
+from paper_checks.finding import Finding, Verdict, carried, conclude
 from paper_checks.formula import equation
-from paper_checks.points import FIGURE_3A
+from paper_checks.points import START_AT_6MM
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
 from paper_checks.steps.solutions import bracket_is_off_in_slip
@@ -31,7 +31,7 @@ s, bracket_sign = sp.symbols("s sigma", real=True)
 
 
 def printed_reduction() -> sp.Matrix:
-    """Return the right sides of (5), (6) as printed, with s for sgn(z') and x1'' kept in (6); m/s^2."""
+    """Return the right sides of (11), (12) as printed, with s for sgn(z') and x1'' kept in (12); m/s^2."""
     first = -1 / (2 - sp.Abs(s)) * (200 * x1 + b * s)
     second = (1 - sp.Abs(s)) * acceleration1 + b * s
     return sp.Matrix([first, second])
@@ -46,7 +46,7 @@ def derived_reduction() -> sp.Matrix:
 
 
 def printed_modes(sign: int) -> sp.Matrix:
-    """Return the left minus right sides of (7) (sign 0) or (8) (the upper sign is sgn(z') = 1), as printed."""
+    """Return the left minus right sides of (13) (sign 0) or (14) (the upper sign is sgn(z') = 1), as printed."""
     if sign == 0:
         return sp.Matrix([2 * acceleration1 + 200 * x1, acceleration2 - acceleration1])
     return sp.Matrix([acceleration1 + 200 * x1 + sign * b, acceleration2 - sign * b])
@@ -54,7 +54,7 @@ def printed_modes(sign: int) -> sp.Matrix:
 
 @check("example-eigenfrequency")
 def example_eigenfrequency(_: Context, printed: int = 10) -> Finding:
-    """Derive the frequency of stick and put the oscillation into (7)."""
+    """Derive the frequency of stick and put the oscillation into (13)."""
     oscillation = [sp.cos(printed * t), sp.sin(printed * t)]
     stick_frequency = rates("stick", Regime.UNDAMPED)[rate].subs(CASE_STUDY)
     return conclude(
@@ -62,12 +62,15 @@ def example_eigenfrequency(_: Context, printed: int = 10) -> Finding:
         "With the second body resting on the first, (3) is $2\\ddot x_1+200\\,x_1=0$: the frequency is "
         "$\\sqrt{a_2/(m_1+m_2)}=\\sqrt{200/2}$ rad/s. Alone, in slip, the driving body would oscillate with $\\sqrt{200}$ "
         "rad/s.",
-        identity(f"the frequency of (7) is {printed} rad/s", case_study_eigenfrequency(), printed),
-        identity(f"$\\sqrt{{a_2/(m_1+m_2)}}={printed}$ for the example", stick_frequency, printed),
-        identity(
-            f"$\\cos {printed}t$ and $\\sin {printed}t$ satisfy $2\\ddot x_1+200\\,x_1=0$",
-            sp.Matrix([2 * sp.diff(one, t, 2) + 200 * one for one in oscillation]),
-            0,
+        carried(
+            "frequency",
+            identity(f"the frequency of (13) is {printed} rad/s", case_study_eigenfrequency(), printed),
+            identity(f"$\\sqrt{{a_2/(m_1+m_2)}}={printed}$ for the example", stick_frequency, printed),
+            identity(
+                f"$\\cos {printed}t$ and $\\sin {printed}t$ satisfy $2\\ddot x_1+200\\,x_1=0$",
+                sp.Matrix([2 * sp.diff(one, t, 2) + 200 * one for one in oscillation]),
+                0,
+            ),
         ),
         derivation=(
             equation(r"\ddot{x}_1", case_study_mode(0)[0]),
@@ -78,26 +81,28 @@ def example_eigenfrequency(_: Context, printed: int = 10) -> Finding:
 
 @check("example-reduction")
 def example_reduction(_: Context) -> Finding:
-    """Derive (5) and (6) with the stiction bracket left open, and find where (6) follows."""
+    """Derive (11) and (12) with the stiction bracket left open, and find where (12) follows."""
     derived, printed = derived_reduction(), printed_reduction()
     broken, literal = branch_named("broken adhesion"), case_study_mode(0)
     acceleration = sp.Symbol("A", real=True)
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "(6) follows from (4) for $\\dot z\\neq 0$, but at $\\dot z=0$ only where $|\\ddot x_1|<b$, that is $|x_1|<b/100$; (5) "
+        "(12) follows from (4) for $\\dot z\\neq 0$, but at $\\dot z=0$ only where $|\\ddot x_1|<b$, that is $|x_1|<b/100$; (11) "
         "follows from (3) without a condition. Elsewhere on $\\dot z=0$ the second bracket of (4) leaves body 2 without "
-        "acceleration, or at equality with half of it, while (6) makes it stick whatever force that takes.",
+        "acceleration, or at equality with half of it, while (12) makes it stick whatever force that takes.",
         exhibit(
-            "at the start of Fig. 3 (a), $x_1=0.006$, $b=0.5$, (4) gives $\\ddot x_2=0$ and (6) gives $\\ddot x_2\\neq 0$",
-            FIGURE_3A,
+            "at the start of Fig. 4 (a), $x_1=0.006$, $b=0.5$, (4) gives $\\ddot x_2=0$ and (12) gives $\\ddot x_2\\neq 0$",
+            START_AT_6MM,
             (sp.Abs(broken.acceleration1), ">", b),
             (broken.acceleration2, "=", 0),
             (literal[1], "=", literal[0]),
             (literal[1], "<", 0),
         ).as_counterexample(),
-        identity("(5) is (3), for every value $s$ of $\\mathrm{sgn}(\\dot z)$", derived[0], printed[0]).as_correction(),
         identity(
-            "(6) is (4) where the second bracket is 1", derived[1].subs(bracket_sign, -1), printed[1]
+            "(11) is (3), for every value $s$ of $\\mathrm{sgn}(\\dot z)$", derived[0], printed[0]
+        ).as_correction(),
+        identity(
+            "(12) is (4) where the second bracket is 1", derived[1].subs(bracket_sign, -1), printed[1]
         ).as_correction(),
         identity(
             "with $\\mathrm{sgn}(\\dot z)=0,\\,1,\\,-1$ they give the same accelerations",
@@ -106,7 +111,7 @@ def example_reduction(_: Context) -> Finding:
         ).as_correction(),
         bracket_is_off_in_slip().as_correction(),
         identity(
-            "at $\\dot z=0$, (6) and (4) differ by $\\frac{1}{2}(1+\\sigma)\\,\\ddot x_1$, "
+            "at $\\dot z=0$, (12) and (4) differ by $\\frac{1}{2}(1+\\sigma)\\,\\ddot x_1$, "
             "$\\sigma=\\mathrm{sgn}(|\\ddot x_1|-b)$",
             (printed[1] - derived[1]).subs(s, 0),
             (1 + bracket_sign) * acceleration1 / 2,
@@ -116,11 +121,11 @@ def example_reduction(_: Context) -> Finding:
             [sp.Eq(acceleration, literal[0])],
             sp.Equivalent(sp.Lt(sp.Abs(acceleration), b), sp.Lt(100 * sp.Abs(x1), b)),
         ).as_correction(),
-        corrected="(3)–(4) reduce to (5) and, where $\\dot z\\neq 0$ or $|x_1|<b/100$, to (6). At $\\dot z=0$ with "
+        corrected="(3)–(4) reduce to (11) and, where $\\dot z\\neq 0$ or $|x_1|<b/100$, to (12). At $\\dot z=0$ with "
         "$|x_1|>b/100$, (4) gives $\\ddot x_2=0$; with $|x_1|=b/100$, $\\ddot x_2=\\ddot x_1/2$.",
-        counterexample="$b=0.5$, $x_1=0.006$, both bodies at rest, the start of Fig. 3 (a): (4) gives "
-        f"$\\ddot x_2={value_at(broken.acceleration2, FIGURE_3A)}$, (6) gives "
-        f"$\\ddot x_2=\\ddot x_1={value_at(literal[1], FIGURE_3A)}$.",
+        counterexample="$b=0.5$, $x_1=0.006$, both bodies at rest, the start of Fig. 4 (a): (4) gives "
+        f"$\\ddot x_2={value_at(broken.acceleration2, START_AT_6MM)}$, (12) gives "
+        f"$\\ddot x_2=\\ddot x_1={value_at(literal[1], START_AT_6MM)}$.",
         derivation=(
             "With $s=\\mathrm{sgn}(\\dot z)$ and $\\sigma=\\mathrm{sgn}(|\\ddot x_1|-b)$, (3) and (4) become",
             equation(r"\ddot{x}_1", derived[0]),
@@ -131,27 +136,36 @@ def example_reduction(_: Context) -> Finding:
 
 @check("example-two-modes")
 def example_two_modes(_: Context) -> Finding:
-    """Put sgn(z') = 0, 1, -1 into (5), (6), and solve the first mode."""
+    """Put sgn(z') = 0, 1, -1 into (11), (12), and solve the first mode."""
     motions = {
         sign: dict(zip((acceleration1, acceleration2), case_study_mode(sign), strict=True)) for sign in (0, 1, -1)
     }
     together = solution("stick", Regime.UNDAMPED)
     return conclude(
         Verdict.HOLDS,
-        "(7) and (8) are (5) and (6) with the signum at 0 and at $\\pm 1$, upper signs for $\\dot z>0$. In (7) both bodies "
+        "(13) and (14) are (11) and (12) with the signum at 0 and at $\\pm 1$, upper signs for $\\dot z>0$. In (13) both bodies "
         "move by the same oscillation and $x_1-x_2$ keeps its initial value; energy is conserved. Read with the set-valued "
-        "signum, (7) lasts only while $|x_1|\\leqslant b/100$.",
-        identity("$\\mathrm{sgn}(\\dot z)=0$ in (5), (6) gives (7)", printed_modes(0).subs(motions[0]), 0),
-        identity("$\\mathrm{sgn}(\\dot z)=1$ gives (8), upper signs", printed_modes(1).subs(motions[1]), 0),
-        identity("$\\mathrm{sgn}(\\dot z)=-1$ gives (8), lower signs", printed_modes(-1).subs(motions[-1]), 0),
-        identity("the closed form of stick satisfies (3), (4), by substitution", sp.Matrix(residual(together)), 0),
-        identity("in it $x_1-x_2$ is constant", together.x1 - together.x2, x1_0 - x2_0),
-        identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
-        identity("undamped: $\\dot E=0$", undamped(stick_rate()), 0),
+        "signum, (13) lasts only while $|x_1|\\leqslant b/100$.",
+        carried(
+            "first",
+            identity("$\\mathrm{sgn}(\\dot z)=0$ in (11), (12) gives (13)", printed_modes(0).subs(motions[0]), 0),
+        ),
+        carried(
+            "second",
+            identity("$\\mathrm{sgn}(\\dot z)=1$ gives (14), upper signs", printed_modes(1).subs(motions[1]), 0),
+            identity("$\\mathrm{sgn}(\\dot z)=-1$ gives (14), lower signs", printed_modes(-1).subs(motions[-1]), 0),
+        ),
+        carried(
+            "together",
+            identity("the closed form of stick satisfies (3), (4), by substitution", sp.Matrix(residual(together)), 0),
+            identity("in it $x_1-x_2$ is constant", together.x1 - together.x2, x1_0 - x2_0),
+            identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
+            identity("undamped: $\\dot E=0$", undamped(stick_rate()), 0),
+        ),
         derivation=(
-            f"(7): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={sp.latex(case_study_mode(0))}$$",
+            f"(13): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={sp.latex(case_study_mode(0))}$$",
             *(
-                f"(8), $\\mathrm{{sgn}}(\\dot z)={sign}$: $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={sp.latex(case_study_mode(sign))}$$"
+                f"(14), $\\mathrm{{sgn}}(\\dot z)={sign}$: $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={sp.latex(case_study_mode(sign))}$$"
                 for sign in (1, -1)
             ),
             equation("x_1(t)", together.x1),

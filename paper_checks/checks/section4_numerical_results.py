@@ -1,4 +1,4 @@
-"""Section IV-B, phase portraits: permanent stiction (Fig. 3 (a)), synchronisation (3 (b)), convergence (4 (b))."""
+"""Section IV-B, phase portraits: permanent stiction (Fig. 4 (a)), synchronisation (4 (b)), convergence (5 (b))."""
 
 from __future__ import annotations
 
@@ -13,9 +13,11 @@ from numerics.scene import Law, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, argument
 from paper_checks.exact import identity
 from paper_checks.exhibit import Point, exhibit
+from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.ledger import claim_named
 from paper_checks.registry import Context, check
 from paper_checks.steps.dissipation import in_every_mode
 from paper_checks.steps.perpetual_slips import (
@@ -32,6 +34,7 @@ from theory.model import branch_named, stick
 from theory.symbols import a1, a2, b, free, m1, m2, t, total_mass, undamped, v1, v1_0, v2, x1, x1_0
 
 ALTERNATION = (Mode.STICK, Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS)
+FROM_REST = "Stuck from rest, $|x_1|\\leqslant|x_1(0)|$, so the force that sticking needs is at most $b$ for ever exactly if $|x_1(0)|\\leqslant L$."
 VANISHING = (
     "In every mode $\\dot E\\leqslant-b|\\dot z|$, so $b\\int_0^\\infty|\\dot z|\\,dt\\leqslant E(0)$; and $|\\ddot z|\\leqslant K$ "
     "on $\\{E\\leqslant E(0)\\}$. A Lipschitz function with a finite integral tends to 0 (Barbalat): $\\dot z\\to 0$."
@@ -39,7 +42,7 @@ VANISHING = (
 
 
 def literally(scene: Scene) -> Scene:
-    """Return the scene under eqs (5), (6) read with the three-valued signum."""
+    """Return the scene under eqs (11), (12) read with the three-valued signum."""
     return replace(scene, law=Law.THREE_VALUED_SGN)
 
 
@@ -50,10 +53,10 @@ def point_of(scene: Scene) -> Point:
     return {a1: sp.Integer(0), **{symbol: sp.Rational(value) for symbol, value in values.items()}}
 
 
-@check("figure-3a-permanent-stiction")
+@check("start-at-6mm-sticks")
 def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) -> Finding:  # noqa: ARG001
     """Start from rest at `start` m: inside or outside S0 decides."""
-    scene = replace(load_scene("figure-3a"), initial=State(x1=start))
+    scene = replace(load_scene("start-at-6mm"), initial=State(x1=start))
     point, slipping = point_of(scene), solved(scene)
     broken = branch_named("broken adhesion")
     counterexample = (
@@ -72,24 +75,24 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
             "the pair slips at once, then sticks and slips in turn", slipping, (Mode.SLIP_MINUS, *2 * ALTERNATION)
         ),
         within("the first adhesion is at $t=0.09706$ s", slipping.events[0].t, "0.097056", "0.097057"),
-        *never_merges(slipping, "Fig. 3 (a)"),
+        *never_merges(slipping, "Fig. 4 (a)"),
     )
     return conclude(
         Verdict.REFUTED,
         "The start $x_1=0.006$ m is outside the sliding region, whose half width is $L=0.005$ m: sticking would take a force of "
         "0.6 N through an interface that carries 0.5 N. Under (3)–(4) and in Filippov's sense the pair slips at once, sticks "
-        "first at 0.0971 s, and then sticks and slips in turn for ever. Only (5)–(6) read literally, with sgn(0) = 0 and without "
+        "first at 0.0971 s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
         "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "
-        "solution meets (5)–(6) at all but isolated times too. Forward Euler picks the stuck one, as it starts at $\\dot z=0$ "
+        "solution meets (11)–(12) at all but isolated times too. Forward Euler picks the stuck one, as it starts at $\\dot z=0$ "
         "exactly and gives both bodies the same increments.",
         *(item.as_counterexample() for item in counterexample),
-        stuck_for_ever("(5), (6) read literally: sticks for ever, carried by 0.6 N > b", solved(literally(scene))),
-        *(item.as_correction() for item in _from_rest(scene)),
-        corrected="From rest the pair sticks for ever exactly if $|x_1(0)|\\leqslant\\frac{b(m_1+m_2)}{a_2m_2}$; here that is 0.005 m. "
-        "At $x_1(0)=0.006$ m it slips infinitely often.",
+        stuck_for_ever("(11), (12) read literally: sticks for ever, carried by 0.6 N > b", solved(literally(scene))),
+        carried("from-rest", argument(FROM_REST, *_from_rest(scene)).as_correction()),
+        carried("slips", argument(" ".join(ARGUMENT), *counterexample).as_correction()),
+        corrected=claim_named("start-at-6mm-sticks").corrected,
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1(0)=0.006$, the other initial values zero.",
         derivation=ARGUMENT,
-        figure="figure-3a",
+        figure="start-at-6mm",
     )
 
 
@@ -117,10 +120,10 @@ def _from_rest(scene: Scene) -> tuple[Evidence, ...]:
     )
 
 
-@check("figure-3b-synchronises")
+@check("start-with-speed-synchronises")
 def synchronises(context: Context, speed: Fraction = Fraction(15, 100)) -> Finding:  # noqa: ARG001
     """Start with v1 = `speed` m/s, b = 0.5."""
-    scene = replace(load_scene("figure-3b"), initial=State(v1=speed))
+    scene = replace(load_scene("start-with-speed"), initial=State(v1=speed))
     found, literal = solved(scene), solved(literally(scene))
     contact = literal.events[0]
     counterexample = (
@@ -131,25 +134,34 @@ def synchronises(context: Context, speed: Fraction = Fraction(15, 100)) -> Findi
         ),
         within("first adhesion at $t=0.27630$ s", found.events[1].t, "0.276302", "0.276303"),
         within("it ends at $t=0.33540$ s", found.events[2].t, "0.335395", "0.335396"),
-        *never_merges(found, "Fig. 3 (b)"),
+        *never_merges(found, "Fig. 4 (b)"),
     )
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "The bodies start in relative motion, as the paper says, but no period of time ends it. They stick first from 0.2763 s "
-        "to 0.3354 s, and then slip again and again, for ever; $\\dot z$ tends to zero only as $t\\to\\infty$. Under (5)–(6) read "
+        "to 0.3354 s, and then slip again and again, for ever; $\\dot z$ tends to zero only as $t\\to\\infty$. Under (11)–(12) read "
         "literally they would stick for ever at their first contact, at 0.0769 s, by a force beyond $b$.",
-        exhibit("$\\dot z(0)=0.15>0$: starts in mode (8)", point_of(scene), (v1 - v2, ">", 0)),
+        exhibit("$\\dot z(0)=0.15>0$: starts in mode (14)", point_of(scene), (v1 - v2, ">", 0)),
         *(item.as_counterexample() for item in counterexample),
-        stuck_for_ever("(5), (6) read literally: sticks for ever after its first contact", literal),
+        stuck_for_ever("(11), (12) read literally: sticks for ever after its first contact", literal),
         within("that contact is at $t=0.07688$ s", contact.t, "0.076878", "0.076879"),
         within("and at $x_1=0.00805$ m, outside $S_0$ ($L=0.005$ m)", contact.y[0], "0.00805", "0.00806"),
-        *(item.as_correction() for item in (*in_every_mode(), largest_relative_speed(), _decline(found, "Fig. 3 (b)"))),
-        corrected="The pair starts in the mode (8), crosses $S$ once, adheres first at $t=0.2763$ s, and from then on sticks and "
-        "slips in turn for ever; $\\dot z\\to 0$ as $t\\to\\infty$, in infinitely many slips, each slower than the one before.",
+        carried("adheres", *(item.as_correction() for item in counterexample[:3])),
+        carried(
+            "for-ever",
+            argument(
+                f"{VANISHING} No later slip merges.",
+                *in_every_mode(),
+                *counterexample[3:],
+                largest_relative_speed(),
+                _decline(found, "Fig. 4 (b)"),
+            ).as_correction(),
+        ),
+        corrected=claim_named("start-with-speed-synchronises").corrected,
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.15$; the excess energy "
         "$w=E/E_{cr}-1$ is positive after every slip.",
         derivation=(VANISHING, *ARGUMENT),
-        figure="figure-3b",
+        figure="start-with-speed",
     )
 
 
@@ -167,28 +179,28 @@ def _decline(trajectory: Trajectory, name: str) -> Evidence:
     return replace(shown, passed=shown.passed and falling, cases=len(exits))
 
 
-@check("figure-4b-convergence")
+@check("relative-motion-converges")
 def convergence(context: Context, speed: Fraction = Fraction(15, 100)) -> Finding:  # noqa: ARG001
     """Start with v1 = `speed` m/s for the three values of b."""
     runs = [
         (f"b = {float(scene.pair.b):g}", solved(replace(scene, initial=State(v1=speed), until=Fraction(8))))
-        for scene in map(load_scene, ("figure-4b-b005", "figure-4b-b02", "figure-4b-b05"))
+        for scene in map(load_scene, ("relative-motion-b005", "relative-motion-b02", "relative-motion-b05"))
     ]
     return conclude(
         Verdict.HOLDS,
         "For every solution the energy left pays for a finite integral of $|\\dot z|$ only, and $\\dot z$ is Lipschitz continuous, "
         "so $\\dot z\\to 0$. For all three values of $b$ that takes for ever: after the first exit from $S_0$ the pair sticks and "
         "slips in turn without end, each slip slower than the one before. The state tends to the part $E=E_{cr}$ of $S_0$; "
-        "the rest of $\\{\\dot z=0\\}$ is not invariant above that energy. Under (5)–(6) read literally $\\dot z=0$ from the first "
+        "the rest of $\\{\\dot z=0\\}$ is not invariant above that energy. Under (11)–(12) read literally $\\dot z=0$ from the first "
         "contact on.",
         *in_every_mode(),
         *every_excursion(),
         largest_relative_speed(),
         *(item for name, run in runs for item in (*starts_below(run, name), _decline(run, name))),
         *(
-            stuck_for_ever(f"{name}: (5), (6) read literally stick for ever", solved(literally(run.scene)))
+            stuck_for_ever(f"{name}: (11), (12) read literally stick for ever", solved(literally(run.scene)))
             for name, run in runs
         ),
         derivation=(VANISHING, *ARGUMENT),
-        figure="figure-4b",
+        figure="relative-motion",
     )

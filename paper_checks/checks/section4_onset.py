@@ -1,4 +1,4 @@
-"""Section IV-A, the text after eqs (6) and (8): when the stiction condition fails, when relative motion sets in."""
+"""Section IV-A, the text after eqs (12) and (14): when the stiction condition fails, when relative motion sets in."""
 
 from __future__ import annotations
 
@@ -7,11 +7,13 @@ import sympy as sp
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
 from paper_checks.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.formula import equation
-from paper_checks.points import EXAMPLE_PAIR, FIGURE_3A, INSIDE, scene_at
+from paper_checks.ledger import claim_named
+from paper_checks.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM, scene_at
 from paper_checks.polynomial import cleared
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
@@ -24,7 +26,7 @@ from theory.filippov import derivative_along, edge_contact, half_width
 from theory.model import CASE_STUDY, case_study_mode, slip, stick
 from theory.symbols import E0, a2, b, free, m1, m2, undamped, v1, v2, x1
 
-FIGURE_3B = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.15"), v2: 0}
+START_WITH_SPEED = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.15"), v2: 0}
 TOGETHER = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.03"), v2: sp.Rational("0.03")}
 
 
@@ -37,31 +39,31 @@ def subcritical_level() -> sp.Basic:
 def example_stiction_never_violated(_: Context) -> Finding:
     """Evaluate |x1''| against b/m2 in both modes of the example."""
     literal, slipping = case_study_mode(0)[0], case_study_mode(1)[0]
-    contact = solved(load_scene("figure-4a")).events[0]
-    at_contact = -(exact(200) * contact.y[0] + exact(load_scene("figure-4a").pair.b))
+    contact = solved(load_scene("velocities")).events[0]
+    at_contact = -(exact(200) * contact.y[0] + exact(load_scene("velocities").pair.b))
     stuck = free(stick().acceleration1)
     return conclude(
         Verdict.REFUTED,
-        "The paper's own start of Fig. 3 (a) violates the inequality: $\\dot z=0$ and "
-        f"$|\\ddot x_1|={value_at(abs(literal), FIGURE_3A)}>{value_at(b / m2, FIGURE_3A)}=b/m_2$. Nothing in (5), (6) bounds "
-        "$|\\ddot x_1|$, so the dropped switching would act there; (6) makes the pair stick all the same. In slip the bound "
-        "fails as well, already at the start of Fig. 3 (b), but there the first bracket of (4) is 0 and nothing follows. What "
+        "The paper's own start of Fig. 4 (a) violates the inequality: $\\dot z=0$ and "
+        f"$|\\ddot x_1|={value_at(abs(literal), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$. Nothing in (11), (12) bounds "
+        "$|\\ddot x_1|$, so the dropped switching would act there; (12) makes the pair stick all the same. In slip the bound "
+        "fails as well, already at the start of Fig. 4 (b), but there the first bracket of (4) is 0 and nothing follows. What "
         "is true: up to the critical energy $|\\ddot x_1|\\leqslant b/m_2$ whenever $\\dot z=0$.",
         exhibit(
-            "at the start of Fig. 3 (a), $\\dot z=0$ and $|\\ddot x_1|>b/m_2$ by (5)",
-            FIGURE_3A,
+            "at the start of Fig. 4 (a), $\\dot z=0$ and $|\\ddot x_1|>b/m_2$ by (11)",
+            START_AT_6MM,
             (sp.Abs(literal), ">", b / m2),
         ).as_counterexample(),
         exhibit(
-            "at the start of Fig. 3 (b), in slip, $|\\ddot x_1|=b/m_2$, not less",
-            FIGURE_3B,
+            "at the start of Fig. 4 (b), in slip, $|\\ddot x_1|=b/m_2$, not less",
+            START_WITH_SPEED,
             (sp.Abs(slipping), "=", b / m2),
         ).as_counterexample(),
         compare(
-            "in Fig. 4 (a), just before the first event, $|\\ddot x_1|>b/m_2=0.05$",
+            "in Fig. 5 (a), just before the first event, $|\\ddot x_1|>b/m_2=0.05$",
             abs(at_contact),
             ">",
-            exact(load_scene("figure-4a").pair.b),
+            exact(load_scene("velocities").pair.b),
         ).as_counterexample(),
         prove(
             "with $a_1=u=0$ and $\\dot z=0$, $E\\leqslant E_{cr}$ implies $|\\ddot x_1|\\leqslant b/m_2$",
@@ -70,11 +72,9 @@ def example_stiction_never_violated(_: Context) -> Finding:
         ).as_correction(),
         stick_region().as_correction(),
         bracket_is_off_in_slip().as_correction(),
-        corrected="Where $\\dot z\\neq 0$ the acceleration-dependent switching of (4) has no effect. Where $\\dot z=0$ it acts "
-        "exactly if $|x_1|\\geqslant b/100$; it does not act if $E\\leqslant E_{cr}=b^2/100$ (but for $|\\ddot x_1|=b/m_2$ at "
-        "$E=E_{cr}$), nor in any stick phase of (3)–(4).",
-        counterexample="$b=0.5$, $x_1=0.006$, both bodies at rest, the start of Fig. 3 (a): $|\\ddot x_1|="
-        f"{value_at(abs(literal), FIGURE_3A)}>{value_at(b / m2, FIGURE_3A)}=b/m_2$.",
+        corrected=claim_named("example-stiction-never-violated").corrected,
+        counterexample="$b=0.5$, $x_1=0.006$, both bodies at rest, the start of Fig. 4 (a): $|\\ddot x_1|="
+        f"{value_at(abs(literal), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$.",
         derivation=(
             equation(r"\ddot{x}_1|_{\dot{z}=0}", literal),
             equation(r"\ddot{x}_1|_{\dot{z}>0}", slipping),
@@ -120,8 +120,8 @@ def example_onset(_: Context) -> Finding:
     return conclude(
         Verdict.REFUTED,
         "Stored energy does not ensure relative motion: from rest inside $S_0$ the pair oscillates as one body for ever, "
-        "under the Filippov law, under (3)–(4) and under (5)–(6). Friction lets go only if the spring can pull with more "
-        "than it holds. Read literally, (5)–(6) with $\\dot x_1=\\dot x_2$ never need to leave $\\dot z=0$.",
+        "under the Filippov law, under (3)–(4) and under (11)–(12). Friction lets go only if the spring can pull with more "
+        "than it holds. Read literally, (11)–(12) with $\\dot x_1=\\dot x_2$ never need to leave $\\dot z=0$.",
         exhibit(
             "at $x_1=0.004$, at rest, $b=0.5$: energy is stored, but less than $E_{cr}$",
             INSIDE,
@@ -138,15 +138,12 @@ def example_onset(_: Context) -> Finding:
         ).as_counterexample(),
         stuck_for_ever("from there it sticks for ever too", solved(scene_at(TOGETHER, "1000"))).as_counterexample(),
         identity(
-            "stick satisfies (3)–(4) and (5)–(6), by substitution",
+            "stick satisfies (3)–(4) and (11)–(12), by substitution",
             sp.Matrix(residual(solution("stick", Regime.UNDAMPED))),
             0,
         ).as_counterexample(),
         *(item.as_correction() for item in (*stays_together(), *comes_apart())),
-        corrected="Under (3)–(4) the bodies move relative to each other at some time exactly if $\\dot x_1(0)\\neq\\dot x_2(0)$ "
-        "or $E(0)>E_{cr}$; for the example, $\\dot x_1(0)=\\dot x_2(0)=v$ stays together for ever exactly if "
-        "$100\\,x_1(0)^2+v^2\\leqslant b^2/100$. They do so at once exactly if $\\dot x_1(0)\\neq\\dot x_2(0)$, or "
-        "$|x_1(0)|>L=b/100$, or the start is on an exit ray, $x_1(0)=\\pm L$ with $\\pm v>0$.",
+        corrected=claim_named("example-onset").corrected,
         counterexample="$b=0.5$, $x_1=0.004$, both bodies at rest: $E=$ "
         f"${value_at(energy(), INSIDE)}<{value_at(critical_energy(), INSIDE)}=E_{{cr}}$. The motion is "
         "$x_1=0.004\\cos 10t$, $x_1-x_2$ constant, for ever; friction has to give at most "
@@ -173,10 +170,10 @@ def amplitude_squared(sign: int) -> sp.Expr:
 
 
 def amplitude_is_constant(sign: int) -> Evidence:
-    """In (8) with one sign body 1 is an undamped oscillator."""
+    """In (14) with one sign body 1 is an undamped oscillator."""
     field = slip(sign).field.subs(CASE_STUDY)
     return identity(
-        f"in (8) with $\\mathrm{{sgn}}(\\dot z)={sign}$ the amplitude of $x_1$ about its rest position is constant",
+        f"in (14) with $\\mathrm{{sgn}}(\\dot z)={sign}$ the amplitude of $x_1$ about its rest position is constant",
         derivative_along(field, amplitude_squared(sign)),
         0,
     )
@@ -184,7 +181,7 @@ def amplitude_is_constant(sign: int) -> Evidence:
 
 @check("example-damped-oscillations")
 def example_damped_oscillations(_: Context) -> Finding:
-    """Show which part of (8) damps what, and prove that z' -> 0."""
+    """Show which part of (14) damps what, and prove that z' -> 0."""
     trajectory = solved(scene_at(LONG_SLIP, "10"))
     with trajectory.arithmetic.context():
         period = ball(2 * sp.pi / rates("slip+", Regime.UNDAMPED)[rate].subs(CASE_STUDY))
@@ -192,7 +189,7 @@ def example_damped_oscillations(_: Context) -> Finding:
     own_rate = derivative_along(slip(1).field, own_energy)
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "While the sign keeps, (8) is an undamped oscillation of body 1 about $\\mp b/200$ and a steady acceleration of "
+        "While the sign keeps, (14) is an undamped oscillation of body 1 about $\\mp b/200$ and a steady acceleration of "
         "body 2: no oscillation of $(x_1,\\dot x_1)$ is damped, and when $\\dot x_1$ has the sign of the force friction even "
         "feeds body 1. It is the total energy that falls, by $b|\\dot z|$, and this synchronises the bodies: $\\dot z\\to 0$ "
         "and $x_1-x_2\\to\\mathrm{const}$ hold for every initial state (Filippov law; see "
@@ -216,7 +213,7 @@ def example_damped_oscillations(_: Context) -> Finding:
             (own_rate, ">", 0),
         ).as_counterexample(),
         *(item.as_correction() for item in dissipation.in_every_mode()),
-        corrected="With a constant sign (8) is an undamped oscillation of $(x_1,\\dot x_1)$ about $x_1=\\mp b/200$; the total "
+        corrected="With a constant sign (14) is an undamped oscillation of $(x_1,\\dot x_1)$ about $x_1=\\mp b/200$; the total "
         "energy falls at the rate $b|\\dot z|$, and the alternation of slip and stick takes the amplitude of body 1 down. "
         "For every initial state $\\dot z\\to 0$ and $x_1-x_2\\to\\mathrm{const}$.",
         counterexample="$b=0.5$, $x_1=0$, $\\dot x_1=0.1$, $\\dot x_2=-1$: body 1 oscillates for "

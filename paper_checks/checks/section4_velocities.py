@@ -1,4 +1,4 @@
-"""Section IV-B, Fig. 4 (a): the velocities for b = 0.05: decay of v1, saw tooth of v2, time of synchronisation."""
+"""Section IV-B, Fig. 5 (a): the velocities for b = 0.05: decay of v1, saw tooth of v2, time of synchronisation."""
 
 from __future__ import annotations
 
@@ -15,8 +15,10 @@ from numerics.scene.file import load_scene
 from numerics.trajectory.segment import Segment
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Subject, Verdict, conclude
+from paper_checks.evidence import Evidence, EvidenceKind, Subject, argument
 from paper_checks.exact import identity
+from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.ledger import claim_named
 from paper_checks.registry import Context, check
 from paper_checks.steps.perpetual_slips import (
     ARGUMENT,
@@ -25,6 +27,7 @@ from paper_checks.steps.perpetual_slips import (
     never_merges,
     relative_speed_bound,
 )
+from paper_checks.steps.turned_back import merges_or_creeps
 from theory.model import slip
 from theory.symbols import a2, b, free, m1, m2, undamped, v1, x1
 
@@ -33,9 +36,9 @@ SLIPS = (Mode.SLIP_PLUS, Mode.SLIP_MINUS) * TEETH + (Mode.SLIP_PLUS,)
 """The itinerary up to the first adhesion: twenty crossings."""
 
 
-def figure_4a(friction: Fraction | None = None) -> Scene:
-    """Return the scene of Fig. 4 (a) up to 8 s, with another b (N) where one is given."""
-    scene = replace(load_scene("figure-4a"), until=Fraction(8))
+def velocities_scene(friction: Fraction | None = None) -> Scene:
+    """Return the scene of Fig. 5 (a) up to 8 s, with another b (N) where one is given."""
+    scene = replace(load_scene("velocities"), until=Fraction(8))
     pair = scene.pair
     return scene if friction is None else replace(scene, pair=Pair(m1=pair.m1, m2=pair.m2, a2=pair.a2, b=friction))
 
@@ -83,10 +86,10 @@ def peak_after_adhesion(trajectory: Trajectory) -> arb:
     raise ValueError("no such stick phase in the solved time; solve further")
 
 
-@check("figure-4a-constant-damping-rate")
+@check("constant-damping-rate")
 def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
     """Enclose the positive peaks of v1 and what each cycle takes from them."""
-    scene = figure_4a(friction)
+    scene = velocities_scene(friction)
     run = solved(scene)
     peaks = positive_peaks(run)
     with run.arithmetic.context():
@@ -103,7 +106,7 @@ def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
         f"by {_milli(lost[0])}, {_milli(lost[1])}, ..., {_milli(lost[-2])}, {_milli(lost[-1])} mm/s: never twice by the same, each "
         "time by less. The first seven decrements are within 1 % of $4b/\\sqrt{a_2m_1}=14.142$ mm/s per cycle, which Coulomb "
         "friction takes from an oscillator; the nine spread by 7 %. From the first adhesion on the peaks creep to $L\\Omega=5$ "
-        "mm/s, and no rate is constant. (Under (5)–(6) read literally nothing is damped after the first contact, at 0.1069 s.)",
+        "mm/s, and no rate is constant. (Under (11)–(12) read literally nothing is damped after the first contact, at 0.1069 s.)",
         replace(
             compare("the decrements fall from cycle to cycle; the last is below the first", lost[-1], "<", lost[0]),
             passed=falling,
@@ -122,9 +125,7 @@ def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
         within("spread of the nine decrements over it", spread, "0.068", "0.069").as_correction(),
         within("not exponential: ratio of the first two peaks", ratios[0], "0.89", "0.90").as_correction(),
         within("and of the last two", ratios[1], "0.43", "0.44").as_correction(),
-        corrected="Up to the first adhesion, at $t=4.5498$ s, the positive peaks of $v_1$ fall almost linearly: by between 0.0131 and "
-        "0.01413 m/s a cycle, less each time, and for seven cycles by $4b/\\sqrt{a_2m_1}$ within 1 %. After it the decay "
-        "slows down like $1/t$ towards the peak speed 0.005 m/s of the critical orbit.",
+        corrected=claim_named("constant-damping-rate").corrected,
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.05$, $\\dot x_1(0)=0.15$; the enclosures of the first and the "
         "last decrement are disjoint.",
         derivation=(
@@ -134,7 +135,7 @@ def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
             "$4b/\\sqrt{a_2m_1}$ of $v_1$. But the pair crosses at $v_1=v_2\\neq 0$, so it takes less, and the less the smaller "
             "the amplitude.",
         ),
-        figure="figure-4a",
+        figure="velocities",
     )
 
 
@@ -163,38 +164,41 @@ def _linear_decay(context: Context) -> tuple[Evidence, ...]:
     )
 
 
-@check("figure-4a-saw-tooth")
+@check("saw-tooth")
 def saw_tooth(context: Context, friction: Fraction | None = None) -> Finding:
     """Show that v2 has the slopes +b and -b in turn up to the first adhesion."""
-    run = solved(figure_4a(friction))
+    run = solved(velocities_scene(friction))
     slopes = sp.Matrix([free(slip(sign).acceleration2) for sign in (1, -1)])
     return conclude(
         Verdict.HOLDS,
         "Up to the first adhesion, at 4.5498 s, $v_2$ consists of 21 straight pieces of slopes exactly $+b$ and $-b$ in turn: ten "
         "teeth and a last rise. After it the teeth go on, rounded where the bodies stick and straight where they slip. (Under "
-        "(5)–(6) read literally there is one rise only, up to the first contact at 0.1069 s.)",
-        identity(
-            "in slip$\\pm$ $\\ddot x_2=\\pm b/m_2$, at every instant",
-            slopes,
-            sp.Matrix([b / m2, -b / m2]),
-            seed=context.seed,
+        "(11)–(12) read literally there is one rise only, up to the first contact at 0.1069 s.)",
+        carried(
+            "slopes",
+            identity(
+                "in slip$\\pm$ $\\ddot x_2=\\pm b/m_2$, at every instant",
+                slopes,
+                sp.Matrix([b / m2, -b / m2]),
+                seed=context.seed,
+            ),
+            itinerary("slip+ and slip- in turn, 21 pieces, then stick", run, (*SLIPS, Mode.STICK)),
+            within("first adhesion (s)", run.events[len(SLIPS) - 1].t, "4.549769", "4.549770"),
         ),
-        itinerary("slip+ and slip- in turn, 21 pieces, then stick", run, (*SLIPS, Mode.STICK)),
-        within("first adhesion (s)", run.events[len(SLIPS) - 1].t, "4.549769", "4.549770"),
         *_literal(friction),
         derivation=("$$\\ddot x_2=\\frac{b}{m_2}\\,\\mathrm{sgn}(\\dot z)=\\pm 0.05\\ \\mathrm{m/s^2}$$",),
-        figure="figure-4a",
+        figure="velocities",
     )
 
 
-@check("figure-4a-synchronisation-time")
+@check("synchronisation-time")
 def synchronisation_time(
     context: Context,  # noqa: ARG001
     friction: Fraction | None = None,
     time: Fraction = Fraction(47, 10),
 ) -> Finding:
     """Look at the pair at t = `time` s, and at its adhesions before and after."""
-    run = solved(figure_4a(friction))
+    run = solved(velocities_scene(friction))
     entries = [event for event in run.events if event.kind is EventKind.ENTRY]
     bound = relative_speed_bound(run, first_exit(run))
     y = run.sol(time)
@@ -205,32 +209,44 @@ def synchronisation_time(
         within("first adhesion (s)", entries[0].t, "4.549769", "4.549770"),
         within("its end (s)", first_exit(run).t, "4.579537", "4.579538"),
         within("second adhesion (s)", entries[1].t, "4.771754", "4.771755"),
-        *never_merges(run, "Fig. 4 (a)"),
+        *never_merges(run, "Fig. 5 (a)"),
         *_literal(friction),
     )
     return conclude(
         Verdict.REFUTED,
         "At $t=4.7$ s the bodies slip at 2.31 mm/s, almost the fastest that they ever slip after 4.58 s. They stick first from "
         "4.5498 s to 4.5795 s, again from 4.7718 s, and so on for ever: no time of lasting synchronisation exists, and "
-        "$\\dot z\\to 0$ only as $t\\to\\infty$. Under (5)–(6) read literally they stick for ever, but from 0.1069 s on. Forward Euler with steps of $10^{-4}$ s or $2\\cdot 10^{-4}$ s misses the first "
+        "$\\dot z\\to 0$ only as $t\\to\\infty$. Under (11)–(12) read literally they stick for ever, but from 0.1069 s on. Forward Euler with steps of $10^{-4}$ s or $2\\cdot 10^{-4}$ s misses the first "
         "adhesion and first sticks at 4.772 s (see euler-reproduces-figures): the printed time may be the step's.",
         *(item.as_counterexample() for item in counterexample),
-        largest_relative_speed().as_correction(),
-        within("bound of $|\\dot z|$ from the first exit on (m/s)", bound, "0.002320", "0.002321").as_correction(),
-        within("first adhesion (s)", entries[0].t, "4.549769", "4.549770").as_correction(),
-        corrected="The bodies adhere first at $t=4.5498$ s, for 0.0298 s; from then on they stick and slip in turn for ever, with "
-        "$|\\dot z|\\leqslant 0.00233$ m/s (1.6 % of its start), falling from slip to slip to 0 as $t\\to\\infty$.",
+        carried(
+            "adheres",
+            within("first adhesion (s)", entries[0].t, "4.549769", "4.549770").as_correction(),
+            within("its end (s)", first_exit(run).t, "4.579537", "4.579538").as_correction(),
+            within("second adhesion (s)", entries[1].t, "4.771754", "4.771755").as_correction(),
+        ),
+        carried(
+            "for-ever",
+            argument(
+                "No later slip merges, and each is slower than the one before, within the bound from the first exit on.",
+                *never_merges(run, "Fig. 5 (a)"),
+                largest_relative_speed(),
+                within("bound of $|\\dot z|$ from the first exit on (m/s)", bound, "0.002320", "0.002321"),
+                merges_or_creeps(),
+            ).as_correction(),
+        ),
+        corrected=claim_named("synchronisation-time").corrected,
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.05$, $\\dot x_1(0)=0.15$; $|\\dot z(4.7)|=0.00231$ m/s.",
         derivation=ARGUMENT,
-        figure="figure-4a",
+        figure="velocities",
     )
 
 
 def _literal(friction: Fraction | None) -> tuple[Evidence, ...]:
-    """Return what (5), (6) read literally do from the same start."""
-    run = solved(replace(figure_4a(friction), law=Law.THREE_VALUED_SGN))
+    """Return what (11), (12) read literally do from the same start."""
+    run = solved(replace(velocities_scene(friction), law=Law.THREE_VALUED_SGN))
     return (
-        itinerary("(5), (6) read literally: slip+, then stick", run, (Mode.SLIP_PLUS, Mode.STICK)),
+        itinerary("(11), (12) read literally: slip+, then stick", run, (Mode.SLIP_PLUS, Mode.STICK)),
         stuck_for_ever("and that stick lasts for ever", run),
         within("from the first contact on, at (s)", run.events[0].t, "0.106886", "0.106887"),
     )

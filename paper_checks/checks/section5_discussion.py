@@ -9,11 +9,13 @@ import sympy as sp
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
 from paper_checks.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import Evidence, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence
 from paper_checks.exact import identity
 from paper_checks.exhibit import exhibit, value_at
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.formula import equation
-from paper_checks.points import EXAMPLE_PAIR, FIGURE_3A
+from paper_checks.ledger import claim_named
+from paper_checks.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.registry import Context, check
 from paper_checks.smt import prove
 from paper_checks.steps import solutions
@@ -22,24 +24,24 @@ from theory.model import CASE_STUDY, branch_named, branches, case_study_mode
 from theory.symbols import a1, b, m2, x1
 
 COMPARED_AT = Fraction(1, 5)
-"""A time (s) at which both readings of Fig. 3 (a) are compared."""
+"""A time (s) at which both readings of Fig. 4 (a) are compared."""
 APART = sp.Rational("0.0004")
 """A distance (m) by which they then differ."""
 
 
 def readings_part() -> tuple[Evidence, ...]:
-    """Fig. 3 (a): the literal reading sticks for ever, the Filippov law slips at once; how far x2 is apart."""
-    literal, filippov = solved(load_scene("figure-3a-literal")), solved(load_scene("figure-3a"))
+    """Fig. 4 (a): the literal reading sticks for ever, the Filippov law slips at once; how far x2 is apart."""
+    literal, filippov = solved(load_scene("start-at-6mm-literal")), solved(load_scene("start-at-6mm"))
     apart = abs(literal.sol(COMPARED_AT)[2] - filippov.sol(COMPARED_AT)[2])
     return (
-        stuck_for_ever("from the start of Fig. 3 (a), (5)–(6) read literally stick for ever", literal),
+        stuck_for_ever("from the start of Fig. 4 (a), (11)–(12) read literally stick for ever", literal),
         itinerary("Filippov's solution slips at once, then sticks", filippov, [Mode.SLIP_MINUS, Mode.STICK]),
         compare("at $t=0.2$ s their values of $x_2$ are more than 0.4 mm apart", apart, ">", exact(APART)),
     )
 
 
 def same_fields() -> tuple[Evidence, ...]:
-    """(5)-(6) and the Filippov law of the example have the same accelerations in slip and in stick."""
+    """(11)-(12) and the Filippov law of the example have the same accelerations in slip and in stick."""
     fields = (
         ("slip with $\\dot z>0$", 1, phi(1)),
         ("slip with $\\dot z<0$", -1, phi(-1)),
@@ -47,7 +49,7 @@ def same_fields() -> tuple[Evidence, ...]:
     )
     return tuple(
         identity(
-            f"{name}: (5)–(6) and (e1)–(e3) in Filippov's sense have the same accelerations",
+            f"{name}: (11)–(12) and (5)–(7) in Filippov's sense have the same accelerations",
             sp.Matrix(case_study_mode(sign)),
             field[1:, 0].subs(CASE_STUDY),
         )
@@ -57,33 +59,35 @@ def same_fields() -> tuple[Evidence, ...]:
 
 @check("two-descriptions")
 def two_descriptions(_: Context) -> Finding:
-    """Compare the solutions of (3)-(4), of (5)-(6) and of (e1)-(e3)."""
-    literal, filippov = (solved(load_scene(name)).sol(COMPARED_AT)[2] for name in ("figure-3a-literal", "figure-3a"))
+    """Compare the solutions of (3)-(4), of (11)-(12) and of (5)-(7)."""
+    literal, filippov = (
+        solved(load_scene(name)).sol(COMPARED_AT)[2] for name in ("start-at-6mm-literal", "start-at-6mm")
+    )
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "The two readings describe the same motion for (2)–(4), where the stiction bracket makes them agree, and part for "
-        "(5)–(6), where it is dropped. There the three-valued signum (1) lets the bodies stick beyond $S_0$, where friction "
+        "(11)–(12), where it is dropped. There the three-valued signum (1) lets the bodies stick beyond $S_0$, where friction "
         "cannot hold them: that is a different law, and the convergence shown for the Filippov system says nothing about "
         "such solutions. Both agree until the pair first meets $S$ outside $S_0$, or leaves $S_0$ by a ray.",
         *(item.as_counterexample() for item in readings_part()),
         exhibit(
             "for that literal stick, body 2 has $m_2|\\ddot x_2|>b$: more than friction can give",
-            FIGURE_3A,
+            START_AT_6MM,
             (sp.Abs(m2 * case_study_mode(0)[1]), ">", b),
         ).as_counterexample(),
         *(item.as_correction() for item in same_fields()),
         *(item.as_correction() for item in solutions.same_solutions()),
-        corrected="(2)–(4) with $u=0$ have the same solutions as (e1)–(e3) in Filippov's sense. These solutions also satisfy "
-        "(5)–(6), which have others besides: (5)–(6) with a stick that is kept wherever $\\dot z=0$ agree with the Filippov "
+        corrected="(2)–(4) with $u=0$ have the same solutions as (5)–(7) in Filippov's sense. These solutions also satisfy "
+        "(11)–(12), which have others besides: (11)–(12) with a stick that is kept wherever $\\dot z=0$ agree with the Filippov "
         "law up to the first contact with $S$ outside $S_0$ or the first exit from $S_0$, and not beyond.",
-        counterexample="Fig. 3 (a), $x_1(0)=0.006$, $b=0.5$, at rest: read literally, (5)–(6) stick for ever and give "
+        counterexample="Fig. 4 (a), $x_1(0)=0.006$, $b=0.5$, at rest: read literally, (11)–(12) stick for ever and give "
         f"$x_2(0.2)=$ {text(literal)} m; the Filippov law, and (3)–(4), slip at once and give {text(filippov)} m.",
         derivation=(
             *solutions.ARGUMENT,
             equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{S_0}", sliding_field().T),
-            equation(r"(\ddot{x}_1,\ddot{x}_2)|_{(7)}", sp.Matrix(case_study_mode(0)).T),
+            equation(r"(\ddot{x}_1,\ddot{x}_2)|_{(13)}", sp.Matrix(case_study_mode(0)).T),
         ),
-        figure="figure-3a",
+        figure="start-at-6mm",
     )
 
 
@@ -119,8 +123,8 @@ def acceleration_bound(_: Context) -> Finding:
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "What the control can demand of body 2 is bounded by friction: $|\\ddot x_2|\\leqslant b/m_2$ in every mode under "
-        "the Filippov law and (3)–(4), attained throughout slip. The equation $\\ddot x_1=\\ddot x_2$ of (7) is not that bound: "
-        "in slip $|\\ddot x_2|$ exceeds $|\\ddot x_1|$ when the driving body passes its rest position. Under (5)–(6) read "
+        "the Filippov law and (3)–(4), attained throughout slip. The equation $\\ddot x_1=\\ddot x_2$ of (13) is not that bound: "
+        "in slip $|\\ddot x_2|$ exceeds $|\\ddot x_1|$ when the driving body passes its rest position. Under (11)–(12) read "
         "literally nothing bounds $|\\ddot x_2|=100\\,|x_1|$ in stick.",
         exhibit(
             "in slip with $\\dot z>0$ at $x_1=-b/200$, $\\ddot x_1=0$ and $|\\ddot x_2|>|\\ddot x_1|$",
@@ -129,8 +133,8 @@ def acceleration_bound(_: Context) -> Finding:
             (sp.Abs(slipping[1]), ">", sp.Abs(slipping[0])),
         ).as_counterexample(),
         exhibit(
-            "under (5)–(6) the start of Fig. 3 (a) has $|\\ddot x_2|>b/m_2$",
-            FIGURE_3A,
+            "under (11)–(12) the start of Fig. 4 (a) has $|\\ddot x_2|>b/m_2$",
+            START_AT_6MM,
             (sp.Abs(literal[1]), ">", b / m2),
         ).as_counterexample(),
         bounded_in_slip().as_correction(),
@@ -144,12 +148,11 @@ def acceleration_bound(_: Context) -> Finding:
             ).as_correction()
             for one, share in zip(rest, (sp.Rational(1, 2), sp.Integer(0)), strict=True)
         ),
-        corrected="Under the Filippov law, and under (3)–(4), $|\\ddot x_2|\\leqslant b/m_2$ at almost every time, whatever the "
-        "driving body does; in stick $\\ddot x_2=\\ddot x_1$, in slip $|\\ddot x_2|=b/m_2$.",
+        corrected=claim_named("acceleration-bound").corrected,
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. In slip with $\\dot z>0$ at "
         f"$x_1={value_at(x1, unloaded)}$: $\\ddot x_1={value_at(slipping[0], unloaded)}$, "
-        f"$\\ddot x_2={value_at(slipping[1], unloaded)}$. Under (5)–(6) at $x_1=0.006$, $\\dot z=0$: "
-        f"$|\\ddot x_2|={value_at(sp.Abs(literal[1]), FIGURE_3A)}>{value_at(b / m2, FIGURE_3A)}=b/m_2$.",
+        f"$\\ddot x_2={value_at(slipping[1], unloaded)}$. Under (11)–(12) at $x_1=0.006$, $\\dot z=0$: "
+        f"$|\\ddot x_2|={value_at(sp.Abs(literal[1]), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$.",
         derivation=(
             equation(r"\ddot{x}_2|_{\dot{z}>0}", branch_named("slip+").acceleration2),
             equation(r"\ddot{x}_2|_{\dot{z}<0}", branch_named("slip-").acceleration2),

@@ -15,14 +15,18 @@ from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, EvidenceKind, argument
 from paper_checks.exact import identity
+from paper_checks.finding import Finding, Verdict, carried, conclude
 from paper_checks.formula import equation
+from paper_checks.ledger import claim_named
 from paper_checks.points import EXAMPLE_PAIR, scene_at
 from paper_checks.registry import Context, check
 from paper_checks.samples import random_pair, random_state
 from paper_checks.steps import dissipation, perpetual_slips
 from paper_checks.steps.capture import meets_surface
+from paper_checks.steps.creeping import creeps_for_ever
+from paper_checks.steps.turned_back import contact_again
 from theory.energy import captive_energy, critical_energy, slip_rate, stick_rate
 from theory.filippov import surface
 from theory.symbols import a1, a2, b, m1, m2, undamped, v1
@@ -36,8 +40,8 @@ def synchronisation_all_parameters(context: Context) -> Finding:
         "Under the Filippov law, whose solutions are those of (3)–(4), friction takes $b|\\dot z|$ from a finite energy, so "
         "$\\int|\\dot z|\\,dt\\leqslant E(0)/b$, and $|\\ddot z|$ is bounded in every mode: an integrable function with a "
         "bounded rate tends to 0. Each step is checked for all $m_1,m_2,a_2,b>0$, $a_1\\geqslant 0$; the random scenes only "
-        "support it. (5)–(6) read literally with a stick that never ends reach $\\dot z=0$ at the first contact.",
-        *dissipation.in_every_mode(),
+        "support it. (11)–(12) read literally with a stick that never ends reach $\\dot z=0$ at the first contact.",
+        carried("synchronises", dissipation.synchronises()),
         price_is_paid(context.seed),
         derivation=(
             *dissipation.SYNCHRONISATION,
@@ -51,12 +55,12 @@ def synchronisation_all_parameters(context: Context) -> Finding:
 @check("finite-time-then-alternation")
 def finite_time_then_alternation(_: Context) -> Finding:
     """Exhibit a trajectory that meets z' = 0 in finite time and then alternates without end."""
-    name = "figure-5b"
+    name = "itinerary-that-creeps"
     trajectory = solved(load_scene(name))
     entry = next(event for event in trajectory.events if event.after is Mode.STICK)
     return conclude(
         Verdict.HOLDS,
-        "The scene figure-5b ($m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.21$) meets a synchronised orbit after a "
+        "The scene itinerary-that-creeps ($m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.21$) meets a synchronised orbit after a "
         "finite, enclosed time, with an energy above critical, and then sticks and slips in turn for ever, which is proved "
         "and not extrapolated. No single mode does it: every slip ends after a finite time. Once a trajectory has merged "
         "with a periodic orbit, $E\\leqslant E_{cr}$, no alternation follows: 'can' is the right word.",
@@ -76,19 +80,19 @@ def finite_time_then_alternation(_: Context) -> Finding:
     )
 
 
-# The scene of Fig. 4 (a) with a damper of 5 N s/m on the driving body.
+# The scene of Fig. 5 (a) with a damper of 5 N s/m on the driving body.
 DAMPED = {**EXAMPLE_PAIR, a1: 5, b: sp.Rational("0.05"), v1: sp.Rational("0.15")}
 
 
 def merges_with_a_damper() -> tuple[Evidence, ...]:
-    """Fig. 4 (a) with a damper: the last entry, below the captive level, at an enclosed time."""
+    """Fig. 5 (a) with a damper: the last entry, below the captive level, at an enclosed time."""
     trajectory = solved(scene_at(DAMPED, "8"))
     last, level = trajectory.events[-1], exact(captive_energy().subs(DAMPED))
     with trajectory.arithmetic.context():
         energy = trajectory.frame.energy(last.reduced)
     return (
         stuck_for_ever(
-            f"Fig. 4 (a) with $a_1=5$ N s/m sticks for ever after {len(trajectory.events)} events", trajectory
+            f"Fig. 5 (a) with $a_1=5$ N s/m sticks for ever after {len(trajectory.events)} events", trajectory
         ),
         compare("the last of them is before $t=1$ s", last.t, "<", exact(1)),
         compare("there $E$ is below the captive level of that damper", energy, "<", level),
@@ -97,27 +101,30 @@ def merges_with_a_damper() -> tuple[Evidence, ...]:
 
 @check("viscous-accelerates")
 def viscous_accelerates(_: Context) -> Finding:
-    """Compare Fig. 4 (a) with and without a damper, and prove that a damper ends every alternation."""
-    undamped_run, damped_run = solved(load_scene("figure-4a")), solved(scene_at(DAMPED, "8"))
+    """Compare Fig. 5 (a) with and without a damper, and prove that a damper ends every alternation."""
+    undamped_run, damped_run = solved(load_scene("velocities")), solved(scene_at(DAMPED, "8"))
     tilted = surface(damped=True).sliding.args[1]
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "A damper can accelerate the synchronisation, but it changes the mechanism, too: with $a_1=0$ whole families of "
         "trajectories creep to $E_{cr}$ by endless stick and slip, with $a_1>0$ every trajectory sticks for ever from a "
-        "finite time on and comes to rest. The trajectory of Fig. 4 (a) never stops slipping without a damper; with $a_1=5$ "
+        "finite time on and comes to rest. The trajectory of Fig. 5 (a) never stops slipping without a damper; with $a_1=5$ "
         "N s/m it merges within a second. The sliding region is tilted: $|a_2x_1+a_1v_1|\\leqslant b(m_1+m_2)/m_2$.",
-        *(item.as_counterexample() for item in perpetual_slips.never_merges(undamped_run, "figure-4a")),
+        *(item.as_counterexample() for item in perpetual_slips.never_merges(undamped_run, "velocities")),
         *(item.as_counterexample() for item in merges_with_a_damper()),
-        *(item.as_correction() for item in dissipation.in_every_mode()),
-        *(item.as_correction() for item in dissipation.rest()),
-        *(item.as_correction() for item in meets_surface()),
-        identity(
-            "for $a_1\\to 0$ the captive level is $E_{cr}$", undamped(captive_energy()), critical_energy()
-        ).as_correction(),
-        corrected="For every $a_1>0$ every trajectory sticks for ever from a finite time on, at the latest when "
-        f"$E\\leqslant {sp.latex(captive_energy())}$ on $S$, and tends to the origin; for $a_1=0$ it may alternate for ever "
-        "and then tends to the orbit $E=E_{cr}$. So damping the driving body can accelerate the synchronisation, and it "
-        "replaces the endless alternation by a finite one.",
+        carried("ends", dissipation.captured().as_correction()),
+        carried(
+            "captive",
+            argument(
+                "Below the level, $S$ is met inside the strip, where the pair sticks and, as $E$ does not grow, for ever.",
+                dissipation.captive_margin(),
+                dissipation.captive_level(),
+                contact_again(),
+                identity("for $a_1\\to 0$ the level is $E_{cr}$", undamped(captive_energy()), critical_energy()),
+            ).as_correction(),
+        ),
+        carried("alternates", creeps_for_ever().as_correction()),
+        corrected=claim_named("viscous-accelerates").corrected,
         counterexample="$m_1=m_2=1$, $a_2=200$, $b=0.05$, $\\dot x_1(0)=0.15$: with $a_1=0$ the pair never merges, from its "
         f"first exit at $t=$ {text(perpetual_slips.first_exit(undamped_run).t)} s on it sticks and slips in turn for ever; "
         f"with $a_1=5$ it merges for ever at $t=$ {text(damped_run.events[-1].t)} s.",

@@ -9,7 +9,8 @@ from numerics.arithmetic.ball import Ball
 from numerics.long_time.excursion_map import excursions
 from numerics.motion.frame import Frame
 from numerics.scene import Pair
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict, conclude
+from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.finding import Finding, Verdict, conclude
 from paper_checks.registry import Context, check
 from paper_checks.steps.excursions import angle_of_excursion
 from paper_checks.steps.monotone_slips import (
@@ -37,6 +38,7 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
         len(sides) == 2 and (sides[0] == sides[1]) is same,
         1,
         f"sides {sides}",
+        supports=True,
     )
 
 

@@ -1,4 +1,4 @@
-"""What the step of forward Euler does: time of the first adhesion in Figs. 3 (b) and 4, energy of the stuck pair of 3 (a)."""
+"""What the step of forward Euler does: time of the first adhesion in Figs. 4 (b) and 5, energy of the stuck pair of 4 (a)."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from paper_checks.drawing.style import new_figure, solved
 from paper_checks.euler_in_balls import STEPS, run
 
 SCENES = (
-    ("figure-3b", "Fig. 3 (b): $b=0.5$ N", "#2e8b3d", "s"),
-    ("figure-4b-b02", "Fig. 4 (b): $b=0.2$ N", "#c8641e", "D"),
-    ("figure-4a", "Fig. 4 (a): $b=0.05$ N", "#1b4f8f", "o"),
+    ("start-with-speed", "Fig. 4 (b): $b=0.5$ N", "#2e8b3d", "s"),
+    ("relative-motion-b02", "Fig. 5 (b): $b=0.2$ N", "#c8641e", "D"),
+    ("velocities", "Fig. 5 (a): $b=0.05$ N", "#1b4f8f", "o"),
 )
 NEVER = 12.0
 """Where a run that never sticks is drawn, s."""
@@ -50,12 +50,12 @@ def _draw_errors(axes: Any) -> None:
 
 
 def _draw_energy(axes: Any) -> None:
-    pair = solved("figure-3a").scene.pair
+    pair = solved("start-at-6mm").scene.pair
     square = float(pair.a2 / pair.mass)  # Omega^2, 1/s^2
     t = np.linspace(0, 5, 200)
     for step, dashes in ((1e-3, "-"), (1e-4, "--"), (1e-5, "-.")):
         growth = np.exp(t / step * np.log1p(step**2 * square))
         axes.plot(t, growth, color="#1b4f8f", ls=dashes, label=f"$h=10^{{{round(np.log10(step))}}}$ s")
     axes.axhline(1, color="black", lw=0.8, ls=":", label="exact")
-    axes.set(xlabel="$t$ (s)", ylabel="$E(t)/E(0)$ (dimensionless)", title="energy of the stuck pair, Fig. 3 (a)")
+    axes.set(xlabel="$t$ (s)", ylabel="$E(t)/E(0)$ (dimensionless)", title="energy of the stuck pair, Fig. 4 (a)")
     axes.legend(loc="upper left")

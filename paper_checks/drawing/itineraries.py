@@ -1,4 +1,4 @@
-"""The figure of Section III: two itineraries, projected orthogonally on the switching plane S."""
+"""Fig. 3: two itineraries, projected orthogonally on the switching plane S."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ OFFSETS_B = {
 }  # fmt: skip
 
 
-def figure_5a() -> Figure:
+def itinerary_that_merges() -> Figure:
     """Draw a trajectory that enters S0 once and merges with an orbit of E < E_cr."""
-    trajectory = solved("figure-5a")
+    trajectory = solved("itinerary-that-merges")
     return _draw(
         trajectory,
         ("O", "A"),
@@ -37,10 +37,13 @@ def figure_5a() -> Figure:
     )
 
 
-def figure_5b() -> Figure:
+def itinerary_that_creeps() -> Figure:
     """Draw O1 -> A1 -> B1 -> A2 -> C1 -> B2 -> D1 -> A3 -> O2."""
     return _draw(
-        solved("figure-5b"), NAMES_B, OFFSETS_B, title="(b) crosses $S$ twice, then sticks and slips towards $E=E_{cr}$"
+        solved("itinerary-that-creeps"),
+        NAMES_B,
+        OFFSETS_B,
+        title="(b) crosses $S$ twice, then sticks and slips towards $E=E_{cr}$",
     )
 
 

@@ -1,4 +1,4 @@
-"""Fig. 3 (a), (b) and Fig. 4 (b): phase portraits, the exact solution beside forward Euler."""
+"""Fig. 4 (a), (b) and Fig. 5 (b): phase portraits, the exact solution beside forward Euler."""
 
 from __future__ import annotations
 
@@ -27,28 +27,32 @@ from paper_checks.drawing.style import (
 
 SHOWN = Fraction(3, 2)
 """How long Fig. 3 is drawn, s: more would fill the picture with ever the same."""
-FRICTIONS = (("figure-4b-b005", "#1b4f8f", "-"), ("figure-4b-b02", "#c8641e", "--"), ("figure-4b-b05", "#2e8b3d", "-."))
+FRICTIONS = (
+    ("relative-motion-b005", "#1b4f8f", "-"),
+    ("relative-motion-b02", "#c8641e", "--"),
+    ("relative-motion-b05", "#2e8b3d", "-."),
+)
 
 
-def figure_3a() -> Figure:
+def start_at_6mm() -> Figure:
     """Draw both bodies from x1(0) = 0.006 m, b = 0.5 N."""
     return _bodies(
-        solved("figure-3a", SHOWN),
-        euler("figure-3a-literal", SHOWN),
-        "Fig. 3 (a): $b=0.5$ N, $x_1(0)=6$ mm, else 0; up to $t=1.5$ s",
+        solved("start-at-6mm", SHOWN),
+        euler("start-at-6mm-literal", SHOWN),
+        "Fig. 4 (a): $b=0.5$ N, $x_1(0)=6$ mm, else 0; up to $t=1.5$ s",
         "exact: slips at once, never sticks for good",
-        "forward Euler on (5), (6), step " + STEP_TEXT + ": stuck",
+        "forward Euler on (11), (12), step " + STEP_TEXT + ": stuck",
     )
 
 
-def figure_3b() -> Figure:
+def start_with_speed() -> Figure:
     """Draw both bodies from v1(0) = 0.15 m/s, b = 0.5 N."""
     return _bodies(
-        solved("figure-3b", SHOWN),
-        euler("figure-3b-literal", SHOWN),
-        "Fig. 3 (b): $b=0.5$ N, $\\dot x_1(0)=150$ mm/s, else 0; up to $t=1.5$ s",
+        solved("start-with-speed", SHOWN),
+        euler("start-with-speed-literal", SHOWN),
+        "Fig. 4 (b): $b=0.5$ N, $\\dot x_1(0)=150$ mm/s, else 0; up to $t=1.5$ s",
         "exact: sticks and slips in turn for ever",
-        "forward Euler on (5), (6), step " + STEP_TEXT + ": chatter",
+        "forward Euler on (11), (12), step " + STEP_TEXT + ": chatter",
     )
 
 
@@ -69,7 +73,7 @@ def _bodies(exact: Trajectory, run: EulerRun, title: str, left: str, right: str)
     return figure
 
 
-def figure_4b() -> Figure:
+def relative_motion() -> Figure:
     """Draw z' against z for the three values of b, from v1(0) = 0.15 m/s, and the end of it in close-up."""
     figure = new_figure(8.2, 7.0)
     panels = figure.subplots(2, 2, sharex="row", sharey="row")
@@ -89,9 +93,9 @@ def figure_4b() -> Figure:
         axes.set(xlabel="$z=x_1-x_2$ (mm)", ylabel="$\\dot z=\\dot x_1-\\dot x_2$ (mm/s)")
     for row, what in zip(panels, ("", ", close-up"), strict=True):
         row[0].set_title(f"exact{what}")
-        row[1].set_title(f"forward Euler on (5), (6), step {STEP_TEXT}{what}")
+        row[1].set_title(f"forward Euler on (11), (12), step {STEP_TEXT}{what}")
     panels[1, 0].set(xlim=(-1.0, 3.0), ylim=(-14, 24))
-    figure.suptitle("Fig. 4 (b): $\\dot x_1(0)=150$ mm/s, else 0; up to $t=6$ s", fontsize=10)
+    figure.suptitle("Fig. 5 (b): $\\dot x_1(0)=150$ mm/s, else 0; up to $t=6$ s", fontsize=10)
     handles, labels = panels[1, 0].get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
     figure.legend(unique.values(), unique.keys(), loc="outside lower center", ncols=6)

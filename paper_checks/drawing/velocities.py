@@ -1,4 +1,4 @@
-"""Fig. 4 (a): both velocities against time, the exact solution beside forward Euler, and the printed 4.7 s in close-up."""
+"""Fig. 5 (a): both velocities against time, the exact solution beside forward Euler, and the printed 4.7 s in close-up."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ PRINTED = 4.7
 """The paper's time of synchronisation, s."""
 
 
-def figure_4a() -> Figure:
+def velocities_scene() -> Figure:
     """Draw v1 and v2 for b = 0.05 N from v1(0) = 0.15 m/s."""
     figure = new_figure(8.2, 7.2)
     rows = figure.subplots(3, 1)
-    exact, run = solved("figure-4a", UNTIL), euler("figure-4a-literal", UNTIL)
+    exact, run = solved("velocities", UNTIL), euler("velocities-literal", UNTIL)
     t, y = samples(exact)
     euler_t, euler_v1, euler_v2 = thinned(run, (1, 3))
     for axes, title, at, v1, v2 in (
         (rows[0], "exact", t, MM * y[1], MM * y[3]),
-        (rows[1], f"forward Euler on (5), (6), step {STEP_TEXT}", euler_t, euler_v1, euler_v2),
+        (rows[1], f"forward Euler on (11), (12), step {STEP_TEXT}", euler_t, euler_v1, euler_v2),
     ):
         axes.plot(at, v1, color=BODY_1, label="$\\dot x_1$")
         axes.plot(at, v2, color=BODY_2, ls=(0, (5, 1.2)), label="$\\dot x_2$")
@@ -48,7 +48,7 @@ def figure_4a() -> Figure:
     mark_events(rows[0], exact, 3)
     _close_up(rows[2], exact)
     rows[0].legend(loc="upper right", ncols=4)
-    figure.suptitle("Fig. 4 (a): $b=0.05$ N, $\\dot x_1(0)=150$ mm/s, else 0", fontsize=10)
+    figure.suptitle("Fig. 5 (a): $b=0.05$ N, $\\dot x_1(0)=150$ mm/s, else 0", fontsize=10)
     return figure
 
 
@@ -67,7 +67,7 @@ def _close_up(axes: Any, exact: Trajectory) -> None:
     """Draw z' of both about the printed time; grey where the exact solution sticks."""
     t, y = samples(exact)
     axes.plot(t, MM * (y[1] - y[3]), color="black", label="exact")
-    run = euler("figure-4a-literal", UNTIL)
+    run = euler("velocities-literal", UNTIL)
     axes.plot(run.t, MM * (run.y[1] - run.y[3]), color="#2e8b3d", ls=(0, (4, 1.2)), label=f"Euler, {STEP_TEXT}")
     label: str | None = "exact solution sticks"
     for segment, start, end in zip(exact.modes, exact.t, exact.t[1:], strict=False):

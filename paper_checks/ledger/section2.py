@@ -1,9 +1,26 @@
 """Section II: dynamics of a pair of bodies with frictional interface."""
 
-from paper_checks.evidence import Verdict
+import sympy as sp
+
+from paper_checks.clause import Formula, clause
+from paper_checks.deciders import equals
+from paper_checks.finding import Verdict
 from paper_checks.ledger.claim import Claim
+from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, driven_equation, driving_equation
+from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, u, v1, x1
 
 SECTION = "II"
+Z, ADHESION = (
+    sp.Symbol(r"\mathrm{sgn}(\dot{z})", real=True),
+    sp.Symbol(r"\mathrm{sgn}(|\ddot{x}_1|-b\,m_2^{-1})", real=True),
+)
+LETTERS = {RELATIVE_SIGN: Z, STICTION_SIGN: ADHESION}
+
+
+def _factor(sign: int) -> sp.Expr:
+    """Return what the brackets of (4) hand on of m2 x1'' at z' = 0 for a sign of |x1''| - b/m2."""
+    return sp.diff(driven_equation().subs({RELATIVE_SIGN: 0, STICTION_SIGN: sign}), acceleration1) / m2
+
 
 SECTION_2 = (
     Claim(
@@ -14,15 +31,48 @@ SECTION_2 = (
         r"set-valued sign operator; this allows well-defined solutions at zero differential velocity "
         r"between the two moving bodies.",
         Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "same",
+                r"For $u=0$ the solutions of (3)–(4) (absolutely continuous, equations met at almost every time) are those of "
+                r"(5)–(7) in Filippov's sense, where $\mathrm{sgn}(0)$ is the whole interval $[-1,1]$;",
+            ),
+            clause(
+                "unique",
+                r"from every initial state there is exactly one such solution, forward in time.",
+                kernel=("well-posed",),
+            ),
+        ),
     ),
     Claim(
         "modes-from-closed-form",
         SECTION,
         "eqs. (3), (4)",
-        r"Including the signum in (3) and (4) switches directly between the two modes: (i) "
-        r"$\dot{x}_1=\dot{x}_2$, no frictional damping, and the driving body carries the total mass "
-        r"$m_1+m_2$; (ii) the second body slides under the friction force, which accelerates or "
-        r"decelerates both bodies. Neither if-else statements nor case differences are required.",
+        (
+            clause(
+                "equations",
+                r"The equations of motion are «first» and «second».",
+                first=Formula(
+                    "u",
+                    "=",
+                    (m1 + m2 * (1 - sp.Abs(Z))) * acceleration1 + a1 * v1 + a2 * x1 + b * Z,
+                    equals(lambda: driving_equation().subs(LETTERS) + u),
+                ),
+                second=Formula(
+                    "0",
+                    "=",
+                    m2 * acceleration1 * (1 - sp.Abs(Z)) * (1 - ADHESION) / 2 - m2 * acceleration2 + b * Z,
+                    equals(lambda: driven_equation().subs(LETTERS)),
+                ),
+            ),
+            clause(
+                "modes",
+                r"Including the signum in (3) and (4) switches directly between the two modes: (i) $\dot{x}_1=\dot{x}_2$, no "
+                r"frictional damping, and the driving body carries the total mass $m_1+m_2$; (ii) the second body slides under the "
+                r"friction force, which accelerates or decelerates both bodies. Neither if-else statements nor case differences "
+                r"are required.",
+            ),
+        ),
         Verdict.HOLDS_CORRECTED,
     ),
     Claim(
@@ -34,15 +84,48 @@ SECTION_2 = (
         r"$\tfrac{1}{2}\bigl(1-\mathrm{sgn}(|\ddot{x}_1|-b\,m_2^{-1})\bigr)$, for the case when the "
         r"stiction condition, printed as $|\ddot{x}_1|>b\,m_2^{-1}$, is violated.",
         Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "brackets",
+                r"At $\dot z=0$ the brackets of (4) hand on $m_2\ddot x_1$ with the factor «kept» where $|\ddot x_1|<b/m_2$, «half» where "
+                r"$|\ddot x_1|=b/m_2$ and «broken» where $|\ddot x_1|>b/m_2$.",
+                kept=Formula("f", "=", sp.Integer(1), equals(lambda: _factor(-1))),
+                half=Formula("f", "=", sp.Rational(1, 2), equals(lambda: _factor(0))),
+                broken=Formula("f", "=", sp.Integer(0), equals(lambda: _factor(1))),
+            ),
+            clause(
+                "condition",
+                r"The stiction condition of Coulomb's law is $|\ddot x_1|\leqslant b/m_2$, equality included; $|\ddot x_1|>b/m_2$ is "
+                r"its violation.",
+            ),
+        ),
     ),
     Claim(
         "interface-force-balance",
         SECTION,
         "eqs. (3), (4)",
-        r"The friction force in (3) and (4) is the interaction of the two bodies: in mode (ii) it impacts "
-        r"the momentum of both, which accelerate or decelerate each other; the interface conserves the "
-        r"momentum of the moving pair (Section I). Hence, in every branch of (3) and (4), what one body "
-        r"receives the other one gives.",
-        Verdict.REFUTED,
+        r"The friction force acts between the bodies: in mode (ii) it impacts the momentum of both, which accelerate or decelerate "
+        r"each other. The interface should allow for the conservation of momentum of the moving pair (Section I).",
+        Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "balanced",
+                r"The forces that (3), (4) put on the two bodies add up to «sum» in both modes of the text, for $\dot z\neq 0$ and for "
+                r"$\dot z=0$, $|\ddot x_1|<b/m_2$;",
+                sum=Formula(
+                    "f_1+f_2",
+                    "=",
+                    sp.zeros(3, 1),
+                    equals(
+                        lambda: sp.Matrix([branch_named(name).force_imbalance for name in ("stick", "slip+", "slip-")])
+                    ),
+                ),
+            ),
+            clause(
+                "broken",
+                r"where (4) breaks adhesion at $\dot z=0$ they do not, but the free system is there at isolated instants only, so it "
+                r"conserves the balance of momentum at almost every time.",
+            ),
+        ),
     ),
 )

@@ -1,18 +1,55 @@
 """Section V: discussion."""
 
-from paper_checks.evidence import Verdict
+from functools import partial
+
+import sympy as sp
+
+from paper_checks.clause import Formula, clause
+from paper_checks.deciders import Decide, equals, implied
+from paper_checks.evidence import Evidence
+from paper_checks.finding import Verdict
 from paper_checks.ledger.claim import Claim
+from theory.energy import captive_energy
+from theory.filippov import load, load_threshold, sliding_field
+from theory.symbols import a1, a2, b, m1, m2, x1
 
 SECTION = "V"
+
+DRIVEN = sp.Symbol(r"\ddot{x}_2", real=True)
+
+
+def _stick_bound() -> Decide:
+    """Return how the bound of x2'' in stick is decided, for a1 >= 0 and the load p = a2 x1 + a1 v1 on S0."""
+    force = sp.Symbol("p", real=True)
+    pull = sp.solve(load(damped=True) - force, x1)[0]
+
+    def loaded() -> list[sp.Basic]:
+        threshold, width = sp.fraction(load_threshold())
+        return [sp.Le(sp.Abs(force) * width, threshold, evaluate=False)]
+
+    def decide(formula: Formula) -> Evidence:
+        acceleration = sp.simplify(sliding_field(damped=True)[2].subs(x1, pull))
+        places = [{sp.Abs(DRIVEN): side * acceleration} for side in (1, -1)]
+        sides = [implied(loaded, partial(dict, place))(formula) for place in places]
+        return min(sides, key=lambda item: (item.passed is True, item.passed is None))
+
+    return decide
+
 
 SECTION_5 = (
     Claim(
         "synchronisation-all-parameters",
         SECTION,
         "first bullet",
-        r"For any initial conditions of the free system (2)–(4) with $u=0$, the global asymptotic "
-        r"convergence $\dot{z}(t)\to 0$ for $t\to\infty$ is warranted for all the admissible (i.e. "
-        r"physical) system parameters $m_1,m_2,a_2,b>0$ and $a_1\geqslant 0$.",
+        (
+            clause(
+                "synchronises",
+                r"For any initial conditions of the free system (2)–(4) with $u=0$, the global asymptotic "
+                r"convergence $\dot{z}(t)\to 0$ for $t\to\infty$ is warranted for all the admissible (i.e. "
+                r"physical) system parameters $m_1,m_2,a_2,b>0$ and $a_1\geqslant 0$.",
+                kernel=("synchronisation",),
+            ),
+        ),
         Verdict.HOLDS,
     ),
     Claim(
@@ -32,6 +69,30 @@ SECTION_5 = (
         r"on the synchronization mechanism; a purposefully controlled viscous damping of the active body "
         r"can accelerate the synchronization.",
         Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "ends",
+                r"For every $a_1>0$ every trajectory sticks for ever from a finite time on, and tends to the origin;",
+                kernel=("viscous-decay", "viscous-rest"),
+            ),
+            clause(
+                "captive",
+                r"that is at the latest at its first contact with $S$ below the level «level»;",
+                level=Formula(
+                    "E_c",
+                    "=",
+                    b**2 * (m1 + m2) ** 3 / (2 * m2**2 * (a2 * (m1 + m2) + a1**2)),
+                    equals(captive_energy),
+                ),
+                kernel=("captive-merges",),
+            ),
+            clause(
+                "alternates",
+                r"for $a_1=0$ it may alternate for ever and then tends to the orbit $E=E_{cr}$. So damping the driving body can "
+                r"accelerate the synchronisation, and it replaces the endless alternation by a finite one.",
+                kernel=("no-merging-from-S0",),
+            ),
+        ),
     ),
     Claim(
         "two-descriptions",
@@ -49,7 +110,16 @@ SECTION_5 = (
         SECTION,
         "sixth bullet",
         r"The switched motion system (2)–(4) is underactuated as well as upper-bounded by "
-        r"$\ddot{x}_1=\ddot{x}_2$, as for the control efforts, cf. (7).",
+        r"$\ddot{x}_1=\ddot{x}_2$, as for the control efforts, cf. (13).",
         Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "bound",
+                r"Under the Filippov law, and under (3)–(4), «bound» in stick, on $S_0$, and with equality in slip, whatever the driving "
+                r"body does; in stick $\ddot x_2=\ddot x_1$.",
+                bound=Formula(sp.Abs(DRIVEN), "<=", b / m2, _stick_bound()),
+                kernel=("driven-acceleration",),
+            ),
+        ),
     ),
 )

@@ -8,8 +8,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 
-from paper_checks.evidence import Evidence, Finding, Verdict
-from paper_checks.report import blocks, mathematics
+from paper_checks.evidence import Evidence
+from paper_checks.finding import Finding, Verdict
+from paper_checks.report import blocks, mathematics, proof
 from paper_checks.report.summary import OUTCOMES, PAPER, TITLE, findings_first, kind, section_title, sections
 from paper_checks.runner import Row
 
@@ -100,7 +101,7 @@ def _select(name: str, options: Iterable[tuple[str, str]]) -> str:
 
 
 def _table(rows: Sequence[Row], figures: Mapping[str, str]) -> str:
-    titles = "".join(f'<th scope="col">{title}</th>' for title in ("Claim", "Where", "Verdict", "Evidence"))
+    titles = "".join(f'<th scope="col">{title}</th>' for title in ("Claim", "Where", "Verdict", "Established by"))
     bodies = "\n".join(_claim(row, figures) for row in rows)
     return f'<table class="claims" aria-labelledby="claims">\n<thead><tr>{titles}</tr></thead>\n{bodies}\n</table>'
 
@@ -110,7 +111,7 @@ def _claim(row: Row, figures: Mapping[str, str]) -> str:
     return (
         f'<tbody id="{claim.id}" data-section="{escape(claim.section)}" data-verdict="{finding.verdict.value}">\n'
         f'<tr><th scope="row">{_link(row)}</th><td>{escape(claim.section)}: {mathematics.html(claim.where)}</td>'
-        f"<td>{_badge(finding.verdict)}</td><td>{kind(finding)}</td></tr>\n"
+        f"<td>{_badge(finding.verdict)}</td><td>{kind(row)}</td></tr>\n"
         f'<tr><td colspan="4"><details><summary>{mathematics.html(claim.statement)}</summary>\n'
         f"{_behind(row, figures)}</details></td></tr>\n</tbody>"
     )
@@ -128,6 +129,7 @@ def _behind(row: Row, figures: Mapping[str, str]) -> str:
     if not row.as_recorded:
         recorded = row.claim.recorded.value
         parts.insert(0, f'<p class="differs">This differs from the verdict on record, {recorded}.</p>')
+    parts += [text] if (text := proof.html(row)) else []
     parts += [_evidence(finding.evidence)] if finding.evidence else []
     parts += [_derivation(finding)] if finding.derivation else []
     parts += [_figure(row, finding.figure, figures)] if finding.figure else []

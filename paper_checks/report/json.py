@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
-from paper_checks.evidence import Evidence
+from paper_checks.evidence import Evidence, closure
+from paper_checks.graph import Proof, numbered
+from paper_checks.kernel import STATUS
 from paper_checks.ledger import Claim
 from paper_checks.runner import Row
 
@@ -36,15 +38,48 @@ def _claim(claim: Claim) -> dict[str, Any]:
 
 
 def _row(row: Row) -> dict[str, Any]:
-    finding = row.finding
+    finding, names = row.finding, numbered(row.claim.id, row.proofs)
     return _claim(row.claim) | {
         "verdict": finding.verdict.value,
         "recorded": row.claim.recorded.value,
+        "established_by": row.established_by.value if row.established_by else None,
+        "kernel": row.kernel,
         "reason": finding.reason,
         "corrected": finding.corrected,
         "counterexample": finding.counterexample,
         "missing": finding.missing,
+        "clauses": [_clause(proof, names) for proof in row.proofs],
         "evidence": [_evidence(item) for item in finding.evidence],
+    }
+
+
+def _clause(proof: Proof, names: Mapping[Evidence, str]) -> dict[str, Any]:
+    """Return a clause with the steps that it needs, those that stand beside them, and what binds its formulas."""
+    needed = closure(proof.needed)
+    beside = [step for step in closure((*proof.kernel, *proof.steps)) if step not in needed]
+    return {
+        "id": proof.clause.id,
+        "about": proof.about.value,
+        "text": proof.clause.shown,
+        "established_by": proof.established_by.value if proof.established_by else None,
+        "kernel": [
+            {"theorem": name, "status": STATUS[step.passed]}
+            for name, step in zip(proof.clause.kernel, proof.kernel, strict=True)
+        ],
+        "steps": [_step(step, names) for step in needed if not step.supports],
+        "support": [_step(step, names) for step in (*(one for one in needed if one.supports), *beside)],
+        "formulas": [_step(step, names) for step in proof.bindings],
+    }
+
+
+def _step(item: Evidence, names: Mapping[Evidence, str]) -> dict[str, Any]:
+    return {
+        "id": names[item],
+        "kind": item.kind.value,
+        "statement": item.statement,
+        "passed": item.passed,
+        "rests_on": [names[below] for below in item.rests_on],
+        "cites": list(item.cites),
     }
 
 
@@ -57,5 +92,6 @@ def _evidence(item: Evidence) -> dict[str, Any]:
         "value": item.value,
         "about": item.about.value,
         "passed": item.passed,
+        "supports": item.supports,
         "assumptions": list(item.assumptions),
     }

@@ -64,12 +64,12 @@ def _list(title: str, environment: str, items: Iterable[str]) -> str:
 def _table(rows: Sequence[Row]) -> str:
     lines = "\n".join(
         rf"{_identifier(row)} & {latex(row.claim.section)}: {latex(row.claim.where)} & "
-        rf"{row.finding.verdict.value} & {latex(kind(row.finding))} \\"
+        rf"{row.finding.verdict.value} & {latex(kind(row))} \\"
         for row in rows
     )
     return (
         "\\subsection*{Claims}\n\\begin{longtable}{@{}p{0.35\\textwidth}p{0.25\\textwidth}ll@{}}\n"
-        f"Claim & Where & Verdict & Evidence \\\\ \\hline \\endhead\n{lines}\n\\end{{longtable}}"
+        f"Claim & Where & Verdict & Established by \\\\ \\hline \\endhead\n{lines}\n\\end{{longtable}}"
     )
 
 

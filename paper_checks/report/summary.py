@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from paper_checks.evidence import Finding, Verdict
+from paper_checks.finding import Verdict
+from paper_checks.kernel import PROVED
 from paper_checks.ledger import Claim, Kind
 from paper_checks.runner import Row
 
@@ -61,9 +62,10 @@ def sections(rows: Sequence[Row]) -> list[str]:
     return list(dict.fromkeys(row.claim.section for row in rows))
 
 
-def kind(finding: Finding) -> str:
-    """Return the strongest kind of evidence that passed, or a dash."""
-    return finding.strongest.value if finding.strongest else "–"
+def kind(row: Row) -> str:
+    """Return the weakest kind of step that the verdict needs, or a dash; and that the kernel was not run."""
+    text = row.established_by.value if row.established_by else "–"
+    return text if row.kernel in (None, PROVED) else f"{text} (kernel {row.kernel})"
 
 
 def first_sentence(text: str) -> str:

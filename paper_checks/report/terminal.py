@@ -10,7 +10,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.ledger import Claim
 from paper_checks.report.mathematics import plain
 from paper_checks.report.summary import OUTCOMES, first_sentence, is_new_theorem, kind, speaker
@@ -66,14 +66,14 @@ def _coloured(verdict: Verdict) -> Text:
 
 def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
     """Ids, verdicts and kinds keep their width; places and reasons fold into what is left."""
-    table = _empty_table("claim", "verdict", "evidence")
+    table = _empty_table("claim", "verdict", "established by")
     table.add_column("where", ratio=1)
     if reasons:
         table.add_column("reason", ratio=3)
     if times:
         table.add_column("seconds", justify="right", no_wrap=True)
     for row in rows:
-        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row.finding)), Text(row.claim.where)]
+        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row)), Text(row.claim.where)]
         cells += [Text(plain(first_sentence(row.finding.reason)))] if reasons else []
         cells += [Text(f"{row.seconds:.1f}")] if times else []
         table.add_row(*cells)
@@ -104,6 +104,12 @@ def _print_story(console: Console, row: Row) -> None:
     for title, text in texts.items():
         if text:
             _say(console, f"{title}: {plain(text)}")
+    _say(console, f"Established by: {kind(row)}")
+    for proof in row.proofs:
+        if proof.steps or proof.kernel:
+            by = proof.established_by.value if proof.established_by else "open"
+            theorems = "".join(f", kernel {name} {proof.kernel_status}" for name in proof.clause.kernel)
+            _say(console, f"* {proof.clause.id} ({by}{theorems}): {plain(proof.clause.shown)}")
     for item in finding.evidence:
         value = f" [{plain(item.value)}]" if item.value else ""
         cases = f", {item.cases} cases" if item.cases != 1 else ""

@@ -8,12 +8,12 @@ from numerics.scene.file import load_scene
 from numerics.trade.euler import EulerFigure, euler_figure
 
 SCENES = {
-    "3 (a)": "figure-3a",
-    "3 (b), and 4 (b) with b = 0.5 N": "figure-3b",
-    "4 (a), and 4 (b) with b = 0.05 N": "figure-4a",
-    "4 (b) with b = 0.2 N": "figure-4b-b02",
-    "5 (a)": "figure-5a",
-    "5 (b)": "figure-5b",
+    "3 (a)": "start-at-6mm",
+    "3 (b), and 4 (b) with b = 0.5 N": "start-with-speed",
+    "4 (a), and 4 (b) with b = 0.05 N": "velocities",
+    "4 (b) with b = 0.2 N": "relative-motion-b02",
+    "5 (a)": "itinerary-that-merges",
+    "5 (b)": "itinerary-that-creeps",
 }
 """The shipped scene that a figure of the paper shows."""
 

@@ -53,7 +53,7 @@ def _energy(energies: Sequence[StickEnergy]) -> Iterator[Block]:
     yield Table(
         ("step (s)", f"{ratio}, $v_1=v_2$ held", "by theory", f"{ratio} in chatter", "sign changes"),
         rows,
-        f"The pair of Fig. 3, stuck for {until} s: exactly the ratios are 1 and there are no sign changes",
+        f"The pair of Fig. 4, stuck for {until} s: exactly the ratios are 1 and there are no sign changes",
     )
 
 

@@ -10,7 +10,12 @@ from numerics.trade.recorded import RecordedScene, RecordedTrade
 from numerics.trade.scenes import HEADLINE
 from numerics.trade.table import seconds_text
 
-_GROUPS = {"figure-": "the paper's scenes", "near-critical-": "near-critical scenes", "long-": "the long scene"}
+_GROUPS = {
+    "velocities": "the paper's scenes",
+    "relative-motion-": "the paper's scenes",
+    "near-critical-": "near-critical scenes",
+    "long-": "the long scene",
+}
 
 
 def groups(trade: RecordedTrade) -> dict[str, list[RecordedScene]]:

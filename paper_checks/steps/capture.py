@@ -11,10 +11,11 @@ from paper_checks.exact import identity
 from paper_checks.polynomial import cleared
 from paper_checks.smt import prove
 from paper_checks.steps import dissipation, solutions
-from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, sigma
+from theory.closed_forms import Regime, residual, solution
+from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, sigma, stick_rate
 from theory.filippov import derivative_along, half_width, phi, transversality
 from theory.model import free_system
-from theory.symbols import E0, a1, b, m2, v1, v2, x1
+from theory.symbols import E0, a1, b, m2, undamped, v1, v2, x1
 
 
 @cache
@@ -79,6 +80,16 @@ def leaves_above_critical() -> tuple[Evidence, ...]:
             [outside],
             sp.And(*leaving),
         ),
+    )
+
+
+@cache
+def stick_is_a_motion() -> Evidence:
+    """The closed form of stick solves (3), (4), and E is constant along it."""
+    return identity(
+        "stick, $x_1=x_{10}\\cos\\Omega t+\\cdots$, solves (3), (4), and $\\dot E=0$ along it",
+        sp.Matrix([*residual(solution("stick", Regime.UNDAMPED)), undamped(stick_rate())]),
+        sp.zeros(7, 1),
     )
 
 

@@ -6,7 +6,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence
+from paper_checks.evidence import Evidence, argument
 from paper_checks.exact import identity
 from paper_checks.polynomial import cleared
 from paper_checks.smt import prove
@@ -176,3 +176,28 @@ def captive_level() -> Evidence:
 def rest() -> tuple[Evidence, ...]:
     """Return all steps of `REST`."""
     return (momentum_rate(), stick_momentum_rate(), captive_margin(), captive_level())
+
+
+@cache
+def synchronises() -> Evidence:
+    """z' tends to 0 along every trajectory."""
+    return argument(
+        " ".join(SYNCHRONISATION[:2]) + " A relative speed costs energy, so $\\dot z\\to 0$.", *in_every_mode()
+    )
+
+
+@cache
+def comes_to_rest() -> Evidence:
+    """With a1 > 0 the origin attracts every trajectory, and is stable."""
+    return argument(
+        f"{REST[0]} {REST[1]} As $E$ never grows, the origin is stable.",
+        synchronises(),
+        momentum_rate(),
+        stick_momentum_rate(),
+    )
+
+
+@cache
+def captured() -> Evidence:
+    """With a1 > 0 every trajectory sticks for ever from a finite time on."""
+    return argument(REST[2], comes_to_rest(), captive_margin(), captive_level())

@@ -137,6 +137,7 @@ def enclosed_rate(share: Fraction, start: Fraction, count: int, tolerance: Fract
         bool(near),
         count,
         text,
+        supports=True,
     )
 
 
@@ -155,4 +156,5 @@ def enclosed_creep(share: Fraction, start: Fraction, count: int) -> Evidence:
         bool(good),
         count,
         f"w = {last} after the last",
+        supports=True,
     )

@@ -110,4 +110,5 @@ def constant_found_again(share: Fraction, speed: Fraction) -> Evidence:
         agree,
         len(TIMES),
         text,
+        supports=True,
     )

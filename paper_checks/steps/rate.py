@@ -21,6 +21,7 @@ from paper_checks.smt import prove
 from paper_checks.steps.excursions import vanishes
 from theory.excursion import excursion, h, half_tangent_form
 from theory.near_critical import cycle_limit, inverse_step, rate_constant, stick_rotation
+from theory.rate_bounds import elapsed, excess_bounds, first_angle, first_depth, first_excess
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
 from theory.symbols import a2, b, epsilon, m1, m2, q, r, theta, v1_0, x1_0
@@ -77,6 +78,7 @@ def enclosed_limit(share: Fraction, speed: Fraction, time: str, tolerance: Fract
         bool(near),
         found.excursions,
         f"ratio - 1 = {(scaled - 1).str(8)} after {found.excursions} excursions",
+        supports=True,
     )
 
 
@@ -140,7 +142,7 @@ def bounded_run(share: Fraction, start: Fraction, count: int) -> Evidence:
         theta_0 = arithmetic.number(start)
         y = arithmetic.rise(theta_0) ** 2
         deep = arithmetic.depth(theta_0)
-        lower, upper = bounds(frame.q, frame.r, theta_0, y, deep)
+        lower, upper = bounds(frame.q, theta_0, y, deep)
         tau, good = arithmetic.number(0), True
         for number, one in enumerate(excursions(frame, frame.q * y)):
             if number == count:
@@ -157,22 +159,19 @@ def bounded_run(share: Fraction, start: Fraction, count: int) -> Evidence:
         good,
         2 * count,
         text,
+        supports=True,
     )
 
 
-def bounds(
-    q_value: arb, r_value: arb, theta_0: arb, y: arb, deep: arb
-) -> tuple[Callable[[arb], arb], Callable[[arb], arb]]:
-    """Return both bounds of w as functions of the reduced time since the exit with angle theta_0."""
-    slow, lost = r_value * (deep / y) ** 2, r_value * deep**2 / y
-    fast = 9 * r_value / (4 * (1 - lost))
-    longest = arb.pi() + q_value.sqrt() * theta_0
-    shortest = arb.pi() - q_value.sqrt() * (theta_0 - y.sqrt()) * q_value * deep / (1 - q_value * deep)
+def bounds(q_value: arb, theta_0: arb, y: arb, deep: arb) -> tuple[Callable[[arb], arb], Callable[[arb], arb]]:
+    """Return both bounds of w, theory's in balls, as functions of the reduced time since the exit with angle theta_0."""
+    letters = (q, first_excess, first_depth, first_angle, elapsed)
+    sides = [sp.lambdify(letters, one, [{"sqrt": arb.sqrt, "pi": arb.pi()}]) for one in excess_bounds()]
 
     def lower(time: arb) -> arb:
-        return q_value / (1 / y + fast * (time / shortest + 1))
+        return sides[0](q_value, y, deep, theta_0, time)
 
     def upper(time: arb) -> arb:
-        return q_value / (1 / y + slow * (time / longest - 1))
+        return sides[1](q_value, y, deep, theta_0, time)
 
     return lower, upper

@@ -1,4 +1,4 @@
-"""Which solutions (3), (4) with u = 0 have: exactly those of (e1)-(e3) in Filippov's sense, and one for each start.
+"""Which solutions (3), (4) with u = 0 have: exactly those of (5)-(7) in Filippov's sense, and one for each start.
 
 A solution is absolutely continuous and meets the equations at almost every time. All steps are for a1 >= 0.
 """
@@ -9,7 +9,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence
+from paper_checks.evidence import Evidence, argument
 from paper_checks.exact import identity
 from paper_checks.smt import prove
 from theory.energy import contraction_rate, contraction_terms, sigma, sigma_other
@@ -20,7 +20,7 @@ from theory.symbols import a1, a2, acceleration1, b, free, m2, total_mass, v1, v
 ARGUMENT = (
     "A solution of (3), (4) spends almost every instant of $\\{t:\\dot z=0\\}$ with $\\ddot z=0$. There the branches "
     "with half and with broken adhesion are impossible, so $\\dot z=0$ lasts only in stick with $|\\ddot x_1|<b/m_2$, "
-    "which is Filippov's sliding field: the solution is one of (e1)–(e3) in Filippov's sense.",
+    "which is Filippov's sliding field: the solution is one of (5)–(7) in Filippov's sense.",
     "Conversely, a Filippov solution slides where $|a_2x_1+a_1v_1|\\leqslant b(m_1+m_2)/m_2$, and is on the edge of "
     "that strip at isolated times only, since the load has no double zero there. So it meets (3), (4) at almost every "
     "time.",
@@ -51,7 +51,7 @@ def slip_is_filippov() -> Evidence:
     """Off S both systems have the same field."""
     fields = sp.Matrix.hstack(*(slip(sign).field for sign in (1, -1)))
     set_valued = sp.Matrix.hstack(*(free_system(sp.Integer(sign)) for sign in (1, -1)))
-    return identity("for $\\dot z\\neq 0$, (3), (4) are (e1)–(e3) (with the damper kept)", fields, set_valued)
+    return identity("for $\\dot z\\neq 0$, (3), (4) are (5)–(7) (with the damper kept)", fields, set_valued)
 
 
 @cache
@@ -162,3 +162,15 @@ def same_solutions() -> tuple[Evidence, ...]:
         contraction(),
         never_apart(),
     )
+
+
+@cache
+def equivalent() -> Evidence:
+    """The solutions of (3), (4) are those of (5)-(7) in Filippov's sense: written out, and no more than that."""
+    return argument(" ".join(ARGUMENT[:2]), *same_solutions()[:-2])
+
+
+@cache
+def one_solution() -> Evidence:
+    """There is exactly one for each start."""
+    return argument(ARGUMENT[2], equivalent(), contraction(), never_apart(), cites=("Filippov's theorem on existence",))

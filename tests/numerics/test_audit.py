@@ -4,15 +4,13 @@ import dataclasses
 import json
 import math
 import os
-import signal
-import subprocess
-import sys
 import time
 from fractions import Fraction
 from itertools import islice
 
 import pytest
 from flint import arb
+from interruption import interrupted
 
 from numerics.__main__ import main
 from numerics.audit import catalogue, enclosures, plan, refusals, symmetries, table, trajectories
@@ -352,15 +350,7 @@ def test_wrong_usage(arguments, capsys):
 
 
 @pytest.mark.skipif(os.name != "posix", reason="signals")
-def test_an_interrupt_ends_it_in_one_line():
-    run = subprocess.Popen(
-        [sys.executable, "-m", "numerics", "audit", "--size", "large"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    time.sleep(2.0)
-    run.send_signal(signal.SIGINT)
-    out, err = run.communicate(timeout=30)
-    assert (run.returncode, out) == (130, "")
+def test_an_interrupt_ends_it_in_one_line(tmp_path):
+    code, out, err = interrupted("numerics", ["audit", "--size", "large"], "flint", tmp_path)
+    assert (code, out) == (130, "")
     assert err == "error: interrupted; nothing was written\n"

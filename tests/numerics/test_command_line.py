@@ -131,12 +131,12 @@ def test_a_file_appears_whole_or_not_at_all(tmp_path):
 
 
 def test_the_table_and_the_list(capsys):
-    code, out, err = run(capsys, "solve", "figure-4a")
+    code, out, err = run(capsys, "solve", "velocities")
     assert (code, err) == (0, "")
     assert "entry" in out or "stick" in out
     code, out, _ = run(capsys, "scenes")
     assert code == 0
-    assert "figure-3a" in out.split()
+    assert "start-at-6mm" in out.split()
 
 
 def test_output_to_a_folder_is_refused(capsys, scene_file, tmp_path):
@@ -160,16 +160,16 @@ def test_output_to_a_folder_is_refused(capsys, scene_file, tmp_path):
         [],
         ["solve"],
         ["dance"],
-        ["solve", "figure-3a", "--digits", "0"],
-        ["solve", "figure-3a", "--digits", "-1"],
-        ["solve", "figure-3a", "--digits", "1.5"],
-        ["solve", "figure-3a", "--digits", "²"],
-        ["solve", "figure-3a", "--max-events", "0"],
-        ["solve", "figure-3a", "--arithmetic", "decimal"],
-        ["solve", "figure-3a", "--json", "--csv"],
-        ["solve", "figure-3a", "--arithmetic", "float64", "--digits", "9"],
-        ["solve", "figure-3a", "figure-4a"],
-        ["solve", "figure-3a", "--dig", "9"],
+        ["solve", "start-at-6mm", "--digits", "0"],
+        ["solve", "start-at-6mm", "--digits", "-1"],
+        ["solve", "start-at-6mm", "--digits", "1.5"],
+        ["solve", "start-at-6mm", "--digits", "²"],
+        ["solve", "start-at-6mm", "--max-events", "0"],
+        ["solve", "start-at-6mm", "--arithmetic", "decimal"],
+        ["solve", "start-at-6mm", "--json", "--csv"],
+        ["solve", "start-at-6mm", "--arithmetic", "float64", "--digits", "9"],
+        ["solve", "start-at-6mm", "velocities"],
+        ["solve", "start-at-6mm", "--dig", "9"],
     ],
 )
 def test_bad_usage(capsys, arguments):
@@ -180,12 +180,12 @@ def test_bad_usage(capsys, arguments):
 
 
 def test_digits_out_of_reach(capsys):
-    code, out, err = run(capsys, "solve", "figure-4a", "--digits", "500", "--max-digits", "100")
+    code, out, err = run(capsys, "solve", "velocities", "--digits", "500", "--max-digits", "100")
     assert (code, out, len(err.splitlines())) == (1, "", 1)
 
 
 def test_the_cap_on_events_is_a_status(capsys):
-    found = json.loads(run(capsys, "solve", "figure-4a", "--max-events", "2", "--json")[1])
+    found = json.loads(run(capsys, "solve", "velocities", "--max-events", "2", "--json")[1])
     assert found["status"] == "event-limit"
     assert len(found["events"]) == 2
     assert found["final"]["t"] == found["events"][-1]["t"]
@@ -229,7 +229,7 @@ def test_the_real_process(tmp_path):
     assert (process.returncode, process.stdout, process.stderr.count("\n")) == (2, "", 1)
     with open("/dev/full", "w") as full:
         process = subprocess.run(
-            [sys.executable, "-m", "numerics", "solve", "figure-3a"], stdout=full, stderr=subprocess.PIPE, check=False
+            [sys.executable, "-m", "numerics", "solve", "start-at-6mm"], stdout=full, stderr=subprocess.PIPE, check=False
         )
     assert process.returncode == 1
     assert process.stderr.count(b"\n") == 1
@@ -300,10 +300,10 @@ PYTHON = re.compile(r"max_\w+|arithmetic=|digits=|solve\(")
 @pytest.mark.parametrize(
     ("flag", "arguments"),
     [
-        ("--max-digits", ("solve", "figure-4a", "--digits", 500, "--max-digits", 100)),
-        ("--max-events", ("solve", "figure-4a", "--max-events", 2)),
-        ("--max-digits", ("energy", "figure-3b", "--at", "1e50", "--digits", 200, "--max-digits", 100)),
-        ("--max-steps", ("energy", "figure-3b", "--at", "1e50", "--max-steps", 3)),
+        ("--max-digits", ("solve", "velocities", "--digits", 500, "--max-digits", 100)),
+        ("--max-events", ("solve", "velocities", "--max-events", 2)),
+        ("--max-digits", ("energy", "start-with-speed", "--at", "1e50", "--digits", 200, "--max-digits", 100)),
+        ("--max-steps", ("energy", "start-with-speed", "--at", "1e50", "--max-steps", 3)),
     ],
 )
 def test_a_refusal_names_the_flag_that_helps(capsys, flag, arguments):
@@ -332,9 +332,9 @@ def test_a_ratio_is_a_number_on_the_command_line_and_in_a_file(capsys, scene_fil
 
 def test_a_figure_or_a_file_in_no_folder_is_refused_before_anything_is_computed(capsys, tmp_path):
     for arguments in (
-        ("solve", "figure-3a", "--plot", tmp_path / "no" / "a.svg"),
-        ("solve", "figure-3a", "--npz", tmp_path / "no" / "a.npz"),
-        ("solve", "figure-3a", "--plot", tmp_path / "a.gif"),
+        ("solve", "start-at-6mm", "--plot", tmp_path / "no" / "a.svg"),
+        ("solve", "start-at-6mm", "--npz", tmp_path / "no" / "a.npz"),
+        ("solve", "start-at-6mm", "--plot", tmp_path / "a.gif"),
         ("map", "--out", tmp_path / "a.gif"),
         ("map", "--resume", tmp_path / "no" / "a"),
         ("trade", "--out", tmp_path / "a.gif"),

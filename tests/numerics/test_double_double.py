@@ -32,8 +32,8 @@ from numerics.solver.solve import solve
 from numerics.trajectory.deferred import Deferred
 from numerics.trajectory.record import end_length, row_length
 
-PAPER = load_scene("figure-4b-b05")
-COMPARED = [PAPER, load_scene("figure-4a"), load_scene("figure-5b")]
+PAPER = load_scene("relative-motion-b05")
+COMPARED = [PAPER, load_scene("velocities"), load_scene("itinerary-that-creeps")]
 CONTACT = run_telling(DOUBLE_DOUBLE, is_damped=False)(contact)
 any_scene = st.one_of(
     scenes(size=(-2, 2)),
@@ -222,7 +222,7 @@ def test_what_was_asked_for_decides(capsys):
     assert (found.arithmetic.name, found.digits) == ("double-double", 20)
     assert "right digits by its error bounds" in found.tried
     assert solve(PAPER, digits=30).arithmetic.name == "ball"
-    assert main(["solve", "figure-4b-b05", "--arithmetic", "double-double", "--json", "--explain"]) == 0
+    assert main(["solve", "relative-motion-b05", "--arithmetic", "double-double", "--json", "--explain"]) == 0
     told = capsys.readouterr()
     assert json.loads(told.out)["digits"] >= 25
     assert "double-double with 31 working digits" in told.err

@@ -41,8 +41,8 @@ def test_chatter_takes_back_what_stick_gains_and_grows_with_finer_steps():
 
 
 def test_a_figure_is_judged_against_balls():
-    found = euler_figure("3 (b)", load_scene("figure-3b"), (1e-2, 1e-3, 1e-4))
-    assert found.events == len(solve(load_scene("figure-3b"), digits=15).events)
+    found = euler_figure("3 (b)", load_scene("start-with-speed"), (1e-2, 1e-3, 1e-4))
+    assert found.events == len(solve(load_scene("start-with-speed"), digits=15).events)
     assert [one.right for one in found.outcomes] == [False, True, True]
     assert found.outcomes[0].difference == f"10 events, not {found.events}"
     assert found.right_from == 1e-3
@@ -74,7 +74,7 @@ def test_nothing_is_extrapolated_from_wrong_events():
 
 @pytest.mark.slow
 @pytest.mark.skipif(not find_spec("numba"), reason="numba is not installed; plain Python takes too long here")
-@pytest.mark.parametrize(("name", "error"), [("figure-4a", 1e-2), ("figure-4b-b02", 1e-3)])
+@pytest.mark.parametrize(("name", "error"), [("velocities", 1e-2), ("relative-motion-b02", 1e-3)])
 def test_the_extrapolated_step_does_what_it_says(name, error, monkeypatch):
     import numba
 

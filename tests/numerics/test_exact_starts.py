@@ -72,7 +72,7 @@ def test_printed_digits_are_right_to_one_unit():
 
 
 def test_a_capped_run_says_so_in_its_exit_code(capsys):
-    assert main(["solve", "figure-4a", "--max-events", "3", "--json"]) == 1
+    assert main(["solve", "velocities", "--max-events", "3", "--json"]) == 1
     captured = capsys.readouterr()
     assert "event-limit" in captured.out
     assert "--max-events" in captured.err

@@ -29,7 +29,7 @@ from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.trajectory.record import end_length, row_length
 
-PAPER = load_scene("figure-4b-b05")
+PAPER = load_scene("relative-motion-b05")
 any_scene = st.one_of(
     scenes(size=(-2, 2)),
     scenes(exponents=(-9, 9)),
@@ -65,7 +65,7 @@ def ran(scene, *, compiled):
 @more
 @given(any_scene)
 @example(PAPER)
-@example(load_scene("figure-5b"))
+@example(load_scene("itinerary-that-creeps"))
 @example(Scene(Pair(Fraction(1, 10**7), 10**9, 1, 1), State(v2=-Fraction(1, 10**4)), 198))
 @example(EXACTLY_CRITICAL[0])
 @example(EXACTLY_CRITICAL[1])

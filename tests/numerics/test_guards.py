@@ -4,7 +4,6 @@ import json
 import os
 import random
 import re
-import signal
 import subprocess
 import sys
 import time
@@ -12,6 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 
 import pytest
+from interruption import interrupted
 
 from numerics.__main__ import main
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionExhausted
@@ -124,27 +124,19 @@ def test_a_damped_slip_that_has_died_away_needs_no_phase():
 # files
 
 
-def interrupted(arguments, folder, seconds, how=signal.SIGINT):
-    """Start a command, signal it after a while, and return exit code, stderr, and what lies in the folder."""
-    process = subprocess.Popen(arguments, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(seconds)
-    assert process.poll() is None, "it ended before it could be interrupted"
-    process.send_signal(how)
-    _, errors = process.communicate(timeout=20)
-    return process.returncode, errors, sorted(path.name for path in folder.iterdir())
-
-
 def test_ctrl_c_while_solving_leaves_nothing(tmp_path):
     (tmp_path / "scene.toml").write_text(VALID)
-    code, errors, files = interrupted([*SOLVE, "scene.toml", "--npz", "run.npz"], tmp_path, 2)
+    arguments = [*SOLVE[3:], "scene.toml", "--npz", "run.npz"]
+    code, _, errors = interrupted("numerics", arguments, "flint", tmp_path)
+    files = sorted(path.name for path in tmp_path.iterdir())
     assert (code, len(errors.splitlines()), files) == (130, 1, ["scene.toml"])
     assert errors.startswith("error: interrupted")
 
 
-@pytest.mark.parametrize("seconds", [0.7, 3])
-def test_ctrl_c_while_reporting_leaves_nothing(tmp_path, seconds):
-    code, errors, files = interrupted([*REPORT, "--out", "out"], tmp_path, seconds)
-    assert (code, errors.splitlines(), files) == (130, ["paper_checks: interrupted"], [])
+@pytest.mark.parametrize("module", ["sympy", "paper_checks.runner"])
+def test_ctrl_c_while_reporting_leaves_nothing(tmp_path, module):
+    code, _, errors = interrupted("paper_checks", [*REPORT[3:], "--out", "out"], module, tmp_path)
+    assert (code, errors.splitlines(), list(tmp_path.iterdir())) == (130, ["paper_checks: interrupted"], [])
 
 
 HALF_WRITTEN = {

@@ -58,7 +58,7 @@ def test_the_names_are_functions_whatever_was_imported_before():
     assert (done.stdout, done.stderr) == ("(9,)\n", "")
 
 
-@pytest.mark.parametrize("given", [PAPER.pair, None, "figure-4a"])
+@pytest.mark.parametrize("given", [PAPER.pair, None, "velocities"])
 def test_what_is_no_scene_is_told_how_to_build_one(given):
     with pytest.raises(TypeError, match=r"build Scene\(Pair\(\.\.\.\)"):
         solve(given)

@@ -30,7 +30,7 @@ from numerics.trade.comparisons.peer import PeerFailed, Unsupported
 from numerics.trade.comparisons.registry import all_peers
 from numerics.trade.comparisons.switching import EventLog, SwitchedPair
 
-PAPER = "figure-4b-b05"
+PAPER = "relative-motion-b05"
 VISCOUS = Scene(Pair(1, 2, 200, "0.5", a1=1), State(v1="0.6"), 5)
 NEAR_CRITICAL = Scene(Pair(1, 1, 200, "0.5"), State("0.005", "5e-8", 0, "5e-8"), 5)
 

@@ -33,7 +33,7 @@ def test_the_shipped_trade_names_no_place_and_no_day():
 
 @pytest.mark.slow
 def test_a_fresh_trade_comes_back_as_it_was(tmp_path):
-    fresh = trade("small", only=("float64, pure Python", "figure-4b-b05"))
+    fresh = trade("small", only=("float64, pure Python", "relative-motion-b05"))
     path = tmp_path / "fresh.json"
     path.write_text(json.dumps(as_record(fresh)), "utf-8")
     back = recorded(path)
@@ -44,8 +44,8 @@ def test_a_fresh_trade_comes_back_as_it_was(tmp_path):
 
 
 def test_an_error_that_is_no_number_and_a_run_without_end_are_kept_apart(tmp_path):
-    lost = run("Peer", "figure-4a", 1e-3, "inf", right=False, difference="0 events, not 24")
-    stopped = run("Peer", "figure-4a", None)
+    lost = run("Peer", "velocities", 1e-3, "inf", right=False, difference="0 events, not 24")
+    stopped = run("Peer", "velocities", None)
     found = planted(tmp_path, lost, stopped)
     points = [one for one in found.points(found.scenes[0]) if one.contender == "Peer"]
     assert [(one.error, one.right) for one in points] == [(math.inf, False)]
@@ -53,8 +53,8 @@ def test_an_error_that_is_no_number_and_a_run_without_end_are_kept_apart(tmp_pat
 
 
 def test_only_right_peers_can_lead_or_be_led(tmp_path):
-    wrong = run("Wrong", "figure-4a", 1e-9, -30.0, right=False, difference="1 event, not 24")
-    right = run("Right", "figure-4a", 8e-6, -3.0)
+    wrong = run("Wrong", "velocities", 1e-9, -30.0, right=False, difference="1 event, not 24")
+    right = run("Right", "velocities", 8e-6, -3.0)
     found = planted(tmp_path, wrong, right)
     (lead,) = found.leads(found.scenes[0])
     assert (lead.peer.contender, lead.ours.contender, lead.ratio) == ("Right", COMPILED, 2.0)

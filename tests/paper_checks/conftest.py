@@ -1,9 +1,13 @@
 """A small ledger with a finding of every verdict, heavy mathematics and hostile texts."""
 
+from dataclasses import replace
+
 import pytest
 from matplotlib.figure import Figure
 
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict
+from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.finding import Finding, Verdict
+from paper_checks.graph import proofs
 from paper_checks.ledger import Claim
 from paper_checks.registry import Registry
 from paper_checks.runner import Row
@@ -54,7 +58,7 @@ LONG = (
 )
 
 
-def claim(name, recorded=Verdict.HOLDS, section="III", where="after (edot)", statement="$E$ decreases."):
+def claim(name, recorded=Verdict.HOLDS, section="III", where="after (8)", statement="$E$ decreases."):
     return Claim(name, section, where, statement, recorded)
 
 
@@ -63,13 +67,13 @@ def rows():
     corrected = r"$|\ddot{x}_1|\leqslant b\,m_2^{-1}$ on $S_0$ with $|x_1|\leqslant \frac{b(m_1+m_2)}{a_2m_2}$."
     counter = r"$x_1(0)=0.006$, $b=0.5$: $\ddot{x}_1=-0.6$."
     both = (FAILED, BALL.as_counterexample(), SMT.as_correction())
-    return [
+    found = [
         Row(
             claim("energy-rate", statement=r"$\dot{E} = -b\,|v_1-v_2|\leqslant 0$ along every trajectory."),
             Finding(Verdict.HOLDS, "An identity.", (EXACT, SMT), derivation=DERIVATION, figure="sine"),
         ),
         Row(
-            claim("example-stiction-never-violated", Verdict.REFUTED, "IV", "after eq. (6)", LONG),
+            claim("example-stiction-never-violated", Verdict.REFUTED, "IV", "after eq. (12)", LONG),
             Finding(Verdict.REFUTED, LONG, both, corrected, counter, DERIVATION, "sine"),
             1.25,
         ),
@@ -86,6 +90,7 @@ def rows():
             Finding(Verdict.UNCHECKED, r"<b>100%</b> & \$5 $\foo{x}$ $unpaired #_^~{}\ ẋ ≤", missing="z3 <missing>"),
         ),
     ]
+    return [replace(row, proofs=proofs(row.claim, row.finding)) for row in found]
 
 
 @pytest.fixture

@@ -42,12 +42,12 @@ def test_a_constant_is_enclosed():
 
 
 def test_an_itinerary_has_to_be_the_proved_one():
-    trajectory = solved(load_scene("figure-3a"))
+    trajectory = solved(load_scene("start-at-6mm"))
     assert itinerary("right", trajectory, [Mode.SLIP_MINUS, Mode.STICK]).passed is True
     assert itinerary("wrong", trajectory, [Mode.STICK]).passed is False
     assert itinerary("nothing", trajectory, []).passed is None
     assert stuck_for_ever("not yet", trajectory).passed is False
-    assert stuck_for_ever("read literally", solved(load_scene("figure-3a-literal"))).passed is True
+    assert stuck_for_ever("read literally", solved(load_scene("start-at-6mm-literal"))).passed is True
 
 
 @pytest.mark.parametrize("value", [sp.pi, sp.sqrt(2) / 10**9, -sp.exp(40), sp.Rational(1, 3), sp.pi**2 / 4])

@@ -2,15 +2,8 @@
 
 import pytest
 
-from paper_checks.evidence import (
-    Evidence,
-    EvidenceKind,
-    Finding,
-    InvalidFindingError,
-    Subject,
-    Verdict,
-    conclude,
-)
+from paper_checks.evidence import Evidence, EvidenceKind, Subject
+from paper_checks.finding import Finding, InvalidFindingError, Verdict, conclude
 
 EXACT = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
 SAMPLE = Evidence(EvidenceKind.PROPERTY, "hypothesis", "a = a", True, cases=100)
@@ -23,8 +16,8 @@ CORRECTED = {"counterexample": "$a=1$", "corrected": "$a=a$"}
 
 def test_kinds_are_ordered_strongest_first():
     names = [kind.value for kind in sorted(EvidenceKind, key=lambda kind: -kind.strength)]
-    assert names == ["kernel", "smt", "exact", "enclosure", "property", "simulation"]
-    assert [kind.value for kind in EvidenceKind if kind.decisive] == ["kernel", "smt", "exact", "enclosure"]
+    assert names == ["kernel", "smt", "exact", "enclosure", "argument", "property", "simulation"]
+    assert [kind.value for kind in EvidenceKind if kind.decisive] == names[:5]
 
 
 @pytest.mark.parametrize("cases", [0, -1])
@@ -48,11 +41,11 @@ def test_an_outcome_is_a_truth_value_or_none():
 
 
 def test_a_supported_finding_of_each_verdict_can_be_built():
-    assert Finding(Verdict.HOLDS, "r", (EXACT, SAMPLE)).strongest is EvidenceKind.EXACT
+    assert Finding(Verdict.HOLDS, "r", (EXACT, SAMPLE)).verdict is Verdict.HOLDS
     for verdict in (Verdict.REFUTED, Verdict.HOLDS_CORRECTED):
         assert Finding(verdict, "r", (FAILED, COUNTER, CORRECTION), **CORRECTED).verdict is verdict
-    assert Finding(Verdict.UNDECIDED, "r", (SAMPLE,), missing="a proof").strongest is EvidenceKind.PROPERTY
-    assert Finding(Verdict.UNCHECKED, "r", missing="a solver").strongest is None
+    for verdict in (Verdict.UNDECIDED, Verdict.UNCHECKED):
+        assert Finding(verdict, "r", (SAMPLE,), missing="a proof").verdict is verdict
 
 
 OVERREACHING = {

@@ -5,7 +5,7 @@ import sympy as sp
 
 from paper_checks.evidence import EvidenceKind
 from paper_checks.exhibit import exhibit, value_at
-from paper_checks.points import EDGE, EXAMPLE_PAIR, FIGURE_3A, scene_at
+from paper_checks.points import EDGE, EXAMPLE_PAIR, START_AT_6MM, scene_at
 from theory.energy import critical_energy, energy
 from theory.symbols import u
 
@@ -47,7 +47,7 @@ def test_a_value_that_is_not_rational_is_refused():
 
 
 def test_a_point_and_its_scene_are_the_same_state():
-    for point in (FIGURE_3A, EDGE):
+    for point in (START_AT_6MM, EDGE):
         scene = scene_at(point, "5")
         assert sp.Rational(str(scene.energy)) == energy().subs(point)
         assert sp.Rational(str(scene.pair.critical_energy)) == critical_energy().subs(point)

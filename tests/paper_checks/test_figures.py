@@ -13,7 +13,14 @@ from paper_checks.drawing.style import MARKERS, MODE_COLOURS
 from paper_checks.figures import FIGURES
 from paper_checks.report import vector
 
-PAPER = ("figure-3a", "figure-3b", "figure-4a", "figure-4b", "figure-5a", "figure-5b")
+PAPER = (
+    "start-at-6mm",
+    "start-with-speed",
+    "velocities",
+    "relative-motion",
+    "itinerary-that-merges",
+    "itinerary-that-creeps",
+)
 UNIT = re.compile(r"\((mm|mm/s|s|dimensionless)\)$")
 
 
@@ -46,7 +53,7 @@ def test_bytes_depend_on_the_figure_alone(name, monkeypatch):
     assert "<dc:date>" not in first[0]
 
 
-@pytest.mark.parametrize("name", ["figure-3a", "figure-3b", "figure-4a", "figure-4b"])
+@pytest.mark.parametrize("name", ["start-at-6mm", "start-with-speed", "velocities", "relative-motion"])
 def test_the_exact_solution_stands_beside_euler_with_its_step(name):
     titles = [axes.get_title() for axes in FIGURES[name]().axes]
     assert any(title.startswith("exact") for title in titles)
@@ -59,7 +66,7 @@ def test_events_differ_by_shape():
 
 @pytest.mark.parametrize("name", PAPER)
 def test_the_events_that_happen_are_in_the_legend(name):
-    scene = {"figure-4b": "figure-4b-b05"}.get(name, name)
+    scene = {"relative-motion": "relative-motion-b05"}.get(name, name)
     happened = {kind.value for kind in solve(load_scene(scene)).event_kinds}
     assert happened <= texts(FIGURES[name]())
 
@@ -72,7 +79,7 @@ def lines_of(figure, mode):
 
 
 def test_the_itinerary_is_drawn_in_the_colours_of_the_caption():
-    figure = FIGURES["figure-5b"]()
+    figure = FIGURES["itinerary-that-creeps"]()
     assert to_rgba(MODE_COLOURS[Mode.SLIP_PLUS])[2] > 0.7  # blue in Omega+
     assert to_rgba(MODE_COLOURS[Mode.SLIP_MINUS])[0] > 0.7  # red in Omega-
     found = [len(lines_of(figure, mode)) for mode in (Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK)]
@@ -81,7 +88,9 @@ def test_the_itinerary_is_drawn_in_the_colours_of_the_caption():
 
 def test_the_named_points_stand_on_the_projected_trajectory():
     """C1 and D1 on the rays, A1 in S+, B1 in S-, A2, B2, A3 inside S0; coordinates (x1, (v1 + v2)/2) in mm and mm/s."""
-    annotations = [text for text in FIGURES["figure-5b"]().axes[0].texts if text.get_text() and hasattr(text, "xy")]
+    annotations = [
+        text for text in FIGURES["itinerary-that-creeps"]().axes[0].texts if text.get_text() and hasattr(text, "xy")
+    ]
     at = {text.get_text().strip("$"): text.xy for text in annotations}
     half = 5.0
     assert at["O_1"] == pytest.approx((0, 105))
@@ -95,7 +104,7 @@ def test_the_named_points_stand_on_the_projected_trajectory():
 
 def test_points_keep_their_distance():
     """No two named points closer than 8 % of the picture's width or height."""
-    axes = FIGURES["figure-5b"]().axes[0]
+    axes = FIGURES["itinerary-that-creeps"]().axes[0]
     width, height = (limits[1] - limits[0] for limits in (axes.get_xlim(), axes.get_ylim()))
     points = [
         text.xy for text in axes.texts if hasattr(text, "xy") and re.fullmatch(r"\$[OABCD]_\d\$", text.get_text())

@@ -1,21 +1,23 @@
 """The ledger is complete, in paper order, and literal."""
 
+import re
+
 import pytest
 
 from paper_checks.errors import LedgerError
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.ledger import CLAIMS, Claim
 from paper_checks.ledger.claim import in_order
 
 
 def claim(name="a", **changes):
-    return Claim(**{"id": name, "section": "II", "where": "w", "statement": "s", "recorded": Verdict.HOLDS} | changes)
+    return Claim(**{"id": name, "section": "II", "where": "w", "said": "s", "recorded": Verdict.HOLDS} | changes)
 
 
 def test_the_sections_come_in_paper_order():
     sections = [claim.section for claim in CLAIMS]
     assert sections == sorted(sections, key=["II", "III", "IV", "V", "Theorems"].index)
-    assert [sections.count(name) for name in ("II", "III", "IV", "V", "Theorems")] == [4, 25, 13, 5, 8]
+    assert [sections.count(name) for name in ("II", "III", "IV", "V", "Theorems")] == [4, 25, 13, 5, 12]
 
 
 def test_every_statement_is_a_sentence_with_balanced_mathematics():
@@ -38,3 +40,9 @@ def test_an_id_must_be_fit_for_an_anchor(name):
 def test_an_id_is_taken_once():
     with pytest.raises(LedgerError, match="taken twice: a"):
         in_order([claim("a"), claim("b")], [claim("a")])
+
+
+def test_ids_and_places_carry_no_number_of_another_figure():
+    for row in CLAIMS:
+        assert not re.search(r"figure-\d", row.id)
+        assert not any(label in row.where + row.statement for label in ("(e1)", "(e2)", "(e3)", "edot", "(trans"))

@@ -6,7 +6,8 @@ import json
 import pytest
 from rich.console import Console
 
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict
+from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.finding import Finding, Verdict
 from paper_checks.ledger import Claim, Kind
 from paper_checks.report import html, latex
 from paper_checks.report import json as json_report

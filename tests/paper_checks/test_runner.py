@@ -3,7 +3,8 @@
 import pytest
 
 from paper_checks.errors import ToolMissingError
-from paper_checks.evidence import Evidence, EvidenceKind, Finding, Verdict
+from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.finding import Finding, Verdict
 from paper_checks.ledger import Claim
 from paper_checks.registry import Context, Registry
 from paper_checks.runner import Row, decide, exit_code, joined, run

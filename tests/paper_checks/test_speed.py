@@ -102,46 +102,46 @@ class TestPayoff:
 
 class TestPeers:
     def test_a_lead_is_told_with_its_closest_peer(self, tmp_path):
-        slow, close = (run("Slow", "figure-4a", 1.0, -5.0), run("Close", "figure-4a", 8e-6, -3.0))
+        slow, close = (run("Slow", "velocities", 1.0, -5.0), run("Close", "velocities", 8e-6, -3.0))
         text = said(peers.leading(planted(tmp_path, slow, close)))
         assert "No peer with the right events beats ours at equal or better accuracy on any scene." in text
-        assert "Close on figure-4a: ours is 2 times as fast." in text
+        assert "Close on velocities: ours is 2 times as fast." in text
         assert "2 to 250,000" in text
 
     def test_a_peer_that_wins_is_said_to(self, tmp_path):
-        winner = run("Winner", "figure-4a", 1e-3, -16.0)
+        winner = run("Winner", "velocities", 1e-3, -16.0)
         text = said(peers.leading(planted(tmp_path, winner)))
-        assert "On figure-4a Winner (16 digits, 1 ms) beats ours: it is 2 times as fast as ball, 10 digits." in text
+        assert "On velocities Winner (16 digits, 1 ms) beats ours: it is 2 times as fast as ball, 10 digits." in text
         assert "No peer with" not in text
 
     def test_a_peer_that_is_more_accurate_than_all_of_ours_is_said_to_be(self, tmp_path):
-        text = said(peers.leading(planted(tmp_path, run("Exact", "figure-4a", 9.0, -500.0))))
-        assert "On figure-4a no run of ours is as accurate as Exact (500 digits, 9 s)." in text
+        text = said(peers.leading(planted(tmp_path, run("Exact", "velocities", 9.0, -500.0))))
+        assert "On velocities no run of ours is as accurate as Exact (500 digits, 9 s)." in text
 
     def test_a_wrong_peer_wins_nothing(self, tmp_path):
-        wrong = run("Wrong", "figure-4a", 1e-9, -500.0, right=False, difference="1 event, not 24")
+        wrong = run("Wrong", "velocities", 1e-9, -500.0, right=False, difference="1 event, not 24")
         text = said(peers.leading(planted(tmp_path, wrong)))
         assert "beats ours:" not in text
-        assert "| figure-4a | none is right |" in text
+        assert "| velocities | none is right |" in text
 
     def test_without_peers_nothing_is_claimed(self, plain_trade):
         assert "nothing can be said about others" in said(peers.leading(plain_trade))
 
     def test_who_is_right_where(self, tmp_path):
-        half = [run("Half", "figure-4a", 1e-3, -3.0, setting=1e-3)]
-        half += [run("Half", "figure-4a", 1e-4, -1.0, setting=1e-2, right=False, difference="1 event, not 24")]
-        hung = run("Hung", "figure-4a", None)
+        half = [run("Half", "velocities", 1e-3, -3.0, setting=1e-3)]
+        half += [run("Half", "velocities", 1e-4, -1.0, setting=1e-2, right=False, difference="1 event, not 24")]
+        hung = run("Hung", "velocities", None)
         text = said(peers.sequences(planted(tmp_path, *half, hung)))
-        assert "figure-4a: right at some settings only Half." in text
-        assert "figure-4b-b05 and near-critical-1e-6: no peer came to an end." in text
+        assert "velocities: right at some settings only Half." in text
+        assert "relative-motion-b05 and near-critical-1e-6: no peer came to an end." in text
         assert "| Half | 1/2: 3 | - | - |" in text
         assert "| Hung | stopped | - | - |" in text
         assert "Ours have the right event sequence in all 18 runs." in text
 
     def test_a_wrong_sequence_of_ours_is_confessed(self, tmp_path):
-        wrong = run(OBJECTS, "figure-4a", 1e-3, -1.0, setting=1.0, right=False, difference="23 events, not 24")
+        wrong = run(OBJECTS, "velocities", 1e-3, -1.0, setting=1.0, right=False, difference="23 events, not 24")
         text = said(peers.sequences(planted(tmp_path, wrong)))
-        assert f"Ours are wrong in 1 run of 19: {OBJECTS} on figure-4a (23 events, not 24)." in text
+        assert f"Ours are wrong in 1 run of 19: {OBJECTS} on velocities (23 events, not 24)." in text
 
 
 class TestForwardEuler:
@@ -182,19 +182,19 @@ class TestInShort:
 
     def test_it_names_the_arithmetics_in_their_order(self, plain_trade):
         text = self.short(plain_trade)
-        assert f"on figure-4b-b05: {COMPILED} up to 14 (4 µs) and ball up to 100 (3 ms)." in text
+        assert f"on relative-motion-b05: {COMPILED} up to 14 (4 µs) and ball up to 100 (3 ms)." in text
         assert "peer" not in text
 
     def test_a_lead_counts_only_scenes_where_nobody_beats_ours(self, tmp_path):
-        winner, loser = run("A", "figure-4a", 1e-3, -16.0), run("B", "figure-4b-b05", 1e-3, -12.0)
+        winner, loser = run("A", "velocities", 1e-3, -16.0), run("B", "relative-motion-b05", 1e-3, -12.0)
         text = self.short(planted(tmp_path, winner, loser))
         assert "by a factor of at least 250, on 1 of 2 scenes" in text
-        assert "Some peer beats ours on figure-4a" in text
+        assert "Some peer beats ours on velocities" in text
 
     def test_a_peer_that_is_wrong_or_stopped_once_is_not_always_right(self, tmp_path):
-        right = run("Right", "figure-4a", 1e-3, -12.0)
-        wrong = run("Wrong", "figure-4a", 1e-3, -12.0, right=False, difference="1 event, not 24")
-        text = self.short(planted(tmp_path, right, wrong, run("Hung", "figure-4a", None)))
+        right = run("Right", "velocities", 1e-3, -12.0)
+        wrong = run("Wrong", "velocities", 1e-3, -12.0, right=False, difference="1 event, not 24")
+        text = self.short(planted(tmp_path, right, wrong, run("Hung", "velocities", None)))
         assert "Of 3 uses of other tools 1 has the events right on every scene at every setting: Right." in text
 
     def test_forward_euler_is_told_by_its_hardest_figure(self, plain_trade):
@@ -209,7 +209,7 @@ class TestSection:
     def whole(self, tmp_path, monkeypatch):
         monkeypatch.setattr(section, "euler_figures", lambda: (TestForwardEuler.FIGURE,))
         monkeypatch.setattr(section, "stick_energies", lambda: (StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5),))
-        return section.section(planted(tmp_path, run("Peer", "figure-4a", 1e-3, -3.0)))
+        return section.section(planted(tmp_path, run("Peer", "velocities", 1e-3, -3.0)))
 
     def test_it_names_the_machine_and_how_to_measure_another(self, whole):
         text = blocks.markdown(whole)

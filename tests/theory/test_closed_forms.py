@@ -72,7 +72,7 @@ def test_regimes_meet(mode, same):
 )
 @pytest.mark.parametrize("sign", [1, -1])
 def test_against_a_taylor_integrator(regime, viscosity, sign):
-    """mpmath integrates (e1)-(e3), typed here, in 25 digits; I = m1 = 2, a2 = 2, so a1 = 4 is critical."""
+    """mpmath integrates (5)-(7), typed here, in 25 digits; I = m1 = 2, a2 = 2, so a1 = 4 is critical."""
     numbers = {m1: S(2), m2: Rational(1, 2), a1: viscosity, a2: S(2), b: Rational(3, 4)}
     mode = {1: "slip+", -1: "slip-"}[sign]
     found = closed_forms.solution(mode, regime)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from paper_checks import smt
-from paper_checks.evidence import Finding
+from paper_checks.finding import Finding
 from paper_checks.ledger import CLAIMS
 from paper_checks.registry import Check, Context
 from paper_checks.report import mathematics

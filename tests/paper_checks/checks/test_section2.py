@@ -4,8 +4,8 @@ import pytest
 import sympy as sp
 
 from paper_checks.checks import section2_model, section2_signum
-from paper_checks.evidence import Verdict
-from paper_checks.points import FIGURE_3A, INSIDE, at_rest
+from paper_checks.finding import Verdict
+from paper_checks.points import INSIDE, START_AT_6MM, at_rest
 from theory.model import RELATIVE_SIGN, STICTION_SIGN
 from theory.symbols import acceleration1, b, m2
 
@@ -80,16 +80,16 @@ STEP_FAULTS = [
     ("sgn-three-valued", SIGNUM + "transversality", negated),
     ("sgn-three-valued", SIGNUM + "INSIDE", lambda _: at_rest("0")),
     ("sgn-three-valued", SIGNUM + "CONTROL", lambda control: 2 * control),
-    ("sgn-three-valued", SIGNUM + "INSIDE", lambda _: FIGURE_3A),
+    ("sgn-three-valued", SIGNUM + "INSIDE", lambda _: START_AT_6MM),
     ("sgn-three-valued", SIGNUM + "residual", lambda _: lambda found: (found.x1,)),
-    ("modes-from-closed-form", MODEL + "FIGURE_3A", lambda _: INSIDE),
+    ("modes-from-closed-form", MODEL + "START_AT_6MM", lambda _: INSIDE),
     ("modes-from-closed-form", MODEL + "EDGE", lambda _: INSIDE),
     ("modes-from-closed-form", MODEL + "mode_equations", lambda modes: lambda sign: modes(-sign)),
-    ("stiction-bracket", MODEL + "INSIDE", lambda _: FIGURE_3A),
-    ("stiction-bracket", MODEL + "EDGE", lambda _: FIGURE_3A),
+    ("stiction-bracket", MODEL + "INSIDE", lambda _: START_AT_6MM),
+    ("stiction-bracket", MODEL + "EDGE", lambda _: START_AT_6MM),
     ("stiction-bracket", MODEL + "adhesion_factor", doubled),
-    ("interface-force-balance", MODEL + "FIGURE_3A", lambda _: INSIDE),
-    ("interface-force-balance", MODEL + "EDGE", lambda _: FIGURE_3A),
+    ("interface-force-balance", MODEL + "START_AT_6MM", lambda _: INSIDE),
+    ("interface-force-balance", MODEL + "EDGE", lambda _: START_AT_6MM),
 ]
 
 

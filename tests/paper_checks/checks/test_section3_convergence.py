@@ -13,7 +13,7 @@ from numerics.scene.file import load_scene
 from numerics.trajectory.status import Status
 from paper_checks import samples
 from paper_checks.checks import section3_convergence, section3_itineraries, section3_near_critical, section3_viscous
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.registry import Context
 from paper_checks.runner import decide
 from paper_checks.steps import excursions
@@ -46,8 +46,8 @@ CHECKS = {
     "rate-one-over-t": section3_near_critical.rate_one_over_t,
     "viscous-energy-rate": section3_viscous.viscous_energy_rate,
     "viscous-origin-stable": section3_viscous.viscous_origin_stable,
-    "figure-5a-itinerary": section3_itineraries.figure_5a,
-    "figure-5b-itinerary": section3_itineraries.figure_5b,
+    "itinerary-that-merges": section3_itineraries.itinerary_that_merges,
+    "itinerary-that-creeps": section3_itineraries.itinerary_that_creeps,
 }
 CONVERGENCE = "paper_checks.checks.section3_convergence."
 NEAR = "paper_checks.checks.section3_near_critical."
@@ -57,6 +57,7 @@ CAPTURE = "paper_checks.steps.capture."
 DISSIPATION = "paper_checks.steps.dissipation."
 SOLUTIONS = "paper_checks.steps.solutions."
 EXCURSIONS = "paper_checks.steps.excursions."
+TURNED = "paper_checks.steps.turned_back."
 
 
 @pytest.mark.parametrize("claim_id", CHECKS)
@@ -175,7 +176,13 @@ STEP_FAULTS = [
     ("viscous-origin-stable", DISSIPATION + "captive_energy", doubled),
     ("viscous-origin-stable", DISSIPATION + "load", lambda load: lambda damped: load(False)),
     ("viscous-origin-stable", DISSIPATION + "lipschitz_constant", without(a1)),
-    ("viscous-origin-stable", SOLUTIONS + "contraction_rate", plus(a1 * v1**2)),
+    ("dichotomy", SOLUTIONS + "contraction_rate", plus(a1 * v1**2)),
+    ("dichotomy", TURNED + "rates", negated),
+    ("dichotomy", TURNED + "energy_parts", halved),
+    ("dichotomy", TURNED + "half_width", halved),
+    ("dichotomy", TURNED + "relative_rate", negated),
+    ("relative-displacement-limit", CAPTURE + "energy", halved),
+    ("exits-near-endpoints", "theory.near_critical.exit_speed", plus(1)),
 ]
 
 
@@ -187,12 +194,12 @@ def test_a_fault_in_a_step_turns_the_claim(plant, claim_id, target, fault):
 
 
 OTHER_SCENES = [
-    ("figure-5a-itinerary", lambda: load_scene("figure-5b")),
-    ("figure-5a-itinerary", lambda: load_scene("figure-3a")),
-    ("figure-5a-itinerary", lambda: replace(load_scene("figure-5a"), until=Fraction(1, 10**4))),
-    ("figure-5b-itinerary", lambda: load_scene("figure-5a")),
-    ("figure-5b-itinerary", lambda: load_scene("figure-4a")),
-    ("figure-5b-itinerary", lambda: replace(load_scene("figure-5b"), until=Fraction(1, 10))),
+    ("itinerary-that-merges", lambda: load_scene("itinerary-that-creeps")),
+    ("itinerary-that-merges", lambda: load_scene("start-at-6mm")),
+    ("itinerary-that-merges", lambda: replace(load_scene("itinerary-that-merges"), until=Fraction(1, 10**4))),
+    ("itinerary-that-creeps", lambda: load_scene("itinerary-that-merges")),
+    ("itinerary-that-creeps", lambda: load_scene("velocities")),
+    ("itinerary-that-creeps", lambda: replace(load_scene("itinerary-that-creeps"), until=Fraction(1, 10))),
 ]
 
 
@@ -204,12 +211,12 @@ def test_another_scene_does_not_have_the_itinerary(claim_id, scene):
 
 
 ITINERARY_FAULTS = [
-    ("figure-5a-itinerary", ITINERARIES + "Status", lambda _: SimpleNamespace(STUCK_FOR_EVER=Status.REACHED_HORIZON)),
-    ("figure-5a-itinerary", ITINERARIES + "exact", lambda exact: lambda value: exact(value - 1)),
-    ("figure-5a-itinerary", ITINERARIES + "PLUS", lambda _: section3_itineraries.MINUS),
-    ("figure-5b-itinerary", ITINERARIES + "PLUS", lambda _: section3_itineraries.MINUS),
-    ("figure-5b-itinerary", ITINERARIES + "exact", lambda exact: lambda value: exact(value + 3)),
-    ("figure-5b-itinerary", "paper_checks.steps.perpetual_slips.h", doubled),
+    ("itinerary-that-merges", ITINERARIES + "Status", lambda _: SimpleNamespace(STUCK_FOR_EVER=Status.REACHED_HORIZON)),
+    ("itinerary-that-merges", ITINERARIES + "exact", lambda exact: lambda value: exact(value - 1)),
+    ("itinerary-that-merges", ITINERARIES + "PLUS", lambda _: section3_itineraries.MINUS),
+    ("itinerary-that-creeps", ITINERARIES + "PLUS", lambda _: section3_itineraries.MINUS),
+    ("itinerary-that-creeps", ITINERARIES + "exact", lambda exact: lambda value: exact(value + 3)),
+    ("itinerary-that-creeps", "paper_checks.steps.perpetual_slips.h", doubled),
 ]
 
 

@@ -4,8 +4,8 @@ import pytest
 import sympy as sp
 
 from paper_checks.checks import section4_example, section4_onset
-from paper_checks.evidence import Verdict
-from paper_checks.points import EDGE, FIGURE_3A, INSIDE
+from paper_checks.finding import Verdict
+from paper_checks.points import EDGE, INSIDE, START_AT_6MM
 from theory.symbols import acceleration1, b, x1
 
 from .conftest import doubled, finding_of, negated, recorded, squared, unreadable
@@ -46,17 +46,17 @@ STEP_FAULTS = [
     ("example-reduction", EXAMPLE + "printed_reduction", with_entry([200 * x1, 0])),
     ("example-reduction", EXAMPLE + "printed_reduction", with_entry([0, b])),
     ("example-reduction", EXAMPLE + "printed_reduction", with_entry([0, acceleration1])),
-    ("example-reduction", EXAMPLE + "FIGURE_3A", lambda _: INSIDE),
-    ("example-reduction", EXAMPLE + "FIGURE_3A", lambda _: EDGE),
+    ("example-reduction", EXAMPLE + "START_AT_6MM", lambda _: INSIDE),
+    ("example-reduction", EXAMPLE + "START_AT_6MM", lambda _: EDGE),
     ("example-two-modes", EXAMPLE + "printed_modes", with_entry([b, 0])),
     ("example-two-modes", EXAMPLE + "printed_modes", with_entry([100 * x1, 0])),
     ("example-two-modes", EXAMPLE + "printed_modes", lambda printed: lambda sign: printed(-sign)),
     ("example-two-modes", EXAMPLE + "residual", lambda _: lambda found: (found.x1,)),
-    ("example-stiction-never-violated", ONSET + "FIGURE_3A", lambda _: EDGE),
+    ("example-stiction-never-violated", ONSET + "START_AT_6MM", lambda _: EDGE),
     ("example-stiction-never-violated", ONSET + "critical_energy", doubled),
     ("example-stiction-never-violated", ONSET + "critical_energy", squared),
     ("example-stiction-never-violated", "paper_checks.steps.solutions.load_threshold", doubled),
-    ("example-onset", ONSET + "INSIDE", lambda _: FIGURE_3A),
+    ("example-onset", ONSET + "INSIDE", lambda _: START_AT_6MM),
     ("example-onset", ONSET + "TOGETHER", lambda point: {**point, section4_onset.v1: 1, section4_onset.v2: 1}),
     ("example-onset", ONSET + "half_width", lambda width: lambda: width() / 2),
     ("example-onset", ONSET + "critical_energy", doubled),

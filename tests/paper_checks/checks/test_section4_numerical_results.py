@@ -12,7 +12,7 @@ from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.checks import section4_euler, section4_numerical_results, section4_velocities
 from paper_checks.enclosure import solved
 from paper_checks.euler_in_balls import STEPS, euler_in_balls, run
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.registry import Context
 from paper_checks.runner import decide
 from paper_checks.steps.perpetual_slips import never_merges
@@ -20,12 +20,12 @@ from paper_checks.steps.perpetual_slips import never_merges
 from .conftest import doubled, finding_of, negated, recorded, squared, unreadable
 
 CHECKS = {
-    "figure-3a-permanent-stiction": section4_numerical_results.permanent_stiction,
-    "figure-3b-synchronises": section4_numerical_results.synchronises,
-    "figure-4a-constant-damping-rate": section4_velocities.damping_rate,
-    "figure-4a-saw-tooth": section4_velocities.saw_tooth,
-    "figure-4a-synchronisation-time": section4_velocities.synchronisation_time,
-    "figure-4b-convergence": section4_numerical_results.convergence,
+    "start-at-6mm-sticks": section4_numerical_results.permanent_stiction,
+    "start-with-speed-synchronises": section4_numerical_results.synchronises,
+    "constant-damping-rate": section4_velocities.damping_rate,
+    "saw-tooth": section4_velocities.saw_tooth,
+    "synchronisation-time": section4_velocities.synchronisation_time,
+    "relative-motion-converges": section4_numerical_results.convergence,
     "euler-reproduces-figures": section4_euler.euler_reproduces_figures,
 }
 
@@ -38,14 +38,14 @@ def test_the_verdict_is_the_one_on_record(claim_id):
 
 
 OTHER_SCENES = [
-    ("figure-3a-permanent-stiction", {"start": Fraction(5, 1000)}),  # on the edge: it does stick for ever
-    ("figure-3a-permanent-stiction", {"start": Fraction(7, 1000)}),
-    ("figure-3b-synchronises", {"speed": Fraction(8, 100)}),  # merges at its first contact
-    ("figure-4b-convergence", {"speed": Fraction(5, 1000)}),  # merges: it takes no infinite time
-    ("figure-4a-constant-damping-rate", {"friction": Fraction(2, 10)}),
-    ("figure-4a-saw-tooth", {"friction": Fraction(6, 100)}),
-    ("figure-4a-synchronisation-time", {"friction": Fraction(6, 100)}),
-    ("figure-4a-synchronisation-time", {"time": Fraction(456, 100)}),  # inside the first adhesion
+    ("start-at-6mm-sticks", {"start": Fraction(5, 1000)}),  # on the edge: it does stick for ever
+    ("start-at-6mm-sticks", {"start": Fraction(7, 1000)}),
+    ("start-with-speed-synchronises", {"speed": Fraction(8, 100)}),  # merges at its first contact
+    ("relative-motion-converges", {"speed": Fraction(5, 1000)}),  # merges: it takes no infinite time
+    ("constant-damping-rate", {"friction": Fraction(2, 10)}),
+    ("saw-tooth", {"friction": Fraction(6, 100)}),
+    ("synchronisation-time", {"friction": Fraction(6, 100)}),
+    ("synchronisation-time", {"time": Fraction(456, 100)}),  # inside the first adhesion
 ]
 
 
@@ -62,17 +62,17 @@ def named(check):
 
 
 ENDLESS = {
-    "figure-3a-permanent-stiction",
-    "figure-3b-synchronises",
-    "figure-4b-convergence",
-    "figure-4a-synchronisation-time",
+    "start-at-6mm-sticks",
+    "start-with-speed-synchronises",
+    "relative-motion-converges",
+    "synchronisation-time",
 }
 THEORY_FAULTS = [
-    ("paper_checks.checks.section4_numerical_results.half_width", doubled, {"figure-3a-permanent-stiction"}),
-    ("paper_checks.checks.section4_numerical_results.transversality", negated, {"figure-3a-permanent-stiction"}),
+    ("paper_checks.checks.section4_numerical_results.half_width", doubled, {"start-at-6mm-sticks"}),
+    ("paper_checks.checks.section4_numerical_results.transversality", negated, {"start-at-6mm-sticks"}),
     ("paper_checks.steps.perpetual_slips.next_excess", doubled, ENDLESS),
     ("paper_checks.steps.perpetual_slips.h", squared, ENDLESS),
-    ("paper_checks.steps.perpetual_slips.guard_of_u", doubled, ENDLESS - {"figure-3a-permanent-stiction"}),
+    ("paper_checks.steps.perpetual_slips.guard_of_u", doubled, ENDLESS - {"start-at-6mm-sticks"}),
 ]
 
 
@@ -87,7 +87,7 @@ def test_a_fault_in_the_slip_field_turns_the_saw_tooth_and_the_decay(monkeypatch
     """The branch of the other sign in slip."""
     original = section4_velocities.slip
     monkeypatch.setattr(section4_velocities, "slip", lambda sign: original(-sign))
-    for claim_id in ("figure-4a-saw-tooth", "figure-4a-constant-damping-rate"):
+    for claim_id in ("saw-tooth", "constant-damping-rate"):
         assert finding_of(CHECKS[claim_id]).verdict is Verdict.UNDECIDED
 
 
@@ -107,7 +107,7 @@ def test_a_run_that_meets_the_surface_turns_the_euler_claim(monkeypatch):
 
 
 def test_euler_in_balls_is_the_program_without_rounding():
-    scene = load_scene("figure-3b")
+    scene = load_scene("start-with-speed")
     program, method = forward_euler(scene, 1e-3), euler_in_balls(scene, Fraction(1, 1000), Fraction(5))
     assert method.chatter == program.chatter
     assert float(method.energy_ratio.mid()) == pytest.approx(program.energy[-1] / program.energy[0], rel=1e-9)
@@ -115,7 +115,7 @@ def test_euler_in_balls_is_the_program_without_rounding():
 
 @pytest.mark.parametrize("changed", [{"b": "0.05", "m2": 2}])
 def test_the_argument_for_endless_slips_refuses_a_heavier_driven_body(changed):
-    scene = replace(load_scene("figure-4a"), pair=Pair(m1=1, a2=200, **changed))
+    scene = replace(load_scene("velocities"), pair=Pair(m1=1, a2=200, **changed))
     with pytest.raises(ValueError, match="m2 <= m1"):
         never_merges(solved(scene), "heavier")
 

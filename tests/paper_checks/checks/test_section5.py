@@ -8,7 +8,7 @@ import sympy as sp
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from paper_checks.checks import section5_discussion, section5_synchronisation
-from paper_checks.evidence import Verdict
+from paper_checks.finding import Verdict
 from paper_checks.points import INSIDE
 from paper_checks.steps import dissipation
 from theory.symbols import a1, b, m1, v2
@@ -67,11 +67,11 @@ STEP_FAULTS = [
     ("viscous-accelerates", DISSIPATION + "load_threshold", doubled),
     ("viscous-accelerates", SYNCHRONISATION + "DAMPED", lambda point: {**point, a1: 0}),
     ("two-descriptions", DISCUSSION + "APART", lambda apart: 2 * apart),
-    ("two-descriptions", DISCUSSION + "FIGURE_3A", lambda _: INSIDE),
+    ("two-descriptions", DISCUSSION + "START_AT_6MM", lambda _: INSIDE),
     ("two-descriptions", DISCUSSION + "phi", lambda phi: lambda sign: phi(-sign)),
     ("two-descriptions", DISCUSSION + "sliding_field", doubled),
     ("two-descriptions", SOLUTIONS + "contraction_rate", negated),
-    ("acceleration-bound", DISCUSSION + "FIGURE_3A", lambda _: INSIDE),
+    ("acceleration-bound", DISCUSSION + "START_AT_6MM", lambda _: INSIDE),
     ("acceleration-bound", DISCUSSION + "b", lambda b: 2 * b),
     ("acceleration-bound", DISCUSSION + "load_threshold", doubled),
     ("acceleration-bound", DISCUSSION + "sliding_field", lambda field: lambda damped=False: 2 * field(damped)),

@@ -1,18 +1,43 @@
 """Theorems past the paper: the verdicts, the values, and faults that must turn them."""
 
+import math
 from fractions import Fraction
 from functools import cache
+from itertools import islice
 
 import pytest
 import sympy as sp
 from flint import arb
 
-from paper_checks.checks import theorems_excursion, theorems_merging, theorems_rate, theorems_return_map
-from paper_checks.evidence import Verdict
+from numerics import Pair, Scene, State, solve
+from numerics.arithmetic.ball import Ball
+from numerics.long_time.excursion_map import excursions
+from numerics.motion.frame import Frame
+from numerics.motion.modes import EventKind
+from numerics.trajectory.trajectory import Status
+from paper_checks.checks import (
+    theorems_excursion,
+    theorems_merging,
+    theorems_rate,
+    theorems_return_map,
+    theorems_share,
+    theorems_uniform,
+)
+from paper_checks.clause import Formula
+from paper_checks.finding import Verdict
 from paper_checks.ledger import CLAIMS, Kind
 from paper_checks.registry import Context
 from paper_checks.runner import decide
-from paper_checks.steps import critical_share, long_time, merging_window, rate, return_map
+from paper_checks.steps import (
+    critical_share,
+    long_time,
+    merging_bands,
+    merging_share,
+    merging_window,
+    rate,
+    rate_with_error,
+    return_map,
+)
 from paper_checks.steps.roots import enclosed_root, precision
 from theory.symbols import q, theta
 
@@ -27,6 +52,10 @@ CHECKS = {
     "merging-set": theorems_merging.merging_set,
     "critical-mass-ratio": theorems_merging.critical_mass_ratio,
     "long-time-expansion": theorems_rate.long_time_expansion,
+    "rate-with-error": theorems_uniform.rate_with_error,
+    "uniform-rate": theorems_uniform.uniform_rate,
+    "merging-bands": theorems_share.merging_bands,
+    "merging-share": theorems_share.merging_share,
 }
 SLIPS = "paper_checks.steps.monotone_slips."
 SHARE = "paper_checks.steps.critical_share."
@@ -34,6 +63,10 @@ WINDOW = "paper_checks.steps.merging_window."
 MAP = "paper_checks.steps.return_map."
 RATE = "paper_checks.steps.rate."
 LATE = "paper_checks.steps.long_time."
+REENTRY = "paper_checks.steps.reentry."
+UNIFORM = "paper_checks.steps.uniform_rate."
+MEASURE = "paper_checks.steps.merging_share."
+BANDS = "paper_checks.steps.merging_bands."
 
 
 def test_every_theorem_of_the_ledger_is_here():
@@ -94,6 +127,24 @@ STEP_FAULTS = [
     ("rate-bounds-explicit", RATE + "sp", misread("Le", "Ge", 0)),
     ("rate-bounds-explicit", RATE + "bounds", lambda bounds: lambda *numbers: bounds(*numbers)[::-1]),
     ("rate-bounds-explicit", RATE + "depth_of_angle", doubled),
+    ("merging-set", REENTRY + "next_push_residual", plus(1)),
+    ("merging-set", REENTRY + "falling_part_residual", plus(q)),
+    ("merging-set", REENTRY + "spread_residual", plus(1)),
+    ("merging-set", REENTRY + "long_margin_residual", plus(1)),
+    ("merging-set", REENTRY + "short_margin_residual", plus(1)),
+    ("merging-set", REENTRY + "landing_excess_residual", plus(q)),
+    ("merging-set", REENTRY + "FROM", lambda _: Fraction(199, 100)),
+    ("merging-set", REENTRY + "margin_at", lambda margin: lambda angle: margin(angle) - arb("0.3")),
+    ("merging-set", REENTRY + "critical_value", lambda f: lambda: f() - arb("0.02")),
+    ("uniform-rate", UNIFORM + "first_contact_bound", halved),
+    ("uniform-rate", UNIFORM + "family_guard", negated),
+    ("uniform-rate", UNIFORM + "family_excess", plus(1)),
+    ("uniform-rate", UNIFORM + "sp", misread("Ge", "Le", 0)),
+    ("merging-share", MEASURE + "flux", doubled),
+    ("merging-share", MEASURE + "dissipation", doubled),
+    ("merging-share", MEASURE + "sphere", halved),
+    ("merging-share", MEASURE + "divergence", plus(1)),
+    ("merging-share", MEASURE + "large_energy_limit", squared),
     ("merging-set", WINDOW + "ray_excess", plus(1)),
     ("merging-set", WINDOW + "ratio", doubled),
     ("merging-set", WINDOW + "half_angle", doubled),
@@ -123,12 +174,15 @@ STEP_FAULTS = [
 
 
 constant_found_again = cache(long_time.constant_found_again)
+random_states, bands = cache(merging_share.random_states), cache(merging_bands.bands)
 
 
 @pytest.fixture
 def runs_are_remembered(monkeypatch):
     """Long runs in numbers are the same in every test but those that plant a fault in them."""
     monkeypatch.setattr(theorems_rate, "constant_found_again", constant_found_again)
+    monkeypatch.setattr(theorems_share, "random_states", random_states)
+    monkeypatch.setattr(theorems_share, "bands", bands)
 
 
 @pytest.mark.usefixtures("runs_are_remembered")
@@ -203,3 +257,60 @@ def test_a_damaged_certificate_is_no_evidence(tmp_path):
     damaged = critical_share.checker.CERTIFICATE.read_text("utf-8").replace('"557/1000"', '"558/1000"')
     (tmp_path / "damaged.json").write_text(damaged)
     assert critical_share.certificate("threshold", tmp_path / "damaged.json").passed is False
+
+
+def error_bound(relation, right):
+    return rate_with_error.bounds_error(Formula("R_n", relation, right, rate_with_error.bounds_error)).passed
+
+
+def test_bounds_of_the_error_next_to_the_edge():
+    y, r = rate_with_error.EXCESS, rate_with_error.SHARE
+    root = sp.sqrt(y)
+    assert error_bound("<=", (5 * y + root / 10) / r) is True
+    assert error_bound("<=", (sp.Rational(47, 10) * y + root / 10) / r) is False
+    assert error_bound("<=", (5 * y + root / 20) / r) is False
+    assert error_bound(">=", -sp.Rational(9, 20) * (y + root) / r) is True
+    assert error_bound(">=", -sp.Rational(2, 5) * (y + root) / r) is False
+    assert error_bound("<=", -sp.Rational(9, 20) * (y + root) / r) is False
+    assert error_bound("<=", (5 * y**2 + root / 10) / r) is not True
+    assert error_bound("<=", 5 * y + root / 10) is not True
+
+
+@pytest.mark.parametrize("share", [Fraction(1, 5), Fraction(1, 2), Fraction(9, 10)])
+def test_a_run_is_within_the_error(share):
+    """The law with its error along 200 excursions in balls, from the largest start."""
+    arithmetic = Ball(40)
+    with arithmetic.context():
+        frame = Frame(arithmetic, Pair(m1=1 - share, m2=share, a2=1, b=1))
+        y = (arb.pi() / 2 - 1) ** 2
+        r, time, first = frame.r, arb(0), frame.q * y
+        law, weight = 4 * arb.pi() * frame.q / (9 * r), 1 - 2 / (5 * r)
+        for one in islice(excursions(frame, first), 200):
+            time += one.slip + one.stick
+            rest = law / one.w_after + arb.pi() * weight * (one.w_after / first).log() - law / first - time
+            assert rest < (5 * y + y.sqrt() / 10) / r
+            assert rest > -(y + y.sqrt()) * 9 / 20 / r
+
+
+def test_a_family_with_one_energy_has_no_lower_bound():
+    """Solved in balls: the same E(0), and less and less excess from the first contact on."""
+    pair = Pair(m1="0.5", m2="0.5", a2=1, b="0.5")
+    for delta in (Fraction(1, 100), Fraction(1, 10**6)):
+        contact = (1 - 0.25 + float(delta)) ** 0.5
+        angle = 2.0
+        x = 0.5 - contact * 0.5**0.5 * math.sin(angle)
+        start = State(x1=x, v1=contact * math.cos(angle), v2=contact + 0.5**0.5 * angle)
+        run = solve(Scene(pair, start, until=40), digits=15, arithmetic="ball")
+        assert run.events[0].kind is EventKind.ENTRY
+        assert 0 < run.events[0].reduced.w < 1.01 * float(delta)
+        assert run.status is not Status.STUCK_FOR_EVER
+
+
+def test_another_share_is_not_that_of_random_states(plant):
+    plant(MEASURE + "by_quadrature", lambda f: lambda *numbers: 1.2 * f(*numbers))
+    assert merging_share.random_states(Fraction(3, 10), Fraction(4), 2000, 0).passed is False
+
+
+def test_one_outcome_is_one_band(plant):
+    plant(BANDS + "outcome", lambda _: lambda share, run: "merges")
+    assert merging_bands.bands(Fraction(3, 5))[0] < 2

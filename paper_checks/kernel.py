@@ -1,0 +1,66 @@
+"""The seam to the proof kernel: its cited theorems, by id, as steps of a proof. Nothing else imports `paper_checks.proofs`."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from paper_checks.evidence import Evidence, EvidenceKind
+
+PROVED, NOT_RUN, FAILED = "proved", "not run", "failed"
+STATUS = {True: PROVED, None: NOT_RUN, False: FAILED}
+"""What the kernel's answer is called."""
+
+
+@dataclass(frozen=True)
+class Unavailable:
+    """What stands for a theorem where there are no proofs."""
+
+    id: str
+    name: str = ""
+    sentence: str = ""
+    statement: str = ""
+    uses: tuple[str, ...] = ()
+    axioms: tuple[str, ...] = ()
+    holds: bool | None = None
+    problem: str = "the proofs are not part of this installation"
+
+
+@cache
+def theorem(name: str) -> Any:
+    """Return what the kernel says of the theorem with this id; where the proofs are missing, that it was not run.
+
+    Raises KeyError for an id that the proofs do not cite.
+    """
+    try:
+        proofs = importlib.import_module("paper_checks.proofs")
+    except ModuleNotFoundError:
+        return Unavailable(name)
+    return proofs.theorem(name)
+
+
+@cache
+def step(name: str) -> Evidence:
+    """Return the theorem as evidence, resting on those of ours that it uses.
+
+    Passed is True where the kernel accepted it, None where it was not run, False where it was refused.
+    """
+    found = theorem(name)
+    problem = f": {found.problem}" if found.problem else ""
+    value = " ".join(found.statement.split()) if found.holds else f"kernel {STATUS[found.holds]}: {name}{problem}"
+    return Evidence(
+        EvidenceKind.KERNEL,
+        "Coq",
+        f"the theorem {name}" + (f" ({found.name}): {found.sentence}" if found.name else ""),
+        found.holds,
+        value=value,
+        assumptions=tuple(found.axioms),
+        rests_on=tuple(step(used) for used in found.uses) if found.holds else (),
+    )
+
+
+def name_of(item: Evidence) -> str:
+    """Return the id of the theorem that a step of the kernel states."""
+    return item.statement.removeprefix("the theorem ").partition(" (")[0]

@@ -1,0 +1,182 @@
+"""Section IV-B: numerical results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from paper_checks.clause import Formula, clause
+from paper_checks.deciders import decimal, equals, false_value
+from paper_checks.finding import Verdict
+from paper_checks.ledger.claim import Claim
+from paper_checks.ledger.section3_sliding import width
+from theory.filippov import half_width
+from theory.model import CASE_STUDY, slip
+from theory.symbols import b, free, m2
+
+if TYPE_CHECKING:
+    from flint import arb
+
+SECTION = "IV"
+
+
+def _event(scene: str, number: int) -> Callable[[], arb]:
+    """Return how the time of an event of a shipped scene is enclosed, s."""
+
+    def time() -> arb:
+        from numerics.scene.file import load_scene
+        from paper_checks.enclosure import solved
+
+        found: arb = solved(load_scene(scene)).events[number].t
+        return found
+
+    return time
+
+
+def _relative_speed() -> arb:
+    """Return z' at 4.7 s in Fig. 5 (a), m/s."""
+    from fractions import Fraction
+
+    from numerics.scene.file import load_scene
+    from paper_checks.enclosure import solved
+
+    state = solved(load_scene("velocities")).sol(Fraction(47, 10))
+    found: arb = state[1] - state[3]
+    return found
+
+
+def _time(letter: str, digits: str, scene: str, number: int) -> Formula:
+    return Formula(letter, "=...", sp.Rational(digits), decimal(_event(scene, number)))
+
+
+def _slope(sign: int) -> Formula:
+    return Formula(r"\ddot{x}_2", "=", sign * b / m2, equals(lambda: free(slip(sign).acceleration2)))
+
+
+NUMERICAL_RESULTS = (
+    Claim(
+        "start-at-6mm-sticks",
+        SECTION,
+        "Fig. 4 (a)",
+        r"With $x_1(t_0)=0.006$, the other initial values zero and $b=0.5$, the system (11), (12) starts in "
+        r"the stiction mode (13) and remains in this mode at all times, featuring undamped harmonic "
+        r"oscillations with the synchronized orbits $(x_1,\dot{x}_1)$ and $(x_2,\dot{x}_2)$.",
+        Verdict.REFUTED,
+        correction=(
+            clause(
+                "from-rest",
+                r"From rest the pair sticks for ever exactly if $|x_1(0)|\leqslant L$, «width»; here «here».",
+                width=width(),
+                here=Formula(
+                    "L",
+                    "=",
+                    sp.Rational(1, 200),
+                    equals(lambda: half_width().subs(CASE_STUDY).subs(b, sp.Rational(1, 2))),
+                ),
+                kernel=("sticks-from-rest", "slips-beyond"),
+            ),
+            clause("slips", r"At $x_1(0)=0.006$ m it slips at once, and infinitely often."),
+        ),
+    ),
+    Claim(
+        "start-with-speed-synchronises",
+        SECTION,
+        "Fig. 4 (b)",
+        r"With $\dot{x}_1(t_0)=0.15$, the other initial values zero and $b=0.5$, the system (11), (12) "
+        r"starts in the mode (14), in a relative motion subject to the frictional damping; further, after a "
+        r"period of time the motion of both bodies synchronizes as $\dot{z}$ converges to zero.",
+        Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "adheres",
+                r"The pair starts in the mode (14), crosses $S$ once and adheres first from «from_» s to «to» s;",
+                from_=_time("t", "0.2763", "start-with-speed", 1),
+                to=_time("t", "0.3353", "start-with-speed", 2),
+            ),
+            clause(
+                "for-ever",
+                r"from then on it sticks and slips in turn for ever; $\dot z\to 0$ as $t\to\infty$, in infinitely many slips, each "
+                r"slower than the one before.",
+            ),
+        ),
+    ),
+    Claim(
+        "constant-damping-rate",
+        SECTION,
+        "Fig. 5 (a)",
+        r"With $\dot{x}_1(t_0)=0.15$, the other initial values zero and $b=0.05$, one can recognize a "
+        r"constant damping rate of the $\dot{x}_1(t)$ oscillations due to the Coulomb type energy "
+        r"dissipation.",
+        Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "linear",
+                r"Up to the first adhesion, at «adhesion» s, the positive peaks of $v_1$ fall almost linearly: by between 0.0131 and "
+                r"0.01413 m/s a cycle, less each time, and for seven cycles by $4b/\sqrt{a_2m_1}$ within 1 %. After it the decay "
+                r"slows down like $1/t$ towards the peak speed 0.005 m/s of the critical orbit.",
+                adhesion=_time("t", "4.5497", "velocities", 20),
+            ),
+        ),
+    ),
+    Claim(
+        "saw-tooth",
+        SECTION,
+        "Fig. 5 (a)",
+        (
+            clause(
+                "slopes",
+                r"The $\dot{x}_2(t)$ trajectory proceeds as a saw-shaped oscillation, owing to the constant acceleration «up» for "
+                r"$\dot z>0$, «down» for $\dot z<0$ until both bodies synchronize.",
+                up=_slope(1),
+                down=_slope(-1),
+            ),
+        ),
+        Verdict.HOLDS,
+    ),
+    Claim(
+        "synchronisation-time",
+        SECTION,
+        "Fig. 5 (a)",
+        (
+            clause(
+                "time",
+                r"Both bodies synchronize as $\dot{z}$ approaches zero, «apart», at the time $t\approx 4.7$ sec.",
+                apart=Formula(r"\dot{z}(4.7)", "=", sp.Integer(0), false_value(_relative_speed), false=True),
+            ),
+        ),
+        Verdict.REFUTED,
+        correction=(
+            clause(
+                "adheres",
+                r"The bodies adhere first from «from_» s to «to» s, and again from «again» s;",
+                from_=_time("t", "4.5497", "velocities", 20),
+                to=_time("t", "4.5795", "velocities", 21),
+                again=_time("t", "4.7717", "velocities", 22),
+            ),
+            clause(
+                "for-ever",
+                r"they stick and slip in turn for ever, with $|\dot z|\leqslant 0.00233$ m/s (1.6 % of its start), falling from slip to "
+                r"slip to 0 as $t\to\infty$.",
+            ),
+        ),
+    ),
+    Claim(
+        "relative-motion-converges",
+        SECTION,
+        "Fig. 5 (b)",
+        r"The $(z,\dot{z})$ state converges towards the invariant set $\dot{z}=0$ for the three values "
+        r"$b=0.05,\,0.2,\,0.5$ of the Coulomb friction coefficient, from $\dot{x}_1(t_0)=0.15$ and the "
+        r"other initial values zero.",
+        Verdict.HOLDS,
+    ),
+    Claim(
+        "euler-reproduces-figures",
+        SECTION,
+        "IV-B, first sentence",
+        r"The numerical results (both figures) were obtained for system (11), (12) with the first-order "
+        r"forward Euler solver; no step size is given.",
+        Verdict.HOLDS_CORRECTED,
+    ),
+)

@@ -1,0 +1,213 @@
+"""Steps about the 1/t law with an error: what one cycle adds to it, enclosed for every mass ratio and excess (a1 = 0).
+
+With p = sqrt(q), r = 1 - p^2 one excursion from a ray of slip angle theta has y = h^2, s = c^2/y, y' = y (1 - r s). The law
+1/(alpha y) + B ln y, alpha = 9 r/4, B = 1 - 2/(5 r), grows in it by 1 + G, the time by pi + F. Both are compared with what
+telescopes: pi G with (y - y')/r, F with (sqrt y - sqrt y')/r. The two quotients are even analytic functions of theta: near 0
+they are Taylor polynomials with a remainder by Cauchy's estimate on a rim, beyond that centred forms on boxes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import cache
+from typing import Any, NamedTuple
+
+import flint
+from flint import acb, arb, arb_series
+
+from paper_checks.steps.roots import point, precision
+
+Quotient = Callable[["Slip", Any], tuple[Any, Any]]
+SPLIT, RIM = Fraction(4, 5), Fraction(7, 5)
+ORDER = 20
+"""Powers of the slip angle in the Taylor polynomials."""
+ARCS = 64
+NEAR, WIDE, LONG = 200, 64, 64
+"""Boxes of p near 0, and of p and of the angle beyond."""
+TERMS = 60
+"""Terms of ln(1 - x)/x."""
+
+
+def logarithm(x: Any) -> Any:
+    """Return ln(1 - x)/x = -(1 + x/2 + x^2/3 + ...) for |x| < 4/5, its tail and that of its derivative enclosed.
+
+    Also where x may be 0. Raises ArithmeticError where x is not proved to be that small.
+    """
+    size = abs(x[0] if isinstance(x, arb_series) else x).upper()
+    if not size < point(Fraction(4, 5)):
+        raise ArithmeticError(f"the series of the logarithm is not proved to converge: |x| = {size.str(5)}")
+    total = x * 0 + point(Fraction(-1, TERMS))
+    for n in range(TERMS - 1, 0, -1):
+        total = total * x - point(Fraction(1, n))
+    # what is left out is at most |x|^N/(N (1 - |x|)), its derivative at most |x|^(N-1)/(1 - |x|)
+    tail, slope = (arb(0, (5 * size ** (TERMS - less)).upper()) for less in (0, 1))
+    if isinstance(x, arb_series):
+        return total + arb_series([tail, slope * x[1]])
+    return total + (acb(tail, tail) if isinstance(x, acb) else tail)
+
+
+class Slip(NamedTuple):
+    """A slip from a ray by its angle: theta, h and c, as numbers, balls or series."""
+
+    theta: Any
+    height: Any
+    depth: Any
+
+
+def of_map(slip: Slip, p: Any) -> tuple[Any, Any]:
+    """Return G and c^2: pi times their quotient is what pi G is of (y - y')/r, as y - y' = r c^2."""
+    r, s = 1 - p * p, (slip.depth / slip.height) ** 2
+    gain = (slip.depth / (slip.height * slip.height)) ** 2 * 4 / 9 / (1 - r * s) - 1
+    return gain + (r - point(Fraction(2, 5))) * s * logarithm(r * s), slip.depth * slip.depth
+
+
+def of_time(slip: Slip, p: Any) -> tuple[Any, Any]:
+    """Return F (1 + sqrt(1 - r s)) and h s: their quotient is F r/(sqrt y - sqrt y')."""
+    r, s = 1 - p * p, (slip.depth / slip.height) ** 2
+    root = (1 - r * s).sqrt()
+    inward = p * (slip.theta - slip.height) / (1 - p * p * slip.depth)
+    more = p * slip.theta - (p * slip.height * root).atan() - inward.atan()
+    return more * (1 + root), slip.height * s
+
+
+def plain(theta: Any) -> Slip:
+    """Return the slip with its closed forms evaluated as they stand."""
+    sine, cosine = (theta / 2).sin(), (theta / 2).cos()
+    return Slip(theta, (theta - theta.sin()) / (2 * sine * sine), 2 - theta * cosine / sine)
+
+
+def on_box(theta: arb) -> Slip:
+    """Return the slip on a box of angles with its slope: h and c rise, c' = h and h' = c/(1 - cos theta)."""
+    ends = [plain(end) for end in (theta.lower(), theta.upper())]
+    height, deep = (low.union(high) for low, high in zip(ends[0][1:], ends[1][1:], strict=True))
+    slope = deep / (2 * (theta / 2).sin() ** 2)
+    return Slip(arb_series([theta, 1]), arb_series([height, slope]), arb_series([deep, height]))
+
+
+def on_rim(theta: acb) -> Slip:
+    """Return the slip on a box of complex angles by the values in its middle and c' = h, h' = c/(1 - cos theta)."""
+    middle = acb(theta.real.mid(), theta.imag.mid())
+    rough, centre = plain(theta), plain(middle)
+    slope = rough.depth / (2 * (theta / 2).sin() ** 2)
+    off = theta - middle
+    return Slip(theta, centre.height + slope * off, centre.depth + rough.height * off)
+
+
+def near_zero(quotient: Quotient, p: arb) -> arb:
+    """Enclose a quotient for slip angles up to SPLIT: Taylor polynomial, and the rest by Cauchy's estimate on the rim."""
+    with _terms(ORDER + 12):
+        above, below = quotient(plain(arb_series([0, 1])), arb_series([p]))
+        series = _shifted(above, ZEROS[quotient]) / _shifted(below, ZEROS[quotient])
+        coefficients = [series[n] for n in range(0, ORDER, 2)]
+    top = arb(0)
+    for theta in _rim():
+        over, under = quotient(on_rim(theta), acb(p))
+        top = top.max(abs(over / under).upper())
+    share = (point(SPLIT) / point(RIM)) ** 2
+    rest = top * share ** (ORDER // 2) / (1 - share)
+    square = arb(0).union(point(SPLIT) ** 2)
+    value = arb(0)
+    for one in reversed(coefficients):
+        value = value * square + one
+    return value + arb(0, rest.upper())
+
+
+def beyond(quotient: Quotient, theta: arb, p: arb) -> arb:
+    """Enclose a quotient on a box by its value in the middle and its slopes on the box."""
+    middle, centre = theta.mid(), p.mid()
+    with _terms(2):
+        slip = on_box(theta)
+        along = _ratio(quotient(slip, arb_series([p])))[1]
+        fixed = Slip(*(arb_series([one[0]]) for one in slip))
+        across = _ratio(quotient(fixed, arb_series([p, 1])))[1]
+    return _ratio(quotient(plain(middle), centre)) + along * (theta - middle) + across * (p - centre)
+
+
+def _ratio(pair: tuple[Any, Any]) -> Any:
+    return pair[0] / pair[1]
+
+
+def _shifted(series: arb_series, zeros: int) -> arb_series:
+    """Return a series without its first coefficients, which are 0: raises ArithmeticError where one is proved not to be."""
+    for n in range(zeros):
+        if not series[n].contains(0):
+            raise ArithmeticError(f"the coefficient {n} is {series[n].str(5)}, not 0")
+    return arb_series([series[n] for n in range(zeros, ORDER + 6)])
+
+
+ZEROS: dict[Quotient, int] = {of_map: 4, of_time: 3}
+"""Order of the zero of numerator and denominator at theta = 0: the Abel equation to leading order, and the time of a cycle."""
+
+
+TARGETS: dict[Quotient, tuple[Fraction, Fraction]] = {
+    of_map: (Fraction(-14, 100), Fraction(155, 100)),
+    of_time: (Fraction(-9, 100), Fraction(43, 100)),
+}
+"""What the quotients are to be found within: boxes on which they are not are cut."""
+
+
+@cache
+def ranges() -> tuple[tuple[arb, arb], tuple[arb, arb]]:
+    """Return bounds of the quotients of map (times pi) and time for all slip angles up to pi/2 and all mass ratios."""
+    with precision(25):
+        maps, times = (list(_values(quotient)) for quotient in (of_map, of_time))
+        return _hull([arb.pi() * value for value in maps]), _hull(times)
+
+
+def _values(quotient: Quotient) -> Iterator[arb]:
+    for p in _pieces(arb(0), arb(1), NEAR):
+        yield near_zero(quotient, p)
+    for p in _pieces(arb(0), arb(1), WIDE):
+        for theta in _pieces(point(SPLIT), arb.pi() / 2, LONG):
+            yield from _refined(quotient, theta, p, 3)
+
+
+def _refined(quotient: Quotient, theta: arb, p: arb, times: int) -> Iterator[arb]:
+    """Enclose a quotient on a box, cut in four as long as it is not within what is looked for."""
+    value, (low, high) = beyond(quotient, theta, p), TARGETS[quotient]
+    if not times or (value > point(low) and value < point(high)):
+        yield value
+        return
+    for part in _pieces(theta.lower(), theta.upper(), 2):
+        for other in _pieces(p.lower(), p.upper(), 2):
+            yield from _refined(quotient, part, other, times - 1)
+
+
+def _pieces(low: arb, high: arb, number: int) -> Iterator[arb]:
+    """Yield balls that cover an interval."""
+    for n in range(number):
+        yield (low + (high - low) * n / number).union(low + (high - low) * (n + 1) / number)
+
+
+def _hull(values: list[arb]) -> tuple[arb, arb]:
+    low, high = values[0].lower(), values[0].upper()
+    for value in values:
+        if not value.is_finite():
+            raise ArithmeticError("a quotient is not enclosed")
+        low, high = low.min(value.lower()), high.max(value.upper())
+    return low, high
+
+
+def _rim() -> Iterator[acb]:
+    """Yield boxes that cover a quarter of the rim; the quotients are even, and real on the real axis."""
+    step = arb.pi() / (2 * ARCS)
+    for k in range(ARCS):
+        argument = step * (k + point(Fraction(1, 2))) + arb(0, (step / 2).upper())
+        yield acb(point(RIM) * argument.cos(), point(RIM) * argument.sin())
+
+
+class _terms:  # noqa: N801  reads as `with terms(n)`
+    """Sets flint's process-wide series length, and restores it."""
+
+    def __init__(self, number: int) -> None:
+        """Ask for this number of terms."""
+        self.number = number
+
+    def __enter__(self) -> None:
+        """Set it."""
+        self.before, flint.ctx.cap = flint.ctx.cap, self.number
+
+    def __exit__(self, *_: object) -> None:
+        """Restore what was before."""
+        flint.ctx.cap = self.before

@@ -1,0 +1,80 @@
+"""The Abel functions' error bounds against the truth, and jumps against stepping in state and side."""
+
+from fractions import Fraction
+from itertools import islice
+
+import pytest
+from flint import arb
+
+from numerics import Pair, Scene, State, solve
+from numerics.arithmetic.ball import Ball
+from numerics.long_time.abel import AbelFunctions
+from numerics.long_time.energy import Road, energy_at
+from numerics.long_time.excursion_map import excursions
+from numerics.motion.frame import Frame
+
+FAR = 400
+"""Excursions after which a function of any order is known to many more digits than at the start."""
+
+
+@pytest.mark.parametrize("share", [Fraction(1, 5), Fraction(1, 2), Fraction(9, 10)])
+@pytest.mark.parametrize("order", [1, 2, 4])
+@pytest.mark.parametrize("part", [Fraction(999, 1000), Fraction(1, 100), Fraction(1, 10**6), Fraction(1, 10**12)])
+def test_low_orders_enclose_the_truth(share, order, part):
+    """From the rim of what is certified far inwards, where a bound with a zero of too high an order is too small.
+
+    The truth is that of order 24 after many excursions: alpha(y) = alpha(y_n) - n and beta(y) = beta(y_n) - time.
+    """
+    arithmetic = Ball(200)
+    with arithmetic.context():
+        functions, exact = AbelFunctions(share, order), AbelFunctions(share, 24)
+        y = arithmetic.number(functions.largest_argument * part)
+        frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
+        time, after = arb(0), frame.q * y
+        for one in islice(excursions(frame, after), FAR):
+            time, after = time + one.slip + one.stick, one.w_after
+        last = after / frame.q
+        alpha, beta = exact.alpha(last) - FAR, exact.beta(last) - time
+        found = functions.alpha(y), functions.beta(y)
+        assert found[0].contains(alpha.mid())
+        assert found[1].contains(beta.mid())
+        # beta's part beyond pi alpha has a bound of its own
+        epsilon, half = (frame.q * y).sqrt(), arb(0)
+        for coefficient in reversed(functions.beta_coefficients):
+            half = (half + arb(coefficient)) * epsilon
+        missed = abs(half - (beta - arb.pi() * alpha)).mid()
+        assert missed <= found[1].rad() - arb.pi() * found[0].rad() * (1 - arb(10) ** -8) + found[0].rad() * 1e-6
+
+
+@pytest.mark.parametrize("share", [Fraction(1, 5), Fraction(1, 2), Fraction(9, 10)])
+def test_what_is_certified_is_within_the_disc(share):
+    """The slip angle of the largest argument is at most the radius of the rim: h there is at least its square root."""
+    with Ball(30).context():
+        functions = AbelFunctions(share, 4)
+        radius = Ball(30).number(functions.radius)
+        height = (radius - radius.sin()) / (1 - radius.cos())
+        assert height**2 >= Ball(30).number(functions.largest_argument)
+
+
+def test_beyond_what_is_certified_nothing_is_said():
+    with Ball(30).context():
+        functions = AbelFunctions(Fraction(1, 2), 4)
+        with pytest.raises(ArithmeticError, match="beyond the certified"):
+            functions.alpha(Ball(30).number(functions.largest_argument * Fraction(1001, 1000)))
+
+
+@pytest.mark.parametrize("share", [Fraction(1, 2), Fraction(2, 5)])
+@pytest.mark.parametrize("time", ["1400", "1401.5", "1403.1", "1404.7", "1406.2"])
+def test_a_jump_lands_where_stepping_does(share, time):
+    """Position, velocity and mode: the parity of the side, too."""
+    pair = Pair(m1=share, m2=1 - share, a2=1, b=1 - share)
+    start = State(v1=Fraction(11, 10), v2=Fraction(11, 10))
+    jumped = energy_at(Scene(pair, start, until=1), time, digits=12)
+    stepped = solve(Scene(pair, start, until=time), digits=20, arithmetic="ball", max_events=5000)
+    assert jumped.road is Road.ABEL
+    x1, v1, _, v2 = stepped.sol(Fraction(time))
+    found = jumped.si_state
+    for one, other in ((found[0], x1), (found[1], v1), (found[3], v2)):
+        assert one.overlaps(other)
+        assert one.rad() < 1e-6
+    assert jumped.mode is stepped.mode_at(Fraction(time))

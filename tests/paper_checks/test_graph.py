@@ -1,0 +1,114 @@
+"""A row is as strong as the weakest step that it needs; a theorem of the kernel carries a clause, or turns its row."""
+
+import pytest
+import sympy as sp
+
+from paper_checks import kernel
+from paper_checks.clause import Formula, clause
+from paper_checks.deciders import equals
+from paper_checks.evidence import Evidence, EvidenceKind, argument, closure, weakest
+from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.ledger import Claim
+from paper_checks.runner import row
+
+SMT = Evidence(EvidenceKind.SMT, "z3", "a < b", True)
+EXACT = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
+BALL = Evidence(EvidenceKind.ENCLOSURE, "arb", "a < 1", True)
+SAMPLE = Evidence(EvidenceKind.PROPERTY, "numerics", "a < 1", True, cases=9)
+FAILED = Evidence(EvidenceKind.EXACT, "sympy", "a = c", False)
+
+
+def claim(*clauses, **more):
+    return Claim("a-claim", "III", "(8)", clauses or "All is well.", Verdict.HOLDS, **more)
+
+
+def of(finding, *clauses):
+    return row(claim(*clauses), finding, 0.0)
+
+
+def test_the_weakest_step_counts_and_what_supports_does_not():
+    assert weakest([SMT, EXACT]) is EvidenceKind.EXACT
+    assert weakest([SMT, SAMPLE, BALL.as_support()]) is EvidenceKind.SMT
+    assert weakest([argument("so", SMT)]) is EvidenceKind.ARGUMENT
+    assert weakest([SAMPLE]) is None
+
+
+def test_an_argument_is_as_good_as_what_it_rests_on():
+    assert argument("so", SMT, EXACT).passed is True
+    assert argument("so", SMT, FAILED).passed is False
+    assert argument("so", SMT, SAMPLE).passed is True
+    assert argument("so", cites=("Filippov",)).passed is True
+    with pytest.raises(ValueError, match="rests on steps, or cites"):
+        argument("so")
+
+
+def test_what_others_rest_on_comes_first_and_once():
+    low = argument("low", SMT)
+    assert closure([argument("top", low, SMT), low]) == (SMT, low, argument("top", low, SMT))
+
+
+def test_a_clause_whose_steps_are_not_named_is_an_argument():
+    assert of(conclude(Verdict.HOLDS, "So it is.", EXACT)).established_by is EvidenceKind.ARGUMENT
+    assert of(conclude(Verdict.HOLDS, "r", carried("statement", EXACT))).established_by is EvidenceKind.EXACT
+
+
+def test_a_row_is_as_strong_as_its_weakest_clause():
+    finding = conclude(Verdict.HOLDS, "r", carried("one", SMT), carried("two", BALL))
+    assert of(finding, clause("one", "A,"), clause("two", "B.")).established_by is EvidenceKind.ENCLOSURE
+
+
+def test_a_wrong_formula_turns_the_row():
+    right = Formula("E", "=", sp.Symbol("m1"), equals(lambda: sp.Symbol("m1")))
+    wrong = Formula("E", "=", sp.Symbol("m2"), equals(lambda: sp.Symbol("m1")))
+    finding = conclude(Verdict.HOLDS, "r", EXACT)
+    assert of(finding, clause("c", "«e».", e=right)).finding.verdict is Verdict.HOLDS
+    turned = of(finding, clause("c", "«e».", e=wrong))
+    assert (turned.finding.verdict, turned.established_by) == (Verdict.UNDECIDED, None)
+    assert "$E=m_{2}$" in (turned.finding.missing or "")
+
+
+def theorem(status):
+    holds = {name: passed for passed, name in kernel.STATUS.items()}[status]
+    return lambda name: kernel.Unavailable(name, "Law.sharp_law", "It is so.", "forall x, x = x", holds=holds)
+
+
+@pytest.fixture
+def theorems(monkeypatch):
+    def plant(status):
+        monkeypatch.setattr(kernel, "theorem", theorem(status))
+        kernel.step.cache_clear()
+
+    yield plant
+    kernel.step.cache_clear()
+
+
+@pytest.mark.parametrize(
+    ("status", "verdict", "kind"),
+    [
+        (kernel.PROVED, Verdict.HOLDS, EvidenceKind.KERNEL),
+        (kernel.NOT_RUN, Verdict.HOLDS, EvidenceKind.ARGUMENT),
+        (kernel.FAILED, Verdict.UNDECIDED, None),
+    ],
+)
+def test_the_kernel_carries_a_clause_or_leaves_it_to_the_other_steps(theorems, status, verdict, kind):
+    theorems(status)
+    finding = conclude(Verdict.HOLDS, "r", carried("c", argument("so", EXACT)))
+    found = of(finding, clause("c", "All.", kernel=("sharp-law",)))
+    assert (found.finding.verdict, found.established_by, found.kernel) == (verdict, kind, status)
+    if status == kernel.FAILED:
+        assert "sharp-law" in found.finding.reason
+
+
+def test_without_the_proofs_no_theorem_is_run(monkeypatch):
+    def missing(name):
+        raise ModuleNotFoundError(name)
+
+    monkeypatch.setattr(kernel.importlib, "import_module", missing)
+    kernel.theorem.cache_clear()
+    kernel.step.cache_clear()
+    assert kernel.step("sharp-law").passed is None
+    kernel.theorem.cache_clear()
+
+
+def test_a_finding_that_is_open_is_not_established():
+    assert of(Finding(Verdict.UNDECIDED, "r", (EXACT,), missing="a proof")).established_by is None

@@ -1,0 +1,91 @@
+"""Every formula of every clause: a changed sign, factor, exponent or relation turns its row."""
+
+import pytest
+import sympy as sp
+
+from paper_checks import smt
+from paper_checks.clause import Formula, clause
+from paper_checks.deciders import condition, decimal, equals, fails_at, holds_at, implied
+from paper_checks.errors import LedgerError
+from paper_checks.ledger import CLAIMS
+from paper_checks.planting import faults, places, planted
+from theory.symbols import b, m1, m2, v1
+
+WITH_FORMULAS = sorted({claim.id for claim, *_ in places(CLAIMS)})
+
+
+@pytest.fixture(autouse=True)
+def the_solvers_remember(monkeypatch):
+    monkeypatch.setattr(smt, "ask", _remembered(smt.ask))
+
+
+def _remembered(ask, answers={}):  # noqa: B006  on purpose: one memory for all tests
+    def once(*question):
+        if question not in answers:
+            answers[question] = ask(*question)
+        return answers[question]
+
+    return once
+
+
+@pytest.mark.parametrize("name", WITH_FORMULAS)
+def test_each_formula_stands_and_each_fault_turns_it(name):
+    claims = [claim for claim in CLAIMS if claim.id == name]
+    assert [formula.latex for *_, formula in places(claims) if formula.evidence().passed is not True] == []
+    found = list(planted(claims))
+    assert found
+    assert [one for one in found if not one.turned] == []
+
+
+def test_every_formula_has_a_fault():
+    assert all(any(True for _ in faults(formula)) for *_, formula in places(CLAIMS))
+
+
+def kinds(formula):
+    return {kind for kind, _ in faults(formula)}
+
+
+def test_signs_factors_exponents_and_relations_are_changed():
+    equation = Formula("E", "=", b**2 / m1 - m2, equals(lambda: b**2 / m1 - m2))
+    assert kinds(equation) == {"sign", "factor", "exponent"}
+    assert kinds(Formula(b, ">", 0, implied())) == {"inequality"}
+    assert kinds(Formula(b, "<=", m1, holds_at({}), false=True)) == {"negation"}
+    assert kinds(Formula("n", "=", sp.Matrix([0, 1, -b]), equals(lambda: 0))) == {"sign", "factor", "exponent"}
+
+
+def test_a_change_that_changes_nothing_is_no_fault():
+    assert all(wrong.right != sp.Abs(v1) for _, wrong in faults(Formula("E", "=", sp.Abs(v1), equals(lambda: v1))))
+
+
+def test_a_sharp_inequality_is_the_one_derived():
+    def derived():
+        return sp.Le(b, m1, evaluate=False)
+
+    right = Formula(b, "<=", m1, condition(derived), sharp=True)
+    assert right.evidence().passed
+    assert all(wrong.evidence().passed is not True for _, wrong in faults(right))
+
+
+def test_a_false_formula_fails_at_a_point_and_its_negation_does_not():
+    false = Formula(b, "<=", m1, fails_at({b: 2, m1: 1}), false=True)
+    assert false.evidence().passed is True
+    assert [wrong.evidence().passed for _, wrong in faults(false)] == [False]
+
+
+def test_digits_are_those_of_the_enclosed_value():
+    from flint import arb
+
+    def value():
+        return arb("0.792631").union(arb("0.792639"))
+
+    assert Formula("x", "=...", sp.Rational("0.79263"), decimal(value)).latex == r"x=0.79263\ldots"
+    assert Formula("x", "=...", sp.Rational("0.79263"), decimal(value)).evidence().passed is True
+    assert Formula("x", "=...", sp.Rational("0.79264"), decimal(value)).evidence().passed is False
+    assert Formula("x", "=...", sp.Rational("0.792631"), decimal(value)).evidence().passed is None
+
+
+def test_places_and_formulas_must_agree():
+    with pytest.raises(LedgerError, match="differ from the places"):
+        clause("c", "«a» and «b».", a=Formula("E", "=", b, equals(lambda: b)))
+    with pytest.raises(LedgerError, match="none of"):
+        Formula("E", "==", b, equals(lambda: b))

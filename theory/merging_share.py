@@ -1,0 +1,59 @@
+"""How much of an energy sphere merges, for r <= r*: an integral over the disc of captive contacts (a1 = 0, reduced).
+
+The states with E/E_cr = e that first meet S at (X, V) are those on the slip that ends there. The flow keeps volume, so
+their share of the sphere is the flux through S over the rate at which the energy passes e, over the sphere's measure.
+"""
+
+from functools import cache
+
+from sympy import Expr, Symbol, cos, diff, integrate, limit, oo, pi, simplify, sqrt
+
+from theory.scaling import excess_rate, reduced_energy, reduced_slip
+from theory.symbols import V1, V2, X, r
+
+level = Symbol("e", positive=True)  # E/E_cr
+relative = Symbol("g", positive=True)  # |V1 - V2| where the slip has the energy e
+radius = Symbol("rho", nonnegative=True)
+turn = Symbol("varphi", real=True)
+
+
+@cache
+def divergence() -> Expr:
+    """The divergence of the slip field: 0, so volume is kept."""
+    field = reduced_slip(-1)
+    return simplify(sum(diff(entry, one) for entry, one in zip(field, (X, V1, V2), strict=True)))
+
+
+@cache
+def flux() -> Expr:
+    """Rate of V1 - V2 on S in the slip with v1 < v2: (1 - X)/q."""
+    field = reduced_slip(-1)
+    return simplify((field[1] - field[2]).subs(V2, V1))
+
+
+@cache
+def dissipation() -> Expr:
+    """-d(E/E_cr)/dtau in that slip where V1 - V2 = -g: 2 r g."""
+    return simplify(-excess_rate(-1).subs(V2, V1 + relative))
+
+
+@cache
+def sphere() -> Expr:
+    """The measure of {E/E_cr = e}: the volume within, differentiated."""
+    axes = [1 / sqrt(diff(reduced_energy(), one, 2) / 2) for one in (X, V1, V2)]
+    volume = 4 * pi / 3 * axes[0] * axes[1] * axes[2] * sqrt(level) ** 3
+    return simplify(diff(volume, level))
+
+
+@cache
+def density() -> Expr:
+    """What a point (X, V) of the disc adds to the share, both half-spaces together."""
+    return simplify(2 * flux() / dissipation() / sphere())
+
+
+@cache
+def large_energy_limit() -> Expr:
+    """lim e times the share as e grows: there r g^2/e tends to 1, and the integral of 1 - X over the disc is pi."""
+    at = simplify(density().subs(relative, sqrt(level) / sqrt(r)) * level)
+    over = integrate(integrate(at.subs(X, radius * cos(turn)) * radius, (turn, 0, 2 * pi)), (radius, 0, 1))
+    return limit(simplify(over), level, oo)
