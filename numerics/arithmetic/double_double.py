@@ -19,7 +19,7 @@ class Double(NamedTuple):
     high: float
     low: float
 
-    def __add__(self, other: Any) -> Double:  # type: ignore[override]
+    def __add__(self, other: Any) -> Double:
         """Return the sum with another, or with a small whole number."""
         return add(self, other if isinstance(other, Double) else Double(float(other), 0.0))
 
@@ -35,11 +35,11 @@ class Double(NamedTuple):
         """Return other - self."""
         return subtract(Double(float(other), 0.0), self)
 
-    def __mul__(self, other: Any) -> Double:  # type: ignore[override]
+    def __mul__(self, other: Any) -> Double:
         """Return the product; with a power of 2 it is exact."""
         return product(self, other) if isinstance(other, Double) else times(self, float(other))
 
-    def __rmul__(self, other: Any) -> Double:  # type: ignore[override]
+    def __rmul__(self, other: Any) -> Double:
         """Return other self."""
         return times(self, float(other))
 

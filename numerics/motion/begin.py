@@ -41,7 +41,7 @@ def begin(scene: Scene, arithmetic: Arithmetic) -> Begun:
 def in_halves(record: Any, halves: Any) -> Any:
     """Return a record with every number as a double-double one: `halves` turns one into the other."""
     if isinstance(record, tuple) and not isinstance(record, Double):
-        return type(record)._make(in_halves(one, halves) for one in record)
+        return type(record)(*(in_halves(one, halves) for one in record))
     return record if isinstance(record, (bool, int, float)) else halves(record)
 
 

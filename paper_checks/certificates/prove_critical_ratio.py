@@ -15,6 +15,8 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball_words import depth_and_cotangent, sine_deficit, versine
+from numerics.contact.enclosed import enclosed_contact
 from paper_checks import atomic
 from paper_checks.steps.roots import enclosed_root, point, precision
 
@@ -108,11 +110,11 @@ def band(share: Fraction, excess: Fraction) -> dict[str, Any] | None:
         q, gap, slips = 1 - r, arb(0), []
         push = (w / q).sqrt()
         for _ in range(LONGEST):
-            bracket = _bracket(arithmetic, gap, push)
+            bracket = _bracket(gap, push)
             if bracket is None:
                 return None
             theta = point(bracket[0]).union(point(bracket[1]))
-            deep = arithmetic.depth(theta)
+            deep = depth_and_cotangent(theta)[0]
             w = w - q * r * deep * (deep + 2 * gap)
             gap, push = -(gap + deep), push - theta
             outcome = _outcome(q, gap, push, w)
@@ -125,20 +127,20 @@ def band(share: Fraction, excess: Fraction) -> dict[str, Any] | None:
     return None
 
 
-def _bracket(arithmetic: Ball, gap: arb, push: arb) -> tuple[Fraction, Fraction] | None:
+def _bracket(gap: arb, push: arb) -> tuple[Fraction, Fraction] | None:
     """Return two angles that the end of every slip in the box is proved to lie between."""
-    middle = Fraction(str(round(float(arithmetic.contact(gap.mid().max(arb(0)), push.mid()).theta.mid()), 9)))
+    middle = Fraction(str(round(float(enclosed_contact(gap.mid().max(arb(0)), push.mid()).theta.mid()), 9)))
     for exponent in range(20, 4, -1):
         width = Fraction(1, 2**exponent).limit_denominator(10**7)
         low, high = middle - width, middle + width
-        lead = [_lead(arithmetic, point(end), gap, push) for end in (low, high)]
+        lead = [_lead(point(end), gap, push) for end in (low, high)]
         if lead[0] < 0 and lead[1] > 0:
             return low, high
     return None
 
 
-def _lead(arithmetic: Ball, theta: arb, gap: arb, push: arb) -> arb:
-    return arithmetic.rise(theta) - gap * (theta / 2).cot() - push
+def _lead(theta: arb, gap: arb, push: arb) -> arb:
+    return sine_deficit(theta) / versine(theta) - gap * (theta / 2).cot() - push
 
 
 def _outcome(q: arb, gap: arb, push: arb, w: arb) -> str | None:

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
+from numerics.trajectory.accuracy import bounded_digits
+
 from numerics.run.one import MAX_EVENTS
 from numerics.solver.solve import solve
 from numerics.trade.front import Point
@@ -14,7 +16,6 @@ from numerics.trade.growth import Growth
 from numerics.trade.ours import BALL, COMPILED, MPMATH, OBJECTS, PLAIN
 from numerics.trade.recorded import RecordedScene, RecordedTrade
 from numerics.trade.scenes import Benchmark, benchmarks
-from numerics.trajectory.accuracy import bounded_digits
 from paper_checks.report.blocks import Block, Paragraph, Table
 from paper_checks.speed.wording import asked, digits, factor_text, groups, headline, listed, spread, time_text
 

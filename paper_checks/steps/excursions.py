@@ -7,6 +7,7 @@ from functools import cache
 from itertools import islice
 
 import sympy as sp
+from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.long_time.excursion_map import excursions
@@ -127,7 +128,7 @@ def enclosed_rate(share: Fraction, start: Fraction, count: int, tolerance: Fract
         tau, w = arithmetic.number(0), arithmetic.number(start)
         for one in islice(excursions(frame, w), count):
             tau, w = tau + one.slip + one.stick, one.w_after
-        ratio = tau * w * 9 * frame.r / (4 * arithmetic.pi() * frame.q)
+        ratio = tau * w * 9 * frame.r / (4 * arb.pi() * frame.q)
         near = abs(ratio - 1) < arithmetic.number(tolerance)
         text = str(ratio.mid().str(12, radius=False))
     return Evidence(

@@ -11,7 +11,8 @@ from flint import arb
 from numerics.motion.modes import EventKind
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
-from numerics.trajectory.trajectory import Status, Trajectory
+from numerics.trajectory.status import Status
+from numerics.trajectory.trajectory import Trajectory
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.steps.roots import point, precision
 

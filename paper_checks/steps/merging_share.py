@@ -12,7 +12,7 @@ import sympy as sp
 
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
-from numerics.trajectory.trajectory import Status
+from numerics.trajectory.status import Status
 from paper_checks.evidence import Evidence, EvidenceKind, argument
 from paper_checks.exact import identity
 from paper_checks.steps.capture import stays_below_critical

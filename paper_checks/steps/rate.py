@@ -10,6 +10,7 @@ import sympy as sp
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball_words import depth_and_cotangent, sine_deficit, versine
 from numerics.long_time.energy import energy_at
 from numerics.long_time.excursion_map import excursions
 from numerics.motion.frame import Frame
@@ -140,8 +141,8 @@ def bounded_run(share: Fraction, start: Fraction, count: int) -> Evidence:
     with arithmetic.context():
         frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
         theta_0 = arithmetic.number(start)
-        y = arithmetic.rise(theta_0) ** 2
-        deep = arithmetic.depth(theta_0)
+        y = (sine_deficit(theta_0) / versine(theta_0)) ** 2
+        deep, _ = depth_and_cotangent(theta_0)
         lower, upper = bounds(frame.q, theta_0, y, deep)
         tau, good = arithmetic.number(0), True
         for number, one in enumerate(excursions(frame, frame.q * y)):
