@@ -102,16 +102,16 @@ class _Words:
         return self._chain(self._base["cosine_deficit"](x.value), x, lambda: self._base["sine_deficit"](x.value))
 
     def sign(self, x: DualNumber, question: int) -> int:
-        return self._base["sign"](x.value, question)  # type: ignore[no-any-return]
+        return self._base["sign"](x.value, question)
 
     def positive(self, x: DualNumber) -> bool:
-        return self._base["positive"](x.value)  # type: ignore[no-any-return]
+        return self._base["positive"](x.value)
 
     def below(self, x: DualNumber, y: DualNumber) -> bool:
-        return self._base["below"](x.value, y.value)  # type: ignore[no-any-return]
+        return self._base["below"](x.value, y.value)
 
     def rough(self, x: DualNumber) -> float:
-        return self._base["rough"](x.value)  # type: ignore[no-any-return]
+        return self._base["rough"](x.value)
 
     @staticmethod
     def leading(x: DualNumber) -> DualNumber:
@@ -122,13 +122,13 @@ class _Words:
         return x
 
     def finite(self, x: DualNumber) -> bool:
-        return self._base["finite"](x.value)  # type: ignore[no-any-return]
+        return self._base["finite"](x.value)
 
     def resolved(self, angle: DualNumber) -> bool:
-        return self._base["resolved"](angle.value)  # type: ignore[no-any-return]
+        return self._base["resolved"](angle.value)
 
     def ceiling(self, x: DualNumber, question: int) -> int:
-        return self._base["ceiling"](x.value, question)  # type: ignore[no-any-return]
+        return self._base["ceiling"](x.value, question)
 
     def nonnegative(self, x: DualNumber) -> DualNumber:
         return DualNumber(self._base["nonnegative"](x.value), x.gradient)

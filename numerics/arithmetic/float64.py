@@ -62,7 +62,7 @@ def sign(x: Number, question: int) -> int:  # noqa: ARG001
 
 def positive(x: Number) -> bool:
     """Return whether x > 0."""
-    return x > 0.0  # type: ignore[no-any-return]
+    return x > 0.0
 
 
 def tolerance() -> Number:

@@ -161,7 +161,7 @@ class Multiprecision:
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context that sets mpmath's process-wide precision and restores it."""
-        return mpmath.workdps(self.digits)  # type: ignore[no-any-return]
+        return mpmath.workdps(self.digits)
 
     @staticmethod
     def number(value: Fraction | int) -> Any:

@@ -101,7 +101,8 @@ def solve_scenes(
     ends, kept = room(len(scenes), keep_events)
     for law in laws:
         rows = np.array([index for index, scene in enumerate(scenes) if scene.law is law])
-        found = _solved(table[rows], lambda row, rows=rows: scenes[rows[row]], (len(rows),), law, limits)
+        own = [scenes[row] for row in rows]
+        found = _solved(table[rows], own.__getitem__, (len(rows),), law, limits)
         ends[rows], kept[rows] = found.ends, found.kept
     return Batch(ends, kept, shape)
 
@@ -182,9 +183,9 @@ def _table(numbers: tuple[ArrayLike, ...]) -> tuple[Table, tuple[int, ...]]:
 
 def _numbers(name: str, values: ArrayLike) -> Table | float:
     """Return values as binary64 numbers: an array, or a float."""
-    if isinstance(values, (int, float)) and not isinstance(values, bool):
+    if isinstance(values, (int, float)):
         return float(values) if abs(values) < 2**1023 else np.inf
-    if np.ma.is_masked(values):
+    if bool(np.ma.is_masked(values)):
         raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     try:
         return np.asarray(values, dtype=np.float64)

@@ -158,7 +158,7 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
     """
     if scene.row is None:
         object.__setattr__(scene, "row", (halved(si_numbers(scene)),))
-    return scene.row[0]  # type: ignore[no-any-return]
+    return scene.row[0]
 
 
 def halved(si: SI) -> NDArray[np.float64] | None:

@@ -55,7 +55,7 @@ def values(record: Any) -> Any:
     """Return a record with the values in the place of dual numbers."""
     if isinstance(record, DualNumber):
         return record.value
-    return type(record)._make(values(one) for one in record) if isinstance(record, tuple) else record
+    return type(record)(*map(values, record)) if isinstance(record, tuple) else record
 
 
 def _landing(motions: Telling) -> Callable[[Any, Any], undamped.Landing]:
@@ -63,7 +63,8 @@ def _landing(motions: Telling) -> Callable[[Any, Any], undamped.Landing]:
 
     def dual_ray_landing(pair: Any, start: Any) -> undamped.Landing:
         found = motions(undamped.ray_landing)(values(pair), values(start))
-        return undamped.Landing(*(DualNumber(one) for one in found[:-1]), found.spared)
+        theta, gap, slid, w, versine = map(DualNumber, found[:-1])
+        return undamped.Landing(theta, gap, slid, w, versine, found.spared)
 
     return dual_ray_landing
 

@@ -27,6 +27,7 @@ from numerics.arithmetic.float64 import (
     sqrt,
     versine,
 )
+from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text
 from numerics.flows.slip import Variables
 from numerics.motion.codes import RAY, STICK
@@ -37,31 +38,30 @@ from numerics.motion.undamped import Landing, Pair, Start
 class Slipped(NamedTuple):
     """Guard, gap, push and K of a slip at an angle, and the reduced energy that a damper took."""
 
-    guard: DualNumber
-    gap: DualNumber
-    push: DualNumber
-    slid: DualNumber
-    damped: DualNumber
+    guard: Number
+    gap: Number
+    push: Number
+    slid: Number
+    damped: Number
 
 
 def constant(found: Any) -> Any:
     """Return numbers without their gradients."""
     if isinstance(found, DualNumber):
         return DualNumber(found.value)
-    return type(found)._make(constant(one) for one in found) if isinstance(found, tuple) else found
+    return type(found)(*map(constant, found)) if isinstance(found, tuple) else found
 
 
 def with_gradients(found: Any, formed: Any) -> Any:
     """Return the values found with the gradients of what was formed."""
     if isinstance(found, DualNumber):
         return DualNumber(found.value, formed.gradient)
-    return type(found)._make(
-        with_gradients(one, two) if isinstance(one, DualNumber) else one for one, two in zip(found, formed, strict=True)
-    )
+    pairs = zip(found, formed, strict=True)
+    return type(found)(*(with_gradients(one, two) if isinstance(one, DualNumber) else one for one, two in pairs))
 
 
 @text
-def slipped(pair: Pair, at: Variables, theta: DualNumber) -> Slipped:
+def slipped(pair: Pair, at: Variables, theta: Number) -> Slipped:
     """Return the slip at angle theta; in terms of it the damping is eta/sqrt(q)."""
     damping, (g, d, u), level = pair.two_zeta / pair.sqrt_q, at, 1 + at.gap
     (sine, cosine), drop, deficit = sine_cosine(theta), versine(theta), sine_deficit(theta)
@@ -84,7 +84,8 @@ def landing(pair: Pair, start: Start, found: Landing) -> Landing:
 
     What follows from the step: the gap grows with the push, and K with the guard, which is 0 there.
     """
-    at, known, one = Variables(start.guard, start.gap, start.push), constant(found), exactly(1.0)
+    at, known = Variables(start.guard, start.gap, start.push), constant(found)
+    one: Number = exactly(1.0)
     there = slipped(pair, at, known.theta)
     theta = known.theta - there.guard / known.gap
     gap = linear(known.gap, (one, there.gap), (there.push, theta))
@@ -102,13 +103,15 @@ def ray_landing(pair: Pair, start: Start, found: Landing) -> Landing:
 
     It lies in [-1, 1]: formed whole, enclosures do not grow from one excursion to the next.
     """
-    w, known, one = start.w, constant(found), exactly(1.0)
+    w, known = start.w, constant(found)
+    one: Number = exactly(1.0)
     theta, fixed_w = known.theta, constant(w)
     push = (sqrt(fixed_w) + pair.two_zeta) / pair.sqrt_q  # at fixed w
     there = slipped(pair, Variables(0 * push, -pair.two_zeta * sqrt(fixed_w) / pair.q, push), theta)
-    push_by_w, drop = 1 / (2 * pair.q * push), versine(theta)
-    theta_by_w = -drop * push_by_w / known.gap
-    gap_by_w = sin(theta) * push_by_w + there.push * theta_by_w
+    push_by_w: Number = 1 / (2 * pair.q * push)
+    drop: Number = versine(theta)
+    theta_by_w: Number = -drop * push_by_w / known.gap
+    gap_by_w: Number = sin(theta) * push_by_w + there.push * theta_by_w
     fixed = theta - there.guard / known.gap
     lost = 2 * pair.r * pair.q * there.slid + there.damped
     formed = found._replace(
@@ -130,7 +133,7 @@ def on_ray(pair: Pair, start: Start) -> Start:
 
 
 @text
-def velocity(pair: Pair, start: Start) -> DualNumber:
+def velocity(pair: Pair, start: Start) -> Number:
     """Return V = V1 = V2 at the start of a motion on the switching surface."""
     if start.kind == STICK:
         return start.push
@@ -139,7 +142,7 @@ def velocity(pair: Pair, start: Start) -> DualNumber:
 
 
 @text
-def exit_time(pair: Pair, start: Start, side: float, duration: DualNumber) -> DualNumber:
+def exit_time(pair: Pair, start: Start, side: float, duration: Number) -> Number:
     """Return the time of the exit with what a damper adds to it: there X + eta V = side and V = side sqrt(w)."""
     tau, speed = constant(duration), signed(side, sqrt(start.w))
     added = -pair.two_zeta * ((start.X * sin(tau) - signed(side, tau)) / (2 * speed) + 1)
@@ -147,7 +150,7 @@ def exit_time(pair: Pair, start: Start, side: float, duration: DualNumber) -> Du
 
 
 @text
-def excess_at_exit(pair: Pair, start: Start, duration: DualNumber) -> DualNumber:
+def excess_at_exit(pair: Pair, start: Start, duration: Number) -> Number:
     """Return the energy excess at the exit; the integral of V^2 is (tau (X^2 + V^2) + X V)/2 between the ends."""
     w = constant(start.w)
     lost = duration * (1 + w) + sqrt(w) - start.X * start.push
@@ -155,7 +158,7 @@ def excess_at_exit(pair: Pair, start: Start, duration: DualNumber) -> DualNumber
 
 
 @text
-def flow(pair: Pair, start: Start, tau: DualNumber, found: At) -> At:
+def flow(pair: Pair, start: Start, tau: Number, found: At) -> At:
     """Return the state at reduced time tau after the start of a motion."""
     if start.kind == STICK:
         return with_gradients(found, in_stick(pair, start, tau, found))
@@ -173,7 +176,7 @@ def flow(pair: Pair, start: Start, tau: DualNumber, found: At) -> At:
 
 
 @text
-def in_stick(pair: Pair, start: Start, tau: DualNumber, found: At) -> At:
+def in_stick(pair: Pair, start: Start, tau: Number, found: At) -> At:
     """Return the state of a stick phase at reduced time tau."""
     eta, (sine, cosine) = pair.two_zeta, sine_cosine(tau)
     X, V = start.X * cosine + start.push * sine, start.push * cosine - start.X * sine
