@@ -271,3 +271,14 @@ def test_what_is_no_ratio_is_refused(bad):
 
 def test_the_first_segment_sticks_where_the_modes_say_so():
     assert solve(STUCK).mode_at(0) is Mode.STICK
+
+
+def test_thousands_of_events_are_drawn_within_their_true_range():
+    """Drawn through the events alone, the speeds of the stick phases between them were lost."""
+    run = solve(Scene(PAPER.pair, PAPER.initial, 300))
+    assert len(run.segments) > 1000
+    curve, dense = sampled(run), run.sol(np.linspace(100, 200, 2000))
+    drawn = curve.y[:, (curve.t > 100) & (curve.t < 200)]
+    assert np.abs(drawn).max(axis=1) == pytest.approx(np.abs(dense).max(axis=1), rel=0.01)
+    assert curve.resolved[0]
+    assert not curve.resolved[len(curve.t) // 2]
