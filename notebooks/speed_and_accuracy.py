@@ -23,15 +23,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 from IPython.display import Markdown, display
 
-from numerics.batch.batch import solve_many
-from numerics.scene import Scene, State
-from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
+from numerics import Scene, Solver, State, load_scene, solve, solve_many
 from numerics.trade.clock import timed
 from numerics.trade.contender import all_contenders
 from numerics.trade.judge import judge
 from numerics.trade.recorded import recorded
-from numerics.trade.reference import POINT_DIGITS, ReferenceBall
+from numerics.trade.reference import POINT_DIGITS, proved
 from numerics.trade.scenes import HEADLINE
 from numerics.trade.table import error_text, seconds_text
 from paper_checks.report.blocks import Section, markdown
@@ -62,13 +59,13 @@ display(*(draw() for name, draw in drawn.items() if name != section.WORK_PRECISI
 # %% [markdown]
 # ## A small one, here and now
 #
-# The paper's scene with $b=0.5$ N, 5 s. What is not installed is named.
+# The paper's scene with $b=0.5$ N, 5 s. What a user calls (`solve`, `Solver`, `solve_many`, `ball`) stands beside the
+# runs inside (`float64`, `double-double`). What is not installed is named.
 
 # %%
 scene = load_scene(HEADLINE)
-ball = ReferenceBall()
-proved = ball.outcome(ball.prepare(scene, float(POINT_DIGITS))())
-wanted = ("float64", "double-double", "ball", "SciPy DOP853", "heyoka (edge coordinates)")
+truth = proved(scene)
+wanted = ("float64", "double-double", "solve", "Solver", "ball", "SciPy DOP853", "heyoka (edge coordinates)")
 rows = []
 for one in all_contenders():
     if one.label.startswith(wanted):
@@ -78,7 +75,7 @@ for one in all_contenders():
         for setting in dict.fromkeys((one.settings[0], 100.0 if one.knob == "digits" else one.settings[-1])):
             call = one.prepare(scene, setting)
             took = timed(call, budget=0.2).seconds
-            found = judge(one.outcome(call()), proved, POINT_DIGITS, scene)
+            found = judge(one.outcome(call()), truth, POINT_DIGITS, scene)
             word = "right" if found.right else f"wrong: {found.difference}"
             rows.append(f"| {one.label} | {setting:g} | {seconds_text(took)} | {error_text(found.error)} | {word} |")
 head = "| method | setting | warm time | error | events |\n|---|---|---|---|---|\n"
@@ -114,10 +111,24 @@ print(
 )
 
 # %% [markdown]
+# ## One pair, many starts, in your own loop
+#
+# A prepared `Solver` has read its pair; what is left is one run. Here it looks for the speed from which the pair makes
+# its tenth event within 5 s.
+
+# %%
+solver = Solver(scene.pair)
+low, high = 0.0, 0.15
+while high - low > 1e-6:
+    middle = (low + high) / 2
+    low, high = (low, middle) if len(solver(State(v1=middle), 5).t) > 11 else (middle, high)
+print(f"ten events from v1(0) = {high:.6f} m/s")
+
+# %% [markdown]
 # ## Many scenes
 #
 # `solve_many` takes arrays and gives arrays, right digits among them. Here the initial speed runs up to the paper's;
-# without numba the same kernels run as plain Python.
+# without numba the same text runs as plain Python.
 
 # %%
 pair = scene.pair

@@ -130,7 +130,7 @@ def _add_trade(subcommands: argparse._SubParsersAction[argparse.ArgumentParser])
         "--size",
         choices=["small", "default", "large"],
         default="default",
-        help="at most a minute or two, some 10 min, or an hour (%(default)s)",
+        help="about a minute once compiled, 10 min or an hour (%(default)s)",
     )
     trade.add_argument(
         "--only", nargs="+", default=[], metavar="NAME", help="contenders and scenes whose names contain NAME"

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from numerics.trade.ours import COMPILED, OBJECTS, PLAIN
+from numerics.trade.ours import COMPILED, PLAIN, READ
 from numerics.trade.recorded import RecordedTrade, recorded
 
 SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
@@ -14,7 +14,7 @@ SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
 
 def run(contender: str, scene: str, seconds: float | None, error: Any = None, **more: Any) -> dict[str, Any]:
     """Return a run; ours if its contender is known to be. Without an error it was stopped."""
-    ours = contender.startswith(("float64", "ball", "mpmath", "double-double"))
+    ours = contender.startswith(("float64", "solve", "ball", "mpmath", "double-double"))
     record = {"contender": contender, "ours": ours, "scene": scene, "knob": "digits", "setting": 53.0}
     record |= {"status": "stopped" if error is None else "measured", "note": "", "prepare_seconds": 0.5}
     record |= {"seconds": seconds, "batches": 3}
@@ -24,11 +24,11 @@ def run(contender: str, scene: str, seconds: float | None, error: Any = None, **
 
 
 def our_runs(compiled: bool = True) -> list[dict[str, Any]]:
-    """Return runs of ours on all scenes: float64 with 14 digits, balls with 100, mpmath beside them."""
+    """Return runs of ours on all scenes: `solve` and what runs inside with 14 digits, balls with 100, mpmath."""
     runs = []
     for scene in SCENES:
         runs += [run(COMPILED, scene, 4e-6, -14.5)] if compiled else []
-        runs += [run(PLAIN, scene, 3e-4, -14.5), run(OBJECTS, scene, 5e-4, -14.5)]
+        runs += [run(PLAIN, scene, 3e-4, -14.5), run(READ, scene, 5e-4, -14.5)]
         runs += [run("ball", scene, 2e-3, -22.0, setting=10.0), run("ball", scene, 3e-3, -112.0, setting=100.0)]
         runs += [run("mpmath", scene, 2e-2, -21.0, setting=10.0)]
     return runs

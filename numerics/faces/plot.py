@@ -22,7 +22,8 @@ def overview(trajectory: Trajectory) -> Any:
     pair = trajectory.scene.pair
     named = (("m_1", pair.m1, "kg"), ("m_2", pair.m2, "kg"), ("a_1", pair.a1, "N s/m"), ("a_2", pair.a2, "N/m"))
     given = ", ".join(f"${name}$ = {float(value):g} {unit}" for name, value, unit in (*named, ("b", pair.b, "N")))
-    figure.suptitle(f"{given}: {len(trajectory.events)} events")
+    count = len(trajectory.events)
+    figure.suptitle(f"{given}: {count} event{'' if count == 1 else 's'}")
     return figure
 
 

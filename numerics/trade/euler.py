@@ -22,7 +22,7 @@ from numerics.trade.comparisons.switching import SwitchedPair
 from numerics.trade.contender import peer_outcome
 from numerics.trade.judge import judge
 from numerics.trade.outcome import Outcome
-from numerics.trade.reference import POINT_DIGITS, ReferenceBall
+from numerics.trade.reference import POINT_DIGITS, proved
 
 STEPS = (1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5)
 """The steps that are tried, s."""
@@ -89,16 +89,15 @@ def _from_here(steps: Sequence[float], good: Sequence[bool]) -> float | None:
 
 def euler_figure(figure: str, scene: Scene, steps: Sequence[float] = STEPS) -> EulerFigure:
     """Return what forward Euler makes of a scene with these steps (s), from coarse to fine."""
-    ball = ReferenceBall()
-    proved = ball.outcome(ball.prepare(scene, float(POINT_DIGITS))())
-    outcomes = tuple(_outcome(scene, step, proved) for step in steps)
-    return EulerFigure(figure, len(proved.kinds), float(scene.until), outcomes)
+    truth = proved(scene)
+    outcomes = tuple(_outcome(scene, step, truth) for step in steps)
+    return EulerFigure(figure, len(truth.kinds), float(scene.until), outcomes)
 
 
-def _outcome(scene: Scene, step: float, proved: Outcome) -> EulerOutcome:
+def _outcome(scene: Scene, step: float, truth: Outcome) -> EulerOutcome:
     with np.errstate(over="ignore", invalid="ignore"):
         run = forward_euler(scene, step)
-        found = judge(peer_outcome(read(SwitchedPair.of(scene), run)), proved, POINT_DIGITS, scene)
+        found = judge(peer_outcome(read(SwitchedPair.of(scene), run)), truth, POINT_DIGITS, scene)
     return EulerOutcome(step, found.right, found.difference, found.error or 0.0, run.chatter)
 
 

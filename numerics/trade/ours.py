@@ -96,7 +96,7 @@ class Ours:
     def prepare(self, scene: Scene, setting: float) -> Call:
         """Bring up compiled code, where there is any, and return the call."""
         if self.knob == "bits":
-            inside(FLOAT64, True)(scene, setting)()
+            looked_at(inside(FLOAT64, True)(scene, setting)().trajectory())
         return self.make(scene, setting)
 
     def outcome(self, run: Answer) -> Outcome:

@@ -14,11 +14,12 @@ from numerics.trade.front import Point, points
 from numerics.trade.growth import Extent, Growth, growth
 from numerics.trade.interface import Wait, interface
 from numerics.trade.machine import machine
-from numerics.trade.measure import SOURCE, Limits, Measurement, References, measure, not_tried
+from numerics.trade.measure import SOURCE, Limits, Measurement, References, measure, not_tried, run
 from numerics.trade.reference import POINT_DIGITS
 from numerics.trade.scenes import Benchmark, benchmarks
 
 Progress = Callable[[str], None]
+_COMPILING = Limits(prepare=300, run=60, budget=0)
 TIME_IS_UP = "the time for this size was up; a larger --size, or --only"
 
 
@@ -40,7 +41,7 @@ class Size:
     extent: Extent
     reference_limit: float = 900.0
     whole: float = math.inf
-    """after so many seconds nothing more is begun, s; ours come first"""
+    """after so many seconds, compiling our own code apart, nothing more is begun, s; ours come first"""
 
 
 _DECADES = (10.0, 30.0, 50.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
@@ -118,12 +119,16 @@ def trade(
     left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
     present = [one for one in everyone if one.label not in left_out]
     found: list[Measurement] = []
-    deadline = Deadline(size.whole)
     with Child() as child, Child() as prover:
         references = References(prover, size.reference_limit)
         for scene in scenes:
             progress(f"{scene.name}: the proved reference")
             references.get(scene, POINT_DIGITS)
+        for contender in present if size.whole < math.inf else ():
+            for scene in scenes if contender.ours and contender.knob == "bits" else ():
+                progress(f"{contender.label}: compiling, if it was not before")
+                run(child, source, contender.label, scene, contender.settings[0], _COMPILING)
+        deadline = Deadline(size.whole)
         for contender in present:
             if not contender.ours:
                 child.end()  # a new one for each, which then imports once for all scenes

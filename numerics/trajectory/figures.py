@@ -18,8 +18,11 @@ _MOST_MARKED = 200
 """Events beyond this number would hide the curve: then none is marked."""
 _MOST_SHADED = 1000
 """Stick phases beyond this number are narrower than a pixel: then none is shaded."""
-_PER_RADIAN, _LEAST, _MOST = 24, 6, 10_000
-"""Points of a curve for each radian of Omega t, in every segment (one, where there are thousands), and above these."""
+_RESOLVED = 100
+"""So many segments at the beginning and at the end are always drawn as curves."""
+_PER_RADIAN, _FEWEST, _LEAST, _MOST = 24, 8, 60, 10_000
+"""Points for each radian of Omega t; fewer than the second are no curve; a segment gets at least the third if it turns
+so far; longer ones share the last."""
 
 
 class Curve(NamedTuple):
@@ -35,31 +38,39 @@ class Curve(NamedTuple):
     """What friction and viscosity have taken so far, shape (2, n), J."""
     segment: NDArray[np.int64]
     """Which segment each point belongs to."""
+    resolved: NDArray[np.bool_]
+    """Whether the points of this segment are so many that lines between them are its curve."""
 
 
 def sampled(trajectory: Trajectory) -> Curve:
-    """Return points that resolve every segment, however short."""
+    """Return points that resolve every segment, however short; of thousands of segments the first and the last."""
     number = trajectory.arithmetic.to_float
     with trajectory.arithmetic.context():
         length, rate, unit = (number(one) for one in trajectory.units)
-        radians = [number(segment.length) for segment in trajectory.segments]
-        whole = max(sum(radians), 1.0)
-        rows, at, taken = [], [], np.zeros(2)
-        least = _LEAST if len(radians) * _LEAST < _MOST else 1
-        for index, (segment, long) in enumerate(zip(trajectory.segments, radians, strict=True)):
-            parts = least + int(min(_PER_RADIAN * long, _MOST * long / whole))
+        radians = np.array([number(segment.length) for segment in trajectory.segments])
+        parts = _parts(radians)
+        rows, taken = [], np.zeros(2)
+        for segment, long, count in zip(trajectory.segments, radians, parts, strict=True):
             start, lost = number(segment.start), np.zeros(2)
-            for part in range(parts + 1):
-                tau = segment.length * part / parts
+            for part in range(count + 1):
+                tau = segment.length * part / int(count)
                 state = [number(one) for one in segment.state(tau)]
                 lost = np.array([number(one) for one in segment.losses(tau)])
-                rows.append([start + long * part / parts, *state, *(taken + lost)])
-            at += [index] * (parts + 1)
+                rows.append([start + long * part / count, *state, *(taken + lost)])
             taken = taken + lost
     tau_, X, V1, V2, Z, w, friction, viscous = np.array(rows, dtype=float).reshape(-1, 8).T
-    speed = length * rate
+    speed, at = length * rate, np.repeat(np.arange(len(parts)), parts + 1)
     y = np.stack([X * length, V1 * speed, (X - Z) * length, V2 * speed])
-    return Curve(tau_ / rate, y, w, np.stack([friction, viscous]) * unit, np.array(at, dtype=int))
+    return Curve(tau_ / rate, y, w, np.stack([friction, viscous]) * unit, at, (parts >= _FEWEST * radians)[at])
+
+
+def _parts(radians: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Return into how many parts each segment is divided, from the radians that it turns through."""
+    share = _MOST * radians / max(radians.sum(), 1.0)
+    parts = 6 + np.minimum(_PER_RADIAN * radians, np.maximum(share, _LEAST)).astype(int)
+    if len(parts) > 10 * _RESOLVED:
+        parts[_RESOLVED:-_RESOLVED] = 2  # speeds are largest about the middle of a stick phase
+    return parts
 
 
 def draw(trajectory: Trajectory, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
@@ -85,7 +96,7 @@ def draw(trajectory: Trajectory, kind: str, ax: Any = None, curve: Curve | None 
         few = len(trajectory.events) <= _MOST_MARKED
         if not few:  # dashes of so long a line take minutes to draw, and so does the best place for the legend
             for line in ax.lines:
-                line.set_linestyle("-")
+                line.set_linestyle("none" if line.get_marker() == "," else "-")
         ax.legend(loc="best" if few else "upper right", fontsize="small", framealpha=0.9)
     return ax
 
@@ -137,14 +148,16 @@ def _positions(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
 def _phase(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1: on S, where v1 = v2, with a full line, in slip with a thin one."""
     pair, stick = trajectory.scene.pair, np.array([mode is Mode.STICK for mode in trajectory.modes])[curve.segment]
-    for kept, how in ((~stick, {"lw": 0.8, "ls": "--", "label": "slip"}), (stick, {"lw": 2, "label": "stick, on $S$"})):
-        if kept.any():
-            ax.plot(
-                np.where(kept, curve.y[0], np.nan),
-                np.where(kept, curve.y[1], np.nan),
-                color=BLUE if how["lw"] == 2 else ORANGE,
-                **how,
-            )
+    for kept, color, width, dashes, label in (
+        (~stick, ORANGE, 0.8, "--", "slip"),
+        (stick, BLUE, 2.0, "-", "stick, on $S$"),
+    ):
+        x, v = (np.where(kept & curve.resolved, row, np.nan) for row in curve.y[:2])
+        if np.isfinite(x).any():
+            ax.plot(x, v, color=color, lw=width, ls=dashes, label=label)
+        sparse = kept & ~curve.resolved
+        if sparse.any():  # lines between these points would not be the curve
+            ax.plot(*curve.y[:2, sparse], ",", color=color)
     _mark_events(trajectory, ax, 0, 1)
     low, high = ax.get_ylim()
     half_width, lean = float(pair.half_width), float(pair.a1 / pair.a2)

@@ -10,12 +10,20 @@ from numerics.trade.recorded import RecordedTrade
 from paper_checks.report.blocks import Block, Points
 from paper_checks.speed.needs import NEEDS, cheapest
 from paper_checks.speed.peers import beaten, closest_peer
+from paper_checks.speed.waiting import waiting_in_short
 from paper_checks.speed.wording import factor_text, headline, listed, step_text, time_text
 
 
 def in_short(trade: RecordedTrade, figures: Sequence[EulerFigure], energies: Sequence[StickEnergy]) -> Iterator[Block]:
     """Yield one list: which arithmetic, how far ahead, who has the events right, what forward Euler needs."""
-    sentences = (*_arithmetic(trade), *_lead(trade), *_events(trade), *_steps(figures), *_energy(energies))
+    sentences = (
+        *_arithmetic(trade),
+        *waiting_in_short(trade),
+        *_lead(trade),
+        *_events(trade),
+        *_steps(figures),
+        *_energy(energies),
+    )
     if sentences:
         yield Points(sentences)
 
@@ -28,7 +36,7 @@ def _arithmetic(trade: RecordedTrade) -> Iterator[str]:
         need, one = list(some)[-1]
         parts.append(f"{contender} up to {need:,} ({time_text(one.seconds)})")
     if parts:
-        yield f"The cheapest of ours for so many right digits, on {scene.name}: {listed(parts)}."
+        yield f"The cheapest call for so many right digits, on {scene.name}: {listed(parts)}."
 
 
 def _lead(trade: RecordedTrade) -> Iterator[str]:

@@ -7,13 +7,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from numerics.trajectory.accuracy import bounded_digits
-
 from numerics.run.one import MAX_EVENTS
 from numerics.solver.solve import solve
 from numerics.trade.front import Point
 from numerics.trade.growth import Growth
-from numerics.trade.ours import BALL, COMPILED, MPMATH, OBJECTS, PLAIN
+from numerics.trade.ours import BALL, COMPILED, MPMATH, PARTS, PLAIN, READ
 from numerics.trade.recorded import RecordedScene, RecordedTrade
 from numerics.trade.scenes import Benchmark, benchmarks
 from paper_checks.report.blocks import Block, Paragraph, Table
@@ -36,11 +34,11 @@ class Choice:
 
 
 def cheapest(trade: RecordedTrade, scenes: Sequence[RecordedScene], need: int) -> Choice | None:
-    """Return our fastest method and setting with right events and so many right digits on each of the scenes."""
+    """Return our fastest call and setting with right events and so many right digits on each of the scenes."""
     slowest: dict[tuple[str, float], list[Point]] = {}
     for scene in scenes:
         for one in trade.points(scene):
-            if one.ours and one.right and digits(one.error) >= need:
+            if one.ours and one.contender not in PARTS and one.right and digits(one.error) >= need:
                 slowest.setdefault((one.contender, one.setting), []).append(one)
     enough = [max(some, key=lambda one: one.seconds) for some in slowest.values() if len(some) == len(scenes)]
     best = min(enough, key=lambda one: one.seconds, default=None)
@@ -64,9 +62,7 @@ def needs(trade: RecordedTrade) -> Iterator[Block]:
                               for one in row.values()))
         for need, row in choices(trade)
     )  # fmt: skip
-    yield Table(
-        head, lines, "Our cheapest method with the right events and so many right digits on each scene of a kind"
-    )
+    yield Table(head, lines, "The cheapest call for the right events and so many right digits on each scene of a kind")
     best = max(
         (one for one in trade.points(headline(trade)) if one.ours and one.right), key=lambda p: -p.error, default=None
     )
@@ -106,13 +102,13 @@ class Bounded:
 def bounded(name: str) -> Bounded | None:
     """Return the digits that float64's own error bounds leave on a scene of the trade; None where it has none."""
     benchmark = _benchmark(name)
-    trajectory = None if benchmark is None else solve(benchmark.scene, max_events=4 * MAX_EVENTS)
-    if trajectory is None or trajectory.bounds is None:
+    if benchmark is None:
         return None
-    end = trajectory.bounds.end
-    state = max(end.x_error + end.place_error, end.v1_error, end.v2_error)  # in L and L Omega, as the trade has it
-    worst = max(state, end.spent_error / end.spent if end.spent else 0.0)
-    return Bounded(name, bounded_digits(trajectory), _digits_of(worst), bool(end.certain))
+    record = solve(benchmark.scene, max_events=4 * MAX_EVENTS).record
+    x, place, v1, v2, spent = (record.end_code(f"{one}_error") for one in ("x", "place", "v1", "v2", "spent"))
+    taken = record.end("spent")
+    worst = max(x + place, v1, v2, spent / taken if taken else 0.0)  # in L and L Omega, as the trade has it
+    return Bounded(name, int(record.end_code("digits")), _digits_of(worst), record.end_code("certain") == 1)
 
 
 def _digits_of(error: float) -> int:
@@ -158,7 +154,7 @@ def _measured(trade: RecordedTrade, scene: str) -> str:
         and one.ours
         and one.right
         and one.error is not None
-        and one.contender in (COMPILED, PLAIN, OBJECTS)
+        and one.contender in (COMPILED, PLAIN, READ)
     ]
     return str(digits(max(errors))) if errors else "not measured"
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from numerics.trade.growth import Growth
-from numerics.trade.ours import COMPILED, OBJECTS, PLAIN
+from numerics.trade.ours import COMPILED, PLAIN, READ
 from numerics.trade.recorded import RecordedRun, RecordedTrade
 from paper_checks.report.blocks import Block, Points, Table
 from paper_checks.speed.wording import counted, factor_text, headline, time_text
@@ -35,8 +35,8 @@ def _compiled(trade: RecordedTrade) -> Iterator[str]:
     elif compiled and plain and compiled.seconds and plain.seconds:
         gain = plain.seconds - compiled.seconds
         yield (
-            f"On {headline(trade).name} the compiled kernels take {time_text(compiled.seconds)}, the same kernels in "
-            f"plain Python {time_text(plain.seconds)}: {factor_text(plain.seconds / compiled.seconds)} times as long."
+            f"On {headline(trade).name} the run inside takes {time_text(compiled.seconds)} compiled and "
+            f"{time_text(plain.seconds)} by Python: {factor_text(plain.seconds / compiled.seconds)} times as long."
         )
         prepared = max((one.prepare_seconds or 0.0) for one in trade.runs if one.contender == compiled.contender)
         if gain > 0:
@@ -51,13 +51,13 @@ def _compiled(trade: RecordedTrade) -> Iterator[str]:
 
 def _batch(trade: RecordedTrade) -> Iterator[str]:
     alone = sorted(_curve(trade, "batch", cores=1), key=lambda one: one.x)
-    objects = _run(trade, OBJECTS)
-    if not alone or objects is None or not objects.seconds:
+    call = _run(trade, READ)
+    if not alone or call is None or not call.seconds:
         return
     last = alone[-1]
-    pays = next((one.x for one in alone if _each(one) < objects.seconds), None)
+    pays = next((one.x for one in alone if _each(one) < call.seconds), None)
     start = "`solve_many` never undercuts" if pays is None else f"From {_scenes(pays)} on `solve_many` undercuts"
-    ratio = objects.seconds / _each(last)
+    ratio = call.seconds / _each(last)
     yield (
         f"{start} a loop over `solve(scene)`; with {_scenes(last.x)} it takes {time_text(_each(last))} a scene on one "
         f"core, right digits included, {factor_text(ratio)} times less than `solve(scene)`."

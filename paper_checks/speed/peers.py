@@ -31,8 +31,13 @@ def leading(trade: RecordedTrade) -> Iterator[Block]:
             f"{asked(trade, one.peer)} on {scene.name}: ours is {factor_text(ratio)} times as fast."
         )
     rows = tuple(_lead_row(trade, scene, one) for scene, one in closest.items())
-    head = ("scene", "closest peer", "its digits, time", "ours at least as right", "times as fast", "over all peers")
-    yield Table(head, rows, "Our lead at equal or better accuracy over the closest peer with the right events")
+    head = ("scene", "closest peer", "its digits, time", "our call", "times as fast", "run inside", "over all peers")
+    yield Table(
+        head,
+        rows,
+        "Our lead at equal or better accuracy over the closest peer with the right events: by what a user calls, and "
+        "how many times as fast the run inside is",
+    )
 
 
 def _least(item: tuple[RecordedScene, Lead]) -> float:
@@ -61,14 +66,15 @@ def _loss(trade: RecordedTrade, scene: RecordedScene, one: Lead) -> str:
 
 def _lead_row(trade: RecordedTrade, scene: RecordedScene, one: Lead | None) -> tuple[str, ...]:
     if one is None:
-        return scene.name, "none is right", "-", "-", "-", "-"
+        return scene.name, "none is right", "-", "-", "-", "-", "-"
     peer = f"{digits(one.peer.error)}, {time_text(one.peer.seconds)}"
     ratios = [lead.ratio for lead in trade.leads(scene) if lead.ratio is not None]
     factors = spread(factor_text(min(ratios)), factor_text(max(ratios))) if ratios else "-"
+    inside = "-" if one.ratio_inside is None else factor_text(one.ratio_inside)
     if one.ours is None or one.ratio is None:
-        return scene.name, asked(trade, one.peer), peer, "none", "-", factors
+        return scene.name, asked(trade, one.peer), peer, "none", "-", inside, factors
     ours = f"{asked(trade, one.ours)}: {time_text(one.ours.seconds)}"
-    return scene.name, asked(trade, one.peer), peer, ours, factor_text(one.ratio), factors
+    return scene.name, asked(trade, one.peer), peer, ours, factor_text(one.ratio), inside, factors
 
 
 def sequences(trade: RecordedTrade) -> Iterator[Block]:

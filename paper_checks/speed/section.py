@@ -20,6 +20,7 @@ from paper_checks.speed.misleading import forward_euler
 from paper_checks.speed.needs import float64_is_enough, needs, price_of_digits
 from paper_checks.speed.payoff import payoff
 from paper_checks.speed.peers import leading, sequences
+from paper_checks.speed.waiting import waiting
 
 ID, TITLE = "speed-and-accuracy", "Speed and accuracy"
 WORK_PRECISION, GROWTH = "work-precision", "growth-of-cost"
@@ -65,6 +66,8 @@ def advice(trade: RecordedTrade) -> Iterator[Block]:
     """Yield the page of advice."""
     yield Heading("Which arithmetic for which need")
     yield from needs(trade)
+    yield Heading("What a user waits for")
+    yield from waiting(trade)
     yield Heading("How far float64 goes")
     yield from float64_is_enough(trade)
     yield Heading("What a right digit costs")

@@ -3,7 +3,6 @@
 import csv
 import io
 import json
-import re
 import subprocess
 import sys
 from decimal import Decimal, localcontext
@@ -13,10 +12,7 @@ import numpy as np
 import pytest
 
 from numerics.__main__ import main
-from numerics.errors import OutOfRange
-from numerics.faces.flags import in_flags
 from numerics.scene import Pair, Scene, State
-from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.solver.truth import record
 from numerics.trajectory.comparison import SequenceDiffers
@@ -229,7 +225,10 @@ def test_the_real_process(tmp_path):
     assert (process.returncode, process.stdout, process.stderr.count("\n")) == (2, "", 1)
     with open("/dev/full", "w") as full:
         process = subprocess.run(
-            [sys.executable, "-m", "numerics", "solve", "start-at-6mm"], stdout=full, stderr=subprocess.PIPE, check=False
+            [sys.executable, "-m", "numerics", "solve", "start-at-6mm"],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            check=False,
         )
     assert process.returncode == 1
     assert process.stderr.count(b"\n") == 1
@@ -239,105 +238,3 @@ def test_help_imports_nothing_heavy():
     code = "import sys, numerics.__main__ as m; m.parser().format_help(); print(*sys.modules)"
     loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert not {"sympy", "numpy", "flint", "mpmath", "matplotlib", "theory"} & set(loaded)
-
-
-# what a terminal shows, and in whose words
-
-
-def on_a_terminal(capsys, monkeypatch, *arguments) -> str:
-    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
-    return run(capsys, *arguments)[1]
-
-
-def test_a_terminal_sees_the_first_and_the_last_events_and_how_to_get_all(capsys, monkeypatch, scene_file):
-    scene_file.write_text(SCENE.replace("until = 2", "until = 50"))
-    how = ("solve", scene_file, "--arithmetic", "float64")
-    short = on_a_terminal(capsys, monkeypatch, *how)
-    whole = on_a_terminal(capsys, monkeypatch, *how, "--all")
-    events = [line.split() for line in whole.splitlines() if " to " in line]
-    shown = [line.split() for line in short.splitlines() if " to " in line]
-    assert shown == events[:20] + events[-20:]
-    assert f"... {len(events) - 40} events more; --all prints them too" in short.splitlines()
-    assert "--all" not in whole
-
-
-@pytest.mark.parametrize(("until", "cut"), [("5", False), ("50", True)])
-def test_what_is_piped_is_whole(capsys, monkeypatch, tmp_path, until, cut):
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE.replace("until = 2", f"until = {until}"))
-    piped = run(capsys, "solve", path, "--arithmetic", "float64")[1]
-    assert "--all" not in piped
-    shown = on_a_terminal(capsys, monkeypatch, "solve", path, "--arithmetic", "float64")
-    assert ("--all" in shown) == cut
-    assert len(shown.splitlines()) < 60
-    assert (shown.split() == piped.split()) != cut
-    count = len(solve(Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=until)).events)
-    for form in ("--json", "--csv"):
-        out = on_a_terminal(capsys, monkeypatch, "solve", path, "--arithmetic", "float64", form)
-        assert (len(json.loads(out)["events"]) if form == "--json" else len(out.splitlines()) - 2) == count
-
-
-@pytest.mark.parametrize(
-    ("python", "flags"),
-    [
-        ('use arithmetic="ball"', "use --arithmetic ball"),
-        ("raise max_events", "raise --max-events"),
-        ("raise max_digits, or", "raise --max-digits, or"),
-        ("raise max_steps", "raise --max-steps"),
-        ("use solve(scene, digits=...)", "use --digits N"),
-        ('solve(scene, arithmetic="ball", digits=40)', "--arithmetic ball, --digits 40"),
-        ("m1 = 0 must be > 0", "m1 = 0 must be > 0"),
-        ("the working digits = 3", "the working digits = 3"),
-    ],
-)
-def test_the_command_line_speaks_of_flags(python, flags):
-    assert in_flags(python) == flags
-
-
-PYTHON = re.compile(r"max_\w+|arithmetic=|digits=|solve\(")
-
-
-@pytest.mark.parametrize(
-    ("flag", "arguments"),
-    [
-        ("--max-digits", ("solve", "velocities", "--digits", 500, "--max-digits", 100)),
-        ("--max-events", ("solve", "velocities", "--max-events", 2)),
-        ("--max-digits", ("energy", "start-with-speed", "--at", "1e50", "--digits", 200, "--max-digits", 100)),
-        ("--max-steps", ("energy", "start-with-speed", "--at", "1e50", "--max-steps", 3)),
-    ],
-)
-def test_a_refusal_names_the_flag_that_helps(capsys, flag, arguments):
-    code, _, err = run(capsys, *arguments)
-    assert code == 1
-    assert flag in err
-    assert not PYTHON.search(err)
-
-
-def test_a_scene_beyond_float64_is_sent_to_the_flag(capsys, tmp_path):
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE.replace("m1 = 1", "m1 = 1e400"))
-    code, _, err = run(capsys, "solve", path, "--arithmetic", "float64")
-    assert (code, "--arithmetic ball" in err, PYTHON.search(err)) == (1, True, None)
-    with pytest.raises(OutOfRange, match='arithmetic="ball"'):
-        solve(load_scene(str(path)))
-
-
-def test_a_ratio_is_a_number_on_the_command_line_and_in_a_file(capsys, scene_file):
-    scene_file.write_text(SCENE.replace("v1 = 0.15", 'v1 = "3/20"').replace("until = 2", 'until = "4/2"'))
-    ratio = run(capsys, "solve", scene_file)
-    scene_file.write_text(SCENE)
-    assert ratio == run(capsys, "solve", scene_file)
-    assert run(capsys, "energy", scene_file, "--at", "10/3")[0] == 0
-
-
-def test_a_figure_or_a_file_in_no_folder_is_refused_before_anything_is_computed(capsys, tmp_path):
-    for arguments in (
-        ("solve", "start-at-6mm", "--plot", tmp_path / "no" / "a.svg"),
-        ("solve", "start-at-6mm", "--npz", tmp_path / "no" / "a.npz"),
-        ("solve", "start-at-6mm", "--plot", tmp_path / "a.gif"),
-        ("map", "--out", tmp_path / "a.gif"),
-        ("map", "--resume", tmp_path / "no" / "a"),
-        ("trade", "--out", tmp_path / "a.gif"),
-    ):
-        code, out, err = run(capsys, *arguments)
-        assert (code, out, len(err.splitlines())) == (2, "", 1)

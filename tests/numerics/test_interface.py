@@ -1,4 +1,4 @@
-"""What a user meets: one place to import from, short texts, equality, pickles, tables, pictures, kinds of numbers."""
+"""What a user meets: one place to import from, short texts, equality, pickles, tables, kinds of numbers."""
 
 import copy
 import pickle
@@ -7,7 +7,6 @@ import sys
 from decimal import Decimal
 from fractions import Fraction
 
-import matplotlib as mpl
 import numpy as np
 import pytest
 
@@ -16,10 +15,7 @@ from numerics import Pair, Scene, Solver, State, sensitivities, solve, solve_man
 from numerics.errors import InvalidScene, MissingTool
 from numerics.motion.modes import Mode
 from numerics.scene.file import parse_scene
-from numerics.trajectory.figures import sampled
 from numerics.trajectory.status import Status
-
-mpl.use("Agg")
 
 PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 DAMPED = Scene(Pair(1, 1, 200, "0.5", a1=4), State(v1="0.45"), until=3)
@@ -192,47 +188,6 @@ def test_without_pandas_the_missing_tool_is_named(monkeypatch):
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(MissingTool, match="pandas"):
         solve(PAPER).to_dataframe()
-
-
-# pictures
-
-
-@pytest.mark.parametrize("kind", ["velocities", "positions", "phase", "excess", "energy"])
-@pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK])
-def test_every_picture_has_a_title_units_and_shaded_sticking(scene, kind):
-    from matplotlib import pyplot as plt
-
-    ax = solve(scene).plot(kind=kind)
-    assert ax.get_title()
-    assert ("(" in ax.get_xlabel() + ax.get_ylabel()) or kind == "excess"
-    labels = ax.get_legend_handles_labels()[1]
-    assert ("$S_0$" if kind == "phase" else "stick") in labels
-    assert len(ax.collections) >= 1
-    again = solve(scene).plot(kind, ax)
-    assert again is ax
-    plt.close("all")
-
-
-def test_a_picture_of_no_kind_is_refused():
-    with pytest.raises(ValueError, match="velocities, positions, phase, excess, energy"):
-        solve(PAPER).plot("speed")
-
-
-@pytest.mark.parametrize("how", HOW)
-@pytest.mark.parametrize("scene", [PAPER, DAMPED])
-def test_what_is_drawn_is_the_trajectory(scene, how):
-    if scene is DAMPED and how.get("arithmetic") == "double-double":
-        return
-    run = solve(scene, **how)
-    curve, number = sampled(run), run.arithmetic.to_float
-    assert np.all(np.diff(curve.t) >= -1e-12)
-    assert set(curve.segment) == set(range(len(run.segments)))
-    for at in range(0, len(curve.t), 37):
-        state = run.sol(min(float(curve.t[at]), number(run.end_time)))
-        assert curve.y[:, at] == pytest.approx([number(one) for one in state], abs=1e-12)
-    unit = float(scene.pair.critical_energy)
-    total = unit * (1 + curve.w) + curve.lost.sum(axis=0)
-    assert total == pytest.approx(np.full(len(total), float(scene.energy)), rel=1e-9)
 
 
 # numbers of any kind

@@ -7,10 +7,11 @@ import math
 import re
 
 import pytest
-from planted_trades import COMPILED, growth, our_runs, planted, record, run
+from planted_trades import COMPILED, READ, growth, our_runs, planted, record, run
 
 from numerics.trade.figure import draw_growth, draw_trade
 from numerics.trade.front import best_front
+from numerics.trade.interface import Wait
 from numerics.trade.plan import trade
 from numerics.trade.recorded import SHIPPED, UnreadableTrade, recorded
 from numerics.trade.table import as_record
@@ -54,10 +55,11 @@ def test_an_error_that_is_no_number_and_a_run_without_end_are_kept_apart(tmp_pat
 
 def test_only_right_peers_can_lead_or_be_led(tmp_path):
     wrong = run("Wrong", "velocities", 1e-9, -30.0, right=False, difference="1 event, not 24")
-    right = run("Right", "velocities", 8e-6, -3.0)
+    right = run("Right", "velocities", 1e-3, -3.0)
     found = planted(tmp_path, wrong, right)
     (lead,) = found.leads(found.scenes[0])
-    assert (lead.peer.contender, lead.ours.contender, lead.ratio) == ("Right", COMPILED, 2.0)
+    assert (lead.peer.contender, lead.ours.contender, lead.ratio) == ("Right", READ, 2.0)
+    assert (lead.inside.contender, round(lead.ratio_inside)) == (COMPILED, 250)
 
 
 @pytest.mark.parametrize(
@@ -86,6 +88,14 @@ def test_a_missing_or_binary_file_is_named(tmp_path):
     (tmp_path / "binary.json").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(UnreadableTrade, match="it is no text"):
         recorded(tmp_path / "binary.json")
+
+
+def test_what_a_user_waits_for_comes_back_and_an_older_record_has_none(tmp_path):
+    waits = [Wait("solve(scene)", 2e-5, "the run inside", 4.0, 6.0), Wait("solve_many, one scene", 2e-4, most=6e-5)]
+    back = planted(tmp_path, interface=[one.as_record() for one in waits]).interface
+    assert list(back) == waits
+    assert [one.kept for one in back] == [True, False]
+    assert planted(tmp_path).interface == ()
 
 
 def test_growth_knows_only_its_own_fields(tmp_path):

@@ -23,12 +23,13 @@ from numerics.trade import front, reference, scenes
 from numerics.trade.child import Child
 from numerics.trade.clock import median_time
 from numerics.trade.comparisons.heyoka_tuned import TunedHeyokaPeer
-from numerics.trade.comparisons.peer import PeerRun
+from numerics.trade.comparisons.peer import PeerRun, Unsupported
 from numerics.trade.contender import all_contenders, labelled, peer_outcome
 from numerics.trade.front import Point
+from numerics.trade.interface import Wait, in_turns
 from numerics.trade.judge import judge
 from numerics.trade.measure import SOURCE, Limits, References, Status, measure, run
-from numerics.trade.ours import Digits, FloatTrajectory, solved_outcome
+from numerics.trade.ours import BALL, COMPILED, MANY, MPMATH, READ, Ours, our_contenders, solved
 from numerics.trade.outcome import Outcome, float_text
 from numerics.trade.plan import SIZES, NoSuchContender, selected, settings, trade
 from numerics.trade.table import as_record, print_trade
@@ -40,17 +41,21 @@ SCENE = scenes.Benchmark("headline", "", load_scene(scenes.HEADLINE))
 
 PLANTED = """
 import os, time
-from numerics.trade.ours import FloatTrajectory
+from numerics.trade.ours import BALL, our_contenders
 
-class Planted(FloatTrajectory):
-    ours = False
-    settings = (1.0, 2.0)
+class Planted:
+    ours, use, knob, settings = False, "", "bits", (1.0, 2.0)
+    good = next(one for one in our_contenders() if one.label == BALL)
     def __init__(self, label, call):
         self.label = self.name = label
         self.call = call
+    def missing(self):
+        return None
     def prepare(self, scene, setting):
-        good = super().prepare(scene, setting)
+        good = self.good.prepare(scene, 20.0)
         return lambda: self.call(good)
+    def outcome(self, run):
+        return self.good.outcome(run)
 
 def hang(good):
     time.sleep(600)
@@ -75,6 +80,18 @@ def unloved():
 """
 
 
+def ours(label: str) -> Ours:
+    return next(one for one in our_contenders() if one.label == label)
+
+
+def floats_of(scene: Scene) -> Outcome:
+    return ours(READ).outcome(solved(None)(scene, 53.0)())
+
+
+def balls_of(scene: Scene, digits: int) -> Outcome:
+    return ours(BALL).outcome(solved("ball")(scene, float(digits))())
+
+
 @pytest.fixture
 def planted(tmp_path, monkeypatch):
     (tmp_path / "planted_contenders.py").write_text(PLANTED, "utf-8")
@@ -89,13 +106,12 @@ def planted(tmp_path, monkeypatch):
 
 @pytest.fixture(scope="module")
 def proved() -> Outcome:
-    ball = reference.ReferenceBall()
-    return ball.outcome(ball.prepare(SCENE.scene, 40.0)())
+    return reference.proved(SCENE.scene)
 
 
 @pytest.fixture(scope="module")
 def floats() -> Outcome:
-    return solved_outcome(FloatTrajectory().prepare(SCENE.scene, 53.0)())
+    return floats_of(SCENE.scene)
 
 
 class TestJudge:
@@ -126,7 +142,7 @@ class TestJudge:
     def test_errors_are_those_that_were_planted(self, proved):
         pair = SCENE.scene.pair
         L, Omega = pair.half_width, 10
-        exact = solved_outcome(Digits("ball").prepare(SCENE.scene, 40.0)())
+        exact = balls_of(SCENE.scene, 40)
         assert judge(exact, proved, 40, SCENE.scene).error < -40
         x1, v1, x2, v2 = (Fraction(text) for text in exact.final)
         moved = [x1 + L / 1000, v1, x2, v2 - 2 * L * Omega / 100]
@@ -139,9 +155,7 @@ class TestJudge:
         assert judge(replace(exact, last_event=_decimal(late)), proved, 40, SCENE.scene).error == pytest.approx(-7)
 
     def test_errors_far_below_the_range_of_a_float_are_numbers(self):
-        ball = reference.ReferenceBall()
-        proved = ball.outcome(ball.prepare(SCENE.scene, 530.0)())
-        found = judge(solved_outcome(Digits("ball").prepare(SCENE.scene, 500.0)()), proved, 530, SCENE.scene)
+        found = judge(balls_of(SCENE.scene, 500), reference.proved(SCENE.scene, 530), 530, SCENE.scene)
         assert -530 < found.error < -500
 
     def test_no_number_is_an_infinite_error_and_nothing_to_compare_is_none(self, floats, proved):
@@ -150,10 +164,7 @@ class TestJudge:
         assert (found.state, found.last_event, found.error) == (math.inf, math.inf, math.inf)
         assert json.dumps(found.as_record(), allow_nan=False)
         rest = Scene(Pair(1, 1, 200, "0.5"), State(x1="0.001"), until=1)
-        ball = reference.ReferenceBall()
-        still = judge(
-            solved_outcome(FloatTrajectory().prepare(rest, 53.0)()), ball.outcome(ball.prepare(rest, 40.0)()), 40, rest
-        )
+        still = judge(floats_of(rest), reference.proved(rest), 40, rest)
         assert still.right
         assert still.last_event is None
         assert still.energy is None
@@ -169,8 +180,7 @@ class TestPeers:
         if peer.missing():
             pytest.skip(peer.missing())
         digits = max(60, reference.digits_for(peer.knob, setting))
-        ball = reference.ReferenceBall()
-        proved = ball.outcome(ball.prepare(SCENE.scene, float(digits))())
+        proved = reference.proved(SCENE.scene, digits)
         run = peer.prepare(SCENE.scene, setting)()
         assert judge(peer_outcome(run), proved, digits, SCENE.scene).error < error
         floored = judge(peer_outcome(replace(run, texts=None)), proved, digits, SCENE.scene)
@@ -288,6 +298,55 @@ def _request(name: str, source: str) -> dict[str, object]:
     return {"source": source, "contender": name, "scene": scene, "setting": 1.0, "budget": 0}
 
 
+class TestOurs:
+    @pytest.mark.parametrize("label", [one.label for one in our_contenders() if one.knob == "bits"])
+    @pytest.mark.parametrize("scene", [SCENE, scenes.near_critical("0.00158", "1e-3")], ids=["headline", "on its ray"])
+    def test_every_call_gives_the_same_answer(self, label, scene):
+        one = ours(label)
+        if one.missing():
+            pytest.skip(one.missing())
+        run = one.prepare(scene.scene, 53.0)()
+        found = judge(one.outcome(run), reference.proved(scene.scene), 40, scene.scene)
+        assert found.right
+        assert found.error < -12
+
+    def test_a_batch_of_binary_numbers_is_no_near_critical_scene(self):
+        with pytest.raises(Unsupported, match="no binary numbers"):
+            ours(MANY).make(scenes.near_critical("5e-8", "1e-12").scene, 53.0)
+
+    def test_what_runs_inside_leads_nobody(self):
+        slow, quick = Point(READ, True, 53, 1.0, -10, True), Point(COMPILED, True, 53, 0.1, -10, True)
+        (lead,) = front.leads([slow, quick, Point("peer", False, 1, 2.0, -9, True)])
+        assert (lead.ratio, lead.ratio_inside) == (2.0, 20.0)
+
+
+class TestInterface:
+    def test_calls_are_timed_in_turn_and_held_against_what_is_asked(self):
+        order = []
+        took = in_turns({"a": lambda: order.append("a"), "b": lambda: (order.append("b"), time.sleep(0.003))}, 0.01)
+        assert took["b"] > 0.002 > took["a"] > 0
+        assert "".join(order).count("ab") > 2
+        assert [Wait("x", 1.0, most=most).kept for most in (None, 0.5, 2.0)] == [None, False, True]
+        assert Wait("x", 1.0, "y", 3.0, 2.0).kept is False
+
+    def test_the_command_prints_what_the_issue_names(self, monkeypatch, capsys):
+        monkeypatch.setattr("numerics.trade.interface._PEERS", {})
+        monkeypatch.setattr("numerics.trade.interface.first_compilation", lambda: 1.0)
+        assert main(["trade", "--interface", "--json"]) == 0
+        calls = {one["call"]: one for one in json.loads(capsys.readouterr().out)}
+        for name in ("the run inside", "solve(scene)", "solver(state, until)", "solve_many, one scene"):
+            assert calls[name]["seconds"] > 0
+        assert calls["solve(scene)"]["most"] == 6
+
+
+class TestTime:
+    def test_when_the_time_of_a_size_is_up_nothing_more_is_begun(self, planted, monkeypatch):
+        monkeypatch.setitem(SIZES, "small", replace(SIZES["small"], whole=0.0))
+        found = trade("small", ["b05"], contenders=[planted["hang"]], source=TestChild.SOURCE)
+        assert {one.ran.status for one in found.measurements} == {Status.NOT_TRIED}
+        assert "time for this size was up" in found.measurements[0].ran.note
+
+
 class TestScenes:
     def test_a_scene_crosses_processes_exactly(self):
         for one in [*scenes.benchmarks(10), scenes.of_mass_ratio(Fraction(1, 10**12))]:
@@ -298,29 +357,29 @@ class TestScenes:
     def test_near_critical_scenes_have_the_excess_of_their_name(self, speed, excess):
         scene = scenes.near_critical(speed, excess).scene
         assert float(scene.energy_excess) == pytest.approx(float(excess), rel=2e-3)
-        kinds = solved_outcome(FloatTrajectory().prepare(scene, 53.0)()).kinds
+        kinds = floats_of(scene).kinds
         assert kinds == "nx" * scenes.EXCURSIONS + "n"
 
     def test_no_event_falls_on_a_horizon(self):
         for one in scenes.benchmarks(20):
-            times = solved_outcome(FloatTrajectory().prepare(one.scene, 53.0)()).times
+            times = floats_of(one.scene).times
             assert float(one.scene.until) - times[-1] > 1e-6
 
 
 class TestPlan:
     def test_only_selects_contenders_and_scenes(self):
-        everyone, some = [FloatTrajectory(), Digits("ball"), Digits("mpmath")], scenes.benchmarks(5)
+        everyone, some = [ours(READ), ours(BALL), ours(MPMATH)], scenes.benchmarks(5)
         kept, all_scenes = selected(everyone, some, ["BALL"])
         assert [one.label for one in kept] == ["ball"]
         assert all_scenes == some
-        kept, few = selected(everyone, some, ["long", "float"])
-        assert [one.label for one in kept] == ["float64, Trajectory"]
+        kept, few = selected(everyone, some, ["long", "solve"])
+        assert [one.label for one in kept] == [READ]
         assert [one.name for one in few] == ["long-5"]
         with pytest.raises(NoSuchContender, match="'wrong' fits no contender"):
             selected(everyone, some, ["wrong"])
 
     def test_sizes_go_further_and_further(self):
-        most = [settings(Digits("ball"), SIZES[name])[-1] for name in ("small", "default", "large")]
+        most = [settings(ours(BALL), SIZES[name])[-1] for name in ("small", "default", "large")]
         assert most == [100, 10_000, 10_000]
 
     def test_two_uses_of_one_tool_are_told_apart(self):
@@ -348,24 +407,22 @@ class TestPlan:
 
 class TestCommand:
     def test_small_runs_end_to_end_and_names_what_is_missing(self, monkeypatch, capsys, tmp_path):
-        class Absent(FloatTrajectory):
+        class Absent(Ours):
             ours = False
-            label = name = "absent tool"
 
             def missing(self):
                 return "a package that nobody has"
 
-        everyone = [FloatTrajectory(), Digits("ball"), Absent()]
+        everyone = [ours(READ), ours(BALL), Absent("absent tool", solved(None))]
         monkeypatch.setattr("numerics.trade.plan.all_contenders", lambda: everyone)
         figure = tmp_path / "trade.png"
         assert (
-            main(["trade", "--size", "small", "--only", "float64", "absent", "b05", "--json", "--out", str(figure)])
-            == 0
+            main(["trade", "--size", "small", "--only", "solve", "absent", "b05", "--json", "--out", str(figure)]) == 0
         )
         record = json.loads(capsys.readouterr().out)
         assert record["left_out"] == [{"contender": "absent tool", "missing": "a package that nobody has"}]
         (row,) = record["runs"]
-        assert row["contender"] == "float64, Trajectory"
+        assert row["contender"] == READ
         assert row["right"]
         assert row["log10_error"] < -13
         assert row["seconds"] > 0

@@ -6,15 +6,16 @@ import re
 from dataclasses import replace
 
 import pytest
-from planted_trades import COMPILED, OBJECTS, PLAIN, SCENES, our_runs, planted, run
+from planted_trades import COMPILED, PLAIN, READ, SCENES, our_runs, planted, run
 
 from numerics.scene.file import load_scene
 from numerics.trade import euler
 from numerics.trade.comparisons.euler_peer import read
 from numerics.trade.comparisons.forward_euler import forward_euler
 from numerics.trade.comparisons.switching import SwitchedPair
-from numerics.trade.double_kernels import DOUBLE_COMPILED
 from numerics.trade.euler import EulerFigure, EulerOutcome, StickEnergy
+from numerics.trade.interface import Wait
+from numerics.trade.ours import TWELVE
 from paper_checks.report import blocks
 from paper_checks.report.blocks import Heading, Paragraph, Picture, Points, Section, Table
 from paper_checks.speed import euler_figures, in_short, misleading, needs, payoff, peers, section
@@ -35,25 +36,24 @@ class TestNeeds:
         rows = needs.choices(plain_trade)
         assert [need for need, _ in rows] == [14, 20, 100]
         names = [[choice.name for choice in row.values()] for _, row in rows]
-        assert names == [[COMPILED] * 2, ["ball, 10 digits"] * 2, ["ball, 100 digits"] * 2]
+        assert names == [[READ] * 2, ["ball, 10 digits"] * 2, ["ball, 100 digits"] * 2]
 
     def test_a_method_that_is_wrong_on_one_scene_is_not_chosen_for_its_kind(self, tmp_path):
-        runs = [one for one in our_runs() if (one["contender"], one["scene"]) != (COMPILED, SCENES[0])]
-        wrong = run(COMPILED, SCENES[0], 4e-6, -14.5, right=False, difference="1 event, not 2")
+        runs = [one for one in our_runs() if (one["contender"], one["scene"]) != (READ, SCENES[0])]
+        wrong = run(READ, SCENES[0], 5e-4, -14.5, right=False, difference="1 event, not 2")
         rows = needs.choices(planted(tmp_path, wrong, runs=runs))
-        assert [choice.name for choice in rows[0][1].values()] == [PLAIN, COMPILED]
+        assert [choice.name for choice in rows[0][1].values()] == ["ball, 10 digits", READ]
 
-    def test_without_numba_plain_python_is_chosen_and_the_gap_is_named(self, tmp_path):
+    def test_without_numba_the_gap_is_named(self, tmp_path):
         left_out = [{"contender": COMPILED, "missing": "numba"}]
         trade = planted(tmp_path, runs=our_runs(compiled=False), left_out=left_out)
-        assert {choice.name for choice in needs.choices(trade)[0][1].values()} == {PLAIN}
         assert "The compiled path was not measured: it needs numba." in said(payoff.payoff(trade))
         assert f"Left out, as not installed: {COMPILED} (needs numba)." in said(section.provenance(trade))
 
     def test_a_contender_that_did_not_exist_before_takes_its_place(self, tmp_path):
-        more = [run(DOUBLE_COMPILED, scene, 4e-5, -28.5) for scene in SCENES]
+        more = [run(TWELVE, scene, 6e-4, -28.5) for scene in SCENES]
         names = {choice.name for choice in needs.choices(planted(tmp_path, *more))[1][1].values()}
-        assert names == {DOUBLE_COMPILED}
+        assert names == {TWELVE}
 
     def test_mpmath_is_compared_at_the_same_digits(self, plain_trade):
         assert "at 10 digits it takes 10 times as long" in said(needs.needs(plain_trade))
@@ -102,11 +102,11 @@ class TestPayoff:
 
 class TestPeers:
     def test_a_lead_is_told_with_its_closest_peer(self, tmp_path):
-        slow, close = (run("Slow", "velocities", 1.0, -5.0), run("Close", "velocities", 8e-6, -3.0))
+        slow, close = (run("Slow", "velocities", 1.0, -5.0), run("Close", "velocities", 1e-3, -3.0))
         text = said(peers.leading(planted(tmp_path, slow, close)))
         assert "No peer with the right events beats ours at equal or better accuracy on any scene." in text
         assert "Close on velocities: ours is 2 times as fast." in text
-        assert "2 to 250,000" in text
+        assert "| 2 | 250 | 2 to 2,000 |" in text
 
     def test_a_peer_that_wins_is_said_to(self, tmp_path):
         winner = run("Winner", "velocities", 1e-3, -16.0)
@@ -139,9 +139,9 @@ class TestPeers:
         assert "Ours have the right event sequence in all 18 runs." in text
 
     def test_a_wrong_sequence_of_ours_is_confessed(self, tmp_path):
-        wrong = run(OBJECTS, "velocities", 1e-3, -1.0, setting=1.0, right=False, difference="23 events, not 24")
+        wrong = run(READ, "velocities", 1e-3, -1.0, setting=1.0, right=False, difference="23 events, not 24")
         text = said(peers.sequences(planted(tmp_path, wrong)))
-        assert f"Ours are wrong in 1 run of 19: {OBJECTS} on velocities (23 events, not 24)." in text
+        assert f"Ours are wrong in 1 run of 19: {READ} on velocities (23 events, not 24)." in text
 
 
 class TestForwardEuler:
@@ -182,13 +182,24 @@ class TestInShort:
 
     def test_it_names_the_arithmetics_in_their_order(self, plain_trade):
         text = self.short(plain_trade)
-        assert f"on relative-motion-b05: {COMPILED} up to 14 (4 µs) and ball up to 100 (3 ms)." in text
+        assert f"on relative-motion-b05: {READ} up to 14 (500 µs) and ball up to 100 (3 ms)." in text
         assert "peer" not in text
+
+    def test_it_says_what_a_user_waits_for_and_what_runs_inside(self, tmp_path, plain_trade):
+        assert "on relative-motion-b05: with times, states and itinerary read 500 µs; the run inside takes 4 µs." in (
+            self.short(plain_trade)
+        )
+        waits = [Wait("the run inside", 5e-6), Wait("solve(scene)", 2e-5, "the run inside", 4.0, 6.0)]
+        trade = planted(tmp_path, interface=[one.as_record() for one in waits])
+        assert "`solve(scene)` takes 20 µs, with times, states and itinerary read 500 µs;" in self.short(trade)
+        assert "| `solve(scene)` | 20 µs | 4 times the run inside | at most 6 times: kept |" in said(
+            section.waiting(trade)
+        )
 
     def test_a_lead_counts_only_scenes_where_nobody_beats_ours(self, tmp_path):
         winner, loser = run("A", "velocities", 1e-3, -16.0), run("B", "relative-motion-b05", 1e-3, -12.0)
         text = self.short(planted(tmp_path, winner, loser))
-        assert "by a factor of at least 250, on 1 of 2 scenes" in text
+        assert "by a factor of at least 2, on 1 of 2 scenes" in text
         assert "Some peer beats ours on velocities" in text
 
     def test_a_peer_that_is_wrong_or_stopped_once_is_not_always_right(self, tmp_path):
@@ -218,7 +229,7 @@ class TestSection:
 
     def test_every_part_has_its_heading_and_every_figure_is_drawn(self, whole, plain_trade):
         headings = [one.text for one in whole.blocks if isinstance(one, Heading)]
-        assert len(headings) == len(set(headings)) == 9
+        assert len(headings) == len(set(headings)) == 10
         assert set(whole.pictures) == set(section.figures(plain_trade))
         for draw in section.figures(plain_trade).values():
             assert draw().axes
