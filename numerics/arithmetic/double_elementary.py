@@ -168,9 +168,3 @@ def depth_and_cotangent(x: Double) -> tuple[Double, Double]:
         cotangent = divide(cosine, sine)
         return subtract(Double(2.0, 0.0), product(x, cotangent)), cotangent
     return depth, divide(subtract(Double(2.0, 0.0), depth), x)
-
-
-def rise_of(x: Double, depth: Double) -> Double:
-    """Return h = c' = ((x^2 + c^2)/2 - c)/x, the Riccati equation of the depth c; in it at most 1 bit cancels."""
-    squares = add(product(x, x), product(depth, depth))
-    return divide(subtract(scaled(squares, 0.5), depth), x)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
 from numpy.typing import NDArray
@@ -14,36 +12,14 @@ Gradient = NDArray[Any] | None
 """Partial derivatives, shape (n,); None stands for zeros."""
 
 
-class Recording:
-    """Whether operations compute gradients; off while a search needs values only. One for all, like precisions."""
-
-    on = True
-
-
-@contextmanager
-def values_only() -> Iterator[None]:
-    """Compute no gradients in this block."""
-    before, Recording.on = Recording.on, False
-    try:
-        yield
-    finally:
-        Recording.on = before
-
-
 def weighted_sum(*terms: tuple[Gradient, Number]) -> Gradient:
     """Return the sum of gradient times factor."""
     total: Gradient = None
-    if Recording.on:
-        for gradient, factor in terms:
-            if gradient is not None:
-                # the array comes first: flint and mpmath do not know how to multiply by one
-                total = gradient * factor if total is None else total + gradient * factor
+    for gradient, factor in terms:
+        if gradient is not None:
+            # the array comes first: flint and mpmath do not know how to multiply by one
+            total = gradient * factor if total is None else total + gradient * factor
     return total
-
-
-def kept(gradient: Gradient) -> Gradient:
-    """Return the gradient, None while values only are computed."""
-    return gradient if Recording.on else None
 
 
 class DualNumber:
@@ -73,8 +49,8 @@ class DualNumber:
     def __add__(self, other: Any) -> DualNumber:
         """Return the sum."""
         if not isinstance(other, DualNumber):
-            return DualNumber(self.value + other, kept(self.gradient))
-        one, two = kept(self.gradient), kept(other.gradient)
+            return DualNumber(self.value + other, self.gradient)
+        one, two = self.gradient, other.gradient
         return DualNumber(self.value + other.value, two if one is None else one if two is None else one + two)
 
     __radd__ = __add__
@@ -82,8 +58,8 @@ class DualNumber:
     def __sub__(self, other: Any) -> DualNumber:
         """Return the difference."""
         if not isinstance(other, DualNumber):
-            return DualNumber(self.value - other, kept(self.gradient))
-        one, two = kept(self.gradient), kept(other.gradient)
+            return DualNumber(self.value - other, self.gradient)
+        one, two = self.gradient, other.gradient
         gradient = one if two is None else -two if one is None else one - two
         return DualNumber(self.value - other.value, gradient)
 
@@ -105,7 +81,7 @@ class DualNumber:
     def __truediv__(self, other: Any) -> DualNumber:
         """Return the quotient."""
         if not isinstance(other, DualNumber):
-            gradient = kept(self.gradient)
+            gradient = self.gradient
             return DualNumber(self.value / other, None if gradient is None else gradient / other)
         value = self.value / other.value
         gradient = weighted_sum((self.gradient, 1), (other.gradient, -value))

@@ -36,12 +36,6 @@ def gone(errors: Errors) -> Errors:  # noqa: ARG001
 
 
 @text
-def lateness(errors: Errors) -> float:
-    """Return the error of the time at which a motion starts; infinite where the sequence is uncertain."""
-    return errors.late
-
-
-@text
 def when_stuck(pair: Pair, start: Start, errors: Errors) -> Errors:
     """Return the errors of a last stick phase, lost where it may end."""
     return errors if stays(pair, start, errors) else lost()

@@ -60,12 +60,6 @@ def gone(carried: Carried) -> Carried:
 
 
 @text
-def lateness(carried: Carried) -> float:
-    """Return the error of the time at which a motion starts; infinite where the sequence is uncertain."""
-    return carried.errors.late
-
-
-@text
 def when_stuck(pair: Pair, start: Start, carried: Carried) -> Carried:  # noqa: ARG001
     """Return the errors of a last stick phase: w <= 0 by more than its error was decided when it began."""
     return carried
