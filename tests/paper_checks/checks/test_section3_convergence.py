@@ -57,6 +57,7 @@ CAPTURE = "paper_checks.steps.capture."
 DISSIPATION = "paper_checks.steps.dissipation."
 SOLUTIONS = "paper_checks.steps.solutions."
 EXCURSIONS = "paper_checks.steps.excursions."
+CREEPING = "paper_checks.steps.creeping."
 TURNED = "paper_checks.steps.turned_back."
 
 
@@ -155,12 +156,12 @@ STEP_FAULTS = [
     ("slower-than-exponential", NEAR + "cycle_limit", doubled),
     ("slower-than-exponential", NEAR + "cycle_limit", squared),
     ("slower-than-exponential", EXCURSIONS + "return_map_slope_residual", plus(q)),
-    ("rate-one-over-t", NEAR + "inverse_step", doubled),
-    ("rate-one-over-t", NEAR + "quadratic_coefficient", negated),
-    ("rate-one-over-t", NEAR + "cycle_limit", doubled),
-    ("rate-one-over-t", NEAR + "rate_constant", squared),
-    ("rate-one-over-t", NEAR + "printed_rate_constant", halved),
-    ("rate-one-over-t", NEAR + "critical_energy", doubled),
+    ("rate-one-over-t", CREEPING + "inverse_step", doubled),
+    ("rate-one-over-t", CREEPING + "quadratic_coefficient", negated),
+    ("rate-one-over-t", CREEPING + "cycle_limit", doubled),
+    ("rate-one-over-t", CREEPING + "rate_constant", squared),
+    ("rate-one-over-t", CREEPING + "printed_rate_constant", halved),
+    ("rate-one-over-t", CREEPING + "critical_energy", doubled),
     ("rate-one-over-t", NEAR + "sp", misread("Le", "Ge", 0)),
     ("rate-one-over-t", NEAR + "sp", misread("Eq", "Ge", 0)),
     ("rate-one-over-t", NEAR + "enclosed_rate", lambda run: lambda q, w, n, tolerance: run(q, w, n // 100, tolerance)),
