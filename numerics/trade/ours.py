@@ -182,6 +182,7 @@ def batch_share(scene: Scene, setting: float) -> Call:  # noqa: ARG001
     """Return a call of `solve_many` for many copies of a scene, timed by the copy. Raises Unsupported."""
     events = len(solve(scene, max_events=MOST_EVENTS).record)
     size = max(1, min(_BATCH, _BATCH_EVENTS // (events + 1)))
+    batch_call(scene, 1, 1)()  # brings up compiled code
     batch = batch_call(scene, size, 1, events)
 
     def call() -> Left:
