@@ -96,7 +96,7 @@ def event_of(trajectory: Any, index: int) -> Event:
     """Return an event of a trajectory."""
     before, after = (MODES[sign] for sign in trajectory.signs[index : index + 2])
     X, V, Z, w = (trajectory.record.number(index, name) for name in ("X", "V", "Z", "w"))
-    t, *y = trajectory.event_times[index], *trajectory.event_states[:, index]
+    t, y = trajectory.event_times[index], tuple(trajectory.event_states[:, index])
     if trajectory.arithmetic.name == "float64":
-        t, *y = map(float, (t, *y))
-    return Event(t, event_kind(before, after), before, after, tuple(y), ReducedState(X, V, V, Z, w))  # type: ignore[arg-type]
+        t, y = float(t), tuple(map(float, y))
+    return Event(t, event_kind(before, after), before, after, y, ReducedState(X, V, V, Z, w))
