@@ -55,7 +55,7 @@ def solve_many(
 ) -> Batch:
     """Solve the scenes of all numbers in arrays that broadcast together, in SI units as in Pair, State and Scene.
 
-    Every scene runs through the kernels of `solve`: its reduced numbers have the same bits.
+    Every scene runs through the texts of `solve`: its reduced numbers have the same bits.
 
     The numbers are taken as the binary64 numbers that they are, exactly: 0.005 in an array is not 1/200, which matters
     to a pair that starts on the very edge. With `exact` they are read as `solve` reads them: 0.005 is 1/200, and texts

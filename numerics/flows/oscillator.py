@@ -28,6 +28,9 @@ from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import HAS_SLOW_PART, HEADS_FOR_ZERO, SIDE_OF_ZERO, TURNS_LATER
 from numerics.arithmetic.telling import text
 
+_NEAR_CRITICAL = 2.0**-20
+"""Below this 2 n over the slow rate, the rates of both exponentials are told apart by their difference only."""
+
 
 class Oscillator(NamedTuple):
     """y'' + 2 decay y' + stiffness y = 0; regime = sign of stiffness - decay^2, frequency^2 = |stiffness - decay^2|.
@@ -145,24 +148,31 @@ def first_jerk_zero(of: Oscillator, y: Number, v: Number, horizon: Number, level
 
 @text
 def overdamped_jerk_zero(of: Oscillator, y: Number, v: Number, horizon: Number) -> Number:
-    """Return first_jerk_zero from the two exponentials."""
-    ratio = of.fast / of.slow
+    """Return first_jerk_zero from the two exponentials: where e^(2 n t) slow_part = ratio^3 fast_part."""
+    ratio, twice = of.fast / of.slow, 2 * of.frequency
     slow_part, fast_part = v + of.fast * y, v + of.slow * y
-    faded = ratio * ratio * ratio * fast_part * exp(-2 * of.frequency * horizon)
-    if not (finite(faded * faded) and finite(slow_part * slow_part)):
+    near = twice / of.slow  # ratio - 1
+    is_near = rough(near) < _NEAR_CRITICAL
+    # as n -> 0 both parts and the ratio tend to one number: what they differ by is formed instead
+    growth, part, kept = near * (3 + near * (3 + near)), -twice * y, exp(-twice * horizon)
+    if is_near:
+        slow_side, fast_side = slow_part * (growth * kept - expm1(-twice * horizon)), part * kept
+    else:
+        slow_side, fast_side = slow_part, ratio * ratio * ratio * fast_part * kept
+    if not (finite(fast_side * fast_side) and finite(slow_part * slow_part)):
         return undefined()
-    if smaller(slow_part, faded):
+    if smaller(slow_side, fast_side):
         return infinite()  # the slow part is too small, or exactly 0, to take over before the horizon
     side = sign(slow_part, HAS_SLOW_PART)
     if side == 0:
         return infinite()
     # a fast part that has died away has no sign, but it is proved to be too small
-    excess = signed(side, ratio * ratio * ratio * fast_part - slow_part)
+    beyond = growth * fast_part + part if is_near else ratio * ratio * ratio * fast_part - slow_part
+    excess = signed(side, beyond)
     if not finite(excess):
         return undefined()
     if sign(excess, TURNS_LATER) <= 0:
         return infinite()
-    twice = 2 * of.frequency
     logarithms = 3 * log_quotient(of.slow, of.fast, twice) + log_quotient(slow_part, fast_part, -twice * y)
     return logarithms / twice
 

@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from flint import arb
@@ -22,7 +22,8 @@ from numerics.arithmetic.double_words import DOUBLE_DOUBLE
 from numerics.arithmetic.float64 import FLOAT64, Float64
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.arithmetic.telling import Telling, can_compile
-from numerics.batch.batch import Batch, solve_many
+from numerics.batch.answer import Batch
+from numerics.batch.batch import solve_many
 from numerics.motion.begin import begin, in_halves, si_numbers
 from numerics.run.families import run_telling
 from numerics.run.one import scene_row
@@ -39,7 +40,8 @@ from numerics.trajectory.trajectory import Trajectory
 DIGITS = (10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10_000.0)
 COMPILED, PLAIN, DOUBLE = "float64, compiled", "float64, pure Python", "double-double, compiled"
 SOLVE, READ, TWELVE, PREPARED, MANY = "solve, unread", "solve", "solve, digits=12", "Solver", "solve_many"
-MPMATH, BALL = "mpmath", "ball"
+MPMATH: Final = "mpmath"
+BALL: Final = "ball"
 PARTS = frozenset({COMPILED, PLAIN, DOUBLE, SOLVE})
 """Of what a user calls: never what a headline goes by."""
 MOST_EVENTS = 10**7
@@ -120,22 +122,24 @@ def our_contenders() -> list[Any]:
     ]  # fmt: skip
 
 
-def inside(base: Telling, compiled: bool) -> Callable[[Scene, float], Call]:
+def inside(base: Telling, compiled: bool) -> Callable[[Scene, float], Callable[[], Left]]:
     """Return what makes the call of the run inside, in binary64 or double-double; room for events is made before."""
     width, arithmetic = (1, Float64()) if base is FLOAT64 else (2, DoubleDouble())
 
-    def make(scene: Scene, setting: float) -> Call:  # noqa: ARG001
+    def make(scene: Scene, setting: float) -> Callable[[], Left]:  # noqa: ARG001
         telling = run_telling(base, is_damped=scene.pair.a1 > 0)
         tell = telling.compiled if compiled else telling
-        end, none = np.empty(end_length(width)), np.empty((0, row_length(width)))
+        end: Any = np.empty(end_length(width))
+        none = np.empty((0, row_length(width)))
         given, literal, count = scene_row(scene), scene.law is Law.THREE_VALUED_SGN, -1
-        run, start = tell(solve_row), (given if given is None or compiled else given.tolist(), literal)
+        run: Any = tell(solve_row)
+        start: Any = (given if given is None or compiled else given.tolist(), literal)
         if width == 1 and given is not None:
             count = run(*start, MOST_EVENTS, none, end)
         if count < 0:  # as `solve` does: from the exact start
             run, start = tell(solve_start), _exact_start(scene, arithmetic)
             count = run(*start, MOST_EVENTS, none, end)
-        rows = np.empty((count, row_length(width)))
+        rows: Any = np.empty((count, row_length(width)))
         if not compiled:  # NumPy's floats would slow plain Python down
             rows, end = rows.tolist(), end.tolist()
         left = Left(scene, arithmetic, rows, end, width)
@@ -182,6 +186,7 @@ def batch_share(scene: Scene, setting: float) -> Call:  # noqa: ARG001
     """Return a call of `solve_many` for many copies of a scene, timed by the copy. Raises Unsupported."""
     events = len(solve(scene, max_events=MOST_EVENTS).record)
     size = max(1, min(_BATCH, _BATCH_EVENTS // (events + 1)))
+    batch_call(scene, 1, 1)()  # brings up compiled code
     batch = batch_call(scene, size, 1, events)
 
     def call() -> Left:
@@ -204,7 +209,7 @@ def batch_call(scene: Scene, size: int, cores: int, keep_events: int = 0) -> Cal
     if abs(binary.energy_excess - scene.energy_excess) > abs(scene.energy_excess) / 10**12:
         raise Unsupported("its decimals are no binary numbers, and next to E_cr those are another scene")
     first = {name: numbers.pop(name) for name in ("m1", "m2", "a2", "b")}
-    many = numbers | {"v1": np.full(size, numbers["v1"])}
+    many: dict[str, Any] = numbers | {"v1": np.full(size, numbers["v1"])}
     return lambda: solve_many(*first.values(), **many, law=scene.law, keep_events=keep_events, jobs=cores)
 
 

@@ -130,8 +130,8 @@ def trade(
                 run(child, source, contender.label, scene, contender.settings[0], _COMPILING)
         deadline = Deadline(size.whole)
         for contender in present:
-            if not contender.ours:
-                child.end()  # a new one for each, which then imports once for all scenes
+            if not contender.ours and size.whole == math.inf:
+                child.end()  # a new one for each, which imports once for all scenes; one for all where time is short
             for scene in scenes:
                 limits = replace(size.limits, run=size.long_run) if scene.name.startswith("long") else size.limits
                 progress(f"{contender.label}: {scene.name}")

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 from flint import arb, fmpq
 
 from numerics.arithmetic.protocol import Number
 from numerics.errors import NumericsError
-from numerics.trajectory.trajectory import Trajectory
 
 
 class SequenceDiffers(NumericsError):
@@ -24,7 +24,7 @@ def as_fraction(value: Number) -> Fraction:
     return Fraction(value)
 
 
-def require_same_sequence(points: Trajectory, balls: Trajectory) -> None:
+def require_same_sequence(points: Any, balls: Any) -> None:
     """Raise SequenceDiffers, naming the first event at which the two itineraries part."""
     for number, (one, two) in enumerate(zip(points.events, balls.events, strict=False), start=1):
         if (one.before, one.after) != (two.before, two.after):

@@ -20,7 +20,6 @@ from numerics.errors import MissingTool
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
 from numerics.trajectory.digits import rounding_of
 from numerics.trajectory.rendering import ball_text, right_digits_text
-from numerics.trajectory.trajectory import Trajectory
 
 STATE_NAMES = ("x1", "v1", "x2", "v2")
 END_NAMES = (*STATE_NAMES, "energy", "energy_excess")
@@ -29,16 +28,14 @@ Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
 
 
-def knows_its_digits(trajectory: Trajectory) -> bool:
+def knows_its_digits(trajectory: Any) -> bool:
     """Return whether radii or error bounds say which digits of a trajectory are right."""
     if trajectory.arithmetic.name == "ball":
         return True
     return trajectory.accuracy is not None and trajectory.accuracy.bounded
 
 
-def as_record(
-    trajectory: Trajectory, truth: Trajectory | None = None, events: Iterable[int] | None = None
-) -> dict[str, Any]:
+def as_record(trajectory: Any, truth: Any = None, events: Iterable[int] | None = None) -> dict[str, Any]:
     """Return a trajectory as the JSON object of the interface: decimal strings of right digits, radii beside balls.
 
     `truth`, a solve of the same scene in balls, says which digits are right where no radius and no bound does. `events`
@@ -57,14 +54,14 @@ def as_record(
         }
 
 
-def right_digits(trajectory: Trajectory) -> int:
+def right_digits(trajectory: Any) -> int:
     """Return the right digits that were asked for, else those of the error bounds, else the arithmetic's."""
     if trajectory.digits is not None:
         return trajectory.digits
     return trajectory.arithmetic.digits if trajectory.accuracy is None else trajectory.accuracy.digits
 
 
-def _events(trajectory: Trajectory, write: Writer, wanted: Iterable[int] | None) -> Iterator[Written]:
+def _events(trajectory: Any, write: Writer, wanted: Iterable[int] | None) -> Iterator[Written]:
     for index in range(len(trajectory.events)) if wanted is None else wanted:
         event = trajectory.events[index]
         row = write("t", event.t, index) | {"from": event.before.value, "to": event.after.value}
@@ -73,18 +70,18 @@ def _events(trajectory: Trajectory, write: Writer, wanted: Iterable[int] | None)
         yield row
 
 
-def _final(trajectory: Trajectory, write: Writer) -> Written:
+def _final(trajectory: Any, write: Writer) -> Written:
     row = write("t", trajectory.end_time, -1) | {"mode": trajectory.final_mode.value}
     for name, value in zip(END_NAMES, _end_values(trajectory), strict=True):
         row |= write(name, value, -1)
     return row
 
 
-def _end_values(trajectory: Trajectory) -> tuple[Number, ...]:
+def _end_values(trajectory: Any) -> tuple[Number, ...]:
     return *trajectory.final_state, trajectory.final_energy, trajectory.final.w
 
 
-def _writer(trajectory: Trajectory, truth: Trajectory | None) -> Writer:
+def _writer(trajectory: Any, truth: Any) -> Writer:
     if trajectory.arithmetic.name == "ball":
         return _ball_writer(trajectory.digits or trajectory.arithmetic.digits)
     if truth is not None:
@@ -105,7 +102,7 @@ def _ball_writer(digits: int) -> Writer:
     return write
 
 
-def _bounded_writer(trajectory: Trajectory) -> Writer:
+def _bounded_writer(trajectory: Any) -> Writer:
     """Return a writer that cuts each number by its error bound."""
     accuracy, (rounding, most) = trajectory.accuracy, rounding_of(trajectory)
     assert accuracy is not None
@@ -124,7 +121,7 @@ def _bounded_writer(trajectory: Trajectory) -> Writer:
     }
 
 
-def _compared_writer(trajectory: Trajectory, truth: Trajectory) -> Writer:
+def _compared_writer(trajectory: Any, truth: Any) -> Writer:
     """Return a writer that cuts each number where it parts from the true one."""
     require_same_sequence(trajectory, truth)
     most = 17 if trajectory.arithmetic.name == "float64" else trajectory.arithmetic.digits
@@ -153,7 +150,7 @@ def as_csv(record: dict[str, Any]) -> str:
     return buffer.getvalue()
 
 
-def arrays(trajectory: Trajectory) -> dict[str, NDArray[Any]]:
+def arrays(trajectory: Any) -> dict[str, NDArray[Any]]:
     """Return t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds; numbers in binary64."""
     with trajectory.arithmetic.context():
         number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
@@ -167,7 +164,7 @@ def arrays(trajectory: Trajectory) -> dict[str, NDArray[Any]]:
         }
 
 
-def _excess(trajectory: Trajectory) -> NDArray[Any]:
+def _excess(trajectory: Any) -> NDArray[Any]:
     """Return E/E_cr - 1 at `t`."""
     if trajectory.t_eval is not None:
         found = [trajectory.reduced(one).w for one in trajectory.t_eval]
@@ -177,13 +174,13 @@ def _excess(trajectory: Trajectory) -> NDArray[Any]:
     return np.array(found, dtype=object)
 
 
-def write_npz(trajectory: Trajectory, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
+def write_npz(trajectory: Any, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
     """Write the `arrays` of a trajectory, and `extra` ones by their names, as a NumPy archive."""
     with whole_file(path) as file:
         np.savez(file, **(arrays(trajectory) | (extra or {})))  # type: ignore[arg-type]
 
 
-def dataframe(trajectory: Trajectory) -> Any:
+def dataframe(trajectory: Any) -> Any:
     """Return t, mode, x1, v1, x2, v2, energy and energy_excess at `t` as a pandas DataFrame, numbers in binary64.
 
     The mode at an event is the one after it. Raises MissingTool.

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from numerics.errors import MissingTool
 from numerics.motion.modes import EventKind, Mode
-from numerics.trajectory.trajectory import Trajectory
 
 BLUE, ORANGE, GREEN, GRAY = "#0072B2", "#D55E00", "#009E73", "#999999"
 """Colours that are told apart without red and green."""
@@ -42,7 +41,7 @@ class Curve(NamedTuple):
     """Whether the points of this segment are so many that lines between them are its curve."""
 
 
-def sampled(trajectory: Trajectory) -> Curve:
+def sampled(trajectory: Any) -> Curve:
     """Return points that resolve every segment, however short; of thousands of segments the first and the last."""
     number = trajectory.arithmetic.to_float
     with trajectory.arithmetic.context():
@@ -73,7 +72,7 @@ def _parts(radians: NDArray[np.float64]) -> NDArray[np.int64]:
     return parts
 
 
-def draw(trajectory: Trajectory, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
+def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
     """Draw into matplotlib axes, new ones if none are given, and return them.
 
     Kinds: "velocities" and "positions" of both bodies against time; "phase", x1 against v1, with S0 shaded; "excess",
@@ -109,7 +108,7 @@ def _new_axes() -> Any:
     return plt.subplots(layout="constrained")[1]
 
 
-def _shade_stick(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
+def _shade_stick(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Shade the times at which the bodies stick, over the whole height of the axes."""
     stick = np.array([mode is Mode.STICK for mode in trajectory.modes])[curve.segment]
     if stick.any() and trajectory.modes.count(Mode.STICK) <= _MOST_SHADED:
@@ -118,7 +117,7 @@ def _shade_stick(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
         )
 
 
-def _mark_events(trajectory: Trajectory, ax: Any, across: int | None, up: int) -> None:
+def _mark_events(trajectory: Any, ax: Any, across: int | None, up: int) -> None:
     """Mark the events at row `up` of y, against row `across` of it, or against time."""
     number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
     if len(trajectory.events) > _MOST_MARKED:
@@ -129,14 +128,14 @@ def _mark_events(trajectory: Trajectory, ax: Any, across: int | None, up: int) -
             ax.plot(x, number(y[:, up]), marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
-def _velocities(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
+def _velocities(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[1], color=BLUE, lw=1.2, label="$v_1$")
     ax.plot(curve.t, curve.y[3], color=ORANGE, lw=1.2, ls="--", label="$v_2$")
     _mark_events(trajectory, ax, None, 1)
     ax.set_ylabel("velocity (m/s)")
 
 
-def _positions(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
+def _positions(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[0], color=BLUE, lw=1.2, label="$x_1$")
     ax.plot(curve.t, curve.y[2], color=ORANGE, lw=1.2, ls="--", label="$x_2$")
     half_width = float(trajectory.scene.pair.half_width)
@@ -145,7 +144,7 @@ def _positions(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
     ax.set_ylabel("position (m)")
 
 
-def _phase(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
+def _phase(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1: on S, where v1 = v2, with a full line, in slip with a thin one."""
     pair, stick = trajectory.scene.pair, np.array([mode is Mode.STICK for mode in trajectory.modes])[curve.segment]
     for kept, color, width, dashes, label in (
@@ -172,7 +171,7 @@ def _phase(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
     ax.set(xlabel="$x_1$ (m)", ylabel="$v_1$ (m/s)")
 
 
-def _excess(_: Trajectory, curve: Curve, ax: Any) -> None:
+def _excess(_: Any, curve: Curve, ax: Any) -> None:
     """Draw what the energy has above E_cr, or lacks below it."""
     for sign, how in ((1, {"color": BLUE, "label": r"$E/E_{cr} - 1$"}), (-1, {"color": ORANGE, "ls": "--"})):
         part = np.where(sign * curve.w > 0, sign * curve.w, np.nan)
@@ -182,7 +181,7 @@ def _excess(_: Trajectory, curve: Curve, ax: Any) -> None:
     ax.set_ylabel("distance from $E_{cr}$, relative")
 
 
-def _energy(trajectory: Trajectory, curve: Curve, ax: Any) -> None:
+def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what is left, what friction took and what viscosity took, on top of each other."""
     left = float(trajectory.scene.pair.critical_energy) * (1 + curve.w)
     parts = [("energy left", left, BLUE, None), ("lost to friction", curve.lost[0], ORANGE, "//")]

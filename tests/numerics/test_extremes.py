@@ -164,6 +164,24 @@ def test_slips_without_oscillation_in_every_arithmetic(a1, x1, v1, v2):
         require_same_sequence(solve(scene, arithmetic=arithmetic), balls)
 
 
+@pytest.mark.parametrize("exponent", [10, 20, 30, 40, 60, 90])
+@pytest.mark.parametrize("sign", [-1, 1])
+@pytest.mark.parametrize(
+    ("masses", "moved", "k", "start"),
+    [((8, 7), 8, 2, ("-5.4", "-0.4", "3.4")), ((1, 5), 6, 1, ("5.1", "-1.1", "-1.1"))],
+)
+def test_next_to_critical_damping_no_event_is_lost(masses, moved, k, start, sign, exponent):
+    """Where both rates of decay are one float, float64 lost the turn of the guard, or of the load, and was certain."""
+    pair = Pair(*masses, a2=k * k * moved, b=1, a1=2 * k * moved * (1 + sign * Fraction(1, 10**exponent)))
+    x1, v1, v2 = start
+    scene = Scene(pair, State(x1=x1, v1=v1, v2=v2), until=30)
+    balls = solve(scene, digits=20, arithmetic="ball")
+    for arithmetic in ("float64", "double-double", "mpmath"):
+        points = solve(scene, arithmetic=arithmetic)
+        assert points.certain
+        require_same_sequence(points, balls)
+
+
 def test_an_exact_graze_with_irrational_data_is_undecided():
     # Body 1 swings with V1 = 1 about the slip equilibrium; the guard's first minimum is to be 0: no rational g does it,
     # but one within 1e-200 of it cannot be told from it at 100 digits, and is decided at 500.
