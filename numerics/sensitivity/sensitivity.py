@@ -115,7 +115,7 @@ def _differentiate(trajectory: Trajectory, base: Arithmetic) -> Sensitivity:
     with arithmetic.context():
         record = _run(trajectory, scene, arithmetic)
         table = np.empty((5, len(record) + 1 + trajectory.reached), dtype=object)
-        si_table(*record.in_numbers(), table, np.empty(len(record), dtype=np.int64))
+        si_table(*record.in_numbers(), table, np.empty(len(record) + 2, dtype=np.int64))
         events, final = table[:, 1 : len(record) + 1].T, table[1:, -1]
         at = ReducedState(*(record.end(name) for name in ReducedState._fields))
         energy = Frame(arithmetic, scene.pair).energy(at)

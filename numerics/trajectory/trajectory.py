@@ -18,7 +18,7 @@ from numerics.trajectory.deferred import Deferred
 from numerics.trajectory.dense import Dense, Side
 from numerics.trajectory.run import Run
 from numerics.trajectory.segment import EnergyLedger, Event, Segment, event_of, segment_of
-from numerics.trajectory.si_table import CROSSING, ENTRY, EXIT, si_table
+from numerics.trajectory.si_table import si_table
 
 Kind = Literal["velocities", "positions", "phase", "excess", "energy"]
 
@@ -77,16 +77,16 @@ class Trajectory(Run):
 
     @cached_property
     def _table(self) -> tuple[NDArray[Any], NDArray[np.int64]]:
-        """Return t, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (5, m); kinds of events."""
+        """Return t, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (5, m); events by kind."""
         count, floats = len(self.record), self.arithmetic.name == "float64"
         table = np.empty((5, count + 1 + self.reached), dtype=float if floats else object)
-        kinds = np.empty(count, dtype=np.int64)
+        order = np.empty(count + 2, dtype=np.int64)
         if floats:
-            (FLOAT64.compiled if compiles_now() else FLOAT64)(si_table)(*self.record.in_numbers(), table, kinds)
+            (FLOAT64.compiled if compiles_now() else FLOAT64)(si_table)(*self.record.in_numbers(), table, order)
         else:
             with self.arithmetic.context():
-                si_table(*self.record.in_numbers(), table, kinds)
-        return table, kinds
+                si_table(*self.record.in_numbers(), table, order)
+        return table, order
 
     @property
     def event_times(self) -> NDArray[Any]:
@@ -130,14 +130,17 @@ class Trajectory(Run):
     @property
     def t_events(self) -> tuple[NDArray[Any], ...]:
         """Return the event times by kind, in the order of EventKind (entry, exit, crossing), each of shape (k,)."""
-        times, kinds = self.event_times, self._table[1]
-        return times[kinds == ENTRY], times[kinds == EXIT], times[kinds == CROSSING]
+        return self._by_kind(self.event_times)
 
     @property
     def y_events(self) -> tuple[NDArray[Any], ...]:
         """Return the event states by kind, each of shape (k, 4)."""
-        states, kinds = self.event_states.T, self._table[1]
-        return states[kinds == ENTRY], states[kinds == EXIT], states[kinds == CROSSING]
+        return self._by_kind(self.event_states.T)
+
+    def _by_kind(self, events: NDArray[Any]) -> tuple[NDArray[Any], ...]:
+        order = self._table[1]
+        entries, exits, ordered = order[0], order[1], events[order[2:]]
+        return ordered[:entries], ordered[entries:exits], ordered[exits:]
 
     @cached_property
     def segments(self) -> Sequence[Segment]:
