@@ -7,16 +7,18 @@ from collections.abc import Iterator
 from numerics.trade.interface import RUN, SOLVE, Wait
 from numerics.trade.ours import COMPILED, READ
 from numerics.trade.recorded import RecordedTrade
-from paper_checks.report.blocks import Block, Table
+from paper_checks.report.blocks import Block, Paragraph, Table
 from paper_checks.speed.wording import factor_text, headline, time_text
 
 
 def waiting(trade: RecordedTrade) -> Iterator[Block]:
-    """Yield a row for every call, with what is asked of it."""
+    """Yield a row for every call, with what is asked of it; a sentence where the record has none."""
     rows = tuple((f"`{one.call}`", time_text(one.seconds), _compared(one), _asked(one)) for one in trade.interface)
-    if rows:
-        caption = f"What a user waits for on {headline(trade).name}, every call in turn with the others in one process"
-        yield Table(("call", "time", "compared", "asked for"), rows, caption)
+    if not rows:
+        yield Paragraph("This record does not say; `python -m numerics trade --interface` measures it.")
+        return
+    caption = f"What a user waits for on {headline(trade).name}, every call in turn with the others in one process"
+    yield Table(("call", "time", "compared", "asked for"), rows, caption)
 
 
 def waiting_in_short(trade: RecordedTrade) -> Iterator[str]:

@@ -189,6 +189,7 @@ class TestInShort:
         assert "on relative-motion-b05: with times, states and itinerary read 500 µs; the run inside takes 4 µs." in (
             self.short(plain_trade)
         )
+        assert "This record does not say" in said(section.waiting(plain_trade))
         waits = [Wait("the run inside", 5e-6), Wait("solve(scene)", 2e-5, "the run inside", 4.0, 6.0)]
         trade = planted(tmp_path, interface=[one.as_record() for one in waits])
         assert "`solve(scene)` takes 20 µs, with times, states and itinerary read 500 µs;" in self.short(trade)
