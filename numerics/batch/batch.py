@@ -185,7 +185,8 @@ def _numbers(name: str, values: ArrayLike) -> Table | float:
     """Return values as binary64 numbers: an array, or a float."""
     if isinstance(values, (int, float)):
         return float(values) if abs(values) < 2**1023 else np.inf
-    if bool(np.ma.is_masked(values)):
+    masked: object = np.ma.is_masked(values)
+    if masked:
         raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     try:
         return np.asarray(values, dtype=np.float64)

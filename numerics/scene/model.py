@@ -20,7 +20,7 @@ class Law(Enum):
     FILIPPOV = "filippov"
     """Set-valued: the pair sticks where friction can hold it, |a2 x1 + a1 v1| <= b (m1+m2)/m2 (Section III)."""
     THREE_VALUED_SGN = "three-valued-sgn"
-    """sgn(0) = 0 as in eqs (5)-(6): whenever v1 = v2 the pair sticks, whatever force that takes (Section IV)."""
+    """sgn(0) = 0 as in eqs (11)-(12): whenever v1 = v2 the pair sticks, whatever force that takes (Section IV)."""
 
 
 @dataclass(frozen=True, slots=True, init=False)

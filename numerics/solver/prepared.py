@@ -81,7 +81,7 @@ class Solver:
                 numbers = (state.x1, state.v1, state.x2, state.v2)
                 halves = [half for number in numbers for half in nearest(number)]
                 same = halves[2:4] == halves[6:8]
-                object.__setattr__(state, "row", (halves if same == (state.v1 == state.v2) else None,))
+                object.__setattr__(state, "row", (np.array(halves) if same == (state.v1 == state.v2) else None,))
             if state.row[0] is None:
                 return False
             row[_STATE] = state.row[0]

@@ -26,11 +26,11 @@ class Benchmark:
 
 
 def paper_scenes() -> list[Benchmark]:
-    """Return the three pairs of the paper's Section IV, as shipped, 5 s each; b = 0.5 is figure 3 (b) as well."""
+    """Return the three pairs of the paper's Section IV, as shipped, 5 s each; b = 0.5 is figure 4 (b) as well."""
     return [
         Benchmark("velocities", "the paper's b = 0.05: first crossings, then excursions", load_scene("velocities")),
         Benchmark("relative-motion-b02", "the paper's b = 0.2", load_scene("relative-motion-b02")),
-        Benchmark(HEADLINE, "the paper's b = 0.5, also its figure 3 (b): the headline ratios", load_scene(HEADLINE)),
+        Benchmark(HEADLINE, "the paper's b = 0.5, also its figure 4 (b): the headline ratios", load_scene(HEADLINE)),
     ]
 
 
@@ -45,7 +45,7 @@ def near_critical(speed: str, excess: str) -> Benchmark:
 
 
 def long_scene(excursions: int) -> Benchmark:
-    """Return figure 4 (b)'s pair and start until it has made about this many excursions, pi/10 s each."""
+    """Return figure 5 (b)'s pair and start until it has made about this many excursions, pi/10 s each."""
     why = f"about {excursions} excursions: whether errors, and costs, pile up"
     return Benchmark(f"long-{excursions}", why, _headline_until(math.ceil(excursions * math.pi / 10)))
 

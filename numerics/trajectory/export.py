@@ -186,7 +186,7 @@ def dataframe(trajectory: Any) -> Any:
     The mode at an event is the one after it. Raises MissingTool.
     """
     try:
-        import pandas as pd  # type: ignore[import-untyped]
+        import pandas as pd
     except ImportError:
         raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
     if trajectory.t_eval is None:

@@ -49,7 +49,7 @@ class EulerRun:
 def forward_euler(scene: Scene, step: float, loop: Callable[..., None] | None = None) -> EulerRun:
     """Integrate a scene with the explicit Euler method of the given step (s) > 0. Raises ValueError.
 
-    Where v1 = v2 holds exactly: the law `three-valued-sgn` uses the stick branch of eqs (5)-(6), generalised to any
+    Where v1 = v2 holds exactly: the law `three-valued-sgn` uses the stick branch of eqs (11)-(12), generalised to any
     masses; the law `filippov` uses it inside the sliding region only, and the slip field that leads away outside.
     `loop` may be a compiled `march`.
     """
