@@ -181,12 +181,11 @@ def _table(numbers: tuple[ArrayLike, ...]) -> tuple[Table, tuple[int, ...]]:
     return table, shape
 
 
-def _numbers(name: str, values: ArrayLike) -> Table | float:
+def _numbers(name: str, values: Any) -> Table | float:
     """Return values as binary64 numbers: an array, or a float."""
     if isinstance(values, (int, float)):
         return float(values) if abs(values) < 2**1023 else np.inf
-    masked: object = np.ma.is_masked(values)
-    if masked:
+    if np.ma.is_masked(values):
         raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     try:
         return np.asarray(values, dtype=np.float64)
