@@ -73,11 +73,12 @@ def light_driver(random: Random) -> Scene:
 def damping(random: Random) -> Scene:
     """Return a scene with a1 from 1e-12 to 1e6 of critical damping, next to the critical cases, or on them exactly."""
     pair = _pair(random)
-    kind = random.choice(("any", "any", "near", "exact"))
-    if kind == "exact":
+    kind = random.choice(("any", "any", "near", "nearer", "exact"))
+    if kind in {"nearer", "exact"}:
         # a1^2 = 4 a2 m is met by a rational a1 if a2 = k^2 m
         moved, k = random.choice((pair.m1, pair.mass)), decimal(random, -1, 1)
-        return _scene(random, Pair(pair.m1, pair.m2, k * k * moved, pair.b, 2 * k * moved))
+        apart = signed(random, -60, -9) if kind == "nearer" else 0
+        return _scene(random, Pair(pair.m1, pair.m2, k * k * moved, pair.b, 2 * k * moved * (1 + apart)))
     critical = 2 * rate(pair) * pair.mass
     if random.random() < 0.5:
         critical = 2 * rate(Pair(pair.m1 / 2, pair.m1 / 2, pair.a2, pair.b)) * pair.m1
