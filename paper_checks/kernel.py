@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -23,6 +23,7 @@ class Unavailable:
     sentence: str = ""
     statement: str = ""
     uses: tuple[str, ...] = ()
+    ties: tuple[str, ...] = ()
     axioms: tuple[str, ...] = ()
     holds: bool | None = None
     problem: str = "the proofs are not part of this installation"
@@ -45,10 +46,19 @@ def theorem(name: str) -> Any:
 def step(name: str) -> Evidence:
     """Return the theorem as evidence, resting on those of ours that it uses.
 
-    Passed is True where the kernel accepted it, None where it was not run, False where it was refused.
+    Passed is True where the kernel accepted it and the ties of its definitions to `theory/`, None where it was not run,
+    False where it, or a tie, was refused.
     """
     found = theorem(name)
-    problem = f": {found.problem}" if found.problem else ""
+    untied = [tie for tie in map(theorem, found.ties) if not tie.holds] if found.holds else []
+    if untied:
+        return replace(_stated(found), passed=untied[0].holds, value=f"kernel {STATUS[untied[0].holds]}: {untied[0].id}")
+    return _stated(found)
+
+
+def _stated(found: Any) -> Evidence:
+    """Return a theorem as evidence, whatever its ties."""
+    name, problem = found.id, f": {found.problem}" if found.problem else ""
     value = " ".join(found.statement.split()) if found.holds else f"kernel {STATUS[found.holds]}: {name}{problem}"
     return Evidence(
         EvidenceKind.KERNEL,

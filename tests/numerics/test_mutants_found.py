@@ -1,10 +1,11 @@
 """Faults of one token that the other tests let pass when they were planted: each test here sees one of them."""
 
 from fractions import Fraction
+from types import FunctionType
 
 import pytest
 
-from numerics.arithmetic.float64 import Float64
+from numerics.arithmetic.float64 import FLOAT64, Float64
 from numerics.contact import damped
 from numerics.errors import OutOfRange
 from numerics.run.one import run_scene
@@ -27,13 +28,16 @@ def test_the_energy_ledger_closes_for_uneven_masses(a1):
         assert abs(one - float(two.mid())) <= 1e-12 * floats.initial
 
 
-def test_a_slip_of_too_many_pieces_is_refused(monkeypatch):
+def test_a_slip_of_too_many_pieces_is_refused():
     """m1 = m2, Omega = L = 1: body 2 starts at 20 L Omega, a handful of half oscillations before the contact."""
     scene = Scene(Pair(m1=1, m2=1, a1="0.01", a2=2, b=1), State(x1="0.5", v2=-20), until=30)
     assert solve(scene).events
-    monkeypatch.setattr(damped, "MAX_PIECES", 3)
+    text = damped.first_fall
+    fewer = FunctionType(text.__code__, {**text.__globals__, "MAX_PIECES": 3}, "first_fall")
+    impatient = Float64()
+    impatient.telling = FLOAT64.but("impatient", {text: fewer})
     with pytest.raises(OutOfRange, match="half oscillations"):
-        run_scene(scene, Float64())
+        run_scene(scene, impatient)
 
 
 def test_a_slip_of_more_oscillations_than_may_be_inspected_is_solved():

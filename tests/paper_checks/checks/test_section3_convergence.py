@@ -249,5 +249,6 @@ def test_the_samples_see_an_excess_that_grows():
         one for one in solved if one.status is not Status.STUCK_FOR_EVER and one.modes.count(Mode.STICK) > 2
     )
     assert samples._merged_or_creeping(creeping)
-    backwards = replace(creeping, events=creeping.events[::-1])
+    backwards = creeping.but()
+    backwards.__dict__["events"] = creeping.events[::-1]
     assert not samples._merged_or_creeping(backwards)

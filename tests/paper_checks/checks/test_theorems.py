@@ -14,7 +14,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.long_time.excursion_map import excursions
 from numerics.motion.frame import Frame
 from numerics.motion.modes import EventKind
-from numerics.trajectory.trajectory import Status
+from numerics.trajectory.status import Status
 from paper_checks.checks import (
     theorems_excursion,
     theorems_merging,
