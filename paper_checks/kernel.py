@@ -52,7 +52,9 @@ def step(name: str) -> Evidence:
     found = theorem(name)
     untied = [tie for tie in map(theorem, found.ties) if not tie.holds] if found.holds else []
     if untied:
-        return replace(_stated(found), passed=untied[0].holds, value=f"kernel {STATUS[untied[0].holds]}: {untied[0].id}")
+        return replace(
+            _stated(found), passed=untied[0].holds, value=f"kernel {STATUS[untied[0].holds]}: {untied[0].id}"
+        )
     return _stated(found)
 
 

@@ -99,6 +99,21 @@ def test_the_kernel_carries_a_clause_or_leaves_it_to_the_other_steps(theorems, s
         assert "sharp-law" in found.finding.reason
 
 
+@pytest.mark.parametrize("status", [kernel.PROVED, kernel.NOT_RUN, kernel.FAILED])
+def test_a_theorem_about_something_else_than_the_theory_proves_nothing(monkeypatch, status):
+    holds = {name: passed for passed, name in kernel.STATUS.items()}[status]
+    said = {
+        "sharp-law": kernel.Unavailable("sharp-law", ties=("tie-ray",), holds=True),
+        "tie-ray": kernel.Unavailable("tie-ray", holds=holds),
+    }
+    monkeypatch.setattr(kernel, "theorem", said.__getitem__)
+    kernel.step.cache_clear()
+    found = kernel.step("sharp-law")
+    kernel.step.cache_clear()
+    assert found.passed is holds
+    assert ("tie-ray" in found.value) == (holds is not True)
+
+
 def test_without_the_proofs_no_theorem_is_run(monkeypatch):
     def missing(name):
         raise ModuleNotFoundError(name)
