@@ -170,7 +170,7 @@ def _table(numbers: tuple[ArrayLike, ...]) -> tuple[Table, tuple[int, ...]]:
         shape, table = (), np.zeros((1, 20))
         table[0, ::2] = columns
     else:
-        shape = np.broadcast_shapes(*[np.shape(column) for column in columns])
+        shape = np.broadcast_shapes(*[column.shape for column in columns if not isinstance(column, float)])
         table = np.zeros((*shape, 20))
         for index, column in enumerate(columns):
             table[..., 2 * index] = column
@@ -186,7 +186,7 @@ def _numbers(name: str, values: Any) -> Table | float:
     """Return values as binary64 numbers: an array, or a float."""
     if isinstance(values, (int, float)):
         return float(values) if abs(values) < 2**1023 else np.inf
-    if np.ma.is_masked(values):
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     try:
         return np.asarray(values, dtype=np.float64)
