@@ -30,6 +30,8 @@ from numerics.solver.solve import solve
 from numerics.trajectory.record import end_length, row_length
 
 PAPER = load_scene("relative-motion-b05")
+# its last energy is below 1e-324
+FADED = Scene(Pair(1, 1, 1, 1, Fraction(1, 2)), State(x1=-2, v1=-1, v2=-8485), until=16971)
 any_scene = st.one_of(
     scenes(size=(-2, 2)),
     scenes(exponents=(-9, 9)),
@@ -105,6 +107,7 @@ def test_a_record_that_is_too_short_keeps_the_first_events(scene):
 @more
 @given(any_scene)
 @example(PAPER)
+@example(FADED)
 def test_no_error_exceeds_its_bound(scene):
     honesty = Honesty("drawn")
     honesty.compare(scene, lambda one: solve(one, max_events=30))
