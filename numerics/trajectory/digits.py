@@ -114,12 +114,14 @@ def bounds_in_si(trajectory: Any) -> Accuracy:
     # of E = E_cr (1 + w) the state forms the left side, and w stands beside it: both bound its error
     w, energy = number(trajectory.final.w), number(trajectory.final_energy)
     energy_error = unit * min(off["w"] + 16 * rounding * abs(w), _energy_error(trajectory, off))
-    is_moving = bool(final[[0, 1, 3]].any())  # x1, v1, v2: their squares may be below every number
-    lost = _TINY + 2.0**-1070 * unit
+    # what decays, or is squared, may be below every number and not be zero
+    is_damped, lost = trajectory.scene.pair.a1 > 0, _TINY + 2.0**-1070 * unit
+    is_moving = is_damped or bool(final[[0, 1, 3]].any())
+    final_error += _TINY + 2.0**-1070 * (length + speed) if is_damped else 0.0
     energy_error += 16 * rounding * energy + (lost if energy or energy_error or is_moving else 0.0)
     taken = number(record.end("spent")) + number(record.end("damped"))
     dissipated = unit * (off["spent"] + off["damped"] + 16 * rounding * taken)
-    dissipated += lost if dissipated > 0 or taken > 0 or (is_moving and trajectory.scene.pair.a1 > 0) else 0.0
+    dissipated += lost if dissipated > 0 or taken > 0 or is_damped else 0.0
     certain = trajectory.certain
     digits = min(most, int(record.end_code("digits"))) if certain else 0
     excess_error = off["w"] + 4 * rounding * abs(w)
