@@ -14,6 +14,7 @@ from strategies import decimals, long_slips, near_critical, scenes, signed, visc
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import FLOAT64, Float64
 from numerics.audit.bounds import Honesty
+from numerics.batch.batch import solve_many
 from numerics.bounds.undamped_steps import passing
 from numerics.contact.enclosed import enclosed_contact
 from numerics.contact.seed import binary64_contact
@@ -227,3 +228,11 @@ def test_a_start_that_106_bits_do_not_decide_is_left_to_exact_numbers(row):
     halves = [half for number in row for half in (float(number), 0.0)]
     rows, end = Growing(row_length(1), 3), [0.0] * end_length(1)
     assert solve_row(halves, False, 3, rows, end) == -1
+
+
+def test_a_batch_knows_that_what_has_faded_is_not_zero():
+    """The truth, by balls: x1 = -2e-461 m; nothing of it is left in float64. A pair without viscosity stays exact."""
+    found = solve_many(1, 1, 1, 1, a1=[0.5, 0], x1=[-2, 0], v1=[-1, 0], v2=[-8485, 0], until=16971, jobs=1)
+    assert found.y[[0, 1, 3]].tolist() == [[0, 0]] * 3
+    assert (found.y_error[[0, 1, 3], 0] > 0).all()
+    assert (found.y_error[:, 1] == 0).all()
