@@ -7,19 +7,25 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from numerics.batch.batch import solve_many, solve_scenes
-    from numerics.scene import Law, Pair, Scene, State
+    from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
     from numerics.scene.file import load_scene
+    from numerics.scene.writing import scene_text
     from numerics.sensitivity.sensitivity import sensitivities
     from numerics.solver.prepared import Solver
     from numerics.solver.solve import solve
 
 __all__ = [
+    "Force",
+    "Friction",
     "Law",
     "Pair",
+    "Piece",
     "Scene",
+    "Sine",
     "Solver",
     "State",
     "load_scene",
+    "scene_text",
     "sensitivities",
     "solve",
     "solve_many",
@@ -32,6 +38,7 @@ _HOMES = {
     "solve_many": "numerics.batch.batch",
     "solve_scenes": "numerics.batch.batch",
     "load_scene": "numerics.scene.file",
+    "scene_text": "numerics.scene.writing",
 }
 
 

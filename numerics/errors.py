@@ -35,6 +35,10 @@ class OutOfRange(NumericsError, OverflowError):
     """A number of this scene does not fit the arithmetic; another arithmetic may hold it."""
 
 
+class NoForceHere(NumericsError, ValueError):
+    """A question that is answered for a pair without a force only, asked of a scene with one."""
+
+
 class InvalidMap(InvalidScene):
     """A map that cannot be computed: its window, its depth or its checkpoint; the message says what to give instead."""
 

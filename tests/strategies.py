@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
-from numerics.scene import Law, Pair, Scene, State
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 
 MODERATE = (-2, 2)
 EXTREME = (-12, 12)
@@ -129,3 +129,30 @@ def viscous_scenes(draw) -> Scene:
     if kind == "near":
         return draw(near_critical(exponents=(1, 14), pair=draw(pairs(damped=True))))
     return draw(scenes(damped=True, law=Law.THREE_VALUED_SGN if kind == "law" else Law.FILIPPOV))
+
+
+def sines() -> st.SearchStrategy[Sine]:
+    """Sines of moderate numbers."""
+    return st.builds(Sine, signed(decimals(*MODERATE)), decimals(*MODERATE), signed(decimals(-1, 1)))
+
+
+@st.composite
+def forces(draw, most: int = 4) -> Force:
+    """Forces by pieces in order of time, some of them empty."""
+    gaps = draw(st.lists(decimals(-2, 1), max_size=most))
+    at, pieces = draw(st.sampled_from([Fraction(0), Fraction(1, 3)])), []
+    for gap in gaps:
+        coefficients = draw(st.lists(signed(decimals(*MODERATE)), max_size=3))
+        pieces.append(Piece(at, coefficients, draw(st.lists(sines(), max_size=2))))
+        at += gap
+    return Force(pieces)
+
+
+@st.composite
+def frictions(draw, most: int = 3) -> Friction:
+    """Frictions by pieces."""
+    at, pieces = Fraction(0), []
+    for gap in draw(st.lists(decimals(-2, 1), max_size=most)):
+        at += gap
+        pieces.append((at, draw(decimals(*MODERATE))))
+    return Friction(pieces)

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from numerics.arithmetic.double_double import Double
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.errors import NoForceHere
 from numerics.motion.modes import MODES, Mode
 from numerics.motion.start import SI, Reduced, damped_start, first_mode, undamped_start
 from numerics.motion.tellings import exact_signs, start_telling
@@ -26,7 +27,12 @@ class Begun(NamedTuple):
 
 
 def si_numbers(scene: Scene) -> SI:
-    """Return the SI numbers of a scene, exact."""
+    """Return the SI numbers of a scene without a force, exact; whatever is solved for such scenes only asks here.
+
+    Raises NoForceHere.
+    """
+    if scene.is_forced:
+        raise NoForceHere("this scene has a force or a friction that changes in time; here both must be left out")
     pair, at = scene.pair, scene.initial
     return SI(pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
 

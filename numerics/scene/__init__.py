@@ -1,5 +1,7 @@
-"""What is given: the pair, its initial state, the reading of the law, exact decimals, scene files."""
+"""What is given: the pair, its initial state, force and friction in time, the reading of the law; scene files."""
 
+from numerics.scene.force import Force
 from numerics.scene.model import Law, Pair, Scene, State, read_law
+from numerics.scene.pieces import Friction, Piece, Sine
 
-__all__ = ["Law", "Pair", "Scene", "State", "read_law"]
+__all__ = ["Force", "Friction", "Law", "Pair", "Piece", "Scene", "Sine", "State", "read_law"]

@@ -49,6 +49,44 @@ def exact_decimal(value: object, name: str) -> Fraction:
     raise InvalidScene(f"{name} must be a decimal number, not {_shown(value)}; write it as 0.05 or 5e-2")
 
 
+def keep(record: object, **values: Exact) -> None:
+    """Store values in a frozen record, as exact rationals."""
+    for name, value in values.items():
+        object.__setattr__(record, name, exact_decimal(value, name))
+
+
+def short(value: Fraction) -> str:
+    """Return a rational for an error message; huge ones only by size, since a float cannot hold them."""
+    try:
+        return f"{float(value):g}" if value == 0 or abs(float(value)) > 0 else "a number below 1e-308"
+    except OverflowError:
+        return "a number above 1e308"
+
+
+def decimal_text(value: Fraction) -> str:
+    """Return a rational as text that `exact_decimal` reads as the same number: a decimal if it has one, else a ratio.
+
+    >>> decimal_text(Fraction(1, 200)), decimal_text(Fraction(50, 3)), decimal_text(Fraction(-1, 10**30))
+    ('0.005', '50/3', '-1e-30')
+    """
+    odd, twos, fives = value.denominator, 0, 0
+    while odd % 2 == 0:
+        odd, twos = odd // 2, twos + 1
+    while odd % 5 == 0:
+        odd, fives = odd // 5, fives + 1
+    if odd != 1:
+        return f"{value.numerator}/{value.denominator}"
+    places = max(twos, fives)
+    whole = int(abs(value) * 10**places)
+    while whole and whole % 10 == 0 and (places > 0 or whole >= 10**15):
+        whole, places = whole // 10, places - 1
+    sign = "-" if value < 0 else ""
+    if places < 0 or places > 15:
+        return f"{sign}{whole}e{-places}"
+    digits = str(whole).rjust(places + 1, "0")
+    return f"{sign}{digits[:-places]}.{digits[-places:]}" if places else f"{sign}{digits}"
+
+
 def require_whole(name: str, value: Any, least: int) -> None:
     """Raise ValueError, naming the argument, unless it is a whole number from `least` to 2^62."""
     if isinstance(value, bool) or not hasattr(value, "__index__"):

@@ -8,14 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene import Law, Pair, Scene, State
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 
-MAX_BYTES = 65536
+MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
+"""Of a scene without a force, and of one with."""
 _KEYS = {
     "pair": {"m1", "m2", "a1", "a2", "b"},
     "initial": {"x1", "v1", "x2", "v2"},
     "run": {"law", "until"},
 }
+_PIECES = {"force": {"from", "polynomial", "sines"}, "friction": {"from", "b"}}
+_SINE = {"amplitude", "omega", "phase"}
 _REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("run", "until"))
 
 
@@ -39,13 +42,14 @@ def load_scene(name_or_path: str | Path) -> Scene:
     path = Path(name_or_path)
     try:
         with path.open("rb") as file:
-            data = file.read(MAX_BYTES + 1)
+            data = file.read(MAX_FORCED_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         known = ", ".join(shipped_scenes())
         raise InvalidScene(f"no scene {name!r}: {reason}; give a TOML file or one of: {known}") from None
-    if len(data) > MAX_BYTES:
-        raise InvalidScene(f"scene file {name!r} is larger than {MAX_BYTES} bytes; a scene needs a dozen lines")
+    most = MAX_FORCED_BYTES if any(b"[[" + table.encode() in data for table in _PIECES) else MAX_BYTES
+    if len(data) > most:
+        raise InvalidScene(f"scene file {name!r} is larger than {most} bytes; a scene needs a dozen lines")
     try:
         return parse_scene(data.decode("utf-8"))
     except UnicodeDecodeError:
@@ -62,7 +66,56 @@ def parse_scene(text: str) -> Scene:
         raise InvalidScene(f"not a TOML scene: {reason}") from None
     _check_keys(tables)
     pair, initial, run = (tables.get(name, {}) for name in _KEYS)
-    return Scene(Pair(**pair), State(**initial), until=run["until"], law=run.get("law", Law.FILIPPOV))
+    force, friction = (_pieces_of(tables, name) for name in _PIECES)
+    return Scene(
+        Pair(**pair),
+        State(**initial),
+        until=run["until"],
+        law=run.get("law", Law.FILIPPOV),
+        force=Force(_in_place(_force_piece, one, number) for number, one in enumerate(force, start=1)),
+        friction=Friction((_given(one, "from", "friction"), _given(one, "b", "friction")) for one in friction),
+    )
+
+
+def _pieces_of(tables: dict[str, Any], name: str) -> list[dict[str, Any]]:
+    """Return the tables [[name]], in their order; none is an empty list."""
+    found = tables.get(name, [])
+    if not isinstance(found, list) or not all(isinstance(one, dict) for one in found):
+        raise InvalidScene(f"{name} must be tables of its pieces; write [[{name}]] on a line of its own for each")
+    for one in found:
+        _require_known(one, _PIECES[name], f"[[{name}]]")
+    return found
+
+
+def _in_place(read: Any, table: dict[str, Any], number: int) -> Any:
+    """Return what `read` makes of a table; an error says in which one it was."""
+    try:
+        return read(table)
+    except InvalidScene as error:
+        raise InvalidScene(f"[[force]] number {number}: {error}") from None
+
+
+def _force_piece(table: dict[str, Any]) -> Piece:
+    sines = []
+    for one in _list(table, "sines"):
+        if not isinstance(one, dict):
+            raise InvalidScene("a sine must be { amplitude = A, omega = W, phase = P }")
+        _require_known(one, _SINE, "a sine")
+        sines.append(Sine(_given(one, "amplitude", "a sine"), _given(one, "omega", "a sine"), one.get("phase", 0)))
+    return Piece(table.get("from", 0), _list(table, "polynomial"), sines)
+
+
+def _list(table: dict[str, Any], key: str) -> list[Any]:
+    found = table.get(key, [])
+    if not isinstance(found, list):
+        raise InvalidScene(f"{key} must be a list; write {key} = [...]")
+    return found
+
+
+def _given(table: dict[str, Any], key: str, where: str) -> Any:
+    if key not in table:
+        raise InvalidScene(f"missing key {key} in {where}; give it")
+    return table[key]
 
 
 def _float_text(text: str) -> str:
@@ -71,14 +124,21 @@ def _float_text(text: str) -> str:
 
 def _check_keys(tables: dict[str, Any]) -> None:
     for table, content in tables.items():
+        if table in _PIECES:
+            continue
         if table not in _KEYS:
-            raise InvalidScene(f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial] and [run]")
+            raise InvalidScene(
+                f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial], [run], [[force]], [[friction]]"
+            )
         if not isinstance(content, dict):
             raise InvalidScene(f"{table} must be a table; write [{table}] on a line of its own")
-        for key in content:
-            if key not in _KEYS[table]:
-                known = ", ".join(sorted(_KEYS[table]))
-                raise InvalidScene(f"unknown key {key[:40]!r} in [{table}]; it takes {known}")
+        _require_known(content, _KEYS[table], f"[{table}]")
     for table, key in _REQUIRED:
         if key not in tables.get(table, {}):
             raise InvalidScene(f"missing key {key} in [{table}]; every scene must give it")
+
+
+def _require_known(content: dict[str, Any], keys: set[str], where: str) -> None:
+    for key in content:
+        if key not in keys:
+            raise InvalidScene(f"unknown key {key[:40]!r} in {where}; it takes {', '.join(sorted(keys))}")

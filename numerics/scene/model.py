@@ -11,7 +11,9 @@ from fractions import Fraction
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal
+from numerics.scene.decimals import Exact, keep, short
+from numerics.scene.force import Force
+from numerics.scene.pieces import Friction
 
 
 class Law(Enum):
@@ -39,12 +41,12 @@ class Pair:
 
     def __init__(self, m1: Exact, m2: Exact, a2: Exact, b: Exact, a1: Exact = 0) -> None:
         """Read every parameter as an exact decimal and check its bound."""
-        _keep(self, m1=m1, m2=m2, a2=a2, b=b, a1=a1)
+        keep(self, m1=m1, m2=m2, a2=a2, b=b, a1=a1)
         for name in ("m1", "m2", "a2", "b"):
             if getattr(self, name) <= 0:
-                raise InvalidScene(f"{name} = {_short(getattr(self, name))} must be > 0; give a positive {name}")
+                raise InvalidScene(f"{name} = {short(getattr(self, name))} must be > 0; give a positive {name}")
         if self.a1 < 0:
-            raise InvalidScene(f"a1 = {_short(self.a1)} must be >= 0; leave it out for an undamped pair")
+            raise InvalidScene(f"a1 = {short(self.a1)} must be >= 0; leave it out for an undamped pair")
 
     @property
     def mass(self) -> Fraction:
@@ -80,13 +82,19 @@ class State:
 
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
-        _keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
+        keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
         object.__setattr__(self, "row", None)
+
+
+NO_FORCE, SAME_FRICTION = Force(), Friction()
 
 
 @dataclass(frozen=True, slots=True, init=False)
 class Scene:
-    """A pair, its state at t = 0, the friction law and the horizon `until` (s) > 0. Raises InvalidScene.
+    """A pair, its state at t = 0, the horizon `until` (s) > 0, the friction law, and what changes in time.
+
+    `force` is u(t) on body 1, `friction` the pieces of b from their time on; most scenes
+    have neither. Raises InvalidScene.
 
     >>> scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.005"), until=5)
     >>> scene.pair.half_width, scene.energy_excess
@@ -97,28 +105,57 @@ class Scene:
     initial: State
     until: Fraction
     law: Law
+    force: Force
+    friction: Friction
     row: Any = field(default=None, init=False, repr=False, compare=False)
     """What compiled code reads instead of exact numbers, made when it is first needed (run/one.py)."""
 
-    def __init__(self, pair: Pair, initial: State, until: Exact, law: Law | str = Law.FILIPPOV) -> None:
+    def __init__(
+        self,
+        pair: Pair,
+        initial: State,
+        until: Exact,
+        law: Law | str = Law.FILIPPOV,
+        force: Force = NO_FORCE,
+        friction: Friction = SAME_FRICTION,
+    ) -> None:
         """Check the parts and read the horizon and the law."""
         if not isinstance(pair, Pair) or not isinstance(initial, State):
             raise InvalidScene("a scene is made of a Pair and a State; build them first")
+        if not isinstance(force, Force) or not isinstance(friction, Friction):
+            raise InvalidScene("force must be a Force and friction a Friction; build them first")
+        object.__setattr__(self, "force", force)
+        object.__setattr__(self, "friction", friction)
         object.__setattr__(self, "pair", pair)
         object.__setattr__(self, "initial", initial)
-        _keep(self, until=until)
+        keep(self, until=until)
         if self.until <= 0:
-            raise InvalidScene(f"until = {_short(self.until)} must be > 0; give the horizon in seconds")
+            raise InvalidScene(f"until = {short(self.until)} must be > 0; give the horizon in seconds")
         object.__setattr__(self, "law", read_law(law))
         object.__setattr__(self, "row", None)
 
     @classmethod
-    def of(cls, pair: Pair, initial: State, until: Fraction, law: Law) -> Scene:
+    def of(
+        cls,
+        pair: Pair,
+        initial: State,
+        until: Fraction,
+        law: Law,
+        force: Force = NO_FORCE,
+        friction: Friction = SAME_FRICTION,
+    ) -> Scene:
         """Return a scene of parts that are checked already."""
         scene: Scene = object.__new__(cls)
         for name, value in (("pair", pair), ("initial", initial), ("until", until), ("law", law), ("row", None)):
             object.__setattr__(scene, name, value)
+        object.__setattr__(scene, "force", force)
+        object.__setattr__(scene, "friction", friction)
         return scene
+
+    @property
+    def is_forced(self) -> bool:
+        """Return whether anything acts in time: a piece of force, or one of friction."""
+        return bool(self.force.pieces or self.friction.pieces)
 
     @property
     def energy(self) -> Fraction:
@@ -140,17 +177,3 @@ def read_law(law: object) -> Law:
         names = ", ".join(f'"{one.value}"' for one in Law)
         given = repr(law) if isinstance(law, str) else f"a {type(law).__name__}"  # a huge int has no text
         raise InvalidScene(f"law = {given[:40]} is not one of {names}") from None
-
-
-def _keep(record: object, **values: Exact) -> None:
-    """Store values in a frozen record, as exact rationals."""
-    for name, value in values.items():
-        object.__setattr__(record, name, exact_decimal(value, name))
-
-
-def _short(value: Fraction) -> str:
-    """Return a rational for an error message; huge ones only by size, since a float cannot hold them."""
-    try:
-        return f"{float(value):g}" if value == 0 or abs(float(value)) > 0 else "a number below 1e-308"
-    except OverflowError:
-        return "a number above 1e308"

@@ -1,0 +1,168 @@
+"""The force u(t) on body 1, by pieces: on each a polynomial plus finitely many sines, everything an exact rational."""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from numerics.errors import InvalidScene
+from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.pieces import Piece, Sine, require_order
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Force:
+    """The force u(t) on body 1, N: pieces in order of their start (s); before the first one, and with none, u = 0.
+
+    Exact. f + g and c f are forces again. Raises InvalidScene.
+
+    >>> (Force.step(1, 2) + Force.ramp(0, 2, 4))(Fraction(3, 2))
+    Fraction(5, 1)
+    """
+
+    pieces: tuple[Piece, ...]
+
+    def __init__(self, pieces: Iterable[Piece] = ()) -> None:
+        """Keep the pieces; each starts after the one before it."""
+        kept = tuple(pieces)
+        if not all(isinstance(one, Piece) for one in kept):
+            raise InvalidScene("a force is made of Piece(start, polynomial, sines); build them first")
+        require_order("force", [one.start for one in kept])
+        object.__setattr__(self, "pieces", kept)
+
+    @classmethod
+    def step(cls, at: Exact, height: Exact) -> Force:
+        """Return 0 before the time `at` (s), `height` (N) from then on."""
+        return cls((Piece(at, (height,)),))
+
+    @classmethod
+    def ramp(cls, start: Exact, end: Exact, height: Exact) -> Force:
+        """Return the force that grows linearly from 0 at `start` to `height` (N) at `end` > start, and stays there."""
+        first, last, top = (exact_decimal(one, name) for one, name in _named(start=start, end=end, height=height))
+        return cls((Piece(first, (0, top / _length(last - first, "end - start"))), Piece(last, (top,))))
+
+    @classmethod
+    def trapezoid(cls, start: Exact, rise: Exact, hold: Exact, fall: Exact, height: Exact) -> Force:
+        """Return the force that rises for `rise` s, stays at `height` (N) for `hold` s and falls for `fall` s to 0.
+
+        rise, hold, fall >= 0, not all 0; where one of them is 0 that part is left out.
+        """
+        numbers = _named(start=start, rise=rise, hold=hold, fall=fall, height=height)
+        at, up, stay, down, top = (exact_decimal(one, name) for one, name in numbers)
+        for name, length in (("rise", up), ("hold", stay), ("fall", down)):
+            if length < 0:
+                raise InvalidScene(f"{name} = {short(length)} must be >= 0; give a duration in seconds")
+        _length(up + stay + down, "rise + hold + fall")
+        parts = ((up, (Fraction(0), top)), (stay, (top, top)), (down, (top, Fraction(0))))
+        pieces = []
+        for length, (first, last) in parts:
+            if length > 0:
+                pieces.append(Piece(at, (first, (last - first) / length)))
+                at += length
+        return cls((*pieces, Piece(at)))
+
+    @classmethod
+    def sine(cls, amplitude: Exact, omega: Exact, phase: Exact = 0, start: Exact = 0) -> Force:
+        """Return amplitude sin(omega t + phase) from `start` (s) on; t from the start of the run."""
+        return cls((Piece(start, (), (Sine(amplitude, omega, phase),)),))
+
+    @classmethod
+    def sweep(cls, amplitude: Exact, omegas: Iterable[Exact], duration: Exact, start: Exact = 0) -> Force:
+        """Return a staircase of sines, `duration` (s) each, whose phase goes on without a jump; the last one stays."""
+        length = _length(exact_decimal(duration, "duration"), "duration")
+        at, phase, before, pieces = exact_decimal(start, "start"), Fraction(0), Fraction(0), []
+        for one in omegas:
+            omega = exact_decimal(one, "omega")
+            phase += (before - omega) * at
+            pieces.append(Piece(at, (), (Sine(amplitude, omega, phase),)))
+            at, before = at + length, omega
+        return cls(pieces)
+
+    @property
+    def starts(self) -> tuple[Fraction, ...]:
+        """Return when the pieces begin, s."""
+        return tuple(one.start for one in self.pieces)
+
+    def piece_at(self, t: Fraction, side: int = 1) -> Piece:
+        """Return the piece that holds right after (side = 1) or right before (-1) the time t (s)."""
+        find = bisect_right if side > 0 else bisect_left
+        index = find(self.pieces, t, key=lambda one: one.start)
+        return self.pieces[index - 1] if index else Piece(0)
+
+    def __call__(self, t: Exact, side: int = 1) -> Fraction | float:
+        """Return u(t) (N); exact where no sine acts, else in binary64. `side` = -1: the value right before t."""
+        time = exact_decimal(t, "t")
+        piece = self.piece_at(time, side)
+        value = Fraction(0)
+        for coefficient in reversed(piece.polynomial):
+            value = value * (time - piece.start) + coefficient
+        if not piece.sines:
+            return value
+        return math.fsum(
+            [float(value), *(float(s.amplitude) * math.sin(float(s.omega * time + s.phase)) for s in piece.sines)]
+        )
+
+    @property
+    def frequency(self) -> Fraction | None:
+        """Return the greatest omega (rad/s) of which all frequencies are multiples, exact: the period is 2 pi/omega.
+
+        None unless the force is one piece from 0 on, of sines and at most a constant.
+        """
+        if len(self.pieces) != 1 or self.pieces[0].start > 0 or len(self.pieces[0].polynomial) > 1:
+            return None
+        omegas = [one.omega for one in self.pieces[0].sines]
+        if not omegas:
+            return None
+        below = math.lcm(*(one.denominator for one in omegas))
+        return Fraction(math.gcd(*(int(one * below) for one in omegas)), below)
+
+    def __add__(self, other: Force) -> Force:
+        """Return the sum; it has the jumps of both."""
+        if not isinstance(other, Force):
+            return NotImplemented
+        return Force(_summed(one, two) for one, two in self._refined(other))
+
+    def _refined(self, other: Force) -> Iterator[tuple[Piece, Piece]]:
+        """Yield the pieces of both, begun anew wherever one of them begins."""
+        for start in sorted({*self.starts, *other.starts}):
+            yield self.piece_at(start).moved(start), other.piece_at(start).moved(start)
+
+    def __rmul__(self, factor: Exact) -> Force:
+        """Return the force times an exact number."""
+        by = exact_decimal(factor, "factor")
+        return Force(
+            Piece(
+                one.start,
+                [by * c for c in one.polynomial],
+                [Sine(by * s.amplitude, s.omega, s.phase) for s in one.sines],
+            )
+            for one in self.pieces
+        )
+
+    def __neg__(self) -> Force:
+        """Return the opposite force."""
+        return -1 * self
+
+
+def _summed(one: Piece, two: Piece) -> Piece:
+    """Return the sum of two pieces that begin at the same time; equal sines become one."""
+    longer, shorter = sorted((one.polynomial, two.polynomial), key=len, reverse=True)
+    coefficients = [c + (shorter[k] if k < len(shorter) else 0) for k, c in enumerate(longer)]
+    sines: dict[tuple[Fraction, Fraction], Fraction] = {}
+    for sine in (*one.sines, *two.sines):
+        key = sine.omega, sine.phase
+        sines[key] = sines.get(key, Fraction(0)) + sine.amplitude
+    return Piece(one.start, coefficients, [Sine(amplitude, *key) for key, amplitude in sines.items()])
+
+
+def _length(value: Fraction, name: str) -> Fraction:
+    if value <= 0:
+        raise InvalidScene(f"{name} = {short(value)} must be > 0; give a duration in seconds")
+    return value
+
+
+def _named(**values: Exact) -> list[tuple[Exact, str]]:
+    return [(value, name) for name, value in values.items()]

@@ -1,0 +1,124 @@
+"""The parts of what acts on the pair in time: sines, pieces of force, and pieces of friction. Exact rationals."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+from numerics.errors import InvalidScene
+from numerics.scene.decimals import Exact, exact_decimal, keep, short
+
+MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
+"""The first two in one piece of force; the last in one force or friction."""
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Sine:
+    """amplitude sin(omega t + phase): N, rad/s > 0, rad; t (s) is counted from the start of the run. Exact."""
+
+    amplitude: Fraction
+    omega: Fraction
+    phase: Fraction
+
+    def __init__(self, amplitude: Exact, omega: Exact, phase: Exact = 0) -> None:
+        """Read the numbers; raises InvalidScene unless omega > 0."""
+        keep(self, amplitude=amplitude, omega=omega, phase=phase)
+        if self.omega <= 0:
+            raise InvalidScene(
+                f"omega = {short(self.omega)} of a sine must be > 0; write a constant as polynomial = [u]"
+            )
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Piece:
+    """u(t) from `start` (s) until the next piece: sum_k polynomial[k] (t - start)^k plus the sines. Exact, N.
+
+    Raises InvalidScene for a start < 0 and for more terms than a piece may have.
+    """
+
+    start: Fraction
+    polynomial: tuple[Fraction, ...]
+    sines: tuple[Sine, ...]
+
+    def __init__(self, start: Exact, polynomial: Iterable[Exact] = (), sines: Iterable[Sine] = ()) -> None:
+        """Read start and coefficients (N, N/s, N/s^2, ...)."""
+        keep(self, start=start)
+        _require_not_before_zero("a piece of force", self.start)
+        coefficients = [exact_decimal(one, f"polynomial[{k}]") for k, one in enumerate(polynomial)]
+        kept = tuple(sines)
+        if not all(isinstance(one, Sine) for one in kept):
+            raise InvalidScene("sines must be Sine(amplitude, omega, phase); build them first")
+        for name, count, most in (
+            ("coefficients", len(coefficients), MAX_COEFFICIENTS),
+            ("sines", len(kept), MAX_SINES),
+        ):
+            if count > most:
+                raise InvalidScene(f"a piece of force has {count} {name}; at most {most} are read; use more pieces")
+        while coefficients and coefficients[-1] == 0:
+            coefficients.pop()
+        object.__setattr__(self, "polynomial", tuple(coefficients))
+        object.__setattr__(self, "sines", tuple(one for one in kept if one.amplitude != 0))
+
+    def moved(self, start: Fraction) -> Piece:
+        """Return the same function of time as a piece that begins at another time; exact."""
+        return Piece(start, shifted(self.polynomial, start - self.start), self.sines)
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Friction:
+    """The friction force b by pieces, (start in s, b in N), in order; before the first one the pair's b. Exact."""
+
+    pieces: tuple[tuple[Fraction, Fraction], ...]
+
+    def __init__(self, pieces: Iterable[tuple[Exact, Exact]] = ()) -> None:
+        """Read the pieces; raises InvalidScene unless every b > 0 and each starts after the one before it."""
+        kept = []
+        for one in pieces:
+            start, b = _two(one)
+            kept.append((exact_decimal(start, "from"), exact_decimal(b, "b")))
+            _require_not_before_zero("a piece of friction", kept[-1][0])
+            if kept[-1][1] <= 0:
+                raise InvalidScene(f"b = {short(kept[-1][1])} must be > 0; give a positive b")
+        require_order("friction", [start for start, _ in kept])
+        object.__setattr__(self, "pieces", tuple(kept))
+
+    @property
+    def starts(self) -> tuple[Fraction, ...]:
+        """Return when the pieces begin, s."""
+        return tuple(start for start, _ in self.pieces)
+
+
+def shifted(polynomial: tuple[Fraction, ...], by: Fraction) -> tuple[Fraction, ...]:
+    """Return the coefficients of p(x + by), exact (Horner's scheme, repeated)."""
+    found = list(polynomial)
+    for first in range(len(found) - 1):
+        for k in range(len(found) - 2, first - 1, -1):
+            found[k] += by * found[k + 1]
+    return tuple(found)
+
+
+def _require_not_before_zero(what: str, start: Fraction) -> None:
+    if start < 0:
+        raise InvalidScene(f"from = {short(start)} of {what} must be >= 0; a run starts at t = 0")
+
+
+def require_order(what: str, starts: list[Fraction]) -> None:
+    """Raise InvalidScene unless every piece starts after the one before it."""
+    if len(starts) > MAX_PIECES:
+        raise InvalidScene(f"{what} has {len(starts)} pieces; at most {MAX_PIECES} are read")
+    for index, (one, two) in enumerate(pairwise(starts), start=1):
+        if two <= one:
+            raise InvalidScene(
+                f"piece {index + 1} of {what} has from = {short(two)}, not after {short(one)}; put them in order"
+            )
+
+
+def _two(piece: Any) -> tuple[Any, Any]:
+    try:
+        start, b = piece
+    except (TypeError, ValueError):
+        raise InvalidScene("a piece of friction is a pair (start, b); give two numbers") from None
+    return start, b

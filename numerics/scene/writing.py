@@ -1,0 +1,41 @@
+"""A scene as the TOML text that describes it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from numerics.scene.decimals import decimal_text
+from numerics.scene.model import Law, Scene
+from numerics.scene.pieces import Piece
+
+
+def scene_text(scene: Scene) -> str:
+    """Return TOML that `parse_scene` reads as the same scene: decimals where a number has one, else ratios; exact."""
+    pair, at = scene.pair, scene.initial
+    lines = ["[pair]", *(f"{name} = {_number(getattr(pair, name))}" for name in ("m1", "m2", "a1", "a2", "b"))]
+    lines += ["[initial]", *(f"{name} = {_number(getattr(at, name))}" for name in ("x1", "v1", "x2", "v2"))]
+    lines += ["[run]", f"until = {_number(scene.until)}"]
+    if scene.law is not Law.FILIPPOV:
+        lines.append(f'law = "{scene.law.value}"')
+    for piece in scene.force.pieces:
+        lines += _force_lines(piece)
+    for start, b in scene.friction.pieces:
+        lines += ["[[friction]]", f"from = {_number(start)}", f"b = {_number(b)}"]
+    return "\n".join(lines) + "\n"
+
+
+def _force_lines(piece: Piece) -> Iterator[str]:
+    yield "[[force]]"
+    yield f"from = {_number(piece.start)}"
+    yield f"polynomial = [{', '.join(map(_number, piece.polynomial))}]"
+    sines = (
+        f"{{ amplitude = {_number(s.amplitude)}, omega = {_number(s.omega)}, phase = {_number(s.phase)} }}"
+        for s in piece.sines
+    )
+    yield f"sines = [{', '.join(sines)}]"
+
+
+def _number(value: Fraction) -> str:
+    text = decimal_text(value)
+    return f'"{text}"' if "/" in text or len(text) > 18 else text  # TOML's whole numbers have 64 bits
