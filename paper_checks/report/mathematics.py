@@ -6,32 +6,14 @@ Mathematics stands between `$` (inline) or `$$` (displayed); a backslash before 
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterator
 from enum import Enum
-from html import escape, unescape
-from xml.etree import ElementTree
+from html import escape
 
-from latex2mathml.converter import convert
-
+from paper_checks.report.mathml import UnreadableMathematicsError, mathml
 from paper_checks.report.unicode_mathematics import spoken
 
 _PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)
-_COMMAND = re.compile(r"\s*\\[A-Za-z]+")
-_NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
-_ARITY = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "mover": 2, "munder": 2, "munderover": 3, "mroot": 2}
-_ELEMENTS = {
-    *("math", "mrow", "mi", "mn", "mo", "mtext", "mspace", "msqrt", "mtable", "mtr", "mtd", "mstyle", "mpadded"),
-    *("mphantom", "menclose", *_ARITY),
-}
-_LETTER = re.compile(r"<mi>(&#x[0-9A-F]+;|\W)</mi>")
-_BAR = '<mo stretchy="false">&#x0007C;</mo>'
-_FENCE = re.compile(r'<mo ([^>]*fence="true"[^>]*)>\\?([^<]*)</mo>')
-_SIGN_AFTER_OPERATOR = re.compile(
-    r"(?P<before><mo[^>]*>(?!&#x00029;|&#x0005D;|&#x0007D;|&#x02016;|[|)\]}])[^<]*</mo>)"
-    r"(?P<space>(?:<mspace[^>]*/>)?)<mo>(?P<sign>&#x02212;|&#x0002B;|&#x000B1;|&#x02213;)</mo>"
-)
-_NAMED_FUNCTION = re.compile(r"(<m[io]>(?:sin|cos|tan|exp|log|ln|max|min)</m[io]>)(?=<m(?!o))")
 _LONG_NUMBER = re.compile(r"\d{24,}")
 _TEX_SPECIAL = re.compile(r"[&%#_{}~^\\$<>|]")
 _TEX_ESCAPES = {
@@ -47,10 +29,6 @@ _TEX_CHARACTERS = {
     "·": r"\cdot", "→": r"\to", "∞": r"\infty", "−": "-", "²": "^2", "³": "^3", "√": r"\surd",
     "∈": r"\in", "π": r"\pi", "τ": r"\tau", "Ω": r"\Omega", "Φ": r"\Phi", "Δ": r"\Delta", "θ": r"\theta", "ζ": r"\zeta",
 }  # fmt: skip
-
-
-class UnreadableMathematicsError(ValueError):
-    """LaTeX that cannot be turned into MathML."""
 
 
 class Piece(Enum):
@@ -72,48 +50,6 @@ def pieces(text: str) -> Iterator[tuple[Piece, str]]:
         end = match.end()
     if end < len(text):
         yield Piece.PROSE, text[end:].replace(r"\$", "$")
-
-
-def mathml(latex: str, *, display: bool = False) -> str:
-    """Return the MathML element; raises UnreadableMathematicsError."""
-    try:
-        element = convert(latex, display="block" if display else "inline")
-    except Exception as error:
-        raise UnreadableMathematicsError(f"{latex!r}: {type(error).__name__}: {error}") from error
-    if objection := _objection_to(element):
-        raise UnreadableMathematicsError(f"{latex!r}: {objection}")
-    return _spaced(element)
-
-
-def _objection_to(element: str) -> str | None:
-    """Say why what the converter gave is no MathML: it lets unknown commands, lost arguments and tags through."""
-    try:
-        nodes = list(ElementTree.fromstring(element).iter())
-    except ElementTree.ParseError as error:
-        return f"not well-formed, {error}"
-    for node in nodes:
-        name = node.tag.removeprefix(_NAMESPACE)
-        if name not in _ELEMENTS:
-            return f"{name} is no element of mathematics"
-        if len(node) != _ARITY.get(name, len(node)):
-            return f"{name} has {len(node)} arguments"
-        if command := _COMMAND.match(node.text or ""):
-            return f"the command {command[0]} is not known"
-    return None
-
-
-def _spaced(element: str) -> str:
-    """Mend what the converter leaves to chance: relations set as letters, bars and signs spaced as infixes."""
-    element = _LETTER.sub(lambda match: f"<mo>{match[1]}</mo>" if _is_relation(match[1]) else match[0], element)
-    element = _FENCE.sub(r'<mo lspace="0" rspace="0" \1>\2</mo>', element)
-    element = element.replace(_BAR, '<mo stretchy="false" lspace="0" rspace="0">|</mo>')
-    element = _NAMED_FUNCTION.sub(r'\1<mspace width="0.167em"/>', element)
-    return _SIGN_AFTER_OPERATOR.sub(r'\g<before>\g<space><mo form="prefix">\g<sign></mo>', element)
-
-
-def _is_relation(content: str) -> bool:
-    character = unescape(content)
-    return unicodedata.category(character) == "Sm" and character not in "∞∅∂∇"
 
 
 def html(text: str) -> str:

@@ -7,7 +7,8 @@ import unicodedata
 
 _WORDS = {
     "leqslant": "≤", "leq": "≤", "le": "≤", "geqslant": "≥", "geq": "≥", "ge": "≥", "neq": "≠", "ne": "≠",
-    "approx": "≈", "sim": "~", "pm": "±", "mp": "∓", "times": "×", "cdot": "·", "cdots": "⋯", "ldots": "…",
+    "approx": "≈", "sim": "~", "pm": "±", "mp": "∓", "times": "×", "cdot": "·", "cdots": "⋯", "ldots": "…", "dots": "…",
+    "lceil": "⌈", "rceil": "⌉", "lfloor": "⌊", "rfloor": "⌋", "nu": "ν", "chi": "χ", "kappa": "κ", "Theta": "Θ",
     "to": "→", "rightarrow": "→", "mapsto": "↦", "Rightarrow": "⇒", "implies": "⇒", "iff": "⇔", "infty": "∞",
     "in": "∈", "notin": "∉", "cap": "∩", "cup": "∪", "subset": "⊂", "vee": "∨", "wedge": "∧", "emptyset": "∅",
     "forall": "∀", "exists": "∃", "int": "∫", "sum": "∑", "partial": "∂", "langle": "⟨", "rangle": "⟩",
@@ -19,6 +20,7 @@ _WORDS = {
 _SUBSCRIPTS = str.maketrans("0123456789+-", "₀₁₂₃₄₅₆₇₈₉₊₋")
 _SUPERSCRIPTS = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
 _ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "bar": "\u0304", "hat": "\u0302", "tilde": "\u0303"}
+_FUNCTIONS = "arcsin|arccos|arctan|sinh|cosh|sin|cos|tan|cot|exp|ln|log|max|min|lim"
 _GROUP = r"\{([^{}]*)\}"
 
 
@@ -29,15 +31,20 @@ def spoken(latex: str) -> str:
     'ẍ₁ ≤b/(m₁+m₂) √(a)'
     """
     text = re.sub(r"\\(?:left|right|[bB]ig[lr]?|[bB]igg[lr]?|displaystyle|limits)(?![A-Za-z])\s*\.?", "", latex)
-    text = re.sub(r"\\([{}])", lambda match: {"{": "\ue000", "}": "\ue001"}[match[1]], text)
+    text = re.sub(r"\\([{}|\\])", lambda match: {"{": "\ue000", "}": "\ue001", "|": "‖", "\\": "; "}[match[1]], text)
+    text = re.sub(rf"\\(?:({_FUNCTIONS})(?![A-Za-z])|operatorname\s*{_GROUP})\s*", _function, text)
     text = re.sub(r"\\([A-Za-z]+)\s*", lambda match: _WORDS.get(match[1], match[0]), text)
+    text = re.sub(r"\\[td]?frac\s*([0-9A-Za-z])\s*([0-9A-Za-z])", r"\\frac{\1}{\2}", text)
+    text = re.sub(r"\\sqrt\s*([0-9A-Za-z])", r"\\sqrt{\1}", text)
     previous = None
     while text != previous:
         previous = text
         text = _without_innermost_groups(text)
+        if text == previous:
+            text = _without_a_bare_group(text)
     text = re.sub(r"\\([A-Za-z]+)\s*", r"\1", text)
-    text = re.sub(r"\\[,;:!]|\\ ", " ", text).replace("\\\\", "; ").replace("&", " ")
-    text = re.sub(r"\ue004(?=[\w√(])", " ", text).replace("\ue004", "")
+    text = re.sub(r"\\[,;:!]|\\ ", " ", text).replace("&", " ")
+    text = re.sub(r"\ue004(?=[\w√(])|\ue005(?=[^\W²³¹⁰-₎]|√)", " ", text).replace("\ue004", "").replace("\ue005", "")
     for private, visible in (("\ue000", "{"), ("\ue001", "}"), ("\ue002", "_"), ("\ue003", "^")):
         text = text.replace(private, visible)
     return " ".join(text.split())
@@ -46,10 +53,23 @@ def spoken(latex: str) -> str:
 def _without_innermost_groups(text: str) -> str:
     text = re.sub(rf"\\[td]?frac\s*{_GROUP}\s*{_GROUP}", lambda m: f"{_whole(m[1])}/{_alone(m[2])}\ue004", text)
     text = re.sub(rf"\\sqrt\s*{_GROUP}", r"√(\1)", text)
-    text = re.sub(rf"\\(dot|ddot|bar|hat|tilde)\s*(?:{_GROUP}|([A-Za-z]))", _accented, text)
+    text = re.sub(rf"\\(dot|ddot|bar|hat|tilde)(?![A-Za-z])\s*(?:{_GROUP}|([^\W\d_]))", _accented, text)
     text = re.sub(rf"\\(?:mathrm|mathbf|mathbb|mathcal|mathit|text|operatorname)\s*{_GROUP}", r"\1", text)
     text = re.sub(rf"([_^])(?:{_GROUP}|([0-9A-Za-z+-]))", _raised_or_lowered, text)
     return re.sub(r"\\(?:begin|end)\{[a-z*]+\}", " ", text)
+
+
+def _without_a_bare_group(text: str) -> str:
+    """Open the first innermost group that is no argument."""
+    for match in re.finditer(_GROUP, text):
+        if not re.search(r"(?:\\[A-Za-z]+|[_^}])\s*$", text[: match.start()]):
+            return text[: match.start()] + match[1] + text[match.end() :]
+    return text
+
+
+def _function(match: re.Match[str]) -> str:
+    """Name a function; a mark keeps the name from its argument."""
+    return f"{match[1] or match[2]}\ue005"
 
 
 def _whole(text: str) -> str:

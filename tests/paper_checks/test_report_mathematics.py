@@ -1,8 +1,11 @@
 """LaTeX in prose becomes MathML, Unicode and LaTeX; nothing hostile gets through."""
 
+from xml.etree import ElementTree
+
 import pytest
 
 from paper_checks.ledger import CLAIMS
+from paper_checks.report import mathml as mathml_module
 from paper_checks.report.mathematics import (
     Piece,
     UnreadableMathematicsError,
@@ -12,6 +15,7 @@ from paper_checks.report.mathematics import (
     pieces,
     plain,
 )
+from paper_checks.report.mathml import objection_to, tree
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
@@ -38,13 +42,45 @@ def test_pieces():
 def test_mathematics_becomes_mathml():
     assert "<msub>" in html("$x_1$")
     assert 'display="block"' in html("$$x$$")
-    assert "<mo>&#x02A7D;</mo>" in mathml(r"a\leqslant b")
-    assert '<mo form="prefix">&#x02212;</mo>' in mathml("a=-b")
-    assert '<mo form="prefix">&#x02212;</mo>' in mathml(r"0,\,-1")
+    assert "<mo>⩽</mo>" in mathml(r"a\leqslant b")
+    assert '<mo form="prefix">−</mo>' in mathml("a=-b")
+    assert '<mo form="prefix">−</mo>' in mathml(r"0,\,-1")
     assert mathml(r"\bigl(a\bigr)").count('lspace="0"') == 2
     assert "\\" not in mathml(r"\Bigl\{a\Bigr\}")
     assert '<mo form="prefix">' not in mathml("(a)-b")
     assert '<mo form="prefix">' not in mathml("|a|-b")
+
+
+@pytest.mark.parametrize(
+    ("source", "element"),
+    [
+        (r"\sin^3\varphi", "<msup><mi>sin</mi><mn>3</mn></msup><mspace"),
+        (r"\sin\theta", "<mi>sin</mi><mspace"),
+        (r"\sin{\left(\theta\right)}", "<mi>sin</mi><mrow>"),
+        (r"\operatorname{acot} x", "<mo>acot</mo><mspace"),
+        (r"a\sin", "<mi>sin</mi></mrow>"),
+        (r"\Phi_{+}\cdot n_{S}", "</msub><mo>·</mo><msub>"),
+    ],
+)
+def test_space_stands_beside_a_function_and_never_among_its_arguments(source, element):
+    assert element in mathml(source)
+    assert objection_to(tree(source)) is None
+
+
+@pytest.mark.parametrize("name", ["msup", "mfrac", "msubsup"])
+def test_one_argument_too_many_is_an_objection(name):
+    element = ElementTree.fromstring(f"<math><{name}>{'<mi>x</mi>' * 4}</{name}></math>")
+    assert objection_to(element) == f"{name} has 4 arguments"
+
+
+def test_what_is_mended_wrongly_is_refused(monkeypatch):
+    def space_among_arguments(element):
+        for node in element.iter("msup"):
+            node.append(ElementTree.Element("mspace"))
+
+    monkeypatch.setattr(mathml_module, "_mend", space_among_arguments)
+    with pytest.raises(UnreadableMathematicsError, match="msup has 3 arguments"):
+        mathml("x^2")
 
 
 @pytest.mark.parametrize("latex_source", [r"\foo{x}", r"\frac{a}", "{"])
@@ -70,6 +106,11 @@ def test_prose_is_escaped():
         (r"\frac{a+b}{2a}x", "(a+b)/(2a) x"),
         (r"x_1\to\mathrm{const}", "x₁→const"),
         (r"t_{k+1}-\tau_k\to 0", "t_(k+1)-τ_k→0"),
+        (r"\sin^3\varphi", "sin³φ"),
+        (r"1-\tfrac32w+\dots", "1-3/2 w+…"),
+        (r"\frac{\theta-\sin{\left(\theta\right)}}{1-\cos{\left(\theta\right)}}", "(θ-sin(θ))/(1-cos(θ))"),
+        (r"\Phi_{+}\cdot n_{S}", "Φ₊·n_S"),
+        (r"\left|{v_{1} - v_{2}}\right|", "|v₁ - v₂|"),
         (r"\left\{E=E_0\right\}\cap S_0", "{E=E₀}∩S₀"),
     ],
 )
