@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 # Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
 
-COMMANDS = ("run", "list", "report", "plant")
+COMMANDS = ("run", "list", "report", "explore", "plant")
 USAGE, UNCHECKED, INTERRUPTED = 2, 3, 130
 EPILOGUE = (
     "Exit codes: 0 every verdict is the recorded one; 1 some verdict differs; 2 usage; "
@@ -54,7 +54,7 @@ def _parser() -> argparse.ArgumentParser:
         description="Check every claim of the paper. Without a command: run.",
         epilog=EPILOGUE,
     )
-    commands = parser.add_subparsers(required=True, metavar="{run,list,report,plant}")
+    commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant}")
     run = commands.add_parser("run", help="check the claims, print verdicts and evidence", epilog=EPILOGUE)
     run.add_argument("ids", nargs="*", metavar="ID", help="claims to check; all without it (see list)")
     run.add_argument("--json", action="store_true", help="print a JSON list")
@@ -70,6 +70,9 @@ def _parser() -> argparse.ArgumentParser:
         "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
     )
     report.set_defaults(command=_report)
+    explore = commands.add_parser("explore", help="write a page on which a reader plays with the pair")
+    explore.add_argument("--out", type=Path, default=Path("explore.html"), metavar="F", help="default: %(default)s")
+    explore.set_defaults(command=_explore)
     plant = commands.add_parser("plant", help="change every formula of every clause, and see that its row turns")
     plant.add_argument("ids", nargs="*", metavar="ID", help="claims to plant faults in; all without it")
     plant.set_defaults(command=_plant)
@@ -153,6 +156,19 @@ def _report(options: argparse.Namespace) -> int:
         _complain(complaint)
     print(path)
     return exit_code(rows) or (UNCHECKED if complaints else 0)
+
+
+def _explore(options: argparse.Namespace) -> int:
+    from paper_checks import atomic
+    from paper_checks.explore.page import page
+
+    try:
+        atomic.write(options.out, page())
+    except OSError as error:
+        _complain(f"the page cannot be written: {error}")
+        return USAGE
+    print(options.out)
+    return 0
 
 
 def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:

@@ -1,0 +1,172 @@
+/* Joins controls, solver and pictures. */
+
+const root = document.getElementById("explore"), part = (name) => document.getElementById(`explore-${name}`);
+const space = part("space"), strips = part("strips"), clock = part("time"), playing = part("play");
+const calm = matchMedia("(prefers-reduced-motion: reduce)"), dark = matchMedia("(prefers-color-scheme: dark)");
+const state = { solution: null, parts: [], reach: null, t: 0, timer: 0, units: null };
+
+const controls = controlsOf(root, () => { state.units = null; pressed(null); renew(); });
+const view = cameraOf(space, draw);
+
+/* The scene that the controls say. */
+function sceneNow() {
+  const value = (name) => controls.value(name), kind = part("force").value;
+  return {
+    ratio: value("ratio"), zeta: value("zeta"), X: value("X"), V1: value("V1"), V2: value("V2"), until: value("until"),
+    constant: kind === "constant" ? value("size") : 0, amplitude: kind === "sine" ? value("size") : 0, omega: value("omega"),
+    literal: part("literal").checked,
+  };
+}
+
+/* Solve anew, from the start of time. */
+function renew() {
+  stop();
+  const kind = part("force").value;
+  controls.show("size", kind !== "none");
+  controls.show("omega", kind === "sine");
+  try {
+    state.solution = solve(sceneNow());
+  } catch (error) {
+    part("regime").textContent = `This scene cannot be solved here: ${error.message}.`;
+    return;
+  }
+  state.parts = sampled(state.solution);
+  state.reach = reachOf(state.parts);
+  state.t = Math.min(state.t, state.solution.scene.until);
+  tell();
+  draw();
+}
+
+function tell() {
+  const { title, text } = regimeOf(state.solution), { segments } = state.solution;
+  part("regime").innerHTML = "<strong></strong> <span></span>";
+  part("regime").firstChild.textContent = `${title}.`;
+  part("regime").lastChild.textContent = text;
+  part("units").textContent = state.units || "";
+  part("units").hidden = !state.units;
+  part("rows").replaceChildren(...segments.slice(0, 200).map(rowOf));
+  part("more").textContent = segments.length > 200 ? `${segments.length - 200} more are not listed.` : "";
+  const modes = segments.slice(0, 12).map(({ start }) => MODE_NAMES[start.mode]).join(", ");
+  space.setAttribute("aria-label", `Phase space x1, v1, v2. ${title}. ${segments.length} motions: ${modes}${segments.length > 12 ? ", \u2026" : "."}`);
+  strips.setAttribute("aria-label", `Velocities, load, itinerary and energy over time. ${title}. The table of motions below has the numbers.`);
+}
+
+const MODE_NAMES = { 1: "slip+", 0: "stick", "-1": "slip\u2212" };
+
+function rowOf({ start }) {
+  const row = document.createElement("tr"), energy = energyAbout(state.solution, start);
+  const cells = [MODE_NAMES[start.mode], ...[start.t, start.X, start.V1, start.V2, energy].map((one) => shown(one, 9))];
+  row.append(...cells.map((text) => Object.assign(document.createElement("td"), { textContent: text })));
+  return row;
+}
+
+/* The colours and the font of the page, as it is now: light, dark or printed. */
+function colorsNow() {
+  const style = getComputedStyle(root), color = (name) => style.getPropertyValue(`--explore-${name}`).trim();
+  const named = Object.fromEntries(["ink", "soft", "line", "paper", "plane", "strip", "ray"].map((name) => [name, color(name)]));
+  const modes = { 1: [color("plus"), 1.6, []], 0: [color("stick"), 3, []], "-1": [color("minus"), 1.8, [7, 3]] };
+  return { ...named, modes, font: "12px system-ui, sans-serif" };
+}
+
+function canvasOf(canvas) {
+  const scale = devicePixelRatio || 1, { clientWidth: width, clientHeight: height } = canvas;
+  if (canvas.width !== Math.round(width * scale)) canvas.width = Math.round(width * scale);
+  if (canvas.height !== Math.round(height * scale)) canvas.height = Math.round(height * scale);
+  const context = canvas.getContext("2d");
+  context.setTransform(scale, 0, 0, scale, 0, 0);
+  return [context, width, height];
+}
+
+function draw() {
+  if (!state.solution) return;
+  const now = stateOf(state.solution, state.t), { until } = state.solution.scene, colors = colorsNow();
+  const picture = { ...state, camera: view.camera, now: { ...now, t: state.t }, colors };
+  drawScene(...canvasOf(space), picture);
+  drawStrips(...canvasOf(strips), picture);
+  clock.value = Math.round(1000 * state.t / until);
+  clock.setAttribute("aria-valuetext", `\u03c4 = ${shown(state.t)}, ${MODE_NAMES[now.mode]}`);
+  const energy = energyAbout(state.solution, now), load = loadOf(state.solution.pair, state.solution.force, now);
+  part("now").textContent = `\u03c4 = ${shown(state.t)}: ${MODE_NAMES[now.mode]}; x\u2081/L = ${shown(now.X)}, v\u2081 = ${shown(now.V1)}, v\u2082 = ${shown(now.V2)}; E/E_cr = ${shown(energy)}; sticking needs ${shown(load)} b`;
+}
+
+function go(t) {
+  state.t = Math.max(0, Math.min(t, state.solution.scene.until));
+  draw();
+}
+
+/* The first start of a motion after now, or the end. */
+function nextEvent() {
+  const next = state.solution.segments.find(({ start }) => start.t > state.t * (1 + 1e-12) + 1e-12);
+  return next ? next.start.t : state.solution.scene.until;
+}
+
+/* Play: smoothly in half a minute at most; from event to event where the reader wants less motion. */
+function play() {
+  if (state.t >= state.solution.scene.until) go(0);
+  playing.textContent = "Pause";
+  if (calm.matches) {
+    state.timer = setInterval(() => step(nextEvent()), 1000);
+    return;
+  }
+  const speed = Math.max(1.5, state.solution.scene.until / 30);
+  let before = performance.now();
+  const frame = (instant) => {
+    const passed = Math.min(0.1, (instant - before) / 1000);
+    before = instant;
+    step(state.t + speed * passed);
+    if (state.timer) state.timer = requestAnimationFrame(frame);
+  };
+  state.timer = requestAnimationFrame(frame);
+}
+
+function step(t) {
+  go(t);
+  if (state.t >= state.solution.scene.until) stop();
+}
+
+function stop() {
+  clearInterval(state.timer);
+  cancelAnimationFrame(state.timer);
+  state.timer = 0;
+  playing.textContent = "Play";
+}
+
+function pressed(button) {
+  for (const one of root.querySelectorAll("[data-scene]")) one.setAttribute("aria-pressed", String(one === button));
+}
+
+function load(button) {
+  const { scene, units } = EXPLORE.scenes[button.dataset.scene];
+  for (const name of ["ratio", "zeta", "X", "V1", "V2", "until", "omega"]) controls.set(name, scene[name]);
+  controls.set("size", scene.amplitude || scene.constant);
+  part("force").value = scene.amplitude ? "sine" : scene.constant ? "constant" : "none";
+  part("literal").checked = scene.literal;
+  state.units = units;
+  state.t = 0;
+  pressed(button);
+  view.reset();
+  renew();
+}
+
+for (const button of root.querySelectorAll("[data-scene]")) button.addEventListener("click", () => load(button));
+for (const name of ["force", "literal"]) part(name).addEventListener("change", () => { pressed(null); renew(); });
+playing.addEventListener("click", () => (state.timer ? stop() : play()));
+part("next").addEventListener("click", () => { stop(); go(nextEvent()); });
+part("start").addEventListener("click", () => { stop(); go(0); });
+part("end").addEventListener("click", () => { stop(); go(state.solution.scene.until); });
+clock.addEventListener("input", () => { stop(); go(state.solution.scene.until * clock.value / 1000); });
+part("closer").addEventListener("click", () => view.turn(0, 0, 1.5));
+part("farther").addEventListener("click", () => view.turn(0, 0, 1 / 1.5));
+part("reset").addEventListener("click", view.reset);
+strips.addEventListener("pointerdown", (event) => {
+  const share = (event.offsetX - MARGIN.left) / (strips.clientWidth - MARGIN.left - MARGIN.right);
+  stop();
+  go(share * state.solution.scene.until);
+});
+new ResizeObserver(draw).observe(root);
+dark.addEventListener("change", draw);
+addEventListener("beforeprint", () => { root.classList.add("explore-print"); draw(); });
+addEventListener("afterprint", () => { root.classList.remove("explore-print"); draw(); });
+part("body").hidden = false;
+load(root.querySelector("[data-scene]"));
+go(state.solution.scene.until);

@@ -1,0 +1,90 @@
+/* What becomes of a motion, in a sentence, and the thresholds of a sinusoidal force. */
+
+const shown = (value, digits = 4) => String(Number(value.toPrecision(digits))).replaceAll("-", "\u2212");
+
+/* Amplitudes of u/b = A sin(omega tau): up to `stuck` a permanently stuck response exists; from `slipping` on there is
+   one that never sticks, if its slips keep their sign for half a period. */
+function thresholds({ q, r, zeta }, omega) {
+  const stuck = Math.hypot(1 - omega * omega, 2 * zeta * omega) / (omega * omega * r);
+  const stiff = Math.hypot(1 - q * omega * omega, 2 * zeta * omega);
+  if (stiff < 1e-9) return { stuck, slipping: 4 / Math.PI };
+  const half = Math.PI / omega, fade = zeta / q, drop = Math.exp(-2 * fade * half);
+  const [cosine, sine] = overHalf(fade, 1 / q, half);
+  // every hyperbolic function over exp(fade half), which would overflow
+  const below = (1 + drop) / 2 + cosine, h = -((1 - drop) / 2 - fade * sine) / below, rate = -sine / (q * below);
+  const along = half / (2 * r) - rate, across = (1 / r - h - 2 * zeta * rate) / (q * omega);
+  return { stuck, slipping: stiff / omega * Math.hypot(along, across) };
+}
+
+/* exp(-fade t) times cos and sin/rate of rate t, rate^2 = k - fade^2, or their hyperbolic counterparts. */
+function overHalf(fade, k, t) {
+  const [C, S] = freeMotion({ delta: fade, k, square: k - fade * fade }, t);
+  return [C - fade * S, S];
+}
+
+/* {title, text}: what this run came to. Sentences that name a row are proved there; the others tell this run only. */
+function regimeOf(solution) {
+  const { scene, force, segments, capped } = solution;
+  if (capped) return { title: "Too many events", text: `The first ${segments.length} events are shown. Choose a shorter run.` };
+  if (scene.literal) return literalRegime(solution);
+  return force.amplitude === 0 ? freeRegime(solution) : drivenRegime(solution);
+}
+
+const isStuckForEver = ({ motion }) => {
+  const y = motion.at(0, 4);
+  return y[2] * y[2] + y[3] * y[3] <= 1;
+};
+
+function literalRegime({ segments }) {
+  const last = segments[segments.length - 1];
+  if (last.start.mode !== STICK) return { title: "Still slipping", text: "The bodies have not yet had the same velocity." };
+  return { title: "Stuck by definition", text: `From τ = ${shown(last.start.t)} on the bodies stick: with sgn(0) = 0 read literally, v1 = v2 is never left, whatever force that takes.` };
+}
+
+function freeRegime(solution) {
+  const { scene, pair, segments } = solution, last = segments[segments.length - 1];
+  const energy = energyAbout(solution, last.start), from = `From τ = ${shown(last.start.t)} on`;
+  if (last.start.mode === STICK && (isStuckForEver(last) || energy <= 1)) {
+    const rest = pair.zeta > 0 ? "and come to rest" : `and oscillate as one body with E/E_cr = ${shown(energy)} ≤ 1`;
+    return { title: segments.length > 1 ? "Merges" : "Sticks for ever", text: `${from} the bodies stick for ever ${rest}.` };
+  }
+  const count = `${segments.length - 1} events`;
+  if (pair.zeta > 0) return { title: "Not settled yet", text: `${count} so far. Damping takes the energy; let it run longer.` };
+  const touched = segments.some(({ start }) => start.V1 === start.V2), excess = energy - 1;
+  if (touched && pair.q / pair.r > EXPLORE.criticalRatio) {
+    return { title: "Creeps", text: `${count} so far. E/E_cr falls towards 1 and never reaches it: for m1/m2 above ${shown(EXPLORE.criticalRatio, 6)} nothing that has met S above E_cr merges (row critical-mass-ratio).` };
+  }
+  if (segments.some(({ start }) => start.mode === STICK) && excess <= pair.q * (Math.PI / 2 - 1) ** 2) {
+    return { title: "Creeps", text: `${count} so far. E/E_cr − 1 = ${shown(excess)} is at most q (π/2 − 1)² = ${shown(pair.q * (Math.PI / 2 - 1) ** 2)}: the pair never merges (explicit bound in the report).` };
+  }
+  return { title: "Not merged yet", text: `${count} so far; E/E_cr = ${shown(energy)} in this run. It may merge later; let it run longer.` };
+}
+
+/* E/E_cr, the spring's part measured from where a constant force puts the centre of S0. */
+function energyAbout({ pair, force }, state) {
+  return energyOf(pair, { ...state, X: state.X - force.constant });
+}
+
+function drivenRegime(solution) {
+  const { scene, pair } = solution, period = 2 * Math.PI / scene.omega, bound = thresholds(pair, scene.omega);
+  const limits = `Under this frequency the bodies can stick for ever while u/b ≤ ${shown(bound.stuck)}; a response without any stick needs about u/b ≥ ${shown(bound.slipping)}. Here u/b = ${shown(Math.abs(scene.amplitude))}.`;
+  if (scene.until < 2 * period) return { title: "Driven", text: `${limits} The run is shorter than two periods of the force.` };
+  const { stuck, stops } = lastPeriod(solution, period), repeats = repetition(solution, period);
+  const again = repeats < 1e-6 ? "The last two periods agree to a millionth." : `Over the last period the state has changed by ${shown(repeats, 2)}: it is still settling.`;
+  if (stuck === 1) return { title: "Entrained", text: `The pair moves as one body throughout the last period. ${again} ${limits}` };
+  if (stuck === 0) return { title: "Slips all the time", text: `No stick phase in the last period. ${again} ${limits}` };
+  return { title: "Stick and slip", text: `${stops} stick phase${stops === 1 ? "" : "s"} in the last period, ${shown(100 * stuck, 3)} % of the time. ${again} ${limits}` };
+}
+
+/* The share of the last period that is stuck, and how many stick phases lie in it. */
+function lastPeriod({ scene, segments }, period) {
+  const from = scene.until - period, inside = segments.filter(({ start, duration }) => start.t + duration > from && start.mode === STICK);
+  const time = inside.reduce((sum, { start, duration }) => sum + start.t + duration - Math.max(start.t, from), 0);
+  return { stuck: inside.length === 1 && time > period * (1 - 1e-9) ? 1 : time / period, stops: inside.length };
+}
+
+/* How far the state at the end is from that one period before. */
+function repetition(solution, period) {
+  const now = stateOf(solution, solution.scene.until), then = stateOf(solution, solution.scene.until - period);
+  return Math.max(...["X", "V1", "V2"].map((name) => Math.abs(now[name] - then[name])));
+}

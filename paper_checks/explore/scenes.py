@@ -1,0 +1,92 @@
+"""The scenes behind the buttons of the interactive page: the paper's, read from their files, and ours under a force."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from numerics.scene import Scene
+from numerics.scene.file import load_scene
+from numerics.scene.model import Law
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """A scene in reduced coordinates (theory/scaling.py), binary64: mass ratio m1/m2, damping ratio, state, horizon
+    Omega until, and the force over b: constant + amplitude sin(omega tau)."""
+
+    ratio: float = 1.0
+    zeta: float = 0.0
+    X: float = 0.0
+    V1: float = 0.0
+    V2: float = 0.0
+    until: float = 50.0
+    constant: float = 0.0
+    amplitude: float = 0.0
+    omega: float = 1.0
+    literal: bool = False
+
+
+@dataclass(frozen=True)
+class Button:
+    """What a button says, the scene that it loads, and what one unit is in SI, where the scene has such units."""
+
+    label: str
+    scene: Reduced
+    units: str = ""
+
+    def data(self) -> dict[str, Any]:
+        """Return what the page needs of it."""
+        return {"scene": asdict(self.scene), "units": self.units}
+
+
+PAPER = (
+    ("Fig. 3 (a): merges", "itinerary-that-merges"),
+    ("Fig. 3 (b): creeps", "itinerary-that-creeps"),
+    ("Fig. 4 (a): from 6 mm", "start-at-6mm"),
+    ("Fig. 4 (b): with speed", "start-with-speed"),
+    ("Fig. 5: b = 0.05 N", "velocities"),
+    ("Fig. 5 (b): b = 0.2 N", "relative-motion-b02"),
+    ("Fig. 5 (b): b = 0.5 N", "relative-motion-b05"),
+)
+"""The paper's scenes by their shipped names; numbered as printed."""
+
+OWN = (
+    Button("Sticks for ever", Reduced(X=0.5, until=30)),
+    Button("Next to the critical orbit", Reduced(X=1, V1=-0.1, V2=-0.1, until=120)),
+    Button("Light driving body: merges", Reduced(ratio=0.1, X=1, V1=2, V2=2, until=40)),
+    Button("Damped", Reduced(zeta=0.1, V1=8, V2=-4, until=40)),
+    Button("Constant force", Reduced(constant=4, until=60)),
+    Button("Sine: entrained", Reduced(zeta=0.1, amplitude=1.5, omega=0.7, V1=3, until=120)),
+    Button("Sine: stick and slip", Reduced(zeta=0.1, amplitude=3, omega=0.7, until=120)),
+    Button("Sine: never sticks", Reduced(zeta=0.1, amplitude=10, omega=0.7, until=120)),
+    Button("Sine at resonance", Reduced(amplitude=2, omega=2**0.5, until=120)),
+)
+"""Scenes of ours, round numbers in reduced coordinates."""
+
+
+def reduced(scene: Scene) -> Reduced:
+    """Return a free scene in reduced coordinates: X = x1/L, V = v/(L Omega), tau = Omega t."""
+    pair, at = scene.pair, scene.initial
+    omega, length = float(pair.a2 / pair.mass) ** 0.5, pair.half_width
+    speed = float(length) * omega
+    return Reduced(
+        ratio=float(pair.m1 / pair.m2),
+        zeta=float(pair.a1 / pair.mass) / (2 * omega),
+        X=float(at.x1 / length),
+        V1=float(at.v1) / speed,
+        V2=float(at.v2) / speed,
+        until=float(scene.until) * omega,
+        literal=scene.law is Law.THREE_VALUED_SGN,
+    )
+
+
+def paper_buttons() -> tuple[Button, ...]:
+    """Return the buttons of the paper's scenes."""
+    return tuple(_paper_button(label, load_scene(name)) for label, name in PAPER)
+
+
+def _paper_button(label: str, scene: Scene) -> Button:
+    length, rate = float(scene.pair.half_width), float(scene.pair.a2 / scene.pair.mass) ** 0.5
+    units = f"One unit of length is L = {1000 * length:g} mm, of speed {1000 * length * rate:g} mm/s, of time {1 / rate:g} s."
+    return Button(label, reduced(scene), units)

@@ -1,0 +1,11 @@
+// The page WHOLE in a frame as wide as a phone: how wide it gets, what sticks out, and the picture's width.
+const frame = Object.assign(document.createElement("iframe"), { width: 390, height: 844, srcdoc: WHOLE });
+document.body.append(frame);
+await new Promise((done) => { frame.onload = done; });
+const inside = frame.contentDocument;
+const out = [...inside.querySelectorAll("#explore *")].filter((one) => one.getBoundingClientRect().right > 391);
+return [
+  inside.documentElement.scrollWidth,
+  out.filter((one) => !one.closest(".explore-wide")).map((one) => `${one.tagName}#${one.id}`),
+  inside.getElementById("explore-space").clientWidth,
+];

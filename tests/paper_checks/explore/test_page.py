@@ -1,0 +1,114 @@
+"""The interactive page as a file: whole in itself, the same every time, every control with a name."""
+
+import json
+import re
+from html.parser import HTMLParser
+
+import pytest
+
+from numerics.scene.file import load_scene
+from paper_checks.__main__ import main
+from paper_checks.explore.page import SCRIPTS, page, section, source
+from paper_checks.explore.scenes import PAPER, reduced
+
+VOID = {"input", "meta", "br", "line", "rect", "circle"}
+
+
+class Elements(HTMLParser):
+    """Collects (tag, attributes) of every element, and whether what is opened is closed."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.found: list[tuple[str, dict[str, str | None]]] = []
+        self.open: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.found.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert tag in VOID or self.open.pop() == tag
+
+
+@pytest.fixture(scope="module")
+def elements(whole):
+    parsed = Elements(whole)
+    assert not parsed.open
+    return parsed.found
+
+
+def test_it_is_one_light_file_that_needs_no_network(whole, elements):
+    assert len(whole.encode()) < 100_000
+    assert not [one for one in elements if {"src", "href", "srcset"} & set(one[1])]
+    assert not re.search(r"https?:|//cdn|import\s|fetch\(|XMLHttp|@import|url\(|eval\(", whole)
+
+
+def test_two_pages_have_the_same_bytes(whole):
+    assert page() == whole
+
+
+def test_every_id_is_its_own_and_begins_with_explore(elements):
+    ids = [attributes["id"] for _, attributes in elements if "id" in attributes]
+    assert len(ids) == len(set(ids)) > 20
+    assert all(one.startswith("explore") for one in ids)
+
+
+def test_every_rule_of_its_style_is_for_the_section_alone():
+    style = re.search(r"<style>(.*?)</style>", section(), re.DOTALL).group(1)
+    rules = re.sub(r"@media[^{]*\{", "", re.sub(r"/\*.*?\*/", "", style, flags=re.DOTALL))
+    selectors = [one.strip() for rule in re.findall(r"([^{}]+)\{", rules) for one in rule.split(",")]
+    assert selectors
+    assert all(one.startswith("#explore") for one in selectors)
+
+
+def test_every_control_has_a_name(elements):
+    labelled = {attributes["for"] for tag, attributes in elements if tag == "label"}
+    fields = [attributes for tag, attributes in elements if tag in ("input", "select")]
+    assert len(fields) > 15
+    assert all(one.get("aria-label") or one.get("id") in labelled for one in fields)
+    assert all(one.get("aria-label") for tag, one in elements if tag == "canvas")
+
+
+def test_every_element_that_the_program_asks_for_is_there(whole, elements):
+    ids = {attributes.get("id") for _, attributes in elements}
+    asked = set(re.findall(r'part\("([a-z]+)"\)', source()))
+    assert len(asked) > 15
+    assert {f"explore-{name}" for name in asked} <= ids
+
+
+def test_the_papers_scenes_are_those_of_the_files(whole):
+    data = json.loads(re.search(r"const EXPLORE = (\{.*\});", whole).group(1))
+    for number, (_, name) in enumerate(PAPER):
+        told, scene = data["scenes"][number]["scene"], load_scene(name)
+        assert told["ratio"] == float(scene.pair.m1 / scene.pair.m2)
+        energy = told["X"] ** 2 + (told["ratio"] * told["V1"] ** 2 + told["V2"] ** 2) / (1 + told["ratio"])
+        assert energy - 1 == pytest.approx(float(scene.energy_excess))
+        assert told["until"] == pytest.approx(float(scene.until) * float(scene.pair.a2 / scene.pair.mass) ** 0.5)
+        assert not told["literal"]
+    assert 0.792631 < data["criticalRatio"] < 0.792633
+
+
+def test_the_literal_reading_and_damping_survive_the_reduction():
+    assert reduced(load_scene("velocities-literal")).literal
+    scene = load_scene("velocities")
+    assert reduced(scene).zeta == 0
+
+
+@pytest.mark.parametrize("name", SCRIPTS)
+def test_no_program_is_longer_than_a_few_screens(name):
+    assert len(source([name]).splitlines()) <= 250
+
+
+def test_the_command_writes_the_page(tmp_path, whole, capsys):
+    target = tmp_path / "new" / "explore.html"
+    assert main(["explore", "--out", str(target)]) == 0
+    assert target.read_text("utf-8") == whole
+    assert capsys.readouterr().out == f"{target}\n"
+
+
+def test_a_path_that_cannot_be_written_is_told_in_one_line(tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    assert main(["explore", "--out", str(tmp_path / "file" / "explore.html")]) == 2
+    assert capsys.readouterr().err.startswith("paper_checks: the page cannot be written: ")

@@ -1,0 +1,58 @@
+"""The solver of the interactive page, run in headless Chromium, against `numerics.solve`."""
+
+from pathlib import Path
+
+import pytest
+from chromium import asked
+from explored_scenes import SCENES
+
+from numerics import solve
+from paper_checks.explore.page import SOLVER, source
+
+CLOSE = 1e-9
+FAULTS = (
+    ("start.V2 + s * t,", "start.V2 - s * t,"),
+    ("rest = force.constant - s * r", "rest = force.constant - 1.001 * s * r"),
+    ("if (start.leaves) list[2] = s;", "if (start.leaves) list[2] = 1.001 * s;"),
+    ("side: found.which === 0 ? 1 : -1", "side: 1"),
+    ("return Math.abs(p) < 1 ? STICK : side;", "return Math.abs(p) < 1.01 ? STICK : side;"),
+    ("y[2] * y[2] + y[3] * y[3] <= 1;", "y[2] * y[2] + y[3] * y[3] <= 1.05;"),
+    ("h * (g2 / 2 - h * bound / 6)", "h * (g2 / 2 - h * bound / 60)"),
+    ("fade * -Math.expm1(-2 * lean * t) / (2 * lean)", "fade * -Math.expm1(-2 * lean * t) / lean"),
+    ("rate * side > 0 ? side", "rate * side > 0.5 ? side"),
+)
+"""Changes of the program, each of which a comparison has to see."""
+
+
+@pytest.fixture(scope="module")
+def answers(whole, tmp_path_factory) -> dict:
+    """What the page's solver says of every scene, and what it says with each fault in it."""
+    program, scenes = source(SOLVER), [one.for_page() for one in SCENES]
+    assert all(program.count(right) == 1 for right, _ in FAULTS)
+    faulty = [program.replace(right, wrong) for right, wrong in FAULTS]
+    question, folder = Path(__file__).with_name("solve.js"), tmp_path_factory.mktemp("solver")
+    return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=faulty)
+
+
+@pytest.fixture(scope="module")
+def runs() -> list:
+    return [solve(one.scene()) for one in SCENES]
+
+
+def differs(found, run) -> bool:
+    """Whether the page's answer has another itinerary, or a time or a final value that is off by more than CLOSE."""
+    if not isinstance(found, dict) or found["modes"] != [mode.sign for mode in run.modes]:
+        return True
+    pairs = [*zip(found["times"][1:], run.event_times, strict=True), *zip(found["final"], run.final_state, strict=True)]
+    return not all(abs(ours - float(theirs)) <= CLOSE * max(1, abs(float(theirs))) for ours, theirs in pairs)
+
+
+def test_events_and_states_are_those_of_the_exact_integrator(answers, runs):
+    different = [scene for scene, found, run in zip(SCENES, answers["right"], runs, strict=True) if differs(found, run)]
+    assert not different
+    assert sum(len(found["modes"]) for found in answers["right"]) > 1000
+
+
+@pytest.mark.parametrize("number", range(len(FAULTS)), ids=[wrong for _, wrong in FAULTS])
+def test_a_fault_in_the_program_is_seen(answers, runs, number):
+    assert any(differs(found, run) for found, run in zip(answers["faulty"][number], runs, strict=True))

@@ -1,0 +1,68 @@
+"""The interactive page in use, in headless Chromium: buttons, sliders, keys, phone, dark mode, print."""
+
+from pathlib import Path
+
+import pytest
+from chromium import asked
+
+HERE = Path(__file__).parent
+
+
+@pytest.fixture(scope="module")
+def found(whole, tmp_path_factory) -> dict:
+    dark = "--blink-settings=preferredColorScheme=0"
+    answer = asked(whole, HERE / "use.js", tmp_path_factory.mktemp("use"), dark)
+    assert "error" not in answer, answer
+    return answer
+
+
+def test_every_button_tells_what_becomes_of_its_scene(found):
+    said = dict(found["regimes"])
+    assert len(said) == 16
+    for name, regime in said.items():
+        for word in ("merges", "creeps", "entrained", "stick and slip"):
+            if word in name.lower():
+                assert regime.lower().startswith(word), name
+    assert said["Sine: never sticks"].startswith("Slips all the time")
+    assert said["Sticks for ever"].startswith("Sticks for ever")
+    assert said["Next to the critical orbit"].startswith("Creeps")
+    assert found["pressed"] == 1
+
+
+def test_sliders_and_fields_change_the_scene(found):
+    assert found["merging"] == ["slip+", "stick"]
+    value, told, pressed, hidden = found["slid"]
+    assert float(value) == pytest.approx(22.9, rel=1e-2)
+    assert (told, pressed, hidden) == ("22.9", 0, True)
+    assert found["hidden"] == [True, False, True]
+    assert found["invalid"] == ["true", "true", None, True]
+    assert found["literal"].startswith("Stuck by definition")
+
+
+def test_it_plays_pauses_and_turns_by_the_keyboard(found):
+    assert found["moved"]
+    assert found["focused"]
+    assert found["turned"]
+    assert (found["playing"], found["played"], found["paused"], found["held"]) == ("Pause", True, "Play", True)
+    assert found["end"] == "1000"
+
+
+def test_the_pictures_have_names_and_print_in_ink(found):
+    assert "slip" in found["names"][0]
+    assert "table" in found["names"][1].lower()
+    assert found["print"] == [True, "rgb(27, 27, 26)"]
+    assert found["after"]
+
+
+def test_nothing_overflows_on_a_phone(whole, tmp_path):
+    empty = "<!DOCTYPE html><html><body></body></html>"
+    width, out, picture = asked(empty, HERE / "phone.js", tmp_path, WHOLE=whole)
+    assert width <= 390
+    assert out == []
+    assert picture > 320
+
+
+def test_less_motion_goes_from_event_to_event(whole, tmp_path):
+    seen, times = asked(whole, HERE / "calm.js", tmp_path, "--force-prefers-reduced-motion")
+    for text, time in zip(seen, times, strict=False):
+        assert float(text.split("=")[1].split(":")[0]) == pytest.approx(float(time), rel=1e-3)

@@ -1,0 +1,64 @@
+// What test_use.py does with the page, and what it saw.
+const by = (id) => document.getElementById(`explore-${id}`), all = (what) => [...document.querySelectorAll(what)];
+const regime = () => by("regime").textContent, now = () => by("now").textContent;
+const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+const picture = () => by("space").toDataURL(), change = (one) => one.dispatchEvent(new Event("change"));
+const field = (name) => document.querySelector(`[data-name="${name}"] input[type=number]`);
+const type = (name, text) => {
+  field(name).value = text;
+  change(field(name));
+  return field(name).getAttribute("aria-invalid");
+};
+const found = {};
+
+found.regimes = all("[data-scene]").map((button) => { button.click(); return [button.textContent, regime()]; });
+found.pressed = all("[aria-pressed=true]").length;
+
+all("[data-scene]")[0].click();
+found.merging = [...by("rows").children].map((row) => row.firstChild.textContent);
+by("ratio").value = 900;
+by("ratio").dispatchEvent(new Event("input"));
+found.slid = [field("ratio").value, by("ratio").getAttribute("aria-valuetext"), all("[aria-pressed=true]").length, by("units").hidden];
+found.hidden = ["none", "sine", "none"].map((kind) => {
+  by("force").value = kind;
+  change(by("force"));
+  return document.querySelector("[data-name=size]").hidden;
+});
+found.invalid = [type("V1", ""), type("V1", "1e99"), type("V1", "-3"), by("V1").value < 500];
+
+by("literal").checked = true;
+change(by("literal"));
+found.literal = regime();
+by("literal").checked = false;
+change(by("literal"));
+
+by("start").click();
+const first = now();
+by("next").click();
+found.moved = first !== now();
+by("space").focus();
+found.focused = document.activeElement === by("space");
+const before = picture();
+by("space").dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft", bubbles: true, cancelable: true }));
+found.turned = before !== picture();
+
+by("start").click();
+by("play").click();
+found.playing = by("play").textContent;
+await wait(700);
+found.played = now() !== first;
+by("play").click();
+found.paused = by("play").textContent;
+const held = now();
+await wait(300);
+found.held = held === now();
+by("end").click();
+found.end = by("time").value;
+
+const dark = picture();
+dispatchEvent(new Event("beforeprint"));
+found.print = [dark !== picture(), getComputedStyle(document.getElementById("explore")).color];
+dispatchEvent(new Event("afterprint"));
+found.after = dark === picture();
+found.names = [by("space"), by("strips")].map((one) => one.getAttribute("aria-label"));
+return found;
