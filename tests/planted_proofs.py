@@ -104,5 +104,18 @@ PAST = [
     ("Consequences", "C * exp (- (k * t)) <= energy", "C * exp (k * t) <= energy", "faster than exponential"),
 ]
 
-PLANTED = FREE + FORCED + PAST
+CONTROL = [
+    (
+        "Arcs",
+        "x T = - x 0 -> v1 T = - v1 0 -> v2 T = - v2 0 ->",
+        "x T = - x 0 -> v1 T = - v1 0 ->",
+        "body 2 forgotten in a motion that changes sign",
+    ),
+    ("Nonstop", "(h' - PI / (2 * m2 * om)).", "(h' - PI / (m2 * om)).", "U**: the whole period for its half"),
+    ("Nonstop", "b * ((m1 + m2) / m2 - a2 * h", "b * (m1 / m2 - a2 * h", "U** below the load that breaks adhesion"),
+    ("Undamped", "(2 * om)) + PI * m1 / (2 * m2)) ^ 2", "(2 * om)) - PI * m1 / (2 * m2)) ^ 2", "a sign in U**"),
+    ("Undamped", "0 <= F -> a2 < m1 * om ^ 2 ->", "0 <= F -> m1 * om ^ 2 < a2 ->", "U** alone below resonance"),
+]
+
+PLANTED = FREE + FORCED + PAST + CONTROL
 QUICK = {"half the longest stay", "a decimal", "slipping from 5 mm"}

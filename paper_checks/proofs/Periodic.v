@@ -5,7 +5,7 @@
     period map does not increase distances: so it fixes z. *)
 From Coq Require Import Reals Lra Lia Psatz ConstructiveEpsilon.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Response Bounded.
+From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Response Bounded Arcs.
 Local Open Scope R_scope.
 
 (** a bounded sequence converges along some phi with n <= phi n *)
@@ -51,26 +51,6 @@ Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let forced := forced m1 m2 a1 a2 b.
 Let energy := energy m1 m2 a2.
-
-(** a motion from a later time on, under the force from then on *)
-Lemma forced_shift U x v1 v2 s t0 : 0 <= t0 -> forced U x v1 v2 s ->
-  forced (fun u => U (t0 + u)) (fun u => x (t0 + u)) (fun u => v1 (t0 + u)) (fun u => v2 (t0 + u)) (fun u => s (t0
-    + u)).
-Proof.
-  intros Ht H. destruct H.
-  assert (RS : forall f t l, rderiv f (t0 + t) l -> rderiv (fun u => f (t0 + u)) t l).
-  { intros f t l F. eapply little_ext; [|exact F]. intros h; simpl. rewrite Rplus_assoc. auto. }
-  constructor.
-  - intros r t Hr. replace (t - r) with (t0 + t - (t0 + r)) by ring. apply f_lip; lra.
-  - intros; apply RS, f_pos; [lra|auto].
-  - intros; apply RS, f_neg; [lra|auto].
-  - apply cont_shift; auto.
-  - apply cont_shift; auto.
-  - apply cont_shift; auto.
-  - intros; apply RS, f_x; lra.
-  - intros t Hu. apply (RS (fun u => m1 * v1 u + b * s u - U u)), f_v1; lra.
-  - intros t Hu. rewrite Rplus_0_r. rewrite (f_v2 (t0 + t)), (f_v2 t0) by lra. auto.
-Qed.
 
 (** a triangle inequality for the energy *)
 Lemma energy_3 x y z x' y' z' x'' y'' z'' :

@@ -1,0 +1,216 @@
+(** Motions under a force, put together from arcs: what starts on a smooth arc that obeys the law of friction runs
+  along it;
+    the mirror image of a motion; motions that repeat with the opposite sign. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence.
+Local Open Scope R_scope.
+
+(** a right derivative sees only what comes next *)
+Lemma rderiv_near f g t l d : 0 < d -> (forall u, t <= u < t + d -> f u = g u) -> rderiv f t l -> rderiv g t l.
+Proof.
+  intros Hd E F e He. destruct (F e He) as (d' & Hd' & K). exists (Rmin d d'); split; [apply Rmin_glb_lt; auto|].
+  intros h Hh. pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). rewrite <- !E by lra. apply K; lra.
+Qed.
+
+(** of a function that runs later *)
+Lemma rderiv_later f t l T : rderiv f (t - T) l -> rderiv (fun u => f (u - T)) t l.
+Proof. intros F. eapply little_ext; [|exact F]. intros h; simpl. replace (t + h - T) with (t - T + h) by ring. auto.
+  Qed.
+
+(** of a function that runs earlier *)
+Lemma rderiv_earlier f t l T : rderiv f (T + t) l -> rderiv (fun u => f (T + u)) t l.
+Proof. intros F. eapply little_ext; [|exact F]. intros h; simpl. rewrite Rplus_assoc. auto. Qed.
+
+(** continuity along a path of times that never runs faster than time *)
+Lemma cont_path f c : (forall t, 0 <= t -> 0 <= c t) -> (forall r t, Rabs (c t - c r) <= Rabs (t - r)) -> cont f ->
+  cont (fun t => f (c t)).
+Proof.
+  intros P L C t Ht e He. destruct (C (c t) (P t Ht) e He) as (d & Hd & K). exists d; split; auto. intros r Hr Hd1.
+  apply K; auto. eapply Rle_lt_trans; [apply L|auto].
+Qed.
+
+(** f until T, and from then on g *)
+Definition join T (f g : R -> R) t := if Rlt_dec t T then f t else g (t - T).
+
+(** until T it is f *)
+Lemma join_before T f g t : f T = g 0 -> t <= T -> join T f g t = f t.
+Proof.
+  intros E Ht. unfold join. destruct (Rlt_dec t T); auto. replace t with T by lra. rewrite Rminus_diag_eq; auto.
+Qed.
+(** from T on it is g *)
+Lemma join_after T f g t : T <= t -> join T f g t = g (t - T).
+Proof. intros Ht. unfold join. destruct (Rlt_dec t T); auto; lra. Qed.
+
+(** continuous if the ends meet *)
+Lemma cont_join T f g : 0 <= T -> f T = g 0 -> cont f -> cont g -> cont (join T f g).
+Proof.
+  intros HT E F G. apply cont_ext with (fun t => f (Rmin t T) + g (Rmax (t - T) 0) - g 0).
+  - intros t Ht. destruct (Rle_dec t T).
+    + rewrite join_before, Rmin_left, Rmax_right by (auto; lra). ring.
+    + rewrite join_after, Rmin_right, Rmax_left by lra. rewrite E. ring.
+  - apply cont_minus; [apply cont_plus|apply cont_const].
+    + apply (cont_path f (fun t => Rmin t T)); auto.
+      * intros t Ht. apply Rmin_glb; auto.
+      * intros r t. unfold Rmin. repeat destruct Rle_dec; apply Rabs_le; unfold Rabs; destruct Rcase_abs; lra.
+    + apply (cont_path g (fun t => Rmax (t - T) 0)); auto.
+      * intros t Ht. apply Rmax_r.
+      * intros r t. unfold Rmax. repeat destruct Rle_dec; apply Rabs_le; unfold Rabs; destruct Rcase_abs; lra.
+Qed.
+
+(** its right derivative before T *)
+Lemma rderiv_join_before T f g t l : f T = g 0 -> t < T -> rderiv f t l -> rderiv (join T f g) t l.
+Proof.
+  intros E Ht. apply rderiv_near with (T - t); [lra|]. intros u Hu. symmetry. apply join_before; auto; lra.
+Qed.
+(** from T on *)
+Lemma rderiv_join_after T f g t l : T <= t -> rderiv g (t - T) l -> rderiv (join T f g) t l.
+Proof.
+  intros Ht G. apply rderiv_ext with (fun u => g (u - T)); [|apply rderiv_later; auto].
+  intros u Hu. symmetry. apply join_after; lra.
+Qed.
+
+(** a right derivative of size at most 1 on [r, t) *)
+Lemma lip_between f f' r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u (f' u) /\ -1 <= f' u <= 1) ->
+  Rabs (f t - f r) <= t - r.
+Proof.
+  intros C Hr F. replace (t - r) with (1 * (t - r)) by ring. apply Rabs_le. split.
+  - cut (-1 * f t - -1 * f r <= 1 * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
+    intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|apply rderiv_scal; eauto]. lra.
+  - apply (dini_slope f); auto. intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|eauto]. lra.
+Qed.
+
+Section Arcs.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let forced := forced m1 m2 a1 a2 b.
+
+(** a motion from a later time on, under the force from then on *)
+Lemma forced_shift U x v1 v2 s t0 : 0 <= t0 -> forced U x v1 v2 s ->
+  forced (fun u => U (t0 + u)) (fun u => x (t0 + u)) (fun u => v1 (t0 + u)) (fun u => v2 (t0 + u)) (fun u => s (t0 +
+    u)).
+Proof.
+  intros Ht [L P N CU CX CV X V W]. constructor; auto using cont_shift.
+  - intros r t Hr. replace (t - r) with (t0 + t - (t0 + r)) by ring. apply L; lra.
+  - intros; apply rderiv_earlier, P; [lra|auto].
+  - intros; apply rderiv_earlier, N; [lra|auto].
+  - intros; apply rderiv_earlier, X; lra.
+  - intros t Hu. apply (rderiv_earlier (fun u => m1 * v1 u + b * s u - U u)), V; lra.
+  - intros t Hu. rewrite Rplus_0_r. rewrite (W (t0 + t)), (W t0) by lra. auto.
+Qed.
+
+(** the mirror image of a motion is one under the opposite force: all terms are odd *)
+Lemma forced_mirror U x v1 v2 s : forced U x v1 v2 s ->
+  forced (fun t => -1 * U t) (fun t => -1 * x t) (fun t => -1 * v1 t) (fun t => -1 * v2 t) (fun t => -1 * s t).
+Proof.
+  intros [L P N CU CX CV X V W]. constructor; auto using cont_scal, rderiv_scal.
+  - intros r t Hr. replace (-1 * s t - -1 * s r) with (- (s t - s r)) by ring. rewrite Rabs_Ropp; auto.
+  - intros t Ht Hv. apply rderiv_eq with (-1 * -1); [ring|]. apply rderiv_scal, N; lra.
+  - intros t Ht Hv. apply rderiv_eq with (-1 * 1); [ring|]. apply rderiv_scal, P; lra.
+  - intros t Ht. apply rderiv_ext with (fun u => -1 * (m1 * v1 u + b * s u - U u)); [intros; ring|].
+    apply rderiv_eq with (-1 * - (a2 * x t + a1 * v1 t)); [ring|]. apply rderiv_scal; auto.
+  - intros t Ht. specialize (W t Ht). lra.
+Qed.
+
+(** A smooth arc that obeys the law of friction on [0, T) under the force u: g is a selection of the set-valued sign. *)
+Record forced_arc (T : R) (u X V1 V2 g : R -> R) : Prop := {
+  fa_x : forall t, is_derive X t (V1 t);
+  fa_v1 : forall t, is_derive V1 t ((u t - a2 * X t - a1 * V1 t - b * g t) / m1);
+  fa_v2 : forall t, is_derive V2 t (b * g t / m2);
+  fa_law : forall t, 0 <= t < T -> -1 <= g t <= 1 /\ (V2 t < V1 t -> g t = 1) /\ (V1 t < V2 t -> g t = -1) }.
+
+(** an arc is the beginning of a motion: go on from its end *)
+Theorem arc_begins U u X V1 V2 g T : 0 <= T -> cont U -> (forall t, 0 <= t -> rderiv U t (u t)) ->
+  forced_arc T u X V1 V2 g -> exists x v1 v2 s, forced U x v1 v2 s /\
+  forall t, 0 <= t <= T -> x t = X t /\ v1 t = V1 t /\ v2 t = V2 t.
+Proof.
+  intros HT CU DU [AX AV AW Law].
+  destruct (forced_existence m1 m2 a1 a2 b (X T) (V1 T) (V2 T) (fun t => U (T + t)) Hm1 Hm2 Ha1 Ha2 Hb (cont_shift _ _
+    HT CU))
+    as (y & w1 & w2 & z & H & Y0 & W10 & W20). pose proof (forced_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ H) as Cw2.
+  destruct H as [L P N _ Cy Cw1 Dy Dw W].
+  assert (CX : cont X) by (eapply cont_of_derive; eauto). assert (CV : cont V1) by exact (cont_of_derive V1 _ AV).
+  assert (CW : cont V2) by exact (cont_of_derive V2 _ AW).
+  assert (C2 : cont (join T V2 w2)) by (apply cont_join; auto).
+  assert (Sz : forall r, 0 <= r -> m2 / b * w2 r = z r + (m2 / b * w2 0 - z 0)).
+  { intros r Hr. specialize (W r Hr). apply Rmult_eq_reg_l with b; [|lra].
+    replace (b * (m2 / b * w2 r)) with (m2 * w2 r) by (field; lra).
+    replace (b * (z r + (m2 / b * w2 0 - z 0))) with (b * z r + (m2 * w2 0 - b * z 0)) by (field; lra). lra. }
+  assert (Early : forall t, 0 <= t < T -> rderiv (fun t => m2 / b * join T V2 w2 t) t (g t)).
+  { intros t Ht. apply rderiv_eq with (m2 / b * (b * g t / m2)); [field; lra|].
+    apply rderiv_scal, rderiv_join_before; auto; [lra|]. apply rderiv_of_derive; auto. }
+  assert (Late : forall t k, T <= t -> rderiv z (t - T) k -> rderiv (fun t => m2 / b * join T V2 w2 t) t k).
+  { intros t k Ht D. apply rderiv_ext with (fun u => z (u - T) + (m2 / b * w2 0 - z 0)).
+    - intros r Hr. rewrite join_after by lra. symmetry. apply Sz; lra.
+    - apply rderiv_eq with (k + 0); [ring|]. apply rderiv_plus; [apply rderiv_later; auto|apply rderiv_const]. }
+  exists (join T X y), (join T V1 w1), (join T V2 w2), (fun t => m2 / b * join T V2 w2 t).
+  split; [|intros t Ht; rewrite !join_before by (auto; lra); auto].
+  assert (Second : forall r t, T <= r <= t -> Rabs (m2 / b * join T V2 w2 t - m2 / b * join T V2 w2 r) <= t - r).
+  { intros r t Hr. rewrite !join_after by lra. rewrite (Sz (r - T)), (Sz (t - T)) by lra.
+    replace (t - r) with (t - T - (r - T)) by ring.
+    replace (z (t - T) + (m2 / b * w2 0 - z 0) - (z (r - T) + (m2 / b * w2 0 - z 0))) with (z (t - T) - z (r - T)) by
+      ring.
+    apply L; lra. }
+  assert (First : forall r t, 0 <= r <= t -> t <= T -> Rabs (m2 / b * join T V2 w2 t - m2 / b * join T V2 w2 r) <= t -
+    r).
+  { intros r t Hr Ht. apply (lip_between (fun t => m2 / b * join T V2 w2 t) g); auto using cont_scal.
+    intros q Hq. split; [apply Early; lra|]. apply Law; lra. }
+  constructor; auto using cont_join.
+  - intros r t Hr. destruct (Rle_dec t T); [apply First; auto|]. destruct (Rle_dec T r); [apply Second; lra|].
+    pose proof (First r T ltac:(lra) ltac:(lra)) as A. pose proof (Second T t ltac:(lra)) as B.
+    apply Rabs_inv in A. apply Rabs_inv in B. apply Rabs_le. lra.
+  - intros t Ht Hv. destruct (Rlt_dec t T) as [l|l].
+    + rewrite !join_before in Hv by (auto; lra). destruct (Law t ltac:(lra)) as (_ & G & _).
+      rewrite <- (G Hv). apply Early; lra.
+    + rewrite !join_after in Hv by lra. apply Late, P; auto; lra.
+  - intros t Ht Hv. destruct (Rlt_dec t T) as [l|l].
+    + rewrite !join_before in Hv by (auto; lra). destruct (Law t ltac:(lra)) as (_ & _ & G).
+      rewrite <- (G Hv). apply Early; lra.
+    + rewrite !join_after in Hv by lra. apply Late, N; auto; lra.
+  - intros t Ht. destruct (Rlt_dec t T) as [l|l].
+    + rewrite (join_before T V1) by (auto; lra). apply rderiv_join_before; auto. apply rderiv_of_derive; auto.
+    + rewrite (join_after T V1) by lra. apply rderiv_join_after; [lra|]. apply Dy; lra.
+  - intros t Ht. destruct (Rlt_dec t T) as [l|l].
+    + rewrite (join_before T X), (join_before T V1) by (auto; lra).
+      apply rderiv_eq with (m1 * ((u t - a2 * X t - a1 * V1 t - b * g t) / m1) + b * g t - u t); [field; lra|].
+      apply rderiv_minus; [|auto]. apply rderiv_plus; [|apply rderiv_scal, Early; lra].
+      apply rderiv_scal, rderiv_join_before; auto. apply rderiv_of_derive; auto.
+    + rewrite (join_after T X), (join_after T V1) by lra.
+      apply rderiv_ext with (fun r => m1 * w1 (r - T) + b * z (r - T) - U (T + (r - T)) + b * (m2 / b * w2 0 - z 0)).
+      { intros r Hr. rewrite !join_after by lra. rewrite (Sz (r - T)) by lra. replace (T + (r - T)) with r by ring.
+        ring. }
+      apply rderiv_eq with (- (a2 * y (t - T) + a1 * w1 (t - T)) + 0); [ring|]. apply rderiv_plus;
+        [|apply rderiv_const].
+      apply (rderiv_later (fun r => m1 * w1 r + b * z r - U (T + r))), Dw; lra.
+  - intros t Ht. field. lra.
+Qed.
+
+(** so every motion that starts on an arc, at any time, runs along it *)
+Theorem follow_arc U u x v1 v2 s X V1 V2 g T t0 : 0 <= T -> 0 <= t0 -> (forall t, t0 <= t -> rderiv U t (u (t - t0))) ->
+  forced_arc T u X V1 V2 g -> forced U x v1 v2 s -> x t0 = X 0 -> v1 t0 = V1 0 -> v2 t0 = V2 0 ->
+  forall t, 0 <= t <= T -> x (t0 + t) = X t /\ v1 (t0 + t) = V1 t /\ v2 (t0 + t) = V2 t.
+Proof.
+  intros HT Ht0 DU A H E0 E1 E2 t Ht. pose proof (forced_shift _ _ _ _ _ t0 Ht0 H) as Sh.
+  destruct (arc_begins (fun t => U (t0 + t)) u X V1 V2 g T HT) as (y & w1 & w2 & z & H' & Q); auto.
+  { apply (f_cU _ _ _ _ _ _ _ _ _ _ Sh). }
+  { intros r Hr. apply rderiv_earlier. replace (u r) with (u (t0 + r - t0)) by (f_equal; ring). apply DU; lra. }
+  destruct (Q 0 ltac:(lra)) as (Q0 & Q1 & Q2). destruct (Q t Ht) as (<- & <- & <-).
+  apply (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 Sh H'); try lra; cbv beta;
+    rewrite Rplus_0_r;
+    congruence.
+Qed.
+
+(** under a force that repeats with the opposite sign, a motion whose state does so once does so for ever *)
+Theorem antiperiodic U x v1 v2 s T : 0 <= T -> (forall t, 0 <= t -> U (T + t) - U T = - (U t - U 0)) ->
+  forced U x v1 v2 s -> x T = - x 0 -> v1 T = - v1 0 -> v2 T = - v2 0 ->
+  forall t, 0 <= t -> x (T + t) = - x t /\ v1 (T + t) = - v1 t /\ v2 (T + t) = - v2 t.
+Proof.
+  intros HT PU H E0 E1 E2 t Ht. pose proof (forced_mirror _ _ _ _ _ H) as Mi.
+  pose proof (forced_shift _ _ _ _ _ T HT H) as Sh.
+  assert (Sh' : forced (fun t => -1 * U t) (fun t => x (T + t)) (fun t => v1 (T + t)) (fun t => v2 (T + t)) (fun t =>
+    s (T + t))).
+  { apply (forced_ext m1 m2 a1 a2 b (fun t => U (T + t))); auto. intros r Hr. rewrite Rplus_0_r, PU by auto. ring. }
+  pose proof (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 Sh' Mi) as Q. cbv beta in Q.
+  rewrite Rplus_0_r in Q. specialize (Q (Rle_refl _) ltac:(lra) ltac:(lra) ltac:(lra) t Ht). lra.
+Qed.
+End Arcs.

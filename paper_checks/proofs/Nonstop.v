@@ -1,0 +1,347 @@
+(** A sinusoidal force u = F sin (om t + phi) so strong that the pair never sticks: the motion that slips one way for
+  half a
+    period and then the other way exists exactly from one amplitude on, U**. With damping a1 >= 0.
+
+    Body 1 then feels the force and a push -b, +b that is turned round after each half period.
+      Its motion is the response to
+    the sinusoid minus b times k, where k is its response to the push 1 of that kind: k and its speed change sign over
+      half a
+    period. What is left to choose is the phase; v1 = v2 at the turn fixes one part of the response,
+      and v1 > v2 afterwards
+    asks at least so much of the other. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Limit Existence Forced ForcedExistence Response Bounded Arcs.
+Local Open Scope R_scope.
+
+(** the impulse of F sin (om t + phi) *)
+Definition wave F om phi t := F / om * (cos phi - cos (om * t + phi)).
+
+(** its derivative is the force *)
+Lemma derive_wave F om phi t : 0 < om -> is_derive (wave F om phi) t (F * sin (om * t + phi)).
+Proof. intros Hom. unfold wave. auto_derive; auto. field; lra. Qed.
+(** the same from the right *)
+Lemma rderiv_wave F om phi t : 0 < om -> rderiv (wave F om phi) t (F * sin (om * t + phi)).
+Proof. intros Hom. apply rderiv_of_derive, derive_wave; auto. Qed.
+(** it is continuous *)
+Lemma cont_wave F om phi : 0 < om -> cont (wave F om phi).
+Proof. intros Hom. exact (cont_of_derive _ _ (fun t => derive_wave F om phi t Hom)). Qed.
+(** it repeats with the opposite sign *)
+Lemma wave_half F om phi t : 0 < om -> wave F om phi (PI / om + t) - wave F om phi (PI / om) = - (wave F om phi t -
+  wave F om phi 0).
+Proof.
+  intros Hom. unfold wave. replace (om * (PI / om + t) + phi) with (om * t + phi + PI) by (field; lra).
+  replace (om * (PI / om) + phi) with (phi + PI) by (field; lra). rewrite !neg_cos, Rmult_0_r, Rplus_0_l. ring.
+Qed.
+(** and is F-Lipschitz *)
+Lemma wave_lip F om phi r t : 0 <= F -> 0 < om -> 0 <= r <= t ->
+  Rabs (wave F om phi t - wave F om phi r) <= F * (t - r).
+Proof.
+  intros HF Hom Hr. apply (lip_of_rderiv (wave F om phi) (fun t => F * sin (om * t + phi))); auto using cont_wave.
+  intros u _. split; [apply rderiv_wave; auto|]. pose proof (SIN_bound (om * u + phi)). apply Rabs_le. nra.
+Qed.
+
+(** what is positive inside an interval is not negative at its ends *)
+Lemma ends_nonneg f p q : cont f -> 0 <= p < q -> (forall t, p < t < q -> 0 < f t) -> 0 <= f p /\ 0 <= f q.
+Proof.
+  intros C Hp P.
+  assert (Near : forall r, 0 <= r -> (forall d, 0 < d -> exists t, p < t < q /\ Rabs (t - r) < d) -> 0 <= f r).
+  { intros r Hr Ex. apply Rnot_lt_le. intros N. destruct (C r Hr (- f r)) as (d & Hd & K); [lra|].
+    destruct (Ex d Hd) as (t & Ht & Dt). specialize (K t ltac:(lra) Dt). specialize (P t Ht). apply Rabs_def2 in K.
+      lra. }
+  split; apply Near; try lra; intros d Hd; pose proof (Rmin_l (d / 2) ((q - p) / 2));
+    pose proof (Rmin_r (d / 2) ((q - p) / 2));
+    assert (0 < Rmin (d / 2) ((q - p) / 2)) by (apply Rmin_glb_lt; lra).
+  - exists (p + Rmin (d / 2) ((q - p) / 2)). split; [lra|]. apply Rabs_def1; lra.
+  - exists (q - Rmin (d / 2) ((q - p) / 2)). split; [lra|]. apply Rabs_def1; lra.
+Qed.
+
+(** a right derivative 0: no change *)
+Lemma rderiv_0 f r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u 0) -> f t = f r.
+Proof.
+  intros C Hr D. apply Rle_antisym.
+  - apply (rderiv_mono f r t (fun _ => 0)); auto. intros u Hu. split; [auto|lra].
+  - cut (-1 * f t <= -1 * f r); [lra|]. apply (rderiv_mono (fun u => -1 * f u) r t (fun _ => -1 * 0));
+    auto using cont_scal.
+    intros u Hu. split; [apply rderiv_scal; auto|lra].
+Qed.
+
+(** while body 1 is the faster one the impulse of friction grows like time *)
+Lemma slip_clock m1 m2 a1 a2 b U x v1 v2 s p q : forced m1 m2 a1 a2 b U x v1 v2 s -> 0 <= p < q ->
+  (forall t, p < t < q -> v2 t < v1 t) -> forall t, p <= t <= q -> s t = s p + (t - p).
+Proof.
+  intros H Hp P t Ht. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
+  pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H) as Cs.
+  destruct (Req_dec t p) as [->|N]; [ring|]. apply Rle_antisym.
+  - pose proof (L p t ltac:(lra)) as B. apply Rabs_inv in B. lra.
+  - apply le_epsilon. intros e He. set (r := Rmin (p + e / 2) t). assert (p < r) by (apply Rmin_glb_lt; lra).
+    assert (r <= p + e / 2) by apply Rmin_l. assert (r <= t) by apply Rmin_r.
+    pose proof (L p r ltac:(lra)) as B. apply Rabs_inv in B.
+    assert (-1 * s t - -1 * s r <= -1 * (t - r)); [|lra].
+    apply (dini_slope (fun u => -1 * s u)); auto using cont_scal; [lra|]. intros u Hu.
+    apply rderiv_dini with (-1 * 1); [lra|]. apply rderiv_scal, (f_pos _ _ _ _ _ _ _ _ _ _ H); [lra|]. apply P; lra.
+Qed.
+
+(** An oscillator without damping under a constant push f, whose state changes sign over T: tested with the cosine and
+  the
+    sine about the middle. *)
+Lemma sign_change m a f y y' T : 0 < m -> 0 < a -> 0 < T -> cont y -> cont y' ->
+  (forall t, 0 <= t < T -> rderiv y t (y' t)) -> (forall t, 0 <= t < T -> rderiv (fun u => m * y' u) t (f - a * y t)) ->
+  y T = - y 0 -> y' T = - y' 0 -> let o := sqrt (a / m) in
+  - m * y' 0 * cos (o * (T / 2)) = f / o * sin (o * (T / 2)) /\ y 0 * cos (o * (T / 2)) = 0.
+Proof.
+  intros Hm Ha HT C C' D D' E E' o. assert (Ho : 0 < o) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; auto).
+  assert (O2 : m * (o * o) = a). { unfold o. rewrite sqrt_sqrt by (apply Rlt_le, Rdiv_lt_0_compat; auto). field; lra. }
+  assert (Z1 : - (o * (T / 2)) = o * (0 - T / 2)) by field. assert (Z2 : o * (T / 2) = o * (T - T / 2)) by field.
+  set (co := fun t => cos (o * (t - T / 2))). set (si := fun t => sin (o * (t - T / 2))).
+  assert (Dco : forall t, is_derive co t (- o * si t)) by (intros t; unfold co, si; auto_derive; auto; unfold Rminus;
+    ring).
+  assert (Dsi : forall t, is_derive si t (o * co t)) by (intros t; unfold co, si; auto_derive; auto; unfold Rminus;
+    ring).
+  assert (Cco : cont co) by exact (cont_of_derive _ _ Dco). assert (Csi : cont si) by exact (cont_of_derive _ _ Dsi).
+  assert (V0 : co 0 = cos (o * (T / 2)) /\ si 0 = - sin (o * (T / 2))).
+  { unfold co, si. rewrite <- Z1, cos_neg, sin_neg. auto. }
+  assert (VT : co T = cos (o * (T / 2)) /\ si T = sin (o * (T / 2))) by (unfold co, si; rewrite <- Z2; auto).
+  destruct V0 as (P0 & Q0), VT as (PT & QT). rewrite <- PT, <- QT in *. clear Z1 Z2.
+  assert (K1 : m * y' T * co T + m * o * (y T * si T) - f / o * si T = m * y' 0 * co 0 + m * o * (y 0 * si 0) - f / o
+    * si 0).
+  { apply (rderiv_0 (fun t => m * y' t * co t + m * o * (y t * si t) - f / o * si t) 0 T); [|lra|].
+    - apply cont_minus; [apply cont_plus|]; repeat apply cont_mult; auto using cont_const, cont_scal.
+    - intros t Ht. eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_plus|]].
+      4: apply rderiv_scal, rderiv_of_derive, Dsi.
+      2: apply (rderiv_mult (fun t => m * y' t)); [apply D'; auto|apply rderiv_of_derive, Dco].
+      2: apply rderiv_scal, rderiv_mult; [apply D; auto|apply rderiv_of_derive, Dsi].
+      rewrite <- O2. field; lra. }
+  assert (K2 : m * y' T * si T - m * o * (y T * co T) + f / o * co T = m * y' 0 * si 0 - m * o * (y 0 * co 0) + f / o
+    * co 0).
+  { apply (rderiv_0 (fun t => m * y' t * si t - m * o * (y t * co t) + f / o * co t) 0 T); [|lra|].
+    - apply cont_plus; [apply cont_minus|]; repeat apply cont_mult; auto using cont_const, cont_scal.
+    - intros t Ht. eapply rderiv_eq; [|apply rderiv_plus; [apply rderiv_minus|]].
+      4: apply rderiv_scal, rderiv_of_derive, Dco.
+      2: apply (rderiv_mult (fun t => m * y' t)); [apply D'; auto|apply rderiv_of_derive, Dsi].
+      2: apply rderiv_scal, rderiv_mult; [apply D; auto|apply rderiv_of_derive, Dco].
+      rewrite <- O2. field; lra. }
+  rewrite P0, Q0, E, E' in *. split.
+  - replace (- m * y' 0 * co T) with (/ 2 * (m * - y' 0 * co T - m * y' 0 * co T)) by field. lra.
+  - apply Rmult_eq_reg_l with (2 * (m * o)); [|apply Rgt_not_eq; nra]. lra.
+Qed.
+
+Section Nonstop.
+Variables m1 m2 a1 a2 b om : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
+
+(** the square of body 1's dynamic stiffness *)
+Definition Z1 := (a2 - m1 * om ^ 2) ^ 2 + (a1 * om) ^ 2.
+(** the part of the response in phase, which v1 = v2 at the turn fixes; h' = k'(0) *)
+Definition turn h' := b / om * (h' - PI / (2 * m2 * om)).
+(** the least size of the part out of phase for which v1 > v2 after the turn; h = k(0) *)
+Definition leave h h' := b * ((m1 + m2) / m2 - a2 * h - a1 * h') / (m1 * om ^ 2).
+(** U** *)
+Definition Fslip h h' := sqrt (Z1 * (turn h' ^ 2 + leave h h' ^ 2)).
+(** the relative velocity in the half period after the turn, when the part out of phase has the size p *)
+Definition slipping (k' : R -> R) p t :=
+  om * (turn (k' 0) * cos (om * t) + p * sin (om * t)) - b * k' t - b / m2 * (t - PI / (2 * om)).
+
+(** a motion under F sin (om t + phi) that slips forwards in (0, pi/om) and repeats with the opposite sign *)
+Definition nonstop F phi x v1 v2 s := forced m1 m2 a1 a2 b (wave F om phi) x v1 v2 s /\
+  (forall t, 0 < t < PI / om -> v2 t < v1 t) /\
+  forall t, 0 <= t -> x (PI / om + t) = - x t /\ v1 (PI / om + t) = - v1 t /\ v2 (PI / om + t) = - v2 t.
+
+Variables k k' : R -> R.
+Hypotheses (Dk : forall t, is_derive k t (k' t)) (Dk' : forall t, is_derive k' t ((1 - a1 * k' t - a2 * k t) / m1))
+  (Ek : k (PI / om) = - k 0) (Ek' : k' (PI / om) = - k' 0) (HZ : 0 < Z1) (Hl : 0 < leave (k 0) (k' 0)).
+Let T := PI / om.
+Let M := m1 + m2.
+
+(** half a period is positive *)
+Lemma half_pos : 0 < T.
+Proof. apply Rdiv_lt_0_compat; [apply PI_RGT_0|auto]. Qed.
+(** v1 = v2 at the turn *)
+Lemma turn_0 : om * turn (k' 0) - b * k' 0 = - (b / m2 * (T / 2)).
+Proof. unfold turn, T. field; lra. Qed.
+
+(** enough: the response with that phase is an arc that obeys the law *)
+Theorem nonstop_exists F : Fslip (k 0) (k' 0) <= F -> (forall t, 0 < t < T -> 0 < slipping k' (leave (k 0) (k' 0)) t) ->
+  exists phi x v1 v2 s, nonstop F phi x v1 v2 s.
+Proof.
+  intros HF Side. pose proof half_pos as HT. set (A := turn (k' 0)) in *. set (Bs := leave (k 0) (k' 0)) in *.
+  assert (Zp : 0 < Z1 * (A ^ 2 + Bs ^ 2)). { apply Rmult_lt_0_compat; auto. pose proof (pow2_ge_0 A). nra. }
+  assert (Fp : 0 < F). { pose proof (sqrt_lt_R0 _ Zp). unfold Fslip in HF. fold A Bs in HF. lra. }
+  assert (F2 : Z1 * (A ^ 2 + Bs ^ 2) <= F ^ 2).
+  { unfold Fslip in HF. fold A Bs in HF. rewrite <- (sqrt_sqrt (Z1 * (A ^ 2 + Bs ^ 2))) by lra.
+    pose proof (sqrt_pos (Z1 * (A ^ 2 + Bs ^ 2))). nra. }
+  assert (Q : Bs ^ 2 <= F ^ 2 / Z1 - A ^ 2).
+  { apply Rmult_le_reg_l with Z1; auto. replace (Z1 * (F ^ 2 / Z1 - A ^ 2)) with (F ^ 2 - Z1 * A ^ 2) by (field; lra).
+    lra. }
+  set (B := sqrt (F ^ 2 / Z1 - A ^ 2)).
+  assert (B2 : B * B = F ^ 2 / Z1 - A ^ 2) by (apply sqrt_sqrt; nra).
+  assert (BBs : Bs <= B). { rewrite <- (sqrt_pow2 Bs) by lra. apply sqrt_le_1_alt; auto. }
+  set (S := (a2 - m1 * om ^ 2) * A + a1 * om * B). set (C := - (a2 - m1 * om ^ 2) * B + a1 * om * A).
+  assert (SC : S ^ 2 + C ^ 2 = F ^ 2).
+  { transitivity (Z1 * (A ^ 2 + B * B)); [unfold S, C, Z1; ring|]. rewrite B2. field; lra. }
+  destruct (polar S C F 1 0 Fp ltac:(lra) SC) as (phi & _ & ES & EC). rewrite Rmult_1_l in ES, EC.
+  assert (Eu : forall t, F * sin (om * t + phi) = S * sin (om * t) + C * cos (om * t)).
+  { intros t. rewrite sin_plus, <- ES, <- EC. ring. }
+  set (X := fun t => A * sin (om * t) - B * cos (om * t) - b * k t).
+  set (V1 := fun t => om * (A * cos (om * t) + B * sin (om * t)) - b * k' t).
+  set (V2 := fun t => b / m2 * (t - T / 2)).
+  assert (Arc : forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2 (fun _ => 1)).
+  { constructor.
+    - intros t. unfold X, V1. auto_derive; [exists (k' t); apply Dk|].
+      rewrite (is_derive_unique (fun x : R => k x) _ _ (Dk t)). ring.
+    - intros t. rewrite Eu. unfold X, V1. auto_derive; [eexists; apply Dk'|].
+      rewrite (is_derive_unique (fun x : R => k' x) _ _ (Dk' t)). unfold S, C. field; lra.
+    - intros t. unfold V2. auto_derive; auto. field; lra.
+    - intros t Ht. split; [lra|]. split; [auto|]. intros W. exfalso. apply (Rlt_not_le _ _ W).
+      destruct (Req_dec t 0) as [->|N].
+      + unfold V1, V2. rewrite Rmult_0_r, cos_0, sin_0. pose proof turn_0. fold A in H. lra.
+      + pose proof (Side t ltac:(lra)) as Sl. unfold slipping in Sl. fold A Bs in Sl.
+        assert (0 < sin (om * t)).
+        { apply sin_gt_0; [nra|]. replace PI with (om * T) by (unfold T; field; lra). apply Rmult_lt_compat_l; lra. }
+        assert (Bs * sin (om * t) <= B * sin (om * t)) by (apply Rmult_le_compat_r; lra).
+        unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra. }
+  destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) _ X V1 V2 _ T ltac:(lra) (cont_wave F om phi
+    Hom)
+    (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
+  exists phi, x, v1, v2, s. destruct (E 0 ltac:(lra)) as (X0 & V10 & V20).
+    destruct (E T ltac:(lra)) as (XT & V1T & V2T).
+  assert (OT : om * T = PI) by (unfold T; field; lra).
+  split; [auto|]. split.
+  - intros t Ht. destruct (E t ltac:(fold T in Ht; lra)) as (_ & -> & ->). fold T in Ht.
+    pose proof (Side t Ht) as Sl. unfold slipping in Sl. fold A Bs in Sl.
+    assert (0 < sin (om * t)) by (apply sin_gt_0; [nra|rewrite <- OT; apply Rmult_lt_compat_l; lra]).
+    assert (Bs * sin (om * t) <= B * sin (om * t)) by (apply Rmult_le_compat_r; lra).
+    unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra.
+  - apply (antiperiodic m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) x v1 v2 s T ltac:(lra)); auto.
+    + intros t _. apply wave_half; auto.
+    + rewrite XT, X0. unfold X. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek. ring.
+    + rewrite V1T, V10. unfold V1. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek'. ring.
+    + rewrite V2T, V20. unfold V2. field; lra.
+Qed.
+
+(** a free response whose state changes sign over half a period is none: damping would take energy;
+  without it k would not be *)
+Lemma no_free_response z z' : cont z -> cont z' -> (forall t, 0 <= t < T -> rderiv z t (z' t)) ->
+  (forall t, 0 <= t < T -> rderiv (fun u => m1 * z' u) t (- (a2 * z t + a1 * z' t))) -> z T = - z 0 -> z' T = - z' 0 ->
+  z 0 = 0 /\ z' 0 = 0.
+Proof.
+  intros C C' D D' E E'. pose proof half_pos as HT. destruct (Req_dec a1 0) as [Z0|N].
+  - destruct (sign_change m1 a2 0 z z' T) as (A & B); auto.
+    { intros t Ht. eapply rderiv_eq; [|apply D'; auto]. rewrite Z0. ring. }
+    destruct (sign_change m1 a2 1 k k' T) as (Ak & _); auto.
+    { exact (cont_of_derive k _ Dk). } { exact (cont_of_derive k' _ Dk'). }
+    { intros t Ht. apply rderiv_of_derive, Dk. }
+    { intros t Ht. eapply rderiv_eq; [|apply rderiv_scal, rderiv_of_derive, Dk']. rewrite Z0. field; lra. }
+    set (o := sqrt (a2 / m1)) in *. assert (Ho : 0 < o) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; auto).
+    assert (Nc : cos (o * (T / 2)) <> 0).
+    { intros Z. rewrite Z in Ak. pose proof (sin2_cos2 (o * (T / 2))) as SC. rewrite Z in SC. unfold Rsqr in SC.
+      assert (sin (o * (T / 2)) = 0) as Zs; [|rewrite Zs in SC; lra].
+      apply Rmult_eq_reg_l with (1 / o); [lra|]. apply Rgt_not_eq, Rdiv_lt_0_compat; lra. }
+    split; apply Rmult_eq_reg_r with (cos (o * (T / 2))); auto; [lra|].
+    apply Rmult_eq_reg_l with (- m1); [|lra]. rewrite <- Rmult_assoc, A. unfold Rdiv. ring.
+  - set (e := fun t => a2 / 2 * (z t * z t) + / (2 * m1) * (m1 * z' t * (m1 * z' t))).
+    assert (Ce : cont e) by (unfold e; apply cont_plus; apply cont_scal, cont_mult; auto using cont_scal).
+    assert (De : forall t, 0 <= t < T -> rderiv e t (- a1 * (z' t) ^ 2)).
+    { intros t Ht. unfold e. eapply rderiv_eq; [|apply rderiv_plus; apply rderiv_scal, rderiv_mult;
+        first [apply D|apply (D' t)]; auto]. cbv beta; field; lra. }
+    assert (Le : forall r t, 0 <= r <= t -> t <= T -> e t <= e r).
+    { intros r t Hr Ht. apply (rderiv_mono e r t (fun t => - a1 * (z' t) ^ 2)); auto. intros q Hq. split; [apply De;
+      lra|].
+      pose proof (pow2_ge_0 (z' q)). nra. }
+    assert (Te : e T = e 0) by (unfold e; rewrite E, E'; ring).
+    assert (Z : forall t, 0 <= t < T -> z' t = 0).
+    { intros t Ht. assert (K : rderiv e t 0).
+      { apply rderiv_near with (fun _ => e 0) (T - t); [lra| |apply rderiv_const]. intros q Hq.
+        pose proof (Le 0 q ltac:(lra) ltac:(lra)). pose proof (Le q T ltac:(lra) ltac:(lra)). lra. }
+      pose proof (rderiv_unique _ _ _ _ (De t Ht) K). apply Rmult_integral in H. destruct H as [H|H]; [lra|].
+      apply Rsqr_0_uniq. unfold Rsqr. lra. }
+    split; [|apply Z; lra]. assert (z T = z 0); [|lra]. apply rderiv_0; auto; [lra|]. intros q Hq.
+    eapply rderiv_eq; [apply (Z q Hq)|apply D; auto].
+Qed.
+
+(** needed: the motion is the response with that phase, as there is no other whose state changes sign *)
+Theorem nonstop_needs F phi x v1 v2 s : 0 <= F -> nonstop F phi x v1 v2 s -> Fslip (k 0) (k' 0) <= F.
+Proof.
+  intros HF (H & Pos & Anti). change (PI / om) with T in Pos, Anti. pose proof half_pos as HT.
+  pose proof (slip_clock _ _ _ _ _ _ _ _ _ _ 0 T H ltac:(lra) Pos) as Clock.
+  assert (Ds : forall t, 0 <= t < T -> rderiv s t 1).
+  { intros t Ht. apply rderiv_near with (fun u => s 0 + (u - 0)) (T - t); [lra|intros; symmetry; apply Clock; lra|].
+    apply rderiv_of_derive. auto_derive; auto; ring. }
+  pose proof (forced_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ H) as Cv2. pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H) as Cv.
+  pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H) as Cx.
+  destruct (Anti 0 (Rle_refl 0)) as (X0 & V0 & W0). rewrite Rplus_0_r in X0, V0, W0.
+  assert (Meet : v1 0 = v2 0).
+  { destruct (ends_nonneg (fun t => v1 t - v2 t) 0 T) as (A & B); [apply cont_minus; auto|lra|intros t Ht;
+    specialize (Pos t Ht);
+    lra|]. lra. }
+  assert (V20 : v2 0 = - (b / m2 * (T / 2))).
+  { pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 T H ltac:(lra) ltac:(lra)) as Q.
+    rewrite (Clock T) in Q by lra. lra. }
+  set (S := F * cos phi). set (C := F * sin phi).
+  set (A := ((a2 - m1 * om ^ 2) * S + a1 * om * C) / Z1). set (B := ((a2 - m1 * om ^ 2) * C - a1 * om * S) / Z1).
+  assert (ES : S = (a2 - m1 * om ^ 2) * A - a1 * om * B) by (unfold A, B, Z1 in *; field; lra).
+  assert (EC : C = (a2 - m1 * om ^ 2) * B + a1 * om * A) by (unfold A, B, Z1 in *; field; lra).
+  assert (SC : F ^ 2 = Z1 * (A ^ 2 + B ^ 2)).
+  { transitivity (S ^ 2 + C ^ 2); [|rewrite ES, EC; unfold Z1; ring]. pose proof (sin2_cos2 phi) as Q. unfold Rsqr in Q.
+    unfold S, C. transitivity (F ^ 2 * (sin phi * sin phi + cos phi * cos phi)); [rewrite Q; ring|ring]. }
+  set (X := fun t => A * sin (om * t) + B * cos (om * t) - b * k t).
+  set (V := fun t => om * (A * cos (om * t) - B * sin (om * t)) - b * k' t).
+  assert (DX : forall t, is_derive X t (V t)).
+  { intros t. unfold X, V. auto_derive; [exists (k' t); apply Dk|].
+    rewrite (is_derive_unique (fun x : R => k x) _ _ (Dk t)). ring. }
+  assert (DV : forall t, is_derive V t ((F * sin (om * t + phi) - a2 * X t - a1 * V t - b) / m1)).
+  { intros t. rewrite sin_plus. unfold X, V. auto_derive; [eexists; apply Dk'|].
+    rewrite (is_derive_unique (fun x : R => k' x) _ _ (Dk' t)).
+    replace (F * (sin (om * t) * cos phi + cos (om * t) * sin phi)) with (S * sin (om * t) + C * cos (om * t))
+      by (unfold S, C; ring). rewrite ES, EC. field; lra. }
+  assert (OT : om * T = PI) by (unfold T; field; lra).
+  assert (Dv : forall t, 0 <= t < T -> rderiv (fun u => m1 * v1 u) t (F * sin (om * t + phi) - b - (a2 * x t + a1 * v1
+    t))).
+  { intros t Ht. apply rderiv_ext with (fun u => (m1 * v1 u + b * s u - wave F om phi u) + (wave F om phi u - b * s u)).
+    { intros; ring. }
+    eapply rderiv_eq; [|apply rderiv_plus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_minus;
+      [apply rderiv_wave; auto|apply rderiv_scal, Ds; auto]]]. ring. }
+  destruct (no_free_response (fun t => x t - X t) (fun t => v1 t - V t)) as (ZX & ZV).
+  { apply cont_minus; auto. exact (cont_of_derive _ _ DX). } { apply cont_minus; auto. exact (cont_of_derive _ _ DV). }
+  { intros t Ht. apply rderiv_minus; [apply (f_x _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_of_derive, DX]. }
+  { intros t Ht. apply rderiv_ext with (fun u => m1 * v1 u - m1 * V u); [intros; ring|].
+    eapply rderiv_eq; [|apply rderiv_minus; [apply Dv; auto|apply rderiv_scal, rderiv_of_derive, DV]]. field; lra. }
+  { rewrite X0. unfold X. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek. ring. }
+  { rewrite V0. unfold V. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek'. ring. }
+  unfold X in ZX. unfold V in ZV. rewrite Rmult_0_r, cos_0, sin_0 in ZX, ZV.
+  assert (EA : A = turn (k' 0)). { pose proof turn_0. apply Rmult_eq_reg_l with om; lra. }
+  assert (Rw : rderiv (fun t => m1 * v1 t - m1 * v2 t) 0 (C - b - (a2 * x 0 + a1 * v1 0) - m1 * (b / m2))).
+  { eapply rderiv_eq; [|apply rderiv_minus; [apply Dv; lra|]].
+    2: { apply rderiv_scal, rderiv_near with (fun u => v2 0 + b / m2 * (u - 0)) T; [lra| |].
+         - intros u Hu. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 u H ltac:(lra) ltac:(lra)) as Q.
+           rewrite (Clock u) in Q by lra. lra.
+         - apply rderiv_of_derive. auto_derive; auto. }
+    rewrite Rmult_0_r, Rplus_0_l. unfold C. field; lra. }
+  assert (Up : 0 <= C - b - (a2 * x 0 + a1 * v1 0) - m1 * (b / m2)).
+  { apply Rnot_lt_le. intros N. set (l := C - b - (a2 * x 0 + a1 * v1 0) - m1 * (b / m2)) in *.
+    destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (q := Rmin (d / 2) (T / 2)).
+      assert (q <= d / 2) by apply Rmin_l.
+    assert (q <= T / 2) by apply Rmin_r. assert (0 < q) by (apply Rmin_glb_lt; lra).
+    specialize (Q q ltac:(lra)). apply Rabs_inv in Q. rewrite Rplus_0_l, Meet in Q. specialize (Pos q ltac:(lra)).
+      nra. }
+  assert (HB : leave (k 0) (k' 0) <= - B).
+  { unfold leave. assert (O2 : 0 < m1 * om ^ 2) by (apply Rmult_lt_0_compat; [auto|apply pow_lt; auto]).
+    apply Rmult_le_reg_l with (m1 * om ^ 2); auto.
+    replace (m1 * om ^ 2 * (b * ((m1 + m2) / m2 - a2 * k 0 - a1 * k' 0) / (m1 * om ^ 2)))
+      with (b + m1 * (b / m2) - b * (a2 * k 0) - b * (a1 * k' 0)) by (field; lra).
+    assert (Ex : a2 * x 0 = a2 * B - b * (a2 * k 0)) by (replace (x 0) with (B - b * k 0) by lra; ring).
+    assert (Ev : a1 * v1 0 = a1 * om * A - b * (a1 * k' 0)) by (replace (v1 0) with (om * A - b * k' 0) by lra; ring).
+    rewrite Ex, Ev, EC in Up. lra. }
+  unfold Fslip. rewrite <- EA, <- (sqrt_pow2 F) by auto. apply sqrt_le_1_alt. rewrite SC. apply Rmult_le_compat_l;
+    [lra|]. nra.
+Qed.
+
+(** U**: where the relative velocity stays positive at that amplitude, the motion exists exactly from it on *)
+Theorem nonstop_iff F : 0 <= F -> (forall t, 0 < t < T -> 0 < slipping k' (leave (k 0) (k' 0)) t) ->
+  (exists phi x v1 v2 s, nonstop F phi x v1 v2 s) <-> Fslip (k 0) (k' 0) <= F.
+Proof.
+  intros HF Side. split.
+  - intros (phi & x & v1 & v2 & s & H). exact (nonstop_needs F phi x v1 v2 s HF H).
+  - intros Q. apply nonstop_exists; auto.
+Qed.
+End Nonstop.

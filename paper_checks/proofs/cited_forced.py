@@ -1,0 +1,73 @@
+"""The theorems on the pair under a force that rows may cite; as in `cited.py`.
+
+"Motion" is the absolutely continuous solution under the force; its impulse may be any continuous function.
+"""
+
+from __future__ import annotations
+
+FORCED: dict[str, tuple[str, str]] = {
+    "free-case": ("Forced.free_case", "Without a force the forced system is the free one."),
+    "forced-well-posed": (
+        "ForcedExistence.forced_well_posed",
+        "Under any force with a continuous impulse: one solution from every start.",
+    ),
+    "forced-contraction": (
+        "Forced.forced_contraction",
+        "Under one force the energy distance of two solutions never grows.",
+    ),
+    "forced-energy-rate": ("Forced.forced_energy_rate", "dE/dt = u v1 - a1 v1^2 - b |v1 - v2|."),
+    "input-to-state": (
+        "Forced.input_to_state_integral",
+        "The energy distance grows at most by the integral of the forces' difference over sqrt m1.",
+    ),
+    "must-stick": ("Forced.must_stick", "Where body 2 accelerates by less than b/m2 the pair sticks."),
+    "trackable": ("Forced.trackable_iff", "Body 2 can be made to follow a velocity exactly if that is b/m2-Lipschitz."),
+    "reach": ("Forced.reach", "Where body 2 can be at a time, whatever the force."),
+    "least-time": ("Forced.least_time", "From rest to rest over D takes at least 2 sqrt(m2 D/b), whatever the force."),
+    "least-time-attained": ("Forced.least_time_attained", "That time is attained."),
+    "entrained-iff": (
+        "Entrain.entrained_iff",
+        "The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most F*.",
+    ),
+    "stuck-iff": (
+        "Entrain.stuck_iff",
+        "With a1 > 0 some solution sticks for ever under it exactly if the amplitude is at most F*.",
+    ),
+    "third-harmonic": ("Entrain.third_harmonic", "With a1 = 0 and Omega = 3 omega a stuck motion exists above F*."),
+    "forced-bounded": ("Bounded.bounded", "With a1 > 0 every motion under a bounded force is bounded."),
+    "forced-approach": ("Bounded.approach", "With a1 > 0 any two motions under one bounded force approach each other."),
+    "periodic-response": (
+        "Periodic.response",
+        "With a1 > 0 a periodic bounded force has exactly one periodic motion, and it attracts all.",
+    ),
+    "entrains": ("Sync.entrains", "With a1 > 0 and amplitude up to F*: every motion tends to the stuck response."),
+    "synchronises": (
+        "Sync.synchronises",
+        "With a1 > 0 and amplitude below F*: every motion sticks for ever after a finite time.",
+    ),
+    "arc-begins": (
+        "Arcs.arc_begins",
+        "A smooth arc that obeys the law of friction under a force is the beginning of a motion under it.",
+    ),
+    "follow-forced-arc": (
+        "Arcs.follow_arc",
+        "A motion under a force that meets the start of such an arc, at any time, runs along it.",
+    ),
+    "antiperiodic": (
+        "Arcs.antiperiodic",
+        "Under a force that repeats with the opposite sign, a motion whose state does so once does so for ever.",
+    ),
+    "nonstop-iff": (
+        "Nonstop.nonstop_iff",
+        "a1 >= 0: a motion that slips one way for half a period and then the other way exists exactly from U** on, if its "
+        "relative velocity keeps its sign at U**.",
+    ),
+    "nonstop-undamped": (
+        "Undamped.undamped_iff",
+        "a1 = 0: the same with U** in closed form, off the resonances of body 1.",
+    ),
+    "nonstop-above-resonance": (
+        "Undamped.above_resonance",
+        "a1 = 0 and omega above body 1's own frequency: that motion exists exactly from U** on, without a condition.",
+    ),
+}
