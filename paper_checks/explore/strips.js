@@ -19,6 +19,7 @@ function chart(top, height, width, until, low, high) {
   };
 }
 
+/* Grid lines, their numbers and the title; what follows a colon in it is left out where there is no room. */
 function drawFrame(context, at, title, colors, marks, name = shown) {
   context.font = colors.font;
   context.textAlign = "right";
@@ -29,7 +30,8 @@ function drawFrame(context, at, title, colors, marks, name = shown) {
   }
   context.textAlign = "left";
   context.fillStyle = colors.ink;
-  context.fillText(title, MARGIN.left, at.top - 6);
+  const fits = context.measureText(title).width < at.width - MARGIN.left - MARGIN.right;
+  context.fillText(fits ? title : title.split(":")[0], MARGIN.left, at.top - 6);
 }
 
 function drawCurve(context, at, points, color, width, dash) {
@@ -80,7 +82,7 @@ function drawStrips(context, width, height, { solution, parts, now, colors }) {
 function drawLoad(context, at, solution, parts, colors) {
   context.fillStyle = colors.strip;
   context.fillRect(MARGIN.left, at.y(1), at.width - MARGIN.left - MARGIN.right, at.y(-1) - at.y(1));
-  drawFrame(context, at, "force that sticking needs, over b; friction can give what is shaded", colors, [-2, -1, 0, 1, 2]);
+  drawFrame(context, at, "force that sticking needs, over b: friction can give what is shaded", colors, [-2, -1, 0, 1, 2]);
   for (const { mode, points } of parts) {
     const load = points.map((one) => [one.t, loadOf(solution.pair, solution.force, one)]);
     drawCurve(context, at, load, colors.modes[mode][0], mode === STICK ? 2.5 : 1.2);
@@ -109,7 +111,7 @@ function drawEnergy(context, at, solution, parts, colors) {
   const energy = curveOf(parts, (one) => energyAbout(solution, one));
   if (solution.force.amplitude !== 0) {
     const own = chart(at.top, at.height, at.width, at.until, 0, Math.max(1.2, spread([energy])[1]));
-    drawFrame(context, own, "energy E/E_cr; the line is at 1", colors, ticks(0, own.high, 4));
+    drawFrame(context, own, "energy E/E_cr: the dashed line is at 1", colors, ticks(0, own.high, 4));
     drawCurve(context, own, [[0, 1], [at.until, 1]], colors.ray, 1.5, [5, 3]);
     drawCurve(context, own, energy, colors.ink, 1.5);
     return;
@@ -117,7 +119,7 @@ function drawEnergy(context, at, solution, parts, colors) {
   const level = energy.map(([t, value]) => [t, Math.abs(value - 1) < 1e-15 ? NaN : Math.log10(Math.abs(value - 1))]);
   const [low, high] = spread([level]), least = Number.isFinite(low) ? Math.max(-15, Math.floor(low)) : -3;
   const own = chart(at.top, at.height, at.width, at.until, least, Number.isFinite(high) ? Math.max(least + 1, Math.ceil(high)) : 0);
-  const marks = ticks(own.low, own.high, 4).filter(Number.isInteger), title = "distance from the critical energy, |E/E_cr \u2212 1|: ";
+  const marks = ticks(own.low, own.high, 4).filter(Number.isInteger), title = "distance from E_cr, |E/E_cr \u2212 1|: ";
   drawFrame(context, own, `${title}above full, below dashed`, colors, marks, (one) => `1e${shown(one)}`);
   for (const side of [1, -1]) {
     for (const run of runsOf(level, energy.map(([, value]) => Math.sign(value - 1) === side))) {
