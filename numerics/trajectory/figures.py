@@ -2,82 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from numerics.errors import MissingTool
 from numerics.motion.modes import EventKind, Mode
+from numerics.trajectory.curve import Curve, force_on, friction_on, load_on, sampled
 
 BLUE, ORANGE, GREEN, GRAY = "#0072B2", "#D55E00", "#009E73", "#999999"
 """Colours that are told apart without red and green."""
+FIRST = {"color": BLUE, "lw": 1.2, "label": "body 1"}
+SECOND = {"color": ORANGE, "lw": 1.2, "ls": "--", "label": "body 2"}
 _MARKERS = {EventKind.ENTRY: ("o", "entry"), EventKind.EXIT: ("^", "exit"), EventKind.CROSSING: ("x", "crossing")}
 _MOST_MARKED = 200
 """Events beyond this number would hide the curve: then none is marked."""
 _MOST_SHADED = 1000
-"""Stick phases beyond this number are narrower than a pixel: then none is shaded."""
-_RESOLVED = 100
-"""So many segments at the beginning and at the end are always drawn as curves."""
-_PER_RADIAN, _FEWEST, _LEAST, _MOST = 24, 8, 60, 10_000
-"""Points for each radian of Omega t; fewer than the second are no curve; a segment gets at least the third if it turns
-so far; longer ones share the last."""
-
-
-class Curve(NamedTuple):
-    """A trajectory for drawing, n points: its ends and, in every segment, both ends and points between them."""
-
-    t: NDArray[np.float64]
-    """Time, s."""
-    y: NDArray[np.float64]
-    """x1, v1, x2, v2, shape (4, n), m and m/s."""
-    w: NDArray[np.float64]
-    """E/E_cr - 1."""
-    lost: NDArray[np.float64]
-    """What friction and viscosity have taken so far, shape (2, n), J."""
-    segment: NDArray[np.int64]
-    """Which segment each point belongs to."""
-    resolved: NDArray[np.bool_]
-    """Whether the points of this segment are so many that lines between them are its curve."""
-
-
-def sampled(trajectory: Any) -> Curve:
-    """Return points that resolve every segment, however short; of thousands of segments the first and the last."""
-    number = trajectory.arithmetic.to_float
-    with trajectory.arithmetic.context():
-        length, rate, unit = (number(one) for one in trajectory.units)
-        radians = np.array([number(segment.length) for segment in trajectory.segments])
-        parts = _parts(radians)
-        rows, taken = [], np.zeros(2)
-        for segment, long, count in zip(trajectory.segments, radians, parts, strict=True):
-            start, lost = number(segment.start), np.zeros(2)
-            for part in range(count + 1):
-                tau = segment.length * part / int(count)
-                state = [number(one) for one in segment.state(tau)]
-                lost = np.array([number(one) for one in segment.losses(tau)])
-                rows.append([start + long * part / count, *state, *(taken + lost)])
-            taken = taken + lost
-    tau_, X, V1, V2, Z, w, friction, viscous = np.array(rows, dtype=float).reshape(-1, 8).T
-    speed, at = length * rate, np.repeat(np.arange(len(parts)), parts + 1)
-    y = np.stack([X * length, V1 * speed, (X - Z) * length, V2 * speed])
-    return Curve(tau_ / rate, y, w, np.stack([friction, viscous]) * unit, at, (parts >= _FEWEST * radians)[at])
-
-
-def _parts(radians: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Return into how many parts each segment is divided, from the radians that it turns through."""
-    share = _MOST * radians / max(radians.sum(), 1.0)
-    parts = 6 + np.minimum(_PER_RADIAN * radians, np.maximum(share, _LEAST)).astype(int)
-    if len(parts) > 10 * _RESOLVED:
-        parts[_RESOLVED:-_RESOLVED] = 2  # speeds are largest about the middle of a stick phase
-    return parts
+"""Stick phases beyond this number are narrower than a pixel: then none is shaded, and time is drawn logarithmically."""
 
 
 def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
     """Draw into matplotlib axes, new ones if none are given, and return them.
 
-    Kinds: "velocities" and "positions" of both bodies against time; "phase", x1 against v1, with S0 shaded; "excess",
-    |E/E_cr - 1| on a logarithmic axis; "energy", what is left of it and who took the rest. Raises ValueError for any
-    other kind, MissingTool. `curve` saves sampling the trajectory for every picture of it.
+    Kinds: "velocities" and "positions" of both bodies against time; "load", the friction that sticking needs, and what
+    the interface can give; "force", u(t); "phase", x1 against v1, with S0 shaded; "excess", |E/E_cr - 1| on a
+    logarithmic axis; "energy", what is left of it and who took the rest. Raises ValueError for any other kind,
+    MissingTool. `curve` saves sampling the trajectory for every picture of it.
     """
     if kind not in _KINDS:
         raise ValueError(f"kind = {kind!r} is not one of {', '.join(_KINDS)}")
@@ -89,13 +39,12 @@ def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None)
     drawn(trajectory, curve, ax)
     if kind != "phase":
         _shade_stick(trajectory, curve, ax)
-        ax.set_xlabel("t (s)")
-        ax.set_xlim(curve.t[0], curve.t[-1])
+        _against_time(trajectory, curve, ax)
     if ax.get_legend_handles_labels()[0]:
         few = len(trajectory.events) <= _MOST_MARKED
         if not few:  # dashes of so long a line take minutes to draw, and so does the best place for the legend
             for line in ax.lines:
-                line.set_linestyle("none" if line.get_marker() == "," else "-")
+                line.set_linestyle("none" if line.get_linestyle() == "None" else "-")
         ax.legend(loc="best" if few else "upper right", fontsize="small", framealpha=0.9)
     return ax
 
@@ -108,13 +57,21 @@ def _new_axes() -> Any:
     return plt.subplots(layout="constrained")[1]
 
 
+def _against_time(trajectory: Any, curve: Curve, ax: Any) -> None:
+    """Label the time axis; of thousands of phases the first ones would be too narrow to see on a linear one."""
+    ax.set_xlabel("t (s)")
+    if trajectory.modes.count(Mode.STICK) > _MOST_SHADED:
+        ax.set_xscale("log")
+        ax.set_xlim(curve.t[curve.segment == 1][0] / 2, curve.t[-1])
+    else:
+        ax.set_xlim(curve.t[0], curve.t[-1])
+
+
 def _shade_stick(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Shade the times at which the bodies stick, over the whole height of the axes."""
-    stick = np.array([mode is Mode.STICK for mode in trajectory.modes])[curve.segment]
-    if stick.any() and trajectory.modes.count(Mode.STICK) <= _MOST_SHADED:
-        ax.fill_between(
-            curve.t, 0, 1, where=stick, transform=ax.get_xaxis_transform(), color=GRAY, alpha=0.25, lw=0, label="stick"
-        )
+    if curve.stick.any() and trajectory.modes.count(Mode.STICK) <= _MOST_SHADED:
+        across = ax.get_xaxis_transform()
+        ax.fill_between(curve.t, 0, 1, where=curve.stick, transform=across, color=GRAY, alpha=0.25, lw=0, label="stick")
 
 
 def _mark_events(trajectory: Any, ax: Any, across: int | None, up: int) -> None:
@@ -129,27 +86,43 @@ def _mark_events(trajectory: Any, ax: Any, across: int | None, up: int) -> None:
 
 
 def _velocities(trajectory: Any, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.y[1], color=BLUE, lw=1.2, label="$v_1$")
-    ax.plot(curve.t, curve.y[3], color=ORANGE, lw=1.2, ls="--", label="$v_2$")
+    ax.plot(curve.t, curve.y[1], **FIRST)
+    ax.plot(curve.t, curve.y[3], **SECOND)
     _mark_events(trajectory, ax, None, 1)
-    ax.set_ylabel("velocity (m/s)")
+    ax.set_ylabel("$v_1$, $v_2$ (m/s)")
 
 
 def _positions(trajectory: Any, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.y[0], color=BLUE, lw=1.2, label="$x_1$")
-    ax.plot(curve.t, curve.y[2], color=ORANGE, lw=1.2, ls="--", label="$x_2$")
-    half_width = float(trajectory.scene.pair.half_width)
-    for side in (-half_width, half_width) if trajectory.scene.pair.a1 == 0 else ():
-        ax.axhline(side, color=GRAY, lw=0.8, ls=":", label="edges of $S_0$" if side > 0 else None)
-    ax.set_ylabel("position (m)")
+    scene = trajectory.scene
+    ax.plot(curve.t, curve.y[0], **FIRST)
+    ax.plot(curve.t, curve.y[2], **SECOND)
+    if scene.pair.a1 == 0:
+        ends = slice(None) if scene.is_forced else [0, -1]
+        t, stiffness, share = curve.t[ends], float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
+        centre, half = force_on(scene, t) / stiffness, friction_on(scene, t) * share / stiffness
+        ax.plot(t, centre + half, color="black", lw=0.8, ls=":", label="edges of $S_0$, for $x_1$")
+        ax.plot(t, centre - half, color="black", lw=0.8, ls=":")
+    ax.set_ylabel("$x_1$, $x_2$ (m)")
+
+
+def _load(trajectory: Any, curve: Curve, ax: Any) -> None:
+    scene = trajectory.scene
+    b = friction_on(scene, curve.t)
+    ax.fill_between(curve.t, -b, b, color=GREEN, alpha=0.2, lw=0, label="friction can give this")
+    ax.plot(curve.t, load_on(scene, curve), color="black", lw=1.2, label="sticking needs this")
+    ax.set_ylabel("force on body 2 (N)")
+
+
+def _force(trajectory: Any, curve: Curve, ax: Any) -> None:
+    ax.plot(curve.t, force_on(trajectory.scene, curve.t), color=BLUE, lw=1.2)
+    ax.set_ylabel("u (N)")
 
 
 def _phase(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1: on S, where v1 = v2, with a full line, in slip with a thin one."""
-    pair, stick = trajectory.scene.pair, np.array([mode is Mode.STICK for mode in trajectory.modes])[curve.segment]
     for kept, color, width, dashes, label in (
-        (~stick, ORANGE, 0.8, "--", "slip"),
-        (stick, BLUE, 2.0, "-", "stick, on $S$"),
+        (~curve.stick, ORANGE, 0.8, "--", "slip"),
+        (curve.stick, BLUE, 2.0, "-", "stick, on $S$"),
     ):
         x, v = (np.where(kept & curve.resolved, row, np.nan) for row in curve.y[:2])
         if np.isfinite(x).any():
@@ -158,40 +131,55 @@ def _phase(trajectory: Any, curve: Curve, ax: Any) -> None:
         if sparse.any():  # lines between these points would not be the curve
             ax.plot(*curve.y[:2, sparse], ",", color=color)
     _mark_events(trajectory, ax, 0, 1)
-    low, high = ax.get_ylim()
-    half_width, lean = float(pair.half_width), float(pair.a1 / pair.a2)
-    v = np.array([low, high])
-    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, color=GRAY, alpha=0.25, lw=0, label="$S_0$")
-    ax.set_ylim(low, high)
-    if pair.a1 == 0:  # the critical orbit touches both edges
-        angle = np.linspace(0, 2 * np.pi, 400)
-        speed = half_width * float(pair.a2 / pair.mass) ** 0.5
-        ax.plot(half_width * np.cos(angle), speed * np.sin(angle), color="black", lw=0.8, ls=":", label="$E = E_{cr}$")
+    ax.plot(*curve.y[:2, :1], "s", color="black", ms=5, label="start")
+    if not trajectory.scene.is_forced:
+        _sliding_region(trajectory.scene.pair, ax)
     ax.locator_params(axis="x", nbins=6)
     ax.set(xlabel="$x_1$ (m)", ylabel="$v_1$ (m/s)")
 
 
+def _sliding_region(pair: Any, ax: Any) -> None:
+    """Shade S0 as far as the trajectory goes, and draw the critical orbit, which touches both edges."""
+    half_width, lean = float(pair.half_width), float(pair.a1 / pair.a2)
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    v = np.array([low, high])
+    ax.fill_betweenx(v, -half_width - lean * v, half_width - lean * v, color=GRAY, alpha=0.25, lw=0, label="$S_0$")
+    ax.set(xlim=(min(left, -1.1 * half_width), max(right, 1.1 * half_width)), ylim=(low, high))
+    if pair.a1 == 0:
+        angle = np.linspace(0, 2 * np.pi, 400)
+        speed = half_width * float(pair.a2 / pair.mass) ** 0.5
+        ax.plot(half_width * np.cos(angle), speed * np.sin(angle), color="black", lw=0.8, ls=":", label="$E = E_{cr}$")
+
+
 def _excess(_: Any, curve: Curve, ax: Any) -> None:
-    """Draw what the energy has above E_cr, or lacks below it."""
+    """Draw what the energy has above E_cr, or lacks below it, on whole decades."""
+    drawn = np.abs(curve.w[np.isfinite(curve.w) & (curve.w != 0)])
+    if not len(drawn):
+        ax.text(0.5, 0.5, "$E = E_{cr}$ exactly", transform=ax.transAxes, ha="center", va="center")
+        ax.set_yticks([])
+        return
     for sign, how in ((1, {"color": BLUE, "label": r"$E/E_{cr} - 1$"}), (-1, {"color": ORANGE, "ls": "--"})):
         part = np.where(sign * curve.w > 0, sign * curve.w, np.nan)
         if np.isfinite(part).any():
             ax.plot(curve.t, part, lw=1.2, **({"label": r"$1 - E/E_{cr}$"} | how))
     ax.set_yscale("log")
-    ax.set_ylabel("distance from $E_{cr}$, relative")
+    low, high = np.floor(np.log10(drawn.min()) - 0.05), np.ceil(np.log10(drawn.max()) + 0.05)
+    ax.set_ylim(10**low, 10**high)
+    ax.set_ylabel(r"$|E/E_{cr} - 1|$")
 
 
 def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what is left, what friction took and what viscosity took, on top of each other."""
-    left = float(trajectory.scene.pair.critical_energy) * (1 + curve.w)
-    parts = [("energy left", left, BLUE, None), ("lost to friction", curve.lost[0], ORANGE, "//")]
-    if trajectory.scene.pair.a1 > 0:
+    pair = trajectory.scene.pair
+    critical = float(pair.critical_energy)
+    parts = [("energy left", critical * (1 + curve.w), BLUE, None), ("lost to friction", curve.lost[0], ORANGE, "//")]
+    if pair.a1 > 0:
         parts.append(("lost to viscosity", curve.lost[1], GREEN, ".."))
-    below = np.zeros_like(left)
+    below = np.zeros_like(curve.t)
     for label, part, color, hatch in parts:
         ax.fill_between(curve.t, below, below + part, color=color, alpha=0.6, lw=0, label=label, hatch=hatch)
         below = below + part
-    ax.axhline(float(trajectory.scene.pair.critical_energy), color="black", lw=0.8, ls=":", label="$E_{cr}$")
+    ax.axhline(critical, color="black", lw=0.8, ls=":", label="$E_{cr}$")
     ax.set_ylabel("energy (J)")
     ax.set_ylim(0, None)
 
@@ -199,6 +187,8 @@ def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
 _KINDS = {
     "velocities": ("Velocities of both bodies", _velocities),
     "positions": ("Positions of both bodies", _positions),
+    "load": ("The friction that sticking needs, and can get", _load),
+    "force": ("Force on body 1", _force),
     "phase": ("Phase portrait of body 1", _phase),
     "excess": ("Distance from the critical energy", _excess),
     "energy": ("Where the energy went", _energy),

@@ -20,7 +20,7 @@ from numerics.trajectory.run import Run
 from numerics.trajectory.segment import EnergyLedger, Event, Segment, event_of, segment_of
 from numerics.trajectory.si_table import si_table
 
-Kind = Literal["velocities", "positions", "phase", "excess", "energy"]
+Kind = Literal["velocities", "positions", "load", "force", "phase", "excess", "energy"]
 
 
 class Trajectory(Run):

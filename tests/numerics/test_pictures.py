@@ -1,11 +1,21 @@
 """The pictures of a trajectory show what it is: titles, units, shaded sticking, and curves that are its own."""
 
+from dataclasses import replace
+from fractions import Fraction
+
 import matplotlib as mpl
 import numpy as np
 import pytest
+from hypothesis import example, given
+from matplotlib import pyplot as plt
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from strategies import forces, frictions
 
-from numerics import Pair, Scene, State, solve
-from numerics.trajectory.figures import sampled
+from numerics import Force, Friction, Pair, Scene, State, solve
+from numerics.faces.plot import COMMON, overview
+from numerics.scene import Law
+from numerics.scene.pieces import Piece
+from numerics.trajectory.curve import force_on, friction_on, load_on, sampled
 
 mpl.use("Agg")
 
@@ -21,7 +31,7 @@ HOW = [
 ]
 
 
-@pytest.mark.parametrize("kind", ["velocities", "positions", "phase", "excess", "energy"])
+@pytest.mark.parametrize("kind", ["velocities", "positions", "load", "force", "phase", "excess", "energy"])
 @pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK])
 def test_every_picture_has_a_title_units_and_shaded_sticking(scene, kind):
     from matplotlib import pyplot as plt
@@ -38,7 +48,7 @@ def test_every_picture_has_a_title_units_and_shaded_sticking(scene, kind):
 
 
 def test_a_picture_of_no_kind_is_refused():
-    with pytest.raises(ValueError, match="velocities, positions, phase, excess, energy"):
+    with pytest.raises(ValueError, match="velocities, positions, load, force, phase, excess, energy"):
         solve(PAPER).plot("speed")
 
 
@@ -68,3 +78,62 @@ def test_thousands_of_events_are_drawn_within_their_true_range():
     assert np.abs(drawn).max(axis=1) == pytest.approx(np.abs(dense).max(axis=1), rel=0.01)
     assert curve.resolved[0]
     assert not curve.resolved[(curve.t > 100) & (curve.t < 200)].all()
+
+
+def overview_of(scene):
+    figure = overview(solve(scene))
+    FigureCanvasAgg(figure).draw()
+    return figure
+
+
+@pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK])
+def test_the_overview_says_what_it_shows_and_explains_common_marks_once(scene):
+    figure = overview_of(scene)
+    title, run = figure.get_suptitle(), solve(scene)
+    assert f"{len(run.events)} event" in title
+    assert run.message in title
+    assert ("a_1" in title) == (scene.pair.a1 > 0)
+    assert [ax.get_title() for ax in figure.axes][3] == "Phase portrait of body 1"
+    assert len(figure.axes) == 6
+    below = {text.get_text() for text in figure.legends[0].get_texts()}
+    assert {"body 1", "body 2", "stick"} <= below <= set(COMMON)
+    for ax in figure.axes:
+        assert not below & {text.get_text() for text in ax.get_legend().get_texts()} if ax.get_legend() else True
+
+
+def test_a_literal_reading_is_named():
+    assert "read literally" in overview_of(replace(PAPER, law=Law.THREE_VALUED_SGN)).get_suptitle()
+
+
+def test_thousands_of_events_are_drawn_over_the_logarithm_of_time():
+    axes = overview_of(Scene(PAPER.pair, PAPER.initial, 400)).axes
+    assert [ax.get_xscale() for ax in axes] == ["log"] * 3 + ["linear"] + ["log"] * 2
+
+
+def test_the_excess_has_whole_decades_and_says_where_it_is_exactly_zero():
+    assert tuple(np.log10(solve(PAPER).plot("excess").get_ylim()) % 1) == (0, 0)
+    ax = solve(Scene(PAPER.pair, State(x1="0.005"), 3)).plot("excess")
+    assert [text.get_text() for text in ax.texts] == ["$E = E_{cr}$ exactly"]
+    plt.close("all")
+
+
+def test_the_load_that_is_drawn_decides_between_stick_and_slip():
+    for scene in (PAPER, DAMPED):
+        run = solve(scene)
+        curve = sampled(run)
+        load, b = load_on(scene, curve), friction_on(scene, curve.t)
+        assert np.all(np.abs(load[curve.stick]) <= b[curve.stick] * (1 + 1e-9))
+        assert np.abs(load[~curve.stick]).max() > b[0]
+
+
+@given(forces(), frictions())
+@example(Force.trapezoid("0.5", "0.25", 1, 0, 3) + Force.sine(2, 5, "0.3"), Friction([(1, "0.25"), ("1.5", 1)]))
+@example(Force([Piece(2, (0, 1, -2))]), Friction())
+def test_force_and_friction_are_drawn_as_they_are(force, friction):
+    scene, t = Scene(PAPER.pair, PAPER.initial, 3, force=force, friction=friction), np.linspace(0, 3, 97)
+    wanted = np.array([float(force(Fraction(float(one)))) for one in t])
+    assert force_on(scene, t) == pytest.approx(wanted, rel=1e-9, abs=1e-9 * (1 + np.abs(wanted).max()))
+    b = [
+        next((b for start, b in reversed(friction.pieces) if start <= Fraction(float(one))), PAPER.pair.b) for one in t
+    ]
+    assert friction_on(scene, t).tolist() == [float(one) for one in b]
