@@ -1,4 +1,4 @@
-"""The command line: `python -m paper_checks [run] [ID ...]`, `list`, `report`."""
+"""The command line: `python -m paper_checks [run] [ID ...]`, `list`, `report`, `plant`, `source`."""
 
 from __future__ import annotations
 
@@ -10,17 +10,18 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from paper_checks import reporting
+
 if TYPE_CHECKING:
     from rich.console import Console
 
     from paper_checks.ledger import Claim
-    from paper_checks.report.files import Figures
     from paper_checks.runner import Row
 
 # Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
 
-COMMANDS = ("run", "list", "report", "explore", "plant")
-USAGE, UNCHECKED, INTERRUPTED = 2, 3, 130
+COMMANDS = ("run", "list", "report", "explore", "plant", "source")
+USAGE, INTERRUPTED = 2, 130
 EPILOGUE = (
     "Exit codes: 0 every verdict is the recorded one; 1 some verdict differs; 2 usage; "
     "3 something stays unchecked, as a tool or a figure is missing."
@@ -54,7 +55,7 @@ def _parser() -> argparse.ArgumentParser:
         description="Check every claim of the paper. Without a command: run.",
         epilog=EPILOGUE,
     )
-    commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant}")
+    commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant,source}")
     run = commands.add_parser("run", help="check the claims, print verdicts and evidence", epilog=EPILOGUE)
     run.add_argument("ids", nargs="*", metavar="ID", help="claims to check; all without it (see list)")
     run.add_argument("--json", action="store_true", help="print a JSON list")
@@ -64,11 +65,7 @@ def _parser() -> argparse.ArgumentParser:
     claims.add_argument("--json", action="store_true", help="print a JSON list")
     claims.set_defaults(command=_list)
     report = commands.add_parser("report", help="write the report", epilog=EPILOGUE)
-    report.add_argument("--out", type=Path, default=Path("report-out"), metavar="DIR", help="default: %(default)s")
-    report.add_argument("--format", choices=("html", "latex"), default="html", help="default: %(default)s")
-    report.add_argument(
-        "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
-    )
+    reporting.add_arguments(report)
     report.set_defaults(command=_report)
     explore = commands.add_parser("explore", help="write a page on which a reader plays with the pair")
     explore.add_argument("--out", type=Path, default=Path("explore.html"), metavar="F", help="default: %(default)s")
@@ -76,6 +73,9 @@ def _parser() -> argparse.ArgumentParser:
     plant = commands.add_parser("plant", help="change every formula of every clause, and see that its row turns")
     plant.add_argument("ids", nargs="*", metavar="ID", help="claims to plant faults in; all without it")
     plant.set_defaults(command=_plant)
+    source = commands.add_parser("source", help="say whether a file is the text of the paper that was checked")
+    source.add_argument("file", type=Path, metavar="FILE")
+    source.set_defaults(command=_source)
     for command in (run, report):
         command.add_argument("--seed", type=int, default=0, metavar="N", help="of random cases; default: %(default)s")
     return parser
@@ -129,33 +129,14 @@ def _plant(options: argparse.Namespace) -> int:
 
 
 def _report(options: argparse.Namespace) -> int:
-    from numerics.trade.recorded import UnreadableTrade, recorded
-    from paper_checks.drawing.proof_graph import proof_graph
-    from paper_checks.ledger import CLAIMS
-    from paper_checks.report import proof
-    from paper_checks.report.files import write
-    from paper_checks.runner import exit_code
-    from paper_checks.speed import section
+    claims = _chosen(options.ids)
+    if claims is None:
+        return USAGE
+    return reporting.report(options, claims, lambda some: _rows(some, options.seed), _complain)
 
-    try:
-        trade = recorded(options.trade)
-    except UnreadableTrade as error:
-        _complain(str(error))
-        return USAGE
-    rows = _rows(CLAIMS, options.seed)
-    complaints: list[str] = []
-    graph = {proof.FIGURE: lambda: proof_graph(rows)}
-    figures = {**_figures(), **section.figures(trade), **graph}
-    after = [proof.section(rows), section.section(trade)]
-    try:
-        path = write(options.out, options.format, rows, figures, complaints.append, after)
-    except OSError as error:
-        _complain(f"the report cannot be written: {error}")
-        return USAGE
-    for complaint in complaints:
-        _complain(complaint)
-    print(path)
-    return exit_code(rows) or (UNCHECKED if complaints else 0)
+
+def _source(options: argparse.Namespace) -> int:
+    return reporting.is_the_source(options, _complain)
 
 
 def _explore(options: argparse.Namespace) -> int:
@@ -208,12 +189,6 @@ def _counting(total: int, show: Callable[[str], None]) -> Callable[[Claim], None
         show(f"{begun}/{total} {claim.id}")
 
     return progress
-
-
-def _figures() -> Figures:
-    from paper_checks.figures import FIGURES
-
-    return FIGURES
 
 
 def _console() -> Console:

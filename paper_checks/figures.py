@@ -8,8 +8,12 @@ from functools import wraps
 from matplotlib.figure import Figure
 
 from paper_checks.drawing.euler_convergence import euler_convergence
+from paper_checks.drawing.force_needed import force_needed
 from paper_checks.drawing.itineraries import itinerary_that_creeps, itinerary_that_merges
+from paper_checks.drawing.model import two_bodies
 from paper_checks.drawing.phase_portraits import relative_motion, start_at_6mm, start_with_speed
+from paper_checks.drawing.relative_velocity import relative_velocity
+from paper_checks.drawing.sharp_rate import sharp_rate
 from paper_checks.drawing.style import house_style
 from paper_checks.drawing.velocities import velocities_scene
 from paper_checks.report.files import Figures
@@ -27,6 +31,10 @@ def _styled(draw: Callable[[], Figure]) -> Callable[[], Figure]:
 FIGURES: Figures = {
     name: _styled(draw)
     for name, draw in (
+        ("two-bodies", two_bodies),
+        ("force-needed", force_needed),
+        ("relative-velocity", relative_velocity),
+        ("sharp-rate", sharp_rate),
         ("start-at-6mm", start_at_6mm),
         ("start-with-speed", start_with_speed),
         ("velocities", velocities_scene),

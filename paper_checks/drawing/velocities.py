@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from numerics.motion.modes import Mode
 from numerics.trajectory.trajectory import Trajectory
+from paper_checks.drawing.relative_velocity import PRINTED, UNTIL, draw_relative_velocity
 from paper_checks.drawing.style import (
     BODY_1,
     BODY_2,
     MM,
-    SLIDING,
     STEP_TEXT,
     euler,
     mark_events,
@@ -23,10 +21,6 @@ from paper_checks.drawing.style import (
     solved,
     thinned,
 )
-
-UNTIL = Fraction(6)
-PRINTED = 4.7
-"""The paper's time of synchronisation, s."""
 
 
 def velocities_scene() -> Figure:
@@ -46,7 +40,8 @@ def velocities_scene() -> Figure:
         axes.axvline(PRINTED, color="#b3007d", lw=1, ls=":", label="printed: $t\\approx 4.7$ s")
     _linear_decay(rows[0], exact)
     mark_events(rows[0], exact, 3)
-    _close_up(rows[2], exact)
+    draw_relative_velocity(rows[2], exact)
+    rows[2].set_title("close-up: the relative velocity about the printed time")
     rows[0].legend(loc="upper right", ncols=4)
     figure.suptitle("Fig. 5 (a): $b=0.05$ N, $\\dot x_1(0)=150$ mm/s, else 0", fontsize=10)
     return figure
@@ -61,25 +56,3 @@ def _linear_decay(axes: Any, exact: Trajectory) -> None:
     peak = MM * y[1, first]
     end = t[first] + cycle * peak / rate
     axes.plot([t[first], end], [peak, 0], color="#777777", lw=0.9, label=r"$-4b/\sqrt{a_2m_1}$ a cycle")
-
-
-def _close_up(axes: Any, exact: Trajectory) -> None:
-    """Draw z' of both about the printed time; grey where the exact solution sticks."""
-    t, y = samples(exact)
-    axes.plot(t, MM * (y[1] - y[3]), color="black", label="exact")
-    run = euler("velocities-literal", UNTIL)
-    axes.plot(run.t, MM * (run.y[1] - run.y[3]), color="#2e8b3d", ls=(0, (4, 1.2)), label=f"Euler, {STEP_TEXT}")
-    label: str | None = "exact solution sticks"
-    for segment, start, end in zip(exact.modes, exact.t, exact.t[1:], strict=False):
-        if segment is Mode.STICK:
-            axes.axvspan(start, end, color=SLIDING, zorder=0, linewidth=0, label=label)
-            label = None
-    axes.axvline(PRINTED, color="#b3007d", lw=1, ls=":", label="printed: $t\\approx 4.7$ s")
-    axes.set(
-        xlim=(4.4, 5.6),
-        ylim=(-6, 6),
-        xlabel="$t$ (s)",
-        ylabel="$\\dot z$ (mm/s)",
-        title="close-up: the relative velocity about the printed time",
-    )
-    axes.legend(loc="upper right", ncols=4)

@@ -17,7 +17,7 @@ AFTER_FIGURE = "after Fig. 3"
 HALF_PERIOD = sp.pi * sp.sqrt((m1 + m2) / a2)
 ECR = sp.Symbol("E_{cr}", positive=True)
 RATE = ECR * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
-C1, TIME, EXCESS = (sp.Symbol(name, positive=True) for name in ("c_1(E(0))", "t", "E(t)-E_{cr}"))
+C1, TIME, EXCESS = (sp.Symbol(name, positive=True) for name in ("c_{1}(E(0))", "t", "E(t)-E_{cr}"))
 
 
 def sharp_limit() -> Formula:

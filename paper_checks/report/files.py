@@ -8,9 +8,8 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from paper_checks import atomic
-from paper_checks.report import html, latex, vector
-from paper_checks.report.blocks import Section
-from paper_checks.runner import Row
+from paper_checks.report import html, latex, pdf, vector
+from paper_checks.report.document import Document
 
 Figures = Mapping[str, Callable[[], Figure]]
 """How each figure is drawn, by the name that findings and sections give it."""
@@ -18,35 +17,38 @@ Figures = Mapping[str, Callable[[], Figure]]
 
 def write(
     folder: Path,
-    form: str,
-    rows: Sequence[Row],
+    forms: Sequence[str],
+    report: Document,
     figures: Figures,
     complain: Callable[[str], None],
-    sections: Sequence[Section] = (),
-) -> Path:
-    """Write the report in `form` (`html` or `latex`) into the folder and return its main file.
+    name: str = "report",
+) -> list[Path]:
+    """Write the report in each of the forms `html`, `latex`, `pdf` into the folder; return the main files.
 
-    `sections` follow the claims. A figure that cannot be drawn is told to `complain`, and the report goes without it.
-    Raises OSError.
+    A figure that cannot be drawn is told to `complain`, and the report goes without it. Raises OSError, and
+    ToolMissingError for a PDF without typst.
     """
-    wanted = [row.finding.figure for row in rows if row.finding.figure]
-    wanted += [name for section in sections for name in section.pictures]
-    drawn = dict(_drawn(wanted, figures, complain))
-    if form == "html":
-        page = folder / "report.html"
-        pictures = {name: vector.svg(figure) for name, figure in drawn.items()}
-        atomic.write(page, html.render(rows, pictures, sections))
-        return page
-    for name, figure in drawn.items():
-        atomic.write(folder / f"{name}.pdf", vector.pdf(figure))
-    source = folder / "report.tex"
-    atomic.write(source, latex.render(rows, {name: f"{name}.pdf" for name in drawn}, sections))
-    return source
+    drawn = dict(_drawn(report.pictures, figures, complain))
+    pictures = {one: vector.svg(figure) for one, figure in drawn.items()} if {"html", "pdf"} & set(forms) else {}
+    written = []
+    for form in forms:
+        if form == "html":
+            path = folder / f"{name}.html"
+            content: str | bytes = html.render(report, pictures)
+        elif form == "pdf":
+            path, content = folder / f"{name}.pdf", pdf.render(report, pictures)
+        else:
+            path, content = folder / f"{name}.tex", latex.render(report, {one: f"{one}.pdf" for one in drawn})
+            for one, figure in drawn.items():
+                atomic.write(folder / f"{one}.pdf", vector.pdf(figure))
+        atomic.write(path, content)
+        written.append(path)
+    return written
 
 
 def _drawn(names: Sequence[str], figures: Figures, complain: Callable[[str], None]) -> Iterator[tuple[str, Figure]]:
-    """Yield the figures of these names, each once, in their order."""
-    for name in dict.fromkeys(names):
+    """Yield the figures of these names, in their order."""
+    for name in names:
         if name not in figures:
             complain(f"the figure {name} is not known")
             continue

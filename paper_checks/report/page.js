@@ -2,21 +2,28 @@
 const claims = [...document.querySelectorAll(".claims > tbody")];
 const section = document.getElementById("filter-section");
 const verdict = document.getElementById("filter-verdict");
+const behind = (claim) => claim.querySelector("details");
 
 function filter() {
   for (const claim of claims) {
     claim.hidden = (section.value && claim.dataset.section !== section.value)
       || (verdict.value && claim.dataset.verdict !== verdict.value);
   }
+  for (const table of document.querySelectorAll(".claims")) {
+    table.hidden = [...table.tBodies].every((claim) => claim.hidden);
+  }
   const shown = claims.filter((claim) => !claim.hidden).length;
-  document.getElementById("shown").textContent = `${shown} of ${claims.length} claims`;
+  document.getElementById("shown").textContent = `${shown} of ${claims.length} rows`;
 }
 
 function openTarget() {
-  const target = claims.find((claim) => claim.id === decodeURIComponent(location.hash.slice(1)));
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
   if (!target) return;
   if (target.hidden) { section.value = verdict.value = ""; filter(); }
-  target.querySelector("details").open = true;
+  if (claims.includes(target)) behind(target).open = true;
+  for (let around = target; around; around = around.parentElement) {
+    if (around.tagName === "DETAILS") around.open = true;
+  }
   target.scrollIntoView();
 }
 
@@ -24,11 +31,11 @@ document.getElementById("filters").hidden = false;
 section.addEventListener("change", filter);
 verdict.addEventListener("change", filter);
 document.getElementById("open-all").addEventListener("click", () => {
-  const all = claims.filter((claim) => !claim.hidden).map((claim) => claim.querySelector("details"));
+  const all = claims.filter((claim) => !claim.hidden).map(behind);
   const open = all.some((details) => !details.open);
   for (const details of all) details.open = open;
 });
 addEventListener("hashchange", openTarget);
-addEventListener("beforeprint", () => { for (const claim of claims) claim.querySelector("details").open = true; });
+addEventListener("beforeprint", () => { for (const claim of claims) behind(claim).open = true; });
 filter();
 openTarget();

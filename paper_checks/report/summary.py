@@ -1,41 +1,15 @@
-"""What every form of the report says alike: titles, findings first, sections, kinds."""
+"""What every form of the report says alike: sections, kinds, outcomes, first sentences."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from paper_checks.finding import Verdict
 from paper_checks.kernel import PROVED
 from paper_checks.ledger import Claim, Kind
 from paper_checks.runner import Row
 
-TITLE = "Dynamics of inertial pair coupled via frictional interface: its claims, checked"
-PAPER = (
-    "Every claim of the paper by M. Ruderman, A. Zagvozdkin and D. Rachinskii, in its order, with the verdict, "
-    "the evidence and the corrected statement where one is needed; then the theorems that go past the paper."
-)
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
-HEADINGS = {
-    Verdict.REFUTED: "Refuted",
-    Verdict.HOLDS_CORRECTED: "Holds after a correction",
-    Verdict.UNDECIDED: "Undecided",
-    Verdict.UNCHECKED: "Unchecked",
-}
-
-
-PAST_THE_PAPER = "Past the paper"
-"""Heading of the theorems that hold: they are news too."""
-
-
-def findings_first(rows: Sequence[Row]) -> Iterator[tuple[Verdict, str, list[tuple[Row, str]]]]:
-    """Yield, for each verdict that is news, its heading and its rows with one sentence each; the theorems last."""
-    for verdict, heading in HEADINGS.items():
-        chosen = [(row, first_sentence(row.finding.reason)) for row in rows if row.finding.verdict is verdict]
-        if chosen:
-            yield verdict, heading, chosen
-    proved = [(row, first_sentence(row.finding.reason)) for row in rows if is_new_theorem(row)]
-    if proved:
-        yield Verdict.HOLDS, PAST_THE_PAPER, proved
 
 
 def is_new_theorem(row: Row) -> bool:

@@ -113,4 +113,4 @@ def _sine():
 
 @pytest.fixture
 def figures():
-    return {"sine": _sine}
+    return {"two-bodies": _sine, "sine": _sine}

@@ -14,6 +14,7 @@ import paper_checks.ledger as ledger_module
 from paper_checks import registry as registry_module
 from paper_checks.__main__ import main
 from paper_checks.ledger import CLAIMS
+from paper_checks.report import pdf
 from paper_checks.speed import section as section_module
 
 
@@ -65,12 +66,39 @@ def test_list_prints_every_claim(capsys):
     assert json.loads(capsys.readouterr().out)[0]["recorded"] == "holds-corrected"
 
 
-@pytest.mark.parametrize("form", ["html", "latex"])
+@pytest.mark.parametrize("form", ["html", "latex", "html,latex"])
 def test_report_writes_and_complains(small, capsys, tmp_path, form):
     assert main(["report", "--out", str(tmp_path), "--format", form]) == 1
     captured = capsys.readouterr()
     assert captured.out.strip().startswith(str(tmp_path))
     assert captured.err == "paper_checks: the figure lost is not known\n"
+
+
+def test_the_report_tells_some_rows_or_the_whole_in_short(small, capsys, tmp_path):
+    assert main(["report", "stiction-bracket", "--out", str(tmp_path)]) == 0
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert 'id="stiction-bracket"' in page
+    assert 'id="energy-rate"' not in page
+    assert "Speed and accuracy" not in page
+    assert main(["report", "--summary", "--out", str(tmp_path)]) == 1
+    assert "Claims that do not hold as written" in (tmp_path / "summary.html").read_text(encoding="utf-8")
+    assert main(["report", "stiction-brackets"]) == 2
+    assert "did you mean stiction-bracket?" in capsys.readouterr().err
+
+
+def test_without_typst_a_pdf_is_refused_before_anything_runs(monkeypatch, capsys):
+    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
+    monkeypatch.setattr(pdf, "missing", lambda: pdf.REMEDY)
+    assert main(["report", "--format", "html,pdf"]) == 3
+    assert capsys.readouterr().err == f"paper_checks: {pdf.REMEDY}\n"
+
+
+def test_a_file_is_compared_with_the_source(capsys, tmp_path):
+    (tmp_path / "other.tex").write_text("another paper", encoding="utf-8")
+    assert main(["source", str(tmp_path / "other.tex")]) == 1
+    assert "is not the text that was checked" in capsys.readouterr().out
+    assert main(["source", str(tmp_path / "nowhere.tex")]) == 2
+    assert "cannot be read: No such file or directory" in capsys.readouterr().err
 
 
 def test_a_folder_that_cannot_be_written_is_one_line(small, capsys, tmp_path):
@@ -95,7 +123,7 @@ def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatc
     assert capsys.readouterr().err == "paper_checks: nowhere.json cannot be read: No such file or directory\n"
 
 
-@pytest.mark.parametrize("arguments", [["run", "--nonsense"], ["report", "--format", "pdf"], ["--seed", "x"]])
+@pytest.mark.parametrize("arguments", [["run", "--nonsense"], ["report", "--format", "html,docx"], ["--seed", "x"]])
 def test_usage_errors(arguments):
     with pytest.raises(SystemExit) as stop:
         main(arguments)

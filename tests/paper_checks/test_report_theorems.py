@@ -11,6 +11,7 @@ from paper_checks.finding import Finding, Verdict
 from paper_checks.ledger import Claim, Kind
 from paper_checks.report import html, latex
 from paper_checks.report import json as json_report
+from paper_checks.report.document import document
 from paper_checks.report.terminal import print_rows
 from paper_checks.runner import Row
 
@@ -29,25 +30,25 @@ def printed(rows):
     return stream.getvalue()
 
 
-def test_the_page_lists_them_last_among_the_findings_and_filters_them(rows, theorem):
-    text = html.render([*rows, theorem], {})
-    findings = text[text.index('<section class="findings"') : text.index("</section>")]
-    assert findings.index("Unchecked") < findings.index("Past the paper") < findings.index("#sharp")
+def test_the_page_counts_them_apart_and_filters_them(rows, theorem):
+    text = html.render(document([*rows, theorem]), {})
+    assert "Past the paper 1 theorem is proved here." in text
+    assert '<th scope="col">The theorem says</th>' in text
     assert '<option value="Theorems">Theorems</option>' in text
     assert '<option value="III">Section III</option>' in text
     assert 'data-section="Theorems"' in text
 
 
-def test_one_that_does_not_hold_is_no_news_past_the_paper(theorem):
+def test_one_that_does_not_hold_is_not_counted_as_proved(theorem):
     undecided = Row(theorem.claim, Finding(Verdict.UNDECIDED, "Not yet.", missing="a proof"))
-    assert "Past the paper" not in html.render([undecided], {})
-    assert "Undecided" in html.render([undecided], {})
+    text = html.render(document([undecided]), {})
+    assert "proved here" not in text
+    assert "1 more is not settled." in text
 
 
 def test_the_source_of_the_appendix_says_whose_they_are(rows, theorem):
-    text = latex.render([*rows, theorem], {})
+    text = latex.render(document([*rows, theorem]), {})
     assert r"\textbf{Theorem, past the paper.} $x=1$ for all $q$." in text
-    assert r"\textbf{Past the paper.}" in text
     assert r"\textbf{The paper (eq. (4)).}" in text
 
 

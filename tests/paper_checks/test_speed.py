@@ -16,14 +16,16 @@ from numerics.trade.comparisons.switching import SwitchedPair
 from numerics.trade.euler import EulerFigure, EulerOutcome, StickEnergy
 from numerics.trade.interface import Wait
 from numerics.trade.ours import TWELVE
-from paper_checks.report import blocks
 from paper_checks.report.blocks import Heading, Paragraph, Picture, Points, Section, Table
+from paper_checks.report.html_blocks import HtmlWriter
+from paper_checks.report.latex_blocks import LatexWriter
+from paper_checks.report.markdown import markdown
 from paper_checks.speed import euler_figures, in_short, misleading, needs, payoff, peers, section
 
 
 def said(found) -> str:
     """Return blocks as one text."""
-    return blocks.markdown(Section("x", "x", tuple(found)))
+    return markdown(Section("x", "x", tuple(found)))
 
 
 @pytest.fixture
@@ -224,7 +226,7 @@ class TestSection:
         return section.section(planted(tmp_path, run("Peer", "velocities", 1e-3, -3.0)))
 
     def test_it_names_the_machine_and_how_to_measure_another(self, whole):
-        text = blocks.markdown(whole)
+        text = markdown(whole)
         assert "Measured once: Abacus, 2 cores, Python 3.11, numpy 2" in text
         assert "python -m paper_checks report --trade F" in text
 
@@ -237,10 +239,10 @@ class TestSection:
 
     def test_all_forms_carry_every_table_and_sentence(self, whole):
         tables = [one for one in whole.blocks if isinstance(one, Table)]
-        assert blocks.html(whole, {}).count("<table") == len(tables)
-        assert blocks.latex(whole, {}).count(r"\begin{longtable}") == len(tables)
-        assert blocks.markdown(whole).count("\n| --- |") == len(tables)
-        assert blocks.html(whole, {}).count("was not drawn") == len(whole.pictures)
+        assert HtmlWriter({}).section(whole).count("<table") == len(tables)
+        assert LatexWriter({}).section(whole).count(r"\begin{longtable}") == len(tables)
+        assert markdown(whole).count("\n| --- |") == len(tables)
+        assert HtmlWriter({}).section(whole).count("was not drawn") == len(whole.pictures)
 
     def test_rows_are_as_long_as_their_heads(self, whole):
         for one in whole.blocks:
@@ -258,12 +260,12 @@ def test_the_shipped_record_is_advised_on_without_forward_euler():
 
 def test_hostile_texts_are_escaped():
     hostile = Section("x", "<b>&", (Paragraph("<i> `a--b<` $x<y$"), Points(("%_<",)), Picture("p", "<c>")))
-    page = blocks.html(hostile, {"p": "<svg></svg>"})
+    page = HtmlWriter({"p": "<svg></svg>"}).section(hostile)
     assert "<b>" not in page
     assert "<i>" not in page
-    assert "<code>a--b&lt;</code>" in page
-    source = blocks.latex(hostile, {"p": "p.pdf"})
-    assert r"\texttt{a-{}-b\textless{}}" in source
+    assert "<code>a-<wbr>-<wbr>b&lt;</code>" in page
+    source = LatexWriter({"p": "p.pdf"}).section(hostile)
+    assert r"\texttt{a-\allowbreak{}{-\allowbreak{}}b\textless{}}" in source
     assert r"\%\_\textless{}" in source
 
 

@@ -1,0 +1,52 @@
+"""What the paper models: body 1 on a spring, body 2 on top of it, and between them nothing but dry friction."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, Rectangle
+
+from paper_checks.drawing.style import BODY_1, BODY_2, new_figure
+
+_COIL = 9
+"""Turns of the spring that is drawn."""
+
+
+def two_bodies() -> Figure:
+    """Draw the two bodies with their coordinates and forces."""
+    figure = new_figure(6.6, 2.7)
+    axes = figure.subplots()
+    axes.set_axis_off()
+    axes.set(xlim=(-0.4, 11.2), ylim=(-0.85, 4.1), aspect="equal")
+    axes.add_patch(Rectangle((-0.35, 0), 0.35, 2.2, fc="none", ec="#777777", hatch="////", lw=0))
+    axes.plot([0, 0], [0, 2.2], color="black", lw=1.4)
+    axes.plot([0, 10.6], [0, 0], color="#777777", lw=1)
+    _spring(axes)
+    axes.add_patch(Rectangle((3.2, 0.32), 5.6, 1.1, fc="#dbe6f4", ec=BODY_1, lw=1.6))
+    axes.add_patch(Rectangle((4.6, 1.52), 2.6, 1.0, fc="#f8e3d3", ec=BODY_2, lw=1.6))
+    axes.plot([4.6, 7.2], [1.47, 1.47], color="black", lw=2.2, ls=(0, (1, 1)))
+    for x in (4.0, 6.0, 8.0):
+        axes.add_patch(Circle((x, 0.16), 0.16, fc="none", ec="#777777", lw=1))
+    axes.text(3.55, 0.86, "body 1, $m_1$ (driving)", va="center", fontsize=9.5)
+    axes.text(5.9, 2.02, "body 2, $m_2$\n(driven)", ha="center", va="center", fontsize=9)
+    axes.text(1.6, 1.45, "spring $a_2$", ha="center", fontsize=9.5)
+    axes.annotate("friction, at most $b$", (7.2, 1.47), (8.0, 2.35), fontsize=9.5, va="center",
+                  arrowprops={"arrowstyle": "-", "color": "black", "lw": 0.8})  # fmt: skip
+    _arrow(axes, (8.8, 0.86), (10.2, 0.86), "force $u$", BODY_1)
+    _arrow(axes, (5.9, 2.95), (7.1, 2.95), "$x_2$", BODY_2)
+    _arrow(axes, (3.2, -0.42), (4.6, -0.42), "$x_1$", BODY_1)
+    return figure
+
+
+def _spring(axes: Any) -> None:
+    ends, heights = [0.0, 0.45], [0.86, 0.86]
+    for turn in range(_COIL):
+        ends += [0.45 + (turn + 0.25) * 2.3 / _COIL, 0.45 + (turn + 0.75) * 2.3 / _COIL]
+        heights += [1.16, 0.56]
+    axes.plot([*ends, 2.75, 3.2], [*heights, 0.86, 0.86], color="black", lw=1.1)
+
+
+def _arrow(axes: Any, start: tuple[float, float], end: tuple[float, float], text: str, colour: str) -> None:
+    axes.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4})
+    axes.text(end[0] + 0.12, end[1], text, va="center", fontsize=9.5)

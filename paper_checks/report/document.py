@@ -1,0 +1,69 @@
+"""The whole report as data: what every form of it writes, in the same order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from paper_checks.ledger import source
+from paper_checks.report import blocks, notation, opening, trust
+from paper_checks.report.blocks import Block, Section
+from paper_checks.report.story import story
+from paper_checks.runner import Row
+
+TITLE = f"{source.TITLE}: its claims, checked"
+ROWS, ROWS_TITLE = "rows", "The paper's claims, one by one"
+
+
+@dataclass(frozen=True)
+class Document:
+    """A report: what the paper models, sections before the rows, the rows with their stories, sections after them."""
+
+    title: str
+    model: tuple[Block, ...]
+    before: tuple[Section, ...]
+    rows: tuple[Row, ...]
+    after: tuple[Section, ...]
+    stories: Mapping[str, tuple[Block, ...]] = field(default_factory=dict)
+
+    @property
+    def sections(self) -> tuple[Section, ...]:
+        """Return all sections but the rows."""
+        return (*self.before, *self.after)
+
+    @property
+    def anchors(self) -> Iterator[str]:
+        """Yield all that a link can point to."""
+        yield from (row.claim.id for row in self.rows)
+        for section in self.sections:
+            yield from blocks.anchors(section)
+
+    @property
+    def pictures(self) -> tuple[str, ...]:
+        """Return the names of its figures, each once, in their order."""
+        everything = [self.model, *(section.blocks for section in self.before), *self.stories.values()]
+        everything += [section.blocks for section in self.after]
+        return tuple(dict.fromkeys(picture.name for some in everything for picture in blocks.pictures(some)))
+
+
+def document(rows: Sequence[Row], chapters: Sequence[Section] = ()) -> Document:
+    """Return the report on these rows, with `chapters` after them."""
+    return Document(
+        TITLE,
+        opening.model(),
+        (opening.section(rows),),
+        tuple(rows),
+        (trust.section(rows), notation.section(), trust.graph(rows), *chapters, trust.provenance()),
+        {row.claim.id: story(row) for row in rows},
+    )
+
+
+def summary(rows: Sequence[Row]) -> Document:
+    """Return the report on two pages: the first screen, the rows that do not simply hold, how to trust them."""
+    return Document(
+        f"{TITLE}, in short",
+        opening.model(),
+        (opening.section(rows), opening.exceptions(rows)),
+        (),
+        (trust.section(rows, short=True),),
+    )

@@ -1,0 +1,154 @@
+"""Blocks as HTML."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from html import escape
+
+from paper_checks.report import blocks, mathematics, notation
+from paper_checks.report.blocks import (
+    Block,
+    Command,
+    Folded,
+    Graph,
+    Heading,
+    Labelled,
+    Numbered,
+    Paragraph,
+    Picture,
+    Points,
+    Result,
+    Section,
+    Symbols,
+    Table,
+)
+from paper_checks.report.colours import themed
+from paper_checks.report.html_graph import graph
+
+
+class HtmlWriter:
+    """Writes blocks as HTML. `figures` maps names to SVG texts; `anchors` are the ids that code in a text links to."""
+
+    def __init__(self, figures: Mapping[str, str], anchors: Iterable[str] = ()) -> None:
+        """Take the figures and the anchors of the page."""
+        self._figures = figures
+        self._anchors = frozenset(anchors)
+
+    def section(self, section: Section) -> str:
+        """Return a section with its heading."""
+        return (
+            f'<section aria-labelledby="{section.id}">\n<h2 id="{section.id}">{self.text(section.title)}</h2>\n'
+            f"{self.blocks(section.blocks, section.id)}\n</section>"
+        )
+
+    def blocks(self, some: Sequence[Block], prefix: str) -> str:
+        """Return blocks one below the other; `prefix` makes the ids of their figures the page's own."""
+        return "\n".join(self._block(block, prefix) for block in some)
+
+    def text(self, text: str) -> str:
+        """Return a text as HTML phrasing content; code that names an anchor links to it."""
+        return blocks.with_code(text, mathematics.html, self._code)
+
+    def _code(self, code: str) -> str:
+        shown = f"<code>{_breakable(code)}</code>"
+        target = next((one for one in (code, f"theorem-{code}") if one in self._anchors), None)
+        return f'<a href="#{target}">{shown}</a>' if target else shown
+
+    def _block(self, block: Block, prefix: str) -> str:  # noqa: PLR0911  one return for each kind of block
+        match block:
+            case Heading(text, anchor):
+                return f"<h3{f' id={chr(34)}{anchor}{chr(34)}' if anchor else ''}>{self.text(text)}</h3>"
+            case Paragraph(text):
+                return f"<p>{self.text(text)}</p>"
+            case Labelled(label, text, marked):
+                mark = ' class="decisive"' if marked else ""
+                return f"<p{mark}><strong>{escape(label)}.</strong> {self.text(text)}</p>"
+            case Points(items):
+                return f"<ul>\n{self._items(items)}\n</ul>"
+            case Numbered(items):
+                return f"<ol>\n{self._items(items)}\n</ol>"
+            case Command(text):
+                return f"<pre><code>{escape(text)}</code></pre>"
+            case Symbols(ids):
+                return f'<p class="symbols"><strong>Symbols.</strong> {", ".join(map(_symbol, ids))}</p>'
+            case Folded(title, inside):
+                return (
+                    f'<details class="folded"><summary>{self.text(title)}</summary>\n'
+                    f"{self.blocks(inside, prefix)}\n</details>"
+                )
+            case Table():
+                return self._table(block)
+            case Picture():
+                return self._picture(block, prefix)
+            case Result():
+                return self._result(block, prefix)
+            case Graph():
+                return graph(block, self._anchors, self.text)
+
+    def _items(self, items: Iterable[str]) -> str:
+        return "\n".join(f"<li>{self.text(item)}</li>" for item in items)
+
+    def _table(self, table: Table) -> str:
+        titles = "".join(f'<th scope="col">{self.text(text)}</th>' for text in table.head)
+        ids = table.ids or ("",) * len(table.rows)
+        lines = "\n".join(self._line(table.head, row, anchor) for row, anchor in zip(table.rows, ids, strict=True))
+        name = escape(mathematics.plain(table.caption).replace("`", ""))
+        return (
+            f'<div class="wide" role="region" tabindex="0" aria-label="{name}"><table>\n'
+            f"<caption>{self.text(table.caption)}</caption>\n<thead><tr>{titles}</tr></thead>\n<tbody>\n{lines}\n</tbody>\n"
+            "</table></div>"
+        )
+
+    def _line(self, head: Sequence[str], row: Sequence[str], anchor: str) -> str:
+        names = [escape(mathematics.plain(text).replace("`", "")) for text in head]
+        cells = "".join(
+            f'<td data-name="{name}">{self._cell(cell)}</td>' for name, cell in zip(names[1:], row[1:], strict=True)
+        )
+        mark = f' id="{anchor}"' if anchor else ""
+        return f'<tr{mark}><th scope="row">{self._cell(row[0])}</th>{cells}</tr>'
+
+    def _cell(self, text: str) -> str:
+        first, *remarks = text.split("\n")
+        return self.text(first) + "".join(f"<br><small>{self.text(remark)}</small>" for remark in remarks if remark)
+
+    def _picture(self, picture: Picture, prefix: str) -> str:
+        if picture.name not in self._figures:
+            return f"<p>The figure {escape(picture.name)} was not drawn.</p>"
+        title = f"<strong>{self.text(picture.title)}.</strong> " if picture.title else ""
+        said = mathematics.plain(f"{picture.title}. {picture.caption}" if picture.title else picture.caption)
+        name = escape(said.replace("`", ""))
+        drawing = element(self._figures[picture.name], f"{prefix}--{picture.name}", name)
+        return (
+            f'<figure><div class="wide" role="region" tabindex="0" aria-label="{name}">{drawing}</div>\n'
+            f"<figcaption>{title}{self.text(picture.caption)}</figcaption></figure>"
+        )
+
+    def _result(self, result: Result, prefix: str) -> str:
+        return (
+            f'<article class="result"><h3>{self.text(result.title)}</h3>\n<div class="told">'
+            f"<p><strong>The paper says</strong> ({self.text(result.where)}): {self.text(result.says)}</p>\n"
+            f"<p><strong>What is true:</strong> {self.text(result.truth)}</p>\n"
+            f'<p class="number"><b>{self.text(result.number)}</b> {self.text(result.what)} '
+            f"{self.text(f'(row `{result.row}`)')}</p></div>\n{self._picture(result.picture, prefix)}</article>"
+        )
+
+
+def _symbol(name: str) -> str:
+    symbol = notation.SYMBOLS[name]
+    meaning = escape(mathematics.plain(symbol.meaning))
+    return f'<a href="#{notation.anchor(name)}" title="{meaning}">{mathematics.html(f"${symbol.latex}$")}</a>'
+
+
+def _breakable(code: str) -> str:
+    """Return code that may be broken at its hyphens, where it is one word."""
+    return escape(code) if " " in code else escape(code).replace("-", "-<wbr>")
+
+
+def element(svg: str, prefix: str, name: str) -> str:
+    """Return the svg element alone, told to screen readers, in the page's colours, `prefix` before each of its ids."""
+    found = svg[svg.index("<svg") :].strip()
+    found = re.sub(r'\bid="', f'id="{prefix}--', found)
+    found = re.sub(r'href="#', f'href="#{prefix}--', found)
+    found = re.sub(r"url\(#", f"url(#{prefix}--", found)
+    return themed(found).replace("<svg", f'<svg role="img" aria-label="{name}"', 1)

@@ -1,0 +1,132 @@
+"""What stands behind a row: the decisive step first, then why, then all steps, folded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from paper_checks.drawing.captions import caption
+from paper_checks.evidence import Evidence, Subject, closure
+from paper_checks.graph import Proof, numbered
+from paper_checks.kernel import PROVED
+from paper_checks.report import notation
+from paper_checks.report.blocks import Block, Command, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
+from paper_checks.report.summary import OUTCOMES
+from paper_checks.runner import Row
+
+
+def story(row: Row) -> tuple[Block, ...]:
+    """Return what a row tells after the statement and the verdict, as blocks."""
+    return tuple(_story(row))
+
+
+def _story(row: Row) -> Iterator[Block]:
+    finding = row.finding
+    if not row.as_recorded:
+        yield Labelled("Attention", f"This differs from the verdict on record, {row.claim.recorded.value}", marked=True)
+    if (step := decisive(row)) is not None:
+        yield Labelled("Decisive step", _told(step), marked=True)
+    texts = {
+        "Why": finding.reason,
+        "Counterexample": finding.counterexample,
+        "What is true": finding.corrected,
+        "Missing for a proof": finding.missing,
+    }
+    yield from (Labelled(label, text) for label, text in texts.items() if text)
+    if finding.figure:
+        yield Picture(finding.figure, *reversed(caption(finding.figure)))
+    if symbols := notation.used([row.claim.statement, *filter(None, texts.values())]):
+        yield Symbols(symbols)
+    yield Command(f"python -m paper_checks run {row.claim.id}")
+    yield from _folded(row)
+
+
+def decisive(row: Row) -> Evidence | None:
+    """Return the step that decides a row, the strongest of those that its verdict stands on directly.
+
+    Where the claim fails, it is one of those that show the counterexample. None where nothing is established.
+    """
+    if row.established_by is None:
+        return None
+    fails = row.finding.counterexample
+    about = Subject.COUNTEREXAMPLE if fails else Subject.CLAIM
+    steps = [step for proof in row.proofs if proof.about is about for step in _tops(proof, row.finding.reason)]
+    good = [step for step in steps if step.decides]
+    return max(good, key=lambda step: step.kind.strength, default=None)
+
+
+def _tops(proof: Proof, reason: str) -> Iterator[Evidence]:
+    """Yield what a clause needs directly; what repeats the reason gives way to what it rests on."""
+    for step in proof.needed:
+        yield from step.rests_on if step.statement == reason else (step,)
+
+
+def _told(step: Evidence) -> str:
+    cases = f", {step.cases} cases" if step.cases != 1 else ""
+    statement = step.statement[:1].upper() + step.statement[1:]
+    return f"{statement.rstrip('.')} ({step.kind.value}: {step.engine}{cases})."
+
+
+def _folded(row: Row) -> Iterator[Block]:
+    """Yield the clauses, the steps and the derivation, as far as there are any."""
+    names = _names(row)
+    inside: list[Block] = []
+    shown = [proof for proof in row.proofs if proof.steps or proof.kernel or proof.bindings]
+    if shown:
+        head = ("clause", "what it says", "established by", "steps")
+        lines = tuple(_clause(proof, names) for proof in shown)
+        inside.append(Table(head, lines, "Clauses: what the verdict stands on"))
+    if names:
+        lines = tuple(_step(step, names) for step in reversed(names))
+        inside.append(
+            Table(("step", "kind", "checked statement", "result"), lines, "Steps, each above those it rests on")
+        )
+    if row.finding.derivation:
+        inside += [Paragraph("Derivation:"), Numbered(row.finding.derivation)]
+    if inside:
+        what = "1 step" if len(names) == 1 else f"{len(names)} steps"
+        derivation = ", with the derivation" if row.finding.derivation else ""
+        yield Folded(f"All {what}{derivation}" if names else "Derivation", tuple(inside))
+
+
+def _names(row: Row) -> dict[Evidence, str]:
+    """Return the name of each step: its theorem's, or a number; first those that others rest on."""
+    found = numbered(row.claim.id, row.proofs)
+    own = {step: name for step, name in found.items() if "/" not in name}
+    rest = [step for step in closure((*found, *row.finding.evidence)) if step.statement != row.finding.reason]
+    unnamed = [step for step in rest if step not in own]
+    numbers = {step: str(index) for index, step in enumerate(unnamed, start=1)}
+    return {step: own.get(step) or numbers[step] for step in rest}
+
+
+def _clause(proof: Proof, names: Mapping[Evidence, str]) -> tuple[str, ...]:
+    by = proof.established_by.value if proof.established_by else "open"
+    status = "" if proof.kernel_status in (None, PROVED) else f", kernel {proof.kernel_status}"
+    direct = [names[step] for step in (*proof.kernel, *proof.steps, *proof.bindings) if step in names]
+    below = [names[step] for step in _reasoned(proof, names) if step in names]
+    return proof.clause.id, proof.clause.shown, f"{by}{status}", ", ".join(dict.fromkeys([*direct, *below])) or "–"
+
+
+def _reasoned(proof: Proof, names: Mapping[Evidence, str]) -> Iterator[Evidence]:
+    """Yield what an inference that is not listed rests on: it is the row's own reason."""
+    for step in proof.steps:
+        if step not in names:
+            yield from step.rests_on
+
+
+def _step(step: Evidence, names: Mapping[Evidence, str]) -> tuple[str, ...]:
+    about = "" if step.about is Subject.CLAIM else f"{step.about.value.capitalize()}: "
+    beside = "Beside the proof. " if step.supports else ""
+    remarks = [f"Given {', '.join(step.assumptions)}"] if step.assumptions and step.engine != "Coq" else []
+    remarks += [f"Rests on {', '.join(_listed(step.rests_on, names))}"] if step.rests_on else []
+    remarks += [f"Cites {'; '.join(step.cites)}"] if step.cites else []
+    cases = f"{step.cases} cases" if step.cases != 1 else ""
+    return (
+        names[step],
+        f"{step.kind.value}\n{step.engine}",
+        "\n".join([f"{beside}{about}{step.statement}", *remarks]),
+        "\n".join(filter(None, [OUTCOMES[step.passed], cases, step.value])),
+    )
+
+
+def _listed(steps: Sequence[Evidence], names: Mapping[Evidence, str]) -> Iterator[str]:
+    return (names[step] for step in steps if step in names)

@@ -1,0 +1,100 @@
+"""The command `report`: rows, figures and chapters to files, in each form that is asked for."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from paper_checks.ledger import Claim
+    from paper_checks.runner import Row
+
+# Everything that is not needed for --help is imported where it is used.
+
+FORMS = ("html", "latex", "pdf")
+USAGE, UNCHECKED = 2, 3
+
+
+def forms(text: str) -> tuple[str, ...]:
+    """Read forms that are separated by commas; raises ArgumentTypeError for any other word.
+
+    >>> forms("html,pdf")
+    ('html', 'pdf')
+    """
+    words = tuple(dict.fromkeys(word.strip() for word in text.split(",")))
+    for word in words:
+        if word not in FORMS:
+            raise argparse.ArgumentTypeError(f"{word!r} is none of {', '.join(FORMS)}; separate several by commas")
+    return words
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options of the command."""
+    parser.add_argument("ids", nargs="*", metavar="ID", help="rows to report on; all without it (see list)")
+    parser.add_argument("--out", type=Path, default=Path("report-out"), metavar="DIR", help="default: %(default)s")
+    parser.add_argument(
+        "--format", type=forms, default=("html",), metavar="F[,F]", help=f"of {', '.join(FORMS)}; default: html"
+    )
+    parser.add_argument("--summary", action="store_true", help="the report on two pages: summary.html, .tex or .pdf")
+    parser.add_argument(
+        "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
+    )
+
+
+def report(
+    options: argparse.Namespace,
+    claims: Sequence[Claim],
+    run: Callable[[Sequence[Claim]], list[Row]],
+    complain: Callable[[str], None],
+) -> int:
+    """Write the report on these claims, which `run` decides, and return the exit code."""
+    from numerics.trade.recorded import UnreadableTrade, recorded
+    from paper_checks.errors import ToolMissingError
+    from paper_checks.figures import FIGURES
+    from paper_checks.ledger import CLAIMS
+    from paper_checks.report import document, pdf
+    from paper_checks.report.files import write
+    from paper_checks.runner import exit_code
+    from paper_checks.speed import section
+
+    try:
+        trade = recorded(options.trade)
+    except UnreadableTrade as error:
+        complain(str(error))
+        return USAGE
+    if "pdf" in options.format and (remedy := pdf.missing()):
+        complain(remedy)
+        return UNCHECKED
+    rows = run(claims)
+    chapters = [section.section(trade)] if len(claims) == len(CLAIMS) else []
+    complaints: list[str] = []
+    found = document.summary(rows) if options.summary else document.document(rows, chapters)
+    figures = {**FIGURES, **section.figures(trade)}
+    name = "summary" if options.summary else "report"
+    try:
+        paths = write(options.out, options.format, found, figures, complaints.append, name)
+    except OSError as error:
+        complain(f"the report cannot be written: {error}; choose another folder with --out")
+        return USAGE
+    except ToolMissingError as error:
+        complain(str(error))
+        return UNCHECKED
+    for complaint in complaints:
+        complain(complaint)
+    print(*paths, sep="\n")
+    return exit_code(rows) or (UNCHECKED if complaints else 0)
+
+
+def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:
+    """Say whether a file is the text that was checked: exit code 0 or 1, or 2 where it cannot be read."""
+    from paper_checks.ledger import source
+
+    try:
+        same = source.is_the_source(options.file)
+    except OSError as error:
+        complain(f"{options.file} cannot be read: {error.strerror or error}")
+        return USAGE
+    print(f"{options.file} {'is' if same else 'is not'} the text that was checked (SHA-256 {source.SHA256})")
+    return 0 if same else 1
