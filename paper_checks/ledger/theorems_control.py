@@ -1,0 +1,178 @@
+"""Past the paper: what a force on body 1 can make body 2 do, how fast, how exactly, and what damping spoils."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from paper_checks.clause import Formula, clause
+from paper_checks.deciders import condition, equals, implied
+from paper_checks.ledger.theorem import theorem
+from theory import forced
+from theory import forced_control as control
+from theory.energy import critical_energy, on_surface, sigma
+from theory.forced_control import angle, duration, half_time, path, reduced, velocity_gain
+from theory.symbols import a1, a2, b, m1, m2, v1, v2, x1
+
+MASS = m1 + m2
+OFFSET, RESPONSE = sp.Symbol("c", real=True), sp.Symbol("g", positive=True)
+SPREAD, KAPPA, DISTANCE = sp.Symbol("s", real=True), sp.Symbol("kappa", positive=True), sp.Symbol("N", nonnegative=True)
+
+TRACKING = theorem(
+    "trackable-references",
+    clause(
+        "iff",
+        r"Some force makes body 2 follow the velocity $\dot r$ exactly if $|\dot r(t')-\dot r(t)|\leqslant\frac{b}{m_2}|t'-t|$ for all times, from "
+        r"$r(0)=x_2(0)$ and $\dot r(0)=v_2(0)$: no force gives body 2 more.",
+        kernel=("trackable", "driven-acceleration"),
+    ),
+    clause("sticks", r"While $|\ddot r|<b/m_2$ the pair must stick.", kernel=("must-stick",)),
+    clause(
+        "force",
+        r"A pair that always sticks has $v_1(0)=v_2(0)$, and follows $r$ under one force only, «force» with $c=x_1(0)-r(0)$.",
+        force=Formula(
+            "u",
+            "=",
+            MASS * control.r_acceleration + a1 * control.r_speed + a2 * (control.r_place + OFFSET),
+            equals(lambda: control.stuck_force().subs(control.r_place, control.r_place + OFFSET)),
+        ),
+    ),
+)
+
+TRANSFER = theorem(
+    "minimum-transfer-time",
+    clause(
+        "reach",
+        r"Whatever the force, at the time $T$ body 2 has $|x_2(T)-x_2(0)-\frac{T}{2}(v_2(0)+v_2(T))|\leqslant s$, where «spread» and "
+        r"$\Delta v_2=v_2(T)-v_2(0)$.",
+        spread=Formula(
+            SPREAD,
+            "=",
+            b / (4 * m2) * (duration**2 - (m2 * velocity_gain / b) ** 2),
+            equals(control.spread),
+        ),
+        kernel=("reach",),
+    ),
+    clause(
+        "least",
+        r"From rest to rest over $D>0$ it takes at least «time», and that is attained by a pair that sticks at the limit.",
+        time=Formula("T", "=", 2 * sp.sqrt(m2 * path / b), equals(control.least_time)),
+        kernel=("least-time", "least-time-attained"),
+    ),
+    clause(
+        "stuck",
+        r"From $x_1(0)=0$ that stuck transfer, and to stay, needs $|u|$ up to the largest of «turn», «hold», and, if «late», of «peak».",
+        turn=Formula(
+            "u_1",
+            "=",
+            b * MASS / m2 + a1 * sp.sqrt(b * path / m2) + a2 * path / 2,
+            equals(lambda: control.stuck_amplitudes()[0]),
+        ),
+        hold=Formula("u_2", "=", a2 * path, equals(lambda: control.stuck_amplitudes()[1])),
+        late=Formula(
+            a2**2 * path - a1**2 * b / m2,
+            ">=",
+            sp.Integer(0),
+            condition(lambda: sp.Ge(control.late_peak(), 0, evaluate=False)),
+            sharp=True,
+        ),
+        peak=Formula(
+            "u_3",
+            "=",
+            a2 * path + a1**2 * b / (2 * a2 * m2) - b * MASS / m2,
+            equals(lambda: control.stuck_amplitudes()[2]),
+        ),
+    ),
+    clause(
+        "slip",
+        r"With slip less will do to arrive. Let $\tau=\sqrt{m_2D/b}$, and let $g$, the place of body 1 on its spring and damper after a unit "
+        r"impulse, not fall on $[0,\tau]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2\tau$ under some $|u|\leqslant U$ exactly if "
+        r"$U\geqslant U_{min}$, «least» with $g=g(\tau)$; for $a_1=0$, «undamped» with $\theta=\omega_1\tau\leqslant\pi/2$. At $U_{min}$ body 1 is not at rest then.",
+        least=Formula("U_{min}", "=", b + b * half_time / (m2 * RESPONSE), equals(control.slipping_amplitude)),
+        undamped=Formula(
+            "U_{min}", "=", b + b * m1 / m2 * angle / sp.sin(angle), equals(control.undamped_slipping_amplitude)
+        ),
+    ),
+    clause(
+        "weak",
+        r"For a weak force, $a_1=0$, $3U\leqslant bM/m_2$ and $d=a_2D/U\leqslant 1$, nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
+        r"at $D$ it takes at least $(\alpha_1+\alpha_2)/\Omega$, $\Omega=\sqrt{a_2/M}$, with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
+        r"second. What lies between is open.",
+        first=Formula(
+            r"\cos\alpha_1",
+            "=",
+            1 - reduced / 2 - reduced**2 / 4,
+            equals(lambda: sp.cos(control.switching()[0])),
+        ),
+        second=Formula(
+            r"\cos\alpha_2",
+            "=",
+            (1 + reduced / 2 + reduced**2 / 4) / (1 + reduced),
+            equals(lambda: sp.cos(control.switching()[1])),
+        ),
+    ),
+)
+
+RING = theorem(
+    "tolerance-ring",
+    clause(
+        "tube",
+        r"Let $N$ be the energy distance of forced-contraction to some motion under the same force. The tube $N\leqslant\varepsilon$ around that motion is "
+        r"entered at most once, and never left. With $a_1>0$, $\varepsilon>0$ and a bounded force every motion enters it.",
+        kernel=("forced-contraction", "forced-approach"),
+    ),
+    clause(
+        "ring",
+        r"In the tube the relative velocities differ by at most $\sqrt\kappa\,\varepsilon$, «kappa»: «within», and no smaller factor will do.",
+        kappa=Formula(KAPPA, "=", MASS / (m1 * m2), equals(control.ring_ratio)),
+        within=Formula(
+            (v1 - v2) ** 2,
+            "<=",
+            KAPPA * DISTANCE**2,
+            implied(
+                where=lambda: {
+                    KAPPA: control.ring_ratio(),
+                    DISTANCE: sp.sqrt(a2 * x1**2 + m1 * v1**2 + m2 * v2**2),
+                }
+            ),
+        ),
+    ),
+    clause(
+        "centre",
+        r"$N$ does not see $x_1-x_2$: moving $x_2(0)$ moves the relative motion by as much, for ever. So a ring in the plane of $x_1-x_2$ and its rate is "
+        r"centred on the limit of the motion itself: without a force $x_1-x_2$ has one, and at a time with the energy $E$ it is no further from "
+        r"it than $(E-E_\infty)/b$, $E_\infty=\lim E$.",
+        kernel=("displacement-limit", "displacement-paid"),
+    ),
+)
+
+DAMPING = theorem(
+    "damping-can-desynchronise",
+    clause(
+        "sticks",
+        r"Let a free pair be stuck at $x_1=0$ with the velocity $v_1>0$. Without a damper it sticks for ever if «captive».",
+        captive=Formula(
+            v1**2,
+            "<=",
+            b**2 * MASS / (a2 * m2**2),
+            condition(lambda: sp.Le(v1**2, sp.solve(on_surface().subs(x1, 0) - critical_energy(), v1**2)[0])),
+            sharp=True,
+        ),
+        kernel=("capture",),
+    ),
+    clause(
+        "breaks",
+        r"With a damper it slips at once if «strong».",
+        strong=Formula(
+            a1, ">", b * MASS / (m2 * v1), condition(lambda: sp.Gt(a1, forced.breaking_damping())), sharp=True
+        ),
+    ),
+    clause(
+        "heavy",
+        r"As $a_1\to\infty$ body 1 creeps, with «creeps» in slip of sign $\sigma$ and the velocity of body 1 of order $1/a_1$, and from every start the time after which "
+        r"the pair sticks for ever tends to «time», with $v_2$ at the start.",
+        creeps=Formula(r"a_2x_1+a_1v_1", "->", -b * sigma, equals(forced.creeping_load)),
+        time=Formula("T", "->", m2 * sp.Abs(v2) / b, equals(lambda: sp.Abs(v2) / control.strongest())),
+    ),
+)
+
+CONTROL = (TRACKING, TRANSFER, RING, DAMPING)

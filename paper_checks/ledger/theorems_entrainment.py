@@ -1,0 +1,152 @@
+"""Past the paper: the pair under u = U sin(omega t), stuck, with two stops in a period, or slipping without a stop."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from paper_checks.clause import Formula, clause
+from paper_checks.deciders import equals
+from paper_checks.ledger.theorem import theorem
+from theory import forced_response as response
+from theory.forced_response import decayed, decline, multiple, natural, omega, swing
+from theory.symbols import a1, a2, b, m1, m2, u
+
+MASS = m1 + m2
+GAIN, H, H_RATE = sp.Symbol("G", positive=True), response.square_place, response.square_speed
+SIGMA = sp.Symbol("sigma", real=True)
+TURN = sp.pi * swing / omega
+LEFT = 1 + 2 * decayed * sp.cos(TURN) + decayed**2
+
+
+def _gain() -> sp.Expr:
+    return 1 / sp.sqrt(response.size_squared(response.slip_impedance()))
+
+
+RESONANCE = theorem(
+    "forced-resonance-bound",
+    clause(
+        "rate",
+        r"Let $a_1=0$, $\omega_1=\sqrt{a_2/m_1}$, $u$ of period $T$, and $U_1$ its Fourier amplitude at $\omega_1$ ($0$ if $\omega_1T\notin 2\pi\mathbb Z$). "
+        r"The amplitude $z=e^{-i\omega_1t}(v_1+i\omega_1x_1)$ has «rate», where $\sigma$ is the value of $\mathrm{sign}(w)$.",
+        rate=Formula(r"e^{i\omega_1t}\,\dot z", "=", (u - b * SIGMA) / m1, equals(response.amplitude_rate)),
+    ),
+    clause(
+        "grows",
+        r"If $U_1>U_r$, «threshold», every motion grows: $|z(t)|\geqslant gt-c$ with «growth», $U=U_1$, and a constant $c$.",
+        threshold=Formula("U_r", "=", 4 * b / sp.pi, equals(response.resonant_amplitude)),
+        growth=Formula("g", "=", (response.amplitude - 4 * b / sp.pi) / (2 * m1), equals(response.growth_rate)),
+    ),
+    clause("bounded", r"If $U_1<U_r$, every motion is bounded."),
+    clause(
+        "sine",
+        r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
+        limit=Formula("U_{**}", "->", 4 * b / sp.pi, equals(response.resonant_non_stop_amplitude)),
+    ),
+)
+
+ENTRAINMENT = theorem(
+    "entrainment-threshold",
+    clause(
+        "stuck",
+        r"Let $u=U\sin\omega t$ and $a_1>0$. Some motion sticks for ever exactly if $U\leqslant U_*$, «threshold». Then every motion tends to the stuck "
+        r"response, and if $U<U_*$, it sticks for ever after a finite time.",
+        threshold=Formula(
+            "U_*",
+            "=",
+            b / (m2 * omega**2) * sp.sqrt((a2 - MASS * omega**2) ** 2 + a1**2 * omega**2),
+            equals(response.entrained_amplitude),
+        ),
+        kernel=("stuck-iff", "entrains", "synchronises"),
+    ),
+    clause(
+        "undamped",
+        r"For $a_1=0$ some motion sticks for ever exactly if $U\leqslant U_*$, «threshold», unless $\Omega=\sqrt{a_2/M}$ is an odd multiple of $\omega$. If "
+        r"$\Omega=n\omega$, $n=3,5,\ldots$, some do exactly if $U\leqslant U_n$, «harmonic», as a free oscillation flattens the peaks of $\ddot x_1$; if "
+        r"$\Omega=\omega$, none does for $U>0$.",
+        threshold=Formula(
+            "U_*",
+            "=",
+            b / m2 * sp.Abs(a2 / omega**2 - MASS),
+            equals(lambda: sp.sqrt(sp.factor(response.entrained_amplitude().subs(a1, 0) ** 2))),
+        ),
+        harmonic=Formula(r"U_n/U_*", "=", 1 / sp.cos(sp.pi / (2 * multiple)), equals(response.harmonic_amplitude)),
+    ),
+    clause(
+        "letters",
+        r"Let $\lambda=a_1/2m_1$, $\nu=\sqrt{a_2/m_1-\lambda^2}$ (positive or imaginary) and $\delta=e^{-\pi\lambda/\omega}$. Body 1 alone has the gain "
+        r"«gain», and under a square wave of 1 N, where its sign turns to $1$, the place and the velocity «place» and «speed».",
+        gain=Formula(GAIN, "=", 1 / sp.sqrt((a2 - m1 * omega**2) ** 2 + a1**2 * omega**2), equals(_gain)),
+        place=Formula(
+            H,
+            "=",
+            (2 * decayed * decline / swing * sp.sin(TURN) - 1 + decayed**2) / (m1 * (decline**2 + swing**2) * LEFT),
+            equals(lambda: response.square_wave()[0]),
+        ),
+        speed=Formula(
+            H_RATE, "=", -2 * decayed * sp.sin(TURN) / (m1 * swing * LEFT), equals(lambda: response.square_wave()[1])
+        ),
+    ),
+    clause(
+        "non-stop",
+        r"The pair has a motion that slips without a stop, turning twice a period with $(x_1,v_1,v_2)(t+\pi/\omega)=-(x_1,v_1,v_2)(t)$, exactly if "
+        r"$U\geqslant U_{**}$ and $w\neq 0$ between the turns, where «threshold». For $a_1>0$ every motion then tends to it.",
+        threshold=Formula(
+            "U_{**}^2",
+            "=",
+            b**2
+            / (GAIN * omega) ** 2
+            * ((sp.pi / (2 * m2 * omega) - H_RATE) ** 2 + ((MASS / m2 - a2 * H - a1 * H_RATE) / (m1 * omega)) ** 2),
+            equals(response.non_stop_amplitude_squared, lambda: {GAIN: _gain()}),
+        ),
+    ),
+    clause(
+        "non-stop-undamped",
+        r"For $a_1=0$, «threshold».",
+        threshold=Formula(
+            "U_{**}^2",
+            "=",
+            b**2
+            / omega**4
+            * (natural**2 - omega**2) ** 2
+            * (
+                (omega / natural * sp.tan(sp.pi * natural / (2 * omega)) + sp.pi * m1 / (2 * m2)) ** 2
+                + (MASS / m2) ** 2
+            ),
+            equals(response.undamped_non_stop_amplitude_squared),
+        ),
+    ),
+    clause(
+        "two-stops",
+        r"In between: let $u=S\sin\omega t+C\cos\omega t$ from an exit $(x_0,v_0)$ on, and a slip of sign 1 last for $t_s<\pi/\omega$. The conditions «exit» "
+        r"at the exit, «end» at $t_s$, and $(x_1,v_1)=-(x_0,v_0)$ at $\pi/\omega$ are linear in $x_0,v_0,S,C$. Their solution is a motion of amplitude "
+        r"$U=\sqrt{S^2+C^2}$ exactly if $w>0$ in the slip and $|\Lambda|\leqslant b$ in the stick. As $t_s\to\pi/\omega$ they become those of "
+        r"$U_{**}$, with «last»; as $t_s\to 0$ the load only touches $b$, which is $U_*$.",
+        exit=Formula(
+            r"C-a_1v_0-a_2x_0",
+            "=",
+            b * MASS / m2,
+            equals(
+                lambda: (
+                    response.cosine_part
+                    - a1 * response.exit_speed
+                    - a2 * response.exit_place
+                    - MASS / m2 * response.two_stop_conditions()[0]
+                )
+            ),
+        ),
+        end=Formula(
+            "v_1",
+            "=",
+            response.exit_speed + b / m2 * response.slip_length,
+            equals(lambda: response.end_speed - response.two_stop_conditions()[1]),
+        ),
+        last=Formula(
+            "v_0",
+            "=",
+            -sp.pi * b / (2 * m2 * omega),
+            equals(lambda: response.exit_speed + response.two_stop_conditions()[2] / 2),
+        ),
+    ),
+)
+
+DRIVEN = (RESONANCE, ENTRAINMENT)

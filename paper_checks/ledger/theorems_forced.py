@@ -1,0 +1,187 @@
+"""Past the paper, under a force u(t): which mode follows, that events do not accumulate, and that motions approach."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import sympy as sp
+
+from paper_checks.clause import Formula, clause
+from paper_checks.deciders import Decide, equals, implied, shown
+from paper_checks.evidence import Evidence
+from paper_checks.exact import identity
+from paper_checks.ledger.theorem import theorem
+from theory import forced
+from theory.energy import sigma, sigma_other
+from theory.forced import U_RATES, gap, gap_rate
+from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v1_other, v2, v2_other, x1, x1_other
+
+LOAD, S = sp.Symbol("Lambda", real=True), sp.Symbol("s", real=True)
+P = sp.Symbol("p", real=True)
+DISTANCE = sp.Symbol("N", nonnegative=True)
+MASS = m1 + m2
+
+
+def either_sign(
+    derived: Callable[[int], sp.Expr], where: dict[sp.Symbol, Callable[[int], sp.Expr]] | None = None
+) -> Decide:
+    """Decide an equation with the sign s of a slip: it holds for s = 1 and for s = -1."""
+
+    def decide(formula: Formula) -> Evidence:
+        right = sp.sympify(formula.right)
+        sides = [right.subs({one: value(s) for one, value in (where or {}).items()}).subs(S, s) for s in (1, -1)]
+        return identity(f"{shown(formula)}, as derived", sp.Matrix([derived(1), derived(-1)]), sp.Matrix(sides))
+
+    return decide
+
+
+def _quotable() -> dict[sp.Basic, sp.Basic]:
+    """Return what N stands for, and letters without a tilde for the second solution."""
+    letters = {one: sp.Symbol(f"{one.name[-4]}_k{one.name[-1]}", real=True) for one in (x1_other, v1_other, v2_other)}
+    return {DISTANCE: sp.sqrt(forced.distance_squared().subs(letters)), **letters}
+
+
+def tie(order: int) -> Callable[[int], sp.Expr]:
+    """Return the derivative of p of this order by the sign."""
+    return lambda sign: forced.tie_derivative(sign, order)
+
+
+RULE = theorem(
+    "forced-mode-rule",
+    clause(
+        "modes",
+        r"A force $u(t)$ acts on body 1, $a_1\geqslant 0$. Let $w=v_1-v_2$, and let «load» be the load: the friction force "
+        r"that sticking needs. Slip of sign $s$ has «slip»; the pair can stick where $|\Lambda|\leqslant b$, and then $m_2\ddot x_1=\Lambda$.",
+        load=Formula(LOAD, "=", m2 * (u - a2 * x1 - a1 * v1) / MASS, equals(forced.load)),
+        slip=Formula(
+            r"\dot w",
+            "=",
+            MASS / (m1 * m2) * (LOAD - S * b),
+            either_sign(forced.relative_rate, {LOAD: lambda _: forced.load()}),
+        ),
+    ),
+    clause(
+        "strict",
+        r"Where $v_1=v_2$, with $u$ and its derivatives from the right: the pair sticks right after if $|\Lambda|<b$, and slips with the "
+        r"sign $s$ if $s\Lambda>b$.",
+    ),
+    clause(
+        "tie",
+        r"Where $\Lambda=sb$, the first of $s\dot p,s\ddot p,sp^{(3)},\ldots$ that is not zero decides: slip of sign $s$ if it is positive, stick if "
+        r"negative. Here «first», «second», «third», and $p^{(k)}=u^{(k)}$ from then on.",
+        first=Formula(r"\dot p", "=", U_RATES[0] - a2 * v1 - S * a1 * b / m2, either_sign(tie(1))),
+        second=Formula(r"\ddot p", "=", U_RATES[1] - S * a2 * b / m2, either_sign(tie(2))),
+        third=Formula("p^{(3)}", "=", U_RATES[2], either_sign(tie(3))),
+    ),
+    clause(
+        "marginal",
+        r"Where all of them are zero, and $u$ is analytic, slip of sign $s$ and stick are one and the same motion.",
+    ),
+    clause(
+        "jump",
+        r"A jump of $u$ moves the strip $|\Lambda|\leqslant b$ and not the state; the rule with the values after it decides what follows.",
+    ),
+)
+
+NO_ZENO = theorem(
+    "forced-no-zeno",
+    clause(
+        "deviation",
+        r"Let $\Lambda=sb$ and $v_1=v_2$ at a time, here $t=0$, and let $y$ be the place of body 1 beside the motion with the constant "
+        r"acceleration $sb/m_2$ through the state at that time. With $I=m_1$ in slip of sign $s$ and $I=M$ in stick, before as after, "
+        r"«deviation» $=p(t)$ and «excess».",
+        deviation=Formula(
+            r"I\ddot y+a_1\dot y+a_2y",
+            "=",
+            u - a2 * (x1 + v1 * t + S * b * t**2 / (2 * m2)) - a1 * (v1 + S * b * t / m2) - S * b * MASS / m2,
+            either_sign(lambda sign: forced.deviation_force("stick", sign)),
+        ),
+        excess=Formula(
+            LOAD - S * b,
+            "=",
+            m2 / MASS * (P - a1 * gap_rate - a2 * gap),
+            either_sign(forced.excess_load, {P: forced.imbalance}),
+        ),
+    ),
+    clause(
+        "finite",
+        r"Where $u$ is piecewise analytic (polynomials and sinusoids by pieces), and so is $b>0$, every bounded interval of time holds "
+        r"finitely many events.",
+    ),
+)
+
+CONTRACTION = theorem(
+    "forced-contraction",
+    clause(
+        "energy",
+        r"Under a force «rate», where $\sigma$ is the value of $\mathrm{sign}(w)$, in $[-1,1]$ where $w=0$.",
+        rate=Formula(r"\dot E", "=", u * v1 - a1 * v1**2 - b * sigma * (v1 - v2), equals(forced.energy_rate)),
+        kernel=("forced-energy-rate",),
+    ),
+    clause(
+        "distance",
+        r"Two solutions under one force, the second with tildes, have $N^2=a_2(x_1-\tilde x_1)^2+m_1(v_1-\tilde v_1)^2+m_2(v_2-\tilde v_2)^2$ and "
+        r"«rate» $\leqslant 0$: their distance never grows.",
+        rate=Formula(
+            r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
+            "=",
+            -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
+            equals(forced.contraction_rate),
+        ),
+        kernel=("forced-contraction",),
+    ),
+    clause(
+        "unique",
+        r"For every force with a continuous impulse $\int u\,dt$ there is one solution from every start.",
+        kernel=("forced-well-posed",),
+    ),
+    clause(
+        "forces",
+        r"Under two forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|\,ds$, as «speed».",
+        speed=Formula(
+            m1 * (v1 - v1_other) ** 2,
+            "<=",
+            DISTANCE**2,
+            implied(where=_quotable),
+        ),
+        kernel=("input-to-state",),
+    ),
+    clause(
+        "interface",
+        r"With a friction $b(t)>0$ that changes in time all four statements stay as they are, with $b(t)$ in the place of $b$.",
+    ),
+)
+
+RESPONSE = theorem(
+    "forced-periodic-response",
+    clause(
+        "one",
+        r"Let $u$ be bounded with the period $T$ and $a_1>0$. Exactly one motion of $(x_1,v_1,v_2)$ has this period, and every motion tends "
+        r"to it.",
+        kernel=("periodic-response",),
+    ),
+    clause(
+        "drift",
+        r"In one period body 2 moves on by $\int_0^T v_2\,dt$ of that motion; by nothing if $u(t+T/2)=-u(t)$.",
+    ),
+    clause(
+        "undamped",
+        r"Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant before which $|\Lambda|<b$, slip for a time $\tau$ and "
+        r"have $\omega_1\tau\notin 2\pi\mathbb Z$, $\omega_1=\sqrt{a_2/m_1}$. Then every motion tends to it. For what keeps its distance from it "
+        r"differs in that slip by «place» and «relative» at the time $t$ after the exit, and both pairs have $w=0$ at $t=\tau$.",
+        place=Formula(
+            r"x_1-\tilde x_1",
+            "=",
+            forced.velocity_gap / sp.Symbol("omega_1", positive=True) * sp.sin(sp.Symbol("omega_1", positive=True) * t),
+            equals(lambda: forced.undamped_difference()[0]),
+        ),
+        relative=Formula(
+            r"w-\tilde w",
+            "=",
+            forced.velocity_gap * (sp.cos(sp.Symbol("omega_1", positive=True) * t) - 1),
+            equals(lambda: forced.undamped_difference()[1]),
+        ),
+    ),
+)
+
+FORCED = (RULE, NO_ZENO, CONTRACTION, RESPONSE)

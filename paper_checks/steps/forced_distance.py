@@ -1,0 +1,113 @@
+"""Steps under a force u(t): energy, the distance of two solutions, and that a start has one. For a1 >= 0."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.evidence import Evidence, argument
+from paper_checks.exact import identity
+from paper_checks.smt import prove
+from paper_checks.steps import solutions
+from theory import forced
+from theory.energy import contraction_rate, energy, sigma
+from theory.model import slip, stick
+from theory.symbols import a1, b, m1, u, v1, v1_other, v2, v2_other, x1_other
+
+
+@cache
+def same_modes() -> Evidence:
+    """The set-valued field under a force is the slip of (3), (4) for sigma = 1 and -1, and stick for sigma = load/b."""
+    slips = [one.acceleration1 for one in (slip(1), slip(-1))] + [one.acceleration2 for one in (slip(1), slip(-1))]
+    field = [forced.forced_system(sp.Integer(sign))[place] for place in (1, 2) for sign in (1, -1)]
+    stuck = forced.forced_system(forced.load() / b).subs(v2, v1)
+    return identity(
+        r"$m_1\dot v_1=u-a_2x_1-a_1v_1-b\sigma$, $m_2\dot v_2=b\sigma$ is slip of (3), (4) for $\sigma=\pm 1$, and stick for $\sigma=\Lambda/b$",
+        sp.Matrix([*field, stuck[1], stuck[2]]),
+        sp.Matrix([*slips, stick().acceleration1.subs(v2, v1), stick().acceleration2.subs(v2, v1)]),
+    )
+
+
+@cache
+def energy_rate() -> Evidence:
+    """The chain rule along the set-valued field."""
+    return identity(
+        r"$\dot E=u\,v_1-a_1v_1^2-b\sigma w$, where $\sigma w=|w|$",
+        forced.energy_rate(),
+        u * v1 - a1 * v1**2 - b * sigma * (v1 - v2),
+    )
+
+
+@cache
+def force_cancels() -> Evidence:
+    """Under one force the rate of the distance is the free one."""
+    return identity(
+        r"$\tfrac12\frac{d}{dt}N^2$ is the same with a force as without: $u$ cancels",
+        forced.contraction_rate(),
+        contraction_rate(),
+    )
+
+
+@cache
+def never_apart() -> Evidence:
+    """The distance of two solutions never grows."""
+    return argument(
+        r"The damper's term is minus a square and the friction's is never positive, so $N$ does not grow.",
+        force_cancels(),
+        solutions.contraction(),
+        solutions.never_apart(),
+    )
+
+
+@cache
+def one_solution() -> Evidence:
+    """Existence by Filippov, uniqueness by the distance."""
+    return argument(
+        r"The set-valued right side is bounded on bounded sets, convex and closed, and measurable in time: there is a solution. Two from one start have the distance $0$ for ever.",
+        same_modes(),
+        never_apart(),
+        cites=("Filippov's theorem on existence",),
+    )
+
+
+@cache
+def forces_apart() -> Evidence:
+    """Two forces: the distance grows at most as their difference."""
+    work = forced.distance_rate() - forced.contraction_rate()
+    letters = {one: sp.Symbol(f"k{n}", real=True) for n, one in enumerate((x1_other, v1_other, v2_other))}
+    squared = forced.distance_squared().subs(letters)
+    return argument(
+        r"$N\dot N\leqslant(u-\tilde u)(v_1-\tilde v_1)\leqslant|u-\tilde u|\,N/\sqrt{m_1}$; integrate.",
+        never_apart(),
+        identity(
+            r"two forces add the work of their difference to $\tfrac12\frac{d}{dt}N^2$",
+            work.subs(forced.u_other, 0).subs(u, sp.Symbol("f", real=True)),
+            sp.Symbol("f", real=True) * (v1 - v1_other),
+        ),
+        prove(
+            r"$m_1(v_1-\tilde v_1)^2\leqslant N^2$ (here $k$ for the second solution)",
+            [],
+            sp.Le(m1 * (v1 - letters[v1_other]) ** 2, squared, evaluate=False),
+        ),
+    )
+
+
+@cache
+def friction_in_time() -> Evidence:
+    """b enters the rates by its value only: b(t) changes none of them."""
+    return argument(
+        r"The equations of motion have $b$ and no rate of it, and $E$ and $N$ do not have it at all: at each time the rates are those of a constant friction with that value, and both "
+        r"terms of the contraction keep their signs.",
+        energy_rate(),
+        never_apart(),
+        forces_apart(),
+        one_solution(),
+        identity(
+            r"$E$ does not depend on $b$, and the rates are linear in it",
+            sp.Matrix(
+                [sp.diff(energy(), b), sp.diff(forced.energy_rate(), b, 2), sp.diff(forced.contraction_rate(), b, 2)]
+            ),
+            sp.zeros(3, 1),
+        ),
+    )

@@ -1,0 +1,115 @@
+"""Theorems under a force: the verdicts, and faults in theory and in the steps that must turn them."""
+
+import pytest
+import sympy as sp
+
+from paper_checks.checks import theorems_control, theorems_forced
+from paper_checks.evidence import closure
+from paper_checks.finding import Verdict
+from paper_checks.registry import Context
+from paper_checks.runner import decide
+from paper_checks.steps import entrainment, tolerance, transfers
+from theory.symbols import a1, b, u, v1
+
+from .conftest import doubled, finding_of, halved, misread, negated, plus, recorded, squared, unreadable
+
+CHECKS = {
+    "forced-mode-rule": theorems_forced.forced_mode_rule,
+    "forced-no-zeno": theorems_forced.forced_no_zeno,
+    "forced-contraction": theorems_forced.forced_contraction,
+    "forced-periodic-response": theorems_forced.forced_periodic_response,
+    "forced-resonance-bound": theorems_forced.forced_resonance_bound,
+    "entrainment-threshold": theorems_forced.entrainment_threshold,
+    "trackable-references": theorems_control.trackable_references,
+    "minimum-transfer-time": theorems_control.minimum_transfer_time,
+    "tolerance-ring": theorems_control.tolerance_ring,
+    "damping-can-desynchronise": theorems_control.damping_can_desynchronise,
+}
+FORCED, RESPONSE, CONTROL = "theory.forced.", "theory.forced_response.", "theory.forced_control."
+RULE, DISTANCE = "paper_checks.steps.forced_rule.", "paper_checks.steps.forced_distance."
+TRANSFERS, TOLERANCE = "paper_checks.steps.transfers.", "paper_checks.steps.tolerance."
+
+
+@pytest.mark.parametrize("claim_id", CHECKS)
+def test_the_verdict_is_the_one_on_record(claim_id):
+    finding = finding_of(CHECKS[claim_id])
+    assert finding.verdict.value == recorded(claim_id), finding.missing
+    assert unreadable(finding) == []
+
+
+def entry(index, change):
+    """Return a fault that changes one of several expressions."""
+    return lambda original: (
+        lambda *given: tuple(change(one) if place == index else one for place, one in enumerate(original(*given)))
+    )
+
+
+STEP_FAULTS = [
+    ("forced-mode-rule", FORCED + "coupling", doubled),
+    ("forced-mode-rule", FORCED + "imbalance", plus(u)),
+    ("forced-mode-rule", FORCED + "excess_load", doubled),
+    ("forced-mode-rule", FORCED + "reference", plus(sp.Symbol("t", nonnegative=True) ** 2)),
+    ("forced-mode-rule", RULE + "sp", misread("Lt", "Le", 0)),
+    ("forced-mode-rule", RULE + "sp", misread("Gt", "Ge", 0)),
+    ("forced-no-zeno", FORCED + "deviation_force", plus(b)),
+    ("forced-no-zeno", FORCED + "excess_load", negated),
+    ("forced-contraction", FORCED + "energy_rate", plus(a1 * v1**2)),
+    ("forced-contraction", FORCED + "contraction_rate", negated),
+    ("forced-contraction", FORCED + "distance_rate", doubled),
+    ("forced-contraction", FORCED + "distance_squared", halved),
+    ("forced-contraction", DISTANCE + "sp", misread("Le", "Ge", 0)),
+    ("forced-periodic-response", FORCED + "undamped_difference", entry(1, lambda value: -value)),
+    ("forced-periodic-response", FORCED + "undamped_difference", entry(0, lambda value: 2 * value)),
+    ("forced-resonance-bound", RESPONSE + "mean_absolute_cosine", doubled),
+    ("forced-resonance-bound", RESPONSE + "amplitude_rate", negated),
+    ("forced-resonance-bound", RESPONSE + "growth_rate", squared),
+    ("forced-resonance-bound", RESPONSE + "path_beside", doubled),
+    ("forced-resonance-bound", RESPONSE + "resonant_non_stop_amplitude", halved),
+    ("entrainment-threshold", RESPONSE + "stuck_impedance", negated),
+    ("entrainment-threshold", RESPONSE + "harmonic_slope", plus(1)),
+    ("entrainment-threshold", RESPONSE + "square_wave", entry(0, lambda value: 2 * value)),
+    ("entrainment-threshold", RESPONSE + "square_wave", entry(1, lambda value: -value)),
+    ("entrainment-threshold", RESPONSE + "non_stop_parts", entry(0, lambda value: 2 * value)),
+    ("entrainment-threshold", RESPONSE + "non_stop_parts", entry(1, lambda value: -value)),
+    ("entrainment-threshold", RESPONSE + "short_slip", entry(1, lambda value: value / 2)),
+    ("entrainment-threshold", RESPONSE + "two_stop_conditions", entry(2, lambda value: value + 1)),
+    ("trackable-references", CONTROL + "strongest", doubled),
+    ("trackable-references", CONTROL + "stuck_force", negated),
+    ("minimum-transfer-time", CONTROL + "spread", doubled),
+    ("minimum-transfer-time", CONTROL + "least_time", halved),
+    ("minimum-transfer-time", CONTROL + "late_peak", negated),
+    ("minimum-transfer-time", CONTROL + "response_residual", plus(1)),
+    ("minimum-transfer-time", CONTROL + "addition_residual", plus(b)),
+    ("minimum-transfer-time", CONTROL + "slipping_amplitude", doubled),
+    ("minimum-transfer-time", CONTROL + "undamped_slipping_amplitude", plus(b)),
+    ("minimum-transfer-time", CONTROL + "switching", entry(0, lambda value: value / 2)),
+    ("minimum-transfer-time", CONTROL + "pressed", doubled),
+    ("minimum-transfer-time", TRANSFERS + "sp", misread("Ge", "Le", 1)),
+    ("tolerance-ring", CONTROL + "ring_ratio", doubled),
+    ("tolerance-ring", TOLERANCE + "sp", misread("Le", "Ge", 0)),
+    ("damping-can-desynchronise", FORCED + "creeping_load", negated),
+    ("damping-can-desynchronise", TOLERANCE + "sp", misread("Gt", "Ge", 0)),
+    ("damping-can-desynchronise", TOLERANCE + "critical_energy", doubled),
+]
+
+
+@pytest.mark.parametrize(("claim_id", "target", "fault"), STEP_FAULTS)
+def test_a_fault_in_a_step_turns_the_theorem(plant, claim_id, target, fault):
+    plant(target, fault)
+    assert decide([CHECKS[claim_id]], Context()).verdict is Verdict.UNDECIDED
+
+
+def test_no_step_of_these_proofs_is_a_sample():
+    for check in CHECKS.values():
+        assert all(step.kind.decisive for step in closure(finding_of(check).evidence))
+
+
+def test_what_is_open_is_said():
+    assert "not proved here" in finding_of(CHECKS["entrainment-threshold"]).reason
+    assert "open" in finding_of(CHECKS["forced-resonance-bound"]).reason
+
+
+def test_steps_name_what_they_cite():
+    cited = {cite for step in closure([entrainment.sticks_for_ever()]) for cite in step.cites}
+    assert any("nonexpansive" in one for one in cited)
+    assert not any(step.cites for step in closure([transfers.weak_force(), tolerance.ring_contains()]))

@@ -1,0 +1,154 @@
+"""Control of body 2 through the interface: what it can follow, where it can be, transfers, the ring (a1 >= 0)."""
+
+from functools import cache
+
+from sympy import Expr, Symbol, acos, cos, diff, exp, factor, integrate, simplify, sin, solve
+
+from theory.forced_response import decline, natural, swing
+from theory.model import slip, stick
+from theory.symbols import a1, a2, b, m1, m2, t, u, v1, x1
+
+r_place, r_speed, r_acceleration = Symbol("r", real=True), Symbol(r"\dot{r}", real=True), Symbol(r"\ddot{r}", real=True)
+"""A reference for body 2 and its derivatives, m, m/s, m/s^2; here x1 - x2 = 0 at the start."""
+path, duration = Symbol("D", positive=True), Symbol("T", positive=True)
+"""Distance of a transfer (m) and the time it takes (s)."""
+half_time = Symbol("tau", positive=True)  # half the least time of a transfer, s
+velocity_gain, shift = Symbol(r"\Delta v_2", real=True), Symbol(r"\Delta x_2", real=True)
+strength = Symbol("U", positive=True)  # bound of the force, N
+reduced = Symbol("d", positive=True)  # a2 D/U
+stuck_frequency = Symbol("Omega", positive=True)  # sqrt(a2/M), 1/s
+angle = Symbol("theta", positive=True)
+
+
+def strongest() -> Expr:
+    """b/m2, m/s^2: the acceleration of body 2 in slip, which stick cannot exceed."""
+    return slip(1).acceleration2
+
+
+@cache
+def stuck_force() -> Expr:
+    """The force, N, under which the stuck pair has a place, velocity and acceleration: that of the reference."""
+    along = {x1: r_place, v1: r_speed}
+    return solve(stick().acceleration1.subs(along, simultaneous=True) - r_acceleration, u)[0].expand()
+
+
+@cache
+def spread() -> Expr:
+    """How far the place of body 2 at T can be from (v2(0) + v2(T)) T/2, m, for a change of velocity that it can make.
+
+    Full acceleration first, its opposite from the time on at which the change is right: the place that is farthest.
+    """
+    turn = Symbol("s", positive=True)
+    first = strongest() * t
+    second = first.subs(t, turn) - strongest() * (t - turn)
+    switch = solve(second.subs(t, duration) - velocity_gain, turn)[0]
+    farthest = integrate(first, (t, 0, turn)) + integrate(second, (t, turn, duration))
+    return factor(simplify(farthest.subs(turn, switch) - velocity_gain * duration / 2))
+
+
+@cache
+def least_time() -> Expr:
+    """The least time of a transfer from rest to rest over D, s."""
+    return max(
+        solve(spread().subs(velocity_gain, 0) - path, duration), key=lambda one: one.subs({path: 1, m2: 1, b: 1})
+    )
+
+
+def bang(first_half: bool) -> Expr:
+    """The place of body 2 in the least time, m, by the time from the start, in the second half by that to the end."""
+    way = strongest() * t**2 / 2
+    return way if first_half else path - way
+
+
+def transfer_force(first_half: bool) -> Expr:
+    """The force under which the pair makes that transfer stuck, N, by the same times."""
+    place, sign = bang(first_half), 1 if first_half else -1
+    known = {r_place: place, r_speed: sign * diff(place, t), r_acceleration: diff(place, t, 2)}
+    return stuck_force().subs(known, simultaneous=True)
+
+
+@cache
+def stuck_amplitudes() -> tuple[Expr, Expr, Expr]:
+    """What the stuck transfer needs, N: where it turns, to hold at the end, and the highest point of the second half.
+
+    The third one counts where its time a1/a2 before the end lies in the second half, `late_peak`.
+    """
+    turn = least_time() / 2
+    at_turn = simplify(transfer_force(True).subs(t, turn)).expand()
+    at_rest = stuck_force().subs({r_place: path, r_speed: 0, r_acceleration: 0})
+    late = transfer_force(False)
+    return at_turn, at_rest, late.subs(t, solve(diff(late, t), t)[0]).expand()
+
+
+@cache
+def late_peak() -> Expr:
+    """a2^2 D - a1^2 b/m2, (N/s)^2 kg: at least zero where the force of the second half has its highest point inside."""
+    before = solve(diff(transfer_force(False), t), t)[0]
+    return factor(((least_time() / 2) ** 2 - before**2) * a2**2 * strongest()).expand()
+
+
+@cache
+def impulse_response() -> Expr:
+    """g, m/(N s): the place of body 1 after a unit impulse, by `decline` and `swing`."""
+    return exp(-decline * t) * sin(swing * t) / (m1 * swing)
+
+
+def response_residual() -> Expr:
+    """What g leaves in m1 g'' + a1 g' + a2 g, N: zero."""
+    g = impulse_response()
+    known = {u: 0, b: 0, x1: g, v1: diff(g, t), a1: 2 * m1 * decline, a2: m1 * (decline**2 + swing**2)}
+    return simplify(m1 * (diff(g, t, 2) - slip(1).acceleration1.subs(known, simultaneous=True)))
+
+
+def addition_residual() -> Expr:
+    """What is left of g(t + s) = g(t) (m1 g'(s) + a1 g(s)) + m1 g'(t) g(s), m/(N s): zero."""
+    s = Symbol("s", positive=True)
+    g, rate = impulse_response(), diff(impulse_response(), t)
+    forward = g * (m1 * rate + 2 * m1 * decline * g).subs(t, s) + m1 * rate * g.subs(t, s)
+    return simplify((g.subs(t, t + s) - forward).expand(trig=True))
+
+
+@cache
+def slipping_amplitude() -> Expr:
+    """The least amplitude with which body 2 arrives in the least time, N, by g(tau): v1 is v2 at tau."""
+    g = Symbol("g", positive=True)
+    reached = (strength - b) * g
+    return solve(reached - strongest() * half_time, strength)[0].expand()
+
+
+@cache
+def undamped_slipping_amplitude() -> Expr:
+    """The same for a1 = 0, N, by theta = omega_1 tau."""
+    response = impulse_response().subs({decline: 0, swing: natural, t: half_time})
+    g = Symbol("g", positive=True)
+    return simplify(slipping_amplitude().subs(g, response).subs(half_time, angle / natural))
+
+
+@cache
+def switching() -> tuple[Expr, Expr]:
+    """The angles Omega t of the two arcs of the fastest transfer of the stuck pair by |u| <= U without a damper, by d.
+
+    In units of U/a2: about 1 from (0, 0) and about -1 into (d, 0), circles that meet at one place.
+    """
+    place = Symbol("X", real=True)
+    meets = solve((1 - (place - 1) ** 2) - ((1 + reduced) ** 2 - (place + 1) ** 2), place)[0]
+    return acos((1 - meets).expand()), acos(simplify((meets + 1) / (1 + reduced)))
+
+
+@cache
+def bang_bang_load() -> Expr:
+    """The largest M |x1''| of that transfer, N: at the end, where -U and the spring add up."""
+    return strength + a2 * path
+
+
+def pressed() -> Expr:
+    """M x1'' at most, N, that any |u| <= U gives the stuck pair from rest on in half a turn, by the angle Omega t."""
+    farthest = strength / a2 * (1 - cos(angle))
+    return (strength + a2 * farthest).expand()
+
+
+def ring_ratio() -> Expr:
+    """The square of the largest |w| in N <= 1, 1/kg: where m1 v1 + m2 v2 = 0."""
+    speed = Symbol("v", positive=True)
+    opposite = -m1 * speed / m2
+    return factor((speed - opposite) ** 2 / (m1 * speed**2 + m2 * opposite**2))
