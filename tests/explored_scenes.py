@@ -1,10 +1,15 @@
 """Scenes in reduced coordinates, for the page as numbers and for `numerics.solve` as exact rationals."""
 
-from dataclasses import dataclass
+import json
+from dataclasses import asdict, dataclass
 from fractions import Fraction
 from itertools import product
+from pathlib import Path
+from typing import NamedTuple
 
 from numerics import Pair, Scene, State
+from numerics.scene.file import load_scene
+from paper_checks.explore.scenes import reduced
 
 GRID = [
     (Fraction(ratio), Fraction(zeta), *(Fraction(one) for one in start))
@@ -23,8 +28,15 @@ TIES = [
 UNTIL = Fraction(60)
 
 
+class Answer(NamedTuple):
+    """The modes of a run, and of some of its events, by their number, (tau, X, V1)."""
+
+    modes: list[int]
+    rows: dict[int, list[float]]
+
+
 @dataclass(frozen=True)
-class Reduced:
+class GridScene:
     """A scene of the grid: mass ratio m1/m2, damping ratio, X, V1, V2, and the reading of the law."""
 
     ratio: Fraction
@@ -52,4 +64,43 @@ class Reduced:
         return Scene(pair, State(self.X, self.V1, 0, self.V2), UNTIL, law)
 
 
-SCENES = [Reduced(*row) for row in (*GRID, *TIES)] + [Reduced(*GRID[0], literal=True), Reduced(*TIES[-1], literal=True)]
+SCENES = [GridScene(*row) for row in (*GRID, *TIES)] + [
+    GridScene(*GRID[0], literal=True),
+    GridScene(*TIES[-1], literal=True),
+]
+
+FORCED = Path(__file__).parent / "forced"
+FORCED_NAMES = (
+    "constant-force",
+    "huge-omega",
+    "mass-ratio-1e-6",
+    "mass-ratio-1e6",
+    "near-resonance-in-stick",
+    "resonance-in-slip",
+    "resonance-in-slip-damped",
+    "resonance-in-stick",
+    "sine-at-threshold",
+    "sine-at-threshold-damped",
+    "sine-barely-below-threshold",
+    "sine-below-threshold",
+    "sine-below-threshold-damped",
+    "sine-just-above-threshold",
+    "sine-just-below-threshold",
+    "sine-non-stop",
+    "sine-stick-slip",
+)
+"""Scenes under a constant or a sine, with answers in 60 digits (tests/forced). Left out: forces of 1e9 b and more,
+where binary64 has few digits, and one that is above the threshold by 1e-20."""
+
+
+def forced_scene(name: str) -> tuple[dict[str, float | bool], Answer]:
+    """One of them for the page, and the events that it must find, reduced."""
+    scene = load_scene(FORCED / "scenes" / f"{name}.toml")
+    answer = json.loads((FORCED / "answers.json").read_text("utf-8"))[name]
+    omega, length = float(scene.pair.a2 / scene.pair.mass) ** 0.5, float(scene.pair.half_width)
+    units = omega, 1 / length, 1 / (length * omega)
+    rows = {
+        event["n"]: [float(one) * unit for one, unit in zip(event["row"], units, strict=False)]
+        for event in answer["events"]
+    }
+    return asdict(reduced(scene)), Answer([{"0": 0, "+": 1, "-": -1}[mode] for mode in answer["modes"]], rows)

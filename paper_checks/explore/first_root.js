@@ -23,11 +23,18 @@ function certainStep(g, g1, g2, bound, span) {
   return low;
 }
 
-/* The first t in (0, end] where one of several guards vanishes: {t, which}; null if none does.
+const TOUCH = 1e-13;
+
+/* How far beyond a root where the function only touches 0 it has left rounding behind; 0 where it goes through. */
+function beyondTouch([, g1, g2]) {
+  return g2 > 0 && g1 * g1 <= 2 * g2 * TOUCH ? 2 * (Math.abs(g1) / g2 + Math.sqrt(2 * TOUCH / g2)) : 0;
+}
+
+/* The first t in (0, end] where one of several guards goes through 0: {t, which}; null if none does.
    jets(t) returns for each guard [g, g', g'', bound of |g'''| for the next `span`]; `done` may stop the search. */
 function firstRoot(jets, end, span, done = () => false) {
   let t = 0;
-  for (let count = 0; count < 100000; count += 1) {
+  for (let count = 0; count < 100000 && t < end; count += 1) {
     const all = jets(t);
     if (done(t)) return null;
     let step = Math.min(span, end - t), which = -1;
@@ -35,11 +42,15 @@ function firstRoot(jets, end, span, done = () => false) {
       const certain = g <= 0 && t > 0 ? 0 : certainStep(Math.max(g, 0), g1, g2, bound, step);
       if (certain < step) { step = certain; which = index; }
     });
-    if (which >= 0 && t > 0 && step <= 4e-16 * t) return { t: polished(t, all[which], end), which };
+    if (which < 0 && t + step >= end) return null;
+    if (which >= 0 && step <= 4e-16 * t) {
+      const over = beyondTouch(all[which]);
+      if (!over) return { t: polished(t, all[which], end), which };
+      step = over;
+    }
     t += step;
-    if (which < 0 && t >= end) return null;
-    if (which >= 0 && step === 0) return { t, which };
   }
+  if (t >= end) return null;
   throw new Error("a motion has too many pieces");
 }
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
+from fractions import Fraction
 from typing import Any
 
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.scene.model import Law
+from numerics.scene.pieces import Sine
 
 
 @dataclass(frozen=True)
@@ -66,10 +68,17 @@ OWN = (
 
 
 def reduced(scene: Scene) -> Reduced:
-    """Return a free scene in reduced coordinates: X = x1/L, V = v/(L Omega), tau = Omega t."""
+    """Return a scene in reduced coordinates: X = x1/L, V = v/(L Omega), tau = Omega t.
+
+    Raises ValueError unless its force is a constant and at most one sine of phase 0, from the start on.
+    """
     pair, at = scene.pair, scene.initial
     omega, length = float(pair.a2 / pair.mass) ** 0.5, pair.half_width
-    speed = float(length) * omega
+    speed, acting = float(length) * omega, scene.force.piece_at(Fraction(0))
+    sine = acting.sines[0] if acting.sines else Sine(0, 1)
+    simple = len(acting.polynomial) <= 1 and len(acting.sines) <= 1 and sine.phase == 0
+    if not simple or scene.force.starts not in ((), (Fraction(0),)) or scene.friction.pieces:
+        raise ValueError("the page knows a constant force and one sine of phase 0, from t = 0 on, and one b")
     return Reduced(
         ratio=float(pair.m1 / pair.m2),
         zeta=float(pair.a1 / pair.mass) / (2 * omega),
@@ -77,6 +86,9 @@ def reduced(scene: Scene) -> Reduced:
         V1=float(at.v1) / speed,
         V2=float(at.v2) / speed,
         until=float(scene.until) * omega,
+        constant=float(sum(acting.polynomial) / pair.b),
+        amplitude=float(sine.amplitude / pair.b),
+        omega=float(sine.omega) / omega,
         literal=scene.law is Law.THREE_VALUED_SGN,
     )
 

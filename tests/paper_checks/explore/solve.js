@@ -1,11 +1,15 @@
 // The solver PROGRAM on SCENES, and with each of FAULTY in its place.
 const made = (text) => new Function(`${text}
   return (scene) => {
-    const { segments } = solve(scene), last = segments[segments.length - 1];
+    const { segments } = solve(scene, 20000), last = segments[segments.length - 1];
     const { X, V1, V2, x2 } = stateAt(last, last.duration);
     const modes = segments.map(({ start }) => start.mode), times = segments.map(({ start }) => start.t);
-    return { modes, times, final: [X, V1, x2, V2] };
+    const events = segments.slice(1).map(({ start }) => [start.t, start.X, start.V1]);
+    return { modes, times, events, final: [X, V1, x2, V2] };
   };`)();
 const tried = (run, scene) => { try { return run(scene); } catch (error) { return String(error); } };
-const each = (text) => SCENES.map((scene) => tried(made(text), scene));
+const each = (text) => ({
+  free: SCENES.map((scene) => tried(made(text), scene)),
+  forced: FORCED.map((scene) => tried(made(text), scene)),
+});
 return { right: each(PROGRAM), faulty: FAULTY.map(each) };

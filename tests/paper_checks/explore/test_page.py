@@ -2,10 +2,12 @@
 
 import json
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 
 import pytest
 
+from numerics import Force, Pair
 from numerics.scene.file import load_scene
 from paper_checks.__main__ import main
 from paper_checks.explore.page import SCRIPTS, page, section, source
@@ -92,8 +94,17 @@ def test_the_papers_scenes_are_those_of_the_files(whole):
 
 def test_the_literal_reading_and_damping_survive_the_reduction():
     assert reduced(load_scene("velocities-literal")).literal
-    scene = load_scene("velocities")
-    assert reduced(scene).zeta == 0
+    damped = replace(load_scene("velocities"), pair=Pair(1, 1, 200, "0.05", a1=20))
+    assert reduced(damped).zeta == pytest.approx(0.5)
+
+
+TWO_SINES = Force.sine(1, 1) + Force.sine(1, 2)
+
+
+@pytest.mark.parametrize("force", [Force.step(1, 1), Force.ramp(0, 1, 1), Force.sine(1, 1, 1), TWO_SINES])
+def test_a_force_that_the_page_does_not_know_is_refused(force):
+    with pytest.raises(ValueError, match="one sine of phase 0"):
+        reduced(replace(load_scene("velocities"), force=force))
 
 
 @pytest.mark.parametrize("name", SCRIPTS)

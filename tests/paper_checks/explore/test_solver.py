@@ -1,10 +1,10 @@
-"""The solver of the interactive page, run in headless Chromium, against `numerics.solve`."""
+"""The page's solver, in headless Chromium: free against `numerics.solve`, forced against answers in 60 digits."""
 
 from pathlib import Path
 
 import pytest
 from chromium import asked
-from explored_scenes import SCENES
+from explored_scenes import FORCED_NAMES, SCENES, forced_scene
 
 from numerics import solve
 from paper_checks.explore.page import SOLVER, source
@@ -20,6 +20,9 @@ FAULTS = (
     ("h * (g2 / 2 - h * bound / 6)", "h * (g2 / 2 - h * bound / 60)"),
     ("fade * -Math.expm1(-2 * lean * t) / (2 * lean)", "fade * -Math.expm1(-2 * lean * t) / lean"),
     ("rate * side > 0 ? side", "rate * side > 0.5 ? side"),
+    ("TOUCH = 1e-13", "TOUCH = 0"),
+    ("size / rate * (fast", "size / rate * (1.0001 * fast"),
+    ("re * Math.sin(angle) - im", "re * Math.sin(angle) + im"),
 )
 """Changes of the program, each of which a comparison has to see."""
 
@@ -31,7 +34,8 @@ def answers(whole, tmp_path_factory) -> dict:
     assert all(program.count(right) == 1 for right, _ in FAULTS)
     faulty = [program.replace(right, wrong) for right, wrong in FAULTS]
     question, folder = Path(__file__).with_name("solve.js"), tmp_path_factory.mktemp("solver")
-    return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=faulty)
+    forced = [forced_scene(name)[0] for name in FORCED_NAMES]
+    return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=faulty, FORCED=forced)
 
 
 @pytest.fixture(scope="module")
@@ -48,11 +52,31 @@ def differs(found, run) -> bool:
 
 
 def test_events_and_states_are_those_of_the_exact_integrator(answers, runs):
-    different = [scene for scene, found, run in zip(SCENES, answers["right"], runs, strict=True) if differs(found, run)]
-    assert not different
-    assert sum(len(found["modes"]) for found in answers["right"]) > 1000
+    found = answers["right"]["free"]
+    assert not [scene for scene, one, run in zip(SCENES, found, runs, strict=True) if differs(one, run)]
+    assert sum(len(one["modes"]) for one in found) > 1000
+
+
+@pytest.fixture(scope="module")
+def forced() -> dict:
+    return {name: forced_scene(name)[1] for name in FORCED_NAMES}
+
+
+def is_off(found, right) -> bool:
+    """Whether the page's answer has another itinerary, or an event that is off by more than CLOSE."""
+    if not isinstance(found, dict) or found["modes"] != right.modes:
+        return True
+    return any(found["events"][n] != pytest.approx(row, rel=CLOSE, abs=CLOSE) for n, row in right.rows.items())
+
+
+def test_under_a_force_the_events_are_those_of_60_digits(answers, forced):
+    found = dict(zip(FORCED_NAMES, answers["right"]["forced"], strict=True))
+    assert not [name for name in FORCED_NAMES if is_off(found[name], forced[name])]
+    assert sum(len(one.rows) for one in forced.values()) > 150
 
 
 @pytest.mark.parametrize("number", range(len(FAULTS)), ids=[wrong for _, wrong in FAULTS])
-def test_a_fault_in_the_program_is_seen(answers, runs, number):
-    assert any(differs(found, run) for found, run in zip(answers["faulty"][number], runs, strict=True))
+def test_a_fault_in_the_program_is_seen(answers, runs, forced, number):
+    found = answers["faulty"][number]
+    free = any(differs(one, run) for one, run in zip(found["free"], runs, strict=True))
+    assert free or any(is_off(one, right) for one, right in zip(found["forced"], forced.values(), strict=True))
