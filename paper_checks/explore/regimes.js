@@ -2,8 +2,8 @@
 
 const shown = (value, digits = 4) => String(Number(value.toPrecision(digits))).replaceAll("-", "\u2212");
 
-/* Amplitudes of u/b = A sin(omega tau): up to `stuck` a permanently stuck response exists; from `slipping` on there is
-   one that never sticks, if its slips keep their sign for half a period. */
+/* Amplitudes of u/b = A sin(omega tau): up to `stuck` a response exists that always sticks (the sine alone, no free
+   oscillation on it), from `slipping` on one that never sticks. */
 function thresholds({ q, r, zeta }, omega) {
   const stuck = Math.hypot(1 - omega * omega, 2 * zeta * omega) / (omega * omega * r);
   const stiff = Math.hypot(1 - q * omega * omega, 2 * zeta * omega);
@@ -67,7 +67,7 @@ function energyAbout({ pair, force }, state) {
 
 function drivenRegime(solution) {
   const { scene, pair } = solution, period = 2 * Math.PI / scene.omega, bound = thresholds(pair, scene.omega);
-  const limits = `Under this frequency the bodies can stick for ever while u/b ≤ ${shown(bound.stuck)}; a response without any stick needs about u/b ≥ ${shown(bound.slipping)}. Here u/b = ${shown(Math.abs(scene.amplitude))}.`;
+  const limits = `At this frequency a response that always sticks exists up to u/b = ${shown(bound.stuck)}, one that never sticks from ${shown(bound.slipping)} on. Here u/b = ${shown(Math.abs(scene.amplitude))}.`;
   if (scene.until < 2 * period) return { title: "Driven", text: `${limits} The run is shorter than two periods of the force.` };
   const { stuck, stops } = lastPeriod(solution, period), repeats = repetition(solution, period);
   const again = repeats < 1e-6 ? "The last two periods agree to a millionth." : `Over the last period the state has changed by ${shown(repeats, 2)}: it is still settling.`;

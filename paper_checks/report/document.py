@@ -27,6 +27,11 @@ class Document:
     stories: Mapping[str, tuple[Block, ...]] = field(default_factory=dict)
 
     @property
+    def is_whole(self) -> bool:
+        """Return whether it has rows, so that a page of it ends with what a reader can play with."""
+        return bool(self.rows)
+
+    @property
     def sections(self) -> tuple[Section, ...]:
         """Return all sections but the rows."""
         return (*self.before, *self.after)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 
+from paper_checks.explore import page
 from paper_checks.finding import Verdict
 from paper_checks.ledger import Kind
 from paper_checks.report import colours, font
@@ -26,6 +27,7 @@ def render(report: Document, figures: Mapping[str, str]) -> str:
     parts += [writer.section(one) for one in report.before]
     parts += [_rows(report.rows, report, writer)] if report.rows else []
     parts += [writer.section(one) for one in report.after]
+    parts += [page.section()] if report.is_whole else []
     script = f"<script>\n{_beside('page.js')}</script>\n" if report.rows else ""
     parts.append(f"</main>\n{script}</body>\n</html>\n")
     return "\n".join(parts)
@@ -50,6 +52,7 @@ def _navigation(report: Document) -> str:
     targets = [(one.id, one.title) for one in report.before]
     targets += [(ROWS, "Claims")] if report.rows else []
     targets += [(one.id, one.title) for one in report.after]
+    targets += [("explore", "Explore")] if report.is_whole else []
     items = "".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title in targets)
     return f'<header><nav aria-label="Sections"><ul>{items}</ul></nav></header>'
 
