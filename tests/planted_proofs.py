@@ -115,6 +115,30 @@ CONTROL = [
     ("Nonstop", "b * ((m1 + m2) / m2 - a2 * h", "b * (m1 / m2 - a2 * h", "U** below the load that breaks adhesion"),
     ("Undamped", "(2 * om)) + PI * m1 / (2 * m2)) ^ 2", "(2 * om)) - PI * m1 / (2 * m2)) ^ 2", "a sign in U**"),
     ("Undamped", "0 <= F -> a2 < m1 * om ^ 2 ->", "0 <= F -> m1 * om ^ 2 < a2 ->", "U** alone below resonance"),
+    ("Damped", "- (sinh (fade * (PI / om)) - fade", "- (sinh (fade * (PI / om)) + fade", "a sign in the damped turn"),
+    (
+        "Damped",
+        "s' : 0 < m1 -> 0 < m2 -> 0 < a1 ->",
+        "s' : 0 < m1 -> 0 < m2 -> 0 <= a1 ->",
+        "attracting without damping",
+    ),
+    ("TwoStop", "W (PI / om) = - V 0 -> (forall", "W (PI / om) = V 0 -> (forall", "a stop whose speed does not turn"),
+    ("TwoStop", "a2 * x 0 = (m1 + m2) * (b / m2)", "a2 * x 0 = m1 * (b / m2)", "an exit below the load b"),
+    (
+        "Transfer",
+        "a2 * D / 2 <= F /\\ a2 * D <= F",
+        "a2 * D / 3 <= F /\\ a2 * D <= F",
+        "a smaller push before the middle",
+    ),
+    ("Transfer", "-> b + be * tau / g tau <= F.", "-> 2 * b + be * tau / g tau <= F.", "more than the least amplitude"),
+    ("Arrival", "half_time m2 b D <= PI / 2.", "half_time m2 b D <= PI.", "the least amplitude beyond a quarter swing"),
+    ("Ring", "<= e <-> T <= t)) /\\", "<= e <-> T < t)) /\\", "a tube without its edge"),
+    (
+        "Ring",
+        "<= sqrt (2 * ((m1 + m2) / (m1 * m2)) * e). Proof. intros H",
+        "<= sqrt (((m1 + m2) / (m1 * m2)) * e). Proof. intros H",
+        "half the ring",
+    ),
 ]
 
 PLANTED = FREE + FORCED + PAST + CONTROL

@@ -120,7 +120,7 @@ Record forced_arc (T : R) (u X V1 V2 g : R -> R) : Prop := {
   fa_law : forall t, 0 <= t < T -> -1 <= g t <= 1 /\ (V2 t < V1 t -> g t = 1) /\ (V1 t < V2 t -> g t = -1) }.
 
 (** an arc is the beginning of a motion: go on from its end *)
-Theorem arc_begins U u X V1 V2 g T : 0 <= T -> cont U -> (forall t, 0 <= t -> rderiv U t (u t)) ->
+Theorem arc_begins U u X V1 V2 g T : 0 <= T -> cont U -> (forall t, 0 <= t < T -> rderiv U t (u t)) ->
   forced_arc T u X V1 V2 g -> exists x v1 v2 s, forced U x v1 v2 s /\
   forall t, 0 <= t <= T -> x t = X t /\ v1 t = V1 t /\ v2 t = V2 t.
 Proof.
@@ -186,7 +186,8 @@ Proof.
 Qed.
 
 (** so every motion that starts on an arc, at any time, runs along it *)
-Theorem follow_arc U u x v1 v2 s X V1 V2 g T t0 : 0 <= T -> 0 <= t0 -> (forall t, t0 <= t -> rderiv U t (u (t - t0))) ->
+Theorem follow_arc U u x v1 v2 s X V1 V2 g T t0 : 0 <= T -> 0 <= t0 -> (forall t, t0 <= t < t0 + T ->
+  rderiv U t (u (t - t0))) ->
   forced_arc T u X V1 V2 g -> forced U x v1 v2 s -> x t0 = X 0 -> v1 t0 = V1 0 -> v2 t0 = V2 0 ->
   forall t, 0 <= t <= T -> x (t0 + t) = X t /\ v1 (t0 + t) = V1 t /\ v2 (t0 + t) = V2 t.
 Proof.

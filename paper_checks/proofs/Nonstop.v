@@ -82,6 +82,32 @@ Proof.
     apply rderiv_dini with (-1 * 1); [lra|]. apply rderiv_scal, (f_pos _ _ _ _ _ _ _ _ _ _ H); [lra|]. apply P; lra.
 Qed.
 
+(** a slip forwards begins where the load is at least b *)
+Lemma exit_load m1 m2 a1 a2 b U x v1 v2 s p q u : 0 < m1 -> 0 < m2 -> forced m1 m2 a1 a2 b U x v1 v2 s -> 0 <= p < q ->
+  (forall t, p < t < q -> v2 t < v1 t) -> v1 p = v2 p -> rderiv U p u ->
+    (m1 + m2) * (b / m2) <= u - a2 * x p - a1 * v1 p.
+Proof.
+  intros Hm1 Hm2 H Hp Slip Meet DU. pose proof (slip_clock _ _ _ _ _ _ _ _ _ _ p q H Hp Slip) as Clock.
+  assert (Ds : rderiv s p 1).
+  { apply rderiv_near with (fun r => s p + (r - p)) (q - p); [lra|intros; symmetry; apply Clock; lra|].
+    apply rderiv_of_derive. auto_derive; auto; ring. }
+  set (l := u - a2 * x p - a1 * v1 p - (m1 + m2) * (b / m2)).
+  assert (Rw : rderiv (fun t => m1 * v1 t - m1 * v2 t) p l).
+  { apply rderiv_ext with (fun t => (m1 * v1 t + b * s t - U t) + U t - (b + m1 * (b / m2)) * s t - m1 * (v2 p - b /
+    m2 * s p)).
+    - intros t Ht. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ p t H ltac:(lra) ltac:(lra)).
+      replace (v2 t) with (v2 p + b / m2 * (s t - s p)) by lra. ring.
+    - eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_minus; [apply rderiv_plus;
+      [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|
+        exact DU]|apply rderiv_scal, Ds]|apply rderiv_const]]. unfold l. field; lra. }
+  apply Rnot_lt_le. intros N. assert (Nl : l < 0) by (unfold l; lra).
+  destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (h := Rmin (d / 2) ((q - p) / 2)).
+    assert (h <= d / 2) by apply Rmin_l.
+  assert (h <= (q - p) / 2) by apply Rmin_r. assert (0 < h) by (apply Rmin_glb_lt; lra).
+  specialize (Q h ltac:(lra)). apply Rabs_inv in Q. rewrite Meet in Q. specialize (Slip (p + h) ltac:(lra)).
+  assert (0 < m1 * (v1 (p + h) - v2 (p + h))) by (apply Rmult_lt_0_compat; lra). assert (l * h < 0) by nra. lra.
+Qed.
+
 (** An oscillator without damping under a constant push f, whose state changes sign over T: tested with the cosine and
   the
     sine about the middle. *)
@@ -310,20 +336,9 @@ Proof.
   { rewrite V0. unfold V. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek'. ring. }
   unfold X in ZX. unfold V in ZV. rewrite Rmult_0_r, cos_0, sin_0 in ZX, ZV.
   assert (EA : A = turn (k' 0)). { pose proof turn_0. apply Rmult_eq_reg_l with om; lra. }
-  assert (Rw : rderiv (fun t => m1 * v1 t - m1 * v2 t) 0 (C - b - (a2 * x 0 + a1 * v1 0) - m1 * (b / m2))).
-  { eapply rderiv_eq; [|apply rderiv_minus; [apply Dv; lra|]].
-    2: { apply rderiv_scal, rderiv_near with (fun u => v2 0 + b / m2 * (u - 0)) T; [lra| |].
-         - intros u Hu. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 u H ltac:(lra) ltac:(lra)) as Q.
-           rewrite (Clock u) in Q by lra. lra.
-         - apply rderiv_of_derive. auto_derive; auto. }
-    rewrite Rmult_0_r, Rplus_0_l. unfold C. field; lra. }
-  assert (Up : 0 <= C - b - (a2 * x 0 + a1 * v1 0) - m1 * (b / m2)).
-  { apply Rnot_lt_le. intros N. set (l := C - b - (a2 * x 0 + a1 * v1 0) - m1 * (b / m2)) in *.
-    destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (q := Rmin (d / 2) (T / 2)).
-      assert (q <= d / 2) by apply Rmin_l.
-    assert (q <= T / 2) by apply Rmin_r. assert (0 < q) by (apply Rmin_glb_lt; lra).
-    specialize (Q q ltac:(lra)). apply Rabs_inv in Q. rewrite Rplus_0_l, Meet in Q. specialize (Pos q ltac:(lra)).
-      nra. }
+  assert (Up : (m1 + m2) * (b / m2) <= C - a2 * x 0 - a1 * v1 0).
+  { pose proof (exit_load _ _ _ _ _ _ _ _ _ _ 0 T _ Hm1 Hm2 H ltac:(lra) Pos Meet (rderiv_wave F om phi 0 Hom)) as Q.
+    rewrite Rmult_0_r, Rplus_0_l in Q. exact Q. }
   assert (HB : leave (k 0) (k' 0) <= - B).
   { unfold leave. assert (O2 : 0 < m1 * om ^ 2) by (apply Rmult_lt_0_compat; [auto|apply pow_lt; auto]).
     apply Rmult_le_reg_l with (m1 * om ^ 2); auto.
@@ -331,7 +346,7 @@ Proof.
       with (b + m1 * (b / m2) - b * (a2 * k 0) - b * (a1 * k' 0)) by (field; lra).
     assert (Ex : a2 * x 0 = a2 * B - b * (a2 * k 0)) by (replace (x 0) with (B - b * k 0) by lra; ring).
     assert (Ev : a1 * v1 0 = a1 * om * A - b * (a1 * k' 0)) by (replace (v1 0) with (om * A - b * k' 0) by lra; ring).
-    rewrite Ex, Ev, EC in Up. lra. }
+    replace ((m1 + m2) * (b / m2)) with (b + m1 * (b / m2)) in Up by (field; lra). rewrite Ex, Ev, EC in Up. lra. }
   unfold Fslip. rewrite <- EA, <- (sqrt_pow2 F) by auto. apply sqrt_le_1_alt. rewrite SC. apply Rmult_le_compat_l;
     [lra|]. nra.
 Qed.

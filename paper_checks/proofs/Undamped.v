@@ -14,6 +14,21 @@ Proof.
   specialize (P c Hc). assert (0 < f' c * (q - p)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
 
+(** the chord of the sine lies below it *)
+Lemma chord y z : 0 <= y <= z -> z <= PI -> y * sin z <= z * sin y.
+Proof.
+  intros Hy Hz. destruct (Req_dec y 0) as [->|N0]; [rewrite sin_0; lra|]. destruct (Req_dec y z) as [->|N1]; [lra|].
+  apply Rlt_le, Rmult_lt_reg_r with (/ (y * z)); [apply Rinv_0_lt_compat; nra|].
+  replace (y * sin z * / (y * z)) with (sin z / z) by (field; lra).
+    replace (z * sin y * / (y * z)) with (sin y / y) by (field; lra).
+  apply Ropp_lt_cancel. apply (grows (fun t => - (sin t / t)) (fun t => (sin t - t * cos t) / t ^ 2)); [lra| |].
+  - intros t Ht. auto_derive; [lra|]. field; lra.
+  - intros t Ht. apply Rdiv_lt_0_compat; [|nra]. replace 0 with (sin 0 - 0 * cos 0) by (rewrite sin_0; ring).
+    apply (grows (fun z => sin z - z * cos z) (fun z => z * sin z)); [lra| |].
+    + intros r _. auto_derive; auto. ring.
+    + intros r Hr. apply Rmult_lt_0_compat; [lra|apply sin_gt_0; lra].
+Qed.
+
 (** the tangent is convex: tan (r z) < r tan z *)
 Lemma tangent r z : 0 < r < 1 -> 0 < z <= PI / 2 -> sin (r * z) * cos z < r * sin z * cos (r * z).
 Proof.
@@ -47,21 +62,7 @@ Lemma share_2 y : - (PI / 2) < y < PI / 2 -> 0 < PI / 2 * sin y - y + cos y.
 Proof.
   intros Hy. assert (Cy : 0 < cos y) by (apply cos_gt_0; lra). pose proof PI2_1 as P1.
   destruct (Rle_dec 0 y) as [P|N].
-  - cut (y <= PI / 2 * sin y); [lra|]. destruct (Req_dec y 0) as [->|N0]; [rewrite sin_0; lra|].
-    apply Rnot_lt_le. intros B. (* the chord of the sine *)
-    assert (S0 : 0 < sin y) by (apply sin_gt_0; lra).
-    assert (sin y / y > sin (PI / 2) / (PI / 2)).
-    { assert (- (sin y / y) < - (sin (PI / 2) / (PI / 2))); [|lra].
-      apply (grows (fun t => - (sin t / t)) (fun t => (sin t - t * cos t) / t ^ 2)); [lra| |].
-      - intros t Ht. auto_derive; [lra|]. field; lra.
-      - intros t Ht. apply Rdiv_lt_0_compat; [|nra]. replace 0 with (sin 0 - 0 * cos 0) by (rewrite sin_0; ring).
-        apply (grows (fun z => sin z - z * cos z) (fun z => z * sin z)); [lra| |].
-        + intros z _. auto_derive; auto. ring.
-        + intros z Hz. apply Rmult_lt_0_compat; [lra|apply sin_gt_0; lra]. }
-    rewrite sin_PI2 in H. assert (sin y / y < 1 / (PI / 2)); [|lra].
-    apply Rmult_lt_reg_r with (y * (PI / 2)); [nra|]. replace (sin y / y * (y * (PI / 2))) with (PI / 2 * sin y) by
-      (field; lra).
-    replace (1 / (PI / 2) * (y * (PI / 2))) with y by (field; lra). lra.
+  - pose proof (chord y (PI / 2) ltac:(lra) ltac:(lra)) as C. rewrite sin_PI2 in C. lra.
   - replace 0 with (PI / 2 * sin (- (PI / 2)) - - (PI / 2) + cos (- (PI / 2))) by (rewrite sin_neg, cos_neg, sin_PI2,
     cos_PI2; lra).
     apply (grows (fun t => PI / 2 * sin t - t + cos t) (fun t => PI / 2 * cos t - 1 - sin t)); [lra| |].

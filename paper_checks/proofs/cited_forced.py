@@ -70,4 +70,39 @@ FORCED: dict[str, tuple[str, str]] = {
         "Undamped.above_resonance",
         "a1 = 0 and omega above body 1's own frequency: that motion exists exactly from U** on, without a condition.",
     ),
+    "nonstop-damped": (
+        "Damped.damped_iff",
+        "a1 > 0, a1^2 < 4 m1 a2: the same with U** in closed form.",
+    ),
+    "nonstop-attracts": (
+        "Damped.nonstop_attracts",
+        "With a1 > 0 a motion that slips for ever attracts every motion under its force.",
+    ),
+    "two-stop-exists": (
+        "TwoStop.two_stop_exists",
+        "A slip and a stick whose ends meet, and meet with the opposite sign after half a period, are a periodic motion if "
+        "v1 > v2 in the slip and the load stays within b in the stick.",
+    ),
+    "two-stop-needs": (
+        "TwoStop.two_stop_needs",
+        "A motion that slips and sticks once in each half period leaves contact at the load b, and is such a pair of arcs.",
+    ),
+    "stuck-transfer-amplitude": (
+        "Transfer.stuck_amplitude",
+        "The amplitude of the force of the fastest stuck transfer over D.",
+    ),
+    "arrival-needs": (
+        "Transfer.arrival_needs",
+        "To bring body 2 to rest at D in the least time a force needs b + beta tau/g(tau), g body 1's impulse response, "
+        "g' >= 0 up to tau.",
+    ),
+    "least-amplitude": (
+        "Arrival.least_amplitude",
+        "a1 = 0, theta = omega1 tau <= pi/2: that takes exactly the amplitude b + m1 beta theta/sin theta.",
+    ),
+    "tolerance-ring": (
+        "Ring.ring",
+        "With a1 > 0 a tube around a motion has one entry time for every other motion, and its ring of relative velocities "
+        "is not left after it.",
+    ),
 }

@@ -1,0 +1,66 @@
+(** The tolerance ring under a force: the energy distance of two motions never grows,
+  so a tube around one of them has one entry
+    time for the other and is never left; in it the relative velocities differ by a bounded amount. *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Existence Forced Response Bounded.
+Local Open Scope R_scope.
+
+(** a continuous function that never grows and comes down to e: from one time on it is there, and before it is not *)
+Lemma one_entry f e r : cont f -> (forall p q, 0 <= p <= q -> f q <= f p) -> 0 <= r -> f r <= e ->
+  exists T, 0 <= T /\ forall t, 0 <= t -> (f t <= e <-> T <= t).
+Proof.
+  intros C Mono Hr Fr. destruct (Rle_dec (f 0) e) as [F0|F0].
+  { exists 0. split; [lra|]. intros t Ht. split; intros _; [auto|]. pose proof (Mono 0 t ltac:(lra)). lra. }
+  destruct (completeness (fun t => 0 <= t /\ e < f t)) as (T & Ub & Lub).
+  { exists r. intros t (Ht & Ft). apply Rnot_lt_le. intros N. pose proof (Mono r t ltac:(lra)). lra. }
+  { exists 0. lra. }
+  assert (HT : 0 <= T) by (apply Ub; lra). exists T. split; auto. intros t Ht. split.
+  - intros Ft. apply Lub. intros p (Hp & Fp). apply Rnot_lt_le. intros N. pose proof (Mono t p ltac:(lra)). lra.
+  - intros HTt. apply Rle_trans with (f T); [apply Mono; lra|]. apply Rnot_lt_le. intros N.
+    destruct (C T HT (f T - e)) as (d & Hd & K); [lra|]. specialize (K (T + d / 2) ltac:(lra)).
+    assert (D : Rabs (T + d / 2 - T) < d) by (rewrite Rabs_pos_eq; lra). specialize (K D). apply Rabs_def2 in K.
+    assert (T + d / 2 <= T); [|lra]. apply Ub. split; lra.
+Qed.
+
+Section Ring.
+Variables m1 m2 a1 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).
+
+(** the relative velocity is seen by the energy: (p - q)^2 <= kappa (m1 p^2 + m2 q^2), kappa = M/(m1 m2) *)
+Lemma relative x p q e : energy m1 m2 a2 x p q <= e -> Rabs (p - q) <= sqrt (2 * ((m1 + m2) / (m1 * m2)) * e).
+Proof.
+  intros E. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. unfold energy in E. pose proof (pow2_ge_0 x).
+  assert (Hk : 0 < (m1 + m2) / (m1 * m2)) by (apply Rdiv_lt_0_compat; nra).
+  apply Rle_trans with ((m1 + m2) / (m1 * m2) * (m1 * p ^ 2 + m2 * q ^ 2)).
+  - apply Rmult_le_reg_r with (m1 * m2); [nra|].
+    replace ((m1 + m2) / (m1 * m2) * (m1 * p ^ 2 + m2 * q ^ 2) * (m1 * m2)) with ((p - q) * (p - q) * (m1 * m2) + (m1
+      * p + m2 * q) ^ 2)
+      by (field; lra).
+    pose proof (pow2_ge_0 (m1 * p + m2 * q)). lra.
+  - replace (2 * ((m1 + m2) / (m1 * m2)) * e) with ((m1 + m2) / (m1 * m2) * (2 * e)) by ring. apply Rmult_le_compat_l;
+    [lra|].
+    assert (0 <= a2 * x ^ 2) by nra. lra.
+Qed.
+
+(** with damping, under a bounded force: every tube around a motion is entered by every other one at one time and for
+  good, and
+    with it the ring of relative velocities |w - w'| <= sqrt (2 kappa e) is never left again *)
+Theorem ring U x v1 v2 s x' v1' v2' s' G e : forced m1 m2 a1 a2 b U x v1 v2 s -> forced m1 m2 a1 a2 b U x' v1' v2' s' ->
+  0 <= G -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) -> 0 < e ->
+  exists T, 0 <= T /\
+  (forall t, 0 <= t -> (energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e <-> T <= t)) /\
+  forall t, T <= t -> Rabs ((v1 t - v2 t) - (v1' t - v2' t)) <= sqrt (2 * ((m1 + m2) / (m1 * m2)) * e).
+Proof.
+  intros H H' HG LU He.
+  destruct (approach m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ G H H' HG LU e He) as (r & Hr & Q).
+  destruct (one_entry (fun t => energy m1 m2 a2 (x t - x' t) (v1 t - v1' t) (v2 t - v2' t)) e r) as (T & HT & One);
+    auto.
+  - exact (forced_cont_D m1 m2 a1 a2 b Hm2 _ _ _ _ _ _ _ _ _ _ H H').
+  - intros p q Hp. exact (forced_contraction m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Hb _ _ _ _ _ _ _ _ _ p q H H' Hp).
+  - apply Q; lra.
+  - exists T. split; [auto|]. split; [exact One|]. intros t Ht.
+    replace (v1 t - v2 t - (v1' t - v2' t)) with (v1 t - v1' t - (v2 t - v2' t)) by ring.
+    apply (relative (x t - x' t)). apply One; lra.
+Qed.
+End Ring.
