@@ -88,8 +88,9 @@ ENTRAINMENT = theorem(
     ),
     clause(
         "non-stop",
-        r"The pair has a motion that slips without a stop, turning twice a period with $(x_1,v_1,v_2)(t+\pi/\omega)=-(x_1,v_1,v_2)(t)$, exactly if "
-        r"$U\geqslant U_{**}$ and $w\neq 0$ between the turns, where «threshold». For $a_1>0$ every motion then tends to it.",
+        r"If $w$ keeps its sign between the turns at $U=U_{**}$, it does so above, and the pair has a motion that slips without a stop, one way for "
+        r"half a period and then the other way, exactly if $U\geqslant U_{**}$, «threshold». For $a_1>0$ every motion then tends to it. Below $U_{**}$ there is "
+        r"no such motion.",
         threshold=Formula(
             "U_{**}^2",
             "=",
@@ -98,10 +99,11 @@ ENTRAINMENT = theorem(
             * ((sp.pi / (2 * m2 * omega) - H_RATE) ** 2 + ((MASS / m2 - a2 * H - a1 * H_RATE) / (m1 * omega)) ** 2),
             equals(response.non_stop_amplitude_squared, lambda: {GAIN: _gain()}),
         ),
+        kernel=("nonstop-iff", "periodic-response"),
     ),
     clause(
         "non-stop-undamped",
-        r"For $a_1=0$, «threshold».",
+        r"For $a_1=0$, $\omega_1=\sqrt{a_2/m_1}$ no odd multiple of $\omega$: «threshold»; and for $\omega>\omega_1$ $w$ does keep its sign.",
         threshold=Formula(
             "U_{**}^2",
             "=",
@@ -114,6 +116,7 @@ ENTRAINMENT = theorem(
             ),
             equals(response.undamped_non_stop_amplitude_squared),
         ),
+        kernel=("nonstop-undamped", "nonstop-above-resonance"),
     ),
     clause(
         "two-stops",

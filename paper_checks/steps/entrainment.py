@@ -144,7 +144,7 @@ def non_stop() -> Evidence:
     speed = in_phase * omega - b * response.square_speed
     return argument(
         r"In such a motion $v_2$ is a triangle wave of slopes $\pm b/m_2$, and $x_1$ a sinusoid $a\sin\omega t+c\cos\omega t$ and the response to the square wave of friction. $w=0$ at the turn fixes $a$; there slip of sign 1 goes on only if $\Lambda\geqslant b$, "
-        r"which is $-c\geqslant-c_*>0$ with $c_*$ where $\Lambda=b$. As $U^2G^2=a^2+c^2$, such a $c<0$ exists exactly if $U\geqslant U_{**}$, and with $w>0$ up to the next turn it is a motion by symmetry. With $a_1>0$ the response is the only "
+        r"which is $-c\geqslant-c_*>0$ with $c_*$ where $\Lambda=b$. As $U^2G^2=a^2+c^2$, such a $c<0$ exists exactly if $U\geqslant U_{**}$. From $U_{**}$ on $w$ gains $(c_*-c)\,\omega\sin\omega t\geqslant 0$, so it stays positive up to the next turn if it is at $U_{**}$, and then it is a motion by symmetry. With $a_1>0$ the response is the only "
         r"one and attracts all.",
         square_wave(),
         load_positive(),
@@ -168,6 +168,31 @@ def undamped_non_stop() -> Evidence:
         r"for $a_1=0$ ($\lambda=0$, $\delta=1$, $\nu=\omega_1$): $h=0$ and $h'=-\tan(\pi\omega_1/2\omega)/(m_1\omega_1)$",
         sp.Matrix([place, sp.simplify(speed.rewrite(sp.tan) + turn / (m1 * swing))]),
         sp.zeros(2, 1),
+    )
+
+
+@cache
+def keeps_its_sign() -> Evidence:
+    """Without a damper and above omega_1 the relative velocity is positive between the turns at U**."""
+    rho, psi = sp.Symbol("rho", positive=True), sp.Symbol("psi", positive=True)
+    above, below = sp.sin(rho * psi) + rho * sp.sin(psi), sp.cos(rho * psi) - sp.cos(psi)
+    slope = sp.diff(above, psi) * below - above * sp.diff(below, psi)
+    in_phase, out_of_phase = (one.subs({a1: 0, response.square_place: 0}) for one in response.non_stop_parts())
+    return argument(
+        r"Let $\rho=\omega_1/\omega<1$ and $\varphi=\omega t-\pi/2$. Then $\frac{m_1\omega}{b}w$ is $\cos\varphi-\frac{\sin\rho\varphi-\sin(\pi\rho/2)\sin\varphi}{\rho\cos(\pi\rho/2)}$ and $\frac{m_1}{m_2}$ times $\cos\varphi+\frac\pi2\sin\varphi-\varphi$. "
+        r"With $\psi=\pi/2-|\varphi|$ the second is at least $\sin\psi-\psi+\frac\pi2(1-\cos\psi)$ for one sign, and more for the other; it is positive as $(\psi-\sin\psi)/(1-\cos\psi)\leqslant\frac\pi2-1$. The first is positive if "
+        r"$\tan(\pi\rho/2)<R$, $R=\frac{\sin\rho\psi+\rho\sin\psi}{\cos\rho\psi-\cos\psi}$; $R$ falls to $\tan(\pi\rho/2)+\rho/\cos(\pi\rho/2)$ at $\psi=\pi/2$.",
+        identity(
+            r"the slope of $R$ has the numerator $-(1-\rho^2)\sin\rho\psi\sin\psi<0$",
+            slope,
+            -(1 - rho**2) * sp.sin(rho * psi) * sp.sin(psi),
+        ),
+        identity(
+            r"the parts of $x_1$ are $a\omega=bh'-\pi b/2m_2\omega$ and $-c\,m_1\omega^2=bM/m_2$",
+            sp.Matrix([in_phase * omega, -out_of_phase * m1 * omega**2]),
+            sp.Matrix([b * response.square_speed - sp.pi * b / (2 * m2 * omega), b * total_mass() / m2]),
+        ),
+        undamped_non_stop(),
     )
 
 
