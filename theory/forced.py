@@ -105,6 +105,16 @@ def distance_rate() -> Expr:
     return simplify(inner_product(STATE - other(STATE), first - second).expand())
 
 
+b_other = Symbol(r"\tilde{b}", positive=True)  # the friction at the place of the second solution, N
+
+
+def place_dependent_rate(sign: int) -> Expr:
+    """The rate of half the squared distance of two slips of one sign with frictions b and b~, a1 = 0, W."""
+    second = other(forced_system(sigma, u)).subs({other(sigma): sign, b: b_other}, simultaneous=True)
+    difference = forced_system(sigma).subs(sigma, sign) - second
+    return simplify(inner_product(STATE - other(STATE), difference).expand().subs(a1, 0))
+
+
 def distance_squared() -> Expr:
     """N^2, J: the squared energy distance of two solutions."""
     return inner_product(STATE - other(STATE), STATE - other(STATE))

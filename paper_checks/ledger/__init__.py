@@ -1,6 +1,7 @@
 """The claims of the paper, in its order, then the theorems past it: what is said, where, the verdict on record."""
 
 from paper_checks.ledger.claim import Claim, Kind, in_order
+from paper_checks.ledger.section1 import ABSTRACT, SECTION_1
 from paper_checks.ledger.section2 import SECTION_2
 from paper_checks.ledger.section3_convergence import ALTERNATIVES, CONVERGENCE
 from paper_checks.ledger.section3_sliding import SLIDING
@@ -11,6 +12,8 @@ from paper_checks.ledger.section5 import SECTION_5
 from paper_checks.ledger.theorems import THEOREMS
 
 CLAIMS = in_order(
+    ABSTRACT,
+    SECTION_1,
     SECTION_2,
     SLIDING,
     ALTERNATIVES,

@@ -22,7 +22,41 @@ def _factor(sign: int) -> sp.Expr:
     return sp.diff(driven_equation().subs({RELATIVE_SIGN: 0, STICTION_SIGN: sign}), acceleration1) / m2
 
 
+REFERENCE, REFERENCE_RATE, DISTURBANCE = sp.symbols(r"r \dot{r} d", real=True)
+STIFFNESS, VISCOSITY = sp.symbols("k_1 k_2", positive=True)
+
+
+def _feedback() -> sp.Expr:
+    """Return the force u of (3) for a feedback on the place and velocity beside a reference, and a disturbance, N."""
+    command = DISTURBANCE - STIFFNESS * (x1 - REFERENCE) - VISCOSITY * (v1 - REFERENCE_RATE)
+    virtual = {a1: a1 + VISCOSITY, a2: a2 + STIFFNESS}
+    closed, given = (driving_equation() + u).subs(virtual, simultaneous=True), driving_equation() + u
+    return sp.expand(closed - given + command)
+
+
 SECTION_2 = (
+    Claim(
+        "force-as-reference-or-disturbance",
+        SECTION,
+        "paragraph after Fig. 2",
+        r"The virtual spring and damper can represent mechanical components as well as feedback control terms. For a feedback controlled "
+        r"body $u(t)$ is then an exogenous input that can be either a reference motion trajectory, or a generalized disturbing "
+        r"force, or a combination of both.",
+        Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "input",
+                r"With the feedback $-k_1(x_1-r)-k_2(v_1-\dot r)$ and a disturbing force $d$, (3) and (4) hold with $a_2+k_1$, $a_1+k_2$ in the places of "
+                r"$a_2$, $a_1$ and «input»: the reference enters through the gains, as a force.",
+                input=Formula(
+                    "u",
+                    "=",
+                    STIFFNESS * REFERENCE + VISCOSITY * REFERENCE_RATE + DISTURBANCE,
+                    equals(_feedback),
+                ),
+            ),
+        ),
+    ),
     Claim(
         "sgn-three-valued",
         SECTION,

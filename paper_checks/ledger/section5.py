@@ -9,9 +9,11 @@ from paper_checks.deciders import Decide, equals, implied
 from paper_checks.evidence import Evidence
 from paper_checks.finding import Verdict
 from paper_checks.ledger.claim import Claim
-from theory.energy import captive_energy
+from paper_checks.ledger.letters import S, either_sign
+from theory import forced
+from theory.energy import captive_energy, sigma, sigma_other
 from theory.filippov import load, load_threshold, sliding_field
-from theory.symbols import a1, a2, b, m1, m2, x1
+from theory.symbols import a1, a2, b, m1, m2, u, v1, v1_other, v2, v2_other, x1
 
 SECTION = "V"
 
@@ -37,6 +39,31 @@ def _stick_bound() -> Decide:
 
 
 SECTION_5 = (
+    Claim(
+        "driven-body-steered",
+        SECTION,
+        "first paragraph",
+        (
+            clause(
+                "unbounded",
+                r"The moved passive body has an unbounded motion space, and with it such an underactuated system could be controlled, the motion "
+                r"variables of interest being $(x_2,\dot x_2)$,",
+                kernel=("least-time-attained",),
+            ),
+            clause(
+                "source",
+                r"when the active body appears as a single (external) energy source: «rate».",
+                rate=Formula(
+                    r"\dot E",
+                    "=",
+                    u * v1 - a1 * v1**2 - b * sigma * (v1 - v2),
+                    equals(forced.energy_rate),
+                ),
+                kernel=("forced-energy-rate",),
+            ),
+        ),
+        Verdict.HOLDS,
+    ),
     Claim(
         "synchronisation-all-parameters",
         SECTION,
@@ -95,6 +122,19 @@ SECTION_5 = (
         ),
     ),
     Claim(
+        "damping-for-tracking",
+        SECTION,
+        "third bullet",
+        (
+            clause(
+                "tracking",
+                r"A purposefully controlled viscous damping of the active body can be purposefully used for trajectory tracking, cf. Fig. 1.",
+                kernel=("trackable", "forced-approach"),
+            ),
+        ),
+        Verdict.HOLDS,
+    ),
+    Claim(
         "two-descriptions",
         SECTION,
         "fourth bullet",
@@ -119,6 +159,37 @@ SECTION_5 = (
                 r"body does; in stick $\ddot x_2=\ddot x_1$.",
                 bound=Formula(sp.Abs(DRIVEN), "<=", b / m2, _stick_bound()),
                 kernel=("driven-acceleration",),
+            ),
+        ),
+    ),
+    Claim(
+        "varying-interface",
+        SECTION,
+        "sixth bullet",
+        r"The effect of the time- and state-varying behaviour of the frictional interface, i.e. $b(\cdot)$, on the motion dynamics poses an "
+        r"interesting open problem.",
+        Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "time",
+                r"For $b(t)>0$ by pieces in time there is one solution from every start, the mode rule stays as it is, and so does the contraction, «contraction».",
+                contraction=Formula(
+                    r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
+                    "=",
+                    -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
+                    equals(forced.contraction_rate),
+                ),
+            ),
+            clause(
+                "state",
+                r"For $b$ that depends on the place the contraction is lost: for two slips of one sign $s$ under $b$ and $\tilde b$, $a_1=0$, it becomes «rate», "
+                r"which can be positive. That case stays open.",
+                rate=Formula(
+                    r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
+                    "=",
+                    -(b - forced.b_other) * S * (v1 - v2 - v1_other + v2_other),
+                    either_sign(forced.place_dependent_rate),
+                ),
             ),
         ),
     ),

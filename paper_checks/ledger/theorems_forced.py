@@ -7,32 +7,18 @@ from collections.abc import Callable
 import sympy as sp
 
 from paper_checks.clause import Formula, clause
-from paper_checks.deciders import Decide, equals, implied, shown
-from paper_checks.evidence import Evidence
-from paper_checks.exact import identity
+from paper_checks.deciders import equals, implied
+from paper_checks.ledger.letters import S, either_sign
 from paper_checks.ledger.theorem import theorem
 from theory import forced
 from theory.energy import sigma, sigma_other
 from theory.forced import U_RATES, gap, gap_rate
 from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v1_other, v2, v2_other, x1, x1_other
 
-LOAD, S = sp.Symbol("Lambda", real=True), sp.Symbol("s", real=True)
+LOAD = sp.Symbol("Lambda", real=True)
 P = sp.Symbol("p", real=True)
 DISTANCE = sp.Symbol("N", nonnegative=True)
 MASS = m1 + m2
-
-
-def either_sign(
-    derived: Callable[[int], sp.Expr], where: dict[sp.Symbol, Callable[[int], sp.Expr]] | None = None
-) -> Decide:
-    """Decide an equation with the sign s of a slip: it holds for s = 1 and for s = -1."""
-
-    def decide(formula: Formula) -> Evidence:
-        right = sp.sympify(formula.right)
-        sides = [right.subs({one: value(s) for one, value in (where or {}).items()}).subs(S, s) for s in (1, -1)]
-        return identity(f"{shown(formula)}, as derived", sp.Matrix([derived(1), derived(-1)]), sp.Matrix(sides))
-
-    return decide
 
 
 def _quotable() -> dict[sp.Basic, sp.Basic]:

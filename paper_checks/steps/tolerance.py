@@ -16,7 +16,7 @@ from paper_checks.steps.forced_rule import strict_rule
 from theory import forced
 from theory import forced_control as control
 from theory.energy import critical_energy, on_surface, sigma
-from theory.symbols import a1, a2, b, m1, m2, total_mass, u, v1, v2, x1
+from theory.symbols import a1, a2, b, m1, m2, total_mass, u, v1, v2, x1, x2
 
 
 @cache
@@ -44,17 +44,33 @@ def ring_contains() -> Evidence:
 
 
 @cache
+def blind_to_x2() -> Evidence:
+    """No acceleration depends on x2."""
+    return identity(
+        r"no acceleration depends on $x_2$: a start moved by $c$ in $x_2$ keeps $c$ for ever",
+        sp.Matrix([sp.diff(entry, x2) for entry in forced.forced_system(sigma)]),
+        sp.zeros(3, 1),
+    )
+
+
+@cache
 def centre() -> Evidence:
     """Nothing depends on x2; the path of the relative displacement is paid."""
     return argument(
-        r"No acceleration and no force depends on $x_2$, so a motion with $x_2(0)$ moved by $c$ is the same motion with $x_2$ moved by $c$. Without a force $b\int_t^\infty|w|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than "
-        r"$(E(t)-E_\infty)/b$.",
-        identity(
-            r"$\partial/\partial x_2$ of all accelerations is 0",
-            sp.Matrix([sp.diff(entry, sp.Symbol("x2", real=True)) for entry in forced.forced_system(sigma)]),
-            sp.zeros(3, 1),
-        ),
+        r"A motion with $x_2(0)$ moved by $c$ is the same motion with $x_2$ moved by $c$. Without a force $b\int_t^\infty|w|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than $(E(t)-E_\infty)/b$.",
+        blind_to_x2(),
         *dissipation.in_every_mode()[:4],
+    )
+
+
+@cache
+def sticks_for_ever_below() -> Evidence:
+    """On S with E <= E_cr the free pair is captured."""
+    return argument(
+        r"On $S$ with $E\leqslant E_{cr}$ the pair is in $S_0$; stuck it keeps its energy, so it sticks for ever.",
+        capture.stays_below_critical(),
+        capture.stick_is_a_motion(),
+        solutions.one_solution(),
     )
 
 
@@ -62,15 +78,13 @@ def centre() -> Evidence:
 def sticks_without() -> Evidence:
     """Below the critical energy on S the free pair is captured."""
     return argument(
-        r"At $x_1=0$ on $S$ the energy is $Mv_1^2/2\leqslant E_{cr}$, and a pair on $S$ with $E\leqslant E_{cr}$ sticks for ever.",
+        r"At $x_1=0$ on $S$ the energy is $Mv_1^2/2$.",
         identity(
             r"$Mv_1^2/2=E_{cr}$ at $v_1^2=b^2M/(a_2m_2^2)$",
             on_surface().subs({x1: 0, v1: sp.sqrt(b**2 * total_mass() / (a2 * m2**2))}),
             critical_energy(),
         ),
-        capture.stays_below_critical(),
-        capture.stick_is_a_motion(),
-        solutions.one_solution(),
+        sticks_for_ever_below(),
     )
 
 
