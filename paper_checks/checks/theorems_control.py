@@ -28,7 +28,8 @@ def minimum_transfer_time(context: Context) -> Finding:  # noqa: ARG001
         carried("reach", transfers.spread()),
         carried("least", transfers.least_time()),
         carried("stuck", transfers.stuck_amplitude()),
-        carried("slip", transfers.slipping_amplitude(), transfers.undamped_slipping_amplitude()),
+        carried("slip", transfers.slipping_amplitude()),
+        carried("slip-undamped", transfers.undamped_slipping_amplitude(), transfers.slipping_amplitude()),
         carried("weak", transfers.weak_force()),
         derivation=(r"$$g(\tau+s)-2g(s)\leqslant g(\tau)-g(s)\leqslant g(\tau)\,(1-s/\tau).$$",),
     )
@@ -42,6 +43,7 @@ def tolerance_ring(context: Context) -> Finding:  # noqa: ARG001
         "A ring that holds the image of a tube is reached by the time the tube is, and not left after it. The energy distance does not see the relative displacement, so the ring is centred on its limit.",
         carried("tube", tolerance.entered_once()),
         carried("ring", tolerance.ring_contains()),
+        carried("blind", tolerance.blind_to_x2()),
         carried("centre", tolerance.centre()),
     )
 

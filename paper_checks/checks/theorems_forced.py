@@ -89,6 +89,7 @@ def entrainment_threshold(context: Context) -> Finding:  # noqa: ARG001
         carried("non-stop", entrainment.non_stop()),
         carried("non-stop-undamped", entrainment.keeps_its_sign(), entrainment.non_stop()),
         carried("two-stops", entrainment.two_stops()),
+        carried("two-ends", entrainment.two_ends()),
         derivation=(
             r"$$\ddot x_1\propto\cos\varphi-\tfrac1n\sin\tfrac{\pi}{2n}\cos n\varphi,\qquad\max=\cos\tfrac{\pi}{2n}\ \text{at}\ \varphi=\pm\tfrac{\pi}{2n}.$$",
         ),

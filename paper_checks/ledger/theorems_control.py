@@ -81,16 +81,22 @@ TRANSFER = theorem(
             a2 * path + a1**2 * b / (2 * a2 * m2) - b * MASS / m2,
             equals(lambda: control.stuck_amplitudes()[2]),
         ),
+        kernel=("stuck-transfer-amplitude",),
     ),
     clause(
         "slip",
         r"With slip less will do to arrive. Let $\tau=\sqrt{m_2D/b}$, and let $g$, the place of body 1 on its spring and damper after a unit "
         r"impulse, not fall on $[0,\tau]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2\tau$ under some $|u|\leqslant U$ exactly if "
-        r"$U\geqslant U_{min}$, «least» with $g=g(\tau)$; for $a_1=0$, «undamped» with $\theta=\omega_1\tau\leqslant\pi/2$. At $U_{min}$ body 1 is not at rest then.",
+        r"$U\geqslant U_{min}$, «least» with $g=g(\tau)$. At $U_{min}$ body 1 is not at rest then.",
         least=Formula("U_{min}", "=", b + b * half_time / (m2 * RESPONSE), equals(control.slipping_amplitude)),
+    ),
+    clause(
+        "slip-undamped",
+        r"For $a_1=0$ and $\theta=\omega_1\tau\leqslant\pi/2$ that is «undamped».",
         undamped=Formula(
             "U_{min}", "=", b + b * m1 / m2 * angle / sp.sin(angle), equals(control.undamped_slipping_amplitude)
         ),
+        kernel=("least-amplitude",),
     ),
     clause(
         "weak",
@@ -118,7 +124,7 @@ RING = theorem(
         "tube",
         r"Let $N$ be the energy distance of forced-contraction to some motion under the same force. The tube $N\leqslant\varepsilon$ around that motion is "
         r"entered at most once, and never left. With $a_1>0$, $\varepsilon>0$ and a bounded force every motion enters it.",
-        kernel=("forced-contraction", "forced-approach"),
+        kernel=("forced-contraction", "tolerance-ring"),
     ),
     clause(
         "ring",
@@ -137,10 +143,13 @@ RING = theorem(
         ),
     ),
     clause(
-        "centre",
+        "blind",
         r"$N$ does not see $x_1-x_2$: moving $x_2(0)$ moves the relative motion by as much, for ever. So a ring in the plane of $x_1-x_2$ and its rate is "
-        r"centred on the limit of the motion itself: without a force $x_1-x_2$ has one, and at a time with the energy $E$ it is no further from "
-        r"it than $(E-E_\infty)/b$, $E_\infty=\lim E$.",
+        r"centred on the limit of the motion itself.",
+    ),
+    clause(
+        "centre",
+        r"Without a force $x_1-x_2$ has a limit, and at a time with the energy $E$ it is no further from it than $(E-E_\infty)/b$, $E_\infty=\lim E$.",
         kernel=("displacement-limit", "displacement-paid"),
     ),
 )

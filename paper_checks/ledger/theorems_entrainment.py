@@ -99,7 +99,7 @@ ENTRAINMENT = theorem(
             * ((sp.pi / (2 * m2 * omega) - H_RATE) ** 2 + ((MASS / m2 - a2 * H - a1 * H_RATE) / (m1 * omega)) ** 2),
             equals(response.non_stop_amplitude_squared, lambda: {GAIN: _gain()}),
         ),
-        kernel=("nonstop-iff", "periodic-response"),
+        kernel=("nonstop-iff", "nonstop-damped", "nonstop-attracts"),
     ),
     clause(
         "non-stop-undamped",
@@ -122,8 +122,7 @@ ENTRAINMENT = theorem(
         "two-stops",
         r"In between: let $u=S\sin\omega t+C\cos\omega t$ from an exit $(x_0,v_0)$ on, and a slip of sign 1 last for $t_s<\pi/\omega$. The conditions «exit» "
         r"at the exit, «end» at $t_s$, and $(x_1,v_1)=-(x_0,v_0)$ at $\pi/\omega$ are linear in $x_0,v_0,S,C$. Their solution is a motion of amplitude "
-        r"$U=\sqrt{S^2+C^2}$ exactly if $w>0$ in the slip and $|\Lambda|\leqslant b$ in the stick. As $t_s\to\pi/\omega$ they become those of "
-        r"$U_{**}$, with «last»; as $t_s\to 0$ the load only touches $b$, which is $U_*$.",
+        r"$U=\sqrt{S^2+C^2}$ exactly if $w>0$ in the slip and $|\Lambda|\leqslant b$ in the stick.",
         exit=Formula(
             r"C-a_1v_0-a_2x_0",
             "=",
@@ -143,6 +142,11 @@ ENTRAINMENT = theorem(
             response.exit_speed + b / m2 * response.slip_length,
             equals(lambda: response.end_speed - response.two_stop_conditions()[1]),
         ),
+        kernel=("two-stop-exists", "two-stop-needs"),
+    ),
+    clause(
+        "two-ends",
+        r"As $t_s\to\pi/\omega$ these conditions become those of $U_{**}$, with «last»; as $t_s\to 0$ the load only touches $b$, which is $U_*$.",
         last=Formula(
             "v_0",
             "=",

@@ -198,11 +198,20 @@ def keeps_its_sign() -> Evidence:
 
 @cache
 def two_stops() -> Evidence:
-    """The linear conditions, and both ends of the branch."""
+    """The linear conditions of a slip and a stick in half a period."""
+    return argument(
+        r"The flows of slip and stick are linear in the state and in $S$, $C$, so the conditions are. A solution with $w>0$ in the slip and $|\Lambda|\leqslant b$ in the stick obeys the mode rule over half a period, and by symmetry for ever; without one of them it does not.",
+        tie_rule(),
+        strict_rule(),
+    )
+
+
+@cache
+def two_ends() -> Evidence:
+    """Both ends of the branch of two stops."""
     first, second = response.short_slip()
     load_rate = sp.Symbol(r"\dot{\Lambda}", real=True)
     return argument(
-        r"The flows of slip and stick are linear in the state and in $S$, $C$, so the conditions are. A solution with $w>0$ in the slip and $|\Lambda|\leqslant b$ in the stick obeys the mode rule over half a period, and by symmetry for ever; without one of them it does not. "
         r"At $t_s=\pi/\omega$ the end is the next turn, $v_1=-v_0$. As $t_s\to 0$, $w(t_s)/t_s^2\to\ddot w(0)/2=0$: the load is $b$ and turns there, as on the stuck response of amplitude $U_*$.",
         identity(
             r"where $\Lambda=b$, $\dot w=0$ and $\ddot w=\kappa\dot\Lambda$",
@@ -214,7 +223,5 @@ def two_stops() -> Evidence:
             response.two_stop_conditions()[2],
             -2 * (response.exit_speed + sp.pi * b / (2 * m2 * omega)),
         ),
-        tie_rule(),
-        strict_rule(),
         non_stop(),
     )
