@@ -1,0 +1,1 @@
+"""What a control engineer asks of the pair: thresholds, periodic responses, references, transfers, tolerance rings."""

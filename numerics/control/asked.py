@@ -1,0 +1,46 @@
+"""Answers to as many digits as are asked for: the working precision is raised until the balls are narrow enough."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TypeVar
+
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.errors import EventUndecided, PrecisionExhausted
+from numerics.trajectory.digits import digits_within
+
+MAX_DIGITS = 2_000
+"""Cap on the working digits."""
+_SPARE_DIGITS = 12
+
+Answer = TypeVar("Answer")
+
+
+def to_digits(
+    attempt: Callable[[Ball], tuple[Answer, Iterable[arb]]], digits: int, max_digits: int = MAX_DIGITS
+) -> Answer:
+    """Return the answer of the first attempt whose balls have `digits` right digits each.
+
+    An attempt runs in the context of the arithmetic that it is given. A ball that may be 0 counts as right below
+    10^(-4 digits). Raises what the last attempt raised (EventUndecided), PrecisionExhausted.
+    """
+    working = digits + _SPARE_DIGITS
+    undecided: EventUndecided | None = None
+    while working <= max_digits:
+        arithmetic = Ball(working)
+        try:
+            with arithmetic.context():
+                answer, balls = attempt(arithmetic)
+                reached = min((digits_within(one.rad(), one, arb(1)) for one in balls), default=digits)
+        except EventUndecided as error:
+            undecided, reached = error, 0
+        else:
+            undecided = None
+            if reached >= digits:
+                return answer
+        working = 2 * working if undecided or reached <= 0 else working + digits - reached + _SPARE_DIGITS
+    if undecided is not None:
+        raise undecided
+    raise PrecisionExhausted(f"{digits} right digits need more than {max_digits} working digits; raise max_digits")
