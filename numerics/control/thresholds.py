@@ -112,7 +112,7 @@ def square_wave_response(pair: Pair, omega: arb) -> tuple[arb, arb]:
     number = Ball.number
     half = arb.pi() / omega
     decay = number(pair.a1 / (2 * pair.m1)) * half
-    cosine, sine = _half_angles(pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2, half / 2)
+    cosine, sine = cosine_and_sine(pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2, half / 2)
     # D = cosh + cos, and sin(omegad T/2)/omegad, by half angles: next to D = 0 nothing cancels
     below = 2 * ((decay / 2).sinh() ** 2 + cosine * cosine)
     sine_over_rate = 2 * sine * cosine
@@ -120,7 +120,7 @@ def square_wave_response(pair: Pair, omega: arb) -> tuple[arb, arb]:
     return place, -sine_over_rate / (number(pair.m1) * below)
 
 
-def _half_angles(squared_rate: Fraction, time: arb) -> tuple[arb, arb]:
+def cosine_and_sine(squared_rate: Fraction, time: arb) -> tuple[arb, arb]:
     """Return cos(rate t) and sin(rate t)/rate for rate^2 of any sign: light, critical and heavy damping."""
     if squared_rate == 0:
         return arb(1), time

@@ -19,6 +19,7 @@ _KEYS = {
 }
 _PIECES = {"force": {"from", "polynomial", "sines"}, "friction": {"from", "b"}}
 _SINE = {"amplitude", "omega", "phase"}
+_REFERENCE = "reference"
 _REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("run", "until"))
 
 
@@ -39,31 +40,57 @@ def load_scene(name_or_path: str | Path) -> Scene:
     name = str(name_or_path)
     if name in shipped_scenes():
         return parse_scene((resources.files("numerics") / "scene" / "shipped" / f"{name}.toml").read_text("utf-8"))
-    path = Path(name_or_path)
+    known = ", ".join(shipped_scenes())
+    return parse_scene(_text_of(Path(name_or_path), "scene", f"give a TOML file or one of: {known}"))
+
+
+def _text_of(path: Path, what: str, remedy: str) -> str:
+    """Return the text of a file that somebody named. Raises InvalidScene."""
     try:
         with path.open("rb") as file:
             data = file.read(MAX_FORCED_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        known = ", ".join(shipped_scenes())
-        raise InvalidScene(f"no scene {name!r}: {reason}; give a TOML file or one of: {known}") from None
-    most = MAX_FORCED_BYTES if any(b"[[" + table.encode() in data for table in _PIECES) else MAX_BYTES
+        raise InvalidScene(f"no {what} {str(path)!r}: {reason}; {remedy}") from None
+    most = MAX_FORCED_BYTES if any(b"[[" + table.encode() in data for table in (*_PIECES, _REFERENCE)) else MAX_BYTES
     if len(data) > most:
-        raise InvalidScene(f"scene file {name!r} is larger than {most} bytes; a scene needs a dozen lines")
+        raise InvalidScene(f"{what} file {str(path)!r} is larger than {most} bytes; a {what} needs a dozen lines")
     try:
-        return parse_scene(data.decode("utf-8"))
+        return data.decode("utf-8")
     except UnicodeDecodeError:
-        raise InvalidScene(f"scene file {name!r} is not UTF-8 text; save it as UTF-8") from None
+        raise InvalidScene(f"{what} file {str(path)!r} is not UTF-8 text; save it as UTF-8") from None
+
+
+def load_reference(path: str | Path) -> tuple[Piece, ...]:
+    """Return the pieces of a reference r(t) (m) from a TOML file of [[reference]] tables, written as those of a force.
+
+    Raises InvalidScene.
+    """
+    return parse_reference(_text_of(Path(path), "reference", "give a TOML file of [[reference]] tables"))
+
+
+def parse_reference(text: str) -> tuple[Piece, ...]:
+    """Return the pieces that TOML `text` of [[reference]] tables describes, exact. Raises InvalidScene."""
+    tables = _parsed(text, "reference")
+    for table in tables:
+        if table != _REFERENCE:
+            raise InvalidScene(f"unknown table or key [{table[:40]!r}]; a reference has [[{_REFERENCE}]] only")
+    found = _pieces_of(tables, _REFERENCE)
+    return tuple(_in_place(_force_piece, one, number, _REFERENCE) for number, one in enumerate(found, start=1))
+
+
+def _parsed(text: str, what: str) -> dict[str, Any]:
+    try:
+        # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
+        return tomllib.loads(text, parse_float=_float_text)
+    except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
+        reason = " ".join(str(error).split())[:200]
+        raise InvalidScene(f"not a TOML {what}: {reason}") from None
 
 
 def parse_scene(text: str) -> Scene:
     """Return the Scene that TOML `text` describes, numbers read as exact decimals. Raises InvalidScene."""
-    try:
-        # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
-        tables = tomllib.loads(text, parse_float=_float_text)
-    except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
-        reason = " ".join(str(error).split())[:200]
-        raise InvalidScene(f"not a TOML scene: {reason}") from None
+    tables = _parsed(text, "scene")
     _check_keys(tables)
     pair, initial, run = (tables.get(name, {}) for name in _KEYS)
     force, friction = (_pieces_of(tables, name) for name in _PIECES)
@@ -83,16 +110,16 @@ def _pieces_of(tables: dict[str, Any], name: str) -> list[dict[str, Any]]:
     if not isinstance(found, list) or not all(isinstance(one, dict) for one in found):
         raise InvalidScene(f"{name} must be tables of its pieces; write [[{name}]] on a line of its own for each")
     for one in found:
-        _require_known(one, _PIECES[name], f"[[{name}]]")
+        _require_known(one, _PIECES.get(name, _PIECES["force"]), f"[[{name}]]")
     return found
 
 
-def _in_place(read: Any, table: dict[str, Any], number: int) -> Any:
-    """Return what `read` makes of a table; an error says in which one it was."""
+def _in_place(read: Any, table: dict[str, Any], number: int, name: str = "force") -> Any:
+    """Return what `read` makes of a table [[name]]; an error says in which one it was."""
     try:
         return read(table)
     except InvalidScene as error:
-        raise InvalidScene(f"[[force]] number {number}: {error}") from None
+        raise InvalidScene(f"[[{name}]] number {number}: {error}") from None
 
 
 def _force_piece(table: dict[str, Any]) -> Piece:

@@ -1,0 +1,243 @@
+"""From rest to rest over a distance D in the least time, by a force on body 1 that acts on body 2 through friction only.
+
+Friction gives body 2 at most beta = b/m2: no control arrives before 2 sqrt(m2 D/b). With tau = sqrt(m2 D/b), D > 0:
+
+    stuck at the limit   +beta, then -beta: needs the amplitude max(M beta + a1 sqrt(beta D) + a2 D/2, a2 D to hold,
+                         a2 D + a1^2 beta/(2 a2) - M beta if a1^2 beta <= a2^2 D)
+    slip, then stick     body 1 runs ahead under a constant force through the first half and is met at tau. At least
+                         U_min = b + beta tau/g(tau), g the impulse response of body 1, if g' >= 0 on [0, tau]
+    bang-bang, stuck     a1 = 0, d = a2 D/U <= 1: +U, then -U, in (acos(1 - d/2 - d^2/4) + acos((1 + d/2 + d^2/4)/(1 + d)))/Omega
+
+A margin E keeps the load of a stuck transfer at most (1 - E) b. The times of a force are exact decimals next to these.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball_words import working_digits
+from numerics.control.asked import MAX_DIGITS, to_digits
+from numerics.control.rounding import KEPT_DIGITS, rounded, rounded_up
+from numerics.control.thresholds import cosine_and_sine
+from numerics.errors import EventUndecided, InvalidScene
+from numerics.scene import Force, Pair, Piece, Scene
+from numerics.scene.decimals import Exact, exact_decimal, short
+
+_MET = Fraction(1, 10**20)
+"""By this part the slip transfer stays inside the limits, so that the bodies meet and stick beyond doubt."""
+
+
+class Road(Enum):
+    """How a transfer is made; the value is the sentence that a user reads."""
+
+    STUCK = "the bodies stick all the way, at the limit of friction or the margin below it"
+    SLIP = "body 1 runs ahead through the first half and is met; the bodies stick through the second half"
+    BANG_BANG = "the bodies stick all the way under full force forwards, then backwards"
+    OPEN = "open: no least time is known for this amplitude"
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """A transfer over `distance` (m): enclosures with `digits` right digits, and its force as a scene if there is one.
+
+    `bound` (s) no control beats; `time` (s) this transfer takes; `stuck_amplitude` (N) sticking at the limit needs;
+    `least_amplitude` (N) arriving at the bound needs at least, None where g' changes sign; `fastest`: what is proved of
+    `time`, a sentence.
+    """
+
+    distance: Fraction
+    margin: Fraction
+    road: Road
+    bound: arb
+    time: arb | None
+    stuck_amplitude: arb
+    least_amplitude: arb | None
+    fastest: str
+    scene: Scene | None
+    digits: int
+
+
+def fastest_transfer(
+    scene: Scene,
+    distance: Exact,
+    *,
+    amplitude: Exact | None = None,
+    margin: Exact = 0,
+    digits: int = 15,
+    max_digits: int = MAX_DIGITS,
+) -> Transfer:
+    """Return the transfer of a scene's pair over a distance (m) from its initial state, which must be at rest.
+
+    `amplitude` bounds |u| (N), else u is free; 0 <= margin < 1. Raises InvalidScene, EventUndecided (an amplitude on a
+    boundary), PrecisionExhausted.
+    """
+    by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
+    most = None if amplitude is None else exact_decimal(amplitude, "amplitude")
+    _require(scene, by, most, part)
+    return to_digits(lambda _: _transfer(scene, by, most, part, digits), max(digits, KEPT_DIGITS), max_digits)
+
+
+def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margin: Fraction) -> None:
+    at = scene.initial
+    if distance == 0:
+        raise InvalidScene("distance = 0 must not be 0; give a distance in metres")
+    if not 0 <= margin < 1:
+        raise InvalidScene(f"margin = {short(margin)} must be at least 0 and below 1; give the part of b that stays free")
+    if amplitude is not None and amplitude <= 0:
+        raise InvalidScene(f"amplitude = {short(amplitude)} must be > 0; leave it out for a force without bound")
+    if (at.x1, at.v1, at.v2) != (0, 0, 0):
+        raise InvalidScene("a transfer starts at rest with the spring unloaded; set x1 = v1 = v2 = 0")
+    if scene.is_forced:
+        raise InvalidScene("a transfer brings its own force, at one friction; leave [[force]] and [[friction]] out")
+
+
+def _transfer(
+    scene: Scene, by: Fraction, most: Fraction | None, margin: Fraction, digits: int
+) -> tuple[Transfer, list[arb]]:
+    pair, far, number = scene.pair, abs(by), Ball.number
+    bound = 2 * number(pair.m2 * far / pair.b).sqrt()
+    stuck, least = stuck_amplitude(pair, far, margin), least_amplitude(pair, far)
+    road, time, fastest, force = _chosen(pair, far, most, margin, (bound, stuck, least))
+    planned = None
+    if force is not None and time is not None:
+        signed = force if by > 0 else -force
+        planned = Scene(pair, scene.initial, until=rounded_up(time * 3 / 2, 6), law=scene.law, force=signed)
+    found = Transfer(by, margin, road, bound, time, stuck, least, fastest, planned, digits)
+    return found, [one for one in (bound, stuck, least, time) if one is not None]
+
+
+Choice = tuple[Road, arb | None, str, Force | None]
+
+
+def _chosen(
+    pair: Pair, far: Fraction, most: Fraction | None, margin: Fraction, known: tuple[arb, arb, arb | None]
+) -> Choice:
+    """Return the road, its time, what is proved of it, and its force."""
+    bound, stuck, least = known
+    if most is None or reaches(most, stuck):
+        return _stuck(pair, far, margin)
+    if margin == 0 and least is not None and reaches(most, least):
+        force = _slip_then_stick(pair, far, most, least)
+        if force is not None:
+            return Road.SLIP, bound, "no control is faster: friction is at its limit all the time", force
+    found = _bang_bang(pair, far, most, margin)
+    if found is not None:
+        return found
+    why = f"{Road.OPEN.value}; a stuck transfer at the limit needs {stuck.str(6, radius=False)} N"
+    return Road.OPEN, None, why, None
+
+
+def stuck_amplitude(pair: Pair, far: Fraction, margin: Fraction) -> arb:
+    """Return the largest |u| of the transfer that sticks at (1 - margin) b, N; an enclosure."""
+    number, gain = Ball.number, (1 - margin) * pair.b / pair.m2
+    found = number(pair.mass * gain + pair.a2 * far / 2) + number(pair.a1) * number(gain * far).sqrt()
+    found = found.max(number(pair.a2 * far))
+    if pair.a1**2 * gain <= pair.a2**2 * far:
+        found = found.max(number(pair.a2 * far + pair.a1**2 * gain / (2 * pair.a2) - pair.mass * gain))
+    return found
+
+
+def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
+    """Return U_min = b + beta tau/g(tau), N, an enclosure; None where g' < 0 somewhere on [0, tau]."""
+    number = Ball.number
+    tau = number(pair.m2 * far / pair.b).sqrt()
+    g, slope = _impulse_response(pair, tau)
+    if slope is None or slope < 0:
+        return None
+    if not slope > 0:
+        raise EventUndecided("does body 1 still run ahead at half time?", slope.str(6), working_digits())
+    return number(pair.b) + number(pair.b / pair.m2) * tau / g
+
+
+def _impulse_response(pair: Pair, t: arb) -> tuple[arb, arb | None]:
+    """Return g(t) (m/(N s)), and m1 e^(a1 t/(2 m1)) g'(t), None if g' has changed sign for certain before t."""
+    number, decay = Ball.number, pair.a1 / (2 * pair.m1)
+    squared = pair.a2 / pair.m1 - decay**2
+    cosine, sine = cosine_and_sine(squared, t)
+    if squared > 0 and number(squared).sqrt() * t > arb.pi() / 2:
+        return sine, None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
+    return (-number(decay) * t).exp() * sine / number(pair.m1), cosine - number(decay) * sine
+
+
+def reaches(most: Fraction, needed: arb) -> bool:
+    """Return whether an amplitude is at least an enclosed one. Raises EventUndecided."""
+    over = Ball.number(most) - needed
+    if over >= 0:
+        return True
+    if over < 0:
+        return False
+    raise EventUndecided("does the amplitude suffice?", over.str(6), working_digits())
+
+
+def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
+    """Return the transfer that sticks: its exact times are rounded up, its acceleration is exactly D/tau^2."""
+    gain = (1 - margin) * pair.b / pair.m2
+    exact = Ball.number(far / gain).sqrt()
+    tau = rounded_up(exact)
+    gain = far / tau**2
+    go = stuck_piece(pair, Fraction(0), (Fraction(0), Fraction(0), gain))
+    stop = stuck_piece(pair, tau, (far / 2, gain * tau, -gain))
+    force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
+    limit = "no control is faster" if margin == 0 else "no control that keeps the margin is faster"
+    return Road.STUCK, 2 * exact, f"{limit}: friction is at its limit all the time", force
+
+
+def stuck_piece(pair: Pair, start: Fraction, path: tuple[Fraction, Fraction, Fraction]) -> Piece:
+    """Return u = M x'' + a1 x' + a2 x of a stuck pair with position, velocity and constant acceleration from a time on."""
+    x, v, a = path
+    return Piece(start, (pair.mass * a + pair.a1 * v + pair.a2 * x, pair.a1 * a + pair.a2 * v, pair.a2 * a / 2))
+
+
+def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:
+    """Return the force that lets body 1 run ahead; None if the second half, or holding the place, needs more than U."""
+    number, beta = Ball.number, pair.b / pair.m2
+    slow = (1 - _MET) * beta
+    tau = rounded((number(2 * far * slow / (beta * (slow + beta)))).sqrt())
+    push = min(most, rounded_up(least * number(1 + _MET)))
+    ahead = _run_ahead(pair, number(push - pair.b), number(tau))
+    x, v = rounded(ahead), beta * tau
+    rest = tau + v / slow
+    held = pair.a2 * (x + v**2 / (2 * slow))
+    stop = stuck_piece(pair, tau, (x, v, -slow))
+    first, slope, bend = (*stop.polynomial, Fraction(0), Fraction(0))[:3]
+    peaks = [first, held, first + slope * (rest - tau) + bend * (rest - tau) ** 2]
+    if bend != 0 and 0 < -slope / (2 * bend) < rest - tau:
+        peaks.append(first - slope**2 / (4 * bend))
+    if max(abs(one) for one in peaks) > most:
+        return None
+    return Force((Piece(0, (push,)), stop, Piece(rest, (held,))))
+
+
+def _run_ahead(pair: Pair, push: arb, t: arb) -> arb:
+    """Return where a constant push takes body 1 from rest in the time t, m: (push - m1 v' - a1 v)/a2 with v = push g."""
+    number, decay = Ball.number, pair.a1 / (2 * pair.m1)
+    cosine, sine = cosine_and_sine(pair.a2 / pair.m1 - decay**2, t)
+    left = (-number(decay) * t).exp() * (cosine + number(decay) * sine)
+    return push * (1 - left) / number(pair.a2)
+
+
+def _bang_bang(pair: Pair, far: Fraction, most: Fraction, margin: Fraction) -> Choice | None:
+    """Return the stuck transfer between -U and +U; None with a damper, beyond d = 1, or if friction does not hold it."""
+    d = pair.a2 * far / most
+    held = (1 - margin) * pair.mass * pair.b / pair.m2
+    if pair.a1 != 0 or d > 1 or most + pair.a2 * far > held:
+        return None
+    number = Ball.number
+    rate = number(pair.a2 / pair.mass).sqrt()
+    go = number(1 - d / 2 - d**2 / 4).acos() / rate
+    stop = number((1 + d / 2 + d**2 / 4) / (1 + d)).acos() / rate
+    time = go + stop
+    first, second = rounded(go), rounded(stop)
+    force = Force((Piece(0, (most,)), Piece(first, (-most,)), Piece(first + second, (pair.a2 * far,))))
+    swing = (rate * time).min(arb.pi()).cos()
+    limit = number(pair.mass * pair.b / pair.m2)
+    if number(most) * (2 - swing) <= limit:
+        proved = "no control within the amplitude is faster: none can break the contact before"
+    else:
+        proved = "no control that sticks is faster; whether slipping helps is open"
+    return Road.BANG_BANG, time, proved, force
