@@ -216,7 +216,7 @@ def _largest(step: arb_mat) -> arb:
 def _eigenvalues_of_two(a: arb, b: arb, c: arb, d: arb) -> list[flint.acb]:
     """Return the eigenvalues of a 2x2 matrix, the larger first."""
     half, product = (a + d) / 2, a * d - b * c
-    rest = ((a - d) / 2) ** 2 + b * c
+    rest = (a - d) * (a - d) / 4 + b * c
     if rest > 0:
         large = half + rest.sqrt() if half > 0 else half - rest.sqrt()
         return [flint.acb(large), flint.acb(product / large)]

@@ -114,7 +114,8 @@ def square_wave_response(pair: Pair, omega: arb) -> tuple[arb, arb]:
     decay = number(pair.a1 / (2 * pair.m1)) * half
     cosine, sine = cosine_and_sine(pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2, half / 2)
     # D = cosh + cos, and sin(omegad T/2)/omegad, by half angles: next to D = 0 nothing cancels
-    below = 2 * ((decay / 2).sinh() ** 2 + cosine * cosine)
+    rise = (decay / 2).sinh()
+    below = 2 * (rise * rise + cosine * cosine)
     sine_over_rate = 2 * sine * cosine
     place = -(decay.sinh() - decay / half * sine_over_rate) / (number(pair.a2) * below)
     return place, -sine_over_rate / (number(pair.m1) * below)

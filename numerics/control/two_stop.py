@@ -102,13 +102,14 @@ def non_stop_guesses(drive: Drive) -> Iterator[Orbit]:
     stiff = stiffness(pair, pair.m1, sine.omega)
     if stiff.is_zero():
         return
-    rest = (number(sine.amplitude) / stiff) ** 2 - (velocity / omega) ** 2
-    if not rest > 0 or not omega**2 * rest.sqrt() > least:
+    place, speed = number(sine.amplitude) / stiff, velocity / omega
+    rest = place * place - speed * speed
+    if not rest > 0 or not omega * omega * rest.sqrt() > least:
         return
     # what the sine alone gives: velocity v and position x where the slip + begins
     x, v = -rest.sqrt(), -velocity
     inertial, damped = number(pair.a2 - pair.m1 * sine.omega**2), number(pair.a1)
-    C, S = inertial * x + damped * v, (inertial * v - damped * omega**2 * x) / omega
+    C, S = inertial * x + damped * v, inertial * v / omega - damped * omega * x
     place, _ = square_wave_response(pair, omega)
     b, quarter = number(drive.b), drive.period / 4
     yield _with_mirrored(drive, [Leg(1, _time_of_phase(drive, S, C), x - b * place, -b / number(pair.m2) * quarter)])

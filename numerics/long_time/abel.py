@@ -6,6 +6,9 @@ epsilon = sqrt(w). Two functions turn iteration into addition:
     alpha(F(y)) = alpha(y) + 1          alpha = 1/(a y) + B ln y + c_1 y + ... ,  a = 9 r/4
     beta(F(y))  = beta(y) + pi + t      beta  = pi alpha + g_1 epsilon + g_2 epsilon^2 + ...
 
+A third sums what the slips, to one side and the other in turn, move the bodies apart: slide(F(y)) = y - F(y) - slide(y),
+slide = s_2 y^2 + s_3 y^3 + ... .
+
 Their series are computed over the rationals. What a truncated series misses of its equation is analytic in the slip
 angle theta on a disc, bounded on its rim by balls, and has a zero of known order at 0: Schwarz's lemma bounds it
 inside, and the sum over all later iterates, which y_k - y_{k+1} >= a' y_k^2 makes finite, bounds the function's error.
@@ -40,7 +43,7 @@ class AbelFunctions:
         self.q, self.r, self.order = q, 1 - q, order
         with series_terms(2 * order + 8):
             self._compute_series()
-        self.radius, self._alpha_rim, self._beta_rim = self._bound_on_rim()
+        self.radius, self._alpha_rim, self._beta_rim, self._slide_rim = self._bound_on_rim()
 
     @property
     def alpha_zero_order(self) -> int:
@@ -51,6 +54,11 @@ class AbelFunctions:
     def beta_zero_order(self) -> int:
         """Return that of beta(F) - beta - pi - t: its part beyond pi alpha begins at epsilon^(2 order + 3)."""
         return 2 * self.order + 3
+
+    @property
+    def slide_zero_order(self) -> int:
+        """Return that of slide(F) + slide - y + F: its series begins at y^(order + 2)."""
+        return 2 * self.order + 4
 
     @cached_property
     def largest_argument(self) -> Fraction:
@@ -72,6 +80,7 @@ class AbelFunctions:
         if any(self.time[k] != 0 for k in range(3)):
             raise ArithmeticError("the time of a cycle must be pi up to the third order in epsilon")
         self._solve_alpha(shifted_even(falls, q))
+        self._solve_slide(shifted_even(falls, q))
         self._solve_beta(falls)
 
     def _solve_alpha(self, falls: fmpq_series) -> None:
@@ -91,6 +100,18 @@ class AbelFunctions:
             coefficient = left[k + 1] / (self.a * k)
             self.alpha_coefficients.append(coefficient)
             left = left + (shrunk - power) * coefficient
+
+    def _solve_slide(self, falls: fmpq_series) -> None:
+        """Solve slide(F) + slide = y - F = y G order by order."""
+        one, y = fmpq_series([1]), fmpq_series([0, 1])
+        left = y * falls
+        self.slide_coefficients: list[fmpq] = []
+        power, shrunk = fmpq_series([1]), fmpq_series([1])
+        for k in range(1, self.order + 2):
+            power, shrunk = power * y, shrunk * (y * (one - falls))
+            coefficient = left[k] / 2
+            self.slide_coefficients.append(coefficient)
+            left = left - (shrunk + power) * coefficient
 
     def _solve_beta(self, falls: fmpq_series) -> None:
         """Solve gamma(eps') = gamma(eps) + t for gamma = beta - pi alpha, order by order."""
@@ -123,6 +144,11 @@ class AbelFunctions:
         epsilon = (y * Ball.number(self.q)).sqrt()
         value = arb.pi() * self.alpha(y) + polynomial(self.beta_coefficients, epsilon)
         return value + arb(0, self._missed(y, self._beta_rim, self.beta_zero_order).upper())
+
+    def slide(self, y: arb) -> arb:
+        """Return an enclosure of (y - y_1) - (y_1 - y_2) + (y_2 - y_3) - ..., y_k the iterates of y."""
+        value = polynomial(self.slide_coefficients, y)
+        return value + arb(0, self._missed(y, self._slide_rim, self.slide_zero_order).upper())
 
     def slope(self, y: arb) -> arb:
         """Return alpha'(y) of the truncated series: what Newton's method steers by."""
@@ -167,8 +193,8 @@ class AbelFunctions:
             height, deep = _height_and_depth(theta)
             return (deep / (height * height)).real.lower()
 
-    def _bound_on_rim(self) -> tuple[Fraction, arb, arb]:
-        """Return the largest disc on which everything is proved analytic, and the sup of both defects on its rim."""
+    def _bound_on_rim(self) -> tuple[Fraction, arb, arb, arb]:
+        """Return the largest disc on which everything is proved analytic, and the sup of each defect on its rim."""
         with precision(_RIM_BITS):
             for radius in _RADII:
                 bounds = self._defects_on_rim(radius)
@@ -176,12 +202,13 @@ class AbelFunctions:
                     return radius, *bounds
         raise ArithmeticError(f"no disc around the critical orbit is certified for q = {float(self.q):g}")
 
-    def _defects_on_rim(self, radius: Fraction) -> tuple[arb, arb] | None:
-        """Return sup|alpha defect|, sup|beta defect| on |theta| = radius; None if a factor may vanish inside.
+    def _defects_on_rim(self, radius: Fraction) -> tuple[arb, arb, arb] | None:
+        """Return the sup of the defects of alpha, beta and slide on |theta| = radius; None if a factor may vanish inside.
 
         By the maximum principle |G| < 1, |q c| < 1, |eps'| < 1 and |landing| < 1 on the rim hold on the disc.
         """
         q, sqrt_q, alpha_sup, beta_sup = acb(Ball.number(self.q)), acb(Ball.number(self.q)).sqrt(), arb(0), arb(0)
+        slide_sup = arb(0)
         for theta in _arcs(radius):
             height, deep = _height_and_depth(theta)
             y, falls = height * height, acb(Ball.number(self.r)) * (deep / height) ** 2
@@ -196,8 +223,12 @@ class AbelFunctions:
             beta = polynomial(self.beta_coefficients, epsilon * root)
             beta -= polynomial(self.beta_coefficients, epsilon)
             beta -= sqrt_q * theta - (epsilon * root).atan() - landed.atan()
+            slide = polynomial(self.slide_coefficients, y) + polynomial(self.slide_coefficients, y * (1 - falls))
+            slide -= y * falls
             alpha_sup, beta_sup = alpha_sup.max(abs(alpha).upper()), beta_sup.max(abs(beta).upper())
-        return (alpha_sup, beta_sup) if alpha_sup.is_finite() and beta_sup.is_finite() else None
+            slide_sup = slide_sup.max(abs(slide).upper())
+        found = alpha_sup, beta_sup, slide_sup
+        return found if all(one.is_finite() for one in found) else None
 
 
 def _height_and_depth(theta: acb) -> tuple[acb, acb]:

@@ -167,7 +167,7 @@ class _Way:
         """
         if not self.walk.on_ray:
             return
-        a, y, reach = 9 * self.frame.arithmetic.to_float(self.frame.r) / 4, self._y, _reach(self.digits)
+        a, y, reach = 9 * self.frame.arithmetic.to_float(self.frame.r) / 4, self._y, reach_of(self.digits)
         if not reach < y < 1 / (2 * a):
             return
         events = min((1 / reach - 1 / y) / a, self._half_turns / 2)
@@ -179,14 +179,14 @@ class _Way:
 
     def _may_jump(self) -> bool:
         """Return whether the pair is on an exit ray, close enough to E_cr for the digits, with a long way to go."""
-        if not self.walk.on_ray or self._half_turns < _JUMP_PAYS_AFTER or self._y >= _reach(self.digits):
+        if not self.walk.on_ray or self._half_turns < _JUMP_PAYS_AFTER or self._y >= reach_of(self.digits):
             return False
-        return self._y < _abel_functions(self.share, _order(self.digits)).largest_argument
+        return self._y < abel_functions(self.share, order_for(self.digits)).largest_argument
 
     def jump(self) -> None:
         """Put the pair on the last exit ray before the target: alpha counts excursions, beta adds up their times."""
         start, q = self.walk.start, self.frame.q
-        abel = _abel_functions(self.share, _order(self.digits))
+        abel = abel_functions(self.share, order_for(self.digits))
         count, y, elapsed = _last_exit_before(self.frame.arithmetic, abel, start.w / q, self.target - start.tau)
         self.excursions += count
         self.walk.leave_by(start.side if count % 2 == 0 else -start.side, y * q, start.tau + elapsed)
@@ -224,17 +224,17 @@ def _whole(x: Number) -> int:
     return int(x.mid().floor().unique_fmpz() or 0)
 
 
-def _order(digits: int) -> int:
+def order_for(digits: int) -> int:
     """Return the number of terms that lets the jump start early enough for this many digits."""
     return max(24, min(80, digits))
 
 
-def _reach(digits: int) -> float:
+def reach_of(digits: int) -> float:
     """Return the largest y = w/q to jump from: there the terms left out are below the digits asked for."""
-    order = _order(digits)
+    order = order_for(digits)
     return float(0.12 * 10.0 ** (-digits / (order + 1)))
 
 
 @lru_cache(maxsize=8)
-def _abel_functions(share: Fraction, order: int) -> AbelFunctions:
+def abel_functions(share: Fraction, order: int) -> AbelFunctions:
     return AbelFunctions(share, order)
