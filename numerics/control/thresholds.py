@@ -63,10 +63,10 @@ def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int = 
     return to_digits(attempt, digits, max_digits)
 
 
-def is_entrained(pair: Pair, amplitude: Fraction, omega: Fraction) -> bool:
-    """Return whether U <= U*, exactly: m2^2 omega^4 U^2 <= b^2 Z(M)^2."""
+def load_margin(pair: Pair, amplitude: Fraction, omega: Fraction) -> Fraction:
+    """Return b^2 Z(M)^2 - (m2 omega^2 U)^2, exact: >= 0 exactly if U <= U*."""
     squared = (pair.a2 - pair.mass * omega**2) ** 2 + (pair.a1 * omega) ** 2
-    return (pair.m2 * amplitude * omega**2) ** 2 <= pair.b**2 * squared
+    return pair.b**2 * squared - (pair.m2 * amplitude * omega**2) ** 2
 
 
 def entrainment_threshold(pair: Pair, omega: Fraction | arb) -> arb:

@@ -9,6 +9,7 @@ import numpy as np
 
 from numerics.merging.cell import CRITICAL_SHARE, Verdict
 from numerics.merging.map import MergingMap
+from numerics.quadtree import tree
 from numerics.trajectory.export import whole_file
 
 COLOURS = {Verdict.CREEPS: "#f3e6c4", Verdict.UNDECIDED: "#d1603d", Verdict.MERGES: "#1f3a5f"}
@@ -21,13 +22,7 @@ LABELS = {
 
 def raster(cells: MergingMap) -> Any:
     """Return the verdicts on the finest grid as indices into COLOURS, shape (2^depth, 2^depth), energy upwards."""
-    order = {one: index for index, one in enumerate(COLOURS)}
-    grid = np.empty((2**cells.depth, 2**cells.depth), dtype=np.uint8)
-    for cell in cells.cells:
-        size = 2 ** (cells.depth - cell.level)
-        row, column = cell.row * size, cell.column * size
-        grid[row : row + size, column : column + size] = order[cell.verdict]
-    return grid
+    return tree.raster(cells.leaves, cells.depth, list(COLOURS))
 
 
 def draw_map(cells: MergingMap) -> Any:

@@ -25,6 +25,7 @@ from numerics.merging.cell import CRITICAL_SHARE, Rectangle, Verdict, creeping_e
 from numerics.merging.centred_form import Cell
 from numerics.merging.figure import COLOURS, raster
 from numerics.merging.map import Window, merging_cells
+from numerics.quadtree import tree
 from numerics.motion.frame import Frame
 from numerics.scene import Pair
 from theory.excursion import h, half_tangent_form
@@ -74,7 +75,7 @@ def test_cells_agree_with_single_runs(chart):
 
 
 def test_the_cells_cover_the_window(chart):
-    assert sum(cell.share for cell in chart.cells) == 1
+    assert sum(cell.share for cell in chart.leaves) == 1
     assert abs(sum(chart.shares().values()) - 1) < 1e-12
     grid = raster(chart)
     assert grid.shape == (64, 64)
@@ -272,13 +273,13 @@ def test_command_line_refuses(capsys, arguments):
 
 
 def test_an_interrupted_command_says_how_to_go_on(monkeypatch, capsys, tmp_path):
-    road = merging_map.run_tasks
+    road = tree.run_tasks
 
     def interrupted(function, tasks, **roads):
         yield from road(function, tasks[:5], **roads)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(merging_map, "run_tasks", interrupted)
+    monkeypatch.setattr(tree, "run_tasks", interrupted)
     file = tmp_path / "cells.jsonl"
     assert main(["map", "--depth", "4", "--resume", str(file)]) == 130
     assert "goes on" in capsys.readouterr().err

@@ -1,0 +1,226 @@
+"""What a pair does in the long run under a periodic force: entrained, stick-slip, non-stop, or growing without bound.
+
+The last piece of the force decides, a constant and sines of commensurable frequencies, with the last friction. For a1 > 0
+there is one periodic (x1, v1, v2), and every motion tends to it. For a1 = 0 what is found exists; `attraction` says more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from enum import Enum
+from fractions import Fraction
+
+from flint import acb, arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball_words import working_digits
+from numerics.control.asked import MAX_DIGITS, to_digits
+from numerics.control.linear import ONE, LinearMode, Motion, Row
+from numerics.control.modes_proved import is_positive_inside
+from numerics.control.orbit import Drive, Orbit, solve_orbit
+from numerics.control.simulated import simulated_guesses
+from numerics.control.thresholds import Thresholds, load_margin, stiffness, thresholds
+from numerics.control.two_stop import non_stop_guesses, two_stop_guesses
+from numerics.errors import EventUndecided, InvalidScene
+from numerics.scene import Force, Pair, Piece, Scene, Sine
+from numerics.scene.decimals import Exact
+
+
+class Regime(Enum):
+    """What the pair does in every period; the value is the sentence that a user reads."""
+
+    ENTRAINED = "entrained: the bodies stick for ever"
+    STICK_SLIP = "stick-slip: the bodies slip and stick in every period"
+    NON_STOP = "non-stop: the bodies never stick"
+    GROWS = "grows without bound: friction cannot take what the force brings at resonance"
+
+
+@dataclass(frozen=True)
+class Response:
+    """The long-time behaviour of a scene under its periodic force; numbers are enclosures with `digits` right digits.
+
+    `thresholds` (one sine only); `orbit`: the events of the periodic motion, None if it has none; `multipliers`: Floquet
+    multipliers of (x1, v1, v2), largest first, None where the linearisation does not exist; `drift`: mean velocity of
+    body 2, m/s; `growth`: the least rate at which v1's amplitude grows, m/s^2, 0 unless it grows.
+    """
+
+    drive: Drive
+    regime: Regime
+    thresholds: Thresholds | None
+    orbit: Orbit | None
+    multipliers: tuple[acb, ...] | None
+    drift: arb | None
+    growth: arb
+    attraction: str
+    digits: int
+
+
+def response(
+    scene: Scene,
+    *,
+    amplitude: Exact | None = None,
+    omega: Exact | None = None,
+    digits: int = 15,
+    max_digits: int = MAX_DIGITS,
+) -> Response:
+    """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
+
+    Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits),
+    PrecisionExhausted.
+    """
+    drive = steady_drive(scene)
+    if amplitude is not None or omega is not None:
+        drive = _replaced(drive, amplitude, omega)
+    sines = drive.piece.sines
+    known = None
+    if len(sines) == 1:
+        known = thresholds(drive.pair, sines[0].omega, digits=digits, max_digits=max_digits)
+    return to_digits(lambda _: _attempt(drive, known, digits), digits, max_digits)
+
+
+def steady_drive(scene: Scene) -> Drive:
+    """Return what acts in the long run. Raises InvalidScene unless that is a constant and commensurable sines."""
+    last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
+    if not last.sines or len(last.polynomial) > 1:
+        raise InvalidScene(
+            "the last piece of the force is not periodic; a response needs sines and at most a constant there"
+        )
+    steady = Force((Piece(0, last.polynomial, last.sines),))
+    frequency = steady.frequency
+    assert frequency is not None  # rational frequencies are commensurable
+    b = scene.friction.pieces[-1][1] if scene.friction.pieces else scene.pair.b
+    pair = scene.pair
+    return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), b, steady.pieces[0], frequency)
+
+
+def _replaced(drive: Drive, amplitude: Exact | None, omega: Exact | None) -> Drive:
+    if len(drive.piece.sines) != 1:
+        raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
+    one = drive.piece.sines[0]
+    sine = Sine(one.amplitude if amplitude is None else amplitude, one.omega if omega is None else omega, one.phase)
+    if sine.amplitude == 0:
+        raise InvalidScene("amplitude = 0 must not be 0; without a force there is no response")
+    return replace(drive, piece=Piece(0, drive.piece.polynomial, [sine]), frequency=sine.omega)
+
+
+def _attempt(drive: Drive, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:
+    growth = resonant_growth(drive)
+    if growth > 0:
+        found = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
+        return found, [growth]
+    if entrained(drive):
+        return _entrained(drive, known, digits)
+    undecided: EventUndecided | None = None
+    for guess in _guesses(drive):
+        try:
+            return _of_orbit(solve_orbit(guess), known, digits)
+        except EventUndecided as error:
+            undecided = error
+    raise undecided or EventUndecided("what is the periodic motion?", "no guess", working_digits())
+
+
+def _guesses(drive: Drive) -> Iterator[Orbit]:
+    """Yield periodic motions that may be the one: by their exact equations, then by simulation."""
+    if len(drive.piece.sines) == 1:
+        yield from non_stop_guesses(drive)
+        yield from two_stop_guesses(drive)
+    yield from simulated_guesses(drive)
+
+
+def resonant_growth(drive: Drive) -> arb:
+    """Return (U^ - 4b/pi)/(2 m1) if a1 = 0 and the force's amplitude U^ at omega1 is above 4b/pi, m/s^2; else 0."""
+    pair = drive.pair
+    resonant = [one for one in drive.piece.sines if one.omega**2 * pair.m1 == pair.a2]
+    if pair.a1 != 0 or not resonant:
+        return arb(0)
+    total = sum((acb.exp(acb(0, Ball.number(one.phase))) * Ball.number(one.amplitude) for one in resonant), acb(0))
+    over = abs(total) - 4 * Ball.number(drive.b) / arb.pi()
+    if over.contains(0):
+        raise EventUndecided("does the force bring more than friction takes at resonance?", over.str(6), working_digits())
+    return over / (2 * Ball.number(pair.m1)) if over > 0 else arb(0)
+
+
+def entrained(drive: Drive) -> bool:
+    """Return whether the stuck response exists: |Lambda| <= b along it. Raises EventUndecided."""
+    sines = drive.piece.sines
+    if len(sines) == 1:
+        return load_margin(drive.pair, sines[0].amplitude, sines[0].omega) >= 0
+    motion = stuck_response(drive)
+    if motion is None:
+        return False
+    rows: list[Row] = []
+    for side in (1, -1):
+        rows.append((*((place, -side * c) for place, c in motion.mode.load), (ONE, drive.b)))
+    if all(is_positive_inside(motion, row, drive.period) for row in rows):
+        return True
+    steps = 4096
+    if any(motion.range(row, drive.period * k / steps) < 0 for row in rows for k in range(steps)):
+        return False
+    raise EventUndecided("does friction hold the pair in its stuck response?", "load near b", working_digits())
+
+
+def stuck_response(drive: Drive) -> Motion | None:
+    """Return the stuck periodic motion, or None if a sine is in resonance with the stuck pair without damper."""
+    pair, number = drive.pair, Ball.number
+    x = acb(number(sum(drive.piece.polynomial, Fraction(0)) / pair.a2))
+    v = acb(0)
+    for one in drive.piece.sines:
+        if stiffness(pair, pair.mass, one.omega).is_zero():
+            return None
+        below = acb(number(pair.a2 - pair.mass * one.omega**2), number(pair.a1 * one.omega))
+        moved = acb.exp(acb(0, number(one.phase))) * number(one.amplitude) / below
+        x, v = x + moved.imag, v + (acb(0, number(one.omega)) * moved).imag
+    return LinearMode(pair, drive.b, 0, drive.piece).motion((x.real, v.real, arb(0), v.real), arb(0))
+
+
+def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:
+    pair = drive.pair
+    if pair.a1 == 0:
+        why = "not all motions tend to it: a free oscillation of the stuck pair stays"
+        if known is not None and known.exception:
+            why += "; other stuck motions exist up to larger amplitudes, as Omega/omega is odd"
+        pairs = _stuck_multipliers(drive)
+        return Response(drive, Regime.ENTRAINED, known, None, pairs, arb(0), arb(0), why, digits), []
+    multipliers = _stuck_multipliers(drive)
+    sine = drive.piece.sines[0]
+    touches = len(drive.piece.sines) == 1 and load_margin(pair, sine.amplitude, sine.omega) == 0
+    why = "every motion tends to it, and sticks after a finite time"
+    if touches:
+        multipliers, why = None, "every motion tends to it; its load touches the limit"
+    found = Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
+    return found, [abs(one) for one in multipliers or ()]
+
+
+def _stuck_multipliers(drive: Drive) -> tuple[acb, ...]:
+    """Return exp(lambda T) of the stuck pair's two rates, and 0: w dies in a finite time."""
+    pair, number = drive.pair, Ball.number
+    half, squared = pair.a1 / (2 * pair.mass), (pair.a1 / (2 * pair.mass)) ** 2 - pair.a2 / pair.mass
+    rest = number(abs(squared)).sqrt()
+    rates = [acb(0, rest), acb(0, -rest)] if squared < 0 else [acb(rest), acb(-rest)]
+    return (*(acb.exp((one - number(half)) * drive.period) for one in rates), acb(0))
+
+
+def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:
+    drive = orbit.drive
+    regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
+    multipliers = tuple(orbit.multipliers())
+    drift = arb(0) if drive.is_odd and drive.pair.a1 > 0 else orbit.travel / drive.period
+    found = Response(drive, regime, known, orbit, multipliers, drift, arb(0), _attraction(orbit), digits)
+    numbers = [abs(one) for one in multipliers] + [drift]
+    for leg in orbit.legs:
+        numbers += [leg.t, leg.x, leg.v]
+    return found, numbers
+
+
+def _attraction(orbit: Orbit) -> str:
+    """Return what is proved of other motions."""
+    pair = orbit.drive.pair
+    if pair.a1 > 0:
+        return "every motion tends to it"
+    rate = Ball.number(pair.a2 / pair.m1).sqrt()
+    for before, (leg, after) in zip((orbit.legs[-1], *orbit.legs[:-1]), orbit.turns, strict=True):
+        turns = rate * (after.t - leg.t) / (2 * arb.pi())
+        if before.side == 0 and leg.side != 0 and turns.ceil().unique_fmpz() is not None:
+            return "every motion tends to it: a slip after a stick phase is no whole number of turns of body 1"
+    return "motions next to it tend to it if all multipliers are below 1"
