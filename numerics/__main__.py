@@ -10,7 +10,8 @@ from pathlib import Path
 
 from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, refuse
 from numerics.faces import commands, solving
-from numerics.faces.flags import in_flags
+from numerics.faces.asking import add_control, add_map_roads
+from numerics.faces.flags import in_flags, natural, positive
 
 _EPILOG = """exit codes: 0 solved; 1 undecided or out of reach (the message says what to do); 2 usage, or invalid scene
 SCENE is a TOML file or a shipped scene; `python -m numerics scenes` lists them."""
@@ -26,6 +27,7 @@ def parser() -> argparse.ArgumentParser:
     scenes.set_defaults(run=commands.list_scenes)
     _add_energy(subcommands)
     _add_map(subcommands)
+    add_control(subcommands)
     _add_audit(subcommands)
     _add_trade(subcommands)
     solve = subcommands.add_parser(
@@ -38,7 +40,7 @@ def parser() -> argparse.ArgumentParser:
     solve.set_defaults(run=solving.solve_scene)
     solve.add_argument("scene", metavar="SCENE", help="TOML file, or the short name of a shipped scene")
     solve.add_argument(
-        "--digits", type=_positive, metavar="N", help="right digits wanted; the cheapest arithmetic that has them"
+        "--digits", type=positive, metavar="N", help="right digits wanted; the cheapest arithmetic that has them"
     )
     solve.add_argument(
         "--arithmetic",
@@ -46,10 +48,10 @@ def parser() -> argparse.ArgumentParser:
         help="without --digits: ball, which proves 15; float64 and double-double bound their errors",
     )
     solve.add_argument(
-        "--max-events", type=_positive, default=250_000, metavar="N", help="stop after N events (%(default)s)"
+        "--max-events", type=positive, default=250_000, metavar="N", help="stop after N events (%(default)s)"
     )
     solve.add_argument(
-        "--max-digits", type=_positive, default=20_000, metavar="N", help="cap on the working digits (%(default)s)"
+        "--max-digits", type=positive, default=20_000, metavar="N", help="cap on the working digits (%(default)s)"
     )
     solve.add_argument("--all", action="store_true", help="print all events on a terminal, not the first and the last")
     solve.add_argument("--explain", action="store_true", help="say on stderr which road was taken, and why")
@@ -71,14 +73,14 @@ def _add_energy(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]
     energy.set_defaults(run=commands.tell_energy)
     energy.add_argument("scene", metavar="SCENE", help="TOML file, or the short name of a shipped scene")
     energy.add_argument("--at", required=True, metavar="T", help="time in s, a decimal such as 1e100")
-    energy.add_argument("--digits", type=_positive, default=15, metavar="N", help="right digits wanted (%(default)s)")
+    energy.add_argument("--digits", type=positive, default=15, metavar="N", help="right digits wanted (%(default)s)")
     energy.add_argument("--json", action="store_true", help="print the answer as JSON")
     energy.add_argument("--explain", action="store_true", help="say which road was taken, and why")
     energy.add_argument(
-        "--max-steps", type=_positive, default=200_000, metavar="N", help="cap on stepped events (%(default)s)"
+        "--max-steps", type=positive, default=200_000, metavar="N", help="cap on stepped events (%(default)s)"
     )
     energy.add_argument(
-        "--max-digits", type=_positive, default=20_000, metavar="N", help="cap on the working digits (%(default)s)"
+        "--max-digits", type=positive, default=20_000, metavar="N", help="cap on the working digits (%(default)s)"
     )
 
 
@@ -89,14 +91,7 @@ def _add_map(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     chart.set_defaults(run=commands.chart_merging)
     chart.add_argument("--ratio", nargs=2, metavar=("A", "B"), default=["0.8", "100"], help="range of m2/m1")
     chart.add_argument("--energy", nargs=2, metavar=("A", "B"), default=["1.01", "101"], help="range of E/E_cr")
-    chart.add_argument(
-        "--depth", type=_positive, default=10, metavar="N", help="cells down to 2^-N of each side (%(default)s)"
-    )
-    chart.add_argument("--jobs", type=_positive, default=1, metavar="N", help="processes, by joblib (%(default)s)")
-    chart.add_argument("--dask", metavar="ADDRESS", help="compute on the Dask cluster of this scheduler instead")
-    chart.add_argument("--resume", type=Path, metavar="F", help="keep finished blocks in F, and go on from there")
-    chart.add_argument("--out", type=Path, metavar="FIGURE", help="write a figure: .svg, .pdf or .png")
-    chart.add_argument("--json", action="store_true", help="print all cells as JSON")
+    add_map_roads(chart)
 
 
 def _add_audit(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -107,7 +102,7 @@ def _add_audit(subcommands: argparse._SubParsersAction[argparse.ArgumentParser])
         allow_abbrev=False,
     )
     audit.set_defaults(run=commands.audit_numerics)
-    audit.add_argument("--seed", type=_natural, default=0, metavar="N", help="other cases (%(default)s)")
+    audit.add_argument("--seed", type=natural, default=0, metavar="N", help="other cases (%(default)s)")
     audit.add_argument(
         "--size",
         choices=["small", "default", "large"],
@@ -142,16 +137,6 @@ def _add_trade(subcommands: argparse._SubParsersAction[argparse.ArgumentParser])
     trade.add_argument(
         "--out", type=Path, metavar="FIGURE", help="write two figures, .svg, .pdf or .png: FIGURE, and FIGURE-growth"
     )
-
-
-def _natural(text: str) -> int:
-    return 0 if text == "0" else _positive(text)
-
-
-def _positive(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) > 0):
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to 999999999")
-    return int(text)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -1,4 +1,4 @@
-"""A solved trajectory as motions between events and jumps, in balls: what is asked of every moment of it is asked here."""
+"""A solved trajectory as motions between events and jumps, in balls: for what is asked of every moment of it."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def stretches(trajectory: Any) -> Iterator[Stretch]:
             yield one
             state, now = one.motion.state(one.length), number(held)
         if waiting and not number(waiting[0]) > end:  # the event is the jump itself
-            held, end = waiting[0], number(waiting.pop(0))
+            held = waiting.pop(0)
             yield _stretch(scene, side, _before(jumps, held), state, now, end)
         else:
             yield _stretch(scene, side, held, state, now, end)

@@ -1,8 +1,8 @@
 """One mode under one piece of force as a linear system z' = A z, its flow by the exponential of a ball matrix.
 
 z = (x1, v1, x2, v2, 1, p0, ..., pd, s1, c1, ...): the state in SI units, the constant, the polynomial of the piece with
-its derivatives, and each sine beside its cosine. A is exact, resonance is no special case, and a flow over a ball of times
-encloses the flow at each of them. This is an evidence of its own: it shares no closed form with flows/.
+its derivatives, and each sine beside its cosine. A is exact, resonance is no special case, and a flow over a ball of
+times encloses the flow at each of them. This is an evidence of its own: it shares no closed form with flows/.
 """
 
 from __future__ import annotations

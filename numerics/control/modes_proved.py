@@ -7,15 +7,13 @@ from collections.abc import Callable
 from flint import arb
 
 from numerics.arithmetic.ball_words import working_digits
-from numerics.control.linear import ONE, W, Motion, Row, is_positive_on
+from numerics.control.linear import ONE, Motion, Row, W, is_positive_on
 from numerics.errors import EventUndecided
 
 _HALVINGS = 40
 
 
-def is_positive_inside(
-    motion: Motion, row: Row, end: arb, zero_at_start: int = 0, zero_at_end: int = 0
-) -> bool:
+def is_positive_inside(motion: Motion, row: Row, end: arb, zero_at_start: int = 0, zero_at_end: int = 0) -> bool:
     """Return whether a row of z is proved positive for 0 < t < end.
 
     At the start it vanishes with its first `zero_at_start` - 1 derivatives, likewise at the end: there the next
@@ -35,9 +33,7 @@ def is_positive_inside(
     return bool(left >= right) or is_positive_on(lambda t: motion.range(row, t), left, right)
 
 
-def _stretch(
-    part: Callable[[arb], tuple[arb, arb]], motion: Motion, row: Row, order: int, end: arb
-) -> arb | None:
+def _stretch(part: Callable[[arb], tuple[arb, arb]], motion: Motion, row: Row, order: int, end: arb) -> arb | None:
     """Return a length over which the order-th derivative is proved positive; None if none is found."""
     long = (end / 4).mid()
     for _ in range(_HALVINGS):

@@ -1,8 +1,8 @@
 """A periodic motion under a periodic force: from a guess of its events to a proved enclosure, with its multipliers.
 
-Unknown are time, position and common velocity (t, x1, v) at each event. A slip must end at the next event with v1 = v2 = v,
-a stick phase with Lambda = s b. An interval Newton step in balls proves that one solution lies in the box; then the modes
-are proved: s w > 0 inside each slip of sign s, |Lambda| < b inside each stick phase.
+Unknown are time, position and common velocity (t, x1, v) at each event. A slip must end at the next event with v1 = v2
+= v, a stick phase with Lambda = s b. An interval Newton step in balls proves that one solution lies in the box; then
+the modes are proved: s w > 0 inside each slip of sign s, |Lambda| < b inside each stick phase.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _STEPS = 40
 
 @dataclass(frozen=True)
 class Drive:
-    """A pair under a friction b and a force of one period: sines and a constant, frequencies multiples of `frequency`."""
+    """A pair under a friction b and a periodic force: sines and a constant, all multiples of `frequency`."""
 
     pair: Pair
     b: Fraction
@@ -52,7 +52,7 @@ class Drive:
 
 @dataclass(frozen=True)
 class Leg:
-    """One mode of a periodic motion: its side (0 sticks), the time of the event that begins it (s), x1 and v1 = v2 there."""
+    """One mode of a periodic motion: its side (0 sticks), the time of its first event (s), x1 and v1 = v2 there."""
 
     side: int
     t: arb

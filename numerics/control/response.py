@@ -1,7 +1,8 @@
 """What a pair does in the long run under a periodic force: entrained, stick-slip, non-stop, or growing without bound.
 
-The last piece of the force decides, a constant and sines of commensurable frequencies, with the last friction. For a1 > 0
-there is one periodic (x1, v1, v2), and every motion tends to it. For a1 = 0 what is found exists; `attraction` says more.
+The last piece of the force decides, a constant and sines of commensurable frequencies, with the last friction. For a1 >
+0 there is one periodic (x1, v1, v2), and every motion tends to it. For a1 = 0 what is found exists; `attraction` says
+more.
 """
 
 from __future__ import annotations
@@ -40,9 +41,9 @@ class Regime(Enum):
 class Response:
     """The long-time behaviour of a scene under its periodic force; numbers are enclosures with `digits` right digits.
 
-    `thresholds` (one sine only); `orbit`: the events of the periodic motion, None if it has none; `multipliers`: Floquet
-    multipliers of (x1, v1, v2), largest first, None where the linearisation does not exist; `drift`: mean velocity of
-    body 2, m/s; `growth`: the least rate at which v1's amplitude grows, m/s^2, 0 unless it grows.
+    `thresholds` (one sine only); `orbit`: the events of the periodic motion, None if it has none; `multipliers`:
+    Floquet multipliers of (x1, v1, v2), largest first, None where the linearisation does not exist; `drift`: mean
+    velocity of body 2, m/s; `growth`: the least rate at which v1's amplitude grows, m/s^2, 0 unless it grows.
     """
 
     drive: Drive
@@ -137,7 +138,9 @@ def resonant_growth(drive: Drive) -> arb:
     total = sum((acb.exp(acb(0, Ball.number(one.phase))) * Ball.number(one.amplitude) for one in resonant), acb(0))
     over = abs(total) - 4 * Ball.number(drive.b) / arb.pi()
     if over.contains(0):
-        raise EventUndecided("does the force bring more than friction takes at resonance?", over.str(6), working_digits())
+        raise EventUndecided(
+            "does the force bring more than friction takes at resonance?", over.str(6), working_digits()
+        )
     return over / (2 * Ball.number(pair.m1)) if over > 0 else arb(0)
 
 
@@ -182,7 +185,7 @@ def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> tuple[Res
             why += "; other stuck motions exist up to larger amplitudes, as Omega/omega is odd"
         pairs = _stuck_multipliers(drive)
         return Response(drive, Regime.ENTRAINED, known, None, pairs, arb(0), arb(0), why, digits), []
-    multipliers = _stuck_multipliers(drive)
+    multipliers: tuple[acb, ...] | None = _stuck_multipliers(drive)
     sine = drive.piece.sines[0]
     touches = len(drive.piece.sines) == 1 and load_margin(pair, sine.amplitude, sine.omega) == 0
     why = "every motion tends to it, and sticks after a finite time"

@@ -17,7 +17,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
 from numerics.control.asked import MAX_DIGITS, to_digits
 from numerics.control.legs import Stretch, stretches
-from numerics.control.linear import V1, V2, W, X1, X2, Row, value
+from numerics.control.linear import V1, V2, X1, X2, Row, W, value
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
 from numerics.long_time.resting_place import RestingPlace, resting_place
 from numerics.run.one import run_scene
@@ -48,9 +48,7 @@ class Ring:
     digits: int
 
 
-def ring_entry(
-    scene: Scene, radius: Exact, *, rate: Exact = 1, digits: int = 15, max_digits: int = MAX_DIGITS
-) -> Ring:
+def ring_entry(scene: Scene, radius: Exact, *, rate: Exact = 1, digits: int = 15, max_digits: int = MAX_DIGITS) -> Ring:
     """Return when the relative motion enters for good the ring of a radius (m) > 0; w counts as w/rate, rate (1/s) > 0.
 
     Raises InvalidScene, EventUndecided (the motion touches the ring), PrecisionExhausted (it settles too late).
@@ -63,7 +61,7 @@ def ring_entry(
     def attempt(arithmetic: Ball) -> tuple[Ring, list[arb]]:
         trajectory, place = _settled(scene, arithmetic, size, per)
         entry = last_on_ring(trajectory, place, size, per)
-        found = Ring(scene, size, per, place.limit, entry, True, _why(place, trajectory), digits)
+        found = Ring(scene, size, per, place.limit, entry, True, _why(place), digits)
         return found, [found.centre, found.entry]
 
     return to_digits(attempt, digits, max_digits)
@@ -86,7 +84,7 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
     )
 
 
-def _why(place: RestingPlace, trajectory: Any) -> str:
+def _why(place: RestingPlace) -> str:
     if place.speed.is_zero():
         return "the pair has stuck for ever"
     return f"all slips after event {place.index + 1} are bounded, to one side and the other in turn"
@@ -106,7 +104,7 @@ def last_on_ring(trajectory: Any, place: RestingPlace, radius: Fraction, rate: F
 
 
 def _last_in(stretch: Stretch, centre: arb, squared: arb, weight: arb) -> arb | None:
-    """Return the last time from the start of a stretch at which D = (z - z*)^2 + (w/rate)^2 - R^2 is 0; None if D < 0."""
+    """Return the last time in a stretch at which D = (z - z*)^2 + (w/rate)^2 - R^2 is 0; None if D < 0."""
     motion = stretch.motion
 
     def over(t: arb) -> arb:

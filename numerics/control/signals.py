@@ -1,4 +1,4 @@
-"""Derivatives of a piece of polynomial and sines: enclosed over an interval, compared exactly at a time, bounded on it."""
+"""Derivatives of a piece of polynomial and sines: enclosed, compared exactly at a time, bounded on an interval."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ class Derivative:
 
 
 def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: int) -> tuple[arb, arb]:
-    """Return an enclosure of max |f| over [start, end] to about `digits` digits, and a time at which it is all but reached.
+    """Return an enclosure of max |f| over [start, end] to about `digits` digits, and a time of it.
 
     The interval is halved; parts that cannot hold the largest value are dropped. Raises EventUndecided.
     """
@@ -103,7 +103,10 @@ def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: i
     best, where = max(((abs(function(edge)).lower(), edge) for edge in parts[0]), key=lambda one: float(one[0]))
     while parts:
         halves = [
-            half for low, high in parts for middle in [((low + high) / 2).mid()] for half in ((low, middle), (middle, high))
+            half
+            for low, high in parts
+            for middle in [((low + high) / 2).mid()]
+            for half in ((low, middle), (middle, high))
         ]
         for _, middle in halves:
             here = abs(function(middle)).lower()

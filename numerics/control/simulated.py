@@ -8,12 +8,12 @@ from typing import Any
 
 from flint import arb
 
+from numerics.arithmetic.float64 import Float64
 from numerics.control.orbit import Drive, Leg, Orbit
 from numerics.control.rounding import rounded
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.run.one import MAX_EVENTS, run_scene
 from numerics.scene import Force, Pair, Scene, State
-from numerics.arithmetic.float64 import Float64
 
 _PERIODS = (16, 128, 1024, 8192)
 
@@ -39,7 +39,7 @@ def _start(drive: Drive) -> State:
 
 
 def _last_period(drive: Drive, found: Any, until: Fraction) -> Orbit | None:
-    """Return the legs of the events after the first one in the last period, from one event to the same a period later."""
+    """Return the legs of the last period, from one event to the same a period later."""
     period = float(drive.period)
     late = [event for event in found.events if event.t > float(until) - 1.05 * period]
     if not late:
@@ -51,5 +51,3 @@ def _last_period(drive: Drive, found: Any, until: Fraction) -> Orbit | None:
         if event.t < first.t + period * (1 - 1e-6)
     ]
     return Orbit(drive, tuple(legs)) if legs else None
-
-

@@ -1,4 +1,4 @@
-"""Thresholds of a sinusoidal force u = U sin(omega t + phase): up to U* the pair may stick for ever, from U** on it slips.
+"""Thresholds of a force U sin(omega t + phase): up to U* the pair may stick for ever, from U** on it never stops.
 
 With beta = b/m2, M = m1 + m2 and Z(m) = |a2 - m omega^2 + i a1 omega|:
 
@@ -99,7 +99,7 @@ def non_stop_over(pair: Pair, omega: Fraction | arb) -> arb:
 
 
 def reversal_demand(pair: Pair, omega: arb) -> tuple[arb, arb]:
-    """Return what the response to U must give at a reversal to slip +: minus a velocity, and at least an acceleration."""
+    """Return what the response to U must give where slip + begins: minus a velocity, at least an acceleration."""
     number = Ball.number
     b, m1, m2 = number(pair.b), number(pair.m1), number(pair.m2)
     place, speed = square_wave_response(pair, omega)

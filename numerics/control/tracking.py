@@ -4,7 +4,8 @@ Body 2 has only the friction: x2 = r needs |r''| <= b/m2, and the pair sticks wh
 
     u = M r'' + a1 r' + a2 (r + x1(0) - r(0)),    from x2(0) = r(0) and v1(0) = v2(0) = r'(0); r, r' must not jump.
 
-The force of a polynomial with sines is one again; where a damper asks for a cosine, its phase pi/2 is rounded to 60 digits.
+The force of a polynomial with sines is one again; where a damper asks for a cosine, its phase pi/2 is rounded to 60
+digits.
 """
 
 from __future__ import annotations
@@ -61,9 +62,7 @@ class Tracking:
     digits: int
 
 
-def track(
-    scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int = MAX_DIGITS
-) -> Tracking:
+def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int = MAX_DIGITS) -> Tracking:
     """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
 
     The scene's own force is replaced, its friction in time counts. Raises InvalidScene (a jump of r or r', another
@@ -91,16 +90,15 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
         if Derivative.of(reference[0], order).at(Fraction(0)) != ({Fraction(0): body} if body else {}):
             value = float(Derivative.of(reference[0], order)(arb(0)).mid())
             raise InvalidScene(
-                f"{name}(0) = {value:g} must be exactly {'x2' if order == 0 else 'v2'}(0) = {short(body)} of the scene; "
-                "change either"
+                f"{name}(0) = {value:g} must be exactly {('x2', 'v2')[order]}(0) = {short(body)}; change either"
             )
         for number, (one, two) in enumerate(pairwise(reference), start=2):
             before, after = Derivative.of(one, order), Derivative.of(two, order)
             if before.at(two.start) != after.at(two.start):
                 values = [float(side(Ball.number(two.start)).mid()) for side in (before, after)]
                 raise InvalidScene(
-                    f"{name} jumps from {values[0]:g} to {values[1]:g} at t = {short(two.start)}, where piece {number} of "
-                    "the reference begins; no force can follow that, make it continuous"
+                    f"{name} jumps from {values[0]:g} to {values[1]:g} at t = {short(two.start)}, where piece {number} "
+                    "of the reference begins; no force can follow that, make it continuous"
                 )
 
 

@@ -1,4 +1,4 @@
-"""From rest to rest over a distance D in the least time, by a force on body 1 that acts on body 2 through friction only.
+"""From rest to rest over a distance D in the least time, by a force that acts on body 2 through friction only.
 
 Friction gives body 2 at most beta = b/m2: no control arrives before 2 sqrt(m2 D/b). With tau = sqrt(m2 D/b), D > 0:
 
@@ -6,7 +6,8 @@ Friction gives body 2 at most beta = b/m2: no control arrives before 2 sqrt(m2 D
                          a2 D + a1^2 beta/(2 a2) - M beta if a1^2 beta <= a2^2 D)
     slip, then stick     body 1 runs ahead under a constant force through the first half and is met at tau. At least
                          U_min = b + beta tau/g(tau), g the impulse response of body 1, if g' >= 0 on [0, tau]
-    bang-bang, stuck     a1 = 0, d = a2 D/U <= 1: +U, then -U, in (acos(1 - d/2 - d^2/4) + acos((1 + d/2 + d^2/4)/(1 + d)))/Omega
+    bang-bang, stuck     a1 = 0, d = a2 D/U <= 1: +U, then -U, in
+                         (acos(1 - d/2 - d^2/4) + acos((1 + d/2 + d^2/4)/(1 + d)))/Omega
 
 A margin E keeps the load of a stuck transfer at most (1 - E) b. The times of a force are exact decimals next to these.
 """
@@ -87,10 +88,12 @@ def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margi
     if distance == 0:
         raise InvalidScene("distance = 0 must not be 0; give a distance in metres")
     if not 0 <= margin < 1:
-        raise InvalidScene(f"margin = {short(margin)} must be at least 0 and below 1; give the part of b that stays free")
+        raise InvalidScene(
+            f"margin = {short(margin)} must be at least 0 and below 1; give the part of b that stays free"
+        )
     if amplitude is not None and amplitude <= 0:
         raise InvalidScene(f"amplitude = {short(amplitude)} must be > 0; leave it out for a force without bound")
-    if (at.x1, at.v1, at.v2) != (0, 0, 0):
+    if any((at.x1, at.v1, at.v2)):
         raise InvalidScene("a transfer starts at rest with the spring unloaded; set x1 = v1 = v2 = 0")
     if scene.is_forced:
         raise InvalidScene("a transfer brings its own force, at one friction; leave [[force]] and [[friction]] out")
@@ -188,7 +191,7 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
 
 
 def stuck_piece(pair: Pair, start: Fraction, path: tuple[Fraction, Fraction, Fraction]) -> Piece:
-    """Return u = M x'' + a1 x' + a2 x of a stuck pair with position, velocity and constant acceleration from a time on."""
+    """Return u = M x'' + a1 x' + a2 x of a stuck pair with a position, a velocity and a constant acceleration."""
     x, v, a = path
     return Piece(start, (pair.mass * a + pair.a1 * v + pair.a2 * x, pair.a1 * a + pair.a2 * v, pair.a2 * a / 2))
 
@@ -214,7 +217,7 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> F
 
 
 def _run_ahead(pair: Pair, push: arb, t: arb) -> arb:
-    """Return where a constant push takes body 1 from rest in the time t, m: (push - m1 v' - a1 v)/a2 with v = push g."""
+    """Return where a constant push takes body 1 from rest in a time, m: (push - m1 v' - a1 v)/a2, v = push g."""
     number, decay = Ball.number, pair.a1 / (2 * pair.m1)
     cosine, sine = cosine_and_sine(pair.a2 / pair.m1 - decay**2, t)
     left = (-number(decay) * t).exp() * (cosine + number(decay) * sine)
@@ -222,7 +225,7 @@ def _run_ahead(pair: Pair, push: arb, t: arb) -> arb:
 
 
 def _bang_bang(pair: Pair, far: Fraction, most: Fraction, margin: Fraction) -> Choice | None:
-    """Return the stuck transfer between -U and +U; None with a damper, beyond d = 1, or if friction does not hold it."""
+    """Return the stuck transfer between -U and +U; None with a damper, beyond d = 1, or where friction gives way."""
     d = pair.a2 * far / most
     held = (1 - margin) * pair.mass * pair.b / pair.m2
     if pair.a1 != 0 or d > 1 or most + pair.a2 * far > held:

@@ -1,13 +1,14 @@
-"""Motions with two stops, or two reversals, a period under u = U sin(omega t + phase): the guesses that orbit.py proves.
+"""Motions with two stops, or two reversals, a period under U sin(omega t + phase): guesses that orbit.py proves.
 
-The motion repeats with the other sign after half a period h. Counted from an exit to slip +, with a slip of length ts and
-u = S sin(omega t) + C cos(omega t), the exit state (x0, v0) and (S, C) solve a linear system:
+The motion repeats with the other sign after half a period h. Counted from an exit to slip +, with a slip of length ts
+and u = S sin(omega t) + C cos(omega t), the exit state (x0, v0) and (S, C) solve a linear system:
 
     C - a1 v0 - a2 x0 = M beta        Lambda = b at the exit
     v1(ts) = v0 + beta ts             w = 0 where the slip ends
     (x1, v1)(h) = -(x0, v0)           after a stick phase from ts on
 
-U(ts) = hypot(S, C) runs from U* at ts = 0 to U** at ts = h; between two values of ts with U on either side lies a guess.
+U(ts) = hypot(S, C) runs from U* at ts = 0 to U** at ts = h; between two values of ts with U on either side lies a
+guess.
 """
 
 from __future__ import annotations

@@ -7,6 +7,7 @@ import json
 import sys
 
 from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, refuse, wrong_path
+from numerics.faces.printing import show_blocks
 from numerics.faces.solving import LABELS
 
 
@@ -69,7 +70,7 @@ def chart_merging(options: argparse.Namespace) -> int:
             jobs=options.jobs,
             dask=options.dask,
             resume=options.resume,
-            progress=_map_progress if sys.stderr.isatty() else None,
+            progress=show_blocks if sys.stderr.isatty() else None,
         )
     except KeyboardInterrupt:
         if options.resume is None:
@@ -84,11 +85,6 @@ def chart_merging(options: argparse.Namespace) -> int:
         print(f"{name.name.lower():10}{share:8.2%} of the window (logarithmic axes)")
     print(f"{len(found.cells)} cells, sides down to 2^-{found.depth} of the window")
     return OK
-
-
-def _map_progress(done: int, blocks: int) -> None:
-    end = "\n" if done == blocks else ""
-    print(f"\r{done} of {blocks} blocks ", end=end, file=sys.stderr, flush=True)
 
 
 def audit_numerics(options: argparse.Namespace) -> int:

@@ -1,7 +1,8 @@
-"""Errors are told in Python's words; on the command line the same things are flags."""
+"""Flags: whole numbers in them are read here; errors are told in Python's words, where the command line has flags."""
 
 from __future__ import annotations
 
+import argparse
 import re
 
 _NAMES = "arithmetic|digits|max_digits|max_events|max_steps"
@@ -20,3 +21,15 @@ def in_flags(message: str) -> str:
 def _flag(found: re.Match[str]) -> str:
     name, value = found[1].replace("_", "-"), found[3] if found[3] is not None else found[2]
     return f"--{name} {'N' if value == '...' else value}"
+
+
+def natural(text: str) -> int:
+    """Return a whole number >= 0 of a flag."""
+    return 0 if text == "0" else positive(text)
+
+
+def positive(text: str) -> int:
+    """Return a whole number > 0 of a flag."""
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to 999999999")
+    return int(text)

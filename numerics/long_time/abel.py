@@ -6,8 +6,8 @@ epsilon = sqrt(w). Two functions turn iteration into addition:
     alpha(F(y)) = alpha(y) + 1          alpha = 1/(a y) + B ln y + c_1 y + ... ,  a = 9 r/4
     beta(F(y))  = beta(y) + pi + t      beta  = pi alpha + g_1 epsilon + g_2 epsilon^2 + ...
 
-A third sums what the slips, to one side and the other in turn, move the bodies apart: slide(F(y)) = y - F(y) - slide(y),
-slide = s_2 y^2 + s_3 y^3 + ... .
+A third sums what the slips, to one side and the other in turn, move the bodies apart: slide(F(y)) = y - F(y) -
+slide(y), slide = s_2 y^2 + s_3 y^3 + ... .
 
 Their series are computed over the rationals. What a truncated series misses of its equation is analytic in the slip
 angle theta on a disc, bounded on its rim by balls, and has a zero of known order at 0: Schwarz's lemma bounds it
@@ -203,7 +203,7 @@ class AbelFunctions:
         raise ArithmeticError(f"no disc around the critical orbit is certified for q = {float(self.q):g}")
 
     def _defects_on_rim(self, radius: Fraction) -> tuple[arb, arb, arb] | None:
-        """Return the sup of the defects of alpha, beta and slide on |theta| = radius; None if a factor may vanish inside.
+        """Return the sup of each defect on |theta| = radius; None if a factor may vanish inside.
 
         By the maximum principle |G| < 1, |q c| < 1, |eps'| < 1 and |landing| < 1 on the rim hold on the disc.
         """

@@ -237,4 +237,5 @@ def reach_of(digits: int) -> float:
 
 @lru_cache(maxsize=8)
 def abel_functions(share: Fraction, order: int) -> AbelFunctions:
+    """Return the Abel functions of a mass share, computed once."""
     return AbelFunctions(share, order)

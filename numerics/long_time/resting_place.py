@@ -1,7 +1,7 @@
-"""Where the bodies end up relative to each other, free pair: the limit of z = x1 - x2, also after infinitely many slips.
+"""Where the bodies of a free pair end up: the limit of z = x1 - x2, also after infinitely many slips.
 
-A pair that sticks for ever keeps its z. One that creeps (a1 = 0) slips to one side and the other in turn, ever less: a slip
-from a ray with y = w/q moves z by E_cr q (y - F(y))/b, and the Abel functions (abel.py) add up all that are left.
+A pair that sticks for ever keeps its z. One that creeps (a1 = 0) slips to one side and the other in turn, ever less: a
+slip from a ray with y = w/q moves z by E_cr q (y - F(y))/b, and the Abel functions (abel.py) add up all that are left.
 """
 
 from __future__ import annotations
@@ -61,7 +61,8 @@ def _from_ray(trajectory: Any, index: int, event: Any) -> RestingPlace | None:
     unit = frame.critical_energy * frame.q / Ball.number(pair.b)
     x1, _, x2, _ = event.y
     limit = x1 - x2 + event.after.sign * unit * abel.slide(y)
-    # c(y) <= 3 y/2 bounds a slip's way; its angle is at most 3 sqrt(y), and w'' <= (a2/m1)|v1| while body 1 moves outwards
+    # c(y) <= 3 y/2 bounds a slip's way; its angle is at most 3 sqrt(y), and w'' <= (a2/m1)|v1| while body 1 moves
+    # outwards
     reach = unit * frame.r * (9 * y * y / 4)
     speed = abs(event.y[1]) * 9 * y / 2
     return RestingPlace(limit, index, reach.upper(), speed.upper())

@@ -1,8 +1,8 @@
 """A window of two quantities > 0 as a quadtree of decided cells.
 
-It is cut into quarters, at geometric means rounded to exact rationals, until a cell is decided or `depth` cuts are made.
-Its 64 blocks are independent tasks: run in turn, by joblib or by Dask, the map is the same. A block's quadtree is written
-as text: + for a cell that was cut, followed by its quarters in their order, or else the letter of its verdict.
+It is cut into quarters, at geometric means rounded to exact rationals, until a cell is decided or `depth` cuts are
+made. Its 64 blocks are independent tasks: run in turn, by joblib or by Dask, the map is the same. A block's quadtree is
+written as text: + for a cell that was cut, followed by its quarters in their order, or else the letter of its verdict.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ def shares(leaves: tuple[Leaf, ...], kinds: type[Enum]) -> dict[Any, float]:
 
 
 def raster(leaves: tuple[Leaf, ...], depth: int, order: list[Any]) -> Any:
-    """Return the verdicts on the finest grid as places in `order`, shape (2^depth, 2^depth), the second side upwards."""
+    """Return the verdicts on the finest grid as places in `order`, (2^depth, 2^depth), the second side upwards."""
     places = {one: index for index, one in enumerate(order)}
     grid = np.empty((2**depth, 2**depth), dtype=np.uint8)
     for cell in leaves:

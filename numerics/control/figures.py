@@ -1,0 +1,167 @@
+"""Pictures of what a control engineer asks, each a matplotlib figure: response, thresholds, reference."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from flint import arb
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter
+from numpy.typing import NDArray
+
+from numerics.arithmetic.ball import Ball
+from numerics.control.linear import X2, Motion, value
+from numerics.control.orbit import Drive, Orbit
+from numerics.control.response import Regime, Response, stuck_response
+from numerics.control.signals import Derivative
+from numerics.control.thresholds import non_stop_threshold, stiffness
+from numerics.control.tracking import Tracking
+from numerics.scene import Pair
+from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE
+
+Floats = NDArray[np.float64]
+_DIGITS = 16
+_POINTS = 240
+REGIME_COLOURS = {"entrained": "#dbe7f3", "stick-slip": "#f6e3c5", "non-stop": "#e3cfe3"}
+
+
+def sampled_motion(motion: Motion, length: arb, count: int = _POINTS) -> Floats:
+    """Return time since its start, x1, v1, x2, v2 and the load of a motion, shape (6, count)."""
+    step = motion.flow(length / (count - 1))
+    z, rows = motion.begin, []
+    for k in range(count):
+        state = [float(z[place, 0]) for place in range(X2 + 2)]
+        rows.append([float(length) * k / (count - 1), *state, float(value(motion.mode.load, z))])
+        z = (step * z).mid()
+    return np.array(rows).T
+
+
+def sampled_orbit(orbit: Orbit) -> tuple[Floats, NDArray[np.bool_]]:
+    """Return t from the first event, x1, v1, x2, v2 and the friction force on body 2 over a period; where it sticks."""
+    parts, stuck, x2 = [], [], 0.0
+    with Ball(_DIGITS).context():
+        for leg, after in orbit.turns:
+            part = sampled_motion(orbit.motion(leg), after.t - leg.t, _POINTS // len(orbit.legs) + 8)
+            part[0] += float(leg.t - orbit.legs[0].t)
+            part[3] += x2
+            x2 = part[3, -1]
+            if leg.side:
+                part[5] = leg.side * float(orbit.drive.b)
+            parts.append(part)
+            stuck.append(np.full(part.shape[1], leg.side == 0))
+    return np.concatenate(parts, axis=1), np.concatenate(stuck)
+
+
+def draw_response(found: Response) -> Figure:
+    """Return the velocities and the friction force over a period; for one sine the thresholds over frequency too."""
+    panels = 3 if found.thresholds is not None else 2
+    figure = Figure(figsize=(4.2 * panels, 3.8), layout="constrained")
+    axes = figure.subplots(1, panels)
+    drive, table, stuck = found.drive, *_over_a_period(found)
+    t = table[0]
+    axes[0].plot(t, table[2], color=BLUE, label="$v_1$")
+    axes[0].plot(t, table[4], color=ORANGE, ls="--", label="$v_2$")
+    axes[0].set(xlabel="t (s)", ylabel="velocity (m/s)", title="The periodic motion, one period")
+    axes[1].plot(t, table[5] / float(drive.b), color=GREEN, label="friction on body 2 over b")
+    for side in (-1, 1):
+        axes[1].axhline(side, color=GRAY, lw=0.8, ls=":")
+    axes[1].set(xlabel="t (s)", ylabel="friction force / b", title="What the interface carries", ylim=(-1.15, 1.15))
+    for ax in axes[:2]:
+        ax.fill_between(
+            t, 0, 1, where=stuck, transform=ax.get_xaxis_transform(), color=GRAY, alpha=0.25, lw=0, label="stick"
+        )
+        ax.legend(fontsize="small")
+    if found.thresholds is not None:
+        sine = drive.piece.sines[0]
+        centre = float(sine.omega)
+        draw_thresholds(drive.pair, np.geomspace(centre / 4, 4 * centre, 400), axes[2])
+        axes[2].plot(centre, abs(float(sine.amplitude)), "o", color="black", label="this force")
+        axes[2].legend(fontsize="small", loc="best")
+    figure.suptitle(found.regime.value)
+    return figure
+
+
+def _over_a_period(found: Response) -> tuple[Floats, NDArray[np.bool_]]:
+    if found.orbit is not None:
+        return sampled_orbit(found.orbit)
+    with Ball(_DIGITS).context():
+        motion = stuck_response(found.drive)
+        if found.regime is Regime.GROWS or motion is None:
+            return np.zeros((6, 2)), np.zeros(2, dtype=bool)
+        table = sampled_motion(motion, found.drive.period)
+    return table, np.full(table.shape[1], True)
+
+
+def threshold_curves(pair: Pair, omegas: Sequence[float]) -> tuple[Floats, Floats]:
+    """Return U* and U** (N) at frequencies (rad/s), in binary64; infinite where U** is not finite."""
+    low, high = [], []
+    with Ball(_DIGITS).context():
+        for one in omegas:
+            omega = Fraction(float(one))
+            low.append(float(pair.b / pair.m2 / omega**2) * float(stiffness(pair, pair.mass, omega)))
+            high.append(float(non_stop_threshold(pair, omega)))
+    return np.array(low), np.array(high)
+
+
+def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
+    """Draw U* and U** over frequency into axes, the three regimes shaded, and return the axes."""
+    low, high = threshold_curves(pair, omegas)
+    top = 4 * float(np.nanmedian(high[np.isfinite(high)]))
+    bottom = min(low.min(), np.nanmin(high)) / 3
+    bottom = max(bottom, top / 1e4)
+    between = np.maximum(low, high)
+    ax.fill_between(omegas, bottom, np.clip(low, bottom, top), color=REGIME_COLOURS["entrained"], lw=0)
+    ax.fill_between(
+        omegas, np.clip(low, bottom, top), np.clip(between, bottom, top), color=REGIME_COLOURS["stick-slip"], lw=0
+    )
+    ax.fill_between(omegas, np.clip(between, bottom, top), top, color=REGIME_COLOURS["non-stop"], lw=0)
+    ax.plot(omegas, low, color=BLUE, label="$U^*$: above it the stuck response breaks")
+    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U^{**}$: from it on no stops")
+    ax.set(xscale="log", yscale="log", ylim=(bottom, top), xlim=(omegas[0], omegas[-1]))
+    plain_decades(ax)
+    ax.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)", title="Thresholds over frequency")
+    return ax
+
+
+def plain_decades(ax: Any) -> None:
+    """Label a logarithmic frequency axis by plain numbers that do not meet each other."""
+    ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    ax.xaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+    ax.xaxis.set_minor_formatter(NullFormatter())
+
+
+def draw_tracking(found: Tracking, pair: Pair) -> Figure:
+    """Return the reference, what it asks of the interface beside what that holds, and the force if there is one."""
+    figure = Figure(figsize=(8, 7.2), layout="constrained")
+    rows = figure.subplots(3, 1, sharex=True)
+    last = max(one.end for one in found.demands)
+    forces = found.scene.force if found.scene is not None else None
+    for one in found.demands:
+        t = np.linspace(float(one.start), float(one.end), 400)
+        piece = found.reference[one.number - 1]
+        with Ball(_DIGITS).context():
+            path, bend = ([float(Derivative.of(piece, k)(arb(at)).mid()) for at in t] for k in (0, 2))
+        colour = BLUE if one.possible else ORANGE
+        rows[0].plot(t, path, color=colour, ls="-" if one.possible else "--")
+        rows[1].plot(t, float(pair.m2) * np.array(bend), color=colour, ls="-" if one.possible else "--")
+        rows[1].fill_between(t, -float(one.b), float(one.b), color=GRAY, alpha=0.25, lw=0)
+        if forces is not None:
+            side = [float(forces(Fraction(at))) for at in t[:-1]]
+            rows[2].plot(t[:-1], side, color=GREEN)
+    rows[0].set(ylabel="r (m)", title="The reference of body 2")
+    rows[1].set(ylabel="$m_2 r''$ (N)", title="What it asks of friction; gray: what friction can give")
+    rows[2].set(
+        ylabel="u (N)", xlabel="t (s)", xlim=(0, float(last)), title="The force on body 1 that makes body 2 follow"
+    )
+    if forces is None:
+        rows[2].set_title("No force makes body 2 follow: the dashed pieces ask too much")
+    return figure
+
+
+def drift_of_orbits(drive: Drive, orbits: Sequence[Orbit]) -> Floats:
+    """Return the mean velocity of body 2 (m/s) in each of some periodic motions, binary64."""
+    with Ball(_DIGITS).context():
+        return np.array([float((one.travel / drive.period).mid()) for one in orbits])

@@ -1,0 +1,185 @@
+"""Which regime a sine of amplitude U and frequency omega brings, as a map of proved cells of one pair.
+
+    entrained  U <= U* over the whole cell
+    non-stop   U >= U** over the cell, and w > 0 between the reversals: w rises with U there, so the least U is looked
+    at between    U* < U < U** over the cell: slips, and sticks or reverses more than twice a period
+
+For a1 = 0 a verdict says that such a motion exists ("between": that neither of the others does).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from fractions import Fraction
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.control.linear import is_positive_on
+from numerics.control.thresholds import (
+    cosine_and_sine,
+    entrainment_threshold,
+    non_stop_over,
+    reversal_demand,
+    square_wave_response,
+    stiffness,
+)
+from numerics.errors import InvalidMap
+from numerics.quadtree.tree import Leaf, Progress, Side, Sides, Verdicts, leaves_of, shares
+from numerics.scene import Pair
+from numerics.scene.decimals import decimal_text
+
+_DIGITS = 16
+_SLICES = 8
+"""Frequencies of a cell are taken in so many slices: what is proved of a narrow ball is sharper."""
+_PARTS = 64
+"""Into so many parts half a period is cut before w > 0 counts as undecided."""
+_NARROWEST = Fraction(1001, 1000)
+
+
+class Regimes(Enum):
+    """What is proved of a cell; the letter stands for it in checkpoints."""
+
+    ENTRAINED = "e"
+    BETWEEN = "b"
+    NON_STOP = "n"
+    UNDECIDED = "u"
+
+
+@dataclass(frozen=True)
+class ResponseMap:
+    """The leaves that cover a window of amplitudes (N) and frequencies (rad/s) of a sine on one pair."""
+
+    pair: Pair
+    amplitude: Side
+    omega: Side
+    depth: int
+    leaves: tuple[Leaf, ...]
+
+    def shares(self) -> dict[Regimes, float]:
+        """Return the share of each verdict in the window's area on logarithmic axes."""
+        return shares(self.leaves, Regimes)
+
+    def as_record(self) -> dict[str, Any]:
+        """Return the map for JSON: exact numbers as text, one [omega from, to, U from, to, verdict] a cell."""
+        return {
+            **_title(self.pair, self.amplitude, self.omega, self.depth),
+            "shares": {one.name.lower(): share for one, share in self.shares().items()},
+            "cells": [
+                [*(str(one) for side in cell.sides for one in side), cell.verdict.name.lower()] for cell in self.leaves
+            ],
+        }
+
+
+def response_map(
+    pair: Pair,
+    amplitude: Side,
+    omega: Side,
+    depth: int,
+    *,
+    jobs: int = 1,
+    dask: str | None = None,
+    resume: Path | None = None,
+    progress: Progress | None = None,
+) -> ResponseMap:
+    """Return the map of a window of amplitudes (N) and frequencies (rad/s), cells down to 2^-depth of its sides.
+
+    The roads (`jobs`, `dask`) and the checkpoint `resume` are those of every map; they change nothing in the result.
+    Raises InvalidMap, MissingTool.
+    """
+    for name, (low, high) in (("amplitude", amplitude), ("omega", omega)):
+        if not 0 < low * _NARROWEST <= high:
+            raise InvalidMap(
+                f"{name}: {str(low)[:20]} to {str(high)[:20]} is no range; give 0 < A < B with B/A > 1.001"
+            )
+    verdicts = Verdicts(partial(decide, pair), Regimes, Regimes.UNDECIDED)
+    title = _title(pair, amplitude, omega, depth)
+    roads: dict[str, Any] = {"jobs": jobs, "dask": dask, "resume": resume, "progress": progress}
+    return ResponseMap(pair, amplitude, omega, depth, leaves_of((omega, amplitude), depth, verdicts, title, **roads))
+
+
+def _title(pair: Pair, amplitude: Side, omega: Side, depth: int) -> dict[str, object]:
+    """Return what a checkpoint must agree with."""
+    numbers = {name: decimal_text(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
+    ranges = {"amplitude": [str(one) for one in amplitude], "omega": [str(one) for one in omega]}
+    return {"map": "response", "pair": numbers, **ranges, "depth": depth}
+
+
+def decide(pair: Pair, sides: Sides) -> Regimes:
+    """Return what is proved of every (omega, U) of a cell."""
+    (slow, fast), (weak, strong) = sides
+    with Ball(_DIGITS).context():
+        low, high = Ball.number(weak), Ball.number(strong)
+        found: Regimes | None = None
+        for k in range(_SLICES):
+            first, last = (Ball.number(slow + (fast - slow) * Fraction(k + n, _SLICES)) for n in (0, 1))
+            here = _decide_slice(pair, first.union(last), low, high)
+            if here is Regimes.UNDECIDED or found not in {None, here}:
+                return Regimes.UNDECIDED
+            found = here
+    return found or Regimes.UNDECIDED
+
+
+def _decide_slice(pair: Pair, omega: arb, low: arb, high: arb) -> Regimes:
+    """Return what is proved of the amplitudes from low to high over a ball of frequencies."""
+    stuck = entrainment_threshold(pair, omega)
+    if high <= stuck:
+        return Regimes.ENTRAINED
+    slipping = non_stop_over(pair, omega)
+    if low > stuck and high < slipping:
+        return Regimes.BETWEEN
+    if low > slipping and keeps_slipping(pair, low, omega):
+        return Regimes.NON_STOP
+    return Regimes.UNDECIDED
+
+
+def keeps_slipping(pair: Pair, amplitude: arb, omega: arb) -> bool:
+    """Return whether w > 0 is proved between the reversals of the motion that only slips, for U > U**.
+
+    From a reversal to slip + on, with the square wave of friction from (-b h, -b h') and T = 2 pi/omega,
+
+        w = e^(-lambda t) (-b h' C(t) - k S(t)) - beta (t - T/4)
+            - V cos(omega t) + sqrt((U omega/Z)^2 - V^2) sin(omega t),
+
+    k = (b - a2 b h)/m1 - lambda b h', C = cos(omegad t), S = sin(omegad t)/omegad; w = 0 at both ends, for every omega.
+    """
+    number = Ball.number
+    b, beta, decay = number(pair.b), number(pair.b / pair.m2), number(pair.a1 / (2 * pair.m1))
+    squared = pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2
+    place, speed = square_wave_response(pair, omega)
+    demand, _ = reversal_demand(pair, omega)
+    reach = amplitude * omega / stiffness(pair, pair.m1, omega)
+    rest = reach * reach - demand * demand
+    if not rest > 0:
+        return False
+    sine, half = rest.sqrt(), arb.pi() / omega
+    swing = (b - number(pair.a2) * b * place) / number(pair.m1) - decay * b * speed
+
+    def relative(t: arb) -> arb:
+        c, s = cosine_and_sine(squared, t)
+        turn, turned = (omega * t).sin_cos()
+        own = (-decay * t).exp() * (-b * speed * c - swing * s)
+        return own - beta * (t - half / 2) - demand * turned + sine * turn
+
+    def rate(t: arb) -> arb:
+        c, s = cosine_and_sine(squared, t)
+        turn, turned = (omega * t).sin_cos()
+        falls = b * speed * (decay * c + number(squared) * s) - swing * (c - decay * s)
+        return (-decay * t).exp() * falls - beta + omega * (demand * turn + sine * turned)
+
+    def rising(part: arb) -> arb:
+        """Return w in the form that is the sharper: by its value in the middle and its rate over the part."""
+        wide = relative(part.mid()) + (part - part.mid()) * rate(part)
+        return wide if wide.rad() < relative(part).rad() else relative(part)
+
+    short = (half / 16).lower()
+    end = half.upper()
+    return (
+        is_positive_on(rate, arb(0), short, _PARTS)
+        and is_positive_on(lambda t: -rate(t), half.lower() - short, end, _PARTS)
+        and is_positive_on(rising, short, end - short, _PARTS)
+    )

@@ -1,0 +1,54 @@
+"""The response map as a picture: frequency against amplitude, both logarithmic; colours that differ in grey too."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from numerics.control.figures import REGIME_COLOURS, plain_decades, threshold_curves
+from numerics.control.response_map import Regimes, ResponseMap
+from numerics.quadtree.tree import raster
+from numerics.trajectory.figures import BLUE, ORANGE
+
+COLOURS = {
+    Regimes.ENTRAINED: REGIME_COLOURS["entrained"],
+    Regimes.BETWEEN: REGIME_COLOURS["stick-slip"],
+    Regimes.NON_STOP: REGIME_COLOURS["non-stop"],
+    Regimes.UNDECIDED: "#777777",
+}
+LABELS = {
+    Regimes.ENTRAINED: "sticks for ever",
+    Regimes.BETWEEN: "slips, with stops",
+    Regimes.NON_STOP: "never stops",
+    Regimes.UNDECIDED: "undecided at this depth",
+}
+
+
+def draw_response_map(found: ResponseMap) -> Figure:
+    """Return a matplotlib figure of the map, with both thresholds."""
+    edges = [np.geomspace(float(low), float(high), 2**found.depth + 1) for low, high in (found.omega, found.amplitude)]
+    figure = Figure(figsize=(7.6, 6), layout="constrained")
+    axes = figure.subplots()
+    colours = ListedColormap(list(COLOURS.values()))
+    grid = raster(found.leaves, found.depth, list(COLOURS))
+    axes.pcolormesh(*edges, grid, cmap=colours, vmin=-0.5, vmax=len(COLOURS) - 0.5, rasterized=True)
+    omegas = np.geomspace(edges[0][0], edges[0][-1], 600)
+    low, high = threshold_curves(found.pair, omegas.tolist())
+    lines = axes.plot(omegas, low, color=BLUE, label="$U^*$") + axes.plot(omegas, high, color=ORANGE, ls="--")
+    lines[1].set_label("$U^{**}$")
+    axes.set(xscale="log", yscale="log", xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
+    plain_decades(axes)
+    axes.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)")
+    shares = found.shares()
+    handles: list[Any] = [Patch(fc=COLOURS[one], ec="black", lw=0.5, label=_label(one, shares[one])) for one in COLOURS]
+    figure.legend(handles=[*handles, *lines], loc="outside lower center", ncols=3, fontsize="small", frameon=False)
+    axes.set_title("What a sine does to the pair: every decided cell is proved")
+    return figure
+
+
+def _label(one: Regimes, share: float) -> str:
+    return f"{LABELS[one]} ({share:.1%})"

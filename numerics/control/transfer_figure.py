@@ -1,0 +1,53 @@
+"""A transfer as a picture: both positions, both velocities, and the force beside the friction that it asks for."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from numerics.control.transfer import Transfer
+from numerics.motion.modes import Mode
+from numerics.scene.decimals import exact_decimal
+from numerics.solver.solve import solve
+from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE
+
+_POINTS = 1200
+
+
+def draw_transfer(found: Transfer) -> Figure:
+    """Return the figure of a transfer that has a scene; solved in float64, which is ample for the eye."""
+    scene, time = found.scene, found.time
+    assert scene is not None
+    assert time is not None
+    solved, pair = solve(scene), scene.pair
+    t = np.linspace(0, float(scene.until), _POINTS)
+    y, stuck = solved.sol(t), np.array([mode is Mode.STICK for mode in solved.mode_at(t)])
+    u = np.array([float(scene.force(exact_decimal(float(one), "t"))) for one in t])
+    load = float(pair.m2 / pair.mass) * (u - float(pair.a2) * y[0] - float(pair.a1) * y[1])
+    friction = np.where(stuck, load, float(pair.b) * np.sign(y[1] - y[3]))
+    figure = Figure(figsize=(8, 7.2), layout="constrained")
+    rows = figure.subplots(3, 1, sharex=True)
+    for ax, row, name, unit in ((rows[0], 0, "x", "m"), (rows[1], 1, "v", "m/s")):
+        ax.plot(t, y[row], color=BLUE, label=f"${name}_1$")
+        ax.plot(t, y[row + 2], color=ORANGE, ls="--", label=f"${name}_2$")
+        ax.set_ylabel(f"{'position' if name == 'x' else 'velocity'} ({unit})")
+    rows[0].set_title(found.road.value, fontsize="medium")
+    rows[2].plot(t, u, color=GREEN, label="force u on body 1")
+    rows[2].plot(t, friction, color="black", ls="-.", label="friction on body 2")
+    for side in (-1, 1):
+        rows[2].axhline(side * float(pair.b), color=GRAY, lw=0.8, ls=":")
+    rows[2].set(xlabel="t (s)", ylabel="force (N)", xlim=(0, float(scene.until)))
+    for ax in rows:
+        ax.axvline(float(found.bound), color=GRAY, lw=1, label="no control arrives before")
+        ax.axvline(float(time), color="black", lw=0.8, ls=":")
+        _shade(ax, t, stuck)
+        ax.legend(fontsize="small", loc="best")
+    return figure
+
+
+def _shade(ax: Any, t: Any, stuck: Any) -> None:
+    ax.fill_between(
+        t, 0, 1, where=stuck, transform=ax.get_xaxis_transform(), color=GRAY, alpha=0.2, lw=0, label="stick"
+    )

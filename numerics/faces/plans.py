@@ -1,0 +1,133 @@
+"""`python -m numerics track`, `move` and `ring`: references, transfers, and when a motion has settled."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import TYPE_CHECKING
+
+from numerics.exits import FAILED, OK, USAGE, refuse, wrong_path
+from numerics.faces.printing import numbers, print_numbers, write_figure
+
+if TYPE_CHECKING:
+    from numerics.scene import Scene
+
+
+def tell_tracking(options: argparse.Namespace) -> int:
+    """Print what a reference asks of the interface, and write the force that makes body 2 follow, as a scene."""
+    from numerics.control.again import tracking_again
+    from numerics.control.tracking import track
+    from numerics.scene.decimals import decimal_text
+    from numerics.scene.file import load_reference, load_scene
+
+    wrong = wrong_path(options.out) or wrong_path(options.plot, "--plot")
+    if wrong is not None:
+        return refuse(wrong, USAGE)
+    scene = load_scene(options.scene)
+    found = track(scene, load_reference(options.reference), digits=options.digits)
+    tracking_again(found)
+    if options.plot is not None:
+        from numerics.control.figures import draw_tracking
+
+        write_figure(draw_tracking(found, scene.pair), options.plot)
+    demands = []
+    for demand in found.demands:
+        told = numbers({"asked": demand.force, "at": demand.at}, found.digits)
+        told |= {"from": decimal_text(demand.start), "until": decimal_text(demand.end), "b": decimal_text(demand.b)}
+        demands.append({"piece": demand.number, "possible": demand.possible, **told})
+    record = {"possible": found.scene is not None, "demands": demands, "force_error": f"{found.force_error:.1e}"}
+    if options.json:
+        print(json.dumps(record | {"digits": found.digits} | _scene_key(found.scene), indent=1))
+    else:
+        for one in demands:
+            verdict = "within" if one["possible"] else "TOO MUCH for"
+            span = f"piece {one['piece']}, {one['from']} s to {one['until']} s"
+            print(f"{span}: asks {one['asked']} N, {verdict} b = {one['b']} N")
+    return _hand_over(found.scene, options, "no force makes body 2 follow: friction cannot give what a piece asks")
+
+
+def tell_transfer(options: argparse.Namespace) -> int:
+    """Print the fastest transfer from rest to rest, and write its force as a scene."""
+    from numerics.control.again import transfer_again
+    from numerics.control.transfer import fastest_transfer
+    from numerics.scene.file import load_scene
+
+    wrong = wrong_path(options.out) or wrong_path(options.plot, "--plot")
+    if wrong is not None:
+        return refuse(wrong, USAGE)
+    found = fastest_transfer(
+        load_scene(options.scene),
+        options.distance,
+        amplitude=options.amplitude,
+        margin=options.margin,
+        digits=options.digits,
+    )
+    solved = transfer_again(found)
+    if options.plot is not None and solved is not None:
+        from numerics.control.transfer_figure import draw_transfer
+
+        write_figure(draw_transfer(found), options.plot)
+    values = {
+        "bound": found.bound,
+        "time": found.time,
+        "stuck_amplitude": found.stuck_amplitude,
+        "least_amplitude": found.least_amplitude,
+    }
+    told = numbers(values, found.digits)
+    road = found.road.name.lower().replace("_", "-")
+    if options.json:
+        record = {"road": road, "sentence": found.road.value, "fastest": found.fastest, **told, "digits": found.digits}
+        print(json.dumps(record | _scene_key(found.scene), indent=1))
+    else:
+        print(f"{found.road.value}; {found.fastest}" if found.scene else found.fastest)
+        units = {"bound": "s", "time": "s", "stuck_amplitude": "N", "least_amplitude": "N"}
+        labels = {
+            "bound": "no control arrives before",
+            "time": "this transfer takes",
+            "stuck_amplitude": "amplitude that sticking at the limit needs",
+            "least_amplitude": "least amplitude with which the bound can be met",
+        }
+        print_numbers(told, units, labels)
+    return _hand_over(found.scene, options, "no transfer is given: between these amplitudes the least time is open")
+
+
+def _scene_key(scene: Scene | None) -> dict[str, str]:
+    from numerics.scene.writing import scene_text
+
+    return {} if scene is None else {"scene": scene_text(scene)}
+
+
+def _hand_over(scene: Scene | None, options: argparse.Namespace, otherwise: str) -> int:
+    """Write or print a scene; FAILED with a sentence if there is none."""
+    from numerics.scene.writing import scene_text
+
+    if scene is None:
+        return refuse(otherwise, FAILED)
+    if options.out is not None:
+        options.out.write_text(scene_text(scene), "utf-8")
+    elif not options.json:
+        print(scene_text(scene), end="")
+    return OK
+
+
+def tell_ring(options: argparse.Namespace) -> int:
+    """Print when the relative motion of a scene enters its tolerance ring for good."""
+    from numerics.control.ring import ring_entry
+    from numerics.scene.file import load_scene
+
+    wrong = wrong_path(options.plot, "--plot")
+    if wrong is not None:
+        return refuse(wrong, USAGE)
+    found = ring_entry(load_scene(options.scene), options.radius, rate=options.rate, digits=options.digits)
+    if options.plot is not None:
+        from numerics.control.ring_figure import draw_ring
+
+        write_figure(draw_ring(found), options.plot)
+    told = numbers({"entry": found.entry, "centre": found.centre}, found.digits)
+    if options.json:
+        print(json.dumps({**told, "for_ever": found.for_ever, "why": found.why, "digits": found.digits}, indent=1))
+        return OK
+    labels = {"entry": "inside the ring for good from t", "centre": "its centre, the limit of x1 - x2,"}
+    print_numbers(told, {"entry": "s", "centre": "m"}, labels)
+    print(f"{'for ever' if found.for_ever else 'up to the horizon'}: {found.why}; {found.digits} right digits, proved")
+    return OK

@@ -1,0 +1,46 @@
+"""How enclosures and figures leave the commands: numbers with their radii, whole files, progress on a terminal."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+_SPARE = 20
+
+
+def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:
+    """Return enclosures as decimal text with their radii beside them, `name` and `name_radius`; None is left out."""
+    from numerics.arithmetic.ball import Ball
+    from numerics.trajectory.rendering import ball_text
+
+    found = {}
+    with Ball(digits + _SPARE).context():
+        for name, value in values.items():
+            if value is not None and value.is_finite():
+                found[name], found[f"{name}_radius"] = ball_text(value, digits)
+            elif value is not None:
+                found[name] = "inf"
+    return found
+
+
+def print_numbers(told: dict[str, str], units: dict[str, str], sentences: dict[str, str]) -> None:
+    """Print numbers with unit and radius, each under its sentence or its name."""
+    for name, text in told.items():
+        if not name.endswith("_radius"):
+            radius = f", within {told[f'{name}_radius']}" if f"{name}_radius" in told else ""
+            print(f"  {sentences.get(name, name)} = {text} {units.get(name, '')}".rstrip() + radius)
+
+
+def write_figure(figure: Any, path: Path) -> None:
+    """Write a matplotlib figure to a .svg, .pdf or .png file."""
+    from numerics.trajectory.export import whole_file
+
+    with whole_file(path) as file:
+        figure.savefig(file, format=path.suffix[1:], dpi=200)
+
+
+def show_blocks(done: int, blocks: int) -> None:
+    """Show on stderr how many blocks of a map are done."""
+    end = "\n" if done == blocks else ""
+    print(f"\r{done} of {blocks} blocks ", end=end, file=sys.stderr, flush=True)

@@ -1,0 +1,120 @@
+"""`python -m numerics response` and `response-map`: what a pair does in the long run under a periodic force."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from typing import TYPE_CHECKING, Any
+
+from numerics.exits import INTERRUPTED, OK, USAGE, refuse, wrong_path
+from numerics.faces.printing import numbers, print_numbers, show_blocks, write_figure
+
+if TYPE_CHECKING:
+    from numerics.control.response import Response
+
+
+def tell_response(options: argparse.Namespace) -> int:
+    """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
+    from numerics.control.again import orbit_again
+    from numerics.control.response import response
+    from numerics.scene.file import load_scene
+
+    wrong = wrong_path(options.plot, "--plot")
+    if wrong is not None:
+        return refuse(wrong, USAGE)
+    found = response(load_scene(options.scene), amplitude=options.amplitude, omega=options.omega, digits=options.digits)
+    if found.orbit is not None:
+        orbit_again(found.orbit, found.digits)
+    if options.plot is not None:
+        from numerics.control.figures import draw_response
+
+        write_figure(draw_response(found), options.plot)
+    told = _of_response(found)
+    if options.json:
+        print(json.dumps(told, indent=1))
+        return OK
+    print(f"{told['sentence']}; {told['attraction']}")
+    shown = {name: text for name, text in told.items() if isinstance(text, str)}
+    labels = {
+        "entrainment": "U*",
+        "non_stop": "U**",
+        "drift": "mean velocity of body 2",
+        "growth": "v1's amplitude grows by",
+    }
+    units = {
+        "entrainment": "N",
+        "non_stop": "N",
+        "drift": "m/s",
+        "growth": "m/s^2 at least",
+        "decay": "of a distance left a period",
+    }
+    print_numbers({name: text for name, text in shown.items() if name.removesuffix("_radius") in units}, units, labels)
+    for one in told["multipliers"]:
+        print(f"  multiplier {one['re']} + {one['im']} i, size {one['size']}")
+    for event in told["events"]:
+        print(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
+    print(f"{found.digits} right digits, proved")
+    return OK
+
+
+def _of_response(found: Response) -> dict[str, Any]:
+    """Return a response for JSON."""
+    digits, known = found.digits, found.thresholds
+    told: dict[str, Any] = {
+        "regime": found.regime.name.lower().replace("_", "-"),
+        "sentence": found.regime.value,
+        "attraction": found.attraction,
+        "digits": digits,
+    }
+    values = {"drift": found.drift, "growth": found.growth if found.growth > 0 else None}
+    if known is not None:
+        values = {"entrainment": known.entrainment, "non_stop": known.non_stop, **values}
+        told["exception"] = known.exception
+    multipliers = found.multipliers or ()
+    values["decay"] = abs(multipliers[0]) if multipliers else None
+    told |= numbers(values, digits)
+    told["multipliers"] = [numbers({"re": one.real, "im": one.imag, "size": abs(one)}, digits) for one in multipliers]
+    told["events"] = []
+    for leg in found.orbit.legs if found.orbit is not None else ():
+        to = {1: "slip+", -1: "slip-", 0: "stick"}[leg.side]
+        told["events"].append({"to": to, **numbers({"t": leg.t, "x1": leg.x, "v1": leg.v}, digits)})
+    return told
+
+
+def chart_response(options: argparse.Namespace) -> int:
+    """Compute the response map of a scene's pair; print its summary or its cells, draw it."""
+    from numerics.control.response_map import response_map
+    from numerics.scene.decimals import exact_decimal
+    from numerics.scene.file import load_scene
+
+    wrong = wrong_path(options.resume) or wrong_path(options.out, "--out")
+    if wrong is not None:
+        return refuse(wrong, USAGE)
+    sides = [[exact_decimal(one, name) for one in getattr(options, name)] for name in ("amplitude", "omega")]
+    (weak, strong), (slow, fast) = sides
+    roads = {"jobs": options.jobs, "dask": options.dask, "resume": options.resume}
+    try:
+        found = response_map(
+            load_scene(options.scene).pair,
+            (weak, strong),
+            (slow, fast),
+            options.depth,
+            **roads,
+            progress=show_blocks if sys.stderr.isatty() else None,
+        )
+    except KeyboardInterrupt:
+        if options.resume is None:
+            raise
+        return refuse(f"interrupted; finished blocks are in {options.resume}, the same command goes on", INTERRUPTED)
+    if options.out is not None:
+        from numerics.control.response_map_figure import draw_response_map
+
+        write_figure(draw_response_map(found), options.out)
+    if options.json:
+        print(json.dumps(found.as_record()))
+        return OK
+    for name, share in found.shares().items():
+        print(f"{name.name.lower().replace('_', '-'):10}{share:8.2%} of the window (logarithmic axes)")
+    print(f"{len(found.leaves)} cells, sides down to 2^-{found.depth} of the window")
+    return OK
