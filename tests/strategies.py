@@ -5,6 +5,8 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
+from numerics.control.response import Regime
+from numerics.control.thresholds import thresholds
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 
 MODERATE = (-2, 2)
@@ -156,3 +158,27 @@ def frictions(draw, most: int = 3) -> Friction:
         at += gap
         pieces.append((at, draw(decimals(*MODERATE))))
     return Friction(pieces)
+
+
+@st.composite
+def sine_scenes(draw) -> tuple[Scene, Regime]:
+    """A damped pair from rest under one sine below U*, between U* and U**, or above U**, omega next to omega1; its regime.
+
+    Frequencies are at least 0.9 omega1: below, a motion may reverse or stop more than twice a period.
+    """
+    masses = [draw(decimals(-1, 0, 2)) for _ in range(2)]
+    a2, b = draw(decimals(0, 1, 2)), draw(decimals(-1, 0, 2))
+    rate = Fraction(math.isqrt(int(10**8 * a2 / masses[0])), 10**4)
+    a1 = draw(st.sampled_from([Fraction(1, 20), Fraction(1, 2), Fraction(2), Fraction(5)])) * rate * masses[0]
+    pair = Pair(*masses, a2, b, a1)
+    omega = rate * draw(st.integers(9, 30)) / 10
+    known = thresholds(pair, omega)
+    low, high = (Fraction(float(one)) for one in (known.entrainment, known.non_stop))
+    regime = draw(st.sampled_from([Regime.ENTRAINED, Regime.STICK_SLIP, Regime.NON_STOP]))
+    part = Fraction(draw(st.integers(2, 8)), 10)
+    amplitude = {
+        Regime.ENTRAINED: part * low,
+        Regime.STICK_SLIP: low + part * (high - low),
+        Regime.NON_STOP: high * (1 + part),
+    }[regime]
+    return Scene(pair, State(), until=1, force=Force.sine(amplitude, omega, draw(st.integers(-3, 3)))), regime

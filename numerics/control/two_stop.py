@@ -27,14 +27,15 @@ from numerics.control.orbit import Drive, Leg, Orbit
 from numerics.control.thresholds import reversal_demand, square_wave_response, stiffness
 from numerics.scene import Piece, Sine
 
-_SAMPLES = 256
-"""Slip lengths at which U(ts) is compared with U."""
+_SAMPLES, _NEAR_ENDS = 256, 40
+"""Slip lengths at which U(ts) is compared with U; powers of 10 from either end of (0, h) besides."""
 
 
 def two_stop_guesses(drive: Drive) -> Iterator[Orbit]:
     """Yield a two-stop motion for each change of sign of U(ts) - U that shows on a grid, not proved."""
     amplitude, half = Ball.number(drive.piece.sines[0].amplitude), drive.period / 2
-    grid = [half * k / _SAMPLES for k in range(1, _SAMPLES)]
+    near = [half / 256 * arb(10) ** (-k / 2) for k in range(_NEAR_ENDS, 0, -1)]
+    grid = [*near, *(half * k / _SAMPLES for k in range(1, _SAMPLES)), *(half - one for one in reversed(near))]
     excess = [_excess(drive, ts, amplitude) for ts in grid]
     for (low, left), (high, right) in pairwise(zip(grid, excess, strict=True)):
         if left is not None and right is not None and (left > 0) != (right > 0):
@@ -46,11 +47,12 @@ def _excess(drive: Drive, ts: arb, amplitude: arb) -> arb | None:
         _, _, S, C = exit_state(drive, ts)
     except ZeroDivisionError:
         return None
-    return S * S + C * C - amplitude * amplitude
+    excess = S * S + C * C - amplitude * amplitude
+    return None if excess.contains(0) else excess
 
 
 def _bisected(drive: Drive, low: arb, high: arb, amplitude: arb, *, positive_left: bool) -> arb:
-    for _ in range(50):
+    for _ in range(60):
         middle = ((low + high) / 2).mid()
         excess = _excess(drive, middle, amplitude)
         if excess is not None and bool(excess > 0) == positive_left:

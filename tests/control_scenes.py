@@ -1,0 +1,34 @@
+"""Scenes and answers of numerics/control handed to the independent reference, which shares no code with it."""
+
+import tomllib
+from fractions import Fraction
+
+from forced_reference import Reference
+
+from numerics.arithmetic.ball import Ball
+from numerics.control.orbit import Orbit
+from numerics.control.rounding import rounded
+from numerics.scene import Force, Piece, Scene, Sine, State
+from numerics.scene.writing import scene_text
+
+
+def referred(scene: Scene, digits: int = 36) -> Reference:
+    """The scene solved by the independent reference, through its text."""
+    tables = tomllib.loads(scene_text(scene), parse_float=str)
+    return Reference(tables, digits=digits).run()
+
+
+def one_period(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fraction(0),) * 3) -> Scene:
+    """One period of a periodic motion from the middle of its first leg, its start moved by (x1, v1, v2)."""
+    leg, after = orbit.turns[0]
+    begin = rounded((leg.t + after.t) / 2)
+    with Ball(50).context():
+        x1, v1, _, v2 = (rounded(one) for one in orbit.motion(leg).state(Ball.number(begin) - leg.t))
+        period = rounded(orbit.drive.period)
+    if leg.side == 0:
+        v2 = v1
+    piece = orbit.drive.piece
+    sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in piece.sines]
+    start = State(x1=x1 + moved[0], v1=v1 + moved[1], v2=v2 + moved[2])
+    force = Force((Piece(0, piece.polynomial, sines),))
+    return Scene(orbit.drive.pair, start, until=period, force=force)

@@ -1,0 +1,153 @@
+"""Periodic motions: their enclosures against the independent reference, their multipliers against differences of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from control_scenes import one_period, referred
+from flint import arb
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import sine_scenes
+
+from numerics.arithmetic.ball import Ball
+from numerics.control.figures import draw_response
+from numerics.control.orbit import Drive, Orbit, prove_modes, solve_orbit
+from numerics.control.response import Regime, response, steady_drive
+from numerics.errors import EventUndecided, InvalidScene
+from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
+
+PAIR, FREE = Pair(1, 1, 200, "0.5", 3), Pair(1, 1, 200, "0.5")
+
+
+def under(pair: Pair, amplitude: object, omega: object = 12, **more: object) -> Scene:
+    return Scene(pair, State(), until=1, force=Force.sine(amplitude, omega), **more)
+
+
+def returned(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fraction(0),) * 3) -> np.ndarray:
+    """(x1, v1, v2) after a period less before, by the reference."""
+    scene = one_period(orbit, moved)
+    x1, v1, _, v2 = referred(scene).state()
+    start = scene.initial
+    with Ball(40).context():
+        ends = zip((x1, v1, v2), (start.x1, start.v1, start.v2), strict=True)
+        return np.array([float(end - Ball.number(at)) for end, at in ends])
+
+
+@given(sine_scenes())
+@settings(max_examples=12)
+def test_a_periodic_motion_comes_back_by_the_reference(case):
+    scene, regime = case
+    found = response(scene, digits=20)
+    assert found.regime is regime
+    if found.orbit is None:
+        return
+    assert all(abs(one) < 1 for one in found.multipliers)
+    period, legs = one_period(found.orbit), found.orbit.legs
+    run = referred(period)
+    assert [event.after for event in run.events] == [leg.side for leg in (*legs[1:], legs[0])]
+    with Ball(40).context():
+        size = abs(legs[0].x) + abs(legs[0].v)
+        for end, at in zip(run.state()[:2], (period.initial.x1, period.initial.v1), strict=True):
+            assert abs(end - Ball.number(at)) < size * arb(10) ** -18
+
+
+@pytest.mark.parametrize(("pair", "amplitude"), [(PAIR, "0.5"), (PAIR, "1.5"), (FREE, "0.4"), (FREE, "0.6")])
+def test_multipliers_are_those_of_the_reference(pair, amplitude):
+    """Central differences of the period map; only those tangent to stick if the motion starts in a stick phase."""
+    found = response(under(pair, amplitude))
+    step = Fraction(1, 10**8)
+    columns = []
+    for place in range(3):
+        sides = [returned(found.orbit, tuple(s * step * (k == place) for k in range(3))) for s in (1, -1)]
+        columns.append((sides[0] - sides[1]) / (2 * float(step)) + np.eye(3)[place])
+    expected = sorted(abs(np.linalg.eigvals(np.array(columns).T)))
+    assert sorted(float(abs(one).mid()) for one in found.multipliers) == pytest.approx(expected, abs=2e-6)
+
+
+def test_a_two_sided_force_makes_body_2_drift():
+    """Continued from one sine, the second harmonic added in steps; the mirrored force drifts back as fast."""
+    drifts = []
+    for side in (1, -1):
+        legs = response(under(PAIR, "0.5")).orbit.legs
+        for k in range(1, 5):
+            piece = Piece(0, (), [Sine("0.5", 12), Sine(Fraction(side * k, 20), 24)])
+            with Ball(30).context():
+                orbit = solve_orbit(Orbit(Drive(PAIR, PAIR.b, piece, Fraction(12)), legs))
+            legs = orbit.legs
+        drifts.append(float((orbit.travel / orbit.drive.period).mid()))
+        run = referred(one_period(orbit))
+        assert float(run.state()[2]) == pytest.approx(float(orbit.travel.mid()), abs=1e-14)
+    assert drifts[0] == pytest.approx(-drifts[1])
+    assert abs(drifts[0]) > 1e-4
+
+
+def test_a_constant_force_only_shifts_the_motion():
+    plain = response(under(PAIR, "0.5"))
+    shifted = response(Scene(PAIR, State(), 1, force=Force((Piece(0, ["0.3"], [Sine("0.5", 12)]),))))
+    for one, two in zip(plain.orbit.legs, shifted.orbit.legs, strict=True):
+        assert (two.x - one.x).overlaps(Ball.number(Fraction(3, 2000)))
+        assert two.v.overlaps(one.v)
+
+
+def test_the_last_piece_and_the_last_friction_decide():
+    late = Force((Piece(0, ["7", "1"]), Piece(2, (), [Sine("0.5", 12)])))
+    scene = Scene(Pair(1, 1, 200, 9, 3), State(), 5, force=late, friction=Friction([(1, "0.5")]))
+    assert steady_drive(scene).b == Fraction(1, 2)
+    assert response(scene).orbit.legs[0].x.overlaps(response(under(PAIR, "0.5")).orbit.legs[0].x)
+
+
+def test_resonance_of_body_1_grows_above_4b_over_pi():
+    pair = Pair(1, 1, 100, "0.5")
+    grows = response(under(pair, "0.7", 10))
+    assert grows.regime is Regime.GROWS
+    assert abs(grows.growth - (Ball.number(Fraction(7, 10)) - 2 / arb.pi()) / 2) < 1e-15
+    assert response(under(pair, "0.6", 10)).regime is Regime.STICK_SLIP
+
+
+def test_on_the_threshold_the_load_touches_and_has_no_multipliers():
+    found = response(under(Pair(1, 1, 200, "0.5"), "0.5", 20))
+    assert found.regime is Regime.ENTRAINED
+    assert "free oscillation" in found.attraction
+    damped = Pair(1, 1, 68, "0.5", 5)  # at omega = 4: Z = |36 + 20 i|; with a1 = 12 it is |36 + 48 i| = 60
+    exact = Pair(1, 1, 68, "0.5", 12)
+    assert response(under(damped, "0.5", 4)).multipliers is not None
+    assert response(under(exact, "1.875", 4)).multipliers is None
+    assert response(under(exact, "1.87500000000000000000000001", 4)).regime is Regime.STICK_SLIP
+
+
+@pytest.mark.parametrize("planted", ["side", "late"])
+def test_a_false_mode_is_not_proved(planted):
+    orbit = response(under(PAIR, "0.5")).orbit
+    legs = list(orbit.legs)
+    legs[0] = replace(legs[0], side=-1) if planted == "side" else replace(legs[0], t=legs[1].t + 1)
+    with pytest.raises(EventUndecided), Ball(20).context():
+        prove_modes(Orbit(orbit.drive, tuple(legs)))
+
+
+def test_what_is_no_periodic_force_is_refused():
+    for force in (Force(), Force.step(0, 1), Force.ramp(0, 1, 1)):
+        with pytest.raises(InvalidScene, match="periodic"):
+            response(Scene(PAIR, State(), 1, force=force))
+    two = Force.sine(1, 3) + Force.sine(1, 5)
+    with pytest.raises(InvalidScene, match="one sine"):
+        response(Scene(PAIR, State(), 1, force=two), amplitude=1)
+    with pytest.raises(InvalidScene, match="amplitude"):
+        response(under(PAIR, 1), amplitude=0)
+
+
+@pytest.mark.parametrize("amplitude", ["0.2", "0.5", "2"])
+def test_pictures_are_drawn(amplitude):
+    assert len(draw_response(response(under(PAIR, amplitude))).axes) == 3
+
+
+@given(st.integers(1, 3))
+@settings(max_examples=3)
+def test_overrides_are_the_scene_with_that_sine(k):
+    amplitude = Fraction(k, 4)
+    assert response(under(PAIR, 1, 9), amplitude=amplitude, omega=12).multipliers is not None
+    one, two = response(under(PAIR, 1, 9), amplitude=amplitude, omega=12), response(under(PAIR, amplitude))
+    assert one.regime is two.regime

@@ -1,0 +1,145 @@
+"""U* and U** against the linear systems that they come from, in another arithmetic; their special frequencies."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import mpmath
+import pytest
+from control_scenes import referred
+from flint import arb
+from hypothesis import example, given
+from hypothesis import strategies as st
+from strategies import decimals, pairs
+
+from numerics.arithmetic.ball import Ball
+from numerics.control.response_map import Regimes, decide, response_map
+from numerics.control.thresholds import load_margin, thresholds
+from numerics.control.two_stop import exit_state
+from numerics.control.orbit import Drive
+from numerics.errors import InvalidMap, InvalidScene
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+
+PAIR = Pair(1, 1, 200, "0.5", 3)
+
+
+def by_linear_system(pair: Pair, omega: Fraction) -> tuple[mpmath.mpf, mpmath.mpf]:
+    """U* by the phasor, U** by the antiperiodic slip: x(h) = -x(0) with the exponential of a matrix, 60 digits."""
+    with mpmath.workdps(60):
+        m1, m2, a1, a2, b, w = (mpmath.mpf(one.numerator) / one.denominator for one in (*_numbers(pair), omega))
+        flow = mpmath.expm(mpmath.matrix([[0, 1], [-a2 / m1, -a1 / m1]]) * (mpmath.pi / w), method="taylor")
+        rest = mpmath.matrix([-b / a2, 0])
+        x, v = mpmath.lu_solve(flow + mpmath.eye(2), flow * rest - rest)
+        velocity = -b * mpmath.pi / (2 * m2 * w) - v
+        acceleration = b / m2 + (b + a1 * v + a2 * x) / m1
+        reach = mpmath.hypot(velocity / w, acceleration / w**2)
+        stuck = b / m2 * abs(mpmath.mpc(a2 - (m1 + m2) * w * w, a1 * w)) / w**2
+        return stuck, reach * abs(mpmath.mpc(a2 - m1 * w * w, a1 * w))
+
+
+def _numbers(pair: Pair) -> tuple[Fraction, ...]:
+    return pair.m1, pair.m2, pair.a1, pair.a2, pair.b
+
+
+def near(ball: arb, value: mpmath.mpf) -> bool:
+    return bool(abs(ball - arb(mpmath.nstr(value, 50))) <= abs(ball) * arb(10) ** -18)
+
+
+@given(pairs((-1, 1), damped=None), decimals(-1, 1))
+def test_thresholds_come_from_their_linear_systems(pair, ratio):
+    # the factor keeps off resonances, which have a test of their own
+    omega = ratio * Fraction(98, 97) * Fraction(float(pair.a2 / pair.m1) ** 0.5).limit_denominator(1000)
+    found = thresholds(pair, omega, digits=20)
+    stuck, slipping = by_linear_system(pair, omega)
+    with Ball(40).context():
+        assert near(found.entrainment, stuck)
+        assert near(found.non_stop, slipping)
+
+
+def test_resonances_are_exact():
+    free = Pair(1, 1, 200, "0.5")
+    assert thresholds(free, 10).entrainment.is_zero()
+    assert thresholds(Pair(1, 1, 100, "0.5"), 10, digits=30).non_stop.overlaps(2 / arb.pi())
+    assert not thresholds(Pair(1, 1, 900, "0.5"), 10).non_stop.is_finite()  # friction drives body 1 at 3 omega
+    assert thresholds(Pair(1, 1, 1800, "0.5"), 10).exception
+    assert not thresholds(Pair(1, 1, 1800, "0.5", "0.001"), 10).exception
+    near_one = thresholds(Pair(1, 1, 100, "0.5"), "10.00000000000000000001", digits=15).non_stop
+    assert abs(near_one - Ball.number(Fraction(636619772367581343, 10**18))) < 1e-15
+
+
+@given(st.integers(1, 40), st.sampled_from([1, -1]))
+@example(20, 1)
+def test_the_edge_of_entrainment_is_decided_exactly(k, side):
+    """a1 = 0: U* is rational; on it the load touches b, above it by 10^-30 it does not hold."""
+    pair, omega = Pair(1, 1, 200, "0.5"), Fraction(k, 3)
+    edge = abs(pair.b / pair.m2 * (pair.a2 - 2 * omega**2) / omega**2)
+    assert load_margin(pair, edge, omega) == 0
+    assert load_margin(pair, edge + Fraction(side, 10**30), omega) * side < 0
+
+
+def test_the_two_stop_branch_joins_both_thresholds():
+    omega = Fraction(12)
+    drive = Drive(PAIR, PAIR.b, Piece(0, (), [Sine(1, omega)]), omega)
+    with Ball(60).context():
+        known, half = thresholds(PAIR, omega, digits=40), drive.period / 2
+        for ts, edge in ((half * arb(10) ** -12, known.entrainment), (half * (1 - arb(10) ** -12), known.non_stop)):
+            _, _, S, C = exit_state(drive, ts)
+            assert abs((S * S + C * C).sqrt() - edge) < 1e-9
+
+
+@pytest.mark.parametrize(("factor", "sticks"), [("0.999", True), ("1.001", False)])
+def test_the_reference_sticks_below_the_threshold_and_slips_above(factor, sticks):
+    omega, margin = Fraction(12), Fraction(factor)
+    amplitude = margin * Fraction(float(thresholds(PAIR, omega).entrainment))
+    run = referred(Scene(PAIR, State(), until=12, force=Force.sine(amplitude, omega)), digits=40)
+    late = [event for event in run.events if event.t > 8]
+    assert (not late) == sticks
+
+
+def test_bad_frequencies_are_refused():
+    for omega in (0, -1, "x", True):
+        with pytest.raises(InvalidScene, match="omega"):
+            thresholds(PAIR, omega)
+
+
+# the map of regimes
+
+WINDOW = ((Fraction(1, 10), Fraction(10)), (Fraction(4), Fraction(40)))
+
+
+def test_every_cell_agrees_with_the_thresholds_at_its_corners():
+    found = response_map(PAIR, *WINDOW, 5)
+    assert sum(cell.share for cell in found.leaves) == 1
+    assert set(found.shares()) == set(Regimes)
+    for cell in found.leaves[::7]:
+        for omega in cell.sides[0]:
+            known = thresholds(PAIR, omega)
+            for amplitude in cell.sides[1]:
+                level = Ball.number(amplitude)
+                if cell.verdict is Regimes.ENTRAINED:
+                    assert not level > known.entrainment
+                elif cell.verdict is Regimes.BETWEEN:
+                    assert not level < known.entrainment
+                    assert not level > known.non_stop
+                elif cell.verdict is Regimes.NON_STOP:
+                    assert not level < known.non_stop
+
+
+def test_a_map_goes_on_from_its_checkpoint(tmp_path):
+    file = tmp_path / "cells.jsonl"
+    whole = response_map(PAIR, *WINDOW, 3, resume=file)
+    file.write_text("".join(file.read_text("utf-8").splitlines(keepends=True)[:20]), "utf-8")
+    assert response_map(PAIR, *WINDOW, 3, resume=file) == whole
+    with pytest.raises(InvalidMap, match="another map"):
+        response_map(Pair(1, 1, 201, "0.5", 3), *WINDOW, 3, resume=file)
+
+
+def test_a_cell_across_a_threshold_is_not_decided():
+    edge = Fraction(float(thresholds(PAIR, 12).entrainment))
+    sides = ((Fraction(12), Fraction(13)), (edge * Fraction(9, 10), edge * Fraction(11, 10)))
+    assert decide(PAIR, sides) is Regimes.UNDECIDED
+
+
+def test_an_empty_window_is_refused():
+    with pytest.raises(InvalidMap, match="omega"):
+        response_map(PAIR, WINDOW[0], (Fraction(4), Fraction(4)), 3)
