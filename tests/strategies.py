@@ -162,7 +162,7 @@ def frictions(draw, most: int = 3) -> Friction:
 
 @st.composite
 def sine_scenes(draw) -> tuple[Scene, Regime]:
-    """A damped pair from rest under one sine below U*, between U* and U**, or above U**, omega next to omega1; its regime.
+    """A damped pair from rest under one sine below U*, between U* and U**, or above U**; and its regime.
 
     Frequencies are at least 0.9 omega1: below, a motion may reverse or stop more than twice a period.
     """

@@ -25,8 +25,8 @@ from numerics.merging.cell import CRITICAL_SHARE, Rectangle, Verdict, creeping_e
 from numerics.merging.centred_form import Cell
 from numerics.merging.figure import COLOURS, raster
 from numerics.merging.map import Window, merging_cells
-from numerics.quadtree import tree
 from numerics.motion.frame import Frame
+from numerics.quadtree import tree
 from numerics.scene import Pair
 from theory.excursion import h, half_tangent_form
 from theory.return_map import depth, gap, half_cotangent, in_trigonometry

@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 from strategies import decimals, pairs
 
 from numerics.arithmetic.ball import Ball
+from numerics.control.orbit import Drive
 from numerics.control.response_map import Regimes, decide, response_map
 from numerics.control.thresholds import load_margin, thresholds
 from numerics.control.two_stop import exit_state
-from numerics.control.orbit import Drive
 from numerics.errors import InvalidMap, InvalidScene
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 

@@ -1,0 +1,116 @@
+"""When the relative motion is in its ring for good: against dense samples, and the limit of z against long runs."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import decimals
+
+from numerics.__main__ import main
+from numerics.arithmetic.ball import Ball
+from numerics.control.ring import ring_entry
+from numerics.control.ring_figure import draw_ring
+from numerics.errors import InvalidScene
+from numerics.long_time import resting_place as places
+from numerics.scene import Pair, Scene, State
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
+
+
+def outside(found, until, points=4_001):
+    """The times of a run at which the distance from the ring's centre is above its radius."""
+    scene = found.scene
+    t = np.linspace(0, until * (1 - 1e-12), points)
+    y = solve(Scene(scene.pair, scene.initial, until, scene.law)).sol(t)
+    distance = np.hypot(y[0] - y[2] - float(found.centre), (y[1] - y[3]) / float(found.rate))
+    return t[distance > float(found.radius) * (1 + 1e-9)]
+
+
+@pytest.mark.parametrize(
+    ("name", "radius", "rate"),
+    [
+        ("velocities", "0.001", 1),
+        ("velocities", "0.02", 1),
+        ("velocities", "0.001", 20),
+        ("start-with-speed", "0.005", 1),
+        ("itinerary-that-merges", "0.001", 1),
+        ("start-at-6mm", "1e-4", 10),
+    ],
+)
+def test_the_entry_is_the_last_sample_outside(name, radius, rate):
+    found = ring_entry(load_scene(name), radius, rate=rate)
+    entry = float(found.entry)
+    late = outside(found, 2 * entry)
+    assert 0 < entry - late[-1] < 2.1 * entry / 4_000
+
+
+@given(decimals(-1, 1, 2), decimals(-1, 1, 2), st.integers(1, 3))
+@settings(max_examples=6)
+def test_a_damped_pair_is_inside_for_good_after_its_entry(a1, speed, power):
+    scene = Scene(Pair(1, 2, 50, "0.5", a1), State(x1="0.01", v1=speed), 1)
+    found = ring_entry(scene, Fraction(1, 10**power))
+    late = outside(found, 2 * float(found.entry) + 1)
+    assert not late.size or late[-1] <= float(found.entry)
+
+
+def test_the_limit_of_a_creeping_pair_is_that_of_a_long_run():
+    """Averages of an alternating sequence close in on its limit; the error bound must hold what they find."""
+    scene = load_scene("velocities")
+    found = ring_entry(scene, "0.001", digits=20)
+    run = solve(Scene(scene.pair, scene.initial, 100))
+    z = [event.y[0] - event.y[2] for event in run.events[-60::2]]
+    for _ in range(8):
+        z = [(a + b) / 2 for a, b in zip(z, z[1:], strict=False)]
+    assert z[-1] == pytest.approx(float(found.centre), abs=1e-10)
+
+
+def test_the_limit_does_not_depend_on_the_ray_that_it_is_read_from():
+    scene, arithmetic = load_scene("velocities"), Ball(30)
+    with arithmetic.context():
+        run = solve(Scene(scene.pair, scene.initial, 100), arithmetic="ball", digits=20)
+        found = [places.resting_place(run, near).limit for near in (1e-4, 1e-5)]
+        assert abs(found[0] - found[1]) < 1e-18
+        assert found[0].overlaps(found[1])
+
+
+def test_a_lost_sign_of_the_slide_is_found_out(monkeypatch):
+    right = places.abel_functions
+
+    class Wrong:
+        def __init__(self, share, order):
+            self.functions = right(share, order)
+            self.largest_argument = self.functions.largest_argument
+
+        def slide(self, y):
+            return -self.functions.slide(y)
+
+    monkeypatch.setattr(places, "abel_functions", Wrong)
+    wrong = ring_entry(load_scene("velocities"), "0.001").centre
+    monkeypatch.undo()
+    assert not wrong.overlaps(ring_entry(load_scene("velocities"), "0.001").centre)
+
+
+def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():
+    scene = Scene(Pair(1, 1, 200, "0.5"), State(x1="0.001"), 1)
+    found = ring_entry(scene, 1)
+    assert found.entry.is_zero()
+    assert found.for_ever
+    assert draw_ring(ring_entry(load_scene("velocities"), "0.02")).axes
+
+
+@pytest.mark.parametrize("wrong", [{"radius": 0}, {"radius": "x"}, {"radius": 1, "rate": -1}])
+def test_bad_rings_are_refused(wrong):
+    with pytest.raises(InvalidScene):
+        ring_entry(load_scene("velocities"), **wrong)
+
+
+def test_the_command_prints_draws_and_refuses(tmp_path, capsys):
+    assert main(["ring", "velocities", "--radius", "0.001", "--plot", str(tmp_path / "ring.svg")]) == 0
+    assert "4.755641299" in capsys.readouterr().out
+    assert (tmp_path / "ring.svg").stat().st_size > 10_000
+    assert main(["ring", "velocities", "--radius", "-1"]) == 2
+    assert "radius = -1" in capsys.readouterr().err
