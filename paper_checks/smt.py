@@ -6,8 +6,6 @@ assumptions alone satisfiable: the control that keeps a vacuous statement from p
 
 from __future__ import annotations
 
-import json
-import subprocess
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,6 +16,7 @@ import sympy as sp
 from paper_checks.errors import NotPolynomialError, ToolMissingError
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.smt_text import script
+from paper_checks.solver_process import answer
 
 SOLVERS = ("z3", "cvc5")
 ENGINE = " and ".join(SOLVERS)
@@ -84,16 +83,11 @@ def ask(solver: str, control: str, negation: str, seconds: float) -> Answers:
     """
     if (solver in sys.modules and sys.modules[solver] is None) or find_spec(solver) is None:
         raise ToolMissingError(f"the SMT solver {solver} is not installed")
-    command = [sys.executable, "-m", "paper_checks.smt_worker", solver]
-    question = json.dumps({"texts": [control, negation], "seconds": seconds})
     try:
-        process = subprocess.run(
-            command, input=question, capture_output=True, text=True, timeout=2 * seconds + 2, check=False
-        )
-    except subprocess.TimeoutExpired:
+        reply = answer(solver, [control, negation], seconds)
+    except RuntimeError as error:
+        raise RuntimeError(f"{solver} failed: {error}") from error
+    if reply is None:
         return Answers("unknown", "unknown")
-    if process.returncode:
-        raise RuntimeError(f"{solver} failed: {process.stderr.strip().splitlines()[-1:]}")
-    reply = json.loads(process.stdout)
     of_control, of_negation = reply["answers"]
     return Answers(of_control, of_negation, reply["model"])

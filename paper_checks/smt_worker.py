@@ -1,13 +1,14 @@
 """One SMT solver in a process of its own, so that a time limit holds even where the solver's own does not.
 
-Reads JSON on stdin, `{"texts": [SMT-LIB 2 text, ...], "seconds": limit for each}`, and writes JSON on stdout,
-`{"answers": ["sat" | "unsat" | "unknown", ...], "model": of the last text}`. Run as
+Each line on stdin is JSON, `{"texts": [SMT-LIB 2 text, ...], "seconds": limit for each}`, and is answered by a line on
+stdout, `{"answers": ["sat" | "unsat" | "unknown", ...], "model": of the last text}`; it ends with its stdin. Run as
 `python -m paper_checks.smt_worker z3` (or `cvc5`).
 """
 
 from __future__ import annotations
 
 import json
+import signal
 import sys
 from fractions import Fraction
 
@@ -16,7 +17,7 @@ def ask_z3(text: str, seconds: float) -> tuple[str, str]:
     """Return z3's answer and, where it is sat, its model."""
     import z3
 
-    solver = z3.Solver()
+    solver = z3.Solver(ctx=z3.Context())  # its own, so that no earlier question bears on the answer
     solver.set("timeout", int(1000 * seconds))
     solver.from_string(text)
     answer = str(solver.check())
@@ -37,7 +38,7 @@ def ask_cvc5(text: str, seconds: float) -> tuple[str, str]:
     """Return cvc5's answer; its models are not asked for. Raises ValueError where it refuses the text."""
     import cvc5
 
-    solver = cvc5.Solver()
+    solver = cvc5.Solver(cvc5.TermManager())
     solver.setOption("tlimit-per", str(int(1000 * seconds)))
     parser = cvc5.InputParser(solver)
     parser.setStringInput(cvc5.InputLanguage.SMT_LIB_2_6, text, "statement")
@@ -53,10 +54,12 @@ SOLVERS = {"z3": ask_z3, "cvc5": ask_cvc5}
 
 
 def main(name: str) -> None:
-    """Answer the question on stdin."""
-    question = json.load(sys.stdin)
-    results = [SOLVERS[name](text, question["seconds"]) for text in question["texts"]]
-    json.dump({"answers": [answer for answer, _ in results], "model": results[-1][1]}, sys.stdout)
+    """Answer the questions on stdin, one line each."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C reaches the whole group: end without a word
+    for line in sys.stdin:
+        question = json.loads(line)
+        results = [SOLVERS[name](text, question["seconds"]) for text in question["texts"]]
+        print(json.dumps({"answers": [answer for answer, _ in results], "model": results[-1][1]}), flush=True)
 
 
 if __name__ == "__main__":

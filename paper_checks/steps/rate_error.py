@@ -14,7 +14,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import flint
-from flint import acb, arb, arb_series
+from flint import acb, acb_poly, arb, arb_poly, arb_series, fmpq
 
 from paper_checks.steps.roots import point, precision
 
@@ -27,6 +27,7 @@ NEAR, WIDE, LONG = 200, 64, 64
 """Boxes of p near 0, and of p and of the angle beyond."""
 TERMS = 60
 """Terms of ln(1 - x)/x."""
+COEFFICIENTS = [fmpq(-1, n) for n in range(1, TERMS + 1)]
 
 
 def logarithm(x: Any) -> Any:
@@ -37,14 +38,24 @@ def logarithm(x: Any) -> Any:
     size = abs(x[0] if isinstance(x, arb_series) else x).upper()
     if not size < point(Fraction(4, 5)):
         raise ArithmeticError(f"the series of the logarithm is not proved to converge: |x| = {size.str(5)}")
-    total = x * 0 + point(Fraction(-1, TERMS))
-    for n in range(TERMS - 1, 0, -1):
-        total = total * x - point(Fraction(1, n))
+    total = _by_horner(x)
     # what is left out is at most |x|^N/(N (1 - |x|)), its derivative at most |x|^(N-1)/(1 - |x|)
     tail, slope = (arb(0, (5 * size ** (TERMS - less)).upper()) for less in (0, 1))
     if isinstance(x, arb_series):
         return total + arb_series([tail, slope * x[1]])
     return total + (acb(tail, tail) if isinstance(x, acb) else tail)
+
+
+def _by_horner(x: Any) -> Any:
+    """Return the first terms of the series, in flint's own loop where it has one."""
+    if isinstance(x, acb):
+        return acb_poly(COEFFICIENTS)(x)
+    if isinstance(x, arb):
+        return arb_poly(COEFFICIENTS)(x)
+    total = x * 0 + COEFFICIENTS[-1]
+    for one in reversed(COEFFICIENTS[:-1]):
+        total = total * x + one
+    return total
 
 
 class Slip(NamedTuple):

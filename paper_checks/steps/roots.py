@@ -44,7 +44,7 @@ def enclosed_root(
 
 def point(value: Fraction | int) -> arb:
     """Return a ball around a rational number."""
-    return arb(fmpq(Fraction(value).numerator, Fraction(value).denominator))
+    return arb(fmpq(value.numerator, value.denominator))
 
 
 def _sign(function: Callable[[arb], arb], at: Fraction) -> int:
