@@ -6,7 +6,7 @@ import argparse
 import difflib
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -28,12 +28,15 @@ EPILOGUE = (
 )
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a command and return the exit code."""
+def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> int:
+    """Run a command and return the exit code.
+
+    As a program, rows come from the user's cache and from several processes; called from Python, from this process.
+    """
     words = list(sys.argv[1:] if arguments is None else arguments)
     if not words or words[0] not in (*COMMANDS, "-h", "--help"):
         words.insert(0, "run")
-    options = _parser().parse_args(words)
+    options = _parser().parse_args(words, argparse.Namespace(program=program))
     if hasattr(sys.stdout, "reconfigure"):
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
@@ -78,7 +81,20 @@ def _parser() -> argparse.ArgumentParser:
     source.set_defaults(command=_source)
     for command in (run, report):
         command.add_argument("--seed", type=int, default=0, metavar="N", help="of random cases; default: %(default)s")
+        command.add_argument(
+            "--jobs", type=_number, metavar="N", help="processes that decide rows; default: one a core"
+        )
+        command.add_argument("--fresh", action="store_true", help="decide every row anew; take none from the cache")
+        command.add_argument("--debug", action="store_true", help="print the traceback of what fails")
     return parser
+
+
+def _number(text: str) -> int:
+    """Read a number of processes."""
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{number} processes; it takes at least 1")
+    return number
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -87,7 +103,7 @@ def _run(options: argparse.Namespace) -> int:
     claims = _chosen(options.ids)
     if claims is None:
         return USAGE
-    rows = _rows(claims, options.seed)
+    rows = _rows(claims, options)
     if options.json:
         from paper_checks.report import json
 
@@ -132,7 +148,7 @@ def _report(options: argparse.Namespace) -> int:
     claims = _chosen(options.ids)
     if claims is None:
         return USAGE
-    return reporting.report(options, claims, lambda some: _rows(some, options.seed), _complain)
+    return reporting.report(options, claims, lambda some: _rows(some, options), _complain)
 
 
 def _source(options: argparse.Namespace) -> int:
@@ -166,29 +182,19 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
     return tuple(claim for claim in CLAIMS if not ids or claim.id in ids)
 
 
-def _rows(claims: Sequence[Claim], seed: int) -> list[Row]:
-    """Run the checks, with progress on stderr where that is a terminal."""
-    from paper_checks.registry import Context, load_checks
-    from paper_checks.runner import run
+def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
+    """Come by the rows, with progress on stderr where that is a terminal."""
+    from paper_checks import rows
+    from paper_checks.kept import Kept
+    from paper_checks.registry import Context
+    from paper_checks.report.progress import progress
+    from paper_checks.workers import cores
 
-    registry, context = load_checks(), Context(seed)
-    if not sys.stderr.isatty():
-        return run(claims, registry, context)
-    from rich.console import Console
-
-    with Console(stderr=True).status("") as status:
-        return run(claims, registry, context, _counting(len(claims), status.update))
-
-
-def _counting(total: int, show: Callable[[str], None]) -> Callable[[Claim], None]:
-    begun = 0
-
-    def progress(claim: Claim) -> None:
-        nonlocal begun
-        begun += 1
-        show(f"{begun}/{total} {claim.id}")
-
-    return progress
+    manner = rows.Manner(options.jobs or (cores() if options.program else 1))
+    if options.program:
+        manner = rows.Manner(manner.jobs, Kept(options.seed), options.fresh)
+    with progress(len(claims)) as shown:
+        return rows.rows(claims, Context(options.seed, options.debug), manner, shown)
 
 
 def _console() -> Console:
@@ -202,4 +208,4 @@ def _complain(message: str) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(program=True))

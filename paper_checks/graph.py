@@ -58,7 +58,7 @@ def proofs(claim: Claim, finding: Finding) -> tuple[Proof, ...]:
     named = {one.clause: one.steps for one in finding.carried}
     used = {step for steps in named.values() for step in closure(steps)}
     found = []
-    for clause, about in _clauses(claim, finding):
+    for clause, about in clauses(claim, finding):
         steps = named.get(clause.id) or _by_reason(finding, about, used)
         theorems = tuple(kernel.step(name) for name in clause.kernel)
         bindings = tuple(formula.evidence() for formula in clause.formulas.values())
@@ -70,7 +70,8 @@ def _about(item: Evidence, about: Subject) -> Evidence:
     return replace(item, about=about)
 
 
-def _clauses(claim: Claim, finding: Finding) -> Iterator[tuple[Clause, Subject]]:
+def clauses(claim: Claim, finding: Finding) -> Iterator[tuple[Clause, Subject]]:
+    """Yield the clauses that the verdict stands on, and about what each speaks."""
     if not finding.counterexample:
         yield from ((clause, Subject.CLAIM) for clause in claim.clauses)
         return

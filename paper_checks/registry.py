@@ -17,6 +17,8 @@ class Context:
     """What a check is given: the seed of whatever it draws at random."""
 
     seed: int = 0
+    debug: bool = False
+    """Whether a check that fails prints its traceback on stderr."""
 
 
 Check = Callable[[Context], Finding]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+import traceback
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 
@@ -62,7 +63,7 @@ def row(claim: Claim, finding: Finding, begun: float) -> Row:
         found = proofs(claim, finding)
         finding = judged(finding, found)
     except Exception as error:  # noqa: BLE001  a formula's failure is that row's verdict
-        found, finding = (), _failed(error)
+        found, finding = (), failed(error)
     return Row(claim, finding, time.perf_counter() - begun, found)
 
 
@@ -80,11 +81,14 @@ def _isolated(check: Check, context: Context) -> Finding:
         if not isinstance(finding, Finding):
             raise TypeError(f"{check.__name__} returned {type(finding).__name__}, not a Finding")
     except Exception as error:  # noqa: BLE001  a check's failure, whatever it is, is that row's verdict
-        return _failed(error)
+        if context.debug:
+            traceback.print_exception(error)
+        return failed(error)
     return finding
 
 
-def _failed(error: Exception) -> Finding:
+def failed(error: Exception) -> Finding:
+    """Return what is found where a check did not run to its end: never a pass."""
     if isinstance(error, ToolMissingError):
         return Finding(Verdict.UNCHECKED, f"A tool is missing: {_literal(error)}.", missing=_literal(error))
     text = f"{type(error).__name__}: {_literal(error)}"

@@ -35,7 +35,9 @@ class _Process:
 
     def ask(self, question: str, patience: float) -> str | None:
         """Return the answer; None where there is none within the patience (s). Raises RuntimeError where it fails."""
-        assert self._process.stdin and self._process.stdout and self._process.stderr
+        assert self._process.stdin
+        assert self._process.stdout
+        assert self._process.stderr
         timer = threading.Timer(patience, self._process.kill)
         timer.start()
         try:

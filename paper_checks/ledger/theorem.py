@@ -17,7 +17,11 @@ from theory.symbols import r as share_of_q
 SECTION = "Theorems"
 WHERE = "past the paper"
 C, H, R = sp.symbols("c h r", positive=True)
-MEANINGS = {C: depth(), H: h(), R: share_of_q}
+
+
+def meanings() -> dict[sp.Symbol, sp.Expr]:
+    """Return what the letters stand for in the theory; derived when a formula is decided, not when the ledger is read."""
+    return {C: depth(), H: h(), R: share_of_q}
 
 
 def theorem(name: str, *clauses: Clause) -> Claim:
@@ -27,7 +31,7 @@ def theorem(name: str, *clauses: Clause) -> Claim:
 
 def in_angle(left: str, right: sp.Expr, derived: Callable[[], sp.Basic]) -> Formula:
     """Return an equation in the letters h, c and r."""
-    return Formula(left, "=", right, equals(derived, lambda: MEANINGS))
+    return Formula(left, "=", right, equals(derived, meanings))
 
 
 def of_share(left: str, right: sp.Expr, derived: Callable[[], sp.Basic]) -> Formula:

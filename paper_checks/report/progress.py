@@ -1,0 +1,62 @@
+"""How far a run is, on stderr where that is a terminal: each verdict as it is found, and a bar beneath."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from paper_checks.ledger import Claim
+from paper_checks.report.terminal import STYLES
+from paper_checks.runner import Row
+
+
+class Progress:
+    """Tells nobody: the one for a pipe, and the shape of the others."""
+
+    def compiled(self, done: int, total: int, name: str) -> None:
+        """Tell how many proof files the kernel has read."""
+
+    def begun(self, claim: Claim) -> None:
+        """Tell which claim is being decided."""
+
+    def found(self, row: Row) -> None:
+        """Tell a row."""
+
+
+class OnTerminal(Progress):
+    """Tells a terminal."""
+
+    def __init__(self, shown: Any, total: int) -> None:
+        """Add one bar to what rich shows."""
+        self._shown, self._bar = shown, shown.add_task("", total=total)
+
+    def compiled(self, done: int, total: int, name: str) -> None:
+        """Show the proof file beside the bar."""
+        self._shown.update(self._bar, description=f"proofs {done}/{total} {name}")
+
+    def begun(self, claim: Claim) -> None:
+        """Show the claim beside the bar."""
+        self._shown.update(self._bar, description=claim.id)
+
+    def found(self, row: Row) -> None:
+        """Print the verdict above the bar."""
+        verdict = row.finding.verdict
+        self._shown.console.print(f"[{STYLES[verdict]}]{verdict.value:<15}[/] {row.claim.id}", highlight=False)
+        self._shown.update(self._bar, advance=1, description="")
+
+
+@contextmanager
+def progress(total: int) -> Iterator[Progress]:
+    """Show a bar for `total` rows, where stderr is a terminal."""
+    if not sys.stderr.isatty():
+        yield Progress()
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
+    from rich.progress import Progress as Bar
+
+    columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
+    with Bar(*columns, console=Console(stderr=True), transient=True) as shown:
+        yield OnTerminal(shown, total)

@@ -1,0 +1,65 @@
+"""The rows of claims, from where they come quickest: the cache, or a run of their checks in several processes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from paper_checks import plain, registry, runner, workers
+from paper_checks.kept import Kept
+from paper_checks.ledger import Claim
+from paper_checks.proofs import build
+from paper_checks.registry import Context
+from paper_checks.report.progress import Progress
+
+
+@dataclass(frozen=True)
+class Manner:
+    """How rows are come by; what they say does not depend on it."""
+
+    jobs: int = 1
+    """Processes that decide rows; with one, it is this process, and what a test has planted in it reaches the checks."""
+    store: Kept | None = None
+    """Where rows are kept, if they are."""
+    fresh: bool = False
+    """Whether no row is taken from there."""
+
+
+def rows(claims: Sequence[Claim], context: Context, manner: Manner, progress: Progress) -> list[runner.Row]:
+    """Return a row for each claim, in the claims' order."""
+    found: dict[str, runner.Row] = {}
+    for row in _rows(claims, context, manner, progress):
+        found[row.claim.id] = row
+        progress.found(row)
+    return [found[claim.id] for claim in claims]
+
+
+def _rows(claims: Sequence[Claim], context: Context, manner: Manner, progress: Progress) -> Iterator[runner.Row]:
+    store = manner.store
+    missing = []
+    for claim in claims:
+        kept = store.row(claim.id) if store and not manner.fresh else None
+        if kept:
+            yield plain.row(claim, kept)
+        else:
+            missing.append(claim)
+    for row in _decided(missing, context, manner.jobs, progress):
+        if store:
+            store.keep(plain.plain(row))
+        yield row
+    if store:
+        store.forget_old()
+
+
+def _decided(claims: Sequence[Claim], context: Context, jobs: int, progress: Progress) -> Iterator[runner.Row]:
+    """Decide claims: one after the other here, or in processes."""
+    if min(jobs, len(claims)) < 2:
+        for claim in claims:
+            progress.begun(claim)
+            yield runner.run([claim], registry.load_checks(), context)[0]
+        return
+    workers.begin()
+    build(progress.compiled, jobs)  # once, before the processes ask for it
+    named = {claim.id: claim for claim in claims}
+    for one in workers.found(claims, context, jobs):
+        yield plain.row(named[one.claim], one) if isinstance(one, plain.Plain) else one

@@ -1,0 +1,16 @@
+"""What a process that decides rows may do wrong; importable by it, wherever it is started."""
+
+import os
+from multiprocessing.connection import Connection
+
+from paper_checks.ledger import claim_named
+from paper_checks.plain import plain
+from paper_checks.registry import Context, load_checks
+from paper_checks.runner import run
+
+
+def dies_of_energy_rate(connection: Connection, context: Context) -> None:
+    """Decide rows, and end without a word when asked for the row `energy-rate`."""
+    while (name := connection.recv()) != "energy-rate":
+        connection.send(plain(run([claim_named(name)], load_checks(), context)[0]))
+    os._exit(7)

@@ -1,0 +1,192 @@
+"""Rows from the cache and from other processes: the same as from this one, and never one that was not earned."""
+
+import ast
+import json
+import re
+import subprocess
+import sys
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from dying_process import dies_of_energy_rate
+from interruption import interrupted
+
+from paper_checks import kept, plain, workers
+from paper_checks.__main__ import main
+from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.finding import Verdict
+from paper_checks.kept import Kept
+from paper_checks.ledger import claim_named
+from paper_checks.registry import Context
+from paper_checks.runner import decide
+
+QUICK = ("energy-rate", "stiction-bracket", "vector-fields", "two-descriptions")
+ROOT = Path(kept.__file__).parent.parent
+SHOWN_WITH = {"matplotlib", "rich", "latex2mathml"}
+FACES = {"__main__.py", "rows.py", "figures.py", "reporting.py"}
+"""They show what they were told, and decide nothing."""
+
+
+@pytest.fixture
+def settled(rows):
+    return [row for row in rows if row.finding.verdict not in (Verdict.UNDECIDED, Verdict.UNCHECKED)]
+
+
+@pytest.fixture
+def store(tmp_path):
+    return Kept(0, tmp_path)
+
+
+def entries(folder):
+    return sorted(folder.rglob("*.row"))
+
+
+def test_a_row_comes_back_as_it_was(rows, store, settled):
+    for row in rows:
+        assert plain.row(row.claim, plain.plain(row)) == row
+        store.keep(plain.plain(row))
+    assert [store.row(row.claim.id) is not None for row in rows] == [row in settled for row in rows]
+    for row in settled:
+        assert plain.row(row.claim, store.row(row.claim.id)) == row
+
+
+def test_a_row_is_not_another_claim_s(rows):
+    with pytest.raises(ValueError, match="energy-rate"):
+        plain.row(rows[1].claim, plain.plain(rows[0]))
+
+
+def test_a_solver_without_an_answer_is_asked_again(settled, store, tmp_path):
+    silent = Evidence(EvidenceKind.SMT, "z3 and cvc5", "hard", None)
+    finding = replace(settled[-1].finding, evidence=(*settled[-1].finding.evidence, silent))
+    store.keep(plain.plain(replace(settled[-1], finding=finding)))
+    assert entries(tmp_path) == []
+
+
+@pytest.mark.parametrize("place", [0, 30, 70, 200, -1])
+def test_a_damaged_entry_is_not_read(settled, store, tmp_path, place):
+    store.keep(plain.plain(settled[0]))
+    (entry,) = entries(tmp_path)
+    content = bytearray(entry.read_bytes())
+    content[place] ^= 1
+    entry.write_bytes(bytes(content))
+    assert store.row(settled[0].claim.id) is None
+
+
+@pytest.mark.parametrize("length", [0, 10, 65, 300])
+def test_half_an_entry_is_not_read(settled, store, tmp_path, length):
+    store.keep(plain.plain(settled[0]))
+    (entry,) = entries(tmp_path)
+    entry.write_bytes(entry.read_bytes()[:length])
+    assert store.row(settled[0].claim.id) is None
+
+
+def test_an_entry_under_another_name_or_of_another_state_is_not_read(settled, store, tmp_path):
+    store.keep(plain.plain(settled[0]))
+    (entry,) = entries(tmp_path)
+    entry.with_name("stiction-bracket.row").write_bytes(entry.read_bytes())
+    assert store.row("stiction-bracket") is None
+    other = Kept(1, tmp_path)
+    folder = tmp_path / kept.state(1)
+    folder.mkdir()
+    (folder / entry.name).write_bytes(entry.read_bytes())
+    assert other.row(settled[0].claim.id) is None
+
+
+def test_a_cache_that_cannot_be_written_keeps_nothing(settled, tmp_path):
+    (tmp_path / "file").write_text("")
+    store = Kept(0, tmp_path / "file")
+    store.keep(plain.plain(settled[0]))
+    store.forget_old()
+    assert store.row(settled[0].claim.id) is None
+
+
+def test_the_oldest_states_are_forgotten(store, settled, tmp_path):
+    for number in range(12):
+        (tmp_path / f"old{number}").mkdir()
+    store.keep(plain.plain(settled[0]))
+    store.forget_old()
+    assert len(list(tmp_path.iterdir())) == 8
+    assert store.row(settled[0].claim.id) is not None
+
+
+def test_the_state_knows_seed_kernel_versions_and_sources(monkeypatch, tmp_path):
+    source = tmp_path / "one.py"
+    source.write_text("1")
+    monkeypatch.setattr(kept, "sources", lambda: [source])
+    states = [kept.state(0), kept.state(1)]
+    source.write_text("2")
+    states.append(kept.state(0))
+    monkeypatch.setattr(kept, "_version", lambda name: "0.0")
+    states.append(kept.state(0))
+    monkeypatch.setattr(kept.kernel, "why_not", lambda _: "kernel not run: gone")
+    states.append(kept.state(0))
+    assert len(set(states)) == 5
+    assert kept.state(0) == states[-1]
+
+
+def test_what_rows_can_depend_on_is_in_the_state():
+    seen = {path.relative_to(ROOT).as_posix() for path in kept.sources()}
+    assert {"theory/excursion.py", "numerics/scene/shipped/velocities.toml", "paper_checks/proofs/Paper.v"} <= seen
+    declared = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["dependencies"]
+    assert {re.split("[>=]", line)[0] for line in declared} - SHOWN_WITH <= set(kept.DEPENDENCIES)
+
+
+def test_what_shows_rows_is_imported_by_nothing_that_decides_them():
+    """Those rooms are not in the state."""
+    showing = tuple(f"paper_checks.{room}" for room in kept.SHOWING)
+    deciding = [path for path in kept.sources() if path.suffix == ".py" and path.name not in FACES]
+    for path in deciding:
+        nodes = list(ast.walk(ast.parse(path.read_text("utf-8"))))
+        names = [node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)]
+        names += [one.name for node in nodes if isinstance(node, ast.Import) for one in node.names]
+        assert not [name for name in names if name.startswith(showing)], path
+
+
+def test_a_process_that_ends_costs_its_own_row_only():
+    claims = [claim_named(name) for name in QUICK]
+    found = list(workers.found(claims, Context(), 2, dies_of_energy_rate))
+    (lost,) = [one for one in found if not isinstance(one, plain.Plain)]
+    assert (lost.claim.id, lost.finding.verdict) == ("energy-rate", Verdict.UNDECIDED)
+    assert "exit code 7" in lost.finding.reason
+    verdicts = {one.claim: one.finding.verdict for one in found if isinstance(one, plain.Plain)}
+    assert verdicts == {claim.id: claim.recorded for claim in claims if claim is not lost.claim}
+
+
+def test_the_bytes_are_the_same_from_one_process_from_two_and_from_the_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setenv("PATH", "")  # no kernel: it would compile its proofs into that folder
+
+    def run(*words):
+        return subprocess.run(
+            [sys.executable, "-m", "paper_checks", *words, "--json", *QUICK], capture_output=True, check=False
+        )
+
+    one, two, again = run("--jobs", "1"), run("--jobs", "2", "--fresh"), run()
+    assert (one.returncode, one.stderr) == (0, b"")
+    assert one.stdout == two.stdout == again.stdout
+    assert {row["id"] for row in json.loads(one.stdout)} == set(QUICK)
+    assert len(entries(tmp_path)) == len(QUICK)
+
+
+def test_ctrl_c_ends_all_processes_and_says_one_word(tmp_path):
+    code, _, errors = interrupted("paper_checks", ["--fresh", "--jobs", "2"], "paper_checks.workers", tmp_path)
+    assert (code, errors) == (130, "paper_checks: interrupted\n")
+
+
+def test_what_fails_prints_its_traceback_where_that_is_asked_for(capsys):
+    def check(context):
+        raise ZeroDivisionError("by 0")
+
+    for debug in (False, True):
+        assert decide([check], Context(debug=debug)).verdict is Verdict.UNDECIDED
+        assert ("Traceback" in capsys.readouterr().err) is debug
+
+
+@pytest.mark.parametrize("jobs", ["0", "-1", "two"])
+def test_a_number_of_processes_is_at_least_one(jobs, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(["--jobs", jobs])
+    assert stop.value.code == 2
+    assert "--jobs" in capsys.readouterr().err
