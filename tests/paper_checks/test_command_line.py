@@ -63,7 +63,8 @@ def test_list_prints_every_claim(capsys):
     out = capsys.readouterr().out
     assert all(claim.id in out for claim in CLAIMS)
     assert main(["list", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)[0]["recorded"] == "holds-corrected"
+    printed = {claim["id"]: claim["recorded"] for claim in json.loads(capsys.readouterr().out)}
+    assert printed == {claim.id: claim.recorded.value for claim in CLAIMS}
 
 
 @pytest.mark.parametrize("form", ["html", "latex", "html,latex"])
