@@ -13,7 +13,7 @@ from paper_checks.explore.scenes import OWN, Button, Reduced, paper_buttons
 SCRIPTS = ("oscillator", "first_root", "solver", "regimes", "scene3d", "strips", "controls", "main")
 """The page's programs in the order in which they are joined; the first three are the solver and know no page."""
 SOLVER = SCRIPTS[:3]
-TITLE = "Explore: two masses joined by dry friction"
+TITLE = "Two masses joined by dry friction"
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def page() -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         '<meta name="color-scheme" content="light dark">\n'
         f"<title>{escape(TITLE)}</title>\n<style>\n{_beside('page.css')}</style>\n</head>\n<body>\n<main>\n"
-        f"{section()}</main>\n</body>\n</html>\n"
+        f"<h1>{escape(TITLE)}</h1>\n{section()}</main>\n</body>\n</html>\n"
     )
 
 
