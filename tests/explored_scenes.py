@@ -34,6 +34,12 @@ class Answer(NamedTuple):
     modes: list[int]
     rows: dict[int, list[float]]
 
+    @property
+    def mirrored(self) -> "Answer":
+        """The answer to the scene in which everything points the other way."""
+        turned = {number: [tau, -X, -V1] for number, (tau, X, V1) in self.rows.items()}
+        return Answer([-mode for mode in self.modes], turned)
+
 
 @dataclass(frozen=True)
 class GridScene:

@@ -21,7 +21,8 @@ function freeMotion({ delta, k, square }, t) {
 }
 
 /* Response from rest to gain A sin(omega t + phase): [y, y'].  Undamped it is the beat, which knows no resonance. */
-function response({ delta, k, gain, square, sine: { amplitude, omega, phase } }, t) {
+function response(of, t) {
+  const { delta, k, gain, sine: { amplitude, omega, phase } } = of;
   if (amplitude === 0) return [0, 0];
   if (delta === 0) {
     const rate = Math.sqrt(k), sum = (rate + omega) * t / 2, gap = (rate - omega) * t / 2;
@@ -31,11 +32,15 @@ function response({ delta, k, gain, square, sine: { amplitude, omega, phase } },
       size * (slow * Math.sin(sum + phase) + fast * Math.sin(phase - gap)),
     ];
   }
+  const [y0, v0] = steadyResponse(of, 0), [y1, v1] = steadyResponse(of, t), [y, v] = homogeneous(of, -y0, -v0, t);
+  return [y1 + y, v1 + v];
+}
+
+/* The response that repeats with the sine: [y, y', its largest |y|] at t; infinite at an undamped resonance. */
+function steadyResponse({ delta, k, gain, sine: { amplitude, omega, phase } }, t) {
   const re = k - omega * omega, im = 2 * delta * omega, scale = gain * amplitude / (re * re + im * im);
-  const steady = (angle) => scale * (re * Math.sin(angle) - im * Math.cos(angle));
-  const rate = (angle) => scale * omega * (re * Math.cos(angle) + im * Math.sin(angle));
-  const [y, v] = homogeneous({ delta, k, square }, -steady(phase), -rate(phase), t);
-  return [steady(omega * t + phase) + y, rate(omega * t + phase) + v];
+  const sine = Math.sin(omega * t + phase), cosine = Math.cos(omega * t + phase);
+  return [scale * (re * sine - im * cosine), scale * omega * (re * cosine + im * sine), Math.abs(scale) * Math.hypot(re, im)];
 }
 
 function homogeneous(of, y0, v0, t) {

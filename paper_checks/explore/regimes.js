@@ -30,11 +30,6 @@ function regimeOf(solution) {
   return force.amplitude === 0 ? freeRegime(solution) : drivenRegime(solution);
 }
 
-const isStuckForEver = ({ motion }) => {
-  const y = motion.at(0, 4);
-  return y[2] * y[2] + y[3] * y[3] <= 1;
-};
-
 function literalRegime({ segments }) {
   const last = segments[segments.length - 1];
   if (last.start.mode !== STICK) return { title: "Still slipping", text: "The bodies have not yet had the same velocity." };
@@ -44,7 +39,7 @@ function literalRegime({ segments }) {
 function freeRegime(solution) {
   const { scene, pair, segments } = solution, last = segments[segments.length - 1];
   const energy = energyAbout(solution, last.start), from = `From τ = ${shown(last.start.t)} on`;
-  if (last.start.mode === STICK && (isStuckForEver(last) || energy <= 1)) {
+  if (last.start.mode === STICK && (holdsForEver(last.motion, 0) || energy <= 1)) {
     const rest = pair.zeta > 0 ? "and come to rest" : `and oscillate as one body with E/E_cr = ${shown(energy)} ≤ 1`;
     return { title: segments.length > 1 ? "Merges" : "Sticks for ever", text: `${from} the bodies stick for ever ${rest}.` };
   }

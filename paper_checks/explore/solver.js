@@ -61,7 +61,7 @@ function taylor(series, t, count) {
 
 /* The guard s (V1 - V2) of a slip: [g, g', g'', a bound of |g'''|] at t after its start. */
 function slipGuard(motion, start, span) {
-  const { of, at, series, reach } = motion, s = start.mode, drive = of.sine.amplitude * of.sine.omega ** 3;
+  const { of, at, series, reach } = motion, s = start.mode, drive = Math.abs(of.sine.amplitude) * of.sine.omega ** 3;
   const gap = start.leaves || start.V1 === start.V2 ? 0 : s * (start.V1 - start.V2);
   const coefficients = series.slice(1).map((one, n) => s * one * (n + 1));
   coefficients[0] = gap;
@@ -75,7 +75,7 @@ function slipGuard(motion, start, span) {
 
 /* The room 1 - p and 1 + p that the load of a stick phase has. */
 function stickGuards(motion, span) {
-  const { of, at } = motion, drive = of.sine.amplitude * of.sine.omega ** 4;
+  const { of, at } = motion, drive = Math.abs(of.sine.amplitude) * of.sine.omega ** 4;
   return (t) => {
     const y = at(t, 6), bound = laterBound(of, y[4], y[5], drive, span);
     return [[1 - y[2], -y[3], -y[4], bound], [1 + y[2], y[3], y[4], bound]];
@@ -83,17 +83,22 @@ function stickGuards(motion, span) {
 }
 
 /* The end of a motion: {t, side} or null where it lasts until `left` is over. */
-function endOf(motion, start, left, literal, free) {
-  const span = free ? Infinity : 1 / motion.reach;
+function endOf(motion, start, left, literal, force) {
+  const free = force.amplitude === 0;
+  const span = free ? Infinity : 1 / Math.max(Math.sqrt(motion.of.k), force.omega);
   if (start.mode !== STICK) return firstRoot(slipGuard(motion, start, span), left, span);
   if (literal) return null;
-  // without a force p^2 + p'^2 never grows: inside the unit circle the pair sticks for ever
-  const forEver = (t) => {
-    const y = motion.at(t, 4);
-    return y[2] * y[2] + y[3] * y[3] <= 1;
-  };
-  const found = firstRoot(stickGuards(motion, span), left, span, free ? forEver : undefined);
+  const found = firstRoot(stickGuards(motion, span), left, span, (t) => holdsForEver(motion, t));
   return found && { t: found.t, side: found.which === 0 ? 1 : -1 };
+}
+
+/* Whether a stick phase certainly never ends. Of its load p the free part never grows, p^2 + p'^2, and the rest is the
+   steady response to the sine. At the edge, on the orbit E = E_cr, the pair turns back. */
+function holdsForEver({ of, at }, t) {
+  const y = at(t, 4), { amplitude, omega } = of.sine;
+  if (amplitude === 0) return y[2] * y[2] + y[3] * y[3] <= 1;
+  const [place, speed, size] = steadyResponse(of, t), square = omega * omega;
+  return Math.hypot(y[2] + square * place, y[3] + square * speed) + square * size < 1 - 1e-9;
 }
 
 /* The state at t after the start of a motion. */
@@ -137,7 +142,7 @@ function solve(scene, most = 4000) {
   let start = firstStart(pair, force, scene.literal, scene);
   while (segments.length <= most) {
     const motion = motionOf(pair, force, start), left = scene.until - start.t;
-    const end = endOf(motion, start, left, scene.literal, force.amplitude === 0);
+    const end = endOf(motion, start, left, scene.literal, force);
     const segment = { start, motion, duration: end ? end.t : left };
     segments.push(segment);
     if (!end) return { scene, pair, force, segments, capped: false };

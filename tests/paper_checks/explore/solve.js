@@ -8,8 +8,13 @@ const made = (text) => new Function(`${text}
     return { modes, times, events, final: [X, V1, x2, V2] };
   };`)();
 const tried = (run, scene) => { try { return run(scene); } catch (error) { return String(error); } };
+const mirrored = (scene) => {
+  const turned = ["X", "V1", "V2", "constant", "amplitude"].map((name) => [name, -scene[name]]);
+  return { ...scene, ...Object.fromEntries(turned) };
+};
 const each = (text) => ({
   free: SCENES.map((scene) => tried(made(text), scene)),
   forced: FORCED.map((scene) => tried(made(text), scene)),
+  mirrored: FORCED.map((scene) => tried(made(text), mirrored(scene))),
 });
 return { right: each(PROGRAM), faulty: FAULTY.map(each) };

@@ -17,12 +17,14 @@ FAULTS = (
     ("side: found.which === 0 ? 1 : -1", "side: 1"),
     ("return Math.abs(p) < 1 ? STICK : side;", "return Math.abs(p) < 1.01 ? STICK : side;"),
     ("y[2] * y[2] + y[3] * y[3] <= 1;", "y[2] * y[2] + y[3] * y[3] <= 1.05;"),
+    ("square * size < 1 - 1e-9", "square * size < 2"),
     ("h * (g2 / 2 - h * bound / 6)", "h * (g2 / 2 - h * bound / 60)"),
     ("fade * -Math.expm1(-2 * lean * t) / (2 * lean)", "fade * -Math.expm1(-2 * lean * t) / lean"),
     ("rate * side > 0 ? side", "rate * side > 0.5 ? side"),
     ("TOUCH = 1e-13", "TOUCH = 0"),
+    ("drive = Math.abs(of.sine.amplitude) * of.sine.omega ** 3", "drive = of.sine.amplitude * of.sine.omega ** 3"),
     ("size / rate * (fast", "size / rate * (1.0001 * fast"),
-    ("re * Math.sin(angle) - im", "re * Math.sin(angle) + im"),
+    ("re * sine - im", "re * sine + im"),
 )
 """Changes of the program, each of which a comparison has to see."""
 
@@ -75,8 +77,16 @@ def test_under_a_force_the_events_are_those_of_60_digits(answers, forced):
     assert sum(len(one.rows) for one in forced.values()) > 150
 
 
+def test_what_points_the_other_way_moves_the_other_way(answers, forced):
+    """With a negative amplitude the bounds of derivatives were negative, and roots were stepped over."""
+    found = dict(zip(FORCED_NAMES, answers["right"]["mirrored"], strict=True))
+    assert not [name for name in FORCED_NAMES if is_off(found[name], forced[name].mirrored)]
+
+
 @pytest.mark.parametrize("number", range(len(FAULTS)), ids=[wrong for _, wrong in FAULTS])
 def test_a_fault_in_the_program_is_seen(answers, runs, forced, number):
-    found = answers["faulty"][number]
-    free = any(differs(one, run) for one, run in zip(found["free"], runs, strict=True))
-    assert free or any(is_off(one, right) for one, right in zip(found["forced"], forced.values(), strict=True))
+    found, rights = answers["faulty"][number], list(forced.values())
+    seen = [differs(one, run) for one, run in zip(found["free"], runs, strict=True)]
+    seen += [is_off(one, right) for one, right in zip(found["forced"], rights, strict=True)]
+    seen += [is_off(one, right.mirrored) for one, right in zip(found["mirrored"], rights, strict=True)]
+    assert any(seen)
