@@ -14,16 +14,11 @@ from paper_checks.smt import prove
 from paper_checks.steps import capture
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import (
-    critical_energy,
-    edge_speed_squared,
     energy,
-    level_semi_axis,
-    on_surface,
-    semi_axis_margin,
     stick_rate,
 )
 from theory.filippov import STATE, edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
-from theory.symbols import E0, a2, b, m1, m2, undamped, v1, v2, x1
+from theory.symbols import a2, b, m1, m2, undamped, v1, v2, x1
 
 HALF_SPACES = (("+", 1), ("-", -1))
 
@@ -158,88 +153,6 @@ def sliding_region(context: Context) -> Finding:
         derivation=(
             f"$$\\alpha={sp.latex(weight)}$$",
             f"$$\\dot{{({sp.latex(STATE.T)})}}={sp.latex(sliding_field().T)}$$",
-        ),
-    )
-
-
-@check("critical-energy")
-def critical_energy_claim(context: Context, printed: sp.Expr = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)) -> Finding:
-    """Prove the condition and its converse, and compare the derived level with the printed one."""
-    above = sp.Gt(cleared(E0 - critical_energy()), 0, evaluate=False)
-    return conclude(
-        Verdict.HOLDS,
-        "The ellipse $\\{E=E_0\\}\\cap S$ has the semi-axis $\\sqrt{2E_0/a}$ along $x_1$; it lies in $S_0$ exactly if that is "
-        "at most $L$. At $E_0=0$ the ellipse is the equilibrium, which the paper counts among the periodic trajectories.",
-        identity(
-            "$E_{cr}$, solved from semi-axis $=L$, is the printed value", critical_energy(), printed, seed=context.seed
-        ),
-        capture.stays_below_critical(),
-        identity(
-            "the end of the semi-axis has $E=E_0$",
-            on_surface().subs({x1: level_semi_axis(), v1: 0}),
-            E0,
-            seed=context.seed,
-        ),
-        capture.stick_is_a_motion(),
-        carried(
-            "open",
-            prove(
-                "conversely $E_0>E_{cr}$ puts the end of the semi-axis beyond $L$",
-                [above],
-                sp.Gt(cleared(level_semi_axis() ** 2 - half_width() ** 2), 0, evaluate=False),
-            ),
-        ),
-        identity(
-            "$L^2-\\mathrm{semi\\text{-}axis}^2=2(E_{cr}-E_0)/a$",
-            half_width() ** 2 - level_semi_axis() ** 2,
-            semi_axis_margin(),
-            seed=context.seed,
-        ),
-        derivation=(
-            f"$$\\text{{semi-axis}}={sp.latex(level_semi_axis())},\\qquad L={sp.latex(half_width())}$$",
-            f"$$E_{{cr}}={sp.latex(critical_energy())}$$",
-        ),
-    )
-
-
-@check("supercritical-arcs")
-def supercritical_arcs(context: Context) -> Finding:
-    """Two arcs, each left by its ray into the half-space that the paper names."""
-    contact = edge_contact(1)
-    above = sp.Gt(cleared(on_surface() - critical_energy()), 0, evaluate=False)
-    return conclude(
-        Verdict.HOLDS,
-        "Above $E_{cr}$ no point of the level in $S_0$ has $v_1=0$, so it falls into an arc with $v_1>0$, which runs to "
-        "$\\ell_+$, and one with $v_1<0$, which runs to $\\ell_-$. On $\\ell_+$ the field $\\Phi_-$ touches $S$ and curves into "
-        "$\\Omega_-$, while $\\Phi_+$ points into $\\Omega_-$ too: the exit is the only motion.",
-        carried(
-            "arcs",
-            argument(
-                "The level in $S_0$ falls into the parts with $v_1>0$ and with $v_1<0$, each from edge to edge.",
-                prove("on $S_0$ with $E>E_{cr}$: $v_1\\neq 0$", [above, *within()], sp.Ne(v1, 0, evaluate=False)),
-                identity("$\\dot E=0$ along the sliding field", undamped(stick_rate()), 0, seed=context.seed),
-            ),
-        ),
-        identity(
-            "on the edges the level has $v_1^2=2(E_0-E_{cr})/(m_1+m_2)$",
-            edge_speed_squared(),
-            2 * (E0 - critical_energy()) / (m1 + m2),
-            seed=context.seed,
-        ),
-        identity("$x_1$ grows along the arc with $v_1>0$: $\\dot x_1=v_1$", sliding_field()[0], v1, seed=context.seed),
-        identity(
-            "on $\\ell_+$, $\\Phi_-\\cdot n_S=0$: the guard has a double root", contact.first, 0, seed=context.seed
-        ),
-        prove(
-            "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
-            [sp.Gt(v1, 0)],
-            sp.Lt(cleared(contact.second), 0, evaluate=False),
-        ),
-        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], sp.Lt(product(1), 0, evaluate=False)),
-        capture.mirror_image(),
-        derivation=(
-            f"$$\\ddot g|_{{\\ell_+}}={sp.latex(contact.second)}$$",
-            f"$$v_1^2|_{{|x_1|=L}}={sp.latex(edge_speed_squared())}$$",
         ),
     )
 

@@ -6,7 +6,8 @@ from functools import cache
 
 from paper_checks.evidence import Evidence, argument
 from paper_checks.steps import capture
-from paper_checks.steps.critical_share import all_slips, certificate, one_turning_point, threshold, worst_slip
+from paper_checks.steps.certified import certificate
+from paper_checks.steps.critical_share import all_slips, one_turning_point, threshold, worst_slip
 from paper_checks.steps.excursions import angle_of_excursion
 from paper_checks.steps.merging_window import sign_of_excess
 from paper_checks.steps.monotone_slips import contact, depth_grows, landings, one_contact

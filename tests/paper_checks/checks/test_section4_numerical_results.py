@@ -9,7 +9,12 @@ import pytest
 from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trade.comparisons.forward_euler import forward_euler
-from paper_checks.checks import section4_euler, section4_numerical_results, section4_velocities
+from paper_checks.checks import (
+    section4_euler,
+    section4_numerical_results,
+    section4_synchronisation,
+    section4_velocities,
+)
 from paper_checks.enclosure import solved
 from paper_checks.euler_in_balls import STEPS, euler_in_balls, run
 from paper_checks.finding import Verdict
@@ -24,7 +29,7 @@ CHECKS = {
     "start-with-speed-synchronises": section4_numerical_results.synchronises,
     "constant-damping-rate": section4_velocities.damping_rate,
     "saw-tooth": section4_velocities.saw_tooth,
-    "synchronisation-time": section4_velocities.synchronisation_time,
+    "synchronisation-time": section4_synchronisation.synchronisation_time,
     "relative-motion-converges": section4_numerical_results.convergence,
     "euler-reproduces-figures": section4_euler.euler_reproduces_figures,
 }

@@ -29,7 +29,7 @@ from paper_checks.ledger import CLAIMS, Kind
 from paper_checks.registry import Context
 from paper_checks.runner import decide
 from paper_checks.steps import (
-    critical_share,
+    certified,
     long_time,
     merging_bands,
     merging_share,
@@ -255,9 +255,9 @@ def test_the_constant_is_not_found_again_too_early(plant):
 
 
 def test_a_damaged_certificate_is_no_evidence(tmp_path):
-    damaged = critical_share.checker.CERTIFICATE.read_text("utf-8").replace('"557/1000"', '"558/1000"')
+    damaged = certified.checker.CERTIFICATE.read_text("utf-8").replace('"557/1000"', '"558/1000"')
     (tmp_path / "damaged.json").write_text(damaged)
-    assert critical_share.certificate("threshold", tmp_path / "damaged.json").passed is False
+    assert certified.certificate("threshold", tmp_path / "damaged.json").passed is False
 
 
 def error_bound(relation, right):
