@@ -23,6 +23,9 @@ class Contender(Protocol):
     """The values of the knob that are worth measuring, from coarse to fine."""
     ours: bool
 
+    def takes(self, scene: Scene) -> bool:
+        """Return whether it is made for a scene: with a force or without."""
+
     def missing(self) -> str | None:
         """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""
 
@@ -42,6 +45,10 @@ class PeerContender:
         """Take over what the peer says of itself."""
         self._peer, self.label = peer, label or peer.name
         self.name, self.use, self.knob, self.settings = peer.name, peer.use, peer.knob, tuple(peer.settings)
+
+    def takes(self, scene: Scene) -> bool:
+        """Return whether the peer is for forced scenes and the scene is one, or neither."""
+        return scene.is_forced == self._peer.forced
 
     def missing(self) -> str | None:
         """Return what the peer says is missing."""
@@ -77,10 +84,11 @@ def _float_texts(run: PeerRun) -> PeerTexts:
 
 def all_contenders() -> list[Contender]:
     """Return everyone, ours first, whether installed or not."""
-    from numerics.trade.comparisons.registry import all_peers
+    from numerics.trade.comparisons.registry import all_peers, forced_peers
     from numerics.trade.ours import our_contenders
 
-    return [*our_contenders(), *labelled(all_peers())]
+    forced = [PeerContender(peer, f"{peer.name}, forced") for peer in forced_peers()]
+    return [*our_contenders(), *labelled(all_peers()), *forced]
 
 
 def labelled(peers: Sequence[Peer]) -> list[Contender]:

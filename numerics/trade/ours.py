@@ -14,9 +14,7 @@ from fractions import Fraction
 from typing import Any, Final
 
 import numpy as np
-from flint import arb
 
-from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.double_words import DOUBLE_DOUBLE
 from numerics.arithmetic.float64 import FLOAT64, Float64
@@ -32,8 +30,7 @@ from numerics.scene import Law, Pair, Scene, State
 from numerics.solver.prepared import Solver
 from numerics.solver.solve import ArithmeticName, solve
 from numerics.trade.comparisons.peer import Unsupported
-from numerics.trade.outcome import Outcome, float_text, letters
-from numerics.trajectory.comparison import as_fraction
+from numerics.trade.outcome import Outcome, number_text, trajectory_outcome
 from numerics.trajectory.record import Record, end_length, row_length
 from numerics.trajectory.trajectory import Trajectory
 
@@ -44,8 +41,9 @@ MPMATH: Final = "mpmath"
 BALL: Final = "ball"
 PARTS = frozenset({COMPILED, PLAIN, DOUBLE, SOLVE})
 """Of what a user calls: never what a headline goes by."""
+FORCED = frozenset({SOLVE, READ, TWELVE, MPMATH, BALL})
+"""Those that take a force."""
 MOST_EVENTS = 10**7
-_SPARE_DIGITS = 30
 _BATCH, _BATCH_EVENTS = 1000, 500_000
 """Scenes in the batch of which one is judged, and the events that they may have together."""
 
@@ -86,6 +84,10 @@ class Ours:
     """write(number, digits): how its numbers are written."""
     ours = True
 
+    def takes(self, scene: Scene) -> bool:
+        """Return whether it solves a scene: `solve` takes a force, the others are for free pairs."""
+        return not scene.is_forced or self.label in FORCED
+
     @property
     def name(self) -> str:
         """Return its label."""
@@ -97,7 +99,7 @@ class Ours:
 
     def prepare(self, scene: Scene, setting: float) -> Call:
         """Bring up compiled code, where there is any, and return the call."""
-        if self.knob == "bits":
+        if self.knob == "bits" and not scene.is_forced:
             looked_at(inside(FLOAT64, True)(scene, setting)().trajectory())
         return self.make(scene, setting)
 
@@ -217,30 +219,3 @@ def looked_at(trajectory: Trajectory) -> Trajectory:
     """Look at what a user looks at, and return the trajectory."""
     trajectory.t, trajectory.y, trajectory.modes, trajectory.t_events  # noqa: B018 - made when looked at
     return trajectory
-
-
-def trajectory_outcome(trajectory: Trajectory, write: Callable[[Any, int], str]) -> Outcome:
-    """Return a trajectory as text; what it lost was summed slip by slip, where the difference of energies cancels."""
-    arithmetic, record, times = trajectory.arithmetic, trajectory.record, trajectory.event_times
-    with arithmetic.context():
-        lost = trajectory.units[2] * (record.end("spent") + record.end("damped"))
-        digits = arithmetic.digits + _SPARE_DIGITS
-        return Outcome(
-            kinds=letters(trajectory.event_kinds),
-            times=[float(arithmetic.to_float(t)) for t in times],
-            last_event=write(times[-1], digits) if len(times) else None,
-            final=[write(value, digits) for value in trajectory.final_state],
-            dissipated=write(lost, digits),
-            steps=len(times),
-        )
-
-
-def number_text(value: Any, digits: int) -> str:
-    """Return a float exactly, an mpmath number or the middle of a ball with this many digits."""
-    if isinstance(value, float):
-        return float_text(value)
-    if not isinstance(value, arb):
-        exact = as_fraction(value)
-        with Ball(digits).context():
-            value = arb(exact.numerator) / arb(exact.denominator)
-    return str(value.mid().str(digits, radius=False))

@@ -125,14 +125,14 @@ def trade(
             progress(f"{scene.name}: the proved reference")
             references.get(scene, POINT_DIGITS)
         for contender in present if size.whole < math.inf else ():
-            for scene in scenes if contender.ours and contender.knob == "bits" else ():
+            for scene in taken(contender, scenes) if contender.ours and contender.knob == "bits" else ():
                 progress(f"{contender.label}: compiling, if it was not before")
                 run(child, source, contender.label, scene, contender.settings[0], _COMPILING)
         deadline = Deadline(size.whole)
         for contender in present:
             if not contender.ours and size.whole == math.inf:
                 child.end()  # a new one for each, which imports once for all scenes; one for all where time is short
-            for scene in scenes:
+            for scene in taken(contender, scenes):
                 limits = replace(size.limits, run=size.long_run) if scene.name.startswith("long") else size.limits
                 progress(f"{contender.label}: {scene.name}")
                 if deadline.left() == 0:
@@ -146,6 +146,11 @@ def trade(
         progress("what a user waits for")
         waits = interface(size.limits.budget, size_name != "small")
     return Trade(size_name, machine(), scenes, present, left_out, found, references.as_records(), grown, waits)
+
+
+def taken(contender: Contender, scenes: Sequence[Benchmark]) -> list[Benchmark]:
+    """Return the scenes that a contender is made for."""
+    return [one for one in scenes if contender.takes(one.scene)]
 
 
 class NoSuchContender(NumericsError):

@@ -1,4 +1,4 @@
-"""The scenes on which everything is measured: the paper's, near-critical ones, and a long one."""
+"""The scenes on which everything is measured: the paper's, near-critical ones, a long one, and some under a force."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from numerics.scene import Pair, Scene, State
-from numerics.scene.file import load_scene
+from numerics.scene import Force, Friction, Pair, Scene, State
+from numerics.scene.file import load_scene, parse_scene
+from numerics.scene.writing import scene_text
 
 HEADLINE = "relative-motion-b05"
 """The scene of the headline ratios."""
@@ -50,6 +51,37 @@ def long_scene(excursions: int) -> Benchmark:
     return Benchmark(f"long-{excursions}", why, _headline_until(math.ceil(excursions * math.pi / 10)))
 
 
+def forced_scenes() -> list[Benchmark]:
+    """Return scenes with a force or a friction in time; their names begin with "forced"."""
+    pair, damped = Pair(m1=1, m2=1, a2=200, b="0.05"), Pair(m1=1, m2=1, a2=200, b="0.05", a1=1)
+    stuck = State(v1="0.01000001", v2="0.01000001")
+    steps = Force.step("0.1", "0.3") + Force.trapezoid("0.6", "0.2", "0.3", "0.1", "-0.5")
+    pieces = Friction([("0.9", "0.02"), ("1.7", "0.2"), ("3.1", "0.05")])
+    sums = Force.sine("0.35", 5) + Force.sine("0.25", "7.3")
+    return [
+        _forced("stick-slip", "stick and slip twice a period, between U* and U**", damped, Force.sine("0.45", 5), 10),
+        _forced(
+            "touch", "1e-6 above U*: the load leaves its edge for 8e-4 s", pair, Force.sine("0.3000003", 5), 6, stuck
+        ),
+        _forced("jumps", "a step that breaks adhesion, then a trapezoid", pair, steps, 3),
+        _forced("friction", "b in four pieces under a sine", damped, Force.sine("0.5", 5), 6, friction=pieces),
+        _forced("two-sines", "two incommensurate sines for 100 s: whether errors pile up", damped, sums, 100),
+    ]
+
+
+def _forced(
+    name: str,
+    why: str,
+    pair: Pair,
+    force: Force,
+    until: int,
+    start: State | None = None,
+    friction: Friction | None = None,
+) -> Benchmark:
+    scene = Scene(pair, start or State(), until, force=force, friction=friction or Friction())
+    return Benchmark(f"forced-{name}", why, scene)
+
+
 def benchmarks(excursions: int) -> list[Benchmark]:
     """Return every scene; the long one with so many excursions."""
     near = [near_critical("0.00158", "1e-3"), near_critical("5e-5", "1e-6"), near_critical("5e-8", "1e-12")]
@@ -81,16 +113,9 @@ def _headline_until(until: int) -> Scene:
 
 def scene_as_record(scene: Scene) -> dict[str, Any]:
     """Return a scene as plain text that loses nothing, for another process."""
-    pair, at = scene.pair, scene.initial
-    return {
-        "pair": {name: str(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")},
-        "initial": {name: str(getattr(at, name)) for name in ("x1", "v1", "x2", "v2")},
-        "until": str(scene.until),
-        "law": scene.law.value,
-    }
+    return {"toml": scene_text(scene)}
 
 
 def scene_from_record(record: dict[str, Any]) -> Scene:
     """Return the scene that `scene_as_record` wrote down."""
-    pair, at = ({name: Fraction(text) for name, text in record[part].items()} for part in ("pair", "initial"))
-    return Scene(Pair(**pair), State(**at), until=Fraction(record["until"]), law=record["law"])
+    return parse_scene(record["toml"])

@@ -58,7 +58,7 @@ HOSTILE = {
 
 @pytest.mark.parametrize("kind", HOSTILE)
 def test_it_is_refused_in_one_line_at_once(kind, tmp_path, capsys):
-    path, began = tmp_path / "scene.toml", time.perf_counter()
+    path, began = tmp_path / "scene.toml", time.process_time()
     path.write_text(HOSTILE[kind], "utf-8")
     assert main(["solve", str(path)]) == 2
     told = capsys.readouterr()
@@ -67,4 +67,4 @@ def test_it_is_refused_in_one_line_at_once(kind, tmp_path, capsys):
     assert told.err.endswith("\n")
     assert told.err[:-1].isprintable()
     assert len(told.err) < 300
-    assert time.perf_counter() - began < SECONDS
+    assert time.process_time() - began < SECONDS

@@ -51,6 +51,8 @@ class Planted:
         self.call = call
     def missing(self):
         return None
+    def takes(self, scene):
+        return not scene.is_forced
     def prepare(self, scene, setting):
         good = self.good.prepare(scene, 20.0)
         return lambda: self.call(good)
@@ -190,7 +192,7 @@ class TestPeers:
         answer = PeerRun((), np.zeros(0), np.zeros(4), 0.0, 1, elapsed=1.5)
 
         class SelfTimed:
-            name, use, knob, settings = "self-timed", "", "step (s)", (1.0,)
+            name, use, knob, settings, forced = "self-timed", "", "step (s)", (1.0,), False
 
             def missing(self):
                 return None

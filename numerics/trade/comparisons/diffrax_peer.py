@@ -25,6 +25,7 @@ class DiffraxPeer:
     """diffeqsolve by one explicit method with a PID controller, in float64, compiled and warm."""
 
     use = "edge coordinates, first steps set, peaks watched, work integrated along"
+    forced = False
     knob = "rtol"
     settings: tuple[float, ...] = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
 

@@ -32,6 +32,7 @@ Vector = NDArray[np.float64]
 class EulerPeer:
     """Forward Euler with a fixed step, as Python runs it or with its loop compiled by numba."""
 
+    forced = False
     knob = "step (s)"
     settings: tuple[float, ...] = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 

@@ -18,6 +18,7 @@ class HeyokaPeer:
 
     name = "heyoka"
     use = "terminal events, one integrator for each mode"
+    forced = False
     knob = "tol"
     settings: tuple[float, ...] = (1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16, 1e-18)
 

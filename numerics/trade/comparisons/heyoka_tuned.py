@@ -33,6 +33,7 @@ _NEEDED = {
 class TunedHeyokaPeer:
     """The best use found, in one of the floating point formats that heyoka compiles for."""
 
+    forced = False
     use = "edge coordinates, no root at a start, work integrated along"
 
     def __init__(self, precision: Precision) -> None:

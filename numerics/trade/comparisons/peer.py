@@ -56,6 +56,8 @@ class Peer(Protocol):
     """What a setting is: "rtol = atol", "step (s)"."""
     settings: tuple[float, ...]
     """The values of the knob that are worth comparing, from coarse to fine."""
+    forced: bool
+    """Whether it is for scenes with a force or a friction in time; the others are for free scenes."""
 
     def missing(self) -> str | None:
         """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""

@@ -20,6 +20,7 @@ class ScipyPeer:
     """solve_ivp by one method, in its natural use: guards as terminal directed events, v2 := v1 at every event."""
 
     use = "terminal events, restarted by mode"
+    forced = False
     knob = "rtol"
     settings: tuple[float, ...] = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
 

@@ -6,6 +6,7 @@ It runs under an interpreter that has siconos and NumPy, and nothing of this rep
 from __future__ import annotations
 
 import json
+import math
 import sys
 import time
 from typing import Any
@@ -20,7 +21,8 @@ def build(request: dict[str, Any]) -> tuple[Any, ...]:
 
     m1, m2, a1, a2, b = (request[name] for name in ("m1", "m2", "a1", "a2", "b"))
     matrix = np.array([[0, 1, 0, 0], [-a2 / m1, -a1 / m1, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0]], dtype=float)
-    system = sk.FirstOrderLinearTIDS(np.array(request["y"], dtype=float), matrix)
+    push = [np.zeros(4)] if request.get("spans") else []
+    system = sk.FirstOrderLinearTIDS(np.array(request["y"], dtype=float), matrix, *push)
     relation = sk.FirstOrderLinearTIR(np.array([[0.0, 1.0, 0.0, -1.0]]), np.array([[0.0], [1 / m1], [0.0], [-1 / m2]]))
     law = sk.RelayNSL(1, -b, b)
     joint = sk.Interaction(law, relation)
@@ -37,19 +39,42 @@ def build(request: dict[str, Any]) -> tuple[Any, ...]:
     return simulation, system.x(), joint.lambda_(0), (system, relation, law, joint, whole, scheme, relay, clock)
 
 
-def march(request: dict[str, Any]) -> tuple[Any, Any, float]:
-    """Return the multiplier of every step, the final state, and the wall time of the steps (s)."""
-    simulation, state, multiplier, _alive = build(request)
-    forces = []
+def march(request: dict[str, Any]) -> tuple[Any, Any, float, Any, float]:
+    """Return the multiplier of every step, the final state, the wall time of the steps (s), every b, and u's work."""
+    simulation, state, multiplier, alive = build(request)
+    system, law, spans, step = alive[0], alive[2], request.get("spans"), request["step"]
+    forces: list[float] = []
+    frictions: list[float] = []
+    push, work, now = system.b() if spans else np.empty(0), 0.0, 0
     start = time.perf_counter()
     while simulation.hasNextEvent():
+        if spans:
+            t = (len(forces) + 0.5) * step
+            while now + 1 < len(spans) and spans[now + 1]["start"] <= t:
+                now += 1
+            u, b, before = force(spans[now], t), spans[now]["b"], float(state[1])
+            push[1] = u / request["m1"]
+            law.setLb(-b)
+            law.setUb(b)
+            frictions.append(b)
         simulation.computeOneStep()
         forces.append(multiplier[0])
         simulation.nextStep()
-    return np.array(forces), np.array(state), time.perf_counter() - start
+        if spans:
+            work += u * step * (before + float(state[1])) / 2
+    elapsed = time.perf_counter() - start
+    return np.array(forces), np.array(state), elapsed, np.array(frictions or request["b"]), work
 
 
-def events(forces: Any, b: float, step: float) -> tuple[list[str], list[float]]:
+def force(span: dict[str, Any], t: float) -> float:
+    """Return u(t) on a span."""
+    value = 0.0
+    for coefficient in reversed(span["polynomial"]):
+        value = value * (t - span["origin"]) + coefficient
+    return value + sum(a * math.sin(omega * t + phase) for a, omega, phase in span["sines"])
+
+
+def events(forces: Any, b: Any, step: float) -> tuple[list[str], list[float]]:
     """Return kinds and times: a step slips where its force is saturated at -b (slip+) or b (slip-), else it sticks.
 
     One step between slips of opposite signs is no stick: the implicit relay lands on the surface before it crosses.
@@ -66,9 +91,16 @@ def main() -> None:
     """Answer one request."""
     request = json.load(sys.stdin)
     march({**request, "until": min(request["until"], 10 * request["step"])})  # imports and first calls, untimed
-    forces, state, elapsed = march(request)
-    kinds, times = events(forces, request["b"], request["step"])
-    answer = {"kinds": kinds, "times": times, "y": state.tolist(), "steps": len(forces), "elapsed": elapsed}
+    forces, state, elapsed, frictions, work = march(request)
+    kinds, times = events(forces, frictions, request["step"])
+    answer = {
+        "kinds": kinds,
+        "times": times,
+        "y": state.tolist(),
+        "steps": len(forces),
+        "elapsed": elapsed,
+        "work": work,
+    }
     print("\n" + json.dumps(answer))
 
 

@@ -25,6 +25,7 @@ CHILD = Path(__file__).with_name("siconos_child.py")
 class SiconosPeer:
     """The implicit relay at fixed steps; it sticks where the multiplier stays inside (-b, b), without chatter."""
 
+    forced = False
     knob = "step (s)"
     settings: tuple[float, ...] = (1e-2, 1e-3, 1e-4, 1e-5)
 
@@ -51,7 +52,7 @@ class SiconosPeer:
         def run() -> PeerRun:
             if pair.until / setting > MAX_STEPS:
                 raise PeerFailed(f"{pair.until / setting:.0f} steps are beyond the cap of {MAX_STEPS}")
-            answer = _ask(request)
+            answer = ask(request)
             kinds = tuple(EventKind(kind) for kind in answer["kinds"])
             y = np.array(answer["y"])
             lost = pair.lost(y[0], y[1], y[3])
@@ -70,7 +71,8 @@ def _interpreter() -> str | None:
     return python if probe.returncode == 0 else None
 
 
-def _ask(request: dict[str, object]) -> dict[str, Any]:
+def ask(request: dict[str, object]) -> dict[str, Any]:
+    """Return the answer of siconos_child.py. Raises PeerFailed."""
     command = [str(_interpreter()), "-I", str(CHILD)]
     done = subprocess.run(
         command, input=json.dumps(request), capture_output=True, text=True, check=False, timeout=TIME_LIMIT
