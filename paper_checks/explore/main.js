@@ -38,10 +38,9 @@ function renew() {
 }
 
 function tell() {
-  const { title, text } = regimeOf(state.solution), { segments } = state.solution;
-  part("regime").innerHTML = "<strong></strong> <span></span>";
-  part("regime").firstChild.textContent = `${title}.`;
-  part("regime").lastChild.textContent = text;
+  const { title, text, row } = regimeOf(state.solution), { segments } = state.solution;
+  const strong = Object.assign(document.createElement("strong"), { textContent: `${title}.` });
+  part("regime").replaceChildren(strong, ` ${text} `, ...(row ? proofIn(row) : []));
   part("units").textContent = state.units || "";
   part("units").hidden = !state.units;
   part("rows").replaceChildren(...segments.slice(0, 200).map(rowOf));
@@ -49,6 +48,13 @@ function tell() {
   const modes = segments.slice(0, 12).map(({ start }) => MODE_NAMES[start.mode]).join(", ");
   space.setAttribute("aria-label", `Phase space x1, v1, v2. ${title}. ${segments.length} motions: ${modes}${segments.length > 12 ? ", \u2026" : "."}`);
   strips.setAttribute("aria-label", `Velocities, load, itinerary and energy over time. ${title}. The table of motions below has the numbers.`);
+}
+
+/* Where a sentence is proved: a link, if the row is on this page. */
+function proofIn(row) {
+  const name = document.getElementById(row) ? Object.assign(document.createElement("a"), { href: `#${row}` }) : document.createElement("code");
+  name.textContent = row;
+  return ["Proved in row ", name, "."];
 }
 
 const MODE_NAMES = { 1: "slip+", 0: "stick", "-1": "slip\u2212" };

@@ -22,7 +22,7 @@ function overHalf(fade, k, t) {
   return [C - fade * S, S];
 }
 
-/* {title, text}: what this run came to. Sentences that name a row are proved there; the others tell this run only. */
+/* {title, text, row}: what this run came to. With a row of the ledger it is proved; without one it tells this run only. */
 function regimeOf(solution) {
   const { scene, force, segments, capped } = solution;
   if (capped) return { title: "Too many events", text: `The first ${segments.length} events are shown. Choose a shorter run.` };
@@ -47,10 +47,10 @@ function freeRegime(solution) {
   if (pair.zeta > 0) return { title: "Not settled yet", text: `${count} so far. Damping takes the energy; let it run longer.` };
   const touched = segments.some(({ start }) => start.V1 === start.V2), excess = energy - 1;
   if (touched && pair.q / pair.r > EXPLORE.criticalRatio) {
-    return { title: "Creeps", text: `${count} so far. E/E_cr falls towards 1 and never reaches it: for m1/m2 above ${shown(EXPLORE.criticalRatio, 6)} nothing that has met S above E_cr merges (row critical-mass-ratio).` };
+    return { title: "Creeps", text: `${count} so far. E/E_cr falls towards 1 and never reaches it: for m1/m2 above ${shown(EXPLORE.criticalRatio, 6)} nothing that has met S above E_cr merges.`, row: "critical-mass-ratio" };
   }
   if (segments.some(({ start }) => start.mode === STICK) && excess <= pair.q * (Math.PI / 2 - 1) ** 2) {
-    return { title: "Creeps", text: `${count} so far. E/E_cr − 1 = ${shown(excess)} is at most q (π/2 − 1)² = ${shown(pair.q * (Math.PI / 2 - 1) ** 2)}: the pair never merges (explicit bound in the report).` };
+    return { title: "Creeps", text: `${count} so far. E/E_cr − 1 = ${shown(excess)} is at most q (π/2 − 1)² = ${shown(pair.q * (Math.PI / 2 - 1) ** 2)}: the pair never merges.`, row: "no-merging-near-critical" };
   }
   return { title: "Not merged yet", text: `${count} so far; E/E_cr = ${shown(energy)} in this run. It may merge later; let it run longer.` };
 }

@@ -12,6 +12,7 @@ from numerics.scene.file import load_scene
 from paper_checks.__main__ import main
 from paper_checks.explore.page import SCRIPTS, page, section, source
 from paper_checks.explore.scenes import PAPER, reduced
+from paper_checks.ledger import CLAIMS
 
 VOID = {"input", "meta", "br", "line", "rect", "circle"}
 
@@ -105,6 +106,12 @@ TWO_SINES = Force.sine(1, 1) + Force.sine(1, 2)
 def test_a_force_that_the_page_does_not_know_is_refused(force):
     with pytest.raises(ValueError, match="one sine of phase 0"):
         reduced(replace(load_scene("velocities"), force=force))
+
+
+def test_the_rows_that_it_names_are_in_the_ledger():
+    named = set(re.findall(r'row: "([a-z-]+)"', source()))
+    assert len(named) == 2
+    assert named <= {claim.id for claim in CLAIMS}
 
 
 @pytest.mark.parametrize("name", SCRIPTS)

@@ -27,6 +27,7 @@ def test_every_button_tells_what_becomes_of_its_scene(found):
     assert said["Sticks for ever"].startswith("Sticks for ever")
     assert said["Next to the critical orbit"].startswith("Creeps")
     assert found["pressed"] == 1
+    assert found["proof"] == [True, None, "#critical-mass-ratio"]
 
 
 def test_sliders_and_fields_change_the_scene(found):

@@ -14,6 +14,11 @@ const found = {};
 found.regimes = all("[data-scene]").map((button) => { button.click(); return [button.textContent, regime()]; });
 found.pressed = all("[aria-pressed=true]").length;
 
+all("[data-scene]")[1].click();
+found.proof = [by("regime").textContent.endsWith("Proved in row critical-mass-ratio."), by("regime").querySelector("a")];
+document.body.append(Object.assign(document.createElement("div"), { id: "critical-mass-ratio" }));
+all("[data-scene]")[1].click();
+found.proof.push(by("regime").querySelector("a").getAttribute("href"));
 all("[data-scene]")[0].click();
 found.merging = [...by("rows").children].map((row) => row.firstChild.textContent);
 by("ratio").value = 900;
