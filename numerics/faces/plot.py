@@ -77,4 +77,4 @@ def write_plot(trajectory: Trajectory, path: Path) -> None:
     """Write the overview to a .svg, .pdf or .png file."""
     figure = overview(trajectory)
     with whole_file(path) as file:
-        figure.savefig(file, format=path.suffix[1:])
+        figure.savefig(file, format=path.suffix[1:], dpi=150)

@@ -17,6 +17,8 @@ SECOND = {"color": ORANGE, "lw": 1.2, "ls": "--", "label": "body 2"}
 _MARKERS = {EventKind.ENTRY: ("o", "entry"), EventKind.EXIT: ("^", "exit"), EventKind.CROSSING: ("x", "crossing")}
 _MOST_MARKED = 200
 """Events beyond this number would hide the curve: then none is marked."""
+_MOST_POINTS = 8_000
+"""Curves of more points are pixels in a vector graphic too, which would take megabytes."""
 _MOST_SHADED = 1000
 """Stick phases beyond this number are narrower than a pixel: then none is shaded, and time is drawn logarithmically."""
 
@@ -45,6 +47,9 @@ def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None)
         if not few:  # dashes of so long a line take minutes to draw, and so does the best place for the legend
             for line in ax.lines:
                 line.set_linestyle("none" if line.get_linestyle() == "None" else "-")
+        if len(curve.t) > _MOST_POINTS:
+            for one in (*ax.lines, *ax.collections):
+                one.set_rasterized(True)
         ax.legend(loc="best" if few else "upper right", fontsize="small", framealpha=0.9)
     return ax
 
