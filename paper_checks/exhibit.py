@@ -15,6 +15,7 @@ Point = Mapping[sp.Symbol, "sp.Rational | int"]
 Relation = tuple["sp.Expr | int", str, "sp.Expr | int"]
 """Left side, one of < <= = != >= >, right side."""
 
+ENGINE = "rational arithmetic"
 _OPERATORS = {
     "<": (operator.lt, "<"),
     "<=": (operator.le, r"\leqslant"),
@@ -43,8 +44,7 @@ def exhibit(statement: str, point: Point, *relations: Relation) -> Evidence:
         answers.append(bool(function(*sides)) if rational else None)
         texts.append(f"${sp.latex(sides[0])}{sign}{sp.latex(sides[1])}$")
     passed = False if False in answers else None if None in answers or not answers else True
-    engine = "rational arithmetic"
-    return Evidence(EvidenceKind.EXACT, engine, statement, passed, len(relations), ", ".join(texts))
+    return Evidence(EvidenceKind.EXACT, ENGINE, statement, passed, len(relations), ", ".join(texts))
 
 
 def value_at(expression: sp.Expr, point: Point) -> str:

@@ -8,10 +8,13 @@ from functools import wraps
 from matplotlib.figure import Figure
 
 from paper_checks.drawing.euler_convergence import euler_convergence
+from paper_checks.drawing.excursions import excursion_curves, merging_window, return_map
 from paper_checks.drawing.force_needed import force_needed
 from paper_checks.drawing.itineraries import itinerary_that_creeps, itinerary_that_merges
+from paper_checks.drawing.merging import merging_bands, merging_map, merging_share
 from paper_checks.drawing.model import two_bodies
 from paper_checks.drawing.phase_portraits import relative_motion, start_at_6mm, start_with_speed
+from paper_checks.drawing.rates import long_time, rate_bounds_explicit, rate_with_error, uniform_rate_figure
 from paper_checks.drawing.relative_velocity import relative_velocity
 from paper_checks.drawing.sharp_rate import sharp_rate
 from paper_checks.drawing.style import house_style
@@ -42,6 +45,16 @@ FIGURES: Figures = {
         ("itinerary-that-merges", itinerary_that_merges),
         ("itinerary-that-creeps", itinerary_that_creeps),
         ("euler-convergence", euler_convergence),
+        ("excursion-curves", excursion_curves),
+        ("return-map", return_map),
+        ("merging-window", merging_window),
+        ("merging-map", merging_map),
+        ("merging-bands", merging_bands),
+        ("merging-share", merging_share),
+        ("rate-bounds", rate_bounds_explicit),
+        ("long-time", long_time),
+        ("rate-with-error", rate_with_error),
+        ("uniform-rate", uniform_rate_figure),
     )
 }
 """The drawings by name; each is drawn in the house style, and saved by `paper_checks.report.vector`."""

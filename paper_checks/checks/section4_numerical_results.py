@@ -61,15 +61,15 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
     broken = branch_named("broken adhesion")
     counterexample = (
         exhibit(
-            "at the start both fields point into $\\Omega_-$, $\\Phi_+\\cdot n_S<0$ and $\\Phi_-\\cdot n_S<0$: no solution stays on $S$",
-            point,
-            *((transversality(sign), "<", 0) for sign in (1, -1)),
-        ),
-        exhibit(
             "at the start $|\\ddot x_1|=0.6>0.5=b/m_2$: the stiction bracket of (4) is broken, and (3), (4) give $\\ddot z=-0.6$",
             point,
             (sp.Abs(free(stick().acceleration1)), ">", b / m2),
             (free(broken.acceleration1 - broken.acceleration2), "=", -sp.Rational(3, 5)),
+        ),
+        exhibit(
+            "at the start both fields point into $\\Omega_-$, $\\Phi_+\\cdot n_S<0$ and $\\Phi_-\\cdot n_S<0$: no solution stays on $S$",
+            point,
+            *((transversality(sign), "<", 0) for sign in (1, -1)),
         ),
         itinerary(
             "the pair slips at once, then sticks and slips in turn", slipping, (Mode.SLIP_MINUS, *2 * ALTERNATION)

@@ -68,6 +68,7 @@ def excursion_closed_form(context: Context) -> Finding:  # noqa: ARG001
             "$$X'=1-q\\,c(\\theta),\\qquad V'=\\sqrt q\\,(h-\\theta),\\qquad w'=q\\,(h^2-r\\,c^2)\\qquad\\text{from a ray.}$$",
             "Both cases occur: the same ray for $q<q_v$ and $\\theta_b<\\theta<\\theta_c$ (merging-set), a crossing for $\\theta>\\theta_c$.",
         ),
+        figure="excursion-curves",
     )
 
 
@@ -85,4 +86,5 @@ def excursion_monotone(context: Context) -> Finding:  # noqa: ARG001
         *depth_grows(),
         *one_contact(),
         *landings()[3:],
+        figure="excursion-curves",
     )

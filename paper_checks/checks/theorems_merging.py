@@ -40,6 +40,7 @@ def critical_mass_ratio(context: Context) -> Finding:  # noqa: ARG001
             "So for $r<r^*$ a trajectory in the whole state space merges exactly if $E\\leqslant E_{cr}$ where it first meets $S$; it then sticks there "
             "for ever. Otherwise it sticks up to a ray or slips on from $S$, with $E>E_{cr}$ after each slip, and tends to $E_{cr}$ by the dichotomy.",
         ),
+        figure="merging-window",
     )
 
 
@@ -92,4 +93,5 @@ def merging_set(context: Context) -> Finding:  # noqa: ARG001
             "w'/q=h^2-2(1-hk)D+(k^2+q)D^2.$$",
             "For $m_1/m_2\\to 0$ all of $[w_a,w_b]$ shrinks to $0$ like $q$; for $m_1/m_2>-\\cos\\theta^*$ it is empty.",
         ),
+        figure="merging-map",
     )

@@ -35,6 +35,7 @@ def sharp_rate_constant(context: Context) -> Finding:  # noqa: ARG001
             "$$\\lim_{t\\to\\infty}t\\,(E-E_{cr})=E_{cr}\\,\\frac{4\\pi}{9}\\,\\frac{m_1}{m_2}\\sqrt{\\frac{m_1+m_2}{a}}"
             "=\\frac{2\\pi}{9}\\,\\frac{b^2m_1(m_1+m_2)^{5/2}}{a^{3/2}m_2^3}$$",
         ),
+        figure="sharp-rate",
     )
 
 
@@ -64,6 +65,7 @@ def rate_bounds_explicit(context: Context) -> Finding:  # noqa: ARG001
             "For $\\tau_n\\leqslant\\tau<\\tau_{n+1}$, $s=\\tau-\\tau_0$: $n>s/T_+-1$ and $n+1\\leqslant s/T_-+1$, with $w_{n+1}\\leqslant w\\leqslant w_n$.",
             "As $y_0\\to 0$ both $a'$ and $A$ tend to $\\tfrac{9}{4}r$ and both $T_\\pm$ to $\\pi$: the bounds close on the sharp constant.",
         ),
+        figure="rate-bounds",
     )
 
 
@@ -88,4 +90,5 @@ def long_time_expansion(context: Context) -> Finding:  # noqa: ARG001
             "$E(0)$ enters at the order $\\tau^{-2}$ only, through $K$: two trajectories differ by $C\\,(K_2-K_1)/\\tau^2$ in $w$.",
             "The error of $\\tau^{-1/2}$ in $K$ is $\\varepsilon=\\sqrt w$ to leading order: the next term of the time is $-\\varepsilon$.",
         ),
+        figure="long-time",
     )

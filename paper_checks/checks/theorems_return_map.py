@@ -31,4 +31,5 @@ def return_map_expansion(context: Context) -> Finding:  # noqa: ARG001
         *remainder(),
         *cycle_time(),
         derivation=("$$c(y)=" + "".join(terms) + "+\\cdots$$", "$$y'=y-r\\,c(y)^2,\\qquad w=q\\,y.$$"),
+        figure="return-map",
     )

@@ -30,6 +30,7 @@ def merging_bands(context: Context) -> Finding:  # noqa: ARG001
                 creeps_for_ever(),
             ),
         ),
+        figure="merging-bands",
     )
 
 
@@ -47,4 +48,5 @@ def merging_share(context: Context) -> Finding:
         derivation=(
             "$$\\frac{1}{2\\pi\\sqrt{q\\,r\\,E}}\\int_{X^2+V^2\\leqslant 1}\\frac{1-X}{|V_1-V_2|_E}\\,dX\\,dV$$",
         ),
+        figure="merging-share",
     )

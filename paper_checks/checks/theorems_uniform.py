@@ -20,6 +20,7 @@ def rate_with_error(context: Context) -> Finding:  # noqa: ARG001
             "$$\\frac{C}{w_n}+\\pi B\\ln\\frac{w_n}{w_0}=\\frac{C}{w_0}+\\tau_n+R_n,\\qquad R_n=\\sum_{k<n}(\\pi G_k-F_k).$$",
             "The bounds are uniform in $n$; they are loose for small $r=m_2/M$, where the law itself takes long to set in.",
         ),
+        figure="rate-with-error",
     )
 
 
@@ -36,4 +37,5 @@ def uniform_rate(context: Context) -> Finding:  # noqa: ARG001
         derivation=(
             "$$X=r,\\quad V=\\sqrt{1-r^2+\\delta},\\qquad V_1-V_2=V(\\cos\\sigma-1)-\\sqrt q\\,\\sigma<0\\quad(\\sigma>0)$$",
         ),
+        figure="uniform-rate",
     )

@@ -52,6 +52,51 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "The points follow the paper's itinerary. After $A_2$ the pair leaves the sliding region by a ray again and again, and "
         "tends to the dotted critical ellipse.",
     ),
+    "excursion-curves": (
+        "Every slip from a ray on two curves",
+        "Left: the angle of a slip fixes its exit speed $h$ and its depth $c$, for every pair alike; both grow with the angle. Right: "
+        "where the slip ends. The larger $m_2$ is, the longer a slip may last before it crosses the whole sliding region.",
+    ),
+    "return-map": (
+        "From one exit to the next",
+        "Left: the exact depth and its first Taylor polynomials. Right: the return map for a pair below, at and above the critical "
+        "mass share. A value below 0, in the grey, lies inside $E_{cr}$: there the pair merges.",
+    ),
+    "merging-window": (
+        "Which slips from a ray merge",
+        "A slip of angle $\\theta$ merges where the line of its mass share $r$ lies above the curve. The lowest line touches nothing, the "
+        "dashed one, at the critical mass ratio, touches the curve in one point; the highest one has a whole interval.",
+    ),
+    "merging-map": (
+        "Who merges from where",
+        "Each point is a pair and an energy on the sliding region. Left of the dashed line nothing ever merges. To its right bands that "
+        "merge lie one above the other. Every cell with a verdict is proved as a whole, in balls; the others hold an edge, or need finer cells.",
+    ),
+    "merging-bands": (
+        "Speeds that merge come in bands",
+        "Coloured: speeds at $x_1=0$ from which the pair merges sooner or later; white: speeds from which it never does. The bands are "
+        "equally spaced in the long run. Drawn in float64; the row proves speeds in many of the bands.",
+    ),
+    "merging-share": (
+        "How many states merge",
+        "Just above $E_{cr}$ nearly all states merge; as the energy grows their share falls like $1/E$.",
+    ),
+    "rate-bounds": (
+        "The 1/t law between two explicit bounds",
+        "The excess energy at each exit, times the time and divided by the limit, stays in the blue band that theory gives.",
+    ),
+    "long-time": (
+        "What is left after the logarithm",
+        "With the logarithm taken off, the rest tends to one number for each start: all that the motion remembers of it.",
+    ),
+    "rate-with-error": (
+        "The rest of the law stays within its bounds",
+        "The rest $R_n$ at the exits of three motions, and for each, dotted, the two bounds that its start fixes.",
+    ),
+    "uniform-rate": (
+        "What the energy at the start fixes",
+        "Three motions with the same $E(0)$ stay below one bound. They differ from one another at first: no lower bound is fixed by $E(0)$.",
+    ),
     "euler-convergence": (
         "What the step of forward Euler does",
         "Left: the error of the first time of stick shrinks with the step; too coarse a step never sticks. Right: the energy of a "

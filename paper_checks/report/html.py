@@ -28,8 +28,8 @@ def render(report: Document, figures: Mapping[str, str]) -> str:
     parts += [_rows(report.rows, report, writer)] if report.rows else []
     parts += [writer.section(one) for one in report.after]
     parts += [page.section()] if report.is_whole else []
-    script = f"<script>\n{_beside('page.js')}</script>\n" if report.rows else ""
-    parts.append(f"</main>\n{script}</body>\n</html>\n")
+    scripts = [_beside("scroll.js"), *([_beside("page.js")] if report.rows else [])]
+    parts.append(f"</main>\n<script>\n{''.join(scripts)}</script>\n</body>\n</html>\n")
     return "\n".join(parts)
 
 

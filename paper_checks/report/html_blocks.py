@@ -95,7 +95,7 @@ class HtmlWriter:
         lines = "\n".join(self._line(table.head, row, anchor) for row, anchor in zip(table.rows, ids, strict=True))
         name = escape(mathematics.plain(table.caption).replace("`", ""))
         return (
-            f'<div class="wide" role="region" tabindex="0" aria-label="{name}"><table>\n'
+            f'<div class="wide" role="group" aria-label="{name}"><table>\n'
             f"<caption>{self.text(table.caption)}</caption>\n<thead><tr>{titles}</tr></thead>\n<tbody>\n{lines}\n</tbody>\n"
             "</table></div>"
         )
@@ -120,7 +120,7 @@ class HtmlWriter:
         name = escape(said.replace("`", ""))
         drawing = element(self._figures[picture.name], f"{prefix}--{picture.name}", name)
         return (
-            f'<figure><div class="wide" role="region" tabindex="0" aria-label="{name}">{drawing}</div>\n'
+            f'<figure><div class="wide" role="group" aria-label="{name}">{drawing}</div>\n'
             f"<figcaption>{title}{self.text(picture.caption)}</figcaption></figure>"
         )
 

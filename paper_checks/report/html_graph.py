@@ -26,7 +26,7 @@ def graph(drawn: Graph, anchors: Collection[str], text: Callable[[str], str]) ->
     key = "".join(f'<li class="{kind}">{kind}</li>' for kind in drawn.kinds)
     return (
         f'<figure class="graph"><ul class="key">{key}</ul>\n'
-        '<div class="wide" role="region" tabindex="0" aria-label="What rests on what, as a graph of links">'
+        '<div class="wide" role="group" aria-label="What rests on what, as a graph of links">'
         f'<svg viewBox="0 0 {_WIDTH} {height}" role="group" aria-label="Rows on the left, what they rest on on the right">\n'
         f"{rows}\n{steps}\n</svg></div>\n<figcaption>{text(drawn.caption)}</figcaption></figure>"
     )

@@ -31,6 +31,10 @@ _TEX_CHARACTERS = {
 }  # fmt: skip
 
 
+LONG = 36
+"""Characters from which on an inline formula may be wider than its column, so that it has to be scrolled."""
+
+
 class Piece(Enum):
     """What a stretch of a text is."""
 
@@ -64,7 +68,9 @@ def _html_piece(kind: Piece, content: str) -> str:
         element = mathml(content, display=kind is Piece.DISPLAY)
     except UnreadableMathematicsError:
         return f"<code>{escape(content)}</code>"
-    return f'<span class="display">{element}</span>' if kind is Piece.DISPLAY else element
+    if kind is Piece.DISPLAY:
+        return f'<span class="display">{element}</span>'
+    return f'<span class="long">{element}</span>' if len(spoken(content)) > LONG or "<mtable" in element else element
 
 
 def plain(text: str) -> str:

@@ -17,6 +17,7 @@ ROWS = {"math", "mrow", "msqrt", "mtd", "mstyle", "mpadded", "mphantom", "menclo
 LEAVES = {"mi", "mn", "mo", "mtext", "mspace"}
 ELEMENTS = {*ROWS, *LEAVES, *ARITY, "mtable", "mtr"}
 FUNCTIONS = {"sin", "cos", "tan", "cot", "acot", "arccot", "atan", "acos", "exp", "log", "ln", "max", "min", "lim"}
+ACCENTS = {"˙", "¨", "¯", "‾", "~", "˜", "^", "ˆ", "→"}
 _COMMAND = re.compile(r"\s*\\[A-Za-z]+")
 _SIGNS = {"\u2212", "+", "±", "∓"}
 _CLOSING = {")", "]", "}", "|", "‖", "⌉", "⌋", "⟩", "!", "′"}
@@ -74,6 +75,8 @@ def _mend(element: Element) -> None:
             node.tag = "mo"
         if node.tag == "mo":
             _mend_fence(node)
+        if node.tag == "mover" and (node[1].text or "") in ACCENTS:
+            node.set("accent", "true")
     for node in list(element.iter()):
         if node.tag in ROWS:
             node[:] = list(_spaced(list(node)))

@@ -1,4 +1,3 @@
-"use strict";
 const claims = [...document.querySelectorAll(".claims > tbody")];
 const section = document.getElementById("filter-section");
 const verdict = document.getElementById("filter-verdict");

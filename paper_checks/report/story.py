@@ -5,13 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from paper_checks.drawing.captions import caption
-from paper_checks.evidence import Evidence, Subject, closure
+from paper_checks.evidence import Evidence, EvidenceKind, Subject, closure
+from paper_checks.exhibit import ENGINE as EXHIBITED
 from paper_checks.graph import Proof, numbered
 from paper_checks.kernel import PROVED
 from paper_checks.report import notation
 from paper_checks.report.blocks import Block, Command, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
 from paper_checks.report.summary import OUTCOMES
 from paper_checks.runner import Row
+
+SHORT = 80
+"""Characters up to which the value of an enclosure is shown with the decisive step."""
 
 
 def story(row: Row) -> tuple[Block, ...]:
@@ -23,8 +27,8 @@ def _story(row: Row) -> Iterator[Block]:
     finding = row.finding
     if not row.as_recorded:
         yield Labelled("Attention", f"This differs from the verdict on record, {row.claim.recorded.value}", marked=True)
-    if (step := decisive(row)) is not None:
-        yield Labelled("Decisive step", _told(step), marked=True)
+    if text := _decisive(row):
+        yield Labelled("Decisive step", text, marked=True)
     texts = {
         "Why": finding.reason,
         "Counterexample": finding.counterexample,
@@ -41,29 +45,45 @@ def _story(row: Row) -> Iterator[Block]:
 
 
 def decisive(row: Row) -> Evidence | None:
-    """Return the step that decides a row, the strongest of those that its verdict stands on directly.
+    """Return the step that decides a row; None where that is the row's own reason, or where nothing is established.
 
-    Where the claim fails, it is one of those that show the counterexample. None where nothing is established.
+    Where the claim fails, it is what shows the counterexample: at a point, by a number, or the strongest. Where it holds,
+    it is a theorem of the kernel, or the inference that a clause ends with, or what stands first.
     """
     if row.established_by is None:
         return None
-    fails = row.finding.counterexample
+    fails = row.finding.counterexample is not None
     about = Subject.COUNTEREXAMPLE if fails else Subject.CLAIM
-    steps = [step for proof in row.proofs if proof.about is about for step in _tops(proof, row.finding.reason)]
-    good = [step for step in steps if step.decides]
-    return max(good, key=lambda step: step.kind.strength, default=None)
+    steps = [step for proof in row.proofs if proof.about is about for step in proof.needed]
+    good = [step for step in steps if step.decides and step.statement != row.finding.reason]
+    return max(good, key=_weight_of_counterexample if fails else _weight_of_proof, default=None)
 
 
-def _tops(proof: Proof, reason: str) -> Iterator[Evidence]:
-    """Yield what a clause needs directly; what repeats the reason gives way to what it rests on."""
-    for step in proof.needed:
-        yield from step.rests_on if step.statement == reason else (step,)
+def _weight_of_counterexample(step: Evidence) -> tuple[bool, bool, int]:
+    return step.engine == EXHIBITED, step.kind is EvidenceKind.ENCLOSURE, step.kind.strength
+
+
+def _weight_of_proof(step: Evidence) -> tuple[bool, bool]:
+    return step.kind is EvidenceKind.KERNEL, step.kind is EvidenceKind.ARGUMENT
+
+
+def _decisive(row: Row) -> str | None:
+    """Return what is said of the decisive step; None where nothing is established."""
+    step = decisive(row)
+    if step is not None:
+        return _told(step)
+    if row.established_by is None:
+        return None
+    checked = len(_names(row))
+    return f"The inference that follows, over {checked} checked step{'s' if checked != 1 else ''} ({row.established_by.value})."
 
 
 def _told(step: Evidence) -> str:
     cases = f", {step.cases} cases" if step.cases != 1 else ""
-    statement = step.statement[:1].upper() + step.statement[1:]
-    return f"{statement.rstrip('.')} ({step.kind.value}: {step.engine}{cases})."
+    statement = (step.statement[:1].upper() + step.statement[1:]).rstrip(".")
+    shown = step.engine == EXHIBITED or (step.kind is EvidenceKind.ENCLOSURE and len(step.value) < SHORT)
+    value = f": {step.value}" if shown and step.value else ""
+    return f"{statement}{value} ({step.kind.value}: {step.engine}{cases})."
 
 
 def _folded(row: Row) -> Iterator[Block]:

@@ -58,6 +58,7 @@ def test_mathematics_becomes_mathml():
         (r"\sin\theta", "<mi>sin</mi><mspace"),
         (r"\sin{\left(\theta\right)}", "<mi>sin</mi><mrow>"),
         (r"\operatorname{acot} x", "<mo>acot</mo><mspace"),
+        (r"\dot z", '<mover accent="true">'),
         (r"a\sin", "<mi>sin</mi></mrow>"),
         (r"\Phi_{+}\cdot n_{S}", "</msub><mo>·</mo><msub>"),
     ],

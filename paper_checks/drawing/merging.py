@@ -1,0 +1,113 @@
+"""The pictures of who merges: the map of masses and energies, the bands, the share of an energy sphere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from numerics.merging.cell import CRITICAL_SHARE
+from numerics.merging.figure import COLOURS, LABELS, raster
+from numerics.merging.map import MergingMap, Window, merging_cells
+from numerics.solver.solve import solve
+from numerics.trajectory.status import Status
+from paper_checks.drawing.style import new_figure
+from paper_checks.steps.merging_bands import SPEEDS, start
+from paper_checks.steps.merging_share import by_quadrature
+
+DEPTH = 7
+"""Cuts of each side of the map that is drawn; the command `map` goes on."""
+SHARES = ((Fraction(3, 5), "#1b4f8f"), (Fraction(7, 10), "#2e8b3d"), (Fraction(4, 5), "#c8641e"))
+
+
+def merging_map() -> Figure:
+    """Draw the proved cells of mass ratio and energy."""
+    chart = _chart()
+    figure = new_figure(6.4, 4.4)
+    axes = figure.subplots()
+    (left, right), (low, high) = ((float(one) for one in side) for side in chart.window.rectangle)
+    across, upwards = (np.geomspace(*ends, 2**DEPTH + 1) for ends in ((left, right), (low, high)))
+    cells = raster(chart)
+    for index, colour in enumerate(COLOURS.values()):
+        corners = [
+            [(across[n], upwards[a]), (across[n + 1], upwards[a]), (across[n + 1], upwards[b]), (across[n], upwards[b])]
+            for n in range(2**DEPTH)
+            for a, b in _runs(cells[:, n] == index)
+        ]
+        axes.add_collection(PolyCollection(corners, facecolors=colour, edgecolors=colour, linewidths=0.2))
+    axes.axvline(float(CRITICAL_SHARE / (1 - CRITICAL_SHARE)), color="black", lw=1.2, ls="--")
+    axes.set(xscale="log", yscale="log", xlim=(left, right), ylim=(low, high))
+    axes.set(xlabel="$m_2/m_1$ (dimensionless)", ylabel="$E/E_{cr}-1$ on $S_0$ (dimensionless)")
+    axes.grid(visible=False)
+    shares = chart.shares()
+    handles = [
+        Patch(fc=COLOURS[one], ec="black", lw=0.5, label=f"{LABELS[one]} ({shares[one]:.0%})") for one in COLOURS
+    ]
+    figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7.5, frameon=False)
+    return figure
+
+
+def merging_bands() -> Figure:
+    """Draw for three mass shares which speeds on S0 merge, solved in float64."""
+    figure = new_figure(7.2, 2.3)
+    axes = figure.subplots()
+    speeds = np.array([float(one) for one in SPEEDS])
+    half = (speeds[1] - speeds[0]) / 2
+    for height, (share, colour) in enumerate(SHARES):
+        axes.broken_barh(
+            [
+                (a - half, b - a + 2 * half)
+                for a, b in ((speeds[first], speeds[last - 1]) for first, last in _runs(_merged(share)))
+            ],
+            (height - 0.3, 0.6),
+            color=colour,
+        )
+    axes.set(xlabel="speed at $x_1=0$ on $S_0$, in $L\\Omega$ (dimensionless)", ylim=(-0.6, 2.6), xlim=(1, speeds[-1]))
+    axes.set_yticks(range(3), [f"$r={float(share):g}$" for share, _ in SHARES])
+    return figure
+
+
+@cache
+def _chart() -> MergingMap:
+    return merging_cells(Window(), DEPTH)
+
+
+@cache
+def _merged(share: Fraction) -> tuple[bool, ...]:
+    """Return for each of SPEEDS whether the pair merges, solved in float64."""
+    return tuple(solve(start(share, speed)).status is Status.STUCK_FOR_EVER for speed in SPEEDS)
+
+
+@cache
+def _shares(share: float, energies: tuple[float, ...]) -> tuple[float, ...]:
+    return tuple(by_quadrature(share, energy, 80) for energy in energies)
+
+
+def _runs(chosen: Iterable[object]) -> list[tuple[int, int]]:
+    """Return start and end (the first place after it) of each run of chosen places."""
+    edges = [n for n, (before, here) in enumerate(pairwise([False, *map(bool, chosen), False])) if before is not here]
+    return list(zip(edges[::2], edges[1::2], strict=True))
+
+
+def merging_share() -> Figure:
+    """Draw the share of all states of an energy that merge, by the integral, for three mass shares up to r*."""
+    energies = np.geomspace(1.01, 100, 25)
+    figure = new_figure(5.4, 3.0)
+    axes = figure.subplots()
+    for share, colour, marker in (
+        (0.2, "#1b4f8f", "o"),
+        (0.4, "#2e8b3d", "s"),
+        (float(CRITICAL_SHARE), "#c8641e", "D"),
+    ):
+        values = _shares(share, tuple(energies))
+        axes.loglog(energies, values, color=colour, marker=marker, ms=3.5, lw=1, label=f"$r={share:.4g}$")
+        axes.loglog(energies, 1 / (2 * np.sqrt(1 - share) * energies), color=colour, lw=0.8, ls=":")
+    axes.set(xlabel="$E/E_{cr}$ (dimensionless)", ylabel="share that merges (dimensionless)", ylim=(2e-3, 1.3))
+    axes.legend(title="dotted: limit for large $E$")
+    return figure
