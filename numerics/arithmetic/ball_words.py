@@ -212,6 +212,21 @@ def nonnegative(x: arb) -> arb:
     return x.max(ZERO)
 
 
+def middle(x: arb) -> arb:
+    """Return the midpoint, an exact ball."""
+    return x.mid()
+
+
+def spread(x: arb) -> arb:
+    """Return the radius, an exact ball."""
+    return x.rad()
+
+
+def widened(x: arb, by: arb) -> arb:
+    """Return a ball that holds all points within `by` of those of x."""
+    return x + arb(0, abs(by).upper())
+
+
 def clock(total: arb, rest: arb, term: arb) -> tuple[arb, arb]:
     """Return the sum; its rounding is small enough."""
     return total + term, rest

@@ -133,6 +133,21 @@ def ceiling(x: Double, question: int) -> int:  # noqa: ARG001
     return whole + 1 if float(whole) == x.high and x.low > 0.0 else whole
 
 
+def middle(x: Double) -> Double:
+    """Return x."""
+    return x
+
+
+def spread(x: Double) -> Double:  # noqa: ARG001
+    """Return 0: points know no radius."""
+    return ZERO
+
+
+def widened(x: Double, by: Double) -> Double:  # noqa: ARG001
+    """Return x: points know no radius."""
+    return x
+
+
 def nonnegative(x: Double) -> Double:
     """Return max(x, 0)."""
     return x if x.high > 0.0 else ZERO

@@ -121,6 +121,16 @@ class _Words:
     def part(x: DualNumber) -> DualNumber:
         return x
 
+    @staticmethod
+    def middle(x: DualNumber) -> DualNumber:
+        return x
+
+    def spread(self, x: DualNumber) -> DualNumber:
+        return self._constant("spread", x.value)
+
+    def widened(self, x: DualNumber, by: DualNumber) -> DualNumber:
+        return DualNumber(self._base["widened"](x.value, by.value), x.gradient)
+
     def finite(self, x: DualNumber) -> bool:
         return self._base["finite"](x.value)
 

@@ -23,7 +23,7 @@ sine_deficit, cosine_deficit = elementary.sine_deficit, elementary.cosine_defici
 depth_and_cotangent = elementary.depth_and_cotangent
 # words that do nothing, or one operation, are functions of C: interpreted texts call them by the dozen an event
 exactly, signed, below, size = float, operator.mul, operator.lt, abs
-rough = leading = part = operator.pos
+rough = leading = part = middle = operator.pos
 ZERO, UNIT, WIDTH = 0.0, 2.0**-53, 1
 _SETTLED = math.sqrt(2.0**-53) / 4
 LONGEST, SHORTEST = 1e12, 1e-97
@@ -93,6 +93,16 @@ def ceiling(x: Number, question: int) -> int:  # noqa: ARG001
 def nonnegative(x: Number) -> Number:
     """Return max(x, 0)."""
     return max(x, 0.0)
+
+
+def spread(x: Number) -> Number:  # noqa: ARG001
+    """Return 0: points know no radius."""
+    return 0.0
+
+
+def widened(x: Number, by: Number) -> Number:  # noqa: ARG001
+    """Return x: points know no radius."""
+    return x
 
 
 def put(row: Any, index: int, numbers: tuple[Number, ...]) -> None:

@@ -17,7 +17,7 @@ from numerics.arithmetic.words import words_of
 
 sqrt, exp, expm1, log, log1p = mpmath.sqrt, mpmath.exp, mpmath.expm1, mpmath.log, mpmath.log1p
 sin, atan2, signed, positive = mpmath.sin, mpmath.atan2, float64.signed, float64.positive
-leading = part = operator.pos
+leading = part = middle = operator.pos
 put = float64.put
 ZERO, UNIT, WIDTH = mpmath.mpf(0), 0.0, 1
 
@@ -138,6 +138,16 @@ def ceiling(x: Number, question: int) -> int:  # noqa: ARG001
 def nonnegative(x: Number) -> Number:
     """Return max(x, 0)."""
     return max(x, ZERO)
+
+
+def spread(x: Number) -> Number:  # noqa: ARG001
+    """Return 0: points know no radius."""
+    return ZERO
+
+
+def widened(x: Number, by: Number) -> Number:  # noqa: ARG001
+    """Return x: points know no radius."""
+    return x
 
 
 def clock(total: Number, rest: Number, term: Number) -> tuple[Number, Number]:

@@ -18,6 +18,7 @@ An arithmetic is a module that defines each of these names; float64.py is the on
     nonnegative(x)       max(x, 0)                    clock(total, rest, term)   a sum and what its rounding leaves out
     size(x)              |x|, to compare with others  tolerance()  settled()     relative steps at which a search ends
     fading()             decay times after which an oscillation has died away below the last digit
+    middle(x)  spread(x)  widened(x, by)   the point in the middle of x; its radius, 0 for points; x and all within `by`
     put(row, index, numbers)   write numbers to a row, from a column on
 """
 
@@ -31,7 +32,7 @@ WORDS = (
     *("sqrt", "exp", "expm1", "log", "log1p", "sin", "atan2", "sine_cosine"),
     *("versine", "sine_deficit", "cosine_deficit", "depth_and_cotangent"),
     *("sign", "positive", "below", "rough", "leading", "part", "finite", "resolved", "ceiling", "nonnegative", "clock"),
-    *("size", "tolerance", "settled", "fading", "put"),
+    *("size", "tolerance", "settled", "fading", "middle", "spread", "widened", "put"),
 )
 
 

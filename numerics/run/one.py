@@ -40,6 +40,10 @@ def run_scene(
     scene: Scene, arithmetic: Arithmetic, max_events: int = MAX_EVENTS, progress: Progress | None = None
 ) -> Trajectory:
     """Solve a scene once, in one arithmetic at its working precision. Raises EventUndecided, OutOfRange."""
+    if scene.is_forced:
+        from numerics.run.forced import run_forced_scene
+
+        return run_forced_scene(scene, arithmetic, max_events, progress)
     if arithmetic.name == "float64" and arithmetic.telling is FLOAT64:
         return run_float64(scene, max_events, progress)
     if arithmetic.name == "double-double":

@@ -124,7 +124,7 @@ def _attempt(
         return None, 0, f"{arithmetic.name} cannot: {error}"
     if not found.certain:
         return found, 0, f"{arithmetic.name} leaves the sequence of events open"
-    reached = int(found.record.end_code("digits"))
+    reached = found.right_digits
     return found, reached, f"{arithmetic.name} has {reached} right digits by its error bounds"
 
 

@@ -65,6 +65,8 @@ def _events(trajectory: Any, write: Writer, wanted: Iterable[int] | None) -> Ite
     for index in range(len(trajectory.events)) if wanted is None else wanted:
         event = trajectory.events[index]
         row = write("t", event.t, index) | {"from": event.before.value, "to": event.after.value}
+        if trajectory.scene.is_forced:
+            row["cause"] = event.cause
         for name, value in zip(STATE_NAMES, event.y, strict=True):
             row |= write(name, value, index)
         yield row

@@ -26,7 +26,7 @@ class Run:
         self,
         scene: Scene | Callable[[], Scene],
         arithmetic: Arithmetic,
-        record: Record,
+        record: Any,
         *,
         bounded: bool,
         digits: int | None = None,
@@ -54,6 +54,11 @@ class Run:
     def certain(self) -> bool:
         """Return whether the error bounds leave no doubt about the sequence of events; without bounds True."""
         return not self.bounded or self.record.end_code("certain") == 1.0
+
+    @property
+    def right_digits(self) -> int:
+        """Return how many digits of every number its error bounds leave right."""
+        return int(self.record.end_code("digits"))
 
     @property
     def reached(self) -> bool:
@@ -138,10 +143,15 @@ class Run:
     def __setstate__(self, state: tuple[Any, ...]) -> None:
         """Restore a pickled trajectory."""
         scene, (name, digits), record, bounded, asked, tried, t_eval = state
-        arithmetic, record = arithmetic_named(name, digits), Record.restored(*record)
+        arithmetic, record = arithmetic_named(name, digits), self.restored_record(record)
         self.__init__(  # type: ignore[misc]
             scene, arithmetic, record, bounded=bounded, digits=asked, tried=tried, t_eval=restored(t_eval)
         )
+
+    @staticmethod
+    def restored_record(parts: tuple[Any, ...]) -> Any:
+        """Return the record from its plain form."""
+        return Record.restored(*parts)
 
     def __repr__(self) -> str:
         """Return a short summary, as SciPy's solutions have."""

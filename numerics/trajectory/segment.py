@@ -46,7 +46,10 @@ class Segment:
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """A change of mode: time t (s), its kind, the modes it joins, and (x1, v1, x2, v2) in SI units."""
+    """A change of mode: time t (s), its kind, the modes it joins, and (x1, v1, x2, v2) in SI units.
+
+    `cause`: "guard", a velocity or a load got there; or "jump", of the force or of b.
+    """
 
     t: Number
     kind: EventKind
@@ -54,13 +57,15 @@ class Event:
     after: Mode
     y: tuple[Number, Number, Number, Number]
     reduced: ReducedState
+    cause: str = "guard"
 
 
 @dataclass(frozen=True, slots=True)
 class EnergyLedger:
     """Where the energy went, J: initial - final against b int |v1 - v2| dt + a1 int v1^2 dt, each in closed form.
 
-    `residual` = initial - final - friction - viscous: rounding only, and an enclosure of 0 for balls.
+    `work` is what a force has put in, int u v1 dt. `residual` = initial + work - final - friction - viscous: rounding
+    only, and an enclosure of 0 for balls.
     """
 
     initial: Number
@@ -68,6 +73,7 @@ class EnergyLedger:
     friction: Number
     viscous: Number
     residual: Number
+    work: Number = 0
 
 
 def segment_of(trajectory: Any, index: int) -> Segment:

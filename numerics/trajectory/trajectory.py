@@ -81,11 +81,12 @@ class Trajectory(Run):
         count, floats = len(self.record), self.arithmetic.name == "float64"
         table = np.empty((5, count + 1 + self.reached), dtype=float if floats else object)
         order = np.empty(count + 2, dtype=np.int64)
+        rows, end = self.record.in_numbers()
         if floats:
-            (FLOAT64.compiled if compiles_now() else FLOAT64)(si_table)(*self.record.in_numbers(), table, order)
+            (FLOAT64.compiled if compiles_now() else FLOAT64)(si_table)(rows, end, table, order)
         else:
             with self.arithmetic.context():
-                si_table(*self.record.in_numbers(), table, order)
+                si_table(rows, end, table, order)
         return table, order
 
     @property
@@ -163,7 +164,7 @@ class Trajectory(Run):
             return EnergyLedger(initial, final, friction, viscous, initial - final - friction - viscous)
 
     @cached_property
-    def _dense(self) -> Dense:
+    def _dense(self) -> Any:
         return Dense(self)
 
     def sol(self, t: Any, side: Side = "right") -> NDArray[Any]:

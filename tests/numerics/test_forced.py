@@ -1,0 +1,198 @@
+"""Scenes with a force against an independent reference (tests/forced), in every arithmetic, and seen from all sides."""
+
+import json
+import pickle
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from flint import arb
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import MODERATE, forces, frictions, pairs, states
+
+from numerics import Force, Friction, Law, Pair, Piece, Scene, State, solve
+from numerics.__main__ import main
+from numerics.arithmetic.ball_words import precision
+from numerics.errors import EventUndecided, OutOfRange
+from numerics.motion.modes import Mode
+from numerics.scene.file import load_scene
+from numerics.scene.writing import scene_text
+from numerics.trajectory.comparison import distance
+
+FOLDER = Path(__file__).resolve().parent.parent / "forced"
+ANSWERS = json.loads((FOLDER / "answers.json").read_text("utf-8"))
+SLOW = {"four-thousand-events", "fast-ripple", "thousand-pieces"}
+REFUSED_EXACTLY = {"touches-at-irrational-times"}
+"""What no number that is known nearly can decide."""
+SIGNS = {"stick": "0", "slip+": "+", "slip-": "-"}
+PAIR = Pair(1, 1, 200, "0.05")
+
+
+def scene(name):
+    return load_scene(FOLDER / "scenes" / f"{name}.toml")
+
+
+@cache
+def in_binary64(name):
+    try:
+        return solve(scene(name))
+    except EventUndecided:
+        return None
+
+
+def itinerary(trajectory):
+    return "".join(SIGNS[mode.value] for mode in trajectory.modes)
+
+
+def rows(trajectory, name):
+    """Yield (numbers, reference texts, cause or None) of the events that are kept, and of the end."""
+    for event in ANSWERS[name]["events"]:
+        found = trajectory.events[event["n"]]
+        yield (found.t, *found.y), event["row"], (found.cause, event["cause"])
+    yield (trajectory.end_time, *trajectory.final_state), ANSWERS[name]["final"], None
+
+
+@pytest.mark.parametrize("name", sorted(set(ANSWERS) - SLOW - REFUSED_EXACTLY))
+def test_balls_hold_the_reference_to_its_last_digit(name):
+    found = solve(scene(name), digits=40, arithmetic="ball", max_digits=300)
+    assert itinerary(found) == ANSWERS[name]["modes"]
+    with precision(260):
+        for numbers, texts, cause in rows(found, name):
+            assert cause is None or cause[1] in (cause[0], "both")
+            for number, text in zip(numbers, texts, strict=True):
+                assert number.overlaps(arb(text, abs(arb(text)) * arb("1e-58") + arb("1e-45")))
+
+
+@pytest.mark.parametrize("name", sorted(ANSWERS))
+def test_binary64_is_within_its_own_bounds_or_refuses(name):
+    found = in_binary64(name)
+    if found is None:
+        return
+    assert itinerary(found) == ANSWERS[name]["modes"]
+    bounds = found.accuracy
+    for index, (numbers, texts, _) in enumerate(rows(found, name)):
+        kept = ANSWERS[name]["events"]
+        late = (
+            [bounds.t[kept[index]["n"]], *bounds.y[kept[index]["n"]]]
+            if index < len(kept)
+            else [2e-16 * float(texts[0]), *bounds.final]
+        )
+        for number, text, error in zip(numbers, texts, late, strict=True):
+            assert abs(Fraction(float(number)) - Fraction(text)) <= Fraction(float(error)) + Fraction(1, 10**25)
+
+
+def test_binary64_refuses_exact_ties_only_where_it_cannot_see_them():
+    refused = {name for name in ANSWERS if in_binary64(name) is None}
+    assert len(refused) <= 8
+    assert "sine-at-threshold" not in refused  # its amplitude is compared exactly
+
+
+@pytest.mark.parametrize(
+    "name", ["sine-stick-slip", "damping-heavy", "tie-by-second-derivative-slips", "resonance-in-slip"]
+)
+def test_the_other_arithmetics_agree(name):
+    balls = solve(scene(name), digits=30, arithmetic="ball")
+    for arithmetic, digits, tolerance in (("mpmath", 25, 1e-20), ("double-double", None, 1e-20)):
+        found = solve(scene(name), digits=digits, arithmetic=arithmetic)
+        assert itinerary(found) == itinerary(balls)
+        for one, two in zip(found.event_times, balls.event_times, strict=True):
+            with balls.arithmetic.context():
+                assert distance(one, two) < tolerance
+
+
+@given(pairs(MODERATE, damped=None), st.data())
+@settings(max_examples=15)
+def test_a_force_of_zero_is_no_force(pair, data):
+    start = data.draw(states(pair))
+    free = Scene(pair, start, 2)
+    nothing = Scene(pair, start, 2, force=Force((Piece(0), Piece(1))))
+    try:
+        one, two = (
+            solve(each, digits=15, arithmetic="ball", max_events=30, max_digits=100) for each in (free, nothing)
+        )
+    except (EventUndecided, OutOfRange):
+        return
+    assert itinerary(one) == itinerary(two)
+    assert all(a.overlaps(b) for a, b in zip(one.event_times, two.event_times, strict=True))
+    if one.reached and two.reached:
+        assert all(a.overlaps(b) for a, b in zip(one.final_state, two.final_state, strict=True))
+
+
+@given(pairs(MODERATE, damped=None), forces(3), frictions(2), st.data())
+@settings(max_examples=25)
+def test_ledgers_close_and_opposite_scenes_are_opposite(pair, force, friction, data):
+    at = data.draw(states(pair))
+    until = Fraction(data.draw(st.integers(1, 4)), 2)
+    given_scene = Scene(pair, at, until, force=force, friction=friction)
+    opposite = Scene(pair, State(-at.x1, -at.v1, -at.x2, -at.v2), until, force=-force, friction=friction)
+    try:
+        one, two = (
+            solve(each, digits=12, arithmetic="ball", max_events=15, max_digits=90) for each in (given_scene, opposite)
+        )
+    except (EventUndecided, OutOfRange):
+        return
+    assert [-sign for sign in one.signs] == two.signs
+    assert all((a + b).contains(0) for a, b in zip(one.final_state, two.final_state, strict=True))
+    if one.reached and (pair.a1 / pair.m1) ** 2 < 100 * pair.a2 / pair.m1:  # a stiff one takes many panels
+        try:
+            assert one.ledger.residual.contains(0)
+        except OutOfRange:
+            return
+
+
+def test_a_scene_seen_from_all_sides():
+    force = Force.sine("0.3", 7) + Force.step(1, "0.2") + Force.ramp(2, 3, "-0.4")
+    moving = Scene(Pair(1, 1, 200, "0.05", "0.5"), State(v1="0.15"), 5, force=force)
+    found = solve(moving)
+    assert found.success
+    assert abs(found.ledger.residual) < 1e-14
+    assert found.ledger.work != 0
+    assert np.allclose(found.sol(found.event_times), found.event_states, atol=1e-12)
+    assert found.sol([0, 5]).shape == (4, 2)
+    assert np.array_equal(found.but(t_eval=[0, 5]).y, found.sol([0, 5]))
+    assert list(found.mode_at([0, 5])) == [Mode.SLIP_PLUS, found.final_mode]
+    assert [len(one) for one in found.t_events] == [
+        found.event_kinds.count(kind) for kind in type(found.event_kinds[0])
+    ]
+    assert pickle.loads(pickle.dumps(found)) == found
+    assert "events" in repr(found)
+    balls = solve(moving, digits=20, arithmetic="ball")
+    assert pickle.loads(pickle.dumps(balls)) == balls
+    with pytest.raises(ValueError, match="outside"):
+        found.sol(6)
+    limited = solve(moving, max_events=3)
+    assert (len(limited.events), limited.success) == (3, False)
+
+
+def test_nothing_but_the_law_keeps_a_pair_together():
+    held = Scene(PAIR, State(), 2, Law.THREE_VALUED_SGN, Force.step(1, 10))
+    assert itinerary(solve(held)) == "0"
+    assert itinerary(solve(Scene(PAIR, State(), 2, force=Force.step(1, 10))))[:2] == "0+"
+
+
+def test_friction_that_drops_lets_go_and_says_why():
+    load = Force((Piece(0, (0, "0.1", 0, "5/3")),))  # x1 = 0.05 t^3/6, load 0.05 t
+    found = solve(Scene(PAIR, State(), 1, force=load, friction=Friction((("0.5", "0.02"),))))
+    assert [(str(event.t), event.cause) for event in found.events] == [("0.5", "jump")]
+
+
+def test_causes_are_written(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    path.write_text(scene_text(Scene(PAIR, State(), 2, force=Force.step(1, 10))), "utf-8")
+    assert main(["solve", str(path), "--digits", "20", "--json"]) == 0
+    events = json.loads(capsys.readouterr().out)["events"]
+    assert events[0]["cause"] == "jump"
+    assert {event["cause"] for event in events[1:]} == {"guard"}
+    assert main(["solve", str(path), "--arithmetic", "float64", "--csv"]) == 0
+    assert ",cause," in capsys.readouterr().out
+    assert main(["solve", str(path)]) == 0
+
+
+def test_what_is_free_only_says_so(tmp_path, capsys):
+    path = tmp_path / "scene.toml"
+    path.write_text(scene_text(Scene(PAIR, State(), 2, force=Force.step(1, 10))), "utf-8")
+    assert main(["energy", str(path), "--at", "10"]) == 1
+    assert "force" in capsys.readouterr().err
