@@ -101,6 +101,10 @@ PAST = [
     ),
     ("Ends", "(forall n, Rabs (x (tau n)) = L)", "(forall n, Rabs (x (te n)) = L)", "entries at the ends"),
     ("Perpetual", "te n <= t <= tau n -> v1 t = v2 t)", "te n <= t <= te (S n) -> v1 t = v2 t)", "no slip at all"),
+    ("Uniform", "<= Ecr * (1 + e). Proof", "< Ecr. Proof", "a motion that never merges, below E_cr"),
+    ("Uniform", "/ Ecr - 1 <= c / t. Proof", "/ Ecr - 1 <= c / t ^ 2. Proof", "an upper bound of the wrong order"),
+    ("Limit", "Ecr m1 m2 a2 b < l -> 0 <= T -> E T <= e", "0 < l -> 0 <= T -> E T <= e", "a toll below E_cr"),
+    ("Return", "t <= t0 + (INR n + 1) * (2 * PI / o1)", "t <= t0 + INR n * (2 * PI / o1)", "one slip forgotten"),
     ("Consequences", "C * exp (- (k * t)) <= energy", "C * exp (k * t) <= energy", "faster than exponential"),
 ]
 

@@ -128,6 +128,11 @@ UNIFORM = (
     theorem(
         "uniform-rate",
         clause(
+            "one",
+            r"Some $c_2$ that $E(0)$ alone fixes has $E(t)/E_{cr}-1\leqslant c_2/t$ for all $t>0$ along every trajectory that never merges.",
+            kernel=("uniform-upper-rate",),
+        ),
+        clause(
             "upper",
             r"Along every trajectory that starts with $w_0=q\,y_0>0$ and never merges, $w(\tau)\leqslant w_+$, «bound», with «gain», «late», "
             r"«contact» and «loss», where $h(\theta_0)^2=y_0$, $c_0=c(\theta_0)$ and $N=\lceil y_0/l\rceil$: an upper bound that $E(0)$ alone "
@@ -157,6 +162,7 @@ UNIFORM = (
             "lower",
             r"No lower bound is fixed by $E(0)$: for every $w_0>0$ and $\delta>0$ there is a trajectory with $w(0)=w_0$ that never merges "
             r"and has $w\leqslant\delta$ from $\tau_1$ on.",
+            kernel=("no-uniform-lower-rate",),
         ),
     ),
 )

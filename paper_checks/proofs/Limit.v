@@ -1,5 +1,7 @@
-(** The energy tends to a limit of at most E_cr. The state is turned back by the angle Omega t: its coordinates A, B move only
-    by slip, and slip costs energy, so they are paid for and converge; above E_cr each turn would cost a fixed amount. *)
+(** The energy tends to a limit of at most E_cr. The state is turned back by the angle Omega t: its coordinates A,
+  B move only
+    by slip, and slip costs energy, so they are paid for and converge; above E_cr each turn would cost a fixed amount.
+      *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
@@ -38,6 +40,22 @@ Proof.
     (field; lra).
   apply Rmult_lt_compat_r with (r := 2 * PI) in Hk; [|lra].
   replace ((om * t0 - phi) / (2 * PI) * (2 * PI)) with (om * t0 - phi) in Hk by (field; lra). lra.
+Qed.
+
+(** and within one turn *)
+Lemma polar_soon A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
+  exists t, t0 <= t <= t0 + 2 * PI / om /\ R * cos (om * t) = A /\ R * sin (om * t) = B.
+Proof.
+  intros HR Hom E. destruct (polar A B R om t0 HR Hom E) as (t & Ht & C & S). pose proof PI_RGT_0 as P.
+  assert (P1 : 0 < 2 * PI / om) by (apply Rdiv_lt_0_compat; lra).
+    destruct (nfloor_ex ((t - t0) / (2 * PI / om))) as (n & N1 & N2).
+  { apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]. }
+  apply Rmult_le_compat_r with (r := 2 * PI / om) in N1; [|lra].
+    apply Rmult_lt_compat_r with (r := 2 * PI / om) in N2; auto.
+  replace ((t - t0) / (2 * PI / om) * (2 * PI / om)) with (t - t0) in * by (field; lra).
+  exists (t - INR n * (2 * PI / om)). split; [lra|].
+  replace (om * t) with (om * (t - INR n * (2 * PI / om)) + 2 * INR n * PI) in C, S by (field; lra).
+  rewrite cos_period in C. rewrite sin_period in S. auto.
 Qed.
 
 (** cos z >= 1 - z^2/2 *)
@@ -281,39 +299,83 @@ Proof.
   exists t; split; [lra|]. unfold w; lra.
 Qed.
 
-(** *** No level above E_cr is a limit *)
-Theorem limit_not_above l : (forall t, 0 <= t -> l <= E t) -> (forall e, 0 < e -> exists T, 0 <= T /\ forall t,
-  T <= t -> E t <= l + e) ->
-  l <= Ecr m1 m2 a2 b.
+(** *** Above E_cr energy is paid, again and again *)
+(** how far the ellipse of the energy l reaches beyond the strip, by a quarter *)
+Definition room l := (sqrt (2 * l / a2) - L m1 m2 a2 b) / 4.
+(** how long the pair would stay out there *)
+Definition outing l := Rmin 1 (2 * room l / sqrt (2 * l / a2)) / omega m1 m2 a2.
+(** what it must pay for that, or for not going there *)
+Definition toll l := Rmin (b * (a2 / m1 * room l) * outing l ^ 2 / 8 / 2) (room l / (2 * (m2 / ((m1 + m2) * b)))).
+(** and within which time: a contact, a turn, and the stay *)
+Definition spell e l := 2 * sqrt (2 * e * m2) / b + 2 * PI / omega m1 m2 a2 + outing l.
+
+(** there is room *)
+Lemma room_pos l : Ecr m1 m2 a2 b < l -> 0 < room l.
 Proof.
-  intros Hl Hlim. destruct (Rle_dec l (Ecr m1 m2 a2 b)) as [|N]; auto. exfalso.
-  pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
-  set (LL := L m1 m2 a2 b) in *.
-  set (R0 := sqrt (2 * l / a2)).
+  intros Hl. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
+  set (LL := L m1 m2 a2 b) in *. unfold room. fold LL. set (R0 := sqrt (2 * l / a2)).
   assert (R0sq : R0 * R0 = 2 * l / a2). { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. nra. }
-  assert (HR0 : LL < R0).
-  { assert (0 <= R0) by apply sqrt_pos. assert (LL ^ 2 < R0 * R0). { rewrite R0sq.
-    apply Rmult_lt_reg_r with a2; auto. unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. nra. } nra. }
-  set (g := (R0 - LL) / 4). assert (Hg : 0 < g) by (unfold g; lra).
-  set (z := Rmin 1 (2 * g / R0)). assert (Hz : 0 < z). { apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; lra. }
+  assert (0 <= R0) by apply sqrt_pos. assert (LL ^ 2 < R0 * R0); [|assert (LL < R0) by nra; lra].
+  rewrite R0sq. apply Rmult_lt_reg_r with a2; auto. unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. nra.
+Qed.
+(** so is the stay *)
+Lemma outing_pos l : Ecr m1 m2 a2 b < l -> 0 < outing l.
+Proof.
+  intros Hl. pose proof (room_pos l Hl) as G. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP.
+    apply Rdiv_lt_0_compat; auto.
+  apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; [lra|]. unfold room in G. lra.
+Qed.
+(** and the toll *)
+Lemma toll_pos l : Ecr m1 m2 a2 b < l -> 0 < toll l.
+Proof.
+  intros Hl. pose proof (room_pos l Hl) as G. pose proof (outing_pos l Hl) as O. pose proof kap_pos as K.
+  assert (0 < a2 / m1) by (apply Rdiv_lt_0_compat; auto). assert (0 < outing l ^ 2) by (apply pow_lt; auto).
+  apply Rmin_glb_lt; [|apply Rdiv_lt_0_compat; [auto|fold M; fold kap; lra]].
+  assert (0 < b * (a2 / m1 * room l) * outing l ^ 2); [|lra]. apply Rmult_lt_0_compat; auto.
+  apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
+Qed.
+
+(** and the time is not negative *)
+Lemma spell_pos e l : Ecr m1 m2 a2 b < l -> 0 <= spell e l.
+Proof.
+  intros Hl. pose proof (outing_pos l Hl) as O. pose proof PI_RGT_0. pose proof (sqrt_pos (2 * e * m2)).
+  assert (0 < 2 * PI / omega m1 m2 a2) by (apply Rdiv_lt_0_compat; [lra|exact om_pos]).
+  assert (0 <= 2 * sqrt (2 * e * m2) / b) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; auto]).
+    unfold spell. lra.
+Qed.
+
+(** while the energy stays above l > E_cr, each such time costs the toll *)
+Theorem toll_paid e l T : Ecr m1 m2 a2 b < l -> 0 <= T -> E T <= e -> l <= E (T + spell e l) ->
+  E (T + spell e l) <= E T - toll l.
+Proof.
+  intros Hl HT He HlW. apply Rnot_lt_le. intros NP. pose proof (room_pos l Hl) as Hg.
+    pose proof (outing_pos l Hl) as Htau.
+  pose proof (toll_pos l Hl) as Hd. pose proof (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb) as LP. pose proof kap_pos as Hkp.
+  set (W := spell e l) in *. set (d := toll l) in *. set (tau := outing l) in *.
+  set (e0 := b * (a2 / m1 * room l) * tau ^ 2 / 8).
+  assert (Hd1 : d <= e0 / 2) by apply Rmin_l. assert (Hd2 : d <= room l / (2 * kap)) by apply Rmin_r.
+  set (g := room l) in *. set (R0 := sqrt (2 * l / a2)). set (LL := L m1 m2 a2 b) in *.
+  assert (Eg : R0 = LL + 4 * g) by (unfold g, room; fold LL R0; field).
+  assert (R0sq : R0 * R0 = 2 * l / a2).
+  { apply sqrt_sqrt. apply Rlt_le, Rdiv_lt_0_compat; auto. pose proof (Ecr_L m1 m2 a2 b Hm2 Ha2) as EL. fold LL in EL.
+    nra. }
+  set (z := Rmin 1 (2 * g / R0)). assert (Ez : tau = z / om) by reflexivity.
   assert (Hz1 : z <= 1) by apply Rmin_l. assert (Hz2 : z <= 2 * g / R0) by apply Rmin_r.
+  assert (Hz : 0 < z) by (replace z with (om * tau) by (rewrite Ez; field; lra); apply Rmult_lt_0_compat; auto).
   assert (Hz3 : R0 * z <= 2 * g). { replace (2 * g) with (R0 * (2 * g / R0)) by (field; lra).
     apply Rmult_le_compat_l; lra. }
-  set (tau := z / om). assert (Htau : 0 < tau) by (apply Rdiv_lt_0_compat; auto).
-  set (e0 := b * (a2 / m1 * g) * tau ^ 2 / 8).
-  assert (He0 : 0 < e0).
-  { assert (0 < a2 / m1) by (apply Rdiv_lt_0_compat; auto). assert (0 < tau ^ 2) by (apply pow_lt; auto).
-    unfold e0. apply Rdiv_lt_0_compat; [|lra]. apply Rmult_lt_0_compat; auto. apply Rmult_lt_0_compat; auto.
-      apply Rmult_lt_0_compat; auto. }
-  set (d := Rmin (e0 / 2) (g / (2 * kap))).
-  assert (Hkp : 0 < kap) by exact kap_pos.
-  assert (Hd : 0 < d). { apply Rmin_glb_lt; [lra|]. apply Rdiv_lt_0_compat; [exact Hg|].
-    apply Rmult_lt_0_compat; [lra|exact Hkp]. }
-  assert (Hd1 : d <= e0 / 2) by apply Rmin_l. assert (Hd2 : d <= g / (2 * kap)) by apply Rmin_r.
   assert (Hd3 : kap * d <= g / 2). { replace (g / 2) with (kap * (g / (2 * kap))) by (field; lra).
     apply Rmult_le_compat_l; lra. }
-  destruct (Hlim d Hd) as (T & HT & KT).
-  destruct (contact' T HT) as (tc & Htc & Wc).
+  destruct (contact m1 m2 0 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s T H HT) as (tc & Htc & Ev).
+  change (energy m1 m2 a2 (x T) (v1 T) (v2 T)) with (E T) in Htc.
+  assert (Wc : w tc = 0) by (unfold w; lra). pose proof PI_RGT_0 as P0.
+  assert (P1 : 0 < 2 * PI / om) by (apply Rdiv_lt_0_compat; [lra|exact om_pos]).
+  assert (TW : tc + 2 * PI / om + tau <= T + W).
+  { unfold W, spell. fold tau om. assert (2 * sqrt (2 * E T * m2) / b <= 2 * sqrt (2 * e * m2) / b); [|lra].
+    apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|]. apply Rmult_le_compat_l; [lra|].
+      apply sqrt_le_1_alt. nra. }
+  assert (High : forall u, T <= u <= T + W -> l <= E u /\ E T - d < E u <= E T).
+  { intros u Hu. pose proof (E_mono u (T + W) ltac:(lra)). pose proof (E_mono T u ltac:(lra)). lra. }
   pose proof (E_AB tc) as EAB. rewrite Wc in EAB.
   set (R := sqrt (A tc ^ 2 + B tc ^ 2)).
   assert (Rsq : R * R = A tc ^ 2 + B tc ^ 2). { apply sqrt_sqrt. pose proof (pow2_ge_0 (A tc)).
@@ -321,19 +383,19 @@ Proof.
   assert (HR : R0 <= R).
   { assert (0 <= R) by apply sqrt_pos. assert (R0 * R0 <= R * R); [|nra]. rewrite R0sq.
     apply Rmult_le_reg_r with a2; auto.
-    unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. specialize (Hl tc ltac:(lra)). nra. }
-  destruct (polar (A tc) (B tc) R om tc) as (ts & Hts & Cs & Ss); auto; try lra.
+    unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra. destruct (High tc ltac:(lra)). nra. }
+  destruct (polar_soon (A tc) (B tc) R om tc) as (ts & Hts & Cs & Ss); auto; try lra.
   assert (Out : forall u, ts <= u < ts + tau -> LL + g <= x u).
   { intros u Hu. rewrite x_AB.
     assert (PA := A_paid tc u ltac:(lra)). assert (PB := B_paid tc u ltac:(lra)).
-    pose proof (KT tc ltac:(lra)) as K1. pose proof (Hl u ltac:(lra)) as K2.
+    destruct (High tc ltac:(lra)) as (_ & K1). destruct (High u ltac:(lra)) as (_ & K2).
     assert (KK : kap * (E tc - E u) <= g / 2). { apply Rle_trans with (kap * d); auto. apply Rmult_le_compat_l; lra. }
     apply Rabs_inv in PA. apply Rabs_inv in PB.
     pose proof (COS_bound (om * u)) as Cb. pose proof (SIN_bound (om * u)) as Sb.
     assert (Main : A tc * cos (om * u) + B tc * sin (om * u) = R * cos (om * (u - ts))).
     { rewrite <- Cs, <- Ss. replace (om * (u - ts)) with (om * u - om * ts) by ring. rewrite cos_minus. ring. }
     assert (Zu : 0 <= om * (u - ts) <= z).
-    { split; [apply Rmult_le_pos; lra|]. replace z with (om * tau) by (unfold tau; field; lra).
+    { split; [apply Rmult_le_pos; lra|]. replace z with (om * tau) by (rewrite Ez; field; lra).
       apply Rmult_le_compat_l; lra. }
     pose proof (cos_below (om * (u - ts)) ltac:(lra)) as CB.
     set (q := cos (om * (u - ts))) in *. set (zu := om * (u - ts)) in *.
@@ -353,7 +415,20 @@ Proof.
       apply Rle_trans with (g / 2 * 1); [apply Rmult_le_compat; auto|lra]. }
     apply Rabs_inv in DA. apply Rabs_inv in DB. unfold g in *. lra. }
   pose proof (outside_costs ts tau g ltac:(lra) Htau Hg Out) as Cost. fold e0 in Cost.
-  pose proof (KT ts ltac:(lra)). pose proof (Hl (ts + tau) ltac:(lra)). lra.
+  destruct (High ts ltac:(lra)) as (_ & K1). destruct (High (ts + tau) ltac:(lra)) as (_ & K2).
+  assert (0 < e0); [|lra]. lra.
+Qed.
+
+(** *** No level above E_cr is a limit *)
+Theorem limit_not_above l : (forall t, 0 <= t -> l <= E t) -> (forall e, 0 < e -> exists T, 0 <= T /\ forall t,
+  T <= t -> E t <= l + e) ->
+  l <= Ecr m1 m2 a2 b.
+Proof.
+  intros Hl Hlim. apply Rnot_lt_le. intros N. pose proof (toll_pos l N) as D.
+    destruct (Hlim (toll l / 2)) as (T & HT & K); [lra|].
+  pose proof (spell_pos (E T) l N) as Sp.
+  pose proof (Hl (T + spell (E T) l) ltac:(lra)) as High. pose proof (toll_paid (E T) l T N HT (Rle_refl _) High).
+  specialize (K T ltac:(lra)). lra.
 Qed.
 
 (** *** The dichotomy, first form: E falls to a limit <= E_cr; once E <= E_cr the pair merges in bounded time. *)

@@ -174,7 +174,7 @@ Qed.
 (** so crossings end: by induction on how many the energy can still pay *)
 Lemma returns_paid e n : 0 < e -> forall k d u t0, k = 1 \/ k = -1 -> 0 <= t0 -> (0 < d \/ (d = 0 /\ 0 < u)) ->
   at_gap m1 m2 a2 b k d u x v1 v2 t0 -> E t0 <= e -> E t0 <= INR n * least_cost e -> exists t,
-    first_reentry L x v1 v2 t0 t.
+    first_reentry L x v1 v2 t0 t /\ t <= t0 + (INR n + 1) * (2 * PI / o1).
 Proof.
   intros Hep. induction n as [|n IH]; intros k d u t0 Hk Ht Hd HG He En.
   all: assert (Ang : exists p, 0 < p < PI /\ push d p = u)
@@ -182,14 +182,15 @@ Proof.
       & P2)];
         [exists p; auto|exists p; rewrite push_0; auto]).
   all: destruct Ang as (p & Hp & <-); assert (D0 : 0 <= d) by lra;
-    assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
+    assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra);
+    assert (T1 : 2 * p / o1 <= 2 * PI / o1) by (apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat|]; lra).
   all: destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG) as (_ & Sg & A & B & C & _).
   all: fold o1 in Sg, A, B, C; fold q L in A; fold q in A; set (t1 := t0 + 2 * p / o1) in *.
   all: assert (Ev : v1 t1 = v2 t1) by (destruct Hk; subst k; lra).
   all: assert (Ct : contact_after v1 v2 t0 t1)
     by (split; [unfold t1; lra|split; [intros t Hu Q; specialize (Sg t Hu); rewrite Q in Sg; lra|auto]]).
   all: pose proof (depth_pos p Hp) as Dp; destruct (Rle_dec (depth p + d) (2 / q)) as [In|Out].
-  1,3: exists t1; apply fr_in; [auto|];
+  1,3: exists t1; split; [apply fr_in; [auto|]|first [pose proof (pos_INR n); rewrite S_INR|simpl INR]; unfold t1; nra];
     assert (QD : 0 < q * (depth p + d) <= 2)
       by (split; [apply Rmult_lt_0_compat; lra|replace 2 with (q * (2 / q)) by (field; lra);
         apply Rmult_le_compat_l; lra]);
@@ -200,9 +201,10 @@ Proof.
   - exfalso. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t1) (v1 t1) (v2 t1)). unfold E in *. simpl in En. lra.
   - destruct (crossing m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG Out) as (D' & _ & G' & _).
     fold q o1 in D', G'. fold t1 in G'. rewrite S_INR in En.
-    assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra). assert (T1 : 0 <= t1) by (unfold t1; lra).
-    destruct (IH _ _ _ t1 Hk' T1 (or_introl D') G' ltac:(lra) ltac:(lra)) as (t & F).
-    exists t. apply fr_cross with t1; auto. intros I. destruct G' as (X1 & _). fold q L in X1.
+    assert (Hk' : - k = 1 \/ - k = -1) by (destruct Hk; [right|left]; lra). assert (T1' : 0 <= t1) by (unfold t1; lra).
+    destruct (IH _ _ _ t1 Hk' T1' (or_introl D') G' ltac:(lra) ltac:(lra)) as (t & F & Soon).
+    exists t. split; [|rewrite S_INR; unfold t1 in Soon; lra]. apply fr_cross with t1; auto. intros I.
+      destruct G' as (X1 & _). fold q L in X1.
     assert (0 < L * (q * (depth p + d - 2 / q))) by (apply Rmult_lt_0_compat; [exact L0|apply Rmult_lt_0_compat;
       [exact q0|auto]]).
     destruct Hk; subst k; lra.
@@ -218,8 +220,8 @@ Proof.
     assert (0 <= q * d ^ 2) by (apply Rmult_le_pos; lra).
     assert (0 <= q * (u ^ 2 + 2 * d + q * d ^ 2)) by (apply Rmult_le_pos; lra). lra. }
   pose proof (least_cost_pos (E t0) Ep) as C. destruct (nat_above (E t0 / least_cost (E t0))) as (n & Hn).
-  apply (returns_paid (E t0) n Ep k d u t0); auto; try lra. apply Rmult_le_reg_r with (/ least_cost (E t0)).
-  { apply Rinv_0_lt_compat; auto. }
+  destruct (returns_paid (E t0) n Ep k d u t0) as (t & F & _); auto; try lra; [|exists t; auto].
+  apply Rmult_le_reg_r with (/ least_cost (E t0)); [apply Rinv_0_lt_compat; auto|].
   rewrite Rmult_assoc, Rinv_r by lra. unfold Rdiv in Hn. lra.
 Qed.
 End Return.

@@ -84,6 +84,19 @@ _FREE: dict[str, tuple[str, str]] = {
         "Paper.one_over_t",
         "c1/t <= E/E_cr - 1 <= c2/t with explicit constants, from S0 slightly above E_cr.",
     ),
+    "settling-time": (
+        "Uniform.settles",
+        "For each level above E_cr there is one time after which every solution from below another level is below it.",
+    ),
+    "uniform-upper-rate": (
+        "Uniform.uniform_upper",
+        "E/E_cr - 1 <= c/t with one c for all solutions that start below a level and never merge.",
+    ),
+    "no-uniform-lower-rate": (
+        "Uniform.no_lower_constant",
+        "Of every energy above E_cr there are solutions that never merge and are as close to E_cr as one likes from the time "
+        "sqrt(2 E(0) m2)/b on.",
+    ),
     "exit-and-entry-times": (
         "Paper.times",
         "For every solution that never merges: entries and exits alternate; stays on S0 tend to pi/Omega, slips to 0.",
