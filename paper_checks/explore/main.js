@@ -43,6 +43,7 @@ function tell() {
   part("regime").replaceChildren(strong, ` ${text} `, ...(row ? proofIn(row) : []));
   part("units").textContent = state.units || "";
   part("units").hidden = !state.units;
+  part("file").textContent = sceneFile(state.solution.scene);
   part("rows").replaceChildren(...segments.slice(0, 200).map(rowOf));
   part("more").textContent = segments.length > 200 ? `${segments.length - 200} more are not listed.` : "";
   const modes = segments.slice(0, 12).map(({ start }) => MODE_NAMES[start.mode]).join(", ");

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from paper_checks.explore.scenes import OWN, Button, Reduced, paper_buttons
 
-SCRIPTS = ("oscillator", "first_root", "solver", "regimes", "scene3d", "strips", "controls", "main")
+SCRIPTS = ("oscillator", "first_root", "solver", "regimes", "scene_file", "scene3d", "strips", "controls", "main")
 """The page's programs in the order in which they are joined; the first three are the solver and know no page."""
 SOLVER = SCRIPTS[:3]
 TITLE = "Two masses joined by dry friction"

@@ -88,7 +88,7 @@ def reduced(scene: Scene) -> Reduced:
         until=float(scene.until) * omega,
         constant=float(sum(acting.polynomial) / pair.b),
         amplitude=float(sine.amplitude / pair.b),
-        omega=float(sine.omega) / omega,
+        omega=float(sine.omega) / omega if acting.sines else 1.0,
         literal=scene.law is Law.THREE_VALUED_SGN,
     )
 

@@ -1,9 +1,13 @@
 """The interactive page in use, in headless Chromium: buttons, sliders, keys, phone, dark mode, print."""
 
+from dataclasses import asdict
 from pathlib import Path
 
 import pytest
 from chromium import asked
+
+from numerics.scene.file import load_scene
+from paper_checks.explore.scenes import reduced
 
 HERE = Path(__file__).parent
 
@@ -28,6 +32,13 @@ def test_every_button_tells_what_becomes_of_its_scene(found):
     assert said["Next to the critical orbit"].startswith("Creeps")
     assert found["pressed"] == 1
     assert found["proof"] == [True, None, "#critical-mass-ratio"]
+
+
+def test_the_scene_that_it_writes_is_the_one_that_it_shows(found, tmp_path):
+    for text, shown in found["files"]:
+        path = tmp_path / "scene.toml"
+        path.write_text(text, encoding="utf-8")
+        assert asdict(reduced(load_scene(path))) == pytest.approx(shown, rel=1e-12, abs=1e-12)
 
 
 def test_sliders_and_fields_change_the_scene(found):

@@ -12,6 +12,7 @@ const type = (name, text) => {
 const found = {};
 
 found.regimes = all("[data-scene]").map((button) => { button.click(); return [button.textContent, regime()]; });
+found.files = all("[data-scene]").map((button) => { button.click(); return [by("file").textContent, inertialPair.scenes[button.dataset.scene].scene]; });
 found.pressed = all("[aria-pressed=true]").length;
 
 all("[data-scene]")[1].click();
