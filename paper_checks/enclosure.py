@@ -72,6 +72,22 @@ def stuck_for_ever(statement: str, trajectory: Trajectory) -> Evidence:
     return _evidence(statement, trajectory.status is Status.STUCK_FOR_EVER, trajectory.message)
 
 
+def rounded(value: arb, places: int) -> str:
+    """Return the decimal, with that many places, to which every point of a ball rounds.
+
+    Raises ArithmeticError where they differ.
+
+    >>> rounded(arb("4.549769") + arb(0, 1e-7), 4)
+    '4.5498'
+    """
+    whole = (value * 10**places + arb("0.5")).floor().unique_fmpz()
+    if whole is None:
+        raise ArithmeticError(f"{text(value)} has no unique decimal of {places} places")
+    digits = str(abs(int(whole))).rjust(places + 1, "0")
+    sign = "-" if whole < 0 else ""
+    return f"{sign}{digits[: len(digits) - places]}.{digits[len(digits) - places :]}" if places else f"{sign}{digits}"
+
+
 def text(value: arb) -> str:
     """Return a ball with its radius, as plain text."""
     return str(value.str(SHOWN))

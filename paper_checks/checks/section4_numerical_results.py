@@ -12,10 +12,10 @@ from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Law, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
+from paper_checks.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
 from paper_checks.evidence import Evidence, argument
 from paper_checks.exact import identity
-from paper_checks.exhibit import Point, exhibit
+from paper_checks.exhibit import Point, exhibit, value_at
 from paper_checks.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
 from paper_checks.registry import Context, check
@@ -79,9 +79,9 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
     )
     return conclude(
         Verdict.REFUTED,
-        "The start $x_1=0.006$ m is outside the sliding region, whose half width is $L=0.005$ m: sticking would take a force of "
-        "0.6 N through an interface that carries 0.5 N. Under (3)–(4) and in Filippov's sense the pair slips at once, sticks "
-        "first at 0.0971 s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
+        f"The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m: sticking would take a force of "
+        f"{value_at(sp.Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
+        f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
         "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "
         "solution meets (11)–(12) at all but isolated times too. Forward Euler picks the stuck one, as it starts at $\\dot z=0$ "
         "exactly and gives both bodies the same increments.",
@@ -138,9 +138,9 @@ def synchronises(context: Context, speed: Fraction = Fraction(15, 100)) -> Findi
     )
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The bodies start in relative motion, as the paper says, but no period of time ends it. They stick first from 0.2763 s "
-        "to 0.3354 s, and then slip again and again, for ever; $\\dot z$ tends to zero only as $t\\to\\infty$. Under (11)–(12) read "
-        "literally they would stick for ever at their first contact, at 0.0769 s, by a force beyond $b$.",
+        "The bodies start in relative motion, as the paper says, but no period of time ends it. They stick first from "
+        f"{rounded(found.events[1].t, 4)} s to {rounded(found.events[2].t, 4)} s, and then slip again and again, for ever; $\\dot z$ tends to zero only as $t\\to\\infty$. Under (11)–(12) read "
+        f"literally they would stick for ever at their first contact, at {rounded(contact.t, 4)} s, by a force beyond $b$.",
         exhibit("$\\dot z(0)=0.15>0$: starts in mode (14)", point_of(scene), (v1 - v2, ">", 0)),
         *(item.as_counterexample() for item in counterexample),
         stuck_for_ever("(11), (12) read literally: sticks for ever after its first contact", literal),

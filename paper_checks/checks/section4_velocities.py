@@ -10,72 +10,16 @@ import sympy as sp
 from flint import arb
 
 from numerics.motion.modes import Mode
-from numerics.scene import Law, Pair, Scene
-from numerics.scene.file import load_scene
-from numerics.trajectory.segment import Segment
-from numerics.trajectory.trajectory import Trajectory
-from paper_checks.enclosure import compare, itinerary, solved, stuck_for_ever, within
+from numerics.scene import Law
+from paper_checks.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
 from paper_checks.evidence import Evidence, Subject
 from paper_checks.exact import identity
 from paper_checks.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
 from paper_checks.registry import Context, check
+from paper_checks.steps.velocity_peaks import SLIPS, decrements, peak_after_adhesion, velocities_scene
 from theory.model import slip
 from theory.symbols import a2, b, free, m1, m2, undamped, v1, x1
-
-TEETH = 10
-SLIPS = (Mode.SLIP_PLUS, Mode.SLIP_MINUS) * TEETH + (Mode.SLIP_PLUS,)
-"""The itinerary up to the first adhesion: twenty crossings."""
-
-
-def velocities_scene(friction: Fraction | None = None) -> Scene:
-    """Return the scene of Fig. 5 (a) up to 8 s, with another b (N) where one is given."""
-    scene = replace(load_scene("velocities"), until=Fraction(8))
-    pair = scene.pair
-    return scene if friction is None else replace(scene, pair=Pair(m1=pair.m1, m2=pair.m2, a2=pair.a2, b=friction))
-
-
-def positive_peaks(trajectory: Trajectory) -> list[arb]:
-    """Return the positive peaks of v1 (m/s) before the first adhesion, each proved to lie in a slip+ segment.
-
-    There x1 turns about -b/a2, so v1 peaks where x1 passes that centre upwards, at the speed that the circle gives.
-    Raises ValueError where a passage is not proved.
-    """
-    frame, pair = trajectory.frame, trajectory.scene.pair
-    found = []
-    with trajectory.arithmetic.context():
-        centre = frame.arithmetic.number(-pair.b / pair.a2)
-        square = frame.arithmetic.number(pair.a2 / pair.m1)
-        for segment in trajectory.segments[1 : _slips(trajectory)]:
-            if segment.mode is Mode.SLIP_PLUS:
-                (x, v), (end, _) = _ends(trajectory, segment)
-                if not (x < centre < end):
-                    raise ValueError("x1 is not proved to pass the centre of its oscillation in this slip")
-                found.append((v * v + square * (x - centre) ** 2).sqrt())
-    return found
-
-
-def _slips(trajectory: Trajectory) -> int:
-    return next(n for n, segment in enumerate(trajectory.segments) if segment.mode is Mode.STICK)
-
-
-def _ends(trajectory: Trajectory, segment: Segment) -> tuple[tuple[arb, arb], tuple[arb, arb]]:
-    """Return (x1, v1) at both ends of a segment, SI."""
-    frame = trajectory.frame
-    states = [segment.state(tau) for tau in (frame.arithmetic.number(0), segment.length)]
-    first, last = (frame.si_state(state)[:2] for state in states)
-    return first, last
-
-
-def peak_after_adhesion(trajectory: Trajectory) -> arb:
-    """Return the next positive peak of v1, m/s: where the first stick phase from x1 < 0 to l_+ passes x1 = 0."""
-    frame = trajectory.frame
-    with trajectory.arithmetic.context():
-        for segment in trajectory.segments[_slips(trajectory) + 1 :]:
-            (x, v), (end, _) = _ends(trajectory, segment)
-            if segment.mode is Mode.STICK and x < 0 < end and v > 0:
-                return frame.speed * (1 + segment.state(frame.arithmetic.number(0)).w).sqrt()
-    raise ValueError("no such stick phase in the solved time; solve further")
 
 
 @check("constant-damping-rate")
@@ -83,9 +27,8 @@ def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
     """Enclose the positive peaks of v1 and what each cycle takes from them."""
     scene = velocities_scene(friction)
     run = solved(scene)
-    peaks = positive_peaks(run)
+    peaks, lost = decrements(run)
     with run.arithmetic.context():
-        lost = [before - after for before, after in pairwise(peaks)]
         linear = 4 * run.arithmetic.number(scene.pair.b) / run.arithmetic.number(scene.pair.a2 * scene.pair.m1).sqrt()
         spread = (lost[0] - lost[-1]) / linear
         seventh = abs(lost[6] / linear - 1)
@@ -96,9 +39,9 @@ def damping_rate(context: Context, friction: Fraction | None = None) -> Finding:
         Verdict.HOLDS_CORRECTED,
         f"The loss per cycle is nearly constant, not exactly, and only while the pair slips. The {len(peaks)} positive peaks of $v_1$ before the first adhesion fall "
         f"by {_milli(lost[0])}, {_milli(lost[1])}, ..., {_milli(lost[-2])}, {_milli(lost[-1])} mm/s: never twice by the same, each "
-        "time by less. The first seven decrements are within 1 % of $4b/\\sqrt{a_2m_1}=14.142$ mm/s per cycle, which Coulomb "
+        f"time by less. The first seven decrements are within 1 % of $4b/\\sqrt{{a_2m_1}}={_milli(linear)}$ mm/s per cycle, which Coulomb "
         "friction takes from an oscillator; the nine spread by 7 %. From the first adhesion on the peaks creep to $L\\Omega=5$ "
-        "mm/s, and no rate is constant. (Under (11)–(12) read literally nothing is damped after the first contact, at 0.1069 s.)",
+        f"mm/s, and no rate is constant. (Under (11)–(12) read literally nothing is damped after the first contact, at {first_contact(friction)} s.)",
         replace(
             compare("the decrements fall from cycle to cycle; the last is below the first", lost[-1], "<", lost[0]),
             passed=falling,
@@ -163,9 +106,9 @@ def saw_tooth(context: Context, friction: Fraction | None = None) -> Finding:
     slopes = sp.Matrix([free(slip(sign).acceleration2) for sign in (1, -1)])
     return conclude(
         Verdict.HOLDS,
-        "Up to the first adhesion, at 4.5498 s, $v_2$ consists of 21 straight pieces of slopes exactly $+b$ and $-b$ in turn: ten "
+        f"Up to the first adhesion, at {rounded(run.events[len(SLIPS) - 1].t, 4)} s, $v_2$ consists of 21 straight pieces of slopes exactly $+b$ and $-b$ in turn: ten "
         "teeth and a last rise. After it the teeth go on, rounded where the bodies stick and straight where they slip. (Under "
-        "(11)–(12) read literally there is one rise only, up to the first contact at 0.1069 s.)",
+        f"(11)–(12) read literally there is one rise only, up to the first contact at {first_contact(friction)} s.)",
         carried(
             "slopes",
             identity(
@@ -181,6 +124,11 @@ def saw_tooth(context: Context, friction: Fraction | None = None) -> Finding:
         derivation=("$$\\ddot x_2=\\frac{b}{m_2}\\,\\mathrm{sgn}(\\dot z)=\\pm 0.05\\ \\mathrm{m/s^2}$$",),
         figure="velocities",
     )
+
+
+def first_contact(friction: Fraction | None) -> str:
+    """Return the time of the first contact under (11), (12) read literally, s, as a decimal."""
+    return rounded(solved(replace(velocities_scene(friction), law=Law.THREE_VALUED_SGN)).events[0].t, 4)
 
 
 def literal_reading(friction: Fraction | None) -> tuple[Evidence, ...]:

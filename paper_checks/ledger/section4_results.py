@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from paper_checks.clause import Formula, clause
-from paper_checks.deciders import decimal, equals, false_value
+from paper_checks.deciders import Decide, decimal, equals, false_value
 from paper_checks.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from paper_checks.ledger.section3_sliding import width
 from theory.filippov import half_width
 from theory.model import CASE_STUDY, slip
-from theory.symbols import b, free, m2
+from theory.symbols import a2, b, free, m2, total_mass
 
 if TYPE_CHECKING:
     from flint import arb
@@ -45,6 +45,36 @@ def _relative_speed() -> arb:
     state = solved(load_scene("velocities")).sol(Fraction(47, 10))
     found: arb = state[1] - state[3]
     return found
+
+
+def _decrement(place: int) -> Callable[[], arb]:
+    """Return how a decrement of the positive peaks of v1 in Fig. 5 (a) is enclosed, mm/s."""
+
+    def lost() -> arb:
+        from paper_checks.enclosure import solved
+        from paper_checks.steps.velocity_peaks import decrements, velocities_scene
+
+        run = solved(velocities_scene())
+        with run.arithmetic.context():
+            return 1000 * decrements(run)[1][place]
+
+    return lost
+
+
+def _later_speed() -> arb:
+    """Return a bound of |z'| from the first exit on in Fig. 5 (a), mm/s."""
+    from paper_checks.enclosure import solved
+    from paper_checks.steps.perpetual_slips import first_exit, relative_speed_bound
+    from paper_checks.steps.velocity_peaks import velocities_scene
+
+    run = solved(velocities_scene())
+    with run.arithmetic.context():
+        return 1000 * relative_speed_bound(run, first_exit(run))
+
+
+def _in_mm(speed: Callable[[], sp.Expr]) -> Decide:
+    """Decide a speed of Fig. 5 (a), in mm/s."""
+    return equals(lambda: 1000 * speed().subs(CASE_STUDY).subs(b, sp.Rational(1, 20)))
 
 
 def _time(letter: str, digits: str, scene: str, number: int) -> Formula:
@@ -113,10 +143,13 @@ NUMERICAL_RESULTS = (
         correction=(
             clause(
                 "linear",
-                r"Up to the first adhesion, at «adhesion» s, the positive peaks of $v_1$ fall almost linearly: by between 0.0131 and "
-                r"0.01413 m/s a cycle, less each time, and for seven cycles by $4b/\sqrt{a_2m_1}$ within 1 %. After it the decay "
-                r"slows down like $1/t$ towards the peak speed 0.005 m/s of the critical orbit.",
+                r"Up to the first adhesion, at «adhesion» s, the positive peaks of $v_1$ fall almost linearly: by «first» mm/s in the first "
+                r"cycle, by less in each, by «last» mm/s in the last, and for seven cycles by $4b/\sqrt{a_2m_1}$ within 1 %. After it the decay "
+                r"slows down like $1/t$ towards the peak speed «peak» mm/s of the critical orbit.",
                 adhesion=_time("t", "4.5497", "velocities", 20),
+                first=Formula(r"\Delta_1", "=...", sp.Rational("14.128"), decimal(_decrement(0))),
+                last=Formula(r"\Delta_9", "=...", sp.Rational("13.160"), decimal(_decrement(-1))),
+                peak=Formula(r"L\Omega", "=", sp.Integer(5), _in_mm(lambda: half_width() * sp.sqrt(a2 / total_mass()))),
             ),
         ),
     ),
@@ -157,8 +190,8 @@ NUMERICAL_RESULTS = (
             ),
             clause(
                 "for-ever",
-                r"they stick and slip in turn for ever, with $|\dot z|\leqslant 0.00233$ m/s (1.6 % of its start), falling from slip to "
-                r"slip to 0 as $t\to\infty$.",
+                r"they stick and slip in turn for ever, with $|\dot z|\leqslant B$, «bound» mm/s, falling from slip to slip to 0 as $t\to\infty$.",
+                bound=Formula("B", "=...", sp.Rational("2.320"), decimal(_later_speed)),
             ),
         ),
     ),

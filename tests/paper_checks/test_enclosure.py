@@ -6,7 +6,7 @@ from flint import arb
 
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
-from paper_checks.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, within
+from paper_checks.enclosure import ball, compare, exact, itinerary, rounded, solved, stuck_for_ever, within
 
 WIDE = arb(1, 0.5)
 
@@ -58,3 +58,22 @@ def test_a_ball_contains_its_constant(value, request):
     request.addfinalizer(lambda: setattr(flint.ctx, "prec", before))
     assert ball(value).contains(arb(str(value.evalf(250))))
     assert ball(value).rel_accuracy_bits() > 150
+
+
+@pytest.mark.parametrize(
+    ("value", "places", "shown"),
+    [
+        ("4.54976948", 4, "4.5498"),
+        ("-0.0004", 3, "0.000"),
+        ("-0.0016", 3, "-0.002"),
+        ("64.9", 0, "65"),
+        ("0.5", 1, "0.5"),
+    ],
+)
+def test_a_ball_is_rounded_to_decimals(value, places, shown):
+    assert rounded(arb(value), places) == shown
+
+
+def test_a_ball_that_rounds_to_two_decimals_is_refused():
+    with pytest.raises(ArithmeticError, match="no unique decimal"):
+        rounded(arb("1.25").union(arb("1.35")), 1)
