@@ -8,14 +8,16 @@ from flint import arb
 from hypothesis import given
 from strategies import MODERATE, decimals, pairs
 
-from numerics import Pair, Scene, State
+from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Drive
 from numerics.control.thresholds import square_wave_response, thresholds
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
 from numerics.control.two_stop import exit_state
-from numerics.scene import Piece, Sine
+from numerics.motion.modes import Mode
+from numerics.scene import Force, Piece, Sine
+from theory import forced
 from theory import forced_control as control
 from theory import forced_response as response
 from theory.symbols import a1, a2, b, m1, m2
@@ -134,3 +136,26 @@ def test_the_force_of_a_reference_is_that_of_the_stuck_pair():
     at |= {control.r_acceleration: sp.Rational(2, 10)}
     expected = control.stuck_force().subs(at).subs(letters(HEAVY))
     assert found.scene.force(Fraction(1)) == Fraction(int(expected.p), int(expected.q))
+
+
+TIES = [(1, 1), (1, -1), (2, 1), (2, -1), (3, 1), (3, -1), (4, 1), (4, -1)]
+
+
+@pytest.mark.parametrize("pair", [HEAVY, LIGHT])
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(("order", "side"), TIES)
+def test_a_tie_is_decided_by_the_derivative_that_theory_names(pair, sign, order, side):
+    """The force is made so that p and its derivatives below an order vanish at the start, and that one has a side."""
+    velocity, values = sp.Rational(3, 7), letters(pair) | {forced.x1: 0, forced.v1: sp.Rational(3, 7)}
+    needed = sp.solve((forced.load() - sign * b).subs(values), forced.u)[0]
+    coefficients = [needed]
+    for k in range(1, 5):
+        excess = forced.tie_derivative(sign, k).subs(values)
+        wanted = sp.Rational(side, 5) if k == order else 0
+        rate = sp.solve(excess - wanted, forced.U_RATES[k - 1])[0]
+        coefficients.append(rate / sp.factorial(k))
+    force = Force((Piece(0, tuple(Fraction(int(one.p), int(one.q)) for one in coefficients)),))
+    at = Fraction(int(velocity.p), int(velocity.q))
+    run = solve(Scene(pair, State(v1=at, v2=at), until="0.01", force=force), digits=20, arithmetic="ball")
+    slipping = {1: Mode.SLIP_PLUS, -1: Mode.SLIP_MINUS}[sign]
+    assert run.modes[0] is (slipping if sign * side > 0 else Mode.STICK)

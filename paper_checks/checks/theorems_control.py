@@ -24,7 +24,7 @@ def minimum_transfer_time(context: Context) -> Finding:  # noqa: ARG001
     """A bound for every control, and what attaining it costs."""
     return conclude(
         Verdict.HOLDS,
-        "The least time is set by the interface alone, whatever the force. How strong a force must be is another matter: the stuck pair needs more than a pair that slips, which then arrives with body 1 still moving.",
+        "The least time is set by the interface alone, whatever the force. How strong a force must be is another matter: body 1 can run ahead of body 2 through the first half and be met at half time, which takes less than to stick all the way.",
         carried("reach", transfers.spread()),
         carried("least", transfers.least_time()),
         carried("stuck", transfers.stuck_amplitude()),

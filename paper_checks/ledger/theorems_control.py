@@ -87,7 +87,7 @@ TRANSFER = theorem(
         "slip",
         r"With slip less will do to arrive. Let $\tau=\sqrt{m_2D/b}$, and let $g$, the place of body 1 on its spring and damper after a unit "
         r"impulse, not fall on $[0,\tau]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2\tau$ under some $|u|\leqslant U$ exactly if "
-        r"$U\geqslant U_{min}$, «least» with $g=g(\tau)$. At $U_{min}$ body 1 is not at rest then.",
+        r"$U\geqslant U_{min}$, «least» with $g=g(\tau)$. Body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
         least=Formula("U_{min}", "=", b + b * half_time / (m2 * RESPONSE), equals(control.slipping_amplitude)),
     ),
     clause(

@@ -155,7 +155,7 @@ def slipping_amplitude() -> Evidence:
     return argument(
         r"To arrive at $2\tau$ friction is $b$ up to $\tau$, then $-b$: so $w\geqslant 0$, then $w\leqslant 0$, and $v_1(\tau)=b\tau/m_2$. As $v_1(\tau)=\int_0^\tau g'(\tau-s)(u-b)\,ds\leqslant(U-b)\,g(\tau)$, $U\geqslant U_{min}$. With $u=U\geqslant U_{min}$ up to $\tau$ at "
         r"$U_{min}$: $g$ is concave where $g'\geqslant 0$, so $v_1=(U-b)g(t)\geqslant bt/m_2$. Then $u=-U$: $v_1=(U-b)(g(\tau+s)-2g(s))$ at the time $\tau+s$. As $m_1g'+a_1g=1-a_2\int g\leqslant 1$ and "
-        r"$g(s)\geqslant g(\tau)s/\tau$, $w\leqslant 0$ up to $2\tau$. A larger bound of the force allows the same control.",
+        r"$g(s)\geqslant g(\tau)s/\tau$, $w\leqslant 0$ up to $2\tau$. A larger bound of the force allows the same control. A pair that sticks at the limit from $\tau$ on has $v_1=v_2=b(2\tau-t)/m_2$, which is $0$ at $2\tau$.",
         gentle(),
         addition(),
         contact_margin(),
