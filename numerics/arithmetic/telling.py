@@ -26,6 +26,7 @@ from typing import Any, TypeVar
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _TEXTS: set[Any] = set()
+_APART: set[Any] = set()
 _COMPILED: dict[Any, Any] = {}
 _ROOMS = ("arithmetic", "flows", "contact", "motion", "bounds", "trajectory", "run", "batch")
 """Where texts and words are, from whose sources the name of the cache folder is made."""
@@ -38,6 +39,12 @@ def text(function: _Function) -> _Function:
     """Register a function as a text and return it unchanged."""
     _TEXTS.add(function)
     return function
+
+
+def text_apart(function: _Function) -> _Function:
+    """Register a function as a text that compiled code calls instead of taking it in whole."""
+    _APART.add(function)
+    return text(function)
 
 
 def handed(template: Any, function: Any, name: str) -> Any:
@@ -103,6 +110,10 @@ class Telling:
                     _COMPILED[key] = _compile_entry(self._bound_compiled(function))
         return _COMPILED[key]
 
+    def has_compiled(self, function: Any) -> bool:
+        """Return whether a text has been compiled already, to be called from Python."""
+        return (self.name, function, "entry") in _COMPILED
+
     def _inner(self, function: Any) -> Any:
         """Return a text as told, compiled, to be called from compiled code."""
         function = self._instead.get(function, function)
@@ -111,7 +122,9 @@ class Telling:
         key = (self.name, function)
         if key not in _COMPILED:
             # without wrappers for Python, and put into its callers whole: a third faster, both to compile and to run
-            _COMPILED[key] = _compile(self._bound_compiled(function), {**_INNER, "forceinline": True})
+            # but for long ones that are called from many places
+            options = {**_INNER, "forceinline": function not in _APART}
+            _COMPILED[key] = _compile(self._bound_compiled(function), options)
         return _COMPILED[key]
 
     def _bound_compiled(self, function: Any) -> Any:

@@ -6,14 +6,14 @@ import math
 
 from numerics.arithmetic.float64 import rough, sine_cosine
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.telling import text
+from numerics.arithmetic.telling import text_apart
 from numerics.flows.forced_jet import push_at, state_at
 from numerics.flows.forced_records import HEAD, SINE, Drive, Pair, Start
 
 _BELOW = 1.0 - 1e-9
 
 
-@text
+@text_apart
 def calm(pair: Pair, drive: Drive, start: Start, tau: Number) -> bool:
     """Return whether |Lambda| < b is proved up to the end of the piece, however late that is.
 

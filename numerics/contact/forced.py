@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from numerics.arithmetic.float64 import UNIT, ZERO, below, middle, positive, rough, size, spread, tolerance
+from numerics.arithmetic.float64 import UNIT, ZERO, below, middle, positive, rough, settled, size, spread, tolerance
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.telling import text
+from numerics.arithmetic.telling import text, text_apart
 from numerics.contact.calm import calm
 from numerics.flows.forced_jet import guard_at, slip_jet, stick_jets
 from numerics.flows.forced_records import Drive, Jet, Pair, Start
@@ -20,7 +20,7 @@ from numerics.flows.forced_records import Drive, Jet, Pair, Start
 NONE, ROOT, DOUBT, NEVER, AHEAD = 0, 1, 2, 3, 4
 """No root up to the end of the piece; one, isolated; not settled by these numbers; none in stick, however long the
 piece is; not seen yet."""
-_MOST_STEPS, _MARGIN = 2_000_000, 1e-12
+_MOST_STEPS, _MOST_TRIALS, _MARGIN = 2_000_000, 300, 1e-12
 
 
 class Bracket(NamedTuple):
@@ -88,7 +88,7 @@ def crossing(jet: Jet) -> float:
     return 0.0
 
 
-@text
+@text_apart
 def isolate(pair: Pair, drive: Drive, start: Start, limit: Number) -> Bracket:
     """Return the first root of the guard within `limit` seconds after the start."""
     if start.mode == 0 and pair.literal:
@@ -168,28 +168,27 @@ def at_the_end(pair: Pair, drive: Drive, start: Start, side: int, tau: Number, l
     return Bracket(NONE if rough(value) > 0.0 else ROOT, side, tau, limit)
 
 
-@text
+@text_apart
 def refine(pair: Pair, drive: Drive, start: Start, found: Bracket) -> Root:
     """Return the root in a bracket by Newton's method, kept in it by bisection."""
     low, high = found.low, found.high
     tau = middle((low + high) / 2)
     value, slope, error = guard_at(pair, drive, start, found.side, tau)
-    last = False
-    for _ in range(300):
+    is_last = False
+    for _ in range(_MOST_TRIALS):
         if positive(value):
             low = tau
         else:
             high = tau
-        after = middle(tau - value / slope)
-        if not (below(low, after) and below(after, high)):
-            if last or below(size(high - low), size(high) * tolerance()):
-                break
+        change = middle(value / slope)
+        after = middle(tau - change)
+        is_near = size(change) <= size(tau) * settled() or size(change) <= size(tau) * tolerance() * 4
+        if not is_near and not (below(low, after) and below(after, high)):
             after = middle((low + high) / 2)
-        step = after - tau
         tau = after
         value, slope, error = guard_at(pair, drive, start, found.side, tau)
-        if last:
+        if is_last or abs(rough(value)) <= error:
             break
-        last = below(size(step), size(tau) * tolerance() * 4) or abs(rough(value)) <= error
+        is_last = is_near
     window = (size(value) + spread(value) + error) / size(slope)
     return Root(tau, window, slope, positive(-slope))

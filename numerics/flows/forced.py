@@ -11,7 +11,7 @@ from typing import Any
 
 from numerics.arithmetic.float64 import ZERO, rough, size, widened
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.telling import text
+from numerics.arithmetic.telling import text, text_apart
 from numerics.flows.forced_records import HEAD, SINE, Drive, Moved, Swing
 from numerics.flows.forced_sine import sine_by_series, sine_by_steady_state, sine_near_resonance
 from numerics.flows.oscillator import propagate
@@ -46,13 +46,13 @@ def binomial(n: int, k: int) -> int:
     return value
 
 
-@text
+@text_apart
 def moved(swing: Swing, drive: Drive, piece: int, side: int, x: Number, v: Number, local: Number, tau: Number) -> Moved:
     """Return x1 and v1 at tau after (x, v) at `local` seconds into a piece; side -1, +1: slip, 0: stick."""
     numbers, first = drive.numbers, drive.places[piece][0]
     count, sines = drive.places[piece][1], drive.places[piece][2]
     push = -side * numbers[first + 2]
-    if swing.rate * rough(tau) <= 1.0:
+    if swing.rate * rough(tau) <= swing.short:
         found = by_series(swing, numbers, first + HEAD, count, push, x, v, local, tau)
     else:
         found = by_particular(
@@ -119,7 +119,7 @@ def with_sine(swing: Swing, numbers: Any, at: int, is_stick: bool, local: Number
     phase = numbers[at + 2] + omega * local
     mode = at + (5 if is_stick else 3)
     total = (swing.rate + rough(omega)) * rough(tau)
-    if total <= 1.0:
+    if total <= swing.short:
         one = sine_by_series(swing, amplitude, omega, phase, tau, total)
     elif swing.light and 0.5 < rough(omega) / rough(swing.of.frequency) < 2.0:
         one = sine_near_resonance(swing, amplitude, omega, phase, numbers[mode], tau)

@@ -11,12 +11,12 @@ import math
 
 from numerics.arithmetic.float64 import UNIT, rough, sine_cosine, spread
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.telling import text
+from numerics.arithmetic.telling import text, text_apart
 from numerics.flows.forced import coefficient_at, moved
 from numerics.flows.forced_records import HEAD, ROUNDINGS, SINE, Drive, Jet, Moved, Pair, Push, Start
 
 
-@text
+@text_apart
 def push_at(drive: Drive, piece: int, local: Number) -> Push:
     """Return the force at a time in a piece."""
     numbers, first = drive.numbers, drive.places[piece][0]
@@ -67,7 +67,7 @@ def load_error(pair: Pair, height: float, here: Moved) -> float:
     return ROUNDINGS * UNIT * size * rough(pair.m2) / rough(pair.mass)
 
 
-@text
+@text_apart
 def guard_at(pair: Pair, drive: Drive, start: Start, side: int, tau: Number) -> tuple[Number, Number, float]:
     """Return the guard at tau, its slope, and its rounding: of a slip, or of the side of stick."""
     here = state_at(pair, drive, start, tau)
@@ -85,7 +85,7 @@ def guard_at(pair: Pair, drive: Drive, start: Start, side: int, tau: Number) -> 
     return b - side * (pair.m2 * x2), -side * (pair.m2 * x3), load_error(pair, push.height, here) + UNIT * rough(b)
 
 
-@text
+@text_apart
 def slip_jet(pair: Pair, drive: Drive, start: Start, tau: Number) -> Jet:
     """Return the guard s (v1 - v2) of a slip."""
     here, m = state_at(pair, drive, start, tau), pair.m1
@@ -108,7 +108,7 @@ def largest(pair: Pair, mass: Number, one: float, two: float) -> float:
     return 1.0001 * math.sqrt(rough(pair.a2) / rough(mass) * one * one + two * two)
 
 
-@text
+@text_apart
 def stick_jets(pair: Pair, drive: Drive, start: Start, tau: Number) -> tuple[Jet, Jet]:
     """Return the guards b - Lambda and b + Lambda of stick."""
     here, m = state_at(pair, drive, start, tau), pair.mass

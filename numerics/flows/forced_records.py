@@ -20,7 +20,8 @@ PHASES = 8.0
 class Swing(NamedTuple):
     """The oscillator of one mode: mass (kg), a1, a2; `rate` a bound on |roots| (1/s).
 
-    `light`: resonance is so sharp that it needs its own formula; `terms`: of a power series in rate tau <= 1.
+    `light`: resonance is so sharp that it needs its own formula. Power series serve where (rate + omega) tau <=
+    `short`, and take so many `terms`.
     """
 
     mass: Number
@@ -29,6 +30,7 @@ class Swing(NamedTuple):
     of: Oscillator
     rate: float
     light: bool
+    short: float
     terms: int
 
 

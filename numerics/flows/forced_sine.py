@@ -28,7 +28,7 @@ def sine_by_series(swing: Swing, amplitude: Number, omega: Number, phase: Number
         f, g = g, -(omega * omega) * f / ((k + 1) * (k + 2))
     rest = amplitude / swing.mass * tau
     for k in range(2, swing.terms + 2):
-        rest = rest / k
+        rest = rest * (tau * swing.rate + tau * omega) / k
     push = abs(rough(amplitude / swing.mass)) * rough(tau)
     return Moved(
         widened(position, 4 * rest * tau),

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from numerics.arithmetic.float64 import UNIT, ZERO, middle, positive, rough, size, spread
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.telling import text
+from numerics.arithmetic.telling import text, text_apart
 from numerics.contact.forced import NEVER, NONE, ROOT, isolate, refine
 from numerics.flows.forced_jet import load_at, load_error, push_at, state_at
 from numerics.flows.forced_records import ROUNDINGS, Drive, Moved, Pair, Push, Start
@@ -45,7 +45,7 @@ class Seen(NamedTuple):
     v2: Number
 
 
-@text
+@text_apart
 def locate(pair: Pair, drive: Drive, start: Start) -> Knot:
     """Return the knot at which a mode ends."""
     place = drive.places[start.piece]
@@ -73,7 +73,7 @@ def norm_of(pair: Pair, x: Number, v1: Number, v2: Number) -> Number:
     return pair.root_a2 * x + pair.root_m1 * v1 + pair.root_m2 * v2
 
 
-@text
+@text_apart
 def arrive(pair: Pair, drive: Drive, start: Start, knot: Knot) -> tuple[Start, Moved]:
     """Return the path at a knot as the start of a mode yet to be chosen, errors grown, and the sizes of its sums."""
     here, tau = state_at(pair, drive, start, knot.tau), knot.tau

@@ -32,14 +32,19 @@ def _swing(arithmetic: Arithmetic, mass: Fraction, a1: Fraction, a2: Fraction) -
     of: Any = arithmetic.telling(oscillator)(number(a1 / (2 * mass)), number(a2 / mass), regime, frequency)
     rate = 1.0001 * (float(a1 / mass) + math.sqrt(float(a2 / mass)))
     light = 4 * square < discriminant
-    return Swing(number(mass), number(a1), number(a2), of, rate, light, _terms(arithmetic))
+    short, terms = _series(arithmetic)
+    return Swing(number(mass), number(a1), number(a2), of, rate, light, short, terms)
 
 
-def _terms(arithmetic: Arithmetic) -> int:
-    """Return how many terms of a power series in something <= 1 there are above the last digit."""
+def _series(arithmetic: Arithmetic) -> tuple[float, int]:
+    """Return up to what argument power series are used, and of how many terms: up to 1 where digits are few.
+
+    With more of them closed forms are quicker, and what little cancels there is added to the working digits.
+    """
     bits = {"float64": 53, "double-double": 107}.get(arithmetic.name, math.ceil(arithmetic.digits * 3.33) + 16)
+    short = 1.0 if bits < 120 else 1 / 16
     terms, size = 2, 0.0
     while size < bits + 8:
         terms += 1
-        size += math.log2(terms)
-    return terms
+        size += math.log2(terms / short)
+    return short, terms

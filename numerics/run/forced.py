@@ -3,22 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
+import numpy as np
+
+from numerics.arithmetic.double_numbers import DoubleDouble
+from numerics.arithmetic.double_words import DOUBLE_DOUBLE
 from numerics.arithmetic.protocol import Arithmetic
+from numerics.arithmetic.telling import Telling, can_compile
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.flows.forced_records import Drive, Pair, Start
-from numerics.motion.codes import EVENT_LIMIT, OUT_OF_RANGE
+from numerics.motion.begin import in_halves
+from numerics.motion.codes import EVENT_LIMIT, MOVING, OUT_OF_RANGE
 from numerics.motion.forced_exact import ExactKnot, exact_knots
 from numerics.motion.forced_pair import pair_of
-from numerics.motion.forced_pieces import drive_of, pieces_of
+from numerics.motion.forced_pieces import ExactPiece, drive_of, pieces_of
 from numerics.run.forced_loop import OPEN, at_horizon, record, rounded_start, run_forced
-from numerics.run.rows import Growing
 from numerics.scene import Scene
 from numerics.trajectory.forced import ForcedTrajectory
 from numerics.trajectory.forced_record import ForcedRecord, row_length
 
 Progress = Callable[[int, float], None]
+_FEW, _MANY = 6000, 65536
+"""Rows that Python writes before it is worth to wait for numba; rows between two words to `progress`."""
+_HAS_BOUNDS = {"float64", "double-double"}
+
+
+class _Told(NamedTuple):
+    """A scene in numbers: how texts are told, the pair and its table, the starts that are known exactly."""
+
+    arithmetic: Arithmetic
+    telling: Telling
+    width: int
+    pair: Pair
+    drive: Drive
+    begun: list[Start]
 
 
 def run_forced_scene(
@@ -27,74 +46,105 @@ def run_forced_scene(
     """Solve a scene with a force once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange."""
     pieces = pieces_of(scene, with_seams=arithmetic.name == "float64")
     knots = exact_knots(scene, pieces)
-    telling = arithmetic.telling
-
-    def told(index: int) -> None:
-        if progress is not None:
-            piece = pieces[int(room.rows[-1][3])]
-            progress(int(sum(row[1] for row in room.rows[-index:])), float(piece.start / scene.until))
-
     with arithmetic.context():
-        pair, drive = pair_of(scene, arithmetic), drive_of(scene, pieces, arithmetic)
-        begun = [_start(knot, pair, arithmetic) for knot in knots]
+        told = _in_numbers(scene, pieces, knots, arithmetic)
         events = [index for index, knot in enumerate(knots) if knot.is_event]
-        cut = len(events) > max_events
-        if cut:
-            begun = begun[: events[max_events]]
-        room = Growing(row_length(1), 2**62)
-        for index, start in enumerate(begun):
-            telling(record)(
-                room, index, start, telling(at_horizon)(pair, start), knots[index].is_event, knots[index].is_jump
-            )
-        if cut:
-            how, last, errors = EVENT_LIMIT, begun[-1], telling(at_horizon)(pair, begun[-1])
-        else:
-            rows = _After(room, len(begun), told)
-            how, _, _, last, errors = telling(run_forced)(pair, drive, begun[-1], max_events, len(events), rows)
-        end = Growing(row_length(1), 1)
-        telling(record)(end, 0, last, errors, False, False)
-    if how == OUT_OF_RANGE:
-        raise OutOfRange(
-            f'a number of this scene left the range of {arithmetic.name} on the way; use arithmetic="ball"'
-        )
-    if how == OPEN:
-        raise EventUndecided(
-            "which event comes next under this force, or does the guard only touch?",
-            f"after t = {_time(drive, last, arithmetic)} s",
-            arithmetic.digits,
-        )
+        limit = events[max_events] if len(events) > max_events else len(knots)
+        rows: Any = [
+            _row(told, start, is_event=knot.is_event, is_jump=knot.is_jump)
+            for start, knot in list(zip(told.begun, knots, strict=True))[:limit]
+        ]
+        how, last, errors = EVENT_LIMIT, told.begun[limit - 1], None
+        if limit == len(knots):
+            hear = _heard(progress, pieces, scene)
+            how, last, errors = _followed(told, rows, (max_events, len(events)), hear)
+        end: Any = _row(told, last, errors=errors)
+    _require_answer(how, told, last)
+    if arithmetic.name == "float64":
+        rows, end = np.array(rows, dtype=float).reshape(-1, row_length(1)), np.array(end)
     return ForcedTrajectory(
-        scene, arithmetic, ForcedRecord(room.rows, end.rows[0], how, 1), bounded=_bounded(arithmetic)
+        scene, arithmetic, ForcedRecord(rows, end, how, told.width), bounded=arithmetic.name in _HAS_BOUNDS
     )
 
 
-class _After:
-    """Rows after those that are there already; `progress` hears of every thousandth."""
-
-    def __init__(self, rows: Growing, first: int, progress: Callable[[int], None] | None) -> None:
-        self._rows, self._first, self._progress = rows, first, progress
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    def __getitem__(self, index: int) -> list[Any]:
-        if self._progress is not None and index % 1000 == 999:
-            self._progress(index)
-        return self._rows[self._first + index]
+def _in_numbers(scene: Scene, pieces: list[ExactPiece], knots: list[ExactKnot], arithmetic: Arithmetic) -> _Told:
+    """Return what a run starts from; double-double numbers as their halves."""
+    pair, drive = pair_of(scene, arithmetic), drive_of(scene, pieces, arithmetic)
+    if not isinstance(arithmetic, DoubleDouble):
+        begun = [_start(knot, pair, arithmetic, arithmetic.telling) for knot in knots]
+        return _Told(arithmetic, arithmetic.telling, 1, pair, drive, begun)
+    halves = arithmetic.halves
+    pair, drive = in_halves(pair, halves), Drive([halves(one) for one in drive.numbers], drive.places)
+    begun = [_start(knot, pair, arithmetic, DOUBLE_DOUBLE, halves) for knot in knots]
+    return _Told(arithmetic, DOUBLE_DOUBLE, 2, pair, drive, begun)
 
 
-def _bounded(arithmetic: Arithmetic) -> bool:
-    return arithmetic.name in {"float64", "double-double"}
-
-
-def _start(knot: ExactKnot, pair: Pair, arithmetic: Arithmetic) -> Start:
+def _start(
+    knot: ExactKnot, pair: Pair, arithmetic: Arithmetic, telling: Telling, halves: Callable[[Any], Any] | None = None
+) -> Start:
     """Return an exact knot in numbers: points, and the errors of their rounding."""
-    number = arithmetic.number
-    x1, v1, x2, v2 = (one.number(arithmetic) for one in (knot.x1, knot.v1, knot.x2, knot.v2))
-    return arithmetic.telling(rounded_start)(
-        pair, knot.mode, min(knot.order, 3), knot.piece, (number(knot.local), number(knot.quiet)), (x1, v1, x2, v2)
+    numbers = [arithmetic.number(knot.local), arithmetic.number(knot.quiet)]
+    numbers += [one.number(arithmetic) for one in (knot.x1, knot.v1, knot.x2, knot.v2)]
+    local, quiet, x1, v1, x2, v2 = numbers if halves is None else map(halves, numbers)
+    begun: Start = telling(rounded_start)(
+        pair, knot.mode, min(knot.order, 3), knot.piece, (local, quiet), (x1, v1, x2, v2)
     )
+    return begun
 
 
-def _time(drive: Drive, at: Start, arithmetic: Arithmetic) -> str:
-    return arithmetic.text(drive.numbers[drive.places[at.piece][0]] + at.local)
+def _row(told: _Told, at: Start, errors: Any = None, *, is_event: bool = False, is_jump: bool = False) -> list[Any]:
+    """Return the row of a start whose time is exact, or has these errors."""
+    row = [[0.0] * row_length(told.width)]
+    bounds = told.telling(at_horizon)(told.pair, at) if errors is None else errors
+    told.telling(record)(row, 0, at, bounds, is_event, is_jump)
+    return row[0]
+
+
+def _followed(
+    told: _Told, rows: list[Any], counts: tuple[int, int], hear: Callable[[list[Any]], None]
+) -> tuple[int, Start, Any]:
+    """Add the rows of a run from the last exact start on; return how it ended, the state there and its errors.
+
+    binary64 is compiled where that has been done already, or after many rows; the bits are the same.
+    """
+    most, events = counts
+    last, how, errors = told.begun[-1], MOVING, None
+    compiles, size = told.telling.name == "float64" and can_compile(), row_length(told.width)
+    while how == MOVING:
+        if compiles and (len(rows) >= _FEW or told.telling.has_compiled(run_forced)):
+            drive = Drive(np.array(told.drive.numbers), np.array(told.drive.places, dtype=np.int64))
+            told = told._replace(drive=drive) if isinstance(told.drive.numbers, list) else told
+            part: Any = np.empty((_MANY, size))
+            run = told.telling.compiled(run_forced)
+        else:
+            part, run = [[0.0] * size for _ in range(min(_FEW, 1000))], told.telling(run_forced)
+        try:
+            how, count, events, last, errors = run(told.pair, told.drive, last, most, events, part)
+        except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
+            return OUT_OF_RANGE, last, errors
+        rows += part[:count].tolist() if isinstance(part, np.ndarray) else part[:count]
+        hear(rows)
+    return how, last, errors
+
+
+def _heard(progress: Progress | None, pieces: list[ExactPiece], scene: Scene) -> Callable[[list[Any]], None]:
+    """Return what tells `progress` how far a run is."""
+
+    def hear(rows: list[Any]) -> None:
+        if progress is not None:
+            progress(sum(row[1] == 1.0 for row in rows), float(pieces[int(rows[-1][3])].start / scene.until))
+
+    return hear
+
+
+def _require_answer(how: int, told: _Told, last: Start) -> None:
+    """Raise what says why a run could not go on."""
+    name, digits = told.arithmetic.name, told.arithmetic.digits
+    if how == OUT_OF_RANGE:
+        raise OutOfRange(f'a number of this scene left the range of {name} on the way; use arithmetic="ball"')
+    if how == OPEN:
+        at = told.drive.numbers[told.drive.places[last.piece][0]] + last.local
+        shown = f"{told.telling.words['rough'](at):.6g}" if name != "float64" else f"{at:.6g}"
+        raise EventUndecided(
+            "which event comes next under this force, or does its guard only touch?", f"after t = {shown} s", digits
+        )

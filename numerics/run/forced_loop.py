@@ -9,7 +9,7 @@ from typing import Any
 
 from numerics.arithmetic.float64 import UNIT, WIDTH, ZERO, finite, middle, put, rough, size, spread
 from numerics.arithmetic.protocol import Number
-from numerics.arithmetic.telling import text
+from numerics.arithmetic.telling import text, text_apart
 from numerics.flows.forced_records import Drive, Pair, Start
 from numerics.motion.codes import EVENT_LIMIT, MOVING, OUT_OF_RANGE, REACHED, STUCK
 from numerics.motion.forced import (
@@ -40,8 +40,8 @@ def run_forced(
 ) -> tuple[int, int, int, Start, Seen]:
     """Follow the modes from a start to the end of the last piece; `most` events at most, of which `events` were before.
 
-    Returns (how it ended, rows, events, the state there, its errors). Rows beyond those that there are room for are
-    counted only.
+    Returns (how it ended, rows written, events, the state there, its errors); MOVING where there is no more room for
+    rows: call it again from there.
     """
     count, keep, last = 0, len(rows), len(drive.places) - 1
     while True:
@@ -58,14 +58,15 @@ def run_forced(
                 how = STUCK
             return how, count, events, at, errors
         start = at
-        if count < keep:
-            record(rows, count, start, errors, is_event, knot.kind != GUARD)
+        record(rows, count, start, errors, is_event, knot.kind != GUARD)
         count += 1
         if is_event:
             events += 1
+        if count == keep:
+            return MOVING, count, events, start, errors
 
 
-@text
+@text_apart
 def step(pair: Pair, drive: Drive, start: Start, knot: Knot, last: int) -> tuple[int, bool, Start, Seen]:
     """Return how the run goes on after a knot, whether the mode changed there, the next start, and its errors."""
     at, here = arrive(pair, drive, start, knot)

@@ -41,6 +41,8 @@ class ForcedRecord:
     @classmethod
     def restored(cls, rows: Any, end_row: Any, how: int, width: int) -> ForcedRecord:
         """Return a record from its plain form."""
+        if isinstance(end_row, list):  # of an array of floats
+            return cls(np.array(rows, dtype=float).reshape(-1, row_length(width)), np.array(end_row), how, width)
         return cls(restored(rows), restored(end_row), how, width)
 
     def __len__(self) -> int:

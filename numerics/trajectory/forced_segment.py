@@ -7,7 +7,7 @@ formed from the power series of u and v1 on short panels: an evidence of their o
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from numerics.arithmetic.ball_words import widened
@@ -28,7 +28,7 @@ class ForcedSegment:
     mode: Mode
     start: Number
     end: Number
-    of: Any
+    of: Any = field(repr=False)
 
     def state(self, t: Number) -> Any:
         """Return (x1, v1, x2, v2) at a time of the run, s."""

@@ -143,6 +143,15 @@ def test_ledgers_close_and_opposite_scenes_are_opposite(pair, force, friction, d
             return
 
 
+@pytest.mark.parametrize("name", ["many-causes", "damping-heavy", "resonance-in-slip", "sweep", "friction-by-pieces"])
+def test_compiled_code_gives_the_same_bits(name, monkeypatch):
+    pytest.importorskip("numba")
+    plain = in_binary64(name)
+    monkeypatch.setattr("numerics.run.forced._FEW", 1)
+    compiled = solve(scene(name))
+    assert np.array_equal(plain.record.rows, compiled.record.rows)
+
+
 def test_a_scene_seen_from_all_sides():
     force = Force.sine("0.3", 7) + Force.step(1, "0.2") + Force.ramp(2, 3, "-0.4")
     moving = Scene(Pair(1, 1, 200, "0.05", "0.5"), State(v1="0.15"), 5, force=force)
