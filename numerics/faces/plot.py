@@ -13,7 +13,7 @@ from numerics.trajectory.figures import draw
 from numerics.trajectory.trajectory import Trajectory
 
 FREE = ("velocities", "positions", "load", "phase", "excess", "energy")
-FORCED = ("force", "load", "velocities", "positions", "phase", "excess")
+FORCED = ("force", "load", "velocities", "positions", "phase", "energy")
 COMMON = ("body 1", "body 2", "entry", "exit", "crossing", "stick")
 """What means the same in every picture, and is explained once, below all of them."""
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from numerics.errors import MissingTool
 from numerics.motion.modes import EventKind, Mode
-from numerics.trajectory.curve import Curve, force_on, friction_on, load_on, sampled
+from numerics.trajectory.curve import Curve, sampled
 
 BLUE, ORANGE, GREEN, GRAY = "#0072B2", "#D55E00", "#009E73", "#999999"
 """Colours that are told apart without red and green."""
@@ -102,24 +102,21 @@ def _positions(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[0], **FIRST)
     ax.plot(curve.t, curve.y[2], **SECOND)
     if scene.pair.a1 == 0:
-        ends = slice(None) if scene.is_forced else [0, -1]
-        t, stiffness, share = curve.t[ends], float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
-        centre, half = force_on(scene, t) / stiffness, friction_on(scene, t) * share / stiffness
+        stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
+        t, centre, half = curve.t, curve.u / stiffness, curve.b * share / stiffness
         ax.plot(t, centre + half, color="black", lw=0.8, ls=":", label="edges of $S_0$, for $x_1$")
         ax.plot(t, centre - half, color="black", lw=0.8, ls=":")
     ax.set_ylabel("$x_1$, $x_2$ (m)")
 
 
 def _load(trajectory: Any, curve: Curve, ax: Any) -> None:
-    scene = trajectory.scene
-    b = friction_on(scene, curve.t)
-    ax.fill_between(curve.t, -b, b, color=GREEN, alpha=0.2, lw=0, label="friction can give this")
-    ax.plot(curve.t, load_on(scene, curve), color="black", lw=1.2, label="sticking needs this")
+    ax.fill_between(curve.t, -curve.b, curve.b, color=GREEN, alpha=0.2, lw=0, label="friction can give this")
+    ax.plot(curve.t, curve.load(trajectory.scene.pair), color="black", lw=1.2, label="sticking needs this")
     ax.set_ylabel("force on body 2 (N)")
 
 
-def _force(trajectory: Any, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, force_on(trajectory.scene, curve.t), color=BLUE, lw=1.2)
+def _force(_: Any, curve: Curve, ax: Any) -> None:
+    ax.plot(curve.t, curve.u, color=BLUE, lw=1.2)
     ax.set_ylabel("u (N)")
 
 
@@ -176,6 +173,9 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
 def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what is left, what friction took and what viscosity took, on top of each other."""
     pair = trajectory.scene.pair
+    if trajectory.scene.is_forced:
+        _work(curve, pair, ax)
+        return
     critical = float(pair.critical_energy)
     parts = [("energy left", critical * (1 + curve.w), BLUE, None), ("lost to friction", curve.lost[0], ORANGE, "//")]
     if pair.a1 > 0:
@@ -187,6 +187,17 @@ def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.axhline(critical, color="black", lw=0.8, ls=":", label="$E_{cr}$")
     ax.set_ylabel("energy (J)")
     ax.set_ylim(0, None)
+
+
+def _work(curve: Curve, pair: Any, ax: Any) -> None:
+    """Draw what a force has put in, and where it is: in the pair, or taken by friction and viscosity."""
+    energy, (friction, viscous) = curve.energy(pair), curve.lost
+    ax.plot(curve.t, energy - energy[0] + friction + viscous, color="black", lw=1.2, label="work of the force")
+    ax.plot(curve.t, energy, color=BLUE, lw=1.2, ls="-.", label="energy of the pair")
+    ax.plot(curve.t, friction, color=ORANGE, lw=1.2, ls="--", label="lost to friction")
+    if pair.a1 > 0:
+        ax.plot(curve.t, viscous, color=GREEN, lw=1.4, ls=":", label="lost to viscosity")
+    ax.set_ylabel("energy (J)")
 
 
 _KINDS = {

@@ -7,16 +7,18 @@ from io import BytesIO
 import matplotlib as mpl
 import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from strategies import forces, frictions
 
 from numerics import Force, Friction, Pair, Scene, State, solve
 from numerics.faces.plot import COMMON, overview
+from numerics.motion.forced_pieces import pieces_of
+from numerics.motion.modes import Mode
 from numerics.scene import Law
 from numerics.scene.pieces import Piece
-from numerics.trajectory.curve import force_on, friction_on, load_on, sampled
+from numerics.trajectory.curve import force_of, sampled
 
 mpl.use("Agg")
 
@@ -121,23 +123,57 @@ def test_the_excess_has_whole_decades_and_says_where_it_is_exactly_zero():
     plt.close("all")
 
 
-def test_the_load_that_is_drawn_decides_between_stick_and_slip():
-    for scene in (PAPER, DAMPED):
-        run = solve(scene)
-        curve = sampled(run)
-        load, b = load_on(scene, curve), friction_on(scene, curve.t)
-        assert np.all(np.abs(load[curve.stick]) <= b[curve.stick] * (1 + 1e-9))
-        assert np.abs(load[~curve.stick]).max() > b[0]
+FORCED = Scene(
+    DAMPED.pair,
+    DAMPED.initial,
+    3,
+    force=Force.trapezoid("0.5", "0.25", 1, 0, 9) + Force.sine(2, 5, "0.3"),
+    friction=Friction([(1, "0.25"), ("1.5", 1)]),
+)
 
 
+@pytest.mark.parametrize("scene", [PAPER, DAMPED, FORCED])
+def test_the_load_that_is_drawn_decides_between_stick_and_slip(scene):
+    curve = sampled(solve(scene))
+    load = curve.load(scene.pair)
+    assert np.all(np.abs(load[curve.stick]) <= curve.b[curve.stick] * (1 + 1e-9))
+    assert np.abs(load[~curve.stick]).max() > curve.b.max()
+
+
+@pytest.mark.parametrize("how", HOW[:1] + HOW[2:])
+def test_what_is_drawn_under_a_force_is_the_trajectory(how):
+    run = solve(FORCED, **how)
+    curve, number = sampled(run), run.arithmetic.to_float
+    assert len(set(curve.segment)) == len(run.segments) >= 3
+    inside = (curve.segment[2:] == curve.segment[:-2]) & (np.diff(curve.t)[1:] > 1e-9)
+    for at in 1 + np.flatnonzero(inside)[::29]:
+        t = min(float(curve.t[at]), number(run.end_time))
+        assert curve.y[:, at] == pytest.approx([number(one) for one in run.sol(t)], abs=1e-10)
+        assert curve.stick[at] == (run.mode_at(t, "left") is Mode.STICK)
+    assert (np.abs(np.diff(curve.u)).max() == pytest.approx(9, rel=0.05)) == run.reached  # the trapezoid falls at once
+    if run.reached:
+        ends = [number(one) for one in (run.ledger.friction, run.ledger.viscous)]
+        assert curve.lost[:, -1] == pytest.approx(ends, rel=1e-3)
+
+
+@settings(max_examples=25)
 @given(forces(), frictions())
-@example(Force.trapezoid("0.5", "0.25", 1, 0, 3) + Force.sine(2, 5, "0.3"), Friction([(1, "0.25"), ("1.5", 1)]))
+@example(FORCED.force, FORCED.friction)
 @example(Force([Piece(2, (0, 1, -2))]), Friction())
 def test_force_and_friction_are_drawn_as_they_are(force, friction):
-    scene, t = Scene(PAPER.pair, PAPER.initial, 3, force=force, friction=friction), np.linspace(0, 3, 97)
-    wanted = np.array([float(force(Fraction(float(one)))) for one in t])
-    assert force_on(scene, t) == pytest.approx(wanted, rel=1e-9, abs=1e-9 * (1 + np.abs(wanted).max()))
-    b = [
-        next((b for start, b in reversed(friction.pieces) if start <= Fraction(float(one))), PAPER.pair.b) for one in t
-    ]
-    assert friction_on(scene, t).tolist() == [float(one) for one in b]
+    scene = Scene(PAPER.pair, PAPER.initial, 3, force=force, friction=friction)
+    for piece in pieces_of(scene):
+        t = float(piece.start) + float(piece.length) * np.linspace(0.1, 0.9, 5)
+        wanted = [float(force(Fraction(float(one)))) for one in t]
+        assert force_of(piece, t) == pytest.approx(wanted, rel=1e-9, abs=1e-9 * (1 + max(map(abs, wanted))))
+
+
+def test_a_forced_overview_shows_the_force_and_its_work():
+    figure = overview_of(FORCED)
+    titles = [ax.get_title() for ax in figure.axes]
+    assert titles[0] == "Force on body 1"
+    labels = [text.get_text() for text in figure.axes[5].get_legend().get_texts()]
+    assert labels == ["work of the force", "energy of the pair", "lost to friction", "lost to viscosity"]
+    work, energy, friction, viscous = (line.get_ydata() for line in figure.axes[5].get_lines())
+    assert work + energy[0] == pytest.approx(energy + friction + viscous)
+    assert work[-1] == pytest.approx(solve(FORCED).ledger.work, rel=1e-3)
