@@ -8,12 +8,12 @@ from numerics.scene.file import load_scene
 from numerics.trade.euler import EulerFigure, euler_figure
 
 SCENES = {
-    "3 (a)": "start-at-6mm",
-    "3 (b), and 4 (b) with b = 0.5 N": "start-with-speed",
-    "4 (a), and 4 (b) with b = 0.05 N": "velocities",
-    "4 (b) with b = 0.2 N": "relative-motion-b02",
-    "5 (a)": "itinerary-that-merges",
-    "5 (b)": "itinerary-that-creeps",
+    "4 (a)": "start-at-6mm",
+    "4 (b), and 5 (b) with b = 0.5 N": "start-with-speed",
+    "5 (a), and 5 (b) with b = 0.05 N": "velocities",
+    "5 (b) with b = 0.2 N": "relative-motion-b02",
+    "3 (a)": "itinerary-that-merges",
+    "3 (b)": "itinerary-that-creeps",
 }
 """The shipped scene that a figure of the paper shows."""
 

@@ -59,11 +59,10 @@ def _events(trade: RecordedTrade) -> Iterator[str]:
     verdicts = {peer: [one.right for one in trade.runs if one.contender == peer] for peer in peers}
     always = [peer for peer in peers if all(verdicts[peer])]
     if peers:
+        which = f"only {listed(always)}" if always else "none of the other tools"
         yield (
-            f"Of {len(peers)} uses of other tools {len(always)} "
-            f"{'has' if len(always) == 1 else 'have'} the events right on every scene at every setting"
-            + (f": {listed(always)}." if always else ".")
-        )
+            f"Of {len(peers)} ways to use other tools, " if always else "Of all scenes and settings that were tried, "
+        ) + f"{which} {'has' if len(always) < 2 else 'have'} the events right everywhere."
 
 
 def _steps(figures: Sequence[EulerFigure]) -> Iterator[str]:

@@ -34,8 +34,8 @@ def _energy(energies: Sequence[StickEnergy]) -> Iterator[Block]:
     if ratios:
         text += (
             f" Where $v_1$ and $v_2$ at first differ by {step_text(float(NUDGE))} m/s it chatters instead, and the "
-            f"friction of the chatter takes energy back: the ratio is then between {min(ratios):.5f} and {max(ratios):.5f}. An energy that "
-            "looks right says nothing about the run."
+            f"friction of the chatter takes energy back: the ratio is then between {min(ratios):.5f} and {max(ratios):.5f}. So an energy that looks right does not "
+            "mean that the run is."
         )
     yield Paragraph(text)
     rows = tuple(
@@ -53,16 +53,16 @@ def _energy(energies: Sequence[StickEnergy]) -> Iterator[Block]:
     yield Table(
         ("step (s)", f"{ratio}, $v_1=v_2$ held", "by theory", f"{ratio} in chatter", "sign changes"),
         rows,
-        f"The pair of Fig. 4, stuck for {until} s: exactly the ratios are 1 and there are no sign changes",
+        f"The pair of Fig. 4 (a), stuck for {until} s: exactly the ratios are 1 and there are no sign changes",
     )
 
 
 def _steps(figures: Sequence[EulerFigure]) -> Iterator[Block]:
     tried = figures[0].outcomes
     yield Paragraph(
-        f"Steps from {step_text(tried[0].step)} to {step_text(tried[-1].step)} s were tried over each figure's time; a step counts if all "
-        "finer ones are right, too. An error is the worst of final state (in units of $L$ and $L\\Omega$), last event "
-        "and dissipated energy. “About” marks what is extrapolated from the finest step, as the error goes with the step."
+        f"Steps from {step_text(tried[0].step)} to {step_text(tried[-1].step)} s were tried over each figure's time; a step counts only if all "
+        "finer ones are right too. An error is the worst of final state (in units of $L$ and $L\\Omega$), last event "
+        "and dissipated energy. “About” marks a step finer than all that were tried: the error is taken to shrink with the step."
     )
     rows = tuple(
         (
@@ -95,10 +95,10 @@ def _chatter(figures: Sequence[EulerFigure]) -> Iterator[Block]:
         if (missed := [one.step for one in figure.outcomes if one.chatter == 0])
     ]
     yield Paragraph(
-        "Forward Euler does not stick, it chatters: within the sliding region the sign of $v_1-v_2$ changes back and "
-        "forth, while exactly $v_1-v_2$ stays 0 there."
-        + (" Finer steps give more of it, not less." if all(map(_grows, figures)) else "")
-        + (f" Runs without any have missed all sticking: {listed(none)}." if none else "")
+        "Forward Euler does not stick. It chatters: within the sliding region the sign of $v_1-v_2$ changes back and "
+        "forth, where the exact solution keeps $v_1-v_2=0$."
+        + (" Finer steps give more chatter, not less." if all(map(_grows, figures)) else "")
+        + (f" Runs that never chatter have missed every phase of stick: {listed(none)}." if none else "")
     )
     rows = tuple((f"Fig. {figure.figure}", *(_count(figure, step) for step in shown)) for figure in figures)
     yield Table(

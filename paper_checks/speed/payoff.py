@@ -42,7 +42,7 @@ def _compiled(trade: RecordedTrade) -> Iterator[str]:
         if gain > 0:
             solves = math.ceil(prepared / gain)
             yield (
-                f"Bringing them up (numba's import, compiling or its cache) took up to {time_text(prepared)}: paid "
+                f"To get ready (numba's import, and compiling or its cache) took up to {time_text(prepared)}: that is paid "
                 f"back after {counted(solves, 'such solve', 'such solves')}."
             )
         else:
@@ -89,7 +89,7 @@ def _growth(trade: RecordedTrade) -> Iterator[Table]:
     if rows:
         ratios = [one.x for curve in masses.values() for one in curve] or [1.0]
         low, high = (f"$10^{{{round(math.log10(one))}}}$" for one in (min(ratios), max(ratios)))
-        head = ("method", "an event of a short run", "an event of a long run", "dearest by cheapest mass ratio")
+        head = ("method", "an event of a short run", "an event of a long run", "slowest over fastest mass ratio")
         yield Table(
             head, tuple(rows), f"How cost grows with events, and over mass ratios $m_1/m_2$ from {low} to {high}"
         )

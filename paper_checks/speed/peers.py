@@ -78,15 +78,15 @@ def _lead_row(trade: RecordedTrade, scene: RecordedScene, one: Lead | None) -> t
 
 
 def sequences(trade: RecordedTrade) -> Iterator[Block]:
-    """Yield who has the event sequence right where: ours first, then scene by scene, then the table."""
-    yield Points((_ours(trade), *_scenes(trade)))
+    """Yield who has the event sequence right where, as one table."""
+    yield Paragraph(_ours(trade))
     head = ("who", *(scene.name for scene in trade.scenes))
     rows = tuple(
         (one.label, *(_cell(_runs(trade, one.label, scene.name)) for scene in trade.scenes)) for one in trade.contenders
     )
     caption = (
-        "Settings with the right event sequence, of those that ran to the end; after the colon the most right digits. "
-        "Stopped: at the limit of the measurement. Failed: gave up by itself"
+        "Who has the events right: 2/3 says that two of three settings have them; the number after the colon is the most right "
+        "digits. Stopped: by the time limit of the measurement. Failed: gave up by itself"
     )
     yield Table(head, rows, caption)
 
@@ -109,24 +109,3 @@ def _ours(trade: RecordedTrade) -> str:
     if wrong:
         return f"Ours are wrong in {counted(len(wrong), 'run', 'runs')} of {len(runs)}: {listed(wrong)}."
     return f"Ours have the right event sequence in all {len(runs)} runs."
-
-
-def _scenes(trade: RecordedTrade) -> Iterator[str]:
-    """Say which peers are right always, sometimes and never; scenes with the same answer share a sentence."""
-    same: dict[str, list[str]] = {}
-    if any(not one.ours for one in trade.contenders):
-        for scene in trade.scenes:
-            same.setdefault(_right_peers(trade, scene), []).append(scene.name)
-    for answer, names in same.items():
-        yield f"{listed(names)}: {answer}."
-
-
-def _right_peers(trade: RecordedTrade, scene: RecordedScene) -> str:
-    words = {True: "at every setting", None: "at some settings only", False: "at none"}
-    found: dict[bool | None, list[str]] = {word: [] for word in words}
-    for peer in (one.label for one in trade.contenders if not one.ours):
-        verdicts = {one.right for one in _runs(trade, peer, scene.name) if one.right is not None}
-        if verdicts:
-            found[None if len(verdicts) == 2 else verdicts.pop()].append(peer)
-    parts = [f"{word} {listed(found[answer])}" for answer, word in words.items() if found[answer]]
-    return f"right {'; '.join(parts)}" if parts else "no peer came to an end"

@@ -84,14 +84,15 @@ def curves(trade: RecordedTrade) -> Iterator[Block]:
     """Yield the figures that `figures` draws."""
     names = figures(trade)
     captions = {
-        WORK_PRECISION: "Right digits against time, a panel a scene. Filled: the event sequence is right; hollow: it is "
-        "wrong. Black line: the front, right runs that no other right run beats in both.",
-        GROWTH: "How our cost grows: time of an event against digits with one arb.sin_cos beside it, number of events "
-        "and mass ratio; time of a scene against the size of a batch.",
+        WORK_PRECISION: "One panel for each scene: the further up and to the left, the better. A mark stands for a family of methods and "
+        "shows its best settings. Filled: the events are right; hollow: they are wrong, however many digits agree.",
+        GROWTH: "Time for one event as the digits, the events and the mass ratio grow, beside one sine and cosine; and time for one scene "
+        "of a batch. Flat is good.",
     }
+    titles = {WORK_PRECISION: "Right digits against time", GROWTH: "How our cost grows"}
     yield Heading("The curves")
     for name in names:
-        yield Picture(name, captions[name])
+        yield Picture(name, captions[name], titles[name])
 
 
 def euler_advice() -> Iterator[Block]:

@@ -9,7 +9,7 @@ import re
 import pytest
 from planted_trades import COMPILED, READ, growth, our_runs, planted, record, run
 
-from numerics.trade.figure import draw_growth, draw_trade
+from numerics.trade.figure import draw_growth, draw_trade, families
 from numerics.trade.front import best_front
 from numerics.trade.interface import Wait
 from numerics.trade.plan import trade
@@ -23,6 +23,20 @@ def test_the_shipped_trade_is_read_and_drawn():
     assert all(best_front(found.points(scene)) for scene in found.scenes)
     assert len(draw_trade(found).axes) >= len(found.scenes)
     assert draw_growth(found).axes
+
+
+def test_no_panel_has_more_than_six_marks_each_with_its_name():
+    found = recorded()
+    assert len(set(families(found).values())) <= 6
+    for figure in (draw_trade(found), draw_growth(found)):
+        drawn = [panel for panel in figure.axes if panel.lines]
+        assert drawn
+        for panel in drawn:
+            assert panel.get_title()
+            names = [text.get_text() for text in panel.texts]
+            marks = {(line.get_marker(), line.get_color()) for line in panel.lines if line.get_marker() != "."}
+            assert 1 <= len(marks) <= 6
+            assert len(names) == len(set(names)) >= len(marks)
 
 
 def test_the_shipped_trade_names_no_place_and_no_day():
