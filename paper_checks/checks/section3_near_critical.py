@@ -128,7 +128,7 @@ def exits_near_endpoints(context: Context) -> Finding:
     first_entry = next(one for one in solved(load_scene("velocities")).events if one.kind is EventKind.ENTRY)
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        'Read for large $k$, as the limits before it, the sentence is right; "all" is not: the first entry of the trajectory of '
+        "The sentence is right for all late exits and entries, but not for all of them: the first entry of the trajectory of "
         "Fig. 5 (a) is at $x_1=0.706\\,L$. "
         + EVENTUALLY
         + " Exits are at $x_1=\\pm L$ with $|v_1|=L\\Omega\\sqrt w$; entries at $|x_1|=L(1-\\tfrac32w+\\dots)$ with "

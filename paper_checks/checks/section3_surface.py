@@ -178,11 +178,12 @@ def return_alternatives(context: Context) -> Finding:
     )
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "In $\\Omega_-$ the guard $v_1-v_2$ is negative, so where it reaches 0 its rate $\\Phi_-\\cdot n_S$ is not negative: "
+        "The sentence misses two cases, both at the edges of $S_0$: a trajectory may touch $S$ and go on as before, or cross $S$ "
+        "at a point that is not in $S_\\pm$. In $\\Omega_-$ the guard $v_1-v_2$ is negative, so where it reaches 0 its rate $\\Phi_-\\cdot n_S$ is not negative: "
         "the point has $x_1\\leqslant L$. On $S_-$ both products are positive and the crossing is transversal; the rest is "
-        "$S_0$. But two edges of $S_0$ are no entries: at a point of $\\ell_+$ the trajectory touches $S$ and goes on in "
-        "$\\Omega_-$, and through $\\ell_-$ it crosses into $\\Omega_+$, at a point that is not in $S_-$. In the plane of starts these "
-        "are exceptions; for all others the sentence holds as it stands.",
+        "$S_0$. At a point of $\\ell_+$ the trajectory touches $S$ and goes on in "
+        "$\\Omega_-$, and through $\\ell_-$ it crosses into $\\Omega_+$, at a point that is not in $S_-$. Only "
+        "starts on a curve lead there; for all others the sentence holds as it stands.",
         touches.as_counterexample(),
         turns.as_counterexample(),
         slips.as_counterexample(),

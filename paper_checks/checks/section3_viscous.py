@@ -59,11 +59,10 @@ def viscous_origin_stable(context: Context) -> Finding:
     creeping = solved(load_scene("velocities"))
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The origin is globally asymptotically stable for every $a_1>0$, small or not, and the motion inside $S_0$ is a spiral "
-        'exactly if $a_1<2\\sqrt{a_2(m_1+m_2)}$, which makes "relatively small" precise. But the switching is not similar: '
-        "without a damper whole families stick and slip in turn for ever, with one, however small, every trajectory switches "
-        "finitely often, as it is captured below a level of energy and sticks from there on (see viscous-accelerates). Two "
-        "solutions never move apart, and $E\\to 0$ along every trajectory.",
+        "The origin is stable as the paper says, but the switching is not similar: with a damper, however small, every trajectory "
+        "switches finitely often; without one whole families stick and slip in turn for ever. With a damper a trajectory is captured "
+        "below a level of energy and sticks from there on (see viscous-accelerates). Inside $S_0$ the motion is a spiral exactly if "
+        '$a_1<2\\sqrt{a_2(m_1+m_2)}$, which makes "relatively small" precise. Two solutions never move apart, and $E\\to 0$ along every trajectory.',
         *(item.as_counterexample() for item in never_merges(creeping, "the start of Fig. 5 (a) without a damper")),
         dissipation.captured().as_counterexample(),
         carried("origin", dissipation.comes_to_rest().as_correction()),

@@ -188,8 +188,8 @@ def convergence(context: Context, speed: Fraction = Fraction(15, 100)) -> Findin
     ]
     return conclude(
         Verdict.HOLDS,
-        "For every solution the energy left pays for a finite integral of $|\\dot z|$ only, and $\\dot z$ is Lipschitz continuous, "
-        "so $\\dot z\\to 0$. For all three values of $b$ that takes for ever: after the first exit from $S_0$ the pair sticks and "
+        "Friction takes $b|\\dot z|$ from a finite energy, so the integral of $|\\dot z|$ is finite; as $\\dot z$ is Lipschitz continuous, "
+        "$\\dot z\\to 0$. For all three values of $b$ that takes for ever: after the first exit from $S_0$ the pair sticks and "
         "slips in turn without end, each slip slower than the one before. The state tends to the part $E=E_{cr}$ of $S_0$; "
         "the rest of $\\{\\dot z=0\\}$ is not invariant above that energy. Under (11)–(12) read literally $\\dot z=0$ from the first "
         "contact on.",

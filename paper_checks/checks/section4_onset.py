@@ -189,9 +189,9 @@ def example_damped_oscillations(_: Context) -> Finding:
     own_rate = derivative_along(slip(1).field, own_energy)
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "While the sign keeps, (14) is an undamped oscillation of body 1 about $\\mp b/200$ and a steady acceleration of "
-        "body 2: no oscillation of $(x_1,\\dot x_1)$ is damped, and when $\\dot x_1$ has the sign of the force friction even "
-        "feeds body 1. It is the total energy that falls, by $b|\\dot z|$, and this synchronises the bodies: $\\dot z\\to 0$ "
+        "As long as $\\dot z$ keeps its sign, (14) is an undamped oscillation of body 1 about $\\mp b/200$ and a steady acceleration of "
+        "body 2: no oscillation of $(x_1,\\dot x_1)$ is damped, and while body 1 moves the way in which friction "
+        "pushes it, it gains energy. It is the total energy that falls, by $b|\\dot z|$, and this synchronises the bodies: $\\dot z\\to 0$ "
         "and $x_1-x_2\\to\\mathrm{const}$ hold for every initial state (Filippov law; see "
         "synchronisation-all-parameters and relative-displacement-limit).",
         *(amplitude_is_constant(sign).as_counterexample() for sign in (1, -1)),

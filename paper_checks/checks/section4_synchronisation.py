@@ -59,7 +59,7 @@ def synchronisation_time(
         f"from {begins} s to {ends} s, again from {again} s, and so on for ever: no time of lasting synchronisation exists, and "
         f"$\\dot z\\to 0$ only as $t\\to\\infty$. Under (11)–(12) read literally they stick for ever, but from {first_contact(friction)} s on. "
         f"Forward Euler with steps of $10^{{-4}}$ s or $2\\cdot 10^{{-4}}$ s misses the first adhesion and first sticks at {euler} s "
-        "(see euler-reproduces-figures): the printed time may be an effect of the step.",
+        "(see euler-reproduces-figures): the printed 4.7 s may come from such a step.",
         *(item.as_counterexample() for item in counterexample),
         carried(
             "adheres",

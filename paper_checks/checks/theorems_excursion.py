@@ -62,9 +62,9 @@ def excursion_closed_form(context: Context) -> Finding:  # noqa: ARG001
         exits_twice_by(Fraction(1, 5), Fraction(1, 10), same=False),
         exits_twice_by(Fraction(1, 5), Fraction(15), same=True),
         derivation=(
-            "In $\\theta=\\tau/\\sqrt q$ the slip from $X=1+q\\,d$, $V_1=V_2=\\sqrt q\\,u$ is "
-            "$$X=1-q+q\\bigl((1+d)\\cos\\theta+u\\sin\\theta\\bigr),\\quad V_2=\\sqrt q\\,(u-\\theta).$$",
-            "$$\\frac{V_1-V_2}{\\sqrt q\\,(1-\\cos\\theta)}=h(\\theta)-d\\cot\\frac{\\theta}{2}-u$$",
+            "In $\\theta=\\tau/\\sqrt q$ the slip from $X=1+q\\,d$, $V_1=V_2=\\sqrt q\\,\\nu$ is "
+            "$$X=1-q+q\\bigl((1+d)\\cos\\theta+\\nu\\sin\\theta\\bigr),\\quad V_2=\\sqrt q\\,(\\nu-\\theta).$$",
+            "$$\\frac{V_1-V_2}{\\sqrt q\\,(1-\\cos\\theta)}=h(\\theta)-d\\cot\\frac{\\theta}{2}-\\nu$$",
             "$$X'=1-q\\,c(\\theta),\\qquad V'=\\sqrt q\\,(h-\\theta),\\qquad w'=q\\,(h^2-r\\,c^2)\\qquad\\text{from a ray.}$$",
             "Both cases occur: the same ray for $q<q_v$ and $\\theta_b<\\theta<\\theta_c$ (merging-set), a crossing for $\\theta>\\theta_c$.",
         ),

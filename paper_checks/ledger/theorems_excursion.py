@@ -46,9 +46,9 @@ EXCURSIONS = (
         "excursion-closed-form",
         clause(
             "contact",
-            r"Every slip that starts on $S$, mirrored to $x_1=L(1+q\,d)$, $v_1=v_2=L\Omega\sqrt q\,u$ with $d\geqslant 0$, "
-            r"$v_1<v_2$ (and $u>0$ if $d=0$), ends at the one angle $\theta=\sqrt{a/m_1}\,t\in(0,2\pi)$ with «contact», «rise».",
-            contact=in_angle("u", H - gap * sp.cot(theta / 2), lambda: sp.solve(contact_condition(), push)[0]),
+            r"Every slip that starts on $S$, mirrored to $x_1=L(1+q\,d)$, $v_1=v_2=L\Omega\sqrt q\,\nu$ with $d\geqslant 0$, "
+            r"$v_1<v_2$ (and $\nu>0$ if $d=0$), ends at the one angle $\theta=\sqrt{a/m_1}\,t\in(0,2\pi)$ with «contact», «rise».",
+            contact=in_angle(r"\nu", H - gap * sp.cot(theta / 2), lambda: sp.solve(contact_condition(), push)[0]),
             rise=Formula("h", "=", (theta - sp.sin(theta)) / (1 - sp.cos(theta)), equals(h)),
             kernel=("gap-slip",),
         ),
@@ -56,7 +56,7 @@ EXCURSIONS = (
             "landing",
             r"There «gap», «push», «loss» with «depth», $q=m_1/M$, $r=m_2/M$, $M=m_1+m_2$, $w=E/E_{cr}-1$.",
             gap=in_angle("d'", -(gap + C), lambda: landing().gap),
-            push=in_angle("u'", push - theta, lambda: landing().push),
+            push=in_angle(r"\nu'", push - theta, lambda: landing().push),
             loss=in_angle("w'-w", -q * R * C * (C + 2 * gap), lambda: landing().excess_change),
             depth=Formula("c", "=", 2 - theta * sp.cot(theta / 2), equals(depth)),
             kernel=("gap-slip",),

@@ -48,7 +48,7 @@ class HtmlWriter:
 
     def text(self, text: str) -> str:
         """Return a text as HTML phrasing content; code that names an anchor links to it."""
-        return blocks.with_code(text, mathematics.html, self._code)
+        return blocks.with_code(blocks.with_links(text, self._anchors), mathematics.html, self._code)
 
     def _code(self, code: str) -> str:
         shown = f"<code>{_breakable(code)}</code>"

@@ -47,7 +47,7 @@ class LatexWriter:
 
     def text(self, text: str) -> str:
         """Return a text as LaTeX source."""
-        return blocks.with_code(text, mathematics.latex, self._code)
+        return blocks.with_code(blocks.with_links(text, self._anchors), mathematics.latex, self._code)
 
     def _code(self, code: str) -> str:
         """Return code in typewriter, that may be broken at its hyphens; two of them must not join to a dash."""

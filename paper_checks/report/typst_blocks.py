@@ -51,7 +51,7 @@ class TypstWriter:
 
     def text(self, text: str) -> str:
         """Return a text as typst markup."""
-        return blocks.with_code(text, self._prose, self._code)
+        return blocks.with_code(blocks.with_links(text, self._anchors), self._prose, self._code)
 
     def _prose(self, text: str) -> str:
         return "".join(self._piece(kind, content) for kind, content in pieces(text))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import logging
 
 import matplotlib as mpl
 from matplotlib.figure import Figure
@@ -19,6 +20,7 @@ def svg(figure: Figure) -> str:
 
 def pdf(figure: Figure) -> bytes:
     """Return the figure as a PDF file's bytes."""
+    logging.getLogger("fontTools").setLevel(logging.ERROR)  # it warns of the age of matplotlib's own fonts
     with mpl.rc_context({"pdf.fonttype": 42}):
         return _saved(figure, "pdf", _NO_PDF_METADATA)
 

@@ -43,7 +43,7 @@ def angle_of_excursion() -> tuple[Evidence, ...]:
     at_zero, at_full_turn = h_limits()
     return (
         vanishes(
-            r"the guard is $(1-\cos\theta)(h(\theta)-u)$, $h=\frac{\theta-\sin\theta}{1-\cos\theta}$: its double root at "
+            r"the guard is $(1-\cos\theta)(h(\theta)-\nu)$, $h=\frac{\theta-\sin\theta}{1-\cos\theta}$: its double root at "
             "the start divided out",
             guard_of_u() - (1 - sp.cos(theta)) * (h() - h_value),
         ),

@@ -39,7 +39,7 @@ def contact() -> Evidence:
     """The guard with its root at the start divided out."""
     return stating(
         vanishes(
-            r"the guard is $\sqrt q\,(1-\cos\theta)\,(h(\theta)-d\cot(\theta/2)-u)$: its root at the start is divided out, and the "
+            r"the guard is $\sqrt q\,(1-\cos\theta)\,(h(\theta)-d\cot(\theta/2)-\nu)$: its root at the start is divided out, and the "
             "slip ends at the first zero of the last factor",
             guard_residual(),
         ),
@@ -64,7 +64,7 @@ def one_contact() -> tuple[Evidence, ...]:
         Evidence(
             EvidenceKind.EXACT,
             "sympy",
-            r"from $-\infty$ (from $-u<0$, if $d=0$) at $\theta=0$ to $\infty$ at $\theta=2\pi$: one zero, and there only the guard ends",
+            r"from $-\infty$ (from $-\nu<0$, if $d=0$) at $\theta=0$ to $\infty$ at $\theta=2\pi$: one zero, and there only the guard ends",
             (at_zero, at_turn) == (-sp.oo, sp.oo),
             2,
             "both limits at d = 1 are unbounded with these signs"

@@ -33,16 +33,16 @@ LARGEST = sp.pi**2 / 4
 """w/q of the excursion of slip angle pi: proved by `largest_excess`, used by `starts_below`."""
 
 ARGUMENT = (
-    "On an exit ray the state is one number, the excess energy $w=E/E_{cr}-1>0$. With $u=\\sqrt{w/q}$ the slip that "
-    "starts there ends at the angle $\\theta=\\sqrt{a_2/m_1}\\,t$ for which $h(\\theta)=u$, where "
+    "On an exit ray the state is one number, the excess energy $w=E/E_{cr}-1>0$. With $\\nu=\\sqrt{w/q}$ the slip that "
+    "starts there ends at the angle $\\theta=\\sqrt{a_2/m_1}\\,t$ for which $h(\\theta)=\\nu$, where "
     "$$h(\\theta)=\\frac{\\theta-\\sin\\theta}{1-\\cos\\theta}$$ increases from $0$; so $\\theta<\\pi$ while "
     "$w<q\\,h(\\pi)^2=q\\pi^2/4$.",
     "The excess $w'$ after the slip increases with $\\theta$ from $0$ if $m_2\\leqslant m_1$: $w'>0$, and $w'<w$ as a "
     "slip dissipates. For $\\theta\\leqslant\\pi$ the slip ends inside $S_0$, since $0<1-X<2q<2$ there.",
     "With $w'>0$ the pair sticks along an arc of $E=E_0>E_{cr}$ until it reaches a ray, after less than half a period, "
     "and leaves by it with $w'<w<q\\pi^2/4$: the same again, without end.",
-    "During a slip $|V_1-V_2|=\\sqrt q\\,\\bigl(u(1-\\cos\\theta)-(\\theta-\\sin\\theta)\\bigr)$, largest where "
-    "$\\tan(\\theta/2)=u$: $$\\max|\\dot z|=2\\sqrt q\\,(u-\\arctan u)\\,L\\Omega,\\qquad "
+    "During a slip $|V_1-V_2|=\\sqrt q\\,\\bigl(\\nu(1-\\cos\\theta)-(\\theta-\\sin\\theta)\\bigr)$, largest where "
+    "$\\tan(\\theta/2)=\\nu$: $$\\max|\\dot z|=2\\sqrt q\\,(\\nu-\\arctan\\nu)\\,L\\Omega,\\qquad "
     "L\\Omega=\\frac{b\\,(m_1+m_2)}{a_2m_2}\\sqrt{\\frac{a_2}{m_1+m_2}},$$ which falls from slip to slip with $w$.",
 )
 
@@ -106,7 +106,7 @@ def largest_relative_speed() -> Evidence:
     at = {theta: 2 * sp.atan(h_value)}
     rational = [sp.simplify(sp.expand_trig(one.subs(at))) for one in (sp.diff(guard_of_u(), theta), guard_of_u())]
     return identity(
-        r"$(V_1-V_2)/\sqrt q$ is stationary at $\theta=2\arctan u$, with the value $-2(u-\arctan u)$",
+        r"$(V_1-V_2)/\sqrt q$ is stationary at $\theta=2\arctan\nu$, with the value $-2(\nu-\arctan\nu)$",
         sp.Matrix(rational),
         sp.Matrix([0, -2 * (h_value - sp.atan(h_value))]),
     )

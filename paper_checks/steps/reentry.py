@@ -50,7 +50,7 @@ def margin_at(angle: arb) -> arb:
 def push_after() -> tuple[Evidence, ...]:
     """What a slip that crosses hands on to the next one."""
     return (
-        identity(r"with $k=\cot(\theta/2)$, $D=d+c$ the slip ends with $u'=\theta-u=h+k\,D$", next_push_residual()),
+        identity(r"with $k=\cot(\theta/2)$, $D=d+c$ the slip ends with $\nu'=\theta-\nu=h+k\,D$", next_push_residual()),
         identity(r"$(h+2k/q)'=(c-2/q)(1+k^2)/2$", falling_part_residual()),
     )
 
@@ -110,7 +110,7 @@ def alternate() -> Evidence:
         ),
         identity(r"which rises with $\theta$ at the rate $h\,(-k-\kappa_c)$", long_to_short_slope_residual()),
         identity(r"from $P$ at $\theta=\theta_c$", long_margin_residual()),
-        identity(r"$u'-\kappa_c e=(h+2k/q)+(k-\kappa_c)\,e$ with the gap $e=D-2/q$", push_residual()),
+        identity(r"$\nu'-\kappa_c e=(h+2k/q)+(k-\kappa_c)\,e$ with the gap $e=D-2/q$", push_residual()),
         identity(r"$h+2k/q$ is $h(\theta_c)+P$ at $2\pi-\theta_c$", short_margin_residual()),
     )
 

@@ -118,6 +118,8 @@ def test_ids_that_are_mentioned_are_links(rows):
     found = document(rows)
     writer = html.HtmlWriter({}, found.anchors)
     assert writer.text("see `energy-rate`") == 'see <a href="#energy-rate"><code>energy-<wbr>rate</code></a>'
+    assert writer.text("(see energy-rate)") == f"({writer.text('see `energy-rate`')})"
+    assert writer.text("an energy-rate-like, no-such-row") == "an energy-rate-like, no-such-row"
     assert "<a" not in writer.text("see `no-such-row`")
 
 

@@ -1,6 +1,7 @@
 """What the page is made of: its font, its colours in the dark, its graph, its notation, its provenance."""
 
 import re
+from pathlib import Path
 
 import pytest
 from fontTools.ttLib import TTFont
@@ -97,3 +98,5 @@ def test_a_file_is_the_source_or_it_is_not(tmp_path):
     other.write_text("\\title{Another paper}")
     assert not source.is_the_source(other)
     assert re.fullmatch("[0-9a-f]{64}", source.SHA256)
+    citation = Path(__file__).parents[2] / "CITATION.cff"
+    assert all(text in citation.read_text(encoding="utf-8") for text in (source.SHA256, source.TITLE))
