@@ -1,0 +1,117 @@
+"""The scenes of tests/forced in every arithmetic: right to the digits asked, or refused where that is right.
+
+The answers come from tests/forced_reference.py, which shares nothing with the solver.
+"""
+
+import json
+from decimal import Decimal, localcontext
+from time import process_time
+
+import pytest
+from forced.regenerate import ANSWERS, HERE
+
+from numerics.errors import EventUndecided, NumericsError
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
+from numerics.solver.truth import record as as_record
+
+ANSWER = json.loads(ANSWERS.read_text("utf-8"))
+WAYS = {
+    "ball": {"arithmetic": "ball", "digits": 40},
+    "mpmath": {"arithmetic": "mpmath", "digits": 40},
+    "float64": {"arithmetic": "float64"},
+}
+DIGITS = {"ball": 38, "mpmath": 30, "float64": 9}
+EVENTS = {"ball": 151, "mpmath": 101, "float64": 10_000}
+"""Under which caps: of the scenes with very many events the first ones will do."""
+SIGNS = {"stick": "0", "slip+": "+", "slip-": "-"}
+NAMES = ("t", "x1", "v1", "x2", "v2")
+SECONDS = 30
+UNDECIDABLE = "touches-at-irrational-times"
+# a touch that only exact numbers tell from a crossing
+TOUCHES = {UNDECIDABLE, "load-touches-the-edge", "load-touches-to-fourth-order"}
+# next to a tie by less than a float can tell, or terms 1e9 times what they come to
+TOO_NEAR = {
+    "sine-barely-above-threshold",
+    "sine-just-above-threshold",
+    "jump-just-before-contact",
+    "jump-just-after-contact",
+    "reversal-just-before-contact",
+    "tiny-omega",
+}
+BEYOND = {"ball": {UNDECIDABLE}, "mpmath": TOUCHES, "float64": TOUCHES | TOO_NEAR}
+
+
+def outcome(name, way):
+    """The trajectory and its record, or the typed error."""
+    try:
+        return solved(name, way)
+    except NumericsError as error:
+        return error
+
+
+def solved(name, way):
+    found = solve(load_scene(HERE / "scenes" / f"{name}.toml"), max_events=EVENTS[way], **WAYS[way])
+    return found, as_record(found)
+
+
+def compare(found, record, truth, digits, way):
+    """Every event and, if it was reached, the end, right to so many digits of its scale.
+
+    What is printed lies within the radius of a ball, and is right up to its last digit in float64.
+    """
+    got = [*record["events"], record["final"]]
+    right = [(one["n"], one["row"], one["cause"]) for one in truth["events"] if one["n"] < len(record["events"])]
+    if found.reached:
+        right.append((len(got) - 1, truth["final"], None))
+    numbers = [(event.t, *event.y) for event in found.events] + [(found.end_time, *found.final_state)]
+    with localcontext() as context:
+        context.prec, context.Emin, context.Emax = 120, -(10**6), 10**6
+        columns = list(zip(*([Decimal(one) for one in row] for _, row, _ in right), strict=True))
+        sizes = [max(map(abs, column)) for column in columns]
+        far, fast = max(sizes[1], sizes[3]), max(sizes[2], sizes[4])
+        for n, row, cause in right:
+            assert cause in {None, "both", got[n].get("cause")}
+            for k, (name, text, scale) in enumerate(zip(NAMES, row, (0, far, fast, far, fast), strict=True)):
+                printed, two = Decimal(got[n][name]), Decimal(text)
+                size = max(abs(two), scale)
+                one = Decimal(float(numbers[n][k])) if way == "float64" else printed
+                assert abs(one - two) <= Decimal(10) ** -digits * size, (n, name, one, two)
+                off, slack = abs(printed - two), Decimal("1e-59") * size
+                if way == "ball":
+                    assert off <= Decimal(got[n][f"{name}_radius"]) + slack, (n, name, printed, two)
+                if way == "float64":
+                    assert off <= Decimal((0, (1, 5), printed.as_tuple().exponent - 1)) + slack, (n, name, printed, two)
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("name", ANSWER)
+def test_right_to_the_digits_asked_or_refused(name, way):
+    began = process_time()
+    answer = outcome(name, way)
+    if isinstance(answer, NumericsError):
+        assert type(answer) is EventUndecided
+        assert name in BEYOND[way]
+        assert str(answer).isprintable()
+        return
+    found, record = answer
+    assert process_time() - began < SECONDS
+    last = record["events"][-1]["to"] if record["events"] else record["final"]["mode"]
+    modes = "".join(SIGNS[event["from"]] for event in record["events"]) + SIGNS[last]
+    assert modes == ANSWER[name]["modes"][: len(modes)]
+    assert found.reached == (len(modes) == len(ANSWER[name]["modes"]))
+    compare(found, record, ANSWER[name], DIGITS[way], way)
+
+
+@pytest.mark.parametrize("name", ["sine-stick-slip", "many-causes", "tie-by-second-derivative-slips"])
+def test_a_wrong_answer_is_seen(name):
+    """The comparison can fail: by one unit in the 37th digit, by a radius too small, by an exchanged cause."""
+    found, record = solved(name, "ball")
+    truth = json.loads(json.dumps(ANSWER[name]))
+    truth["final"][1] = str(Decimal(truth["final"][1]) * (1 + Decimal("1e-37")))
+    with pytest.raises(AssertionError):
+        compare(found, record, truth, DIGITS["ball"], "ball")
+    record["final"]["x1_radius"] = "0"
+    record["final"]["x1"] = record["final"]["x1"][:45]
+    with pytest.raises(AssertionError):
+        compare(found, record, ANSWER[name], 30, "ball")
