@@ -7,8 +7,9 @@ from itertools import product
 from pathlib import Path
 from typing import NamedTuple
 
-from numerics import Pair, Scene, State
+from numerics import Force, Pair, Scene, State
 from numerics.scene.file import load_scene
+from numerics.scene.pieces import Piece, Sine
 from paper_checks.explore.scenes import reduced
 
 GRID = [
@@ -25,7 +26,16 @@ TIES = [
     for ratio in ("1", "1/4")
     for x, v in (("1", "0"), ("-1", "0"), ("1", "0.001"), ("1", "-0.25"), ("-1", "-2"), ("-1", "1"), ("1.2", "0"))
 ]
-UNTIL = Fraction(60)
+DRIVEN = [
+    (Fraction(ratio), Fraction(zeta), *(Fraction(one) for one in start), *(Fraction(one) for one in force))
+    for ratio, zeta, start, force in product(
+        ("1/3", "1", "4"),
+        ("0", "0.05", "3/2"),
+        (("0", "3", "0"), ("2.5", "-1", "-1")),
+        (("0", "1.5", "0.7"), ("0", "3", "1"), ("0.4", "-8", "2.3")),
+    )
+]
+UNTIL = Fraction(40)
 
 
 class Answer(NamedTuple):
@@ -43,34 +53,33 @@ class Answer(NamedTuple):
 
 @dataclass(frozen=True)
 class GridScene:
-    """A scene of the grid: mass ratio m1/m2, damping ratio, X, V1, V2, and the reading of the law."""
+    """A scene of the grid: mass ratio m1/m2, damping ratio, X, V1, V2, the force over b, and the reading of the law."""
 
     ratio: Fraction
     zeta: Fraction
     X: Fraction
     V1: Fraction
     V2: Fraction
+    constant: Fraction = Fraction(0)
+    amplitude: Fraction = Fraction(0)
+    omega: Fraction = Fraction(1)
     literal: bool = False
 
     def for_page(self) -> dict[str, float | bool]:
-        numbers = {name: float(getattr(self, name)) for name in ("ratio", "zeta", "X", "V1", "V2")}
-        return numbers | {
-            "constant": 0.0,
-            "amplitude": 0.0,
-            "omega": 1.0,
-            "until": float(UNTIL),
-            "literal": self.literal,
-        }
+        numbers = {name: float(value) for name, value in asdict(self).items() if name != "literal"}
+        return numbers | {"until": float(UNTIL), "literal": self.literal}
 
     def scene(self) -> Scene:
         """The pair with L = Omega = M = 1: its SI numbers are the reduced ones."""
         q = self.ratio / (1 + self.ratio)
         pair = Pair(q, 1 - q, 1, 1 - q, 2 * self.zeta)
         law = "three-valued-sgn" if self.literal else "filippov"
-        return Scene(pair, State(self.X, self.V1, 0, self.V2), UNTIL, law)
+        force = Force([Piece(0, [pair.b * self.constant], [Sine(pair.b * self.amplitude, self.omega)])])
+        driven = force if self.constant or self.amplitude else Force()
+        return Scene(pair, State(self.X, self.V1, 0, self.V2), UNTIL, law, force=driven)
 
 
-SCENES = [GridScene(*row) for row in (*GRID, *TIES)] + [
+SCENES = [GridScene(*row) for row in (*GRID, *TIES, *DRIVEN)] + [
     GridScene(*GRID[0], literal=True),
     GridScene(*TIES[-1], literal=True),
 ]

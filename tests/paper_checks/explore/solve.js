@@ -13,8 +13,8 @@ const mirrored = (scene) => {
   return { ...scene, ...Object.fromEntries(turned) };
 };
 const each = (text) => ({
-  free: SCENES.map((scene) => tried(made(text), scene)),
-  forced: FORCED.map((scene) => tried(made(text), scene)),
+  grid: SCENES.map((scene) => tried(made(text), scene)),
+  catalogue: FORCED.map((scene) => tried(made(text), scene)),
   mirrored: FORCED.map((scene) => tried(made(text), mirrored(scene))),
 });
 return { right: each(PROGRAM), faulty: FAULTY.map(each) };
