@@ -135,7 +135,13 @@ CONTROL = [
         "a smaller push before the middle",
     ),
     ("Transfer", "-> b + be * tau / g tau <= F.", "-> 2 * b + be * tau / g tau <= F.", "more than the least amplitude"),
-    ("Arrival", "half_time m2 b D <= PI / 2.", "half_time m2 b D <= PI.", "the least amplitude beyond a quarter swing"),
+    ("Arrival", "in th <= PI / 2 ->", "in th <= PI ->", "the least amplitude beyond a quarter swing"),
+    (
+        "Arrival",
+        "<-> b + b / m2 * half_time m2 b D / g (half_time m2 b D) <= F. Proof",
+        "<-> b + b / m2 * half_time m2 b D / g (half_time m2 b D) < F. Proof",
+        "the least amplitude not enough",
+    ),
     ("Ring", "<= e <-> T <= t)) /\\", "<= e <-> T < t)) /\\", "a tube without its edge"),
     (
         "Ring",

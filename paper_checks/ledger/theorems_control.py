@@ -89,6 +89,7 @@ TRANSFER = theorem(
         r"impulse, not fall on $[0,\tau]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2\tau$ under some $|u|\leqslant U$ exactly if "
         r"$U\geqslant U_{min}$, «least» with $g=g(\tau)$. Body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
         least=Formula("U_{min}", "=", b + b * half_time / (m2 * RESPONSE), equals(control.slipping_amplitude)),
+        kernel=("least-amplitude", "rest-to-rest"),
     ),
     clause(
         "slip-undamped",
@@ -96,7 +97,7 @@ TRANSFER = theorem(
         undamped=Formula(
             "U_{min}", "=", b + b * m1 / m2 * angle / sp.sin(angle), equals(control.undamped_slipping_amplitude)
         ),
-        kernel=("least-amplitude",),
+        kernel=("least-amplitude-undamped",),
     ),
     clause(
         "weak",

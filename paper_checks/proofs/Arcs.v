@@ -70,12 +70,13 @@ Proof.
   intros u Hu. symmetry. apply join_after; lra.
 Qed.
 
-(** a right derivative of size at most 1 on [r, t) *)
-Lemma lip_between f f' r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u (f' u) /\ -1 <= f' u <= 1) ->
-  Rabs (f t - f r) <= t - r.
+(** a right derivative of size at most K on [r, t) *)
+Lemma lip_between f f' K r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t ->
+  rderiv f u (f' u) /\ - K <= f' u <= K) ->
+  Rabs (f t - f r) <= K * (t - r).
 Proof.
-  intros C Hr F. replace (t - r) with (1 * (t - r)) by ring. apply Rabs_le. split.
-  - cut (-1 * f t - -1 * f r <= 1 * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
+  intros C Hr F. apply Rabs_le. split.
+  - cut (-1 * f t - -1 * f r <= K * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
     intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|apply rderiv_scal; eauto]. lra.
   - apply (dini_slope f); auto. intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|eauto]. lra.
 Qed.
@@ -153,7 +154,8 @@ Proof.
     apply L; lra. }
   assert (First : forall r t, 0 <= r <= t -> t <= T -> Rabs (m2 / b * join T V2 w2 t - m2 / b * join T V2 w2 r) <= t -
     r).
-  { intros r t Hr Ht. apply (lip_between (fun t => m2 / b * join T V2 w2 t) g); auto using cont_scal.
+  { intros r t Hr Ht. rewrite <- (Rmult_1_l (t - r)). apply (lip_between (fun t => m2 / b * join T V2 w2 t) g);
+    auto using cont_scal.
     intros q Hq. split; [apply Early; lra|]. apply Law; lra. }
   constructor; auto using cont_join.
   - intros r t Hr. destruct (Rle_dec t T); [apply First; auto|]. destruct (Rle_dec T r); [apply Second; lra|].

@@ -98,7 +98,15 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "least-amplitude": (
         "Arrival.least_amplitude",
-        "a1 = 0, theta = omega1 tau <= pi/2: that takes exactly the amplitude b + m1 beta theta/sin theta.",
+        "That takes exactly b + beta tau/g(tau), g' >= 0 up to tau.",
+    ),
+    "least-amplitude-undamped": (
+        "Arrival.least_amplitude_undamped",
+        "a1 = 0, theta = omega1 tau <= pi/2: exactly b + m1 beta theta/sin theta.",
+    ),
+    "rest-to-rest": (
+        "Arrival.rest_to_rest",
+        "With that amplitude both bodies can be at rest then, if the stuck pair may brake with it in the second half.",
     ),
     "tolerance-ring": (
         "Ring.ring",
