@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Final
@@ -22,8 +23,10 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.arithmetic.telling import Telling, can_compile
 from numerics.batch.answer import Batch
 from numerics.batch.batch import solve_many
+from numerics.errors import EventUndecided
 from numerics.motion.begin import begin, in_halves, si_numbers
 from numerics.run.families import run_telling
+from numerics.run.forced_loop import run_forced
 from numerics.run.one import scene_row
 from numerics.run.row import solve_row, solve_start
 from numerics.scene import Law, Pair, Scene, State
@@ -101,6 +104,10 @@ class Ours:
         """Bring up compiled code, where there is any, and return the call."""
         if self.knob == "bits" and not scene.is_forced:
             looked_at(inside(FLOAT64, True)(scene, setting)().trajectory())
+        elif self.knob == "bits" and can_compile():
+            FLOAT64.compiled(run_forced)  # `solve` takes it from then on
+            with suppress(EventUndecided):
+                self.make(scene, setting)()
         return self.make(scene, setting)
 
     def outcome(self, run: Answer) -> Outcome:

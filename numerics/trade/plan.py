@@ -50,7 +50,7 @@ SIZES = {
         settings=2,
         digits={"mpmath": 100, "ball": 100},
         excursions=300,
-        scenes=("relative-motion-b05", "near-critical-1e-6", "long"),
+        scenes=("relative-motion-b05", "near-critical-1e-6", "long", "forced-stick-slip"),
         limits=Limits(prepare=30, run=0.5, budget=0.02),
         long_run=0.5,
         extent=Extent((10, 100), (10, 100), (1, 100), (-12, 0, 12)),

@@ -83,9 +83,9 @@ def _forced(
 
 
 def benchmarks(excursions: int) -> list[Benchmark]:
-    """Return every scene; the long one with so many excursions."""
+    """Return every scene; the long one with so many excursions. Those under a force come last."""
     near = [near_critical("0.00158", "1e-3"), near_critical("5e-5", "1e-6"), near_critical("5e-8", "1e-12")]
-    return [*paper_scenes(), *near, long_scene(excursions)]
+    return [*paper_scenes(), *near, long_scene(excursions), *forced_scenes()]
 
 
 def of_mass_ratio(ratio: Fraction) -> Benchmark:

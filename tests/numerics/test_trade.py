@@ -364,8 +364,30 @@ class TestScenes:
 
     def test_no_event_falls_on_a_horizon(self):
         for one in scenes.benchmarks(20):
-            times = floats_of(one.scene).times
+            times = (balls_of(one.scene, 15) if one.scene.is_forced else floats_of(one.scene)).times
             assert float(one.scene.until) - times[-1] > 1e-6
+
+
+class TestForced:
+    def test_nobody_is_asked_for_what_it_is_not_made_for(self):
+        free, forced = SCENE, scenes.forced_scenes()[0]
+        for one in all_contenders():
+            assert one.takes(free.scene) or one.takes(forced.scene)
+        both = {one.label for one in all_contenders() if one.takes(free.scene) and one.takes(forced.scene)}
+        assert {READ, BALL, MPMATH} <= both
+        assert all(one.ours for one in all_contenders() if one.label in both)
+
+    def test_under_a_force_our_floats_are_right_by_the_proved_reference(self):
+        scene = scenes.forced_scenes()[0].scene
+        found = judge(floats_of(scene), reference.proved(scene), 40, scene)
+        assert found.right
+        assert found.error < -12
+
+    def test_lost_work_is_seen_under_a_force(self):
+        scene = scenes.forced_scenes()[0].scene
+        truth = reference.proved(scene)
+        short = replace(floats_of(scene), dissipated="0.0028")
+        assert judge(short, truth, 40, scene).energy > -2
 
 
 class TestPlan:
