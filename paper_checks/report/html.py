@@ -38,12 +38,13 @@ def _beside(name: str) -> str:
 
 
 def _head(report: Document, figures: Mapping[str, str]) -> str:
+    body = "<body>" if report.rows else '<body class="short">'
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         '<meta name="color-scheme" content="light dark">\n'
         f"<title>{escape(report.title)}</title>\n"
-        f"<style>\n{font.face()}{colours.rules(figures.values())}{_beside('page.css')}</style>\n</head>\n<body>\n"
+        f"<style>\n{font.face()}{colours.rules(figures.values())}{_beside('page.css')}</style>\n</head>\n{body}\n"
         '<a class="skip" href="#main">Skip to the report</a>'
     )
 

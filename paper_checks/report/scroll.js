@@ -1,11 +1,21 @@
 "use strict";
 // What is wider than its place can be reached and scrolled by keyboard; what fits is no stop on the way.
+let planned = false;
+
 function markScrollable() {
-  for (const element of document.querySelectorAll(".wide, .long, .display")) {
-    if (element.scrollWidth > element.clientWidth + 1) element.tabIndex = 0;
+  planned = false;
+  const all = [...document.querySelectorAll(".wide, .long, .display")];
+  const wider = all.map((element) => element.scrollWidth > element.clientWidth + 1);
+  all.forEach((element, index) => {
+    if (wider[index]) element.tabIndex = 0;
     else element.removeAttribute("tabindex");
-  }
+  });
 }
-addEventListener("resize", markScrollable);
-document.addEventListener("toggle", markScrollable, true);
-document.fonts.ready.then(markScrollable);
+
+function planMarking() {
+  if (!planned) { planned = true; requestAnimationFrame(markScrollable); }
+}
+
+addEventListener("resize", planMarking);
+document.addEventListener("toggle", planMarking, true);
+document.fonts.ready.then(planMarking);
