@@ -165,7 +165,7 @@ clock.addEventListener("input", () => { stop(); go(state.solution.scene.until * 
 part("closer").addEventListener("click", () => view.turn(0, 0, 1.5));
 part("farther").addEventListener("click", () => view.turn(0, 0, 1 / 1.5));
 part("reset").addEventListener("click", view.reset);
-strips.addEventListener("pointerdown", (event) => {
+strips.addEventListener("click", (event) => {
   const share = (event.offsetX - MARGIN.left) / (strips.clientWidth - MARGIN.left - MARGIN.right);
   stop();
   go(share * state.solution.scene.until);
