@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from flint import arb
 
-KEPT_DIGITS = 40
-"""Significant digits of a number that a scene cannot hold exactly."""
+KEPT_DIGITS, TIME_DIGITS = 40, 20
+"""Significant digits of a number that a scene cannot hold exactly, and of a time that a plan may choose."""
 
 
 def rounded(x: arb, digits: int = KEPT_DIGITS) -> Fraction:
@@ -19,4 +19,4 @@ def rounded(x: arb, digits: int = KEPT_DIGITS) -> Fraction:
 def rounded_up(x: arb, digits: int = KEPT_DIGITS) -> Fraction:
     """Return a decimal of so many digits that no point of a positive ball exceeds."""
     near = Decimal(x.upper().str(digits, radius=False))
-    return Fraction(near + Decimal((0, (2,), near.adjusted() + 1 - digits)))
+    return Fraction(near) + Fraction(2) * Fraction(10) ** (near.adjusted() + 1 - digits)

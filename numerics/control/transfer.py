@@ -23,7 +23,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
 from numerics.control.asked import MAX_DIGITS, to_digits
-from numerics.control.rounding import KEPT_DIGITS, rounded, rounded_up
+from numerics.control.rounding import KEPT_DIGITS, TIME_DIGITS, rounded, rounded_up
 from numerics.control.thresholds import cosine_and_sine
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.scene import Force, Pair, Piece, Scene
@@ -181,7 +181,7 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     """Return the transfer that sticks: its exact times are rounded up, its acceleration is exactly D/tau^2."""
     gain = (1 - margin) * pair.b / pair.m2
     exact = Ball.number(far / gain).sqrt()
-    tau = rounded_up(exact)
+    tau = rounded_up(exact, TIME_DIGITS)
     gain = far / tau**2
     go = stuck_piece(pair, Fraction(0), (Fraction(0), Fraction(0), gain))
     stop = stuck_piece(pair, tau, (far / 2, gain * tau, -gain))
@@ -200,8 +200,8 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> F
     """Return the force that lets body 1 run ahead; None if the second half, or holding the place, needs more than U."""
     number, beta = Ball.number, pair.b / pair.m2
     slow = (1 - _MET) * beta
-    tau = rounded((number(2 * far * slow / (beta * (slow + beta)))).sqrt())
-    push = min(most, rounded_up(least * number(1 + _MET)))
+    tau = rounded(number(2 * far * slow / (beta * (slow + beta))).sqrt(), TIME_DIGITS)
+    push = min(most, rounded_up(least * number(1 + _MET), TIME_DIGITS))
     ahead = _run_ahead(pair, number(push - pair.b), number(tau))
     x, v = rounded(ahead), beta * tau
     rest = tau + v / slow

@@ -10,20 +10,20 @@ from matplotlib.figure import Figure
 from numerics.control.transfer import Transfer
 from numerics.motion.modes import Mode
 from numerics.scene.decimals import exact_decimal
-from numerics.solver.solve import solve
 from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE
+from numerics.trajectory.trajectory import Trajectory
 
-_POINTS = 1200
+_POINTS = 500
 
 
-def draw_transfer(found: Transfer) -> Figure:
-    """Return the figure of a transfer that has a scene; solved in float64, which is ample for the eye."""
-    scene, time = found.scene, found.time
-    assert scene is not None
+def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
+    """Return the figure of a transfer and its solved scene."""
+    scene, time = solved.scene, found.time
     assert time is not None
-    solved, pair = solve(scene), scene.pair
+    pair = scene.pair
     t = np.linspace(0, float(scene.until), _POINTS)
-    y, stuck = solved.sol(t), np.array([mode is Mode.STICK for mode in solved.mode_at(t)])
+    y = np.vectorize(solved.arithmetic.to_float, otypes=[float])(solved.sol(t))
+    stuck = np.array([mode is Mode.STICK for mode in solved.mode_at(t)])
     u = np.array([float(scene.force(exact_decimal(float(one), "t"))) for one in t])
     load = float(pair.m2 / pair.mass) * (u - float(pair.a2) * y[0] - float(pair.a1) * y[1])
     friction = np.where(stuck, load, float(pair.b) * np.sign(y[1] - y[3]))

@@ -66,7 +66,7 @@ def tell_transfer(options: argparse.Namespace) -> int:
     if options.plot is not None and solved is not None:
         from numerics.control.transfer_figure import draw_transfer
 
-        write_figure(draw_transfer(found), options.plot)
+        write_figure(draw_transfer(found, solved), options.plot)
     values = {
         "bound": found.bound,
         "time": found.time,

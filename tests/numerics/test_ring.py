@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -64,7 +65,7 @@ def test_the_limit_of_a_creeping_pair_is_that_of_a_long_run():
     run = solve(Scene(scene.pair, scene.initial, 100))
     z = [event.y[0] - event.y[2] for event in run.events[-60::2]]
     for _ in range(8):
-        z = [(a + b) / 2 for a, b in zip(z, z[1:], strict=False)]
+        z = [(a + b) / 2 for a, b in pairwise(z)]
     assert z[-1] == pytest.approx(float(found.centre), abs=1e-10)
 
 
