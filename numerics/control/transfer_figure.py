@@ -21,7 +21,7 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
     scene, time = solved.scene, found.time
     assert time is not None
     pair = scene.pair
-    t = np.linspace(0, float(scene.until), _POINTS)
+    t = float(scene.until) * np.linspace(0, 1 - 1e-12, _POINTS)
     y = np.vectorize(solved.arithmetic.to_float, otypes=[float])(solved.sol(t))
     stuck = np.array([mode is Mode.STICK for mode in solved.mode_at(t)])
     u = np.array([float(scene.force(exact_decimal(float(one), "t"))) for one in t])
