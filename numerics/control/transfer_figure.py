@@ -23,7 +23,8 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
     pair = scene.pair
     t = float(scene.until) * np.linspace(0, 1 - 1e-12, _POINTS)
     y = np.vectorize(solved.arithmetic.to_float, otypes=[float])(solved.sol(t))
-    stuck = np.array([mode is Mode.STICK for mode in solved.mode_at(t)])
+    sticks = np.array([mode is Mode.STICK for mode in solved.modes])
+    stuck = sticks[np.searchsorted(solved.event_times.astype(float), t, side="right")]
     u = np.array([float(scene.force(exact_decimal(float(one), "t"))) for one in t])
     load = float(pair.m2 / pair.mass) * (u - float(pair.a2) * y[0] - float(pair.a1) * y[1])
     friction = np.where(stuck, load, float(pair.b) * np.sign(y[1] - y[3]))

@@ -1,0 +1,224 @@
+"""References and transfers: the planned force against the independent reference, bounds by what no control can do."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import pairwise
+
+import mpmath
+import pytest
+from control_scenes import referred
+from flint import arb
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import decimals
+
+from numerics.arithmetic.ball import Ball
+from numerics.control import transfer as transfers
+from numerics.control.figures import draw_tracking
+from numerics.control.signals import Derivative, largest_size
+from numerics.control.tracking import track
+from numerics.control.transfer import Road, fastest_transfer
+from numerics.errors import InvalidScene
+from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
+from numerics.scene.file import parse_reference
+
+FREE, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 3)
+
+
+def at_rest(pair: Pair) -> Scene:
+    return Scene(pair, State(x2="0.25"), 1)
+
+
+def arrived(found):
+    """x2 less its goal, v1 and v2 at the end, whether it stuck, by the independent reference."""
+    # the slip transfer stays 10^-20 inside its limits: that must not look like a tie
+    run = referred(found.scene, digits=80)
+    with Ball(36).context():
+        start = Ball.number(found.scene.initial.x2 + found.distance)
+        return run.x2 - start, run.v1, run.v2, not run.events and run.mode == 0
+
+
+# transfers
+
+PLANS = [
+    (FREE, {"distance": "0.01"}, Road.STUCK),
+    (DAMPED, {"distance": "-0.01"}, Road.STUCK),
+    (DAMPED, {"distance": "0.01", "margin": "0.25"}, Road.STUCK),
+    (FREE, {"distance": "0.001", "amplitude": "1.08"}, Road.SLIP),
+    (DAMPED, {"distance": "0.001", "amplitude": "1.12"}, Road.SLIP),
+    (FREE, {"distance": "-0.001", "amplitude": "0.5"}, Road.BANG_BANG),
+    (FREE, {"distance": "0.0005", "amplitude": "0.3", "margin": "0.2"}, Road.BANG_BANG),
+]
+
+
+@pytest.mark.parametrize(("pair", "plan", "road"), PLANS)
+def test_a_transfer_arrives_at_rest_by_the_reference(pair, plan, road):
+    found = fastest_transfer(at_rest(pair), **plan)
+    assert found.road is road
+    off, v1, v2, stuck = arrived(found)
+    assert abs(off) < 1e-19
+    assert abs(v1) + abs(v2) < 1e-18
+    assert stuck == (road is not Road.SLIP)
+    if "amplitude" in plan:
+        limit = Fraction(plan["amplitude"])
+        until = float(found.scene.until)
+        assert all(abs(found.scene.force(until * k / 500)) <= float(limit) * (1 + 1e-12) for k in range(500))
+
+
+def test_times_and_amplitudes_are_their_formulas_in_another_arithmetic():
+    found = fastest_transfer(at_rest(DAMPED), "0.001", digits=30)
+    with mpmath.workdps(40):
+        b, m, k, d, a = mpmath.mpf("0.5"), 1, 200, mpmath.mpf("0.001"), 3
+        tau = mpmath.sqrt(d * m / b)
+        path = mpmath.odefun(lambda t, y: [y[1], 1 - k * y[0] - a * y[1]], 0, [0, 0])
+        g = path(tau)[1]  # the velocity after a unit step is the impulse response
+        least = b + b / m * tau / g
+        stuck = max(2 * b + a * tau * b + k * d / 2, k * d)
+        for ball, value in ((found.bound, 2 * tau), (found.least_amplitude, least), (found.stuck_amplitude, stuck)):
+            assert abs(mpmath.mpf(ball.mid().str(35, radius=False)) / value - 1) < mpmath.mpf(10) ** -28
+
+
+@given(decimals(-4, -3, 2), st.integers(1, 9))
+@settings(max_examples=8)
+def test_more_force_is_never_slower(distance, part):
+    """Of the amplitudes for which a transfer is known, none takes longer than a smaller one, none beats the bound."""
+    known = fastest_transfer(at_rest(FREE), distance)
+    times = []
+    for k in range(1, 10):
+        amplitude = Fraction(float(known.stuck_amplitude)) * k / 5 * Fraction(part + 20, 21)
+        found = fastest_transfer(at_rest(FREE), distance, amplitude=amplitude)
+        if found.time is not None:
+            assert not found.time < found.bound
+            times.append(found.time)
+    assert all(not two > one for one, two in pairwise(times))
+
+
+def test_body_1_meets_body_2_just_before_half_time_with_a_thousandth_less():
+    """Below U_min the bodies meet before half time, above it after: the least amplitude is at its edge."""
+    far = Fraction(1, 1000)
+    with Ball(30).context():
+        least = Fraction(float(transfers.least_amplitude(FREE, far)))
+        half = float(Ball.number(far * 2).sqrt())
+    contacts = []
+    for factor in ("0.999", "1.001"):
+        push = Force((Piece(0, (least * Fraction(factor),)),))
+        run = referred(Scene(FREE, State(), 1, force=push))
+        contacts.append(float(run.events[0].t))
+    assert contacts[0] < half < contacts[1]
+    assert contacts[1] - contacts[0] < 0.05 * half
+
+
+def test_a_wrong_factor_in_the_least_amplitude_is_found_out(monkeypatch):
+    right = transfers.least_amplitude
+    monkeypatch.setattr(transfers, "least_amplitude", lambda pair, far: right(pair, far) * arb("0.98"))
+    found = fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08")
+    assert abs(arrived(found)[0]) > 1e-9
+
+
+def test_between_the_amplitudes_it_says_that_the_least_time_is_open():
+    found = fastest_transfer(at_rest(FREE), "0.01", amplitude="1.5")
+    assert found.road is Road.OPEN
+    assert found.scene is None
+    assert "open" in found.fastest
+
+
+@pytest.mark.parametrize(
+    ("wrong", "named"),
+    [
+        ({"distance": 0}, "distance"),
+        ({"distance": "x"}, "distance"),
+        ({"distance": 1, "margin": 1}, "margin"),
+        ({"distance": 1, "amplitude": 0}, "amplitude"),
+    ],
+)
+def test_bad_transfers_are_refused(wrong, named):
+    with pytest.raises(InvalidScene, match=named):
+        fastest_transfer(at_rest(FREE), **wrong)
+    with pytest.raises(InvalidScene, match="rest"):
+        fastest_transfer(Scene(FREE, State(v1=1), 1), 1)
+    with pytest.raises(InvalidScene, match="force"):
+        fastest_transfer(Scene(FREE, State(), 1, force=Force.step(0, 1)), 1)
+
+
+# references
+
+S_CURVE = (Piece(0, ["0.25", 0, "0.1"]), Piece(1, ["0.35", "0.2", 0, "-0.01"]), Piece(2, ["0.54", "0.17", "-0.03"]))
+WAVE = (Piece(0, ["0.25", "-0.03"], [Sine("0.01", 3)]),)
+
+
+@pytest.mark.parametrize(("pair", "reference"), [(FREE, S_CURVE), (DAMPED, S_CURVE), (FREE, WAVE), (DAMPED, WAVE)])
+def test_body_2_follows_by_the_reference(pair, reference):
+    found = track(Scene(pair, State(x1="0.002", x2="0.25"), 3), reference)
+    run = referred(found.scene)
+    assert not run.events
+    with Ball(36).context():
+        goal = Derivative.of(reference[-1], 0)(arb(3))
+        assert abs(run.x2 - goal) < arb(10) ** -30
+    assert draw_tracking(found, pair).axes
+
+
+def test_the_piece_that_asks_too_much_is_named_with_how_much():
+    reference = (Piece(0, [0, 0, "0.2"]), Piece(1, ["0.2", "0.4", 0, "-0.2"]))
+    found = track(Scene(FREE, State(), 2), reference)
+    assert found.scene is None
+    assert [one.possible for one in found.demands] == [True, False]
+    assert found.demands[1].force.overlaps(Ball.number(Fraction(6, 5)))
+    assert draw_tracking(found, FREE).axes
+
+
+def test_a_friction_that_falls_in_time_is_asked_piece_by_piece():
+    scene = Scene(FREE, State(), 2, friction=Friction([(1, "0.1")]))
+    demands = track(scene, (Piece(0, [0, 0, "0.1"]),)).demands
+    assert [(one.start, one.possible) for one in demands] == [(0, True), (1, False)]
+
+
+@pytest.mark.parametrize(("amplitude", "possible"), [("0.5", True), ("0.50000000000000000001", False)])
+def test_the_limit_itself_can_be_followed(amplitude, possible):
+    """Exactly at b: r'' = b/m2 in a parabola, and at the peak of one sine."""
+    half = Fraction(amplitude) / 2
+    assert (track(Scene(FREE, State(), 2), (Piece(0, [0, 0, half]),)).scene is not None) == possible
+    wave = (Piece(0, [0, -Fraction(amplitude)], [Sine(amplitude, 1)]),)
+    assert (track(Scene(FREE, State(), 4), wave, digits=25).scene is not None) == possible
+
+
+@given(st.lists(decimals(-1, 1, 2), min_size=1, max_size=4), decimals(-1, 1, 2), decimals(-1, 0, 2))
+def test_the_largest_size_bounds_samples_and_is_reached(coefficients, omega, amplitude):
+    function = Derivative.of(Piece(0, [(-1) ** k * c for k, c in enumerate(coefficients)], [Sine(amplitude, omega)]), 0)
+    with Ball(20).context():
+        peak, where = largest_size(function, Fraction(0), Fraction(2), 12)
+        samples = [abs(function(Ball.number(Fraction(k, 50)))) for k in range(101)]
+        assert all(not one > peak for one in samples)
+        assert abs(function(where)).overlaps(peak) or abs(abs(function(where)) - peak) < peak * arb(10) ** -11
+
+
+@pytest.mark.parametrize(
+    ("reference", "state", "named"),
+    [
+        ((), {}, "from = 0"),
+        ((Piece(1, [0]),), {}, "from = 0"),
+        ((Piece(0, [1]),), {}, r"r\(0\)"),
+        ((Piece(0, [0, 1]),), {}, r"r'\(0\)"),
+        ((Piece(0, [0]),), {"v1": 1}, "equal"),
+        ((Piece(0, [0]), Piece(1, [1])), {}, "jumps"),
+        ((Piece(0, [0]), Piece(1, [0, 1])), {}, "r' jumps"),
+        ((Piece(0, [0]), Piece(1, [0, "-0.1"], [Sine("0.1", 1)])), {}, "jumps"),
+    ],
+)
+def test_jumps_and_other_starts_are_refused(reference, state, named):
+    with pytest.raises(InvalidScene, match=named):
+        track(Scene(FREE, State(**state), 2), reference)
+
+
+def test_sines_that_go_on_do_not_jump():
+    on = [Sine("0.01", 3)]
+    going = (Piece(0, [0, "-0.03"], on), Piece(1, ["-0.03", "-0.03", "0.01"], on))
+    assert track(Scene(FREE, State(), 2), going).scene is not None
+
+
+@pytest.mark.parametrize(
+    "text", ["[pair]\nm1 = 1", "[[reference]]\nx = 1", "reference = 3", "[[reference]]\nsines = [1]", "[["]
+)
+def test_bad_reference_files_are_refused(text):
+    with pytest.raises(InvalidScene):
+        parse_reference(text)
