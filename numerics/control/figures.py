@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import Ball
 from numerics.control.linear import X2, Motion, value
 from numerics.control.orbit import Drive, Orbit
-from numerics.control.response import Regime, Response, stuck_response
+from numerics.control.response import Regime, Response, stuck_state
 from numerics.control.signals import Derivative
 from numerics.control.thresholds import non_stop_threshold, stiffness
 from numerics.control.tracking import Tracking
@@ -88,10 +88,10 @@ def _over_a_period(found: Response) -> tuple[Floats, NDArray[np.bool_]]:
     if found.orbit is not None:
         return sampled_orbit(found.orbit)
     with Ball(_DIGITS).context():
-        motion = stuck_response(found.drive)
-        if found.regime is Regime.GROWS or motion is None:
+        state = stuck_state(found.drive, arb(0))
+        if found.regime is Regime.GROWS or state is None:
             return np.zeros((6, 2)), np.zeros(2, dtype=bool)
-        table = sampled_motion(motion, found.drive.period)
+        table = sampled_motion(found.drive.mode(0).motion(state, arb(0)), found.drive.period)
     return table, np.full(table.shape[1], True)
 
 

@@ -28,7 +28,7 @@ _STEPS = 40
 
 @dataclass(frozen=True)
 class Drive:
-    """A pair under a friction b and a periodic force: sines and a constant, all multiples of `frequency`."""
+    """A pair under a friction b and a periodic force: sines and a constant, all multiples of `frequency` (0: none)."""
 
     pair: Pair
     b: Fraction

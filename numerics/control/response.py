@@ -17,7 +17,7 @@ from flint import acb, arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
 from numerics.control.asked import MAX_DIGITS, to_digits
-from numerics.control.linear import ONE, LinearMode, Motion, Row
+from numerics.control.linear import ONE, Row
 from numerics.control.modes_proved import is_positive_inside
 from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.simulated import simulated_guesses
@@ -81,15 +81,22 @@ def response(
 
 
 def steady_drive(scene: Scene) -> Drive:
-    """Return what acts in the long run. Raises InvalidScene unless that is a constant and commensurable sines."""
-    last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
-    if not last.sines or len(last.polynomial) > 1:
+    """Return what acts in the long run. Raises InvalidScene unless that is a constant and sines."""
+    drive = last_drive(scene)
+    if drive is None or not drive.piece.sines:
         raise InvalidScene(
             "the last piece of the force is not periodic; a response needs sines and at most a constant there"
         )
+    return drive
+
+
+def last_drive(scene: Scene) -> Drive | None:
+    """Return what acts from the last piece of force and friction on; None unless that is a constant and sines."""
+    last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
+    if len(last.polynomial) > 1:
+        return None
     steady = Force((Piece(0, last.polynomial, last.sines),))
-    frequency = steady.frequency
-    assert frequency is not None  # rational frequencies are commensurable
+    frequency = steady.frequency or Fraction(0)  # rational frequencies are commensurable
     b = scene.friction.pieces[-1][1] if scene.friction.pieces else scene.pair.b
     pair = scene.pair
     return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), b, steady.pieces[0], frequency)
@@ -149,9 +156,10 @@ def entrained(drive: Drive) -> bool:
     sines = drive.piece.sines
     if len(sines) == 1:
         return load_margin(drive.pair, sines[0].amplitude, sines[0].omega) >= 0
-    motion = stuck_response(drive)
-    if motion is None:
+    state = stuck_state(drive, arb(0))
+    if state is None:
         return False
+    motion = drive.mode(0).motion(state, arb(0))
     rows: list[Row] = []
     for side in (1, -1):
         rows.append((*((place, -side * c) for place, c in motion.mode.load), (ONE, drive.b)))
@@ -163,18 +171,18 @@ def entrained(drive: Drive) -> bool:
     raise EventUndecided("does friction hold the pair in its stuck response?", "load near b", working_digits())
 
 
-def stuck_response(drive: Drive) -> Motion | None:
-    """Return the stuck periodic motion, or None if a sine is in resonance with the stuck pair without damper."""
+def stuck_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb] | None:
+    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0."""
     pair, number = drive.pair, Ball.number
-    x = acb(number(sum(drive.piece.polynomial, Fraction(0)) / pair.a2))
-    v = acb(0)
+    x, v = number(sum(drive.piece.polynomial, Fraction(0)) / pair.a2), arb(0)
     for one in drive.piece.sines:
         if stiffness(pair, pair.mass, one.omega).is_zero():
             return None
         below = acb(number(pair.a2 - pair.mass * one.omega**2), number(pair.a1 * one.omega))
-        moved = acb.exp(acb(0, number(one.phase))) * number(one.amplitude) / below
-        x, v = x + moved.imag, v + (acb(0, number(one.omega)) * moved).imag
-    return LinearMode(pair, drive.b, 0, drive.piece).motion((x.real, v.real, arb(0), v.real), arb(0))
+        turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase)))
+        moved = turned * number(one.amplitude) / below
+        x, v = x + moved.imag, v + number(one.omega) * moved.real
+    return x, v, arb(0), v
 
 
 def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:

@@ -18,6 +18,8 @@ from numerics.arithmetic.ball_words import working_digits
 from numerics.control.asked import MAX_DIGITS, to_digits
 from numerics.control.legs import Stretch, stretches
 from numerics.control.linear import V1, V2, X1, X2, Row, W, value
+from numerics.control.response import last_drive
+from numerics.control.settled import stuck_for_ever
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
 from numerics.long_time.resting_place import RestingPlace, resting_place
 from numerics.run.one import run_scene
@@ -69,11 +71,16 @@ def ring_entry(scene: Scene, radius: Exact, *, rate: Exact = 1, digits: int = 15
 
 def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -> tuple[Any, RestingPlace]:
     """Return a trajectory that is long enough to know the resting place, and the place."""
-    until, near = scene.until, float(radius) * min(1.0, float(rate)) / 2
+    until, near, drive = scene.until, float(radius) * min(1.0, float(rate)) / 2, None
+    if scene.is_forced:
+        drive = last_drive(scene)
+        if drive is None:
+            raise InvalidScene("the force grows for ever: its last piece must be a constant and sines for a ring")
+        until = max(until, *(at + 1 for at in (*scene.force.starts, *scene.friction.starts)))
     for _ in range(_DOUBLINGS):
-        longer = Scene(scene.pair, scene.initial, until, scene.law)
+        longer = Scene(scene.pair, scene.initial, until, scene.law, scene.force, scene.friction)
         trajectory = run_scene(longer, arithmetic, _MAX_EVENTS)
-        found = resting_place(trajectory, near)
+        found = resting_place(trajectory, near) if drive is None else stuck_for_ever(trajectory, drive)
         if found is not None:
             return trajectory, found
         if not trajectory.reached:

@@ -25,8 +25,21 @@ _REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("ru
 
 def shipped_scenes() -> tuple[str, ...]:
     """Return the short names of the scenes in the repository, sorted: the paper's examples and a few more."""
-    folder = resources.files("numerics") / "scene" / "shipped"
-    return tuple(sorted(one.name.removesuffix(".toml") for one in folder.iterdir() if one.name.endswith(".toml")))
+    return _names_in("shipped")
+
+
+def shipped_references() -> tuple[str, ...]:
+    """Return the short names of the references in the repository, sorted."""
+    return _names_in("references")
+
+
+def _names_in(folder: str) -> tuple[str, ...]:
+    files = (resources.files("numerics") / "scene" / folder).iterdir()
+    return tuple(sorted(one.name.removesuffix(".toml") for one in files if one.name.endswith(".toml")))
+
+
+def _shipped_text(folder: str, name: str) -> str:
+    return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8")
 
 
 def load_scene(name_or_path: str | Path) -> Scene:
@@ -39,7 +52,7 @@ def load_scene(name_or_path: str | Path) -> Scene:
     """
     name = str(name_or_path)
     if name in shipped_scenes():
-        return parse_scene((resources.files("numerics") / "scene" / "shipped" / f"{name}.toml").read_text("utf-8"))
+        return parse_scene(_shipped_text("shipped", name))
     known = ", ".join(shipped_scenes())
     return parse_scene(_text_of(Path(name_or_path), "scene", f"give a TOML file or one of: {known}"))
 
@@ -61,12 +74,16 @@ def _text_of(path: Path, what: str, remedy: str) -> str:
         raise InvalidScene(f"{what} file {str(path)!r} is not UTF-8 text; save it as UTF-8") from None
 
 
-def load_reference(path: str | Path) -> tuple[Piece, ...]:
-    """Return the pieces of a reference r(t) (m) from a TOML file of [[reference]] tables, written as those of a force.
+def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
+    """Return the pieces of a reference r(t) (m), of a shipped short name or a TOML file of [[reference]] tables.
 
-    Raises InvalidScene.
+    They are written as those of a force. Raises InvalidScene.
     """
-    return parse_reference(_text_of(Path(path), "reference", "give a TOML file of [[reference]] tables"))
+    name = str(name_or_path)
+    if name in shipped_references():
+        return parse_reference(_shipped_text("references", name))
+    remedy = f"give a TOML file of [[reference]] tables or one of: {', '.join(shipped_references())}"
+    return parse_reference(_text_of(Path(name_or_path), "reference", remedy))
 
 
 def parse_reference(text: str) -> tuple[Piece, ...]:

@@ -21,7 +21,7 @@ from numerics.control.tracking import track
 from numerics.control.transfer import Road, fastest_transfer
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
-from numerics.scene.file import parse_reference
+from numerics.scene.file import load_reference, load_scene, parse_reference
 
 FREE, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 3)
 
@@ -222,3 +222,15 @@ def test_sines_that_go_on_do_not_jump():
 def test_bad_reference_files_are_refused(text):
     with pytest.raises(InvalidScene):
         parse_reference(text)
+
+
+def test_the_shipped_references_are_what_their_comments_say():
+    scene = load_scene("at-rest")
+    found = track(scene, load_reference("s-curve"))
+    assert found.scene is not None
+    assert found.demands[0].force > Ball.number(scene.pair.b) / 10
+    too_fast = track(scene, load_reference("too-fast"))
+    assert too_fast.scene is None
+    assert (too_fast.share / found.share).overlaps(arb(4))
+    with pytest.raises(InvalidScene, match="s-curve"):
+        load_reference("none-such")
