@@ -1,7 +1,7 @@
 """When a pair under a force that ends as a constant or as sines is known to stick for ever.
 
-In stick the motion is the stuck response and a free part (e, e') whose energy a2 e^2 + M e'^2 never grows. The load of the
-free part is at most (m2/M) (sqrt(a2) + a1/sqrt(M)) times the root of it, that of the response at most the sum of
+In stick the motion is the stuck response and a free part (e, e') whose energy a2 e^2 + M e'^2 never grows. The load of
+the free part is at most (m2/M) (sqrt(a2) + a1/sqrt(M)) times the root of it, that of the response at most the sum of
 m2 omega^2 |A|/Z(M): once both together are below b, the pair never slips again.
 """
 
