@@ -7,8 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from numerics.batch.batch import solve_many, solve_scenes
+    from numerics.control.response import response
+    from numerics.control.response_map import response_map
+    from numerics.control.ring import ring_entry
+    from numerics.control.thresholds import thresholds
+    from numerics.control.tracking import track
+    from numerics.control.transfer import fastest_transfer
     from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
-    from numerics.scene.file import load_scene
+    from numerics.scene.file import load_reference, load_scene
     from numerics.scene.writing import scene_text
     from numerics.sensitivity.sensitivity import sensitivities
     from numerics.solver.prepared import Solver
@@ -24,12 +30,19 @@ __all__ = [
     "Sine",
     "Solver",
     "State",
+    "fastest_transfer",
+    "load_reference",
     "load_scene",
+    "response",
+    "response_map",
+    "ring_entry",
     "scene_text",
     "sensitivities",
     "solve",
     "solve_many",
     "solve_scenes",
+    "thresholds",
+    "track",
 ]
 _HOMES = {
     "Solver": "numerics.solver.prepared",
@@ -37,7 +50,14 @@ _HOMES = {
     "sensitivities": "numerics.sensitivity.sensitivity",
     "solve_many": "numerics.batch.batch",
     "solve_scenes": "numerics.batch.batch",
+    "fastest_transfer": "numerics.control.transfer",
+    "load_reference": "numerics.scene.file",
     "load_scene": "numerics.scene.file",
+    "response": "numerics.control.response",
+    "response_map": "numerics.control.response_map",
+    "ring_entry": "numerics.control.ring",
+    "thresholds": "numerics.control.thresholds",
+    "track": "numerics.control.tracking",
     "scene_text": "numerics.scene.writing",
 }
 

@@ -19,6 +19,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
 from numerics.control.linear import V1, V2, X1, X2, LinearMode, Motion, value
 from numerics.control.modes_proved import require_slip, require_stick
+from numerics.control.variation import across
 from numerics.errors import EventUndecided
 from numerics.scene import Pair, Piece
 
@@ -95,28 +96,11 @@ class Orbit:
         first = sticks[0] if sticks else 0
         total = arb_mat([[1, 0], [0, 1], [0, 1]]) if sticks else arb_mat([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
         for leg, after in (*turns[first:], *turns[:first]):
-            total = self._across(leg, after) * total
+            total = across(self.motion(leg), after.t - leg.t, self.motion(after)) * total
         if sticks:
             (a, b), (c, d), _ = total.tolist()
             return [*_eigenvalues_of_two(a, b, c, d), flint.acb(0)]
         return _eigenvalues(total)
-
-    def _across(self, leg: Leg, after: Leg) -> arb_mat:
-        """Return the derivative of (x1, v1, v2) after the event that ends a leg by that after the one that began it."""
-        motion, length, places = self.motion(leg), after.t - leg.t, (X1, V1, V2)
-        flow = motion.flow(length)
-        slopes = arb_mat([[flow[row, column] for column in places] for row in places])
-        if leg.side == 0:
-            return slopes  # at an exit both modes have the same accelerations
-        z = flow * motion.begin
-        before, next_one = motion.rate(z), self.drive.mode(after.side).motion(z.entries()[:4], after.t)
-        behind = next_one.rate(next_one.begin)
-        closing = before[V1, 0] - before[V2, 0]
-        jump = [(before[place, 0] - behind[place, 0]) / closing for place in places]
-        salted = [
-            [arb(int(row == column)) - jump[row] * sign for column, sign in enumerate((0, 1, -1))] for row in range(3)
-        ]
-        return arb_mat(salted) * slopes
 
 
 def solve_orbit(guess: Orbit) -> Orbit:

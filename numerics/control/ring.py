@@ -1,12 +1,15 @@
 """The tolerance ring of Fig. 1: from when on the relative motion (z, w) = (x1 - x2, v1 - v2) stays near its limit.
 
-The ring is (z - z*)^2 + (w/rate)^2 <= R^2, its centre the limit z* of z (the energy norm N sees w, but not z), w* = 0.
-The entry is the last time at which the motion is on the ring. Before a late event each stretch is searched backwards in
-balls for it; after that event the motion is inside by what is proved of all later slips.
+The ring is (z - z*)^2 + (w/rate)^2 <= R^2. Where the bodies end up together, or creep, its centre is the limit z* of z
+(the energy norm N sees w, but not z), at w = 0; around a periodic motion it goes along with that: z and w less those of
+it. The entry is the last time at which the motion is on the ring. Before a late time each stretch is searched backwards
+in balls for it; after that time the motion is inside by what is proved of all later times (settled.py).
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -16,12 +19,12 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
 from numerics.control.asked import MAX_DIGITS, to_digits
-from numerics.control.legs import Stretch, stretches
-from numerics.control.linear import V1, V2, X1, X2, Row, W, value
-from numerics.control.response import last_drive
-from numerics.control.settled import stuck_for_ever
+from numerics.control.legs import stretches
+from numerics.control.linear import X1, X2, Motion, Row, W
+from numerics.control.orbit import Drive, Orbit
+from numerics.control.response import last_drive, response
+from numerics.control.settled import Settled, free_settled, periodic_settled, stuck_settled
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
-from numerics.long_time.resting_place import RestingPlace, resting_place
 from numerics.run.one import run_scene
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
@@ -36,8 +39,8 @@ _MAX_EVENTS = 100_000
 class Ring:
     """When the relative motion of a scene enters its ring for good.
 
-    `entry` (s), exactly 0 if it never leaves it; `centre` z* (m); enclosures with `digits` right digits. `for_ever`:
-    proved for all later times, not for those up to the horizon only; `why` says by what.
+    `entry` (s), exactly 0 if it never leaves it; `centre` (m): z*, less the z of the periodic motion if there is an
+    `orbit`; enclosures with `digits` right digits. `why` says what keeps it inside for ever.
     """
 
     scene: Scene
@@ -45,7 +48,7 @@ class Ring:
     rate: Fraction
     centre: arb
     entry: arb
-    for_ever: bool
+    orbit: Orbit | None
     why: str
     digits: int
 
@@ -61,27 +64,29 @@ def ring_entry(scene: Scene, radius: Exact, *, rate: Exact = 1, digits: int = 15
             raise InvalidScene(f"{name} = {short(one)} must be > 0; give a positive {name}")
 
     def attempt(arithmetic: Ball) -> tuple[Ring, list[arb]]:
-        trajectory, place = _settled(scene, arithmetic, size, per)
-        entry = last_on_ring(trajectory, place, size, per)
-        found = Ring(scene, size, per, place.limit, entry, True, _why(place), digits)
+        trajectory, known = _settled(scene, arithmetic, size, per)
+        entry = last_on_ring(trajectory, known, size, per)
+        found = Ring(scene, size, per, known.limit, entry, known.orbit, known.why, digits)
         return found, [found.centre, found.entry]
 
     return to_digits(attempt, digits, max_digits)
 
 
-def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -> tuple[Any, RestingPlace]:
-    """Return a trajectory that is long enough to know the resting place, and the place."""
-    until, near, drive = scene.until, float(radius) * min(1.0, float(rate)) / 2, None
-    if scene.is_forced:
-        drive = last_drive(scene)
-        if drive is None:
-            raise InvalidScene("the force grows for ever: its last piece must be a constant and sines for a ring")
+def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -> tuple[Any, Settled]:
+    """Return a trajectory that is long enough to know the limit, and what is known."""
+    until, near = scene.until, float(radius) * min(1.0, float(rate)) / 2
+    drive = _drive(scene) if scene.is_forced else None
+    orbit = _orbit(scene, drive, arithmetic)
+    if drive is not None:
         until = max(until, *(at + 1 for at in (*scene.force.starts, *scene.friction.starts)))
     for _ in range(_DOUBLINGS):
         longer = Scene(scene.pair, scene.initial, until, scene.law, scene.force, scene.friction)
         trajectory = run_scene(longer, arithmetic, _MAX_EVENTS)
-        found = resting_place(trajectory, near) if drive is None else stuck_for_ever(trajectory, drive)
-        if found is not None:
+        if drive is None:
+            found = free_settled(trajectory, near)
+        else:
+            found = periodic_settled(trajectory, orbit, near) if orbit else stuck_settled(trajectory, drive)
+        if found is not None and _is_sharp(found, arithmetic):
             return trajectory, found
         if not trajectory.reached:
             break
@@ -91,39 +96,114 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
     )
 
 
-def _why(place: RestingPlace) -> str:
-    if place.speed.is_zero():
-        return "the pair has stuck for ever"
-    return f"all slips after event {place.index + 1} are bounded, to one side and the other in turn"
+def _is_sharp(found: Settled, arithmetic: Ball) -> bool:
+    """Return whether a later horizon would not make the limit much sharper than the working digits can use."""
+    return found.orbit is None or bool(
+        found.limit.rad() < abs(found.limit) * arb(10) ** (4 - arithmetic.digits * 3 // 4)
+    )
 
 
-def last_on_ring(trajectory: Any, place: RestingPlace, radius: Fraction, rate: Fraction) -> arb:
-    """Return the last time (s) at which the motion is on the ring before the event from which on it is inside; or 0."""
-    parts = list(stretches(trajectory))
+def _drive(scene: Scene) -> Drive:
+    drive = last_drive(scene)
+    if drive is None:
+        raise InvalidScene("the force grows for ever: its last piece must be a constant and sines for a ring")
+    return drive
+
+
+def _orbit(scene: Scene, drive: Drive | None, arithmetic: Ball) -> Orbit | None:
+    """Return the periodic motion that a scene tends to, None if it ends stuck."""
+    if drive is None or not drive.piece.sines:
+        return None
+    found = response(scene, digits=arithmetic.digits)
+    if found.growth > 0:
+        raise InvalidScene(f"{found.regime.value}; no ring is entered for good")
+    return found.orbit
+
+
+def last_on_ring(trajectory: Any, known: Settled, radius: Fraction, rate: Fraction) -> arb:
+    """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
     squared, weight = Ball.number(radius**2), Ball.number(1 / rate**2)
-    for stretch in reversed(parts):
-        if place.index < 0 or not stretch.start < trajectory.events[place.index].t:
+    for stretch in reversed(list(stretches(trajectory))):
+        if not stretch.start < known.since:
             continue
-        found = _last_in(stretch, place.limit, squared, weight)
-        if found is not None:
-            return stretch.start + found
+        for start, length, distance in reversed(list(_distances(stretch.motion, stretch.start, stretch.length, known))):
+            found = _last_in(distance, length, squared, weight)
+            if found is not None:
+                return start + found
     return arb(0)
 
 
-def _last_in(stretch: Stretch, centre: arb, squared: arb, weight: arb) -> arb | None:
-    """Return the last time in a stretch at which D = (z - z*)^2 + (w/rate)^2 - R^2 is 0; None if D < 0."""
-    motion = stretch.motion
+Distance = Callable[[arb, int], tuple[arb, arb]]
+"""z - z* and w - w* over a ball of times since a start; their order-th derivatives."""
+
+
+def _distances(motion: Motion, start: arb, length: arb, known: Settled) -> Iterator[tuple[arb, arb, Distance]]:
+    """Yield the parts of a stretch in which the periodic motion has one mode: start, length, and the distance in it."""
+    if known.orbit is None:
+        limit = known.limit
+
+        def distance(t: arb, order: int) -> tuple[arb, arb]:
+            return motion.range(Z, t, order) - (0 if order else limit), motion.range(W, t, order)
+
+        yield start, length, distance
+        return
+    for begin, end, other, moved in timeline(known.orbit, start, start + length):
+        first, last = later(begin, start), -later(-end, -(start + length))
+        yield first, last - first, _apart(motion, first - start, other, first - begin, known.limit + moved)
+
+
+def _apart(motion: Motion, passed: arb, other: Motion, ahead: arb, limit: arb) -> Distance:
+    """Return the distance of two motions, each from some time after its start on; z less a limit."""
+
+    def distance(t: arb, order: int) -> tuple[arb, arb]:
+        one, two = passed + t, ahead + t
+        z = motion.range(Z, one, order) - other.range(Z, two, order) - (0 if order else limit)
+        return z, motion.range(W, one, order) - other.range(W, two, order)
+
+    return distance
+
+
+def timeline(orbit: Orbit, start: arb, end: arb) -> Iterator[tuple[arb, arb, Motion, arb]]:
+    """Yield the legs of a periodic motion that meet [start, end]: begin, end, motion, and how far x2 was before it, m.
+
+    The last is -x2 at its begin, counted from the first event: z of the motion lacks it.
+    """
+    period = orbit.drive.period
+    count = math.floor(float((start - orbit.legs[0].t) / period)) - 1
+    while True:
+        moved = count * orbit.travel
+        for leg, after in orbit.turns:
+            motion, begin = orbit.motion(leg), leg.t + count * period
+            if begin > end:
+                return
+            if after.t + count * period > start:
+                yield begin, after.t + count * period, motion, -moved
+            moved = moved + motion.at(after.t - leg.t)[X2, 0]
+        count += 1
+
+
+def later(one: arb, two: arb) -> arb:
+    """Return the later of two times. Raises EventUndecided."""
+    if one >= two:
+        return one
+    if one < two:
+        return two
+    raise EventUndecided("which of these two events is the later one?", (one - two).str(6), working_digits())
+
+
+def _last_in(apart: Distance, length: arb, squared: arb, weight: arb) -> arb | None:
+    """Return the last time in a stretch at which D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 is 0; None if D < 0."""
 
     def over(t: arb) -> arb:
-        z, w = motion.range(Z, t) - centre, motion.range(W, t)
+        z, w = apart(t, 0)
         return z * z + weight * w * w - squared
 
     def slope(t: arb) -> arb:
-        z, w, change = motion.range(Z, t) - centre, motion.range(W, t), motion.range(W, t, 1)
-        return 2 * w * (z + weight * change)
+        (z, w), (slide, change) = apart(t, 0), apart(t, 1)
+        return 2 * (z * slide + weight * w * change)
 
-    waiting = [(arb(0), stretch.length.upper())]
-    smallest = stretch.length.upper() * arb(2) ** (-working_digits())
+    waiting = [(arb(0), length.upper())]
+    smallest = length.upper() * arb(2) ** (-working_digits())
     while waiting:
         low, high = waiting.pop()
         part = low.union(high)
@@ -155,9 +235,3 @@ def _crossing(over: Any, slope: Any, low: arb, high: arb) -> arb:
             return smaller
         part = smaller
     return part
-
-
-def relative(stretch: Stretch, t: arb) -> tuple[arb, arb]:
-    """Return (z, w) at a time from the start of a stretch."""
-    z = stretch.motion.at(t)
-    return value(Z, z), z[V1, 0] - z[V2, 0]

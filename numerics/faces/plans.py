@@ -125,9 +125,20 @@ def tell_ring(options: argparse.Namespace) -> int:
         write_figure(draw_ring(found), options.plot)
     told = numbers({"entry": found.entry, "centre": found.centre}, found.digits)
     if options.json:
-        print(json.dumps({**told, "for_ever": found.for_ever, "why": found.why, "digits": found.digits}, indent=1))
+        print(
+            json.dumps(
+                {
+                    **told,
+                    "around": "limit" if found.orbit is None else "periodic motion",
+                    "why": found.why,
+                    "digits": found.digits,
+                },
+                indent=1,
+            )
+        )
         return OK
-    labels = {"entry": "inside the ring for good from t", "centre": "its centre, the limit of x1 - x2,"}
+    centre = "the limit of x1 - x2" if found.orbit is None else "the limit of x1 - x2 less that of the periodic motion"
+    labels = {"entry": "inside the ring for good from t", "centre": f"its centre, {centre},"}
     print_numbers(told, {"entry": "s", "centre": "m"}, labels)
-    print(f"{'for ever' if found.for_ever else 'up to the horizon'}: {found.why}; {found.digits} right digits, proved")
+    print(f"{found.why}; {found.digits} right digits, proved")
     return OK

@@ -1,0 +1,109 @@
+"""The pair under a force: thresholds, resonance, a tracked reference, the fastest transfer, Fig. 1 for a scene, drift."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from numerics.arithmetic.ball import Ball
+from numerics.control.again import transfer_again
+from numerics.control.figures import REGIME_COLOURS, draw_thresholds, draw_tracking, drift_of_orbits
+from numerics.control.orbit import Drive, Orbit, solve_orbit
+from numerics.control.response import response, steady_drive
+from numerics.control.ring import ring_entry
+from numerics.control.ring_figure import draw_ring
+from numerics.control.tracking import track
+from numerics.control.transfer import fastest_transfer
+from numerics.control.transfer_figure import draw_transfer
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+from numerics.scene.file import load_reference, load_scene
+from numerics.solver.solve import solve
+from paper_checks.drawing.style import BODY_1, BODY_2, new_figure, samples
+
+PAIR, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 2)
+"""The paper's case study with b = 0.5 N, and the same with a damper."""
+DRIVEN = Scene(DAMPED, State(), until=4, force=Force.sine("0.5", 12))
+SHARES = tuple(Fraction(k, 20) for k in range(21))
+"""Amplitudes of the second harmonic as parts of the first."""
+
+
+def thresholds_over_frequency() -> Figure:
+    """Draw U* and U** over the frequency without and with a damper, the three regimes between them shaded."""
+    figure = new_figure(9.4, 4.4)
+    for ax, pair, title in zip(figure.subplots(1, 2), (PAIR, DAMPED), ("$a_1=0$", "$a_1=2$ N s/m"), strict=True):
+        draw_thresholds(pair, np.geomspace(4, 60, 700), ax)
+        ax.set_title(title)
+        for rate, name in ((pair.a2 / pair.mass, r"$\Omega$"), (pair.a2 / pair.m1, r"$\omega_1$")):
+            ax.axvline(float(rate) ** 0.5, color="#777777", lw=0.7, ls=":")
+            ax.text(float(rate) ** 0.5, ax.get_ylim()[1], name, ha="center", va="bottom", fontsize=8)
+    patches = [Patch(fc=colour, ec="black", lw=0.4, label=name) for name, colour in REGIME_COLOURS.items()]
+    figure.legend(handles=[*patches, *figure.axes[0].lines[:2]], loc="outside lower center", ncols=3, frameon=False)
+    return figure
+
+
+def resonance() -> Figure:
+    """Draw v1 at the resonance of body 1, a1 = 0: bounded below U = 4b/pi, growing above it by (U - 4b/pi) t/(2 m1)."""
+    figure = new_figure(9.4, 3.6)
+    pair = Pair(1, 1, 100, "0.5")
+    edge = 4 * float(pair.b) / np.pi
+    for ax, amplitude in zip(figure.subplots(1, 2), ("0.6", "0.7"), strict=True):
+        solved = solve(Scene(pair, State(), until=20, force=Force.sine(amplitude, 10)))
+        t, y = samples(solved, 24)
+        ax.plot(t, y[1], color=BODY_1, lw=0.9, label="$v_1$")
+        ax.plot(t, y[3], color=BODY_2, lw=0.9, ls="--", label="$v_2$")
+        rate = (float(amplitude) - edge) / (2 * float(pair.m1))
+        if rate > 0:
+            for side in (1, -1):
+                label = r"$(U-4b/\pi)\,t/(2m_1)$" if side > 0 else None
+                ax.plot(t, side * rate * t, color="black", lw=0.8, ls=":", label=label)
+        ax.set(xlabel="$t$ (s)", ylabel="velocity (m/s)", title=f"$U={amplitude}$ N, $4b/\\pi={edge:.4f}$ N")
+        ax.legend(loc="upper left")
+    return figure
+
+
+def tracked_reference() -> Figure:
+    """Draw the shipped reference s-curve, what it asks of the interface, and the force that makes body 2 follow it."""
+    scene = load_scene("at-rest")
+    return draw_tracking(track(scene, load_reference("s-curve")), scene.pair)
+
+
+def transfer() -> Figure:
+    """Draw the fastest transfer over 1 mm with a force of at most 1.08 N: body 1 runs ahead, and is met at half time."""
+    found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
+    solved = transfer_again(found)
+    assert solved is not None
+    return draw_transfer(found, solved)
+
+
+def tolerance_ring() -> Figure:
+    """Draw Fig. 1 for the scene of Fig. 5: the ring of 1 mm, velocities counted in parts of 20/s."""
+    return draw_ring(ring_entry(load_scene("velocities"), "0.001", rate=20))
+
+
+def harmonics(shares: tuple[Fraction, ...] = SHARES) -> Iterator[Orbit]:
+    """Yield the periodic motions as a second harmonic is added, each proved, the one before it being the guess."""
+    drive, found = steady_drive(DRIVEN), response(DRIVEN).orbit
+    assert found is not None
+    for share in shares:
+        first = drive.piece.sines[0]
+        sines = [first, Sine(share * first.amplitude, 2 * first.omega, 1)]
+        changed = Drive(drive.pair, drive.b, Piece(0, (), sines), drive.frequency)
+        with Ball(20).context():
+            found = solve_orbit(Orbit(changed, found.legs))
+        yield found
+
+
+def drift_against_asymmetry() -> Figure:
+    """Draw the mean velocity of body 2 against the part of a second harmonic, which makes the force two-sided."""
+    figure = new_figure(6, 3.8)
+    ax = figure.subplots()
+    orbits = list(harmonics())
+    ax.plot([float(one) for one in SHARES], 1000 * drift_of_orbits(orbits[0].drive, orbits), "o-", color=BODY_2, ms=3)
+    ax.axhline(0, color="#777777", lw=0.7)
+    ax.set(xlabel="second harmonic over the first", ylabel="drift of body 2 (mm/s)")
+    ax.set_title(r"$u=U(\sin\omega t+\varepsilon\sin(2\omega t+1))$: no drift without asymmetry")
+    return figure
