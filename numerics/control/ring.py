@@ -86,7 +86,7 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
             found = free_settled(trajectory, near)
         else:
             found = periodic_settled(trajectory, orbit, near) if orbit else stuck_settled(trajectory, drive)
-        if found is not None and _is_sharp(found, arithmetic):
+        if found is not None and _is_sharp(found, radius, arithmetic.digits):
             return trajectory, found
         if not trajectory.reached:
             break
@@ -96,11 +96,10 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
     )
 
 
-def _is_sharp(found: Settled, arithmetic: Ball) -> bool:
-    """Return whether a later horizon would not make the limit much sharper than the working digits can use."""
-    return found.orbit is None or bool(
-        found.limit.rad() < abs(found.limit) * arb(10) ** (4 - arithmetic.digits * 3 // 4)
-    )
+def _is_sharp(found: Settled, radius: Fraction, digits: int) -> bool:
+    """Return whether the limit is as sharp as the working digits can use; a later horizon makes it sharper."""
+    scale = abs(found.limit).upper().max(Ball.number(radius))
+    return found.orbit is None or bool(found.limit.rad() < scale * arb(10) ** (4 - digits * 3 // 4))
 
 
 def _drive(scene: Scene) -> Drive:

@@ -27,7 +27,7 @@ from numerics.motion.modes import Mode
 
 @dataclass(frozen=True)
 class Settled:
-    """The limit of z = x1 - x2 (m), less that of the periodic motion if there is one; inside from `since` (s) on; why."""
+    """The limit of z = x1 - x2 (m), less the z of a periodic motion; near it from `since` (s) on; why."""
 
     limit: arb
     since: arb
