@@ -12,9 +12,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+import flint
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball_words import precision
 from numerics.scene import Pair, Piece
 
 X1, V1, X2, V2, ONE, FIRST = range(6)
@@ -22,6 +24,7 @@ Row = tuple[tuple[int, Fraction], ...]
 """A linear function of z: pairs (place, coefficient)."""
 W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
 """The relative velocity w = v1 - v2."""
+_REMAINDER_BITS = 80
 MOST_CUTS = 2_000
 """Into so many parts an interval is cut before a sign on it counts as undecided."""
 
@@ -121,16 +124,37 @@ class Motion:
         """Return z' = A z."""
         return self.matrix * z
 
+    def over(self, t: arb) -> Stretched:
+        """Return the motion over a ball of times, for the ranges of rows and of their derivatives."""
+        return Stretched(self.matrix, self.at(t.mid()), t - t.mid())
+
     def range(self, row: Row, t: arb, order: int = 0) -> arb:
         """Return an enclosure of the order-th derivative of a row over a ball of times, by Taylor's theorem."""
-        middle = self.at(t.mid())
-        for _ in range(order):
-            middle = self.matrix * middle
-        first = self.matrix * middle
-        half = arb(0, t.rad())
-        bend = value(row, self.matrix * (self.flow(half) * first))
-        h = t - t.mid()
-        return value(row, middle) + h * value(row, first) + (h * h / 2) * bend
+        return self.over(t).range(row, order)
+
+
+class Stretched:
+    """A motion over a ball of times: z in its middle, and enclosures of derivatives of rows over the whole of it."""
+
+    def __init__(self, matrix: arb_mat, middle: arb_mat, h: arb) -> None:
+        """Keep z in the middle; `h` is the ball of times, counted from the middle."""
+        self.matrix, self.h, self.derivatives = matrix, h, [middle]
+        # what bounds a remainder needs few digits
+        with precision(min(flint.ctx.prec, _REMAINDER_BITS)):
+            self.bends = [(matrix * h).exp() * middle]
+
+    def _taken(self, kept: list[arb_mat], order: int) -> arb_mat:
+        while len(kept) <= order:
+            kept.append(self.matrix * kept[-1])
+        return kept[order]
+
+    def range(self, row: Row, order: int = 0) -> arb:
+        """Return an enclosure of the order-th derivative of a row over the ball of times, by Taylor's theorem."""
+        here, slope = (value(row, self._taken(self.derivatives, order + n)) for n in (0, 1))
+        if self.h.is_zero():
+            return here
+        bend = value(row, self._taken(self.bends, order + 2))
+        return here + self.h * slope + (self.h * self.h / 2) * bend
 
 
 def value(row: Row, z: arb_mat) -> arb:

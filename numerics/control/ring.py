@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+import flint
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import working_digits
+from numerics.arithmetic.ball_words import precision, working_digits
 from numerics.control.asked import MAX_DIGITS, to_digits
 from numerics.control.legs import stretches
 from numerics.control.linear import X1, X2, Motion, Row, W
@@ -30,6 +31,7 @@ from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
 
 Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
+_SEARCH_BITS = 96
 _DOUBLINGS = 24
 """So often the horizon is doubled until the motion is known for ever."""
 _MAX_EVENTS = 100_000
@@ -132,8 +134,9 @@ def last_on_ring(trajectory: Any, known: Settled, radius: Fraction, rate: Fracti
     return arb(0)
 
 
-Distance = Callable[[arb, int], tuple[arb, arb]]
-"""z - z* and w - w* over a ball of times since a start; their order-th derivatives."""
+Apart = tuple[arb, arb, arb, arb]
+"""z - z*, w - w* and their derivatives over a ball of times."""
+Distance = Callable[[arb], Apart]
 
 
 def _distances(motion: Motion, start: arb, length: arb, known: Settled) -> Iterator[tuple[arb, arb, Distance]]:
@@ -141,8 +144,9 @@ def _distances(motion: Motion, start: arb, length: arb, known: Settled) -> Itera
     if known.orbit is None:
         limit = known.limit
 
-        def distance(t: arb, order: int) -> tuple[arb, arb]:
-            return motion.range(Z, t, order) - (0 if order else limit), motion.range(W, t, order)
+        def distance(t: arb) -> Apart:
+            here = motion.over(t)
+            return here.range(Z) - limit, here.range(W), here.range(Z, 1), here.range(W, 1)
 
         yield start, length, distance
         return
@@ -154,10 +158,10 @@ def _distances(motion: Motion, start: arb, length: arb, known: Settled) -> Itera
 def _apart(motion: Motion, passed: arb, other: Motion, ahead: arb, limit: arb) -> Distance:
     """Return the distance of two motions, each from some time after its start on; z less a limit."""
 
-    def distance(t: arb, order: int) -> tuple[arb, arb]:
-        one, two = passed + t, ahead + t
-        z = motion.range(Z, one, order) - other.range(Z, two, order) - (0 if order else limit)
-        return z, motion.range(W, one, order) - other.range(W, two, order)
+    def distance(t: arb) -> Apart:
+        here, there = motion.over(passed + t), other.over(ahead + t)
+        z, w, slide, change = (here.range(row, n) - there.range(row, n) for n in (0, 1) for row in (Z, W))
+        return z - limit, w, slide, change
 
     return distance
 
@@ -193,40 +197,38 @@ def later(one: arb, two: arb) -> arb:
 def _last_in(apart: Distance, length: arb, squared: arb, weight: arb) -> arb | None:
     """Return the last time in a stretch at which D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 is 0; None if D < 0."""
 
-    def over(t: arb) -> arb:
-        z, w = apart(t, 0)
-        return z * z + weight * w * w - squared
-
-    def slope(t: arb) -> arb:
-        (z, w), (slide, change) = apart(t, 0), apart(t, 1)
-        return 2 * (z * slide + weight * w * change)
+    def over(t: arb) -> tuple[arb, arb]:
+        z, w, slide, change = apart(t)
+        return z * z + weight * w * w - squared, 2 * (z * slide + weight * w * change)
 
     waiting = [(arb(0), length.upper())]
     smallest = length.upper() * arb(2) ** (-working_digits())
     while waiting:
         low, high = waiting.pop()
-        part = low.union(high)
-        if over(part) < 0:
-            continue
-        if over(high) > 0:
-            raise EventUndecided("is the motion inside the ring here?", over(high).str(6), working_digits())
-        rate = slope(part)
-        if rate < 0 and over(low) > 0:
-            return _crossing(over, slope, low, high)
-        if not (rate < 0 or rate > 0) or over(low).contains(0):
+        # telling inside from outside needs few digits
+        with precision(min(flint.ctx.prec, _SEARCH_BITS)):
+            part, rate = over(low.union(high))
+            if part < 0:
+                continue
+            left, right = over(low)[0], over(high)[0]
+        if right > 0:
+            raise EventUndecided("is the motion inside the ring here?", right.str(6), working_digits())
+        if rate < 0 and left > 0:
+            return _crossing(over, low, high)
+        if not (rate < 0 or rate > 0) or left.contains(0):
             if high - low < smallest:
-                raise EventUndecided("does the motion touch the ring?", over(part).str(6), working_digits())
+                raise EventUndecided("does the motion touch the ring?", part.str(6), working_digits())
             middle = ((low + high) / 2).mid()
             waiting += [(low, middle), (middle, high)]
     return None
 
 
-def _crossing(over: Any, slope: Any, low: arb, high: arb) -> arb:
+def _crossing(over: Callable[[arb], tuple[arb, arb]], low: arb, high: arb) -> arb:
     """Return an enclosure of the one zero of a falling function between two times, by Newton's interval step."""
     part = low.union(high)
     for _ in range(200):
         middle = part.mid()
-        step = middle - over(middle) / slope(part)
+        step = middle - over(middle)[0] / over(part)[1]
         if not step.overlaps(part):
             raise EventUndecided("where is the motion on the ring?", part.str(6), working_digits())
         smaller = step.intersection(part)
