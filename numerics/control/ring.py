@@ -88,7 +88,7 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
             found = free_settled(trajectory, near)
         else:
             found = periodic_settled(trajectory, orbit, near) if orbit else stuck_settled(trajectory, drive)
-        if found is not None and _is_sharp(found, radius, arithmetic.digits):
+        if found is not None and found.is_sharp:
             return trajectory, found
         if not trajectory.reached:
             break
@@ -96,12 +96,6 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
     raise PrecisionExhausted(
         f"the motion settles to within {float(radius):g} m after more than {_MAX_EVENTS} events; give a larger radius"
     )
-
-
-def _is_sharp(found: Settled, radius: Fraction, digits: int) -> bool:
-    """Return whether the limit is as sharp as the working digits can use; a later horizon makes it sharper."""
-    scale = abs(found.limit).upper().max(Ball.number(radius))
-    return found.orbit is None or bool(found.limit.rad() < scale * arb(10) ** (4 - digits * 3 // 4))
 
 
 def _drive(scene: Scene) -> Drive:

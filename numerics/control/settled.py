@@ -33,6 +33,8 @@ class Settled:
     since: arb
     why: str
     orbit: Orbit | None = None
+    is_sharp: bool = True
+    """False: most of the limit's radius is what can still slide after the horizon; a later one makes it sharper."""
 
 
 def free_settled(trajectory: Any, near: float) -> Settled | None:
@@ -77,7 +79,8 @@ def periodic_settled(trajectory: Any, orbit: Orbit, near: float) -> Settled | No
     """
     parts = list(stretches(trajectory))
     end = Ball.number(trajectory.scene.until)
-    limit, since, kappa = None, None, orbit.drive.pair.mass / (orbit.drive.pair.m1 * orbit.drive.pair.m2)
+    limit, since, is_sharp = None, None, False
+    kappa = orbit.drive.pair.mass / (orbit.drive.pair.m1 * orbit.drive.pair.m2)
     for back in range(int(float(end / orbit.drive.period))):
         t = end - back * orbit.drive.period
         try:
@@ -89,13 +92,17 @@ def periodic_settled(trajectory: Any, orbit: Orbit, near: float) -> Settled | No
         except EventUndecided:
             break
         if limit is None:
-            limit = state[0] - state[2] - (place.state[0] - place.state[2]) + arb(0, left)
+            limit = state[0] - state[2] - (place.state[0] - place.state[2])
+            is_sharp = bool(left <= limit.rad())
+            limit += arb(0, left)
         if not left.max(Ball.number(kappa).sqrt() * reach) < near:
             break
         since = t
     if limit is None or since is None:
         return None
-    return Settled(limit, since, "it closes in on the periodic motion: the period map shrinks distances", orbit)
+    return Settled(
+        limit, since, "it closes in on the periodic motion: the period map shrinks distances", orbit, is_sharp
+    )
 
 
 def _state_at(parts: list[Stretch], t: arb, orbit: Orbit) -> tuple[arb, arb, arb, arb] | None:
