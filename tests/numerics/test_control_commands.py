@@ -1,0 +1,178 @@
+"""The commands for control engineers: each answer solved again, printed, written, drawn; bad input in one line."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from numerics.__main__ import main
+from numerics.arithmetic.ball import Ball
+from numerics.control import again
+from numerics.control.attraction import place_at
+from numerics.control.response import response
+from numerics.control.ring import ring_entry
+from numerics.control.ring_figure import draw_ring
+from numerics.control.tracking import track
+from numerics.control.transfer import fastest_transfer
+from numerics.motion.modes import Mode
+from numerics.scene import Force, Pair, Piece, Scene, State
+from numerics.scene.file import load_reference, load_scene, parse_scene
+from numerics.scene.writing import scene_text
+from numerics.solver.solve import solve
+
+PAIR = Pair(1, 1, 200, "0.5", 3)
+
+
+@pytest.fixture
+def shaken(tmp_path):
+    """A scene file: the pair under one sine."""
+    file = tmp_path / "shaken.toml"
+    file.write_text(scene_text(Scene(PAIR, State(v1=1), 5, force=Force.sine("0.5", 12))), "utf-8")
+    return str(file)
+
+
+def told(capsys, *arguments):
+    assert main([*arguments, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+@pytest.mark.parametrize(
+    ("amplitude", "regime", "events"), [("0.2", "entrained", 0), ("0.5", "stick-slip", 4), ("2", "non-stop", 2)]
+)
+def test_response_tells_regime_thresholds_and_periodic_motion(shaken, tmp_path, capsys, amplitude, regime, events):
+    found = told(capsys, "response", shaken, "--amplitude", amplitude, "--plot", str(tmp_path / "r.svg"))
+    assert (found["regime"], len(found["events"])) == (regime, events)
+    assert found["non_stop"].startswith("0.833087260443534")
+    assert len(found["multipliers"]) == 3
+    assert (tmp_path / "r.svg").stat().st_size > 10_000
+    assert main(["response", shaken, "--amplitude", amplitude]) == 0
+    assert "U** = 0.8330872604435" in capsys.readouterr().out
+
+
+def test_two_sines_are_settled_by_simulation_and_proved():
+    """The guess comes from a run in float64, the proof from the equations, and the second solve agrees."""
+    force = Force.sine("0.5", 12) + Force.sine("0.3", 24, 1)
+    found = response(Scene(PAIR, State(), 1, force=force))
+    assert again.orbit_again(found.orbit, 15).final_mode is not None
+    assert not found.drift.contains(0)
+
+
+def test_a_wrong_orbit_is_refused_by_the_second_solve():
+    orbit = response(Scene(PAIR, State(), 1, force=Force.sine("0.5", 12))).orbit
+    legs = [replace(leg, x=leg.x + Ball.number(Fraction(1, 10**9))) for leg in orbit.legs]
+    with pytest.raises(again.SecondSolveDiffers):
+        again.orbit_again(replace(orbit, legs=tuple(legs)), 15)
+
+
+def test_move_writes_a_scene_that_arrives(tmp_path, capsys):
+    file = tmp_path / "moved.toml"
+    plan = ["move", "at-rest", "--distance", "0.001", "--amplitude", "1.08"]
+    found = told(capsys, *plan, "--out", str(file), "--plot", str(tmp_path / "m.svg"))
+    assert found["road"] == "slip"
+    assert found["time"].startswith("0.089442719099991")
+    end = solve(parse_scene(file.read_text("utf-8")), digits=12).final_state
+    assert float(end[2]) == pytest.approx(0.001, abs=1e-12)
+    assert (tmp_path / "m.svg").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize("plan", [{}, {"margin": "0.1"}, {"amplitude": "2.5"}])
+def test_a_stuck_transfer_sticks_when_solved_again(plan):
+    found = fastest_transfer(load_scene("at-rest"), "0.01", **plan)
+    assert set(again.transfer_again(found).modes) == {Mode.STICK}
+
+
+def test_a_transfer_whose_scene_stops_short_is_refused_by_the_second_solve():
+    found = fastest_transfer(load_scene("at-rest"), "0.01")
+    weaker = replace(found.scene, force=Fraction(99, 100) * found.scene.force)
+    with pytest.raises(again.SecondSolveDiffers, match="x2 at the end"):
+        again.transfer_again(replace(found, scene=weaker))
+
+
+def test_track_prints_the_scene_and_names_what_is_too_much(tmp_path, capsys):
+    found = told(capsys, "track", "at-rest", "--reference", "s-curve", "--plot", str(tmp_path / "t.svg"))
+    assert found["possible"]
+    assert set(solve(parse_scene(found["scene"])).modes) == {Mode.STICK}
+    assert main(["track", "at-rest", "--reference", "too-fast"]) == 1
+    printed = capsys.readouterr()
+    assert "TOO MUCH" in printed.out
+    assert printed.err.startswith("error: no force")
+
+
+def test_a_tracking_scene_that_does_something_else_is_refused():
+    scene = load_scene("at-rest")
+    found = track(scene, load_reference("s-curve"))
+    for force, named in ((Force.step(0, 5), "stick"), (Force(), "x2 at the horizon")):
+        with pytest.raises(again.SecondSolveDiffers, match=named):
+            again.tracking_again(replace(found, scene=replace(found.scene, force=force)))
+
+
+# rings under a force
+
+STUCK_AT_LAST = [Force.sine("0.2", 12), Force((Piece(0, ["0.4"]),)), Force.trapezoid(1, 0, 1, 0, 3)]
+
+
+@pytest.mark.parametrize("force", STUCK_AT_LAST)
+def test_the_ring_of_a_pair_that_sticks_at_last(force):
+    found = ring_entry(Scene(PAIR, State(v1=1), 5, force=force), "0.005")
+    t = np.linspace(0, 5 - 1e-9, 5001)
+    y = solve(found.scene).sol(t)
+    late = t[np.hypot(y[0] - y[2] - float(found.centre), y[1] - y[3]) > 0.005]
+    assert 0 < float(found.entry) - late[-1] < 0.0011
+    assert draw_ring(found).axes
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("amplitude", "radius"), [("2", "0.02")])
+def test_the_ring_around_a_periodic_motion(amplitude, radius):
+    found = ring_entry(Scene(PAIR, State(v1=1), 5, force=Force.sine(amplitude, 12)), radius, digits=12)
+    entry = float(found.entry)
+    t = np.linspace(entry - 0.1, entry + 0.4, 101)
+    y, distances = solve(replace(found.scene, until=Fraction(8))).sol(t), []
+    for k, at in enumerate(t):
+        x1, v1, x2, v2 = (float(one.mid()) for one in place_at(found.orbit, Ball.number(Fraction(at))).state)
+        distances.append(np.hypot(y[0, k] - y[2, k] - x1 + x2 - float(found.centre), y[1, k] - y[3, k] - v1 + v2))
+    outside = np.array(distances) > float(radius)
+    assert outside[:19].any()
+    assert not outside[21:].any()
+
+
+def test_a_force_that_grows_has_no_ring():
+    with pytest.raises(ValueError, match="grows"):
+        ring_entry(Scene(PAIR, State(), 1, force=Force((Piece(0, [0, 1]),))), 1)
+
+
+# bad input
+
+BAD = [
+    ["response", "velocities"],
+    ["response", "none-such"],
+    ["move", "at-rest", "--distance", "0"],
+    ["move", "at-rest", "--distance", "1", "--margin", "2"],
+    ["move", "velocities", "--distance", "1"],
+    ["move", "at-rest", "--distance", "1", "--out", "no/where.toml"],
+    ["track", "at-rest", "--reference", "none-such"],
+    ["track", "at-rest", "--reference", "s-curve", "--plot", "x.txt"],
+    ["ring", "velocities", "--radius", "x"],
+    ["response-map", "at-rest", "--amplitude", "1", "1", "--omega", "1", "2"],
+    ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "0", "2"],
+    ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "1", "2", "--depth", "40"],
+]
+
+
+@pytest.mark.parametrize("arguments", BAD)
+def test_bad_input_is_one_line_and_exit_code_2(capsys, arguments):
+    assert main(arguments) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("error: ")
+    assert error.count("\n") == 1
+
+
+def test_the_map_of_regimes_is_printed_and_drawn(tmp_path, capsys):
+    window = ["--amplitude", "0.1", "10", "--omega", "4", "40", "--depth", "3"]
+    assert main(["response-map", "at-rest", *window, "--out", str(tmp_path / "map.svg")]) == 0
+    assert "entrained" in capsys.readouterr().out
+    assert (tmp_path / "map.svg").stat().st_size > 1000
