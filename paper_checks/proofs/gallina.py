@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-FUNCTIONS = {sp.sin: "(sin {0})", sp.cos: "(cos {0})", sp.cot: "(cos {0} / sin {0})"}
+FUNCTIONS = {sp.sin: "(sin {0})", sp.cos: "(cos {0})", sp.cot: "(cos {0} / sin {0})", sp.tan: "(tan {0})"}
 CONSTANTS = {sp.pi: "PI"}
 
 

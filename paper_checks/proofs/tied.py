@@ -19,7 +19,11 @@ def text(store: Path) -> str:
     """The generated file. Deriving it takes seconds, so its text is kept under a hash of all that it is made from."""
     import theory
 
-    made_from = [*sorted(Path(theory.__file__).parent.glob("*.py")), FOLDER / "ties.py", FOLDER / "gallina.py"]
+    made_from = [
+        *sorted(Path(theory.__file__).parent.glob("*.py")),
+        *sorted(FOLDER.glob("tie*.py")),
+        FOLDER / "gallina.py",
+    ]
     seen = sha256(version("sympy").encode())
     for path in made_from:
         seen.update(path.name.encode() + path.read_bytes())
