@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
-TELLING = ROOT / "numerics" / "arithmetic" / "telling.py"
+TELLING = ROOT / "numerics" / "arithmetic" / "compiling.py"
 FORBIDDEN = {
     "theory": {"numerics", "paper_checks", "flint", "mpmath", "numpy", "matplotlib"},
     "numerics": {"theory", "paper_checks", "sympy"},

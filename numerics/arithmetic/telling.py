@@ -4,32 +4,26 @@ A text is a plain function under `@text`. It calls other texts, and words: `sqrt
 imports the words from float64.py, so as it stands it speaks binary64. Told in another arithmetic, every word that its
 code loads as a global is that arithmetic's, and every text that it calls is told too. numba (an optional extra) then
 compiles what was told, as a second, free choice: the bits are the same.
-
-What numba compiles is kept in the user's cache folder, under a name made from the sources of all texts, since numba
-itself would not notice that a called text has changed.
 """
 
 from __future__ import annotations
 
 import dis
-import hashlib
 import importlib.util
 import os
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
 from functools import cache
-from pathlib import Path
 from types import FunctionType
 from typing import Any, TypeVar
+
+from numerics.arithmetic.compiling import compile_entry, compiled_by_numba
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _TEXTS: set[Any] = set()
 _APART: set[Any] = set()
 _COMPILED: dict[Any, Any] = {}
-_ROOMS = ("arithmetic", "flows", "contact", "motion", "bounds", "trajectory", "run", "batch")
-"""Where texts and words are, from whose sources the name of the cache folder is made."""
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 _ONE_AT_A_TIME = threading.RLock()
 """The threads of a batch may all ask for the same text first, and numba's cache folder is set for the process."""
@@ -107,7 +101,7 @@ class Telling:
                 if key not in _COMPILED:
                     if self._prepare is not None:
                         self._prepare()
-                    _COMPILED[key] = _compile_entry(self._bound_compiled(function))
+                    _COMPILED[key] = compile_entry(self._bound_compiled(function))
         return _COMPILED[key]
 
     def has_compiled(self, function: Any) -> bool:
@@ -124,7 +118,7 @@ class Telling:
             # without wrappers for Python, and put into its callers whole: a third faster, both to compile and to run
             # but for long ones that are called from many places
             options = {**_INNER, "forceinline": function not in _APART}
-            _COMPILED[key] = _compile(self._bound_compiled(function), options)
+            _COMPILED[key] = compiled_by_numba(self._bound_compiled(function), options)
         return _COMPILED[key]
 
     def _bound_compiled(self, function: Any) -> Any:
@@ -190,7 +184,7 @@ def compiled_word(word: Any) -> Any:
     with _ONE_AT_A_TIME:
         if word not in _COMPILED:
             texts = {name: AS_THEY_STAND._inner(inner) for name, inner in _called_texts(word)}
-            _COMPILED[word] = _compile(_bound(word, _compiled_helpers(word) | texts, "word"), _INNER)
+            _COMPILED[word] = compiled_by_numba(_bound(word, _compiled_helpers(word) | texts, "word"), _INNER)
     return _COMPILED[word]
 
 
@@ -202,47 +196,6 @@ def _compiled_helpers(function: Any) -> dict[str, Any]:
         for name, value in loaded.items()
         if isinstance(value, FunctionType) and value not in _TEXTS
     }
-
-
-def _compile(function: Any, options: Mapping[str, Any]) -> Any:
-    """Compile a function that compiled code calls."""
-    import numba
-
-    # numpy's error model divides by zero as IEEE 754 does: a number out of range must not end a whole batch
-    return numba.njit(function, nogil=True, error_model="numpy", **options)
-
-
-def _compile_entry(function: Any) -> Any:
-    """Compile a function that Python calls; it is kept in the cache folder with all that it calls."""
-    import numba
-
-    with _cache_folder(numba.config):
-        try:
-            return _compile(function, {"cache": True})
-        except RuntimeError:  # no folder can be written: compile each time
-            return _compile(function, {})
-
-
-@contextmanager
-def _cache_folder(config: Any) -> Iterator[None]:
-    before = config.CACHE_DIR
-    base = Path(before or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    config.CACHE_DIR = str(base / "inertial-pair" / _digest_of_sources())
-    try:
-        yield
-    finally:
-        config.CACHE_DIR = before
-
-
-@cache
-def _digest_of_sources() -> str:
-    """Return a name for the sources of every room that has texts or words in it."""
-    digest = hashlib.sha256()
-    numerics = Path(__file__).parent.parent
-    for room in _ROOMS:
-        for source in sorted((numerics / room).glob("*.py")):
-            digest.update(source.read_bytes())
-    return digest.hexdigest()[:16]
 
 
 AS_THEY_STAND = Telling("float64", {}, {})

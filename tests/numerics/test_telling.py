@@ -2,13 +2,14 @@
 
 import json
 import math
+import threading
 
 import mpmath
 import pytest
 from extremes.regenerate import ANSWERS, scene
 from flint import arb
 
-from numerics.arithmetic import ball_words, double_words, float64, multiprecision
+from numerics.arithmetic import ball_words, compiling, double_words, float64, multiprecision
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.double_words import DOUBLE_DOUBLE
@@ -139,3 +140,30 @@ def test_what_is_compiled_is_the_text():
     if not can_compile():
         pytest.skip("numba is not installed")
     assert FLOAT64.compiled(undamped.no_landing)() == undamped.no_landing()
+
+
+def test_one_process_compiles_while_the_others_wait(tmp_path):
+    pytest.importorskip("fcntl")
+    begun, may_end, second_is_in = threading.Event(), threading.Event(), threading.Event()
+
+    def slow(types):
+        begun.set()
+        assert may_end.wait(60)
+        return types
+
+    path = tmp_path / "new" / "one.lock"  # each opens the file anew, as another process does
+    first = threading.Thread(target=compiling._one_process_at_a_time(slow, path), args=((),))
+    first.start()
+    assert begun.wait(60)
+    second = threading.Thread(target=compiling._one_process_at_a_time(lambda _: second_is_in.set(), path), args=((),))
+    second.start()
+    assert not second_is_in.wait(0.2)
+    may_end.set()
+    first.join()
+    second.join()
+    assert second_is_in.is_set()
+
+
+def test_a_folder_that_cannot_be_written_does_not_keep_anyone_from_compiling(tmp_path):
+    (tmp_path / "file").write_text("")
+    assert compiling._one_process_at_a_time(str, tmp_path / "file" / "one.lock")(3) == "3"

@@ -26,35 +26,36 @@ def the_solvers_remember(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(smt, "ask", ask_once)
 
 
-def forget(target: str) -> None:
-    """Clear the caches of the steps, and of theory for a fault there: what was derived before must not answer."""
+def forgetful(patch: pytest.MonkeyPatch, target: str) -> None:
+    """Give the steps, and theory for a fault there, empty caches: what was derived before must not answer.
+
+    The full ones come back when the patch is undone, so that the next test does not derive it all again.
+    """
     if target.startswith("paper_checks.checks."):
         return  # no step and no theory rests on a check
     packages = (*STEPS, "theory.") if target.startswith("theory.") else STEPS
-    for name, module in list(sys.modules.items()):
-        if name.startswith(packages):
-            for member in vars(module).values():
-                if hasattr(member, "cache_clear"):
-                    member.cache_clear()
+    emptied: dict[Any, Any] = {}
+    modules = [module for name, module in sys.modules.items() if name.startswith(("paper_checks.", "theory."))]
+    for module in modules:
+        for name, member in list(vars(module).items()):
+            if hasattr(member, "cache_clear") and str(member.__module__).startswith(packages):
+                emptied.setdefault(member, cache(member.__wrapped__))
+                patch.setattr(module, name, emptied[member])
 
 
 @pytest.fixture
 def plant() -> Iterator[Callable[..., None]]:
     """Return `plant("module.name", fault)`: the name is replaced by fault(original) in that module."""
     patch = pytest.MonkeyPatch()
-    targets: list[str] = []
 
     def planted(target: str, fault: Callable[[Any], Any]) -> None:
         module_name, name = target.rsplit(".", 1)
         module = importlib.import_module(module_name)
+        forgetful(patch, target)
         patch.setattr(module, name, fault(getattr(module, name)))
-        targets.append(target)
-        forget(target)
 
     yield planted
     patch.undo()
-    for target in targets:
-        forget(target)
 
 
 def finding_of(check: Check) -> Finding:
