@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterator
+from pathlib import Path
 
 import flint
 import mpmath
@@ -30,3 +31,10 @@ def precision_is_left_alone() -> Iterator[None]:
     left = flint.ctx.prec, mpmath.mp.prec
     flint.ctx.prec, mpmath.mp.prec = FLINT_BITS, MPMATH_BITS
     assert left == (FLINT_BITS, MPMATH_BITS), f"precision left at {left} bits (flint, mpmath)"
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Write what was skipped, one test a line, to the file that SKIPPED names: `pytest @FILE` runs that, and only that."""
+    if named := os.environ.get("SKIPPED"):
+        tests = dict.fromkeys(report.nodeid for report in terminalreporter.stats.get("skipped", []))
+        Path(named).write_text("".join(f"{test}\n" for test in tests), "utf-8")
