@@ -34,7 +34,7 @@ def precision_is_left_alone() -> Iterator[None]:
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Write what was skipped, one test a line, to the file that SKIPPED names: `pytest @FILE` runs that, and only that."""
+    """Write what was skipped, one test a line, to the file that SKIPPED names, for `pytest @FILE`."""
     if named := os.environ.get("SKIPPED"):
         tests = dict.fromkeys(report.nodeid for report in terminalreporter.stats.get("skipped", []))
         Path(named).write_text("".join(f"{test}\n" for test in tests), "utf-8")
