@@ -51,6 +51,7 @@ def report(
 ) -> int:
     """Write the report on these claims, which `run` decides, and return the exit code."""
     from numerics.trade.recorded import UnreadableTrade, recorded
+    from paper_checks import under_a_force
     from paper_checks.errors import ToolMissingError
     from paper_checks.figures import FIGURES
     from paper_checks.ledger import CLAIMS
@@ -68,10 +69,10 @@ def report(
         complain(remedy)
         return UNCHECKED
     rows = run(claims)
-    chapters = [section.section(trade)] if len(claims) == len(CLAIMS) else []
+    chapters = [under_a_force.section(), section.section(trade)] if len(claims) == len(CLAIMS) else []
     complaints: list[str] = []
     found = document.summary(rows) if options.summary else document.document(rows, chapters)
-    figures = {**FIGURES, **section.figures(trade)}
+    figures = {**FIGURES, **under_a_force.figures(), **section.figures(trade)}
     name = "summary" if options.summary else "report"
     try:
         paths = write(options.out, options.format, found, figures, complaints.append, name)

@@ -102,6 +102,36 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "Left: the error of the first time of stick shrinks with the step; too coarse a step never sticks. Right: the energy of a "
         "stuck pair, a constant, grows.",
     ),
+    "thresholds-over-frequency": (
+        "Three regimes under a sinusoidal force",
+        "Below the full line the pair sticks for ever, above the dashed one it never stops; in between it sticks and slips in each half "
+        "period. Left without a damper, right with one. Dotted: the stuck pair's own frequency, and that of body 1 alone.",
+    ),
+    "resonance": (
+        "At the resonance of body 1",
+        "Left: a force just below $4b/\\pi$, and the velocities stay bounded. Right: just above, and body 1 grows at least as the dotted "
+        "lines do. Body 2 does not follow.",
+    ),
+    "tracked-reference": (
+        "A reference that body 2 follows",
+        "Top: the reference. Middle: the friction that it asks for, inside the grey band of what there is. Bottom: the force on body 1 "
+        "that does it.",
+    ),
+    "fastest-transfer": (
+        "One millimetre in the least time",
+        "Body 1 runs ahead through the first half, so friction is at its limit, and is met by body 2 at half time. In the second half both "
+        "stick at the limit. Nothing arrives before the line.",
+    ),
+    "tolerance-ring-of-a-scene": (
+        "Fig. 1, drawn for the scene of Fig. 5 (a)",
+        "Left: the relative motion about its limit; from the black point on, in blue, it stays inside the dashed ring. Right: its distance "
+        "from the limit over time.",
+    ),
+    "drift-against-asymmetry": (
+        "Asymmetry carries body 2 away",
+        "The mean velocity of body 2 as a second harmonic is added to the force. Without it the force is symmetric and there is no drift. "
+        "Each point is a periodic motion that is proved.",
+    ),
 }
 """Title and caption by the figure's name, prose with LaTeX between dollars."""
 

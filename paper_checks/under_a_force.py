@@ -1,0 +1,221 @@
+"""The report's chapter on the pair under a force: what is proved, in the numbers and the pictures of one pair.
+
+Its formulas are those of the rows, its numbers are enclosed; its pictures stand in `paper_checks.drawing.under_a_force`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import wraps
+
+import sympy as sp
+from flint import arb
+from matplotlib.figure import Figure
+
+from numerics.control.response import response
+from numerics.control.ring import ring_entry
+from numerics.control.thresholds import thresholds
+from numerics.control.tracking import track
+from numerics.control.transfer import fastest_transfer
+from numerics.scene import Pair
+from numerics.scene.file import load_reference, load_scene
+from paper_checks.drawing import under_a_force as drawing
+from paper_checks.drawing.captions import caption
+from paper_checks.drawing.style import house_style
+from paper_checks.enclosure import rounded
+from paper_checks.ledger import claim_named
+from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
+from theory.forced import breaking_damping
+from theory.forced_response import harmonic_amplitude, multiple, resonant_amplitude
+from theory.symbols import b, m1, m2, v1
+
+ID, TITLE = "under-a-force", "Under a force"
+FREQUENCIES = (6, 9, 12, 20, 40)
+"""Frequencies, rad/s, at which both thresholds are listed."""
+SPEED = sp.Rational("0.03")
+"""A velocity, m/s, with which the stuck pair passes its rest position."""
+
+
+def section() -> Section:
+    """Return the whole chapter."""
+    parts = (_model, _regimes, _resonance, _tracking, _transfer, _ring, _drift, _damping, _open)
+    return Section(ID, TITLE, tuple(block for part in parts for block in part()))
+
+
+def figures() -> dict[str, Callable[[], Figure]]:
+    """Return how the chapter's figures are drawn in the house style, by name."""
+    return {name: _styled(draw) for name, draw in DRAWINGS.items()}
+
+
+DRAWINGS: dict[str, Callable[[], Figure]] = {
+    "thresholds-over-frequency": drawing.thresholds_over_frequency,
+    "resonance": drawing.resonance,
+    "tracked-reference": drawing.tracked_reference,
+    "fastest-transfer": drawing.transfer,
+    "tolerance-ring-of-a-scene": drawing.tolerance_ring,
+    "drift-against-asymmetry": drawing.drift_against_asymmetry,
+}
+
+
+def _styled(draw: Callable[[], Figure]) -> Callable[[], Figure]:
+    @wraps(draw)
+    def drawn() -> Figure:
+        with house_style():
+            return draw()
+
+    return drawn
+
+
+def _picture(name: str) -> Picture:
+    title, seen = caption(name)
+    return Picture(name, seen, title)
+
+
+def _formula(row: str, clause: str, name: str) -> str:
+    """Return a formula of a row, displayed: what stands there is what is checked."""
+    found = next(one for one in claim_named(row).clauses if one.id == clause)
+    return f"$${found.formulas[name].latex}$$"
+
+
+def _of(pair: Pair) -> dict[sp.Symbol, sp.Rational]:
+    known = {m1: pair.m1, m2: pair.m2, b: pair.b}
+    return {one: sp.Rational(value.numerator, value.denominator) for one, value in known.items()}
+
+
+def _digits(value: sp.Expr) -> str:
+    return str(sp.N(value, 5))
+
+
+def _model() -> Iterator[Block]:
+    pair = drawing.PAIR
+    yield Paragraph(
+        "The equations (2) to (4) have a force $u(t)$ on body 1, and the paper leaves it to future work. This chapter tells what is "
+        f"proved of it here. Its examples are the pair of Section IV, $m_1={pair.m1}$ kg, $m_2={pair.m2}$ kg, $a_2={pair.a2}$ N/m, "
+        f"$b={float(pair.b):g}$ N. Every number below is computed with a proved error."
+    )
+    yield Paragraph(
+        "One number decides what the pair does: the load, the friction force that sticking would need. Inside the strip $|\\Lambda|\\leqslant b$ "
+        "the pair can stick; a force moves that strip. On its edge the derivatives of the force decide (`forced-mode-rule`). Events never pile up "
+        "(`forced-no-zeno`), and two motions under one force never move apart (`forced-contraction`)."
+        + _formula("forced-mode-rule", "modes", "load")
+    )
+
+
+def _regimes() -> Iterator[Block]:
+    yield Heading("Stuck, two stops a period, or no stop")
+    yield Paragraph(
+        "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ the pair sticks for ever. From $U_{**}$ on it "
+        "slips without a stop. In between it sticks and slips in each half period. With a damper every motion tends to the one of its regime "
+        "(`forced-periodic-response`)."
+        + _formula("entrainment-threshold", "stuck", "threshold")
+        + _formula("entrainment-threshold", "non-stop-undamped", "threshold")
+    )
+    yield Table(
+        (
+            "$\\omega$ (rad/s)",
+            *(f"${letter}$, $a_1={float(pair.a1):g}$" for pair in PAIRS for letter in ("U_*", "U_{**}")),
+        ),
+        tuple(_thresholds(rate) for rate in FREQUENCIES),
+        "Both thresholds (N) at some frequencies; the second formula is for $a_1=0$",
+    )
+    third = harmonic_amplitude().subs(multiple, 3)
+    yield Paragraph(
+        "Without a damper there is one exception. If the stuck pair's own frequency is $n=3,5,\\ldots$ times that of the force, a free oscillation can flatten the "
+        f"peaks of the load, and the pair may stick up to an amplitude above $U_*$: for $n=3$ by the factor {_digits(third)}."
+        + _formula("entrainment-threshold", "undamped", "harmonic")
+    )
+    yield _picture("thresholds-over-frequency")
+
+
+PAIRS = (drawing.PAIR, drawing.DAMPED)
+
+
+def _thresholds(rate: int) -> tuple[str, ...]:
+    found = [thresholds(pair, rate) for pair in PAIRS]
+    return (str(rate), *(rounded(one, 4) for two in found for one in (two.entrainment, two.non_stop)))
+
+
+def _resonance() -> Iterator[Block]:
+    edge = resonant_amplitude().subs(_of(drawing.PAIR))
+    yield Heading("Resonance")
+    yield Paragraph(
+        "Friction takes energy out of a resonant oscillation, but only so much. Without a damper, a force with more than $4b/\\pi$ at the frequency of body 1 alone "
+        f"makes every motion grow; with less, every motion stays bounded (`forced-resonance-bound`). For $b={float(drawing.PAIR.b):g}$ N that is "
+        f"{_digits(edge)} N. The growth is at least" + _formula("forced-resonance-bound", "grows", "growth")
+    )
+    yield _picture("resonance")
+
+
+def _tracking() -> Iterator[Block]:
+    found = track(load_scene("at-rest"), load_reference("s-curve"))
+    yield Heading("What body 2 can follow")
+    yield Paragraph(
+        "Body 2 can follow a reference exactly if that never asks for more acceleration than $b/m_2$, and starts where body 2 is (`trackable-references`). The pair then "
+        "sticks, and one force does it:" + _formula("trackable-references", "force", "force")
+    )
+    yield Paragraph(
+        f"The reference in the picture asks for {rounded(100 * found.share, 1)} % of the friction that there is."
+    )
+    yield _picture("tracked-reference")
+
+
+def _transfer() -> Iterator[Block]:
+    found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
+    least = found.least_amplitude
+    assert least is not None  # the half time is below a quarter turn of body 1
+    yield Heading("The fastest transfer")
+    yield Paragraph(
+        "No force, however strong, brings body 2 from rest to rest over a distance sooner than its friction allows (`minimum-transfer-time`):"
+        + _formula("minimum-transfer-time", "least", "time")
+    )
+    yield Paragraph(
+        f"Over 1 mm that is {rounded(1000 * found.bound, 2)} ms. A pair that sticks all the way needs a force of up to {rounded(found.stuck_amplitude, 4)} N. If body 1 "
+        f"may run ahead through the first half, {rounded(least, 4)} N are enough, and no force below that arrives in time."
+    )
+    yield _picture("fastest-transfer")
+
+
+def _ring() -> Iterator[Block]:
+    found = ring_entry(load_scene("velocities"), "0.001", rate=20)
+    yield Heading("The ring of Fig. 1")
+    yield Paragraph(
+        "Two motions under one force never move apart, so a tube around a motion is entered once, for good, and a ring that holds its image is not left after that "
+        "(`tolerance-ring`). The ring needs its centre at the limit of the motion itself: nothing acts on $x_1-x_2$ (`ring-of-tolerance`)."
+        + _formula("tolerance-ring", "ring", "within")
+    )
+    yield Paragraph(f"The scene of Fig. 5 (a) enters the ring of 1 mm for good at {rounded(found.entry, 4)} s.")
+    yield _picture("tolerance-ring-of-a-scene")
+
+
+def _drift() -> Iterator[Block]:
+    found = response(drawing.DRIVEN)
+    largest = max((abs(one) for one in found.multipliers or ()), key=float, default=arb(0))
+    yield Heading("Drift")
+    yield Paragraph(
+        "In a period body 2 moves on by the integral of its velocity. Under a force whose second half period is the first with the other sign, it does not move on at all "
+        "(`forced-periodic-response`); any asymmetry may carry it away; how fast and which way depends on the phases of its parts. At the symmetric end of the picture the periodic motion attracts: "
+        f"what is beside it shrinks to {rounded(100 * largest, 1)} % in a period."
+    )
+    yield _picture("drift-against-asymmetry")
+
+
+def _damping() -> Iterator[Block]:
+    edge = breaking_damping().subs(_of(drawing.PAIR)).subs(v1, SPEED)
+    yield Heading("More damping is not always better")
+    yield Paragraph(
+        "A damper pulls at body 1 alone. A stuck pair that passes its rest position with the velocity $v_1$ is torn apart at once by a strong one "
+        f"(`damping-can-desynchronise`): at {float(SPEED):g} m/s by more than {_digits(edge)} N s/m. Without a damper it would have stuck for ever."
+        + _formula("damping-can-desynchronise", "breaks", "strong")
+    )
+
+
+def _open() -> Iterator[Block]:
+    yield Heading("What is open")
+    yield Points(
+        (
+            "What happens at resonance if the force has exactly $4b/\\pi$ there.",
+            "Whether each amplitude between both thresholds has just one motion with two stops, and whether its conditions hold for all of them.",
+            "The least time of a transfer between the weak forces and those that attain the bound.",
+            "An interface whose friction depends on the place: two motions may move apart then (`varying-interface`).",
+        )
+    )
