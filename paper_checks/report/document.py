@@ -56,7 +56,7 @@ def document(rows: Sequence[Row], chapters: Sequence[Section] = ()) -> Document:
     return Document(
         TITLE,
         opening.model(),
-        (opening.section(rows),),
+        (opening.section(rows), *opening.refuted(rows)),
         tuple(rows),
         (trust.section(rows), notation.section(), trust.graph(rows), *chapters, trust.provenance()),
         {row.claim.id: story(row) for row in rows},

@@ -29,6 +29,11 @@ MODEL = (
     "The paper models two bodies. One hangs on a spring. The other is joined to it by nothing but dry friction, as a box on a "
     "moving table is. The pair either sticks and swings as one mass, or slips. The paper says how the free pair moves in the long run."
 )
+LAW = (
+    "All verdicts are under Coulomb's law, with the whole interval $[-b,b]$ as friction while the bodies stick (Filippov's reading). "
+    "For $u=0$ that is the paper's system (3), (4). Section IV goes on with (11), (12), which leave the limit $b$ out: where they "
+    "allow another motion, the row says so."
+)
 _WORDS = {
     Verdict.HOLDS: ("holds as written", "hold as written"),
     Verdict.HOLDS_CORRECTED: ("holds after a correction", "hold after a correction"),
@@ -72,7 +77,7 @@ def section(rows: Sequence[Row]) -> Section:
     """Return the counts, and those of the three findings whose rows are there with the verdict on record."""
     shown = {row.claim.id: row for row in rows if row.as_recorded}
     results = [make() for name, make in RESULTS.items() if name in shown]
-    return Section(ID, TITLE, (Paragraph(counts(rows)), *results))
+    return Section(ID, TITLE, (Paragraph(counts(rows)), *results, Paragraph(LAW)))
 
 
 def exceptions(rows: Sequence[Row]) -> Section:
@@ -84,6 +89,19 @@ def exceptions(rows: Sequence[Row]) -> Section:
     )
     table = Table(("row, and where in the paper", "verdict", "in short"), lines, "Claims that do not hold as written")
     return Section("exceptions", "Claims that need a correction, or fail", (table,) if lines else (Paragraph("None."),))
+
+
+def refuted(rows: Sequence[Row]) -> tuple[Section, ...]:
+    """Return one line for each of the paper's claims that is refuted; nothing where none is."""
+    lines = tuple(
+        (f"`{row.claim.id}`\n{row.claim.where}", row.claim.statement, first_sentence(row.finding.reason))
+        for row in rows
+        if row.claim.kind is Kind.CLAIM and row.finding.verdict is Verdict.REFUTED
+    )
+    table = Table(
+        ("row", "the paper says", "what is true"), lines, "Claims that are false as such, not only in a detail"
+    )
+    return (Section("refuted", "What fails", (table,)),) if lines else ()
 
 
 def _start_at_6mm() -> Result:

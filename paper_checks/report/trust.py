@@ -10,7 +10,7 @@ from paper_checks.evidence import Evidence, EvidenceKind, closure
 from paper_checks.graph import Proof
 from paper_checks.kernel import PROVED
 from paper_checks.ledger import source
-from paper_checks.report.blocks import Block, Folded, Graph, Node, Paragraph, Points, Section, Table
+from paper_checks.report.blocks import Block, Command, Folded, Graph, Node, Paragraph, Points, Section, Table
 from paper_checks.report.summary import kind
 from paper_checks.runner import Row
 
@@ -56,7 +56,10 @@ def section(rows: Sequence[Row], *, short: bool = False) -> Section:
         if one.decisive or not short
     )
     guards = (
-        () if short else (Paragraph("What guards the report against its own errors:"), Points(tuple(_guards(rows))))
+        Paragraph("What guards the report against its own errors:"),
+        Points(tuple(_guards(rows))),
+        Paragraph("To check everything again:"),
+        Command("python -m paper_checks run --fresh"),
     )
     return Section(
         TRUST,
@@ -71,7 +74,7 @@ def section(rows: Sequence[Row], *, short: bool = False) -> Section:
                 lines,
                 "Kinds of steps, and rows by their weakest step",
             ),
-            *guards,
+            *(() if short else guards),
         ),
     )
 

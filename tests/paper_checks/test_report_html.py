@@ -124,6 +124,9 @@ def test_ids_that_are_mentioned_are_links(rows):
 
 
 def test_the_first_screen_comes_first_and_counts(text):
+    refuted = text[text.index('<h2 id="refuted">') : text.index('<h2 id="rows">')]
+    assert 'href="#example-stiction-never-violated"' in refuted
+    assert 'href="#stiction-bracket"' not in refuted  # corrected, not refuted
     found = unescape(text[text.index('<h2 id="found">') : text.index('<h2 id="rows">')])
     assert "Of the paper's 5 claims 1 holds as written, 1 holds after a correction, 1 is refuted" in found
     assert "1 is undecided and 1 is unchecked" in found
