@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from paper_checks import kernel
 from paper_checks.drawing.captions import caption
 from paper_checks.evidence import Evidence, EvidenceKind, Subject, closure
 from paper_checks.exhibit import ENGINE as EXHIBITED
@@ -11,6 +12,7 @@ from paper_checks.graph import Proof, numbered
 from paper_checks.kernel import PROVED
 from paper_checks.report import notation
 from paper_checks.report.blocks import Block, Command, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
+from paper_checks.report.mathematics import in_letters
 from paper_checks.report.summary import OUTCOMES
 from paper_checks.runner import Row
 
@@ -81,9 +83,16 @@ def _decisive(row: Row) -> str | None:
 def _told(step: Evidence) -> str:
     cases = f", {step.cases} cases" if step.cases != 1 else ""
     statement = (step.statement[:1].upper() + step.statement[1:]).rstrip(".")
+    if step.kind is EvidenceKind.KERNEL:
+        statement = _theorem(step)
     shown = step.engine == EXHIBITED or (step.kind is EvidenceKind.ENCLOSURE and len(step.value) < SHORT)
     value = f": {step.value}" if shown and step.value else ""
     return f"{statement}{value} ({step.kind.value}: {step.engine}{cases})."
+
+
+def _theorem(step: Evidence) -> str:
+    """Return what a theorem of the kernel says, its name as a link."""
+    return f"Theorem `{kernel.name_of(step)}`: {in_letters(step.statement.partition('): ')[2]).rstrip('.')}"
 
 
 def _folded(row: Row) -> Iterator[Block]:

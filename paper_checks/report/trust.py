@@ -11,6 +11,7 @@ from paper_checks.graph import Proof
 from paper_checks.kernel import PROVED
 from paper_checks.ledger import source
 from paper_checks.report.blocks import Block, Command, Folded, Graph, Node, Paragraph, Points, Section, Table
+from paper_checks.report.mathematics import in_letters
 from paper_checks.report.summary import kind
 from paper_checks.runner import Row
 
@@ -172,7 +173,11 @@ def _theorems(rows: Sequence[Row], theorems: dict[str, Evidence]) -> Table:
         for name in _direct(row):
             users.setdefault(name, []).append(f"`{row.claim.id}`")
     lines = tuple(
-        (f"`{name}`", step.statement.partition(": ")[2] or step.statement, ", ".join(users.get(name, [])) or "–")
+        (
+            f"`{name}`",
+            in_letters(step.statement.partition("): ")[2] or step.statement),
+            ", ".join(users.get(name, [])) or "–",
+        )
         for name, step in theorems.items()
     )
     return Table(
