@@ -13,6 +13,7 @@ from typing import NamedTuple
 from numerics.arithmetic.float64 import UNIT, ZERO, below, middle, positive, rough, settled, size, spread, tolerance
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text, text_apart
+from numerics.contact.apart import apart, stays
 from numerics.contact.calm import calm
 from numerics.flows.forced_jet import guard_at, slip_jet, stick_jets
 from numerics.flows.forced_records import Drive, Jet, Pair, Start
@@ -20,7 +21,7 @@ from numerics.flows.forced_records import Drive, Jet, Pair, Start
 NONE, ROOT, DOUBT, NEVER, AHEAD = 0, 1, 2, 3, 4
 """No root up to the end of the piece; one, isolated; not settled by these numbers; none in stick, however long the
 piece is; not seen yet."""
-_MOST_STEPS, _MOST_TRIALS, _MARGIN = 2_000_000, 300, 1e-12
+_MOST_STEPS, _MOST_TRIALS, _MARGIN, _LONG = 2_000_000, 300, 1e-12, 20.0
 
 
 class Bracket(NamedTuple):
@@ -39,17 +40,6 @@ class Root(NamedTuple):
     window: Number
     slope: Number
     sure: bool
-
-
-@text
-def stays(jet: Jet, h: float) -> bool:
-    """Return whether the guard is proved to be positive for the next h seconds."""
-    end = jet.value + h * (jet.slope + h * jet.bend / 2.0)
-    low = min(jet.value, end)
-    if jet.slope < 0.0 and jet.bend > 0.0 and -jet.slope < jet.bend * h:
-        low = min(low, jet.value - jet.slope * (jet.slope / (2.0 * jet.bend)))
-    terms = abs(jet.value) + h * (abs(jet.slope) + h * abs(jet.bend))
-    return low - (jet.bound + h * jet.growth) * h * h * h / 6.0 > _MARGIN * terms
 
 
 @text
@@ -91,8 +81,6 @@ def crossing(jet: Jet) -> float:
 @text_apart
 def isolate(pair: Pair, drive: Drive, start: Start, limit: Number) -> Bracket:
     """Return the first root of the guard within `limit` seconds after the start."""
-    if start.mode == 0 and pair.literal:
-        return Bracket(NEVER, 0, ZERO, ZERO)
     step, order, tau = rough(limit), start.order, ZERO
     shortest = 4.0 * UNIT * step
     if positive(start.quiet - start.local):
@@ -105,14 +93,17 @@ def isolate(pair: Pair, drive: Drive, start: Start, limit: Number) -> Bracket:
         found = ahead(pair, drive, start, order, tau, limit, one, two)
         if found.how != AHEAD:
             return found
+        if order == 0 and start.mode != 0 and pair.slip.rate * left > _LONG:
+            free = apart(pair, drive, start, tau, left)
+            if free > 0.0:
+                tau = limit if free >= left else middle(tau + free)
+                continue
         step = min(2.0 * step, left)
         while step > 0.0 and not advances(one, two, order, step):
             step = step / 2.0 if step > max(shortest, 1e-300) else 0.0
         if step == 0.0:
             return Bracket(DOUBT, 0, tau, limit)
-        if step >= left:
-            return Bracket(NONE, 0, limit, limit)
-        order, tau = 0, middle(tau + step)
+        order, tau = 0, limit if step >= left else middle(tau + step)
     return Bracket(DOUBT, 0, tau, limit)
 
 
@@ -130,13 +121,12 @@ def ahead(
     pair: Pair, drive: Drive, start: Start, order: int, tau: Number, limit: Number, one: Jet, two: Jet
 ) -> Bracket:
     """Return what is known of the rest of the piece from one point: a root, none, a doubt; AHEAD if it is a step on."""
-    if order != 0:
-        return Bracket(AHEAD, 0, tau, limit)
-    if one.value <= 0.0 or two.value <= 0.0:
-        return Bracket(DOUBT, 0, tau, limit)
     is_stick, left = start.mode == 0, rough(limit - tau)
-    if is_stick and calm(pair, drive, start, tau):
+    is_free = one.value > 0.0 and two.value > 0.0
+    if is_stick and (pair.literal or (is_free and order == 0 and calm(pair, drive, start, tau))):
         return Bracket(NEVER, 0, tau, limit)
+    if order != 0 or not is_free:
+        return Bracket(DOUBT if order == 0 else AHEAD, 0, tau, limit)
     side = -1 if is_stick and two.slope < 0.0 else 1
     nearer, other = (two, one) if side < 0 else (one, two)
     length = crossing(nearer)

@@ -78,6 +78,7 @@ def drive_of(scene: Scene, pieces: list[ExactPiece], arithmetic: Arithmetic) -> 
     pair, number = scene.pair, arithmetic.number
     numbers: list[Any] = []
     places: list[tuple[int, int, int, int]] = []
+    known: dict[int, tuple[list[Any], list[Any]]] = {}
     masses, reduce = (pair.m1, pair.mass), arithmetic.name in {"float64", "double-double"}
     square = [(4 * pair.a2 * m - pair.a1**2) / (4 * m * m) for m in masses]
     for piece in pieces:
@@ -87,9 +88,12 @@ def drive_of(scene: Scene, pieces: list[ExactPiece], arithmetic: Arithmetic) -> 
             numbers += map(number, particular(piece.polynomial, m, pair.a1, pair.a2))
         for sine in piece.sines:
             phase = sine.omega * piece.start + sine.phase
-            numbers += [number(sine.amplitude), number(sine.omega), number(_reduced(phase) if reduce else phase)]
-            for m, frequency in zip(masses, square, strict=True):
-                numbers += [number(frequency - sine.omega**2), number(pair.a2 - m * sine.omega**2)]
+            if id(sine) not in known:  # all parts of a piece have the same ones
+                known[id(sine)] = [number(sine.amplitude), number(sine.omega)], []
+                for m, frequency in zip(masses, square, strict=True):
+                    known[id(sine)][1].extend((number(frequency - sine.omega**2), number(pair.a2 - m * sine.omega**2)))
+            before, after = known[id(sine)]
+            numbers += [*before, number(_reduced(phase) if reduce else phase), *after]
     return Drive(numbers, places)
 
 

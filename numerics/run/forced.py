@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -50,21 +51,33 @@ def run_forced_scene(
         told = _in_numbers(scene, pieces, knots, arithmetic)
         events = [index for index, knot in enumerate(knots) if knot.is_event]
         limit = events[max_events] if len(events) > max_events else len(knots)
-        rows: Any = [
-            _row(told, start, is_event=knot.is_event, is_jump=knot.is_jump)
-            for start, knot in list(zip(told.begun, knots, strict=True))[:limit]
-        ]
+        known = list(zip(told.begun, knots, strict=True))[:limit]
+        parts: list[Any] = [[_row(told, start, is_event=knot.is_event, is_jump=knot.is_jump) for start, knot in known]]
         how, last, errors = EVENT_LIMIT, told.begun[limit - 1], None
         if limit == len(knots):
             hear = _heard(progress, pieces, scene)
-            how, last, errors = _followed(told, rows, (max_events, len(events)), hear)
+            how, last, errors = _followed(told, parts, (max_events, len(events)), hear)
         end: Any = _row(told, last, errors=errors)
     _require_answer(how, told, last)
-    if arithmetic.name == "float64":
-        rows, end = np.array(rows, dtype=float).reshape(-1, row_length(1)), np.array(end)
+    if how == EVENT_LIMIT:
+        parts, end = _up_to_last_event(parts)
+    kept, end = (_joined(parts), np.array(end)) if arithmetic.name == "float64" else (list(chain(*parts)), end)
     return ForcedTrajectory(
-        scene, arithmetic, ForcedRecord(rows, end, how, told.width), bounded=arithmetic.name in _HAS_BOUNDS
+        scene, arithmetic, ForcedRecord(kept, end, how, told.width), bounded=arithmetic.name in _HAS_BOUNDS
     )
+
+
+def _up_to_last_event(parts: list[Any]) -> tuple[list[Any], Any]:
+    """Return the rows up to the last event, where a cap on events ends a run, and that row again for the end."""
+    rows = [row for part in parts for row in part]
+    while len(rows) > 1 and rows[-1][1] == 0.0:
+        rows.pop()
+    return [rows], rows[-1]
+
+
+def _joined(parts: list[Any]) -> Any:
+    """Return rows of binary64 as one array."""
+    return np.concatenate([np.array(part, dtype=float).reshape(-1, row_length(1)) for part in parts])
 
 
 def _in_numbers(scene: Scene, pieces: list[ExactPiece], knots: list[ExactKnot], arithmetic: Arithmetic) -> _Told:
@@ -101,9 +114,9 @@ def _row(told: _Told, at: Start, errors: Any = None, *, is_event: bool = False, 
 
 
 def _followed(
-    told: _Told, rows: list[Any], counts: tuple[int, int], hear: Callable[[list[Any]], None]
+    told: _Told, parts: list[Any], counts: tuple[int, int], hear: Callable[[int, Any], None]
 ) -> tuple[int, Start, Any]:
-    """Add the rows of a run from the last exact start on; return how it ended, the state there and its errors.
+    """Add the rows, in parts, of a run from the last exact start on; return how it ended, the last state, its errors.
 
     binary64 is compiled where that has been done already, or after many rows; the bits are the same.
     """
@@ -111,7 +124,7 @@ def _followed(
     last, how, errors = told.begun[-1], MOVING, None
     compiles, size = told.telling.name == "float64" and can_compile(), row_length(told.width)
     while how == MOVING:
-        if compiles and (len(rows) >= _FEW or told.telling.has_compiled(run_forced)):
+        if compiles and (sum(map(len, parts)) >= _FEW or told.telling.has_compiled(run_forced)):
             drive = Drive(np.array(told.drive.numbers), np.array(told.drive.places, dtype=np.int64))
             told = told._replace(drive=drive) if isinstance(told.drive.numbers, list) else told
             part: Any = np.empty((_MANY, size))
@@ -122,17 +135,17 @@ def _followed(
             how, count, events, last, errors = run(told.pair, told.drive, last, most, events, part)
         except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
             return OUT_OF_RANGE, last, errors
-        rows += part[:count].tolist() if isinstance(part, np.ndarray) else part[:count]
-        hear(rows)
+        parts.append(part[:count])
+        hear(events, part[:count])
     return how, last, errors
 
 
-def _heard(progress: Progress | None, pieces: list[ExactPiece], scene: Scene) -> Callable[[list[Any]], None]:
+def _heard(progress: Progress | None, pieces: list[ExactPiece], scene: Scene) -> Callable[[int, Any], None]:
     """Return what tells `progress` how far a run is."""
 
-    def hear(rows: list[Any]) -> None:
-        if progress is not None:
-            progress(sum(row[1] == 1.0 for row in rows), float(pieces[int(rows[-1][3])].start / scene.until))
+    def hear(events: int, rows: Any) -> None:
+        if progress is not None and len(rows):
+            progress(events, float(pieces[int(rows[-1][3])].start / scene.until))
 
     return hear
 
