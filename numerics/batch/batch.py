@@ -6,23 +6,23 @@ same certified first events and the same error bounds. Python only hands out chu
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from numerics.arithmetic.telling import can_compile
 from numerics.batch.answer import Batch
+from numerics.batch.forced import solve_forced
 from numerics.batch.parallel import available_cores
-from numerics.batch.rows import Chunk, room, solve_chunk
+from numerics.batch.rows import Chunk, room
+from numerics.batch.threads import in_threads
 from numerics.errors import InvalidScene
 from numerics.motion.begin import si_numbers
 from numerics.motion.start import SI
 from numerics.run.one import MAX_EVENTS, halved
-from numerics.scene import Law, Pair, Scene, State, read_law
+from numerics.scene import Force, Friction, Law, Pair, Scene, State, read_law
 from numerics.scene.decimals import require_whole
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
@@ -47,6 +47,8 @@ def solve_many(
     v1: ArrayLike = 0.0,
     x2: ArrayLike = 0.0,
     v2: ArrayLike = 0.0,
+    force: Any = None,
+    friction: Any = None,
     law: Law | str = Law.FILIPPOV,
     max_events: int = MAX_EVENTS,
     keep_events: int = 0,
@@ -63,6 +65,9 @@ def solve_many(
     such as "1/3" are numbers too, at the price of Python's time for every scene. `jobs`: threads of compiled code
     (default: all cores); without numba one thread does it all. `progress(done, all)` is called now and then.
 
+    `force` and `friction`: a Force, a Friction, or sequences of them that broadcast with the numbers. What friction
+    took is nan under a force: ask one trajectory's ledger.
+
     Raises InvalidScene, naming the first number that is out of bounds, ValueError (arrays that do not broadcast, bad
     arguments).
 
@@ -70,9 +75,11 @@ def solve_many(
     >>> found.events.tolist(), found.mode.tolist(), bool(found.digits.min() >= 10)
     ([1, 32], [0, 0], True)
     """
-    if exact:
-        return _solve_decimals((m1, m2, a2, b, x1, v1, x2, v2, until, a1), law, max_events, keep_events, jobs, progress)
     numbers = (m1, m2, a2, b, x1, v1, x2, v2, until, a1)
+    if exact or force is not None or friction is not None:
+        acts = (Force() if force is None else force, Friction() if friction is None else friction)
+        given = numbers if exact else tuple(_as_binary(one) for one in numbers)
+        return _solve_decimals(given, acts, law, max_events, keep_events, jobs, progress)
     table, shape = _table(numbers)
     _check(max_events, keep_events, jobs)
     law = read_law(law)
@@ -91,6 +98,8 @@ def solve_scenes(
 ) -> Batch:
     """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),)."""
     _check(max_events, keep_events, jobs)
+    if any(scene.is_forced for scene in scenes):
+        return _solve_mixed(scenes, (max_events, keep_events, jobs, progress))
     limits, shape = (max_events, keep_events, jobs, progress), (len(scenes),)
     table = np.zeros((len(scenes), 20))
     for index, scene in enumerate(scenes):
@@ -108,8 +117,38 @@ def solve_scenes(
     return Batch(ends, kept, shape)
 
 
+def _solve_mixed(scenes: Sequence[Scene], limits: tuple[int, int, int | None, Progress | None]) -> Batch:
+    """Solve scenes some of which have a force: those one by one, the others as ever."""
+    max_events, keep_events, jobs, progress = limits
+    ends, kept = room(len(scenes), keep_events)
+    forced = np.array([scene.is_forced for scene in scenes])
+    free = [scene for scene in scenes if not scene.is_forced]
+    found = solve_scenes(free, max_events=max_events, keep_events=keep_events, jobs=jobs)
+    ends[~forced], kept[~forced] = found.ends, found.kept
+    done = [len(free)]
+
+    def told(count: int) -> None:
+        done[0] += count
+        if progress is not None:
+            progress(done[0], len(scenes))
+
+    own_ends, own_kept = room(int(forced.sum()), keep_events)
+    solve_forced([scene for scene in scenes if scene.is_forced], max_events, own_ends, own_kept, told)
+    ends[forced], kept[forced] = own_ends, own_kept
+    return Batch(ends, kept, (len(scenes),))
+
+
+def _as_binary(values: ArrayLike) -> ArrayLike:
+    """Return numbers as the exact rationals that they are in binary."""
+    array = np.asarray(_numbers("a number", values))
+    if not np.isfinite(array).all():
+        raise InvalidScene("numbers of a batch must be finite; correct them, or leave those scenes out")
+    return np.array([Fraction(float(one)) for one in array.ravel()], dtype=object).reshape(array.shape)
+
+
 def _solve_decimals(
     numbers: tuple[ArrayLike, ...],
+    acts: tuple[Any, Any],
     law: Law | str,
     max_events: int,
     keep_events: int,
@@ -117,11 +156,11 @@ def _solve_decimals(
     progress: Progress | None,
 ) -> Batch:
     """Solve arrays of exact numbers: texts, decimals, fractions, or floats read as the decimals that they show."""
-    arrays = np.broadcast_arrays(*[np.asarray(one, dtype=object) for one in numbers])
+    arrays = np.broadcast_arrays(*[np.asarray(one, dtype=object) for one in (*numbers, *acts)])
     shape = arrays[0].shape
     scenes = []
-    for m1, m2, a2, b, x1, v1, x2, v2, until, a1 in zip(*[one.ravel() for one in arrays], strict=True):
-        scenes.append(Scene(Pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law))
+    for m1, m2, a2, b, x1, v1, x2, v2, until, a1, *both in zip(*[one.ravel() for one in arrays], strict=True):
+        scenes.append(Scene(Pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, *both))
     found = solve_scenes(scenes, max_events=max_events, keep_events=keep_events, jobs=jobs, progress=progress)
     return Batch(found.ends, found.kept, shape)
 
@@ -149,7 +188,7 @@ def _solved(
         chunks.append(
             Chunk(table[part], lambda row, start=start: exact(start + row), ends[part], kept[part], literal, max_events)
         )
-    for count in _in_threads(chunks, jobs):
+    for count in in_threads(chunks, jobs):
         done += count
         if progress is not None:
             progress(done, len(table))
@@ -208,17 +247,3 @@ def _check(max_events: int, keep_events: int, jobs: int | None) -> None:
     require_whole("max_events", max_events, 1)
     require_whole("keep_events", keep_events, 0)
     require_whole("jobs", 1 if jobs is None else jobs, 1)
-
-
-def _in_threads(chunks: list[Chunk], jobs: int | None) -> Iterator[int]:
-    """Yield how many scenes each chunk had, as they finish; compiled code runs in threads, Python in turn."""
-    if jobs == 1 or len(chunks) <= 1 or not can_compile():
-        yield from map(solve_chunk, chunks)
-        return
-    pool = ThreadPoolExecutor(min(jobs or available_cores(), len(chunks)))
-    try:
-        futures: list[Future[int]] = [pool.submit(solve_chunk, chunk) for chunk in chunks]
-        for future in as_completed(futures):
-            yield future.result()
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)

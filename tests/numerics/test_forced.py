@@ -13,10 +13,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import MODERATE, forces, frictions, pairs, states
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, State, solve
+from numerics import Force, Friction, Law, Pair, Piece, Scene, State, sensitivities, solve, solve_many, solve_scenes
 from numerics.__main__ import main
 from numerics.arithmetic.ball_words import precision
-from numerics.errors import EventUndecided, OutOfRange
+from numerics.errors import EventUndecided, InvalidScene, NoForceHere, OutOfRange
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
 from numerics.scene.writing import scene_text
@@ -205,3 +205,49 @@ def test_what_is_free_only_says_so(tmp_path, capsys):
     path.write_text(scene_text(Scene(PAIR, State(), 2, force=Force.step(1, 10))), "utf-8")
     assert main(["energy", str(path), "--at", "10"]) == 1
     assert "force" in capsys.readouterr().err
+
+
+def test_batches_over_forces_are_the_single_answers():
+    amplitudes = [Fraction(k, 20) for k in range(1, 9)]
+    found = solve_many(
+        1, 1, 200, 0.05, v1=[[0.0], [0.125]], until=3, force=[Force.sine(one, 5) for one in amplitudes], keep_events=2
+    )
+    assert found.y.shape == (4, 2, len(amplitudes))
+    for row, speed in enumerate((0, Fraction(1, 8))):
+        for column, amplitude in enumerate(amplitudes):
+            one = Scene(Pair(1, 1, 200, Fraction(0.05)), State(v1=speed), 3, force=Force.sine(amplitude, 5))
+            alone = solve(one)
+            at = row, column
+            assert found.events[at] == len(alone.events)
+            assert found.success[at]
+            assert np.allclose(found.y[:, row, column], alone.final_state, rtol=0, atol=1e-16)
+            assert np.allclose(found.event_t[at][: len(alone.events)], alone.event_times[:2], rtol=1e-15, atol=0)
+
+
+def test_free_and_forced_scenes_in_one_batch():
+    free, forced = Scene(PAIR, State(v1="0.15"), 3), Scene(PAIR, State(), 3, force=Force.step(1, 1))
+    tie = scene("touches-at-irrational-times")
+    found = solve_scenes([free, forced, tie])
+    assert found.events[:2].tolist() == [len(solve(free).events), len(solve(forced).events)]
+    assert found.success.tolist() == [True, True, False]
+    with pytest.raises(InvalidScene):
+        solve_many(1, 1, 200, float("nan"), until=1, force=Force.step(0, 1))
+
+
+def test_sensitivities_say_that_they_know_no_force():
+    with pytest.raises(NoForceHere, match="force"):
+        sensitivities(solve(Scene(PAIR, State(), 1, force=Force.step(0, 1))))
+
+
+def test_a_cap_on_events_ends_at_the_last_event():
+    moving = Scene(PAIR, State(), 30, force=Force.sine("0.35", 50))
+    points, balls = solve(moving, max_events=7), solve(moving, digits=15, arithmetic="ball", max_events=7)
+    assert not points.success
+    assert float(points.end_time) == pytest.approx(float(balls.end_time.mid()))
+    assert points.final_state == pytest.approx([float(one.mid()) for one in balls.final_state], abs=1e-12)
+
+
+def test_a_light_body_oscillates_a_thousand_times_in_one_slip():
+    light = Scene(Pair("1e-6", 10, 600, "1e-3"), State(v2="0.01"), 3, force=Force.sine("1e-3", 2))
+    balls, points = solve(light, digits=12, arithmetic="ball", max_events=12), solve(light, max_events=12)
+    assert itinerary(balls) == itinerary(points)
