@@ -142,6 +142,14 @@ CONTROL = [
         "<-> b + b / m2 * half_time m2 b D / g (half_time m2 b D) < F. Proof",
         "the least amplitude not enough",
     ),
+    (
+        "Varying",
+        "In p pieces -> 0 < fst p /\\ 0 <= snd p.",
+        "In p pieces -> 0 <= snd p.",
+        "pieces without friction, or worse",
+    ),
+    ("Mode", "Rabs (load t0) < b -> exists d", "Rabs (load t0) <= b -> exists d", "a tie that always sticks"),
+    ("Mode", "b < k * load t0 -> exists d", "b <= k * load t0 -> exists d", "a tie that always slips"),
     ("Ring", "<= e <-> T <= t)) /\\", "<= e <-> T < t)) /\\", "a tube without its edge"),
     (
         "Ring",

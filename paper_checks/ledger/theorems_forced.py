@@ -50,6 +50,7 @@ RULE = theorem(
         "strict",
         r"Where $v_1=v_2$, with $u$ and its derivatives from the right: the pair sticks right after if $|\Lambda|<b$, and slips with the "
         r"sign $s$ if $s\Lambda>b$.",
+        kernel=("mode-stick", "mode-slip"),
     ),
     clause(
         "tie",

@@ -15,6 +15,22 @@ FORCED: dict[str, tuple[str, str]] = {
         "Forced.forced_contraction",
         "Under one force the energy distance of two solutions never grows.",
     ),
+    "varying-contraction": (
+        "Varying.varying_contraction",
+        "The same where the friction changes in time, by pieces.",
+    ),
+    "varying-well-posed": (
+        "Varying.varying_well_posed",
+        "With a friction by pieces in time, too: one motion from every start.",
+    ),
+    "mode-stick": (
+        "Mode.sticks_at",
+        "At a contact with the load within b the pair sticks for a while, whatever the force does later.",
+    ),
+    "mode-slip": (
+        "Mode.slips_at",
+        "At a contact with the load beyond b it slips at once, with the sign of the load.",
+    ),
     "forced-energy-rate": ("Forced.forced_energy_rate", "dE/dt = u v1 - a1 v1^2 - b |v1 - v2|."),
     "input-to-state": (
         "Forced.input_to_state_integral",
