@@ -128,6 +128,12 @@ class Reference:
             reach = reach * arb(self.radians) / self.terms
         self.terms = max(self.terms, *(len(one) + 3 for one in [[], *self.force.polynomials]))
 
+    @property
+    def modes(self) -> list[str]:
+        """The names of the modes in their order."""
+        first = self.events[0].before if self.events else self.mode
+        return [NAMES[mode] for mode in (first, *(event.after for event in self.events))]
+
     def energy(self) -> arb:
         return (self.a2 * self.x1**2 + self.m1 * self.v1**2 + self.m2 * self.v2**2) / 2
 

@@ -182,3 +182,45 @@ def sine_scenes(draw) -> tuple[Scene, Regime]:
         Regime.NON_STOP: high * (1 + part),
     }[regime]
     return Scene(pair, State(), until=1, force=Force.sine(amplitude, omega, draw(st.integers(-3, 3)))), regime
+
+
+@st.composite
+def driven_scenes(draw) -> Scene:
+    """Scenes under a force whose size and speed are the pair's own: resonances, jumps, ties, friction by pieces.
+
+    Starts at rest, on S, on its edge as the force moves it, or in slip; any damping. A few periods long.
+    """
+    pair = draw(pairs((-1, 1)))
+    stick = scaled_speed(pair, Fraction(1)) / pair.half_width
+    slip = stick * Fraction(math.isqrt(10**8 * pair.mass // pair.m1), 10**4)
+    damping = draw(st.sampled_from([Fraction(0), Fraction(1, 20), Fraction(2), Fraction(6)]))
+    pair = Pair(pair.m1, pair.m2, pair.a2, pair.b, a1=damping * pair.mass * stick)
+    held, until = pair.a2 * pair.half_width, Fraction(draw(st.integers(1, 60)), 10) / stick
+    sizes = signed(decimals(-1, 0, 2))
+    rates = st.sampled_from([stick / 3, stick, slip, slip * (1 + Fraction(1, 10**9)), 2 * slip, 3 * stick])
+    times = st.integers(0, 99).map(lambda n: until * n / 100)
+    pieces = []
+    for start in sorted(draw(st.sets(times, max_size=4))):
+        powers = draw(st.lists(sizes, max_size=3))
+        waves = draw(
+            st.lists(st.builds(Sine, sizes.map(lambda a: a * held), rates, signed(decimals(-1, 0, 1))), max_size=2)
+        )
+        pieces.append(Piece(start, [c * held * stick**k for k, c in enumerate(powers)], waves))
+    frictions = [(t, pair.b * draw(decimals(-1, 0, 2))) for t in sorted(draw(st.sets(times, max_size=2)))]
+    force = Force(pieces)
+    return Scene(pair, draw(driven_states(pair, force)), until, force=force, friction=Friction(frictions))
+
+
+@st.composite
+def driven_states(draw, pair: Pair, force: Force) -> State:
+    """States in the pair's own size: rest, on S, in slip, or a load of exactly b under the force at t = 0."""
+    x, v = (draw(signed(decimals(-1, 0))) * pair.half_width for _ in range(2))
+    v *= scaled_speed(pair, Fraction(1)) / pair.half_width
+    kind, u = draw(st.sampled_from(["rest", "surface", "edge", "slip"])), force(0)
+    if kind == "rest":
+        return State()
+    if kind == "slip":
+        return State(x, v, 0, v * draw(signed(decimals(-1, 0))))
+    if kind == "edge" and isinstance(u, Fraction):
+        x = (u - pair.a1 * v - draw(st.sampled_from([-1, 1])) * pair.a2 * pair.half_width) / pair.a2
+    return State(x, v, x, v)

@@ -4,14 +4,20 @@ The answers come from tests/forced_reference.py, which shares nothing with the s
 """
 
 import json
+import tomllib
 from decimal import Decimal, localcontext
 from time import process_time
 
 import pytest
+from flint import arb, ctx
 from forced.regenerate import ANSWERS, HERE
+from forced_reference import Reference
+from hypothesis import given
+from strategies import driven_scenes
 
 from numerics.errors import EventUndecided, NumericsError
 from numerics.scene.file import load_scene
+from numerics.scene.writing import scene_text
 from numerics.solver.solve import solve
 from numerics.solver.truth import record as as_record
 
@@ -115,3 +121,25 @@ def test_a_wrong_answer_is_seen(name):
     record["final"]["x1"] = record["final"]["x1"][:45]
     with pytest.raises(AssertionError):
         compare(found, record, ANSWER[name], 30, "ball")
+
+
+@given(driven_scenes())
+def test_any_scene_agrees_with_the_reference(scene):
+    """In balls: the same modes, and every event and the end to 28 digits of their scale; or a refusal at a touch."""
+    try:
+        found = solve(scene, arithmetic="ball", digits=30, max_digits=300)
+    except EventUndecided:
+        return
+    truth = Reference(tomllib.loads(scene_text(scene), parse_float=str), digits=70).run()
+    before, ctx.dps = ctx.dps, 70
+    try:
+        rows = [(event.t, *event.y) for event in found.events] + [(found.end_time, *found.final_state)]
+        right = [(event.t, *event.y) for event in truth.events] + [(truth.t, *truth.state())]
+        assert [mode.value for mode in found.modes] == truth.modes
+        far, fast = truth.far, truth.fast
+        for got, true in zip(rows, right, strict=True):
+            for one, two, scale in zip(got, true, (abs(true[0]), far, fast, far, fast), strict=True):
+                assert one.overlaps(two + scale * arb(0, 1e-50))
+                assert abs(one.mid() - two) <= scale * arb(10) ** -28
+    finally:
+        ctx.dps = before
