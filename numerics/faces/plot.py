@@ -33,7 +33,7 @@ def overview(trajectory: Trajectory) -> Any:
         common |= _moved_out(ax)
     chosen = {name: common[name] for name in COMMON if name in common}
     figure.legend(chosen.values(), chosen, loc="outside lower center", ncols=len(chosen) or 1, fontsize="small")
-    figure.suptitle(f"{_pair(trajectory.scene)}\n{_course(trajectory)}", fontsize="medium")
+    figure.suptitle(f"{_pair(trajectory.scene)}\n{_course(trajectory, curve.t[-1])}", fontsize="medium")
     return figure
 
 
@@ -59,13 +59,13 @@ def _pair(scene: Scene) -> str:
     return ", ".join(_quantity(*one) for one in named) + literal
 
 
-def _course(trajectory: Trajectory) -> str:
-    """Return where a trajectory starts, how many events it has, and how it ends."""
+def _course(trajectory: Trajectory, end: float) -> str:
+    """Return where a trajectory starts, how many events it has up to its end (s), and how it ends."""
     scene, count = trajectory.scene, len(trajectory.events)
     at, units = scene.initial, {"x": "m", "v": "m/s"}
     moved = [(f"{name[0]}_{name[1]}", getattr(at, name), units[name[0]]) for name in ("x1", "v1", "x2", "v2")]
     start = ", ".join(_quantity(*one) for one in moved if one[1] != 0) or "rest"
-    events = f"{count} event{'' if count == 1 else 's'} in {trajectory.arithmetic.to_float(trajectory.end_time):g} s"
+    events = f"{count} event{'' if count == 1 else 's'} in {end:g} s"
     return f"from {start}: {events}; {trajectory.message}"
 
 
