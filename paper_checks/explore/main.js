@@ -55,7 +55,7 @@ function tell() {
 function proofIn(row) {
   const name = document.getElementById(row) ? Object.assign(document.createElement("a"), { href: `#${row}` }) : document.createElement("code");
   name.textContent = row;
-  return ["Proved in row ", name, "."];
+  return ["See row ", name, "."];
 }
 
 const MODE_NAMES = { 1: "slip+", 0: "stick", "-1": "slip\u2212" };

@@ -2,10 +2,10 @@
 
 const shown = (value, digits = 4) => String(Number(value.toPrecision(digits))).replaceAll("-", "\u2212");
 
-/* Amplitudes of u/b = A sin(omega tau): up to `stuck` a response exists that always sticks (the sine alone, no free
-   oscillation on it), from `slipping` on one that never sticks. */
+/* Amplitudes of u/b = A sin(omega tau): up to `stuck` some motion sticks for ever; one that slips without a stop, one
+   way for half a period and then the other, needs at least `slipping`. */
 function thresholds({ q, r, zeta }, omega) {
-  const stuck = Math.hypot(1 - omega * omega, 2 * zeta * omega) / (omega * omega * r);
+  const stuck = Math.hypot(1 - omega * omega, 2 * zeta * omega) / (omega * omega * r) * harmonic(zeta, omega);
   const stiff = Math.hypot(1 - q * omega * omega, 2 * zeta * omega);
   if (stiff < 1e-9) return { stuck, slipping: 4 / Math.PI };
   const half = Math.PI / omega, fade = zeta / q, drop = Math.exp(-2 * fade * half);
@@ -16,13 +16,19 @@ function thresholds({ q, r, zeta }, omega) {
   return { stuck, slipping: stiff / omega * Math.hypot(along, across) };
 }
 
+/* Without a damper and with Omega an odd multiple of omega a free oscillation flattens the peaks of the load. */
+function harmonic(zeta, omega) {
+  const multiple = Math.round(1 / omega), fits = Math.abs(multiple * omega - 1) < 1e-12;
+  return zeta === 0 && fits && multiple % 2 === 1 && multiple > 1 ? 1 / Math.cos(Math.PI / (2 * multiple)) : 1;
+}
+
 /* exp(-fade t) times cos and sin/rate of rate t, rate^2 = k - fade^2, or their hyperbolic counterparts. */
 function overHalf(fade, k, t) {
   const [C, S] = freeMotion({ delta: fade, k, square: k - fade * fade }, t);
   return [C - fade * S, S];
 }
 
-/* {title, text, row}: what this run came to. With a row of the ledger it is proved; without one it tells this run only. */
+/* {title, text, row}: what this run came to; the row of the ledger has what is said of all runs, and its proof. */
 function regimeOf(solution) {
   const { scene, force, segments, capped } = solution;
   if (capped) return { title: "Too many events", text: `The first ${segments.length} events are shown. Choose a shorter run.` };
@@ -62,13 +68,14 @@ function energyAbout({ pair, force }, state) {
 
 function drivenRegime(solution) {
   const { scene, pair } = solution, period = 2 * Math.PI / scene.omega, bound = thresholds(pair, scene.omega);
-  const limits = `At this frequency a response that always sticks exists up to u/b = ${shown(bound.stuck)}, one that never sticks from ${shown(bound.slipping)} on. Here u/b = ${shown(Math.abs(scene.amplitude))}.`;
-  if (scene.until < 2 * period) return { title: "Driven", text: `${limits} The run is shorter than two periods of the force.` };
+  const limits = `u/b = ${shown(Math.abs(scene.amplitude))}: at this frequency some motion sticks for ever up to ${shown(bound.stuck)}; slipping without a stop needs at least ${shown(bound.slipping)}.`;
+  const known = { row: "entrainment-threshold" };
+  if (scene.until < 2 * period) return { title: "Driven", text: `${limits} The run is shorter than two periods of the force.`, ...known };
   const { stuck, stops } = lastPeriod(solution, period), repeats = repetition(solution, period);
   const again = repeats < 1e-6 ? "The last two periods agree to a millionth." : `Over the last period the state has changed by ${shown(repeats, 2)}: it is still settling.`;
-  if (stuck === 1) return { title: "Entrained", text: `The pair moves as one body throughout the last period. ${again} ${limits}` };
-  if (stuck === 0) return { title: "Slips all the time", text: `No stick phase in the last period. ${again} ${limits}` };
-  return { title: "Stick and slip", text: `${stops} stick phase${stops === 1 ? "" : "s"} in the last period, ${shown(100 * stuck, 3)} % of the time. ${again} ${limits}` };
+  if (stuck === 1) return { title: "Entrained", text: `The pair moves as one body throughout the last period. ${again} ${limits}`, ...known };
+  if (stuck === 0) return { title: "Slips all the time", text: `No stick phase in the last period. ${again} ${limits}`, ...known };
+  return { title: "Stick and slip", text: `${stops} stick phase${stops === 1 ? "" : "s"} in the last period, ${shown(100 * stuck, 3)} % of the time. ${again} ${limits}`, ...known };
 }
 
 /* The share of the last period that is stuck, and how many stick phases lie in it. */

@@ -12,12 +12,13 @@ from theory import forced_response, symbols
 
 POINTS = [*product((0.1, 1.0, 6.0), (0.02, 0.3, 0.8, 3.0), (0.2, 0.9, 1.7, 8.0)), (1.0, 0.0, 0.7), (3.0, 0.0, 4.1)]
 RESONANT = (1 / 3, 0.0, 2.0)
+HARMONIC = (1.0, 0.0, 0.2)
 
 
 @pytest.fixture(scope="module")
 def told(whole, tmp_path_factory) -> list[list[float]]:
     question = Path(__file__).with_name("thresholds.js")
-    return asked(whole, question, tmp_path_factory.mktemp("thresholds"), POINTS=[*POINTS, RESONANT])
+    return asked(whole, question, tmp_path_factory.mktemp("thresholds"), POINTS=[*POINTS, RESONANT, HARMONIC])
 
 
 def canonical(ratio: float, zeta: float, omega: float) -> dict:
@@ -58,4 +59,11 @@ def test_they_are_those_of_the_theory(told):
 
 
 def test_at_resonance_without_damping_it_is_four_over_pi(told):
-    assert told[-1][1] == pytest.approx(4 / pi)
+    assert told[-2][1] == pytest.approx(4 / pi)
+
+
+def test_a_free_oscillation_flattens_the_peaks_at_an_odd_multiple(told):
+    numbers = canonical(*HARMONIC)
+    factor = forced_response.harmonic_amplitude().subs(forced_response.multiple, 5)
+    stuck = forced_response.entrained_amplitude().subs(numbers) * factor / numbers[symbols.b]
+    assert told[-1][0] == pytest.approx(float(stuck), rel=1e-12)

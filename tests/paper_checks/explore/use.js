@@ -16,7 +16,7 @@ found.files = all("[data-scene]").map((button) => { button.click(); return [by("
 found.pressed = all("[aria-pressed=true]").length;
 
 all("[data-scene]")[1].click();
-found.proof = [by("regime").textContent.endsWith("Proved in row critical-mass-ratio."), by("regime").querySelector("a")];
+found.proof = [by("regime").textContent.endsWith("See row critical-mass-ratio."), by("regime").querySelector("a")];
 document.body.append(Object.assign(document.createElement("div"), { id: "critical-mass-ratio" }));
 all("[data-scene]")[1].click();
 found.proof.push(by("regime").querySelector("a").getAttribute("href"));
