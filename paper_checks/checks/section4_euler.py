@@ -33,6 +33,7 @@ def euler_reproduces_figures(context: Context) -> Finding:
     contact = rounded(literal.events[0].t, 4)
     sticks = {h: _first_stick(h) for h in (COARSE, Fraction("2e-4"), Fraction("1e-4"))}
     true, fine = rounded(_first_adhesion(load_scene("velocities")), 4), run("velocities", Fraction("1e-4"))
+    amplitude, longest = _first_amplitude()
     gains = {h: rounded(100 * (ratio - 1), 0) for h, ratio in _growth_of_start_at_6mm().items()}
     return conclude(
         Verdict.HOLDS_CORRECTED,
@@ -62,7 +63,7 @@ def euler_reproduces_figures(context: Context) -> Finding:
             "\\Omega^2=\\frac{a_2}{m_1+m_2},$$ a growth by $e^{h\\Omega^2}$ in a second.",
             "In slip the amplitude about $\\mp b/a_2$ grows by $\\sqrt{1+h^2a_2/m_1}$ a step, against a loss of $4b/a_2$ a cycle by "
             "friction. With amplitude $A$ and step $h$ the growth wins where about $$A\\,h\\,>\\,\\frac{4b}{\\pi\\sqrt{a_2^3/m_1}}"
-            "\\ :$$ in Fig. 5 (a), $A=0.0106$ m, for steps above 0.002 s.",
+            f"\\ :$$ in Fig. 5 (a), $A={amplitude:.3g}$ m, for steps above {longest:.1g} s.",
             "In the strip both fields push to $\\dot z=0$, so $\\dot z$ flips about it with $|\\dot z|\\leqslant hC$, "
             "$C=2b(m_1+m_2)/(m_1m_2)$; on average over the flips this is Filippov's convex combination.",
         ),
@@ -115,6 +116,15 @@ def _chatter_is_small() -> Evidence:
         strip,
         sp.And(*bounds),
     )
+
+
+def _first_amplitude() -> tuple[float, float]:
+    """Return the amplitude at the start of Fig. 5 (a), m, and the step at which Euler adds what friction takes, s."""
+    scene = load_scene("velocities")
+    known = {one: sp.Rational(str(getattr(scene.pair, one.name))) for one in (m1, a2, b)}
+    amplitude = sp.Rational(str(scene.initial.v1)) * sp.sqrt(m1 / a2)
+    step_there = 4 * b / (sp.pi * sp.sqrt(a2**3 / m1)) / amplitude
+    return float(amplitude.subs(known)), float(step_there.subs(known))
 
 
 def _growth_of_start_at_6mm() -> dict[Fraction, arb]:

@@ -61,7 +61,8 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
     broken = branch_named("broken adhesion")
     counterexample = (
         exhibit(
-            "at the start $|\\ddot x_1|=0.6>0.5=b/m_2$: the stiction bracket of (4) is broken, and (3), (4) give $\\ddot z=-0.6$",
+            f"at the start $|\\ddot x_1|={value_at(sp.Abs(free(stick().acceleration1)), point)}>{value_at(b / m2, point)}=b/m_2$: the stiction bracket of (4) is "
+            "broken, and (3), (4) give $\\ddot z=-0.6$",
             point,
             (sp.Abs(free(stick().acceleration1)), ">", b / m2),
             (free(broken.acceleration1 - broken.acceleration2), "=", -sp.Rational(3, 5)),
