@@ -39,7 +39,7 @@ def thresholds_over_frequency() -> Figure:
         ax.set_title(title)
         for rate, name in ((pair.a2 / pair.mass, r"$\Omega$"), (pair.a2 / pair.m1, r"$\omega_1$")):
             ax.axvline(float(rate) ** 0.5, color="#777777", lw=0.7, ls=":")
-            ax.text(float(rate) ** 0.5, ax.get_ylim()[1], name, ha="center", va="bottom", fontsize=8)
+            ax.text(float(rate) ** 0.5, ax.get_ylim()[1], name, ha="right", va="top", fontsize=9)
     patches = [Patch(fc=colour, ec="black", lw=0.4, label=name) for name, colour in REGIME_COLOURS.items()]
     figure.legend(handles=[*patches, *figure.axes[0].lines[:2]], loc="outside lower center", ncols=3, frameon=False)
     return figure
@@ -102,8 +102,10 @@ def drift_against_asymmetry() -> Figure:
     figure = new_figure(6, 3.8)
     ax = figure.subplots()
     orbits = list(harmonics())
-    ax.plot([float(one) for one in SHARES], 1000 * drift_of_orbits(orbits[0].drive, orbits), "o-", color=BODY_2, ms=3)
+    drift = 1000 * drift_of_orbits(orbits[0].drive, orbits)
+    ax.plot([float(one) for one in SHARES], drift, "o-", color=BODY_2, ms=3, label="proved periodic motions")
     ax.axhline(0, color="#777777", lw=0.7)
-    ax.set(xlabel="second harmonic over the first", ylabel="drift of body 2 (mm/s)")
+    ax.legend()
+    ax.set(xlabel="second harmonic over the first (dimensionless)", ylabel="drift of body 2 (mm/s)")
     ax.set_title(r"$u=U(\sin\omega t+\varepsilon\sin(2\omega t+1))$: no drift without asymmetry")
     return figure
