@@ -1,0 +1,161 @@
+# ---
+# jupyter:
+#   jupytext:
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # The pair under a force: what control through the interface can do
+#
+# The paper's most general model has a force $u(t)$ on body 1, and its readers are control engineers. Body 2 feels
+# nothing but friction, at most $b$. This notebook asks what that allows: when a vibration carries body 2 along, which
+# references it can follow, how fast it can be moved, and when the relative motion has settled. Every number below is
+# an enclosure or comes from one, and what is planned is solved again.
+
+# %%
+# %matplotlib inline
+# %config InlineBackend.figure_formats = ["svg"]
+import numpy as np
+
+from numerics import (
+    Force,
+    Pair,
+    Scene,
+    State,
+    fastest_transfer,
+    load_reference,
+    load_scene,
+    response,
+    response_map,
+    ring_entry,
+    solve,
+    thresholds,
+    track,
+)
+from numerics.control.again import orbit_again, tracking_again, transfer_again
+from numerics.control.figures import draw_response
+from numerics.control.response_map_figure import draw_response_map
+from numerics.scene.decimals import exact_decimal
+from paper_checks.drawing import under_a_force
+from paper_checks.drawing.style import house_style
+
+pair = Pair(m1=1, m2=1, a2=200, b="0.5", a1=2)
+
+# %% [markdown]
+# ## A vibration: three regimes
+#
+# Under $u=U\sin\omega t$ the pair sticks for ever if and only if its stuck response asks for no more friction than
+# there is, $U\le U^*=\beta\,|a_2-M\omega^2+ia_1\omega|/\omega^2$ with $\beta=b/m_2$. From $U^{**}$ on there is a
+# motion that slips for ever. In between lies a motion with two stops a period.
+
+# %%
+with house_style():
+    figure = under_a_force.thresholds_over_frequency()
+figure
+
+# %%
+known = thresholds(pair, 12, digits=30)
+print("U*  =", known.entrainment.str(30, radius=False), "N")
+print("U** =", known.non_stop.str(30, radius=False), "N")
+
+# %% [markdown]
+# With a damper there is one periodic motion, and every motion tends to it. Its events are enclosed by an interval
+# Newton step, its modes are proved between them, and the Floquet multipliers say how fast it attracts. The same
+# period is then solved by events: it must come back.
+
+# %%
+shaken = response(Scene(pair, State(), until=4, force=Force.sine("0.5", 12)))
+again = orbit_again(shaken.orbit, 15)
+print(shaken.regime.value)
+print("multipliers", [abs(one).str(15, radius=False) for one in shaken.multipliers])
+print("modes of a period, solved by events:", [mode.value for mode in again.modes])
+draw_response(shaken)
+
+# %% [markdown]
+# The same over frequency and amplitude, in cells that are proved as a whole.
+
+# %%
+window = [[exact_decimal(one, "window") for one in side] for side in (("0.1", "10"), ("4", "40"))]
+draw_response_map(response_map(pair, tuple(window[0]), tuple(window[1]), 5))
+
+# %% [markdown]
+# ## Resonance
+#
+# At the resonance of body 1 without a damper friction can take no more than $4b$ times the amplitude in a cycle:
+# below $U=4b/\pi$ all motions stay bounded, above it all of them grow.
+
+# %%
+with house_style():
+    figure = under_a_force.resonance()
+figure
+
+# %% [markdown]
+# ## A force with a preferred side carries body 2 along
+#
+# If $u(t+T/2)=-u(t)$ the drift of body 2 is exactly 0. A second harmonic breaks that.
+
+# %%
+with house_style():
+    figure = under_a_force.drift_against_asymmetry()
+figure
+
+# %% [markdown]
+# ## A reference
+#
+# Body 2 can follow $r$ if and only if $|r''|\le b/m_2$. The force is then $u=Mr''+a_1r'+a_2(r+x_1(0)-r(0))$.
+
+# %%
+rest = load_scene("at-rest")
+followed = track(rest, load_reference("s-curve"))
+print("asks at most", followed.share.str(12), "of the friction;", tracking_again(followed).modes)
+print("too-fast:", track(rest, load_reference("too-fast")).share.str(12), "of the friction, so that no force can do it")
+with house_style():
+    figure = under_a_force.tracked_reference()
+figure
+
+# %% [markdown]
+# ## The fastest transfer
+#
+# From rest to rest over $D$ no control is faster than $2\sqrt{m_2D/b}$. With enough force the bodies stick all the
+# way; with less, body 1 can run ahead and be met at half time, down to $U_{min}$. Below that, and above what a stuck
+# pair can do between $-U$ and $U$, the least time is open.
+
+# %%
+for amplitude in (None, "1.05", "0.5"):
+    found = fastest_transfer(rest, "0.001", amplitude=amplitude)
+    end = transfer_again(found).final_state[2]
+    print(f"U = {amplitude}: {found.time.str(15)} s, bound {found.bound.str(15)} s, arrives at {end.str(12)} m")
+    print("   ", found.fastest)
+with house_style():
+    figure = under_a_force.transfer()
+figure
+
+# %% [markdown]
+# ## The ring of Fig. 1
+#
+# When has the relative motion settled? The limit of $z=x_1-x_2$ of a pair that slips for ever is a sum over
+# infinitely many slips; a function with $s(F(y))=y-F(y)-s(y)$ adds them up. From the entry on the motion is inside
+# the ring for ever.
+
+# %%
+settled = ring_entry(load_scene("velocities"), "0.001", rate=20, digits=30)
+print("limit of x1 - x2:", settled.centre.str(30), "m")
+print("inside for good from", settled.entry.str(30), "s;", settled.why)
+with house_style():
+    figure = under_a_force.tolerance_ring()
+figure
+
+# %% [markdown]
+# Under a force the ring goes along with the periodic motion. The period map is proved to shrink distances over a
+# whole neighbourhood of it, which bounds all that can still happen after the last event that was computed.
+
+# %%
+scene = Scene(pair, State(v1=1), until=5, force=Force.sine(2, 12))
+print("around the periodic motion for good from", ring_entry(scene, "0.02", digits=12).entry.str(15), "s")
+print("velocities at 10 s:", np.round(solve(Scene(pair, State(v1=1), 10, force=Force.sine(2, 12))).y[[1, 3], -1], 6))
