@@ -12,10 +12,10 @@ from numerics.arithmetic.float64 import Float64
 from numerics.control.orbit import Drive, Leg, Orbit
 from numerics.control.rounding import rounded
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.run.one import MAX_EVENTS, run_scene
+from numerics.run.one import run_scene
 from numerics.scene import Force, Pair, Scene, State
 
-_PERIODS = (16, 128, 1024, 8192)
+_PERIODS, _MAX_EVENTS = (16, 128, 1024), 10_000
 
 
 def simulated_guesses(drive: Drive) -> Iterator[Orbit]:
@@ -24,8 +24,10 @@ def simulated_guesses(drive: Drive) -> Iterator[Orbit]:
         until = rounded(drive.period * count, 12)
         scene = Scene(drive.pair, _start(drive), until, force=Force((drive.piece,)))
         try:
-            found = run_scene(scene, Float64(), MAX_EVENTS)
+            found = run_scene(scene, Float64(), _MAX_EVENTS)
         except (EventUndecided, OutOfRange):
+            return
+        if not found.reached:
             return
         guess = _last_period(drive, found, until)
         if guess is not None:

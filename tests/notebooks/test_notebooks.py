@@ -63,6 +63,7 @@ def test_the_notebooks_of_the_house_are_there():
         "paper_figures",
         "past_the_paper",
         "speed_and_accuracy",
+        "under_a_force",
     ]
 
 
