@@ -18,7 +18,7 @@ from numerics.__main__ import main
 from numerics.arithmetic.ball_words import precision
 from numerics.errors import EventUndecided, InvalidScene, NoForceHere, OutOfRange
 from numerics.motion.modes import Mode
-from numerics.scene.file import load_scene
+from numerics.scene.file import load_scene, shipped_scenes
 from numerics.scene.writing import scene_text
 from numerics.trajectory.comparison import distance
 
@@ -150,6 +150,20 @@ def test_compiled_code_gives_the_same_bits(name, monkeypatch):
     monkeypatch.setattr("numerics.run.forced._FEW", 1)
     compiled = solve(scene(name))
     assert np.array_equal(plain.record.rows, compiled.record.rows)
+
+
+@pytest.mark.parametrize("name", [name for name in shipped_scenes() if load_scene(name).is_forced])
+def test_the_shipped_scenes_with_a_force(name):
+    given_scene = load_scene(name)
+    points, balls = solve(given_scene), solve(given_scene, digits=20, arithmetic="ball")
+    assert itinerary(points) == itinerary(balls)
+    assert len(points.events) >= 5
+    if "entrained" in name:
+        assert balls.status.name == "STUCK_FOR_EVER"
+    if "non-stop" in name:
+        assert "0" not in itinerary(balls)[-10:]
+    if "resonance" in name:
+        assert balls.final_energy > 10 * balls.arithmetic.number(given_scene.pair.critical_energy)
 
 
 def test_a_scene_seen_from_all_sides():
