@@ -55,8 +55,11 @@ def _pair(scene: Scene) -> str:
     named = [("m_1", pair.m1, "kg"), ("m_2", pair.m2, "kg"), ("a_2", pair.a2, "N/m"), ("b", pair.b, "N")]
     if pair.a1 > 0:
         named.append(("a_1", pair.a1, "N s/m"))
+    if scene.friction.pieces:
+        named = [one for one in named if one[0] != "b"]
+    by_pieces = ", $b$ by pieces" if scene.friction.pieces else ""
     literal = "; sgn(0) = 0 read literally" if scene.law is Law.THREE_VALUED_SGN else ""
-    return ", ".join(_quantity(*one) for one in named) + literal
+    return ", ".join(_quantity(*one) for one in named) + by_pieces + literal
 
 
 def _course(trajectory: Trajectory, end: float) -> str:

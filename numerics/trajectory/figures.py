@@ -115,8 +115,12 @@ def _load(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.set_ylabel("force on body 2 (N)")
 
 
-def _force(_: Any, curve: Curve, ax: Any) -> None:
+def _force(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.u, color=BLUE, lw=1.2)
+    jumps = [event.t for event in trajectory.events if event.cause == "jump"]
+    for number, t in enumerate(jumps if len(trajectory.events) <= _MOST_MARKED else ()):
+        label = "a jump of u or b changes the mode" if number == 0 else None
+        ax.axvline(trajectory.arithmetic.to_float(t), color=ORANGE, lw=1.0, ls=":", label=label)
     ax.set_ylabel("u (N)")
 
 

@@ -174,6 +174,11 @@ def test_a_forced_overview_shows_the_force_and_its_work():
     assert titles[0] == "Force on body 1"
     labels = [text.get_text() for text in figure.axes[5].get_legend().get_texts()]
     assert labels == ["work of the force", "energy of the pair", "lost to friction", "lost to viscosity"]
+    jumps = [event.t for event in solve(FORCED).events if event.cause == "jump"]
+    marked = [line.get_xdata()[0] for line in figure.axes[0].get_lines()[1:]]
+    assert marked == pytest.approx(jumps)
+    assert jumps
+    assert "b$ by pieces" in figure.get_suptitle()
     work, energy, friction, viscous = (line.get_ydata() for line in figure.axes[5].get_lines())
     assert work + energy[0] == pytest.approx(energy + friction + viscous)
     assert work[-1] == pytest.approx(solve(FORCED).ledger.work, rel=1e-3)
