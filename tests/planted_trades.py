@@ -55,6 +55,11 @@ def record(runs: list[dict[str, Any]] | None = None, **more: Any) -> dict[str, A
     return found | {"leads": [], "runs": our_runs() if runs is None else runs, "growth": growth()} | more
 
 
+def with_forced() -> list[dict[str, str]]:
+    """Return the scenes of a record and one under a force."""
+    return [{"scene": name, "why": "planted"} for name in (*SCENES, "forced-touch")]
+
+
 def planted(folder: Path, *more_runs: dict[str, Any], **more: Any) -> RecordedTrade:
     """Return the trade of a record with further runs, read from a file."""
     made = record(**more)

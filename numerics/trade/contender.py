@@ -87,7 +87,7 @@ def all_contenders() -> list[Contender]:
     from numerics.trade.comparisons.registry import all_peers, forced_peers
     from numerics.trade.ours import our_contenders
 
-    forced = [PeerContender(peer, f"{peer.name}, forced") for peer in forced_peers()]
+    forced = [PeerContender(peer, f"{peer.name}, u(t)") for peer in forced_peers()]
     return [*our_contenders(), *labelled(all_peers()), *forced]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import platform
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -13,14 +14,20 @@ PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka", "jax"
 
 
 def machine() -> dict[str, Any]:
-    """Return the processor, its cores, and the versions of Python and of the packages that are installed."""
+    """Return the processor, its cores, its load, and the versions of Python and of the packages that are installed."""
     return {
         "processor": _processor(),
         "cores": available_cores(),
+        "load": _load(),
         "system": platform.system(),
         "python": platform.python_version(),
         "packages": {name: found for name in PACKAGES if (found := _version(name)) is not None},
     }
+
+
+def _load() -> float | None:
+    """Return how many processes wanted to run in the last minute, where the system tells it: 0 where it was idle."""
+    return round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else None
 
 
 def _version(package: str) -> str | None:

@@ -117,8 +117,9 @@ def trade(
     scenes = [one for one in benchmarks(size.excursions) if one.name.startswith(size.scenes)]
     everyone, scenes = selected(everyone, scenes, only)
     left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
-    present = [one for one in everyone if one.label not in left_out]
+    present = [one for one in everyone if one.label not in left_out and taken(one, scenes)]
     found: list[Measurement] = []
+    of = machine()  # before it has work to do for us
     with Child() as child, Child() as prover:
         references = References(prover, size.reference_limit)
         for scene in scenes:
@@ -140,12 +141,13 @@ def trade(
                     continue
                 limits = replace(limits, prepare=min(limits.prepare, deadline.left()))
                 found += measure(child, references, contender, scene, settings(contender, size), limits, source)
-        grown = list(growth(child, references, present, size.extent, size.limits, progress, source, deadline))
+        curves = growth(child, references, present, size.extent, size.limits, progress, source, deadline)
+        grown = [] if all(one.scene.is_forced for one in scenes) else list(curves)
     waits = []
     if not only and contenders is None and deadline.left() > 0:
         progress("what a user waits for")
         waits = interface(size.limits.budget, size_name != "small")
-    return Trade(size_name, machine(), scenes, present, left_out, found, references.as_records(), grown, waits)
+    return Trade(size_name, of, scenes, present, left_out, found, references.as_records(), grown, waits)
 
 
 def taken(contender: Contender, scenes: Sequence[Benchmark]) -> list[Benchmark]:

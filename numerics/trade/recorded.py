@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -19,6 +19,7 @@ from numerics.errors import NumericsError
 from numerics.trade.front import Lead, Point, leads
 from numerics.trade.growth import Growth
 from numerics.trade.interface import Wait
+from numerics.trade.scenes import FORCED
 
 Kind = TypeVar("Kind", Growth, Wait)
 SHIPPED = Path(__file__).with_name("recorded.json")
@@ -86,6 +87,14 @@ class RecordedTrade:
         """Return who took part, in the order of the record."""
         return list(dict.fromkeys(Participant(one.contender, one.ours) for one in self.runs))
 
+    def part(self, *, forced: bool) -> RecordedTrade:
+        """Return the trade on the scenes with a force alone, or on the others; of the latter also growth and waits."""
+        scenes = tuple(one for one in self.scenes if one.name.startswith(FORCED) == forced)
+        names = {one.name for one in scenes}
+        runs = tuple(one for one in self.runs if one.scene in names)
+        kept = replace(self, scenes=scenes, runs=runs)
+        return replace(kept, growth=(), interface=()) if forced else kept
+
     def points(self, scene: RecordedScene) -> list[Point]:
         """Return the measured points of one scene."""
         return [
@@ -97,6 +106,12 @@ class RecordedTrade:
     def leads(self, scene: RecordedScene) -> list[Lead]:
         """Return our lead over every point of a peer whose event sequence is right."""
         return [one for one in leads(self.points(scene)) if one.peer.right]
+
+
+def divided(trade: RecordedTrade) -> tuple[RecordedTrade, RecordedTrade]:
+    """Return a trade on free scenes, the shipped one's if it has none, and on those under a force, perhaps none."""
+    free, forced = (trade.part(forced=one) for one in (False, True))
+    return free if free.scenes else recorded().part(forced=False), forced
 
 
 def recorded(path: Path | None = None) -> RecordedTrade:

@@ -13,6 +13,8 @@ from numerics.scene.writing import scene_text
 
 HEADLINE = "relative-motion-b05"
 """The scene of the headline ratios."""
+FORCED = "forced-"
+"""How the names of the scenes under a force begin."""
 EXCURSIONS = 16
 """Horizon of the near-critical scenes, in excursions."""
 
@@ -52,7 +54,7 @@ def long_scene(excursions: int) -> Benchmark:
 
 
 def forced_scenes() -> list[Benchmark]:
-    """Return scenes with a force or a friction in time; their names begin with "forced"."""
+    """Return scenes with a force or a friction in time; their names begin with FORCED."""
     pair, damped = Pair(m1=1, m2=1, a2=200, b="0.05"), Pair(m1=1, m2=1, a2=200, b="0.05", a1=1)
     stuck = State(v1="0.01000001", v2="0.01000001")
     steps = Force.step("0.1", "0.3") + Force.trapezoid("0.6", "0.2", "0.3", "0.1", "-0.5")
@@ -79,7 +81,7 @@ def _forced(
     friction: Friction | None = None,
 ) -> Benchmark:
     scene = Scene(pair, start or State(), until, force=force, friction=friction or Friction())
-    return Benchmark(f"forced-{name}", why, scene)
+    return Benchmark(f"{FORCED}{name}", why, scene)
 
 
 def benchmarks(excursions: int) -> list[Benchmark]:

@@ -7,13 +7,13 @@ import math
 import re
 
 import pytest
-from planted_trades import COMPILED, READ, growth, our_runs, planted, record, run
+from planted_trades import COMPILED, READ, SCENES, growth, our_runs, planted, record, run, with_forced
 
 from numerics.trade.figure import draw_growth, draw_trade, families
 from numerics.trade.front import best_front
 from numerics.trade.interface import Wait
 from numerics.trade.plan import trade
-from numerics.trade.recorded import SHIPPED, UnreadableTrade, recorded
+from numerics.trade.recorded import SHIPPED, UnreadableTrade, divided, recorded
 from numerics.trade.table import as_record
 
 
@@ -43,7 +43,20 @@ def test_the_shipped_trade_names_no_place_and_no_day():
     text = SHIPPED.read_text("utf-8")
     assert not re.search(r"(?<![\w.])/(home|root|tmp|opt|usr|work|var|nix|Users)/|[A-Z]:\\\\", text)
     assert not re.search(r"\b20\d\d-\d\d-\d\d\b", text)
-    assert set(json.loads(text)["machine"]) == {"processor", "cores", "system", "python", "packages"}
+    named = {"processor", "cores", "system", "python", "packages"}
+    assert named <= set(json.loads(text)["machine"]) <= {*named, "load"}
+
+
+def test_free_scenes_and_those_under_a_force_are_told_apart(tmp_path):
+    both = planted(tmp_path, run("ball", "forced-touch", 2e-3, -15.0), scenes=with_forced())
+    free, forced = divided(both)
+    assert [one.name for one in forced.scenes] == ["forced-touch"]
+    assert [one.contender for one in forced.runs] == ["ball"]
+    assert {one.scene for one in free.runs} == {one.name for one in free.scenes} == set(SCENES)
+    assert free.growth == both.growth
+    assert not forced.growth
+    assert divided(forced) == (recorded(), forced)
+    assert not divided(free)[1].scenes
 
 
 @pytest.mark.slow

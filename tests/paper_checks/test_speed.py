@@ -6,7 +6,7 @@ import re
 from dataclasses import replace
 
 import pytest
-from planted_trades import COMPILED, PLAIN, READ, SCENES, our_runs, planted, run
+from planted_trades import COMPILED, PLAIN, READ, SCENES, our_runs, planted, run, with_forced
 
 from numerics.scene.file import load_scene
 from numerics.trade import euler
@@ -246,6 +246,34 @@ class TestSection:
         for one in whole.blocks:
             if isinstance(one, Table):
                 assert {len(row) for row in one.rows} == {len(one.head)}
+
+
+class TestUnderAForce:
+    PEERS = (
+        run("ball", "forced-touch", 2e-3, -15.0),
+        run("tanh smoothing", "forced-touch", 1e-2, -2.0, right=False, difference="2 events, not 20"),
+        run("heyoka, u(t)", "forced-touch", 1e-4, -12.0),
+    )
+
+    def test_its_scenes_have_a_part_of_their_own(self, tmp_path, monkeypatch):
+        monkeypatch.setattr(section, "euler_figures", lambda: (TestForwardEuler.FIGURE,))
+        monkeypatch.setattr(section, "stick_energies", lambda: (StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5),))
+        whole = section.section(planted(tmp_path, *self.PEERS, scenes=with_forced()))
+        text = markdown(whole)
+        before, _, after = text.partition("Under a force")
+        assert "forced-touch" not in before
+        assert "| tanh smoothing | 0/1 |" in after
+        assert "heyoka, u(t)" in after
+        assert "Measured on Abacus" in after
+
+    def test_without_such_scenes_nothing_is_said(self, plain_trade):
+        assert list(section.under_a_force(plain_trade.part(forced=True))) == []
+
+    @pytest.mark.parametrize(("load", "said_so"), [(0.2, False), (8.0, True), (None, False)])
+    def test_a_busy_machine_is_confessed(self, tmp_path, load, said_so):
+        machine = {"processor": "Abacus", "cores": 2, "load": load, "python": "3.11", "packages": {}}
+        trade = planted(tmp_path, *self.PEERS, scenes=with_forced(), machine=machine).part(forced=True)
+        assert ("at a load of" in said(section.under_a_force(trade))) == said_so
 
 
 def test_the_shipped_record_is_advised_on_without_forward_euler():
