@@ -39,6 +39,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--summary", action="store_true", help="the report on two pages: summary.html, .tex or .pdf")
     parser.add_argument(
+        "--steps", action="store_true", help="print in LaTeX and PDF the steps that the page folds, too"
+    )
+    parser.add_argument(
         "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
     )
 
@@ -75,7 +78,7 @@ def report(
     figures = {**FIGURES, **under_a_force.figures(), **section.figures(trade)}
     name = "summary" if options.summary else "report"
     try:
-        paths = write(options.out, options.format, found, figures, complaints.append, name)
+        paths = write(options.out, options.format, found, figures, complaints.append, name, options.steps)
     except OSError as error:
         complain(f"the report cannot be written: {error}; choose another folder with --out")
         return USAGE

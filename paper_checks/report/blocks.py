@@ -100,7 +100,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Folded:
-    """What is shown when a reader asks for it; paper leaves it out where it says so."""
+    """What is shown when a reader asks for it; paper has it where all steps are asked for."""
 
     title: str
     blocks: tuple[Block, ...]
@@ -151,6 +151,11 @@ def every(blocks: tuple[Block, ...]) -> Iterator[Block]:
         yield block
         if isinstance(block, Folded):
             yield from every(block.blocks)
+
+
+def unfolded(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
+    """Return the blocks without those that are folded, as paper has them."""
+    return tuple(block for block in blocks if not isinstance(block, Folded))
 
 
 def pictures(blocks: tuple[Block, ...]) -> Iterator[Picture]:

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from paper_checks.ledger import source
 from paper_checks.report import blocks, notation, opening, trust
-from paper_checks.report.blocks import Block, Section
+from paper_checks.report.blocks import Block, Paragraph, Section
 from paper_checks.report.story import story
 from paper_checks.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"
+STEPS = (
+    "Every row rests on checked steps, which are not printed here: the HTML form of this report unfolds them, and `--steps` "
+    "prints them."
+)
 ROWS, ROWS_TITLE = "rows", "The paper's claims, one by one"
 
 
@@ -30,6 +34,18 @@ class Document:
     def is_whole(self) -> bool:
         """Return whether it has rows, so that a page of it ends with what a reader can play with."""
         return bool(self.rows)
+
+    def on_paper(self) -> Document:
+        """Return it without what a page folds, and with a sentence on where that is."""
+        note = Section("steps", "The steps", (Paragraph(STEPS),)) if self.rows else None
+        return replace(
+            self,
+            before=tuple(replace(one, blocks=blocks.unfolded(one.blocks)) for one in self.before),
+            after=tuple(
+                replace(one, blocks=blocks.unfolded(one.blocks)) for one in (*self.after, *filter(None, [note]))
+            ),
+            stories={name: blocks.unfolded(story) for name, story in self.stories.items()},
+        )
 
     @property
     def sections(self) -> tuple[Section, ...]:

@@ -22,23 +22,25 @@ def write(
     figures: Figures,
     complain: Callable[[str], None],
     name: str = "report",
+    steps: bool = False,
 ) -> list[Path]:
     """Write the report in each of the forms `html`, `latex`, `pdf` into the folder; return the main files.
 
-    A figure that cannot be drawn is told to `complain`, and the report goes without it. Raises OSError, and
+    On paper what the page folds is left out, unless all `steps` are asked for. A figure that cannot be drawn is told to `complain`, and the report goes without it. Raises OSError, and
     ToolMissingError for a PDF without typst.
     """
     drawn = dict(_drawn(report.pictures, figures, complain))
     pictures = {one: vector.svg(figure) for one, figure in drawn.items()} if {"html", "pdf"} & set(forms) else {}
+    paper = report if steps else report.on_paper()
     written = []
     for form in forms:
         if form == "html":
             path = folder / f"{name}.html"
             content: str | bytes = html.render(report, pictures)
         elif form == "pdf":
-            path, content = folder / f"{name}.pdf", pdf.render(report, pictures)
+            path, content = folder / f"{name}.pdf", pdf.render(paper, pictures)
         else:
-            path, content = folder / f"{name}.tex", latex.render(report, {one: f"{one}.pdf" for one in drawn})
+            path, content = folder / f"{name}.tex", latex.render(paper, {one: f"{one}.pdf" for one in drawn})
             for one, figure in drawn.items():
                 atomic.write(folder / f"{one}.pdf", vector.pdf(figure))
         atomic.write(path, content)

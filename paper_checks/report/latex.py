@@ -1,4 +1,4 @@
-"""The report as LaTeX source, with all steps: an appendix that also compiles by itself."""
+"""The report as LaTeX source: an appendix that also compiles by itself."""
 
 from __future__ import annotations
 

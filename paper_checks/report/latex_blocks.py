@@ -26,10 +26,7 @@ SIZE = r"width=\textwidth,height=0.42\textheight,keepaspectratio"
 
 
 class LatexWriter:
-    """Writes blocks as LaTeX. `figures` maps names to files beside the source, `anchors` are the labels of the document.
-
-    What is folded on the page is printed here: the source is for whoever wants all of it.
-    """
+    """Writes blocks as LaTeX. `figures` maps names to files beside the source, `anchors` are the labels of the document."""
 
     def __init__(self, figures: Mapping[str, str], anchors: Iterable[str] = ()) -> None:
         """Take the figures and the labels."""

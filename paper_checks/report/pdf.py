@@ -47,16 +47,12 @@ def source(report: Document, figures: Mapping[str, str]) -> str:
     parts = [preamble, f"= {escaped(report.title)}", writer.model(report.model)]
     parts += map(writer.section, report.before)
     parts += (
-        [f"== {escaped(ROWS_TITLE)} <{ROWS}>", _note(report), *(_row(row, report, writer) for row in report.rows)]
+        [f"== {escaped(ROWS_TITLE)} <{ROWS}>", *(_row(row, report, writer) for row in report.rows)]
         if report.rows
         else []
     )
     parts += map(writer.section, report.after)
     return "\n\n".join(parts) + "\n"
-
-
-def _note(report: Document) -> str:
-    return f"#emph[The steps behind the {len(report.rows)} rows are in the HTML page and in the LaTeX source of this report.]"
 
 
 def _row(row: Row, report: Document, writer: TypstWriter) -> str:

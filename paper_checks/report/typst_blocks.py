@@ -31,10 +31,7 @@ _SPECIAL = re.compile(r"[\\#$*_`<>@\[\]~=/+\-'\"]")
 
 
 class TypstWriter:
-    """Writes blocks as typst markup. `figures` maps names to files beside the source, `anchors` are its labels.
-
-    What is folded on the page is left out: the PDF is for reading, as the printed page is.
-    """
+    """Writes blocks as typst markup. `figures` maps names to files beside the source, `anchors` are its labels."""
 
     def __init__(self, figures: Mapping[str, str], anchors: Iterable[str] = ()) -> None:
         """Take the figures and the labels."""
@@ -91,7 +88,9 @@ class TypstWriter:
                 return self._picture(block)
             case Result():
                 return self._result(block)
-            case Symbols() | Folded() | Graph():
+            case Folded(title, inside):
+                return f"#strong[{self.text(title)}.]\n\n{self.blocks(inside)}"
+            case Symbols() | Graph():
                 return ""
 
     def _picture(self, picture: Picture) -> str:

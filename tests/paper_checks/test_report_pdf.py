@@ -37,7 +37,14 @@ def test_every_row_and_link_is_in_the_source(rows):
     labels = re.findall(r"<([a-zA-Z0-9-]+)>", re.sub(r"#link\(<[^>]+>\)", "", source))
     assert {row.claim.id for row in rows} <= set(labels)
     assert set(re.findall(r"#link\(<([^>]+)>\)", source)) <= set(labels)
-    assert "HTML page" in source  # where the steps are
+
+
+def test_on_paper_steps_are_left_out_with_a_word_on_where_they_are(rows):
+    whole, paper = document(rows), document(rows).on_paper()
+    assert pdf.source(paper, {}).count("Steps, each above those it rests on") == 0
+    assert pdf.source(whole, {}).count("Steps, each above those it rests on") == len(rows) - 1
+    assert "HTML form" in pdf.source(paper, {})
+    assert set(paper.anchors) <= {*whole.anchors, "steps"}
 
 
 def test_it_compiles_with_every_statement_of_the_ledger(rows, figures):
