@@ -11,6 +11,7 @@ import pytest
 from flint import arb, fmpq
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from reaching import LeftOut, reaching
 from strategies import decimals, signed
 
 from numerics.arithmetic import ball_words, float64, multiprecision
@@ -282,6 +283,7 @@ def derivatives(decay, stiffness, y, v):
     return jerk, -(2 * decay * jerk + stiffness * pull)
 
 
+@reaching
 @given(oscillators(), COORDINATES, COORDINATES)
 def test_the_jerk_s_first_zero_is_a_zero_and_the_first(parameters, y, v):
     """It obeys the same equation as y; the damped motions turn there."""
@@ -298,7 +300,7 @@ def test_the_jerk_s_first_zero_is_a_zero_and_the_first(parameters, y, v):
             assert motion.regime <= 0
             later = [truth_of(decay, stiffness, jerk, snap, Fraction(k * k, 50) / decay)[0] for k in range(1, 40)]
             assert all(one >= 0 for one in later) or all(one <= 0 for one in later)
-            return
+            raise LeftOut
 
         def at(t):
             return told(arithmetic, texts.propagate)(motion, number(jerk), number(snap), t)[0]
@@ -309,6 +311,7 @@ def test_the_jerk_s_first_zero_is_a_zero_and_the_first(parameters, y, v):
         assert all(one > 0 for one in before) or all(one < 0 for one in before)
 
 
+@reaching
 @given(oscillators(), COORDINATES, COORDINATES, decimals(-3, 1))
 def test_the_integral_of_the_square(parameters, y, v, t):
     decay, stiffness = parameters
@@ -318,7 +321,7 @@ def test_the_integral_of_the_square(parameters, y, v, t):
         y0, v0, length = (arithmetic.number(one) for one in (y, v, t / decay / 4))
         pieces = max(2, int(length * mpmath.sqrt(arithmetic.number(stiffness))) + 2)
         if pieces > 40:
-            return
+            raise LeftOut
         grid, propagate = mpmath.linspace(0, length, pieces + 1), told(arithmetic, texts.propagate)
         expected = mpmath.quad(lambda s: propagate(motion, y0, v0, s)[0] ** 2, grid)
         size = (y0**2 + v0**2 / arithmetic.number(stiffness)) / arithmetic.number(decay)

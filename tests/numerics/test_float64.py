@@ -9,6 +9,7 @@ import pytest
 from flint import arb
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from reaching import LeftOut, reaching
 from strategies import decimals, long_slips, near_critical, scenes, signed, viscous_scenes
 
 from numerics.arithmetic.ball import Ball
@@ -65,6 +66,7 @@ def ran(scene, *, compiled):
     return None if end[0] == OUT_OF_RANGE else (rows[:count], end)
 
 
+@reaching
 @more
 @given(any_scene)
 @example(PAPER)
@@ -77,14 +79,15 @@ def test_compiled_and_plain_python_have_the_same_bits(scene):
     try:
         plain, fast = (ran(scene, compiled=compiled) for compiled in (False, True))
     except OutOfRange:
-        return
+        raise LeftOut from None
     if plain is None or fast is None:
         assert plain is fast is None or plain is None  # plain Python raises a little earlier
-        return
+        raise LeftOut
     for one, two in zip(plain, fast, strict=True):
         np.testing.assert_array_equal(one, two)
 
 
+@reaching
 @more
 @given(any_scene)
 @example(PAPER)
@@ -92,7 +95,7 @@ def test_a_record_that_is_too_short_keeps_the_first_events(scene):
     try:
         begun = begin(scene, Float64())
     except OutOfRange:
-        return
+        raise LeftOut from None
     telling = run_telling(FLOAT64, is_damped=scene.pair.a1 > 0)
     kept = []
     for room in (EVENTS, 3):
@@ -100,7 +103,7 @@ def test_a_record_that_is_too_short_keeps_the_first_events(scene):
         try:
             telling(solve_start)(*begun, EVENTS, rows, end)
         except (ArithmeticError, ValueError):
-            return
+            raise LeftOut from None
         kept.append((rows.rows[:3], end))
     assert str(kept[0]) == str(kept[1])  # nan is like nan
 
@@ -152,11 +155,12 @@ def test_an_event_next_to_the_horizon_leaves_the_sequence_open():
             assert accuracy.digits == 0
 
 
+@reaching
 @given(scenes(size=(-1, 1), damped=None), st.integers(0, 5), st.integers(-3000, 3000))
 def test_next_to_the_horizon_certain_means_right(scene, index, shift):
     proved = solve(scene, digits=40, arithmetic="ball", max_events=8).events
     if not proved:
-        return
+        raise LeftOut
     t = Fraction(str(proved[index % len(proved)].t.mid().str(35, radius=False)))
     moved = Scene(scene.pair, scene.initial, t * (1 + Fraction(shift, 10**18)), scene.law)
     floats = solve(moved, max_events=9)
@@ -176,16 +180,17 @@ def test_digits_are_what_was_asked_for_by_the_cheapest_arithmetic():
             assert abs(arb(one.t) - two.t) < two.t * arb(10) ** -8
 
 
+@reaching
 @given(st.floats(0, 1), st.integers(-300, 12), st.floats(-1, 1), st.integers(-300, 8))
 def test_the_contact_is_a_root(gap, of_gap, push, of_push):
     gap, push = gap * 2.0**of_gap, push * 2.0**of_push
     if gap == 0.0:
         push = abs(push)
     if max(gap, abs(push)) < 1e-60:
-        return
+        raise LeftOut
     theta, depth, versine = binary64_contact(gap, push)
     if theta < 1e-97:  # its powers are no normal numbers; a run refuses it
-        return
+        raise LeftOut
     ball = Ball(200)
     with ball.context():
         truth = enclosed_contact(arb(gap), arb(push))
@@ -204,6 +209,7 @@ def rows(draw):
     return [m1, m2, a2, b, x1, v1, x2, draw(st.sampled_from([v2, v1])), until, a1]
 
 
+@reaching
 @more
 @given(rows(), st.booleans())
 def test_arrays_are_prepared_to_the_bits_of_exact_rationals(row, literal):
@@ -216,9 +222,9 @@ def test_arrays_are_prepared_to_the_bits_of_exact_rationals(row, literal):
         rows, end = Growing(row_length(1), 3), [0.0] * end_length(1)
         try:
             if telling(start[0])(*start[1], 3, rows, end) < 0:
-                return  # left to exact rationals
+                raise LeftOut  # left to exact rationals
         except (ArithmeticError, ValueError):
-            return
+            raise LeftOut from None
         records.append((rows.rows, end))
     assert str(records[0]) == str(records[1])
 

@@ -11,6 +11,7 @@ import pytest
 from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from reaching import LeftOut, reaching
 from strategies import MODERATE, forces, frictions, pairs, states
 
 from numerics import Force, Friction, Law, Pair, Piece, Scene, State, sensitivities, solve, solve_many, solve_scenes
@@ -103,6 +104,7 @@ def test_the_other_arithmetics_agree(name):
                 assert distance(one, two) < tolerance
 
 
+@reaching
 @given(pairs(MODERATE, damped=None), st.data())
 @settings(max_examples=15)
 def test_a_force_of_zero_is_no_force(pair, data):
@@ -114,13 +116,14 @@ def test_a_force_of_zero_is_no_force(pair, data):
             solve(each, digits=15, arithmetic="ball", max_events=30, max_digits=100) for each in (free, nothing)
         )
     except (EventUndecided, OutOfRange):
-        return
+        raise LeftOut from None
     assert itinerary(one) == itinerary(two)
     assert all(a.overlaps(b) for a, b in zip(one.event_times, two.event_times, strict=True))
     if one.reached and two.reached:
         assert all(a.overlaps(b) for a, b in zip(one.final_state, two.final_state, strict=True))
 
 
+@reaching
 @given(pairs(MODERATE, damped=None), forces(3), frictions(2), st.data())
 @settings(max_examples=25)
 def test_ledgers_close_and_opposite_scenes_are_opposite(pair, force, friction, data):
@@ -133,14 +136,14 @@ def test_ledgers_close_and_opposite_scenes_are_opposite(pair, force, friction, d
             solve(each, digits=12, arithmetic="ball", max_events=15, max_digits=90) for each in (given_scene, opposite)
         )
     except (EventUndecided, OutOfRange):
-        return
+        raise LeftOut from None
     assert [-sign for sign in one.signs] == two.signs
     assert all((a + b).contains(0) for a, b in zip(one.final_state, two.final_state, strict=True))
     if one.reached and (pair.a1 / pair.m1) ** 2 < 100 * pair.a2 / pair.m1:  # a stiff one takes many panels
         try:
             assert one.ledger.residual.contains(0)
         except OutOfRange:
-            return
+            raise LeftOut from None
 
 
 @pytest.mark.parametrize("name", ["many-causes", "damping-heavy", "resonance-in-slip", "sweep", "friction-by-pieces"])

@@ -7,6 +7,7 @@ import pytest
 from flint import arb
 from hypothesis import given, settings, target
 from hypothesis import strategies as st
+from reaching import LeftOut, reaching
 from strategies import decimals, pairs, scaled_speed, scenes
 
 from numerics.arithmetic import elementary
@@ -86,6 +87,7 @@ def almost_critical(draw) -> Scene:
     return Scene(pair, state, until=period)
 
 
+@reaching
 @more
 @given(almost_critical())
 def test_the_smallest_excess_keeps_its_digits(scene):
@@ -94,7 +96,7 @@ def test_the_smallest_excess_keeps_its_digits(scene):
         floats = solve(scene, max_events=6)
     except OutOfRange:
         assert scene.energy_excess < Fraction(1, 10**180)
-        return
+        raise LeftOut from None
     require_same_sequence(floats, balls)
     exits = [event.reduced.w for event in balls.events if event.kind is EventKind.EXIT] or [balls.final.w]
     with balls.arithmetic.context():

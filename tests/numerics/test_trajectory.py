@@ -7,6 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
+from reaching import LeftOut, reaching
 from strategies import near_critical, scenes
 
 from numerics.arithmetic.ball import Ball
@@ -122,12 +123,13 @@ def exact(ball):
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
+@reaching
 @given(scenes(damped=None))
 def test_a_run_split_in_two_is_the_whole_run(scene):
     """The second half starts from the exact rational midpoint of the first, in a phase of its own."""
     whole = solve(scene, arithmetic="mpmath", digits=60, max_events=6)
     if not whole.success or scene.energy_excess == 0:
-        return  # exactly on E = E_cr a rounded middle is another trajectory
+        raise LeftOut  # exactly on E = E_cr a rounded middle is another trajectory
     half = scene.until / 2
     x1, v1, x2, v2 = (as_fraction(one) for one in whole.sol(half))
     if whole.mode_at(half) is Mode.STICK:
@@ -135,7 +137,7 @@ def test_a_run_split_in_two_is_the_whole_run(scene):
     # 70 digits of the middle are a scene: exact rationals of this length are within the limits
     middle = State(*(round_to(value, 65) for value in (x1, v1, x2, v2)))
     if middle.v1 != middle.v2 and whole.mode_at(half) is Mode.STICK:
-        return
+        raise LeftOut
     rest = solve(Scene(scene.pair, middle, scene.until - half, scene.law), arithmetic="mpmath", digits=60)
     late = [event for event in whole.events if as_fraction(event.t) > half]
     assert [(event.before, event.after) for event in late] == [(event.before, event.after) for event in rest.events]
