@@ -43,8 +43,8 @@ class Drive:
 
     @property
     def is_odd(self) -> bool:
-        """Return whether u(t + T/2) = -u(t), exactly."""
-        return not self.piece.polynomial and all((one.omega / self.frequency) % 2 == 1 for one in self.piece.sines)
+        """Return whether u - c changes its sign after half a period, c its constant part; exact."""
+        return all((one.omega / self.frequency) % 2 == 1 for one in self.piece.sines)
 
     def mode(self, side: int) -> LinearMode:
         """Return the mode `side` under this force."""

@@ -216,22 +216,24 @@ def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> tuple[Resp
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
     multipliers = tuple(orbit.multipliers())
-    drift = arb(0) if drive.is_odd and drive.pair.a1 > 0 else orbit.travel / drive.period
-    found = Response(drive, regime, known, orbit, multipliers, drift, arb(0), _attraction(orbit), digits)
+    is_only_one, attraction = _attraction(orbit)
+    # the only periodic motion of an odd force is odd itself, but for the constant part of x1
+    drift = arb(0) if drive.is_odd and is_only_one else orbit.travel / drive.period
+    found = Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
     numbers = [abs(one) for one in multipliers] + [drift]
     for leg in orbit.legs:
         numbers += [leg.t, leg.x, leg.v]
     return found, numbers
 
 
-def _attraction(orbit: Orbit) -> str:
-    """Return what is proved of other motions."""
+def _attraction(orbit: Orbit) -> tuple[bool, str]:
+    """Return whether it is proved to be the only periodic motion, and what is proved of other motions."""
     pair = orbit.drive.pair
     if pair.a1 > 0:
-        return "every motion tends to it"
+        return True, "every motion tends to it"
     rate = Ball.number(pair.a2 / pair.m1).sqrt()
     for before, (leg, after) in zip((orbit.legs[-1], *orbit.legs[:-1]), orbit.turns, strict=True):
         turns = rate * (after.t - leg.t) / (2 * arb.pi())
         if before.side == 0 and leg.side != 0 and turns.ceil().unique_fmpz() is not None:
-            return "every motion tends to it: a slip after a stick phase is no whole number of turns of body 1"
-    return "motions next to it tend to it if all multipliers are below 1"
+            return True, "every motion tends to it: a slip after a stick phase is no whole number of turns of body 1"
+    return False, "motions next to it tend to it if all multipliers are below 1"
