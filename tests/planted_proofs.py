@@ -150,6 +150,13 @@ CONTROL = [
     ),
     ("Mode", "Rabs (load t0) < b -> exists d", "Rabs (load t0) <= b -> exists d", "a tie that always sticks"),
     ("Mode", "b < k * load t0 -> exists d", "b <= k * load t0 -> exists d", "a tie that always slips"),
+    ("Mode", "(0 < P n t0 -> exists d", "(0 <= P n t0 -> exists d", "a tie decided by a derivative that is 0"),
+    (
+        "Mode",
+        "beyond k t <= beyond k r) -> exists d",
+        "beyond k r <= beyond k t) -> exists d",
+        "sticking under a rising load",
+    ),
     ("Ring", "<= e <-> T <= t)) /\\", "<= e <-> T < t)) /\\", "a tube without its edge"),
     (
         "Ring",

@@ -59,6 +59,7 @@ RULE = theorem(
         first=Formula(r"\dot p", "=", U_RATES[0] - a2 * v1 - S * a1 * b / m2, either_sign(tie(1))),
         second=Formula(r"\ddot p", "=", U_RATES[1] - S * a2 * b / m2, either_sign(tie(2))),
         third=Formula("p^{(3)}", "=", U_RATES[2], either_sign(tie(3))),
+        kernel=("mode-tie",),
     ),
     clause(
         "marginal",

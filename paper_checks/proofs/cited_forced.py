@@ -31,6 +31,10 @@ FORCED: dict[str, tuple[str, str]] = {
         "Mode.slips_at",
         "At a contact with the load beyond b it slips at once, with the sign of the load.",
     ),
+    "mode-tie": (
+        "Mode.tie_rule",
+        "At a contact with the load b or -b the first derivative that is not 0 of what the force asks beyond b decides.",
+    ),
     "forced-energy-rate": ("Forced.forced_energy_rate", "dE/dt = u v1 - a1 v1^2 - b |v1 - v2|."),
     "input-to-state": (
         "Forced.input_to_state_integral",
