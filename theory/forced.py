@@ -8,14 +8,14 @@ from functools import cache
 from sympy import Expr, ImmutableMatrix, Integer, Symbol, cancel, diff, factor, factorial, simplify, sin, solve, symbols
 
 from theory.energy import energy, inner_product, other, sigma
-from theory.filippov import STATE, derivative_along, guard
+from theory.filippov import STATE, derivative_along
 from theory.model import branch_named, free_system, slip, stick
 from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1, x1_other
 
 U_RATES = symbols(r"\dot{u} \ddot{u} u^{(3)} u^{(4)}", real=True)
 """Derivatives of u from the right, N/s, N/s^2, ..."""
 u_other = Symbol(r"\tilde{u}", real=True)  # the force on a second solution, N
-velocity_gap = Symbol("d", real=True)
+velocity_gap = Symbol("d", real=True)  # what both velocities of one pair are ahead of those of another, m/s
 gap, gap_rate = symbols("y \\dot{y}", real=True)
 """Place (m) and velocity (m/s) of body 1 beside the motion that both modes follow at a tie."""
 
@@ -118,11 +118,6 @@ def place_dependent_rate(sign: int) -> Expr:
 def distance_squared() -> Expr:
     """N^2, J: the squared energy distance of two solutions."""
     return inner_product(STATE - other(STATE), STATE - other(STATE))
-
-
-def relative_distance() -> Expr:
-    """The difference of the relative velocities of two solutions, m/s."""
-    return guard() - other(guard())
 
 
 @cache

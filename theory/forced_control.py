@@ -13,10 +13,9 @@ r_place, r_speed, r_acceleration = Symbol("r", real=True), Symbol(r"\dot{r}", re
 path, duration = Symbol("D", positive=True), Symbol("T", positive=True)
 """Distance of a transfer (m) and the time it takes (s)."""
 half_time = Symbol("tau", positive=True)  # half the least time of a transfer, s
-velocity_gain, shift = Symbol(r"\Delta v_2", real=True), Symbol(r"\Delta x_2", real=True)
+velocity_gain = Symbol(r"\Delta v_2", real=True)  # of body 2 over a transfer, m/s
 strength = Symbol("U", positive=True)  # bound of the force, N
 reduced = Symbol("d", positive=True)  # a2 D/U
-stuck_frequency = Symbol("Omega", positive=True)  # sqrt(a2/M), 1/s
 angle = Symbol("theta", positive=True)
 
 
@@ -133,12 +132,6 @@ def switching() -> tuple[Expr, Expr]:
     place = Symbol("X", real=True)
     meets = solve((1 - (place - 1) ** 2) - ((1 + reduced) ** 2 - (place + 1) ** 2), place)[0]
     return acos((1 - meets).expand()), acos(simplify((meets + 1) / (1 + reduced)))
-
-
-@cache
-def bang_bang_load() -> Expr:
-    """The largest M |x1''| of that transfer, N: at the end, where -U and the spring add up."""
-    return strength + a2 * path
 
 
 def pressed() -> Expr:
