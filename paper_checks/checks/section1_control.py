@@ -68,7 +68,7 @@ def ring_of_tolerance(context: Context) -> Finding:  # noqa: ARG001
         corrected=claim_named("ring-of-tolerance").corrected,
         counterexample="The pair of Section IV with $b=0.5$, at rest at $x_1=0.004$, once with $x_2(0)=0$ and once with $x_2(0)=0.001$: both stick for ever, and the relative motions "
         "$(x_1-x_2,\\dot x_1-\\dot x_2)$ rest at $(0.004,0)$ and at $(0.003,0)$. No ring narrower than 1 mm that holds one of them is ever reached by the other.",
-        derivation=(r"$$\tfrac12\tfrac{d}{dt}N^2\leqslant 0,\qquad (w-\tilde w)^2\leqslant\kappa\,N^2.$$",),
+        derivation=(r"$$\tfrac12\tfrac{d}{dt}N^2\leqslant 0,\qquad (\dot z-\dot{\tilde z})^2\leqslant\kappa\,N^2.$$",),
     )
 
 

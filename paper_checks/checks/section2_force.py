@@ -28,7 +28,7 @@ def force_as_reference_or_disturbance(context: Context) -> Finding:  # noqa: ARG
         "Feedback terms do join spring and damper, and what is left is an exogenous force. A reference trajectory is a place in m, though, and $u$ a force in N: the reference enters as the force that the gains "
         "make of it.",
         exhibit(
-            "with $u=r=0.01$ the pair of Section IV rests at $x_1=0.00005$, not at $0.01$",
+            "with $u=x_{\\mathrm{ref}}=0.01$ the pair of Section IV rests at $x_1=0.00005$, not at $0.01$",
             AT_REST,
             (a2 * x1, "=", u),
             (x1, "!=", u),
@@ -36,7 +36,7 @@ def force_as_reference_or_disturbance(context: Context) -> Finding:  # noqa: ARG
         carried(
             "input",
             identity(
-                r"(3) under the feedback is (3) with the gains beside $a_2$, $a_1$, under $u=k_1r+k_2\dot r+d$",
+                r"(3) under the feedback is (3) with the gains beside $a_2$, $a_1$, under $u=k_1x_{\mathrm{ref}}+k_2\dot x_{\mathrm{ref}}+u_d$",
                 driving_equation().subs(u, feedback),
                 driving_equation().subs(virtual, simultaneous=True).subs(u, entering),
             ).as_correction(),
@@ -47,5 +47,5 @@ def force_as_reference_or_disturbance(context: Context) -> Finding:  # noqa: ARG
             ).as_correction(),
         ),
         corrected=claim_named("force-as-reference-or-disturbance").corrected,
-        counterexample="$m_1=m_2=1$, $a_2=200$, $b=0.5$, at rest under the constant $u=r=0.01$: by (3) it is $x_1=r/a_2=0.00005$, not $r$.",
+        counterexample="$m_1=m_2=1$, $a_2=200$, $b=0.5$, at rest under the constant $u=x_{\\mathrm{ref}}=0.01$: by (3) it is $x_1=x_{\\mathrm{ref}}/a_2=0.00005$, not $x_{\\mathrm{ref}}$.",
     )

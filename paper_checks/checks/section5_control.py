@@ -52,7 +52,7 @@ def damping_for_tracking(context: Context) -> Finding:  # noqa: ARG001
         carried(
             "tracking",
             argument(
-                r"The stuck motion along a reference with $|\ddot r|\leqslant b/m_2$ is a motion under its force, and any two motions under a bounded force approach each other where $a_1>0$.",
+                r"The stuck motion along a reference with $|\ddot x_{\mathrm{ref}}|\leqslant b/m_2$ is a motion under its force, and any two motions under a bounded force approach each other where $a_1>0$.",
                 transfers.followed(),
                 forced_response.approach(),
             ),

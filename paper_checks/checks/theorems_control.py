@@ -31,7 +31,7 @@ def minimum_transfer_time(context: Context) -> Finding:  # noqa: ARG001
         carried("slip", transfers.slipping_amplitude()),
         carried("slip-undamped", transfers.undamped_slipping_amplitude(), transfers.slipping_amplitude()),
         carried("weak", transfers.weak_force()),
-        derivation=(r"$$g(\tau+s)-2g(s)\leqslant g(\tau)-g(s)\leqslant g(\tau)\,(1-s/\tau).$$",),
+        derivation=(r"$$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})-g(s)\leqslant g(t_{1/2})\,(1-s/t_{1/2}).$$",),
     )
 
 

@@ -19,7 +19,9 @@ def forced_mode_rule(context: Context) -> Finding:  # noqa: ARG001
         carried("tie", forced_rule.tie_rule()),
         carried("marginal", forced_rule.marginal_rule()),
         carried("jump", forced_rule.jump_moves_the_strip()),
-        derivation=(r"$$I\ddot y+a_1\dot y+a_2y=p(t),\qquad \Lambda-sb=\frac{m_2}{M}\,(p-a_1\dot y-a_2y).$$",),
+        derivation=(
+            r"$$I\ddot\eta+a_1\dot\eta+a_2\eta=p(t),\qquad \Lambda-sb=\frac{m_2}{M}\,(p-a_1\dot\eta-a_2\eta).$$",
+        ),
     )
 
 

@@ -29,8 +29,8 @@ SECTION_1 = (
         "ring-of-tolerance",
         "I",
         "Fig. 1 and the sentence before it",
-        r"In controlled motion with a frictional interface a trajectory $w(t)$ should reach some region of control tolerance, surrounding a "
-        r"steady-state periodic orbit (in the relative $(x,\dot x)$ coordinates), and stay there.",
+        r"In controlled motion with a frictional interface a trajectory of the relative motion should reach some region of control tolerance, surrounding a "
+        r"steady-state periodic orbit (in the relative coordinates), and stay there.",
         Verdict.HOLDS_CORRECTED,
         correction=(
             clause(

@@ -22,7 +22,7 @@ def _factor(sign: int) -> sp.Expr:
     return sp.diff(driven_equation().subs({RELATIVE_SIGN: 0, STICTION_SIGN: sign}), acceleration1) / m2
 
 
-REFERENCE, REFERENCE_RATE, DISTURBANCE = sp.symbols(r"r \dot{r} d", real=True)
+REFERENCE, REFERENCE_RATE, DISTURBANCE = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} u_d", real=True)
 STIFFNESS, VISCOSITY = sp.symbols("k_1 k_2", positive=True)
 
 
@@ -46,7 +46,7 @@ SECTION_2 = (
         correction=(
             clause(
                 "input",
-                r"With the feedback $-k_1(x_1-r)-k_2(v_1-\dot r)$ and a disturbing force $d$, (3) and (4) hold with $a_2+k_1$, $a_1+k_2$ in the places of "
+                r"With the feedback $-k_1(x_1-x_{\mathrm{ref}})-k_2(v_1-\dot x_{\mathrm{ref}})$ and a disturbing force $u_d$, (3) and (4) hold with $a_2+k_1$, $a_1+k_2$ in the places of "
                 r"$a_2$, $a_1$ and «input»: the reference enters through the gains, as a force.",
                 input=Formula(
                     "u",

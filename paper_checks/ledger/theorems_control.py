@@ -10,30 +10,33 @@ from paper_checks.ledger.theorem import theorem
 from theory import forced
 from theory import forced_control as control
 from theory.energy import critical_energy, on_surface, sigma
-from theory.forced_control import angle, duration, half_time, path, reduced, velocity_gain
+from theory.forced_control import angle, duration, path, velocity_gain
 from theory.symbols import a1, a2, b, m1, m2, v1, v2, x1
 
 MASS = m1 + m2
-OFFSET, RESPONSE = sp.Symbol("c", real=True), sp.Symbol("g", positive=True)
+OFFSET, RESPONSE = sp.Symbol("gamma", real=True), sp.Symbol("g", positive=True)
+HALF, PART = sp.Symbol("t_{1/2}", positive=True), sp.Symbol("xi", positive=True)
+WAY, WAY_RATE, WAY_BEND = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} \ddot{x}_{\mathrm{ref}}", real=True)
+REFERENCE = {WAY: control.r_place, WAY_RATE: control.r_speed, WAY_BEND: control.r_acceleration}
 SPREAD, KAPPA, DISTANCE = sp.Symbol("s", real=True), sp.Symbol("kappa", positive=True), sp.Symbol("N", nonnegative=True)
 
 TRACKING = theorem(
     "trackable-references",
     clause(
         "iff",
-        r"Some force makes body 2 follow the velocity $\dot r$ exactly if $|\dot r(t')-\dot r(t)|\leqslant\frac{b}{m_2}|t'-t|$ for all times, from "
-        r"$r(0)=x_2(0)$ and $\dot r(0)=v_2(0)$: no force gives body 2 more.",
+        r"Some force makes body 2 follow the velocity $\dot x_{\mathrm{ref}}$ exactly if $|\dot x_{\mathrm{ref}}(t')-\dot x_{\mathrm{ref}}(t)|\leqslant\frac{b}{m_2}|t'-t|$ for all times, from "
+        r"$x_{\mathrm{ref}}(0)=x_2(0)$ and $\dot x_{\mathrm{ref}}(0)=v_2(0)$: no force gives body 2 more.",
         kernel=("trackable", "driven-acceleration"),
     ),
-    clause("sticks", r"While $|\ddot r|<b/m_2$ the pair must stick.", kernel=("must-stick",)),
+    clause("sticks", r"While $|\ddot x_{\mathrm{ref}}|<b/m_2$ the pair must stick.", kernel=("must-stick",)),
     clause(
         "force",
-        r"A pair that always sticks has $v_1(0)=v_2(0)$, and follows $r$ under one force only, «force» with $c=x_1(0)-r(0)$.",
+        r"A pair that always sticks has $v_1(0)=v_2(0)$, and follows $x_{\mathrm{ref}}$ under one force only, «force» with $\gamma=x_1(0)-x_{\mathrm{ref}}(0)$.",
         force=Formula(
             "u",
             "=",
-            MASS * control.r_acceleration + a1 * control.r_speed + a2 * (control.r_place + OFFSET),
-            equals(lambda: control.stuck_force().subs(control.r_place, control.r_place + OFFSET)),
+            MASS * WAY_BEND + a1 * WAY_RATE + a2 * (WAY + OFFSET),
+            equals(lambda: control.stuck_force().subs(control.r_place, control.r_place + OFFSET), lambda: REFERENCE),
         ),
     ),
 )
@@ -85,15 +88,20 @@ TRANSFER = theorem(
     ),
     clause(
         "slip",
-        r"With slip less will do to arrive. Let $\tau=\sqrt{m_2D/b}$, and let $g$, the place of body 1 on its spring and damper after a unit "
-        r"impulse, not fall on $[0,\tau]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2\tau$ under some $|u|\leqslant U$ exactly if "
-        r"$U\geqslant U_{min}$, «least» with $g=g(\tau)$. Body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
-        least=Formula("U_{min}", "=", b + b * half_time / (m2 * RESPONSE), equals(control.slipping_amplitude)),
+        r"With slip less will do to arrive. Let $t_{1/2}=\sqrt{m_2D/b}$, and let $g$, the place of body 1 on its spring and damper after a unit "
+        r"impulse, not fall on $[0,t_{1/2}]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2t_{1/2}$ under some $|u|\leqslant U$ exactly if "
+        r"$U\geqslant U_{min}$, «least» with $g=g(t_{1/2})$. Body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
+        least=Formula(
+            "U_{min}",
+            "=",
+            b + b * HALF / (m2 * RESPONSE),
+            equals(control.slipping_amplitude, lambda: {HALF: control.half_time}),
+        ),
         kernel=("least-amplitude", "rest-to-rest"),
     ),
     clause(
         "slip-undamped",
-        r"For $a_1=0$ and $\theta=\omega_1\tau\leqslant\pi/2$ that is «undamped».",
+        r"For $a_1=0$ and $\theta=\omega_1t_{1/2}\leqslant\pi/2$ that is «undamped».",
         undamped=Formula(
             "U_{min}", "=", b + b * m1 / m2 * angle / sp.sin(angle), equals(control.undamped_slipping_amplitude)
         ),
@@ -101,20 +109,20 @@ TRANSFER = theorem(
     ),
     clause(
         "weak",
-        r"For a weak force, $a_1=0$, $3U\leqslant bM/m_2$ and $d=a_2D/U\leqslant 1$, nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
+        r"For a weak force, $a_1=0$, $3U\leqslant bM/m_2$ and $\xi=a_2D/U\leqslant 1$, nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
         r"at $D$ it takes at least $(\alpha_1+\alpha_2)/\Omega$, $\Omega=\sqrt{a_2/M}$, with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
         r"second. What lies between is open.",
         first=Formula(
             r"\cos\alpha_1",
             "=",
-            1 - reduced / 2 - reduced**2 / 4,
-            equals(lambda: sp.cos(control.switching()[0])),
+            1 - PART / 2 - PART**2 / 4,
+            equals(lambda: sp.cos(control.switching()[0]), lambda: {PART: control.reduced}),
         ),
         second=Formula(
             r"\cos\alpha_2",
             "=",
-            (1 + reduced / 2 + reduced**2 / 4) / (1 + reduced),
-            equals(lambda: sp.cos(control.switching()[1])),
+            (1 + PART / 2 + PART**2 / 4) / (1 + PART),
+            equals(lambda: sp.cos(control.switching()[1]), lambda: {PART: control.reduced}),
         ),
     ),
 )

@@ -12,9 +12,11 @@ from theory.forced_response import decayed, decline, multiple, natural, omega, s
 from theory.symbols import a1, a2, b, m1, m2, u
 
 MASS = m1 + m2
-GAIN, H, H_RATE = sp.Symbol("G", positive=True), response.square_place, response.square_speed
+GAIN, K, K_RATE = sp.Symbol("G", positive=True), sp.Symbol("k", real=True), sp.Symbol("k'", real=True)
+RINGING = sp.Symbol("omega_d", positive=True)
+WAVE = {K: response.square_place, K_RATE: response.square_speed}
 SIGMA = sp.Symbol("sigma", real=True)
-TURN = sp.pi * swing / omega
+TURN = sp.pi * RINGING / omega
 LEFT = 1 + 2 * decayed * sp.cos(TURN) + decayed**2
 
 
@@ -27,16 +29,16 @@ RESONANCE = theorem(
     clause(
         "rate",
         r"Let $a_1=0$, $\omega_1=\sqrt{a_2/m_1}$, $u$ of period $T$, and $U_1$ its Fourier amplitude at $\omega_1$ ($0$ if $\omega_1T\notin 2\pi\mathbb Z$). "
-        r"The amplitude $z=e^{-i\omega_1t}(v_1+i\omega_1x_1)$ has «rate», where $\sigma$ is the value of $\mathrm{sign}(w)$.",
-        rate=Formula(r"e^{i\omega_1t}\,\dot z", "=", (u - b * SIGMA) / m1, equals(response.amplitude_rate)),
+        r"The amplitude $A=e^{-i\omega_1t}(v_1+i\omega_1x_1)$ has «rate», where $\sigma$ is the value of $\mathrm{sign}(\dot z)$.",
+        rate=Formula(r"e^{i\omega_1t}\,\dot A", "=", (u - b * SIGMA) / m1, equals(response.amplitude_rate)),
     ),
     clause(
         "grows",
-        r"If $U_1>U_r$, «threshold», every motion grows: $|z(t)|\geqslant gt-c$ with «growth», $U=U_1$, and a constant $c$.",
-        threshold=Formula("U_r", "=", 4 * b / sp.pi, equals(response.resonant_amplitude)),
-        growth=Formula("g", "=", (response.amplitude - 4 * b / sp.pi) / (2 * m1), equals(response.growth_rate)),
+        r"If $U_1>U_{\mathrm{res}}$, «threshold», every motion grows: $|A(t)|\geqslant\rho t-A_0$ with «growth», $U=U_1$, and a constant $A_0$.",
+        threshold=Formula(r"U_{\mathrm{res}}", "=", 4 * b / sp.pi, equals(response.resonant_amplitude)),
+        growth=Formula(r"\rho", "=", (response.amplitude - 4 * b / sp.pi) / (2 * m1), equals(response.growth_rate)),
     ),
-    clause("bounded", r"If $U_1<U_r$, every motion is bounded."),
+    clause("bounded", r"If $U_1<U_{\mathrm{res}}$, every motion is bounded."),
     clause(
         "sine",
         r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
@@ -73,22 +75,25 @@ ENTRAINMENT = theorem(
     ),
     clause(
         "letters",
-        r"Let $\lambda=a_1/2m_1$, $\nu=\sqrt{a_2/m_1-\lambda^2}$ (positive or imaginary) and $\delta=e^{-\pi\lambda/\omega}$. Body 1 alone has the gain "
+        r"Let $\lambda=a_1/2m_1$, $\omega_d=\sqrt{a_2/m_1-\lambda^2}$ (positive or imaginary) and $\delta=e^{-\pi\lambda/\omega}$. Body 1 alone has the gain "
         r"«gain», and under a square wave of 1 N, where its sign turns to $1$, the place and the velocity «place» and «speed».",
         gain=Formula(GAIN, "=", 1 / sp.sqrt((a2 - m1 * omega**2) ** 2 + a1**2 * omega**2), equals(_gain)),
         place=Formula(
-            H,
+            K,
             "=",
-            (2 * decayed * decline / swing * sp.sin(TURN) - 1 + decayed**2) / (m1 * (decline**2 + swing**2) * LEFT),
-            equals(lambda: response.square_wave()[0]),
+            (2 * decayed * decline / RINGING * sp.sin(TURN) - 1 + decayed**2) / (m1 * (decline**2 + RINGING**2) * LEFT),
+            equals(lambda: response.square_wave()[0], lambda: {RINGING: swing}),
         ),
         speed=Formula(
-            H_RATE, "=", -2 * decayed * sp.sin(TURN) / (m1 * swing * LEFT), equals(lambda: response.square_wave()[1])
+            K_RATE,
+            "=",
+            -2 * decayed * sp.sin(TURN) / (m1 * RINGING * LEFT),
+            equals(lambda: response.square_wave()[1], lambda: {RINGING: swing}),
         ),
     ),
     clause(
         "non-stop",
-        r"If $w$ keeps its sign between the turns at $U=U_{**}$, it does so above, and the pair has a motion that slips without a stop, one way for "
+        r"If $\dot z$ keeps its sign between the turns at $U=U_{**}$, it does so above, and the pair has a motion that slips without a stop, one way for "
         r"half a period and then the other way, exactly if $U\geqslant U_{**}$, «threshold». For $a_1>0$ every motion then tends to it. Below $U_{**}$ there is "
         r"no such motion.",
         threshold=Formula(
@@ -96,14 +101,14 @@ ENTRAINMENT = theorem(
             "=",
             b**2
             / (GAIN * omega) ** 2
-            * ((sp.pi / (2 * m2 * omega) - H_RATE) ** 2 + ((MASS / m2 - a2 * H - a1 * H_RATE) / (m1 * omega)) ** 2),
-            equals(response.non_stop_amplitude_squared, lambda: {GAIN: _gain()}),
+            * ((sp.pi / (2 * m2 * omega) - K_RATE) ** 2 + ((MASS / m2 - a2 * K - a1 * K_RATE) / (m1 * omega)) ** 2),
+            equals(response.non_stop_amplitude_squared, lambda: {GAIN: _gain(), **WAVE}),
         ),
         kernel=("nonstop-iff", "nonstop-damped", "nonstop-attracts"),
     ),
     clause(
         "non-stop-undamped",
-        r"For $a_1=0$, $\omega_1=\sqrt{a_2/m_1}$ no odd multiple of $\omega$: «threshold»; and for $\omega>\omega_1$ $w$ does keep its sign.",
+        r"For $a_1=0$, $\omega_1=\sqrt{a_2/m_1}$ no odd multiple of $\omega$: «threshold»; and for $\omega>\omega_1$ $\dot z$ does keep its sign.",
         threshold=Formula(
             "U_{**}^2",
             "=",
@@ -120,11 +125,11 @@ ENTRAINMENT = theorem(
     ),
     clause(
         "two-stops",
-        r"In between: let $u=S\sin\omega t+C\cos\omega t$ from an exit $(x_0,v_0)$ on, and a slip of sign 1 last for $t_s<\pi/\omega$. The conditions «exit» "
-        r"at the exit, «end» at $t_s$, and $(x_1,v_1)=-(x_0,v_0)$ at $\pi/\omega$ are linear in $x_0,v_0,S,C$. Their solution is a motion of amplitude "
-        r"$U=\sqrt{S^2+C^2}$ exactly if $w>0$ in the slip and $|\Lambda|\leqslant b$ in the stick.",
+        r"In between: let $u=U_{\sin}\sin\omega t+U_{\cos}\cos\omega t$ from an exit $(x_0,v_0)$ on, and a slip of sign 1 last for $t_s<\pi/\omega$. The conditions «exit» "
+        r"at the exit, «end» at $t_s$, and $(x_1,v_1)=-(x_0,v_0)$ at $\pi/\omega$ are linear in $x_0,v_0,U_{\sin},U_{\cos}$. Their solution is a motion of amplitude "
+        r"$U=\sqrt{U_{\sin}^2+U_{\cos}^2}$ exactly if $\dot z>0$ in the slip and $|\Lambda|\leqslant b$ in the stick.",
         exit=Formula(
-            r"C-a_1v_0-a_2x_0",
+            r"U_{\cos}-a_1v_0-a_2x_0",
             "=",
             b * MASS / m2,
             equals(

@@ -12,11 +12,19 @@ from paper_checks.ledger.letters import S, either_sign
 from paper_checks.ledger.theorem import theorem
 from theory import forced
 from theory.energy import sigma, sigma_other
-from theory.forced import U_RATES, gap, gap_rate
+from theory.forced import U_RATES
 from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v1_other, v2, v2_other, x1, x1_other
 
 LOAD = sp.Symbol("Lambda", real=True)
 P = sp.Symbol("p", real=True)
+ETA, ETA_RATE = sp.Symbol("eta", real=True), sp.Symbol(r"\dot{\eta}", real=True)
+BESIDE: dict[sp.Symbol, Callable[[int], sp.Expr]] = {
+    P: forced.imbalance,
+    ETA: lambda _: forced.gap,
+    ETA_RATE: lambda _: forced.gap_rate,
+}
+AHEAD, NATURAL = sp.Symbol("beta", real=True), sp.Symbol("omega_1", positive=True)
+"""What both velocities of one pair are ahead of those of another, and the frequency of body 1 alone."""
 DISTANCE = sp.Symbol("N", nonnegative=True)
 MASS = m1 + m2
 
@@ -36,11 +44,11 @@ RULE = theorem(
     "forced-mode-rule",
     clause(
         "modes",
-        r"A force $u(t)$ acts on body 1, $a_1\geqslant 0$. Let $w=v_1-v_2$, and let «load» be the load: the friction force "
+        r"A force $u(t)$ acts on body 1, $a_1\geqslant 0$. Let «load» be the load: the friction force "
         r"that sticking needs. Slip of sign $s$ has «slip»; the pair can stick where $|\Lambda|\leqslant b$, and then $m_2\ddot x_1=\Lambda$.",
         load=Formula(LOAD, "=", m2 * (u - a2 * x1 - a1 * v1) / MASS, equals(forced.load)),
         slip=Formula(
-            r"\dot w",
+            r"\ddot z",
             "=",
             MASS / (m1 * m2) * (LOAD - S * b),
             either_sign(forced.relative_rate, {LOAD: lambda _: forced.load()}),
@@ -75,11 +83,11 @@ NO_ZENO = theorem(
     "forced-no-zeno",
     clause(
         "deviation",
-        r"Let $\Lambda=sb$ and $v_1=v_2$ at a time, here $t=0$, and let $y$ be the place of body 1 beside the motion with the constant "
+        r"Let $\Lambda=sb$ and $v_1=v_2$ at a time, here $t=0$, and let $\eta$ be the place of body 1 beside the motion with the constant "
         r"acceleration $sb/m_2$ through the state at that time. With $I=m_1$ in slip of sign $s$ and $I=M$ in stick, before as after, "
         r"«deviation» $=p(t)$ and «excess».",
         deviation=Formula(
-            r"I\ddot y+a_1\dot y+a_2y",
+            r"I\ddot\eta+a_1\dot\eta+a_2\eta",
             "=",
             u - a2 * (x1 + v1 * t + S * b * t**2 / (2 * m2)) - a1 * (v1 + S * b * t / m2) - S * b * MASS / m2,
             either_sign(lambda sign: forced.deviation_force("stick", sign)),
@@ -87,8 +95,8 @@ NO_ZENO = theorem(
         excess=Formula(
             LOAD - S * b,
             "=",
-            m2 / MASS * (P - a1 * gap_rate - a2 * gap),
-            either_sign(forced.excess_load, {P: forced.imbalance}),
+            m2 / MASS * (P - a1 * ETA_RATE - a2 * ETA),
+            either_sign(forced.excess_load, BESIDE),
         ),
     ),
     clause(
@@ -102,7 +110,7 @@ CONTRACTION = theorem(
     "forced-contraction",
     clause(
         "energy",
-        r"Under a force «rate», where $\sigma$ is the value of $\mathrm{sign}(w)$, in $[-1,1]$ where $w=0$.",
+        r"Under a force «rate», where $\sigma$ is the value of $\mathrm{sign}(\dot z)$, in $[-1,1]$ where $\dot z=0$.",
         rate=Formula(r"\dot E", "=", u * v1 - a1 * v1**2 - b * sigma * (v1 - v2), equals(forced.energy_rate)),
         kernel=("forced-energy-rate",),
     ),
@@ -154,20 +162,20 @@ RESPONSE = theorem(
     ),
     clause(
         "undamped",
-        r"Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant before which $|\Lambda|<b$, slip for a time $\tau$ and "
-        r"have $\omega_1\tau\notin 2\pi\mathbb Z$, $\omega_1=\sqrt{a_2/m_1}$. Then every motion tends to it. For what keeps its distance from it "
-        r"differs in that slip by «place» and «relative» at the time $t$ after the exit, and both pairs have $w=0$ at $t=\tau$.",
+        r"Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant before which $|\Lambda|<b$, slip for a time $t_s$ and "
+        r"have $\omega_1t_s\notin 2\pi\mathbb Z$, $\omega_1=\sqrt{a_2/m_1}$. Then every motion tends to it. For what keeps its distance from it "
+        r"differs in that slip by «place» and «relative» at the time $t$ after the exit, $\beta$ being the lead of both velocities at it, and both pairs have $\dot z=0$ at $t=t_s$.",
         place=Formula(
             r"x_1-\tilde x_1",
             "=",
-            forced.velocity_gap / sp.Symbol("omega_1", positive=True) * sp.sin(sp.Symbol("omega_1", positive=True) * t),
-            equals(lambda: forced.undamped_difference()[0]),
+            AHEAD / NATURAL * sp.sin(NATURAL * t),
+            equals(lambda: forced.undamped_difference()[0], lambda: {AHEAD: forced.velocity_gap}),
         ),
         relative=Formula(
-            r"w-\tilde w",
+            r"\dot z-\dot{\tilde z}",
             "=",
-            forced.velocity_gap * (sp.cos(sp.Symbol("omega_1", positive=True) * t) - 1),
-            equals(lambda: forced.undamped_difference()[1]),
+            AHEAD * (sp.cos(NATURAL * t) - 1),
+            equals(lambda: forced.undamped_difference()[1], lambda: {AHEAD: forced.velocity_gap}),
         ),
     ),
 )

@@ -40,7 +40,7 @@ def sticks_for_ever() -> Evidence:
     """With a damper: exactly up to U*, and then all motions tend to it."""
     return argument(
         r"A motion that sticks for ever is that of one damped body, so it tends to the response and needs its friction: $U\leqslant U_*$. If so, the response is a motion, periodic, and attracts all. If $U<U_*$, "
-        r"near it $|\Lambda|\leqslant b-\eta$: a slip has $s\dot w\leqslant-\kappa\eta$ and ends, and the stick after it lasts.",
+        r"near it $|\Lambda|\leqslant b-\eta$: a slip has $s\ddot z\leqslant-\kappa\eta$ and ends, and the stick after it lasts.",
         stuck_response(),
         one_response(),
         strict_rule(),
@@ -112,7 +112,7 @@ def square_wave() -> Evidence:
     later = 1 + decayed * (first * c + second * s)
     later_speed = decayed * ((swing * second - decline * first) * c - (swing * first + decline * second) * s)
     return identity(
-        r"under 1 N the place $h$ and the velocity $h'$ become $-h$ and $-h'$ in half a period, by $k=\tan(\pi\nu/2\omega)$",
+        r"under 1 N the place $k$ and the velocity $k'$ become $-k$ and $-k'$ in half a period, by $k=\tan(\pi\omega_d/2\omega)$",
         sp.Matrix([later + place, later_speed + speed]),
         sp.zeros(2, 1),
     )
@@ -127,9 +127,9 @@ def load_positive() -> Evidence:
     found = (-stiffness * place - damping * speed) * left
     shown = 1 - decayed**2 + 2 * decayed * decline / swing * sp.sin(sp.pi * swing / omega)
     return argument(
-        r"$\delta^{-1}-\delta=2\sinh(\pi\lambda/\omega)\geqslant 2\pi\lambda/\omega\geqslant 2\frac{\lambda}{\nu}|\sin(\pi\nu/\omega)|$, so $-a_2h-a_1h'\geqslant 0$.",
+        r"$\delta^{-1}-\delta=2\sinh(\pi\lambda/\omega)\geqslant 2\pi\lambda/\omega\geqslant 2\frac{\lambda}{\omega_d}|\sin(\pi\omega_d/\omega)|$, so $-a_2k-a_1k'\geqslant 0$.",
         identity(
-            r"$(-a_2h-a_1h')(1+2\delta\cos(\pi\nu/\omega)+\delta^2)=1-\delta^2+2\delta\frac{\lambda}{\nu}\sin(\pi\nu/\omega)$",
+            r"$(-a_2k-a_1k')(1+2\delta\cos(\pi\omega_d/\omega)+\delta^2)=1-\delta^2+2\delta\frac{\lambda}{\omega_d}\sin(\pi\omega_d/\omega)$",
             response.half_turn(found),
             response.half_turn(shown),
         ),
@@ -143,8 +143,8 @@ def non_stop() -> Evidence:
     lowest = -slip(1).acceleration2 * sp.pi / omega / 2
     speed = in_phase * omega - b * response.square_speed
     return argument(
-        r"In such a motion $v_2$ is a triangle wave of slopes $\pm b/m_2$, and $x_1$ a sinusoid $a\sin\omega t+c\cos\omega t$ and the response to the square wave of friction. $w=0$ at the turn fixes $a$; there slip of sign 1 goes on only if $\Lambda\geqslant b$, "
-        r"which is $-c\geqslant-c_*>0$ with $c_*$ where $\Lambda=b$. As $U^2G^2=a^2+c^2$, such a $c<0$ exists exactly if $U\geqslant U_{**}$. From $U_{**}$ on $w$ gains $(c_*-c)\,\omega\sin\omega t\geqslant 0$, so it stays positive up to the next turn if it is at $U_{**}$, and then it is a motion by symmetry. With $a_1>0$ the response is the only "
+        r"In such a motion $v_2$ is a triangle wave of slopes $\pm b/m_2$, and $x_1$ a sinusoid $a\sin\omega t+c\cos\omega t$ and the response to the square wave of friction. $\dot z=0$ at the turn fixes $a$; there slip of sign 1 goes on only if $\Lambda\geqslant b$, "
+        r"which is $-c\geqslant-c_*>0$ with $c_*$ where $\Lambda=b$. As $U^2G^2=a^2+c^2$, such a $c<0$ exists exactly if $U\geqslant U_{**}$. From $U_{**}$ on $\dot z$ gains $(c_*-c)\,\omega\sin\omega t\geqslant 0$, so it stays positive up to the next turn if it is at $U_{**}$, and then it is a motion by symmetry. With $a_1>0$ the response is the only "
         r"one and attracts all.",
         square_wave(),
         load_positive(),
@@ -165,7 +165,7 @@ def undamped_non_stop() -> Evidence:
     place, speed = (one.subs(decayed, 1).subs(decline, 0) for one in response.square_wave())
     turn = sp.tan(sp.pi * swing / (2 * omega))
     return identity(
-        r"for $a_1=0$ ($\lambda=0$, $\delta=1$, $\nu=\omega_1$): $h=0$ and $h'=-\tan(\pi\omega_1/2\omega)/(m_1\omega_1)$",
+        r"for $a_1=0$ ($\lambda=0$, $\delta=1$, $\omega_d=\omega_1$): $k=0$ and $k'=-\tan(\pi\omega_1/2\omega)/(m_1\omega_1)$",
         sp.Matrix([place, sp.simplify(speed.rewrite(sp.tan) + turn / (m1 * swing))]),
         sp.zeros(2, 1),
     )
@@ -179,7 +179,7 @@ def keeps_its_sign() -> Evidence:
     slope = sp.diff(above, psi) * below - above * sp.diff(below, psi)
     in_phase, out_of_phase = (one.subs({a1: 0, response.square_place: 0}) for one in response.non_stop_parts())
     return argument(
-        r"Let $\rho=\omega_1/\omega<1$ and $\varphi=\omega t-\pi/2$. Then $\frac{m_1\omega}{b}w$ is $\cos\varphi-\frac{\sin\rho\varphi-\sin(\pi\rho/2)\sin\varphi}{\rho\cos(\pi\rho/2)}$ and $\frac{m_1}{m_2}$ times $\cos\varphi+\frac\pi2\sin\varphi-\varphi$. "
+        r"Let $\rho=\omega_1/\omega<1$ and $\varphi=\omega t-\pi/2$. Then $\frac{m_1\omega}{b}\dot z$ is $\cos\varphi-\frac{\sin\rho\varphi-\sin(\pi\rho/2)\sin\varphi}{\rho\cos(\pi\rho/2)}$ and $\frac{m_1}{m_2}$ times $\cos\varphi+\frac\pi2\sin\varphi-\varphi$. "
         r"With $\psi=\pi/2-|\varphi|$ the second is at least $\sin\psi-\psi+\frac\pi2(1-\cos\psi)$ for one sign, and more for the other; it is positive as $(\psi-\sin\psi)/(1-\cos\psi)\leqslant\frac\pi2-1$. The first is positive if "
         r"$\tan(\pi\rho/2)<R$, $R=\frac{\sin\rho\psi+\rho\sin\psi}{\cos\rho\psi-\cos\psi}$; $R$ falls to $\tan(\pi\rho/2)+\rho/\cos(\pi\rho/2)$ at $\psi=\pi/2$.",
         identity(
@@ -188,7 +188,7 @@ def keeps_its_sign() -> Evidence:
             -(1 - rho**2) * sp.sin(rho * psi) * sp.sin(psi),
         ),
         identity(
-            r"the parts of $x_1$ are $a\omega=bh'-\pi b/2m_2\omega$ and $-c\,m_1\omega^2=bM/m_2$",
+            r"the parts of $x_1$ are $a\omega=bk'-\pi b/2m_2\omega$ and $-c\,m_1\omega^2=bM/m_2$",
             sp.Matrix([in_phase * omega, -out_of_phase * m1 * omega**2]),
             sp.Matrix([b * response.square_speed - sp.pi * b / (2 * m2 * omega), b * total_mass() / m2]),
         ),
@@ -200,7 +200,7 @@ def keeps_its_sign() -> Evidence:
 def two_stops() -> Evidence:
     """The linear conditions of a slip and a stick in half a period."""
     return argument(
-        r"The flows of slip and stick are linear in the state and in $S$, $C$, so the conditions are. A solution with $w>0$ in the slip and $|\Lambda|\leqslant b$ in the stick obeys the mode rule over half a period, and by symmetry for ever; without one of them it does not.",
+        r"The flows of slip and stick are linear in the state and in $U_{\sin}$, $U_{\cos}$, so the conditions are. A solution with $\dot z>0$ in the slip and $|\Lambda|\leqslant b$ in the stick obeys the mode rule over half a period, and by symmetry for ever; without one of them it does not.",
         tie_rule(),
         strict_rule(),
     )
@@ -212,9 +212,9 @@ def two_ends() -> Evidence:
     first, second = response.short_slip()
     load_rate = sp.Symbol(r"\dot{\Lambda}", real=True)
     return argument(
-        r"At $t_s=\pi/\omega$ the end is the next turn, $v_1=-v_0$. As $t_s\to 0$, $w(t_s)/t_s^2\to\ddot w(0)/2=0$: the load is $b$ and turns there, as on the stuck response of amplitude $U_*$.",
+        r"At $t_s=\pi/\omega$ the end is the next turn, $v_1=-v_0$. As $t_s\to 0$, $\dot z(t_s)/t_s^2\to\dddot z(0)/2=0$: the load is $b$ and turns there, as on the stuck response of amplitude $U_*$.",
         identity(
-            r"where $\Lambda=b$, $\dot w=0$ and $\ddot w=\kappa\dot\Lambda$",
+            r"where $\Lambda=b$, $\ddot z=0$ and $\dddot z=\kappa\dot\Lambda$",
             sp.Matrix([first, second]),
             sp.Matrix([0, forced.coupling() * load_rate]),
         ),

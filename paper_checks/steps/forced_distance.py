@@ -33,7 +33,7 @@ def same_modes() -> Evidence:
 def energy_rate() -> Evidence:
     """The chain rule along the set-valued field."""
     return identity(
-        r"$\dot E=u\,v_1-a_1v_1^2-b\sigma w$, where $\sigma w=|w|$",
+        r"$\dot E=u\,v_1-a_1v_1^2-b\sigma\dot z$, where $\sigma\dot z=|\dot z|$",
         forced.energy_rate(),
         u * v1 - a1 * v1**2 - b * sigma * (v1 - v2),
     )

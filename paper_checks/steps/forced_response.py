@@ -23,7 +23,7 @@ def bounded() -> Evidence:
     push = forced.forced_system(sigma)
     return argument(
         r"Body 1 is a linear oscillator with $a_1>0$ under the bounded force $u-b\sigma$, so $x_1$ and $v_1$ are bounded. Where $|v_2|$ exceeds the bound of $|v_1|$, "
-        r"$w$ has the sign of $-v_2$, and $|v_2|$ falls at the rate $b/m_2$.",
+        r"$\dot z$ has the sign of $-v_2$, and $|v_2|$ falls at the rate $b/m_2$.",
         identity(
             r"body 2 has $m_2\dot v_2=b\sigma$, body 1 $m_1\dot v_1+a_1v_1+a_2x_1=u-b\sigma$",
             sp.Matrix([m2 * push[2], (m1 * push[1] - u).subs({x1: 0, v1: 0})]),
@@ -37,7 +37,7 @@ def approach() -> Evidence:
     """With a damper two motions under one bounded force approach each other."""
     return argument(
         r"$N$ has a limit. Motions from which it is taken (limits of both, moved in time) keep their distance, so $v_1=\tilde v_1$ and the friction forces differ by $-a_2(x_1-\tilde x_1)$, a constant; "
-        r"as $v_2-\tilde v_2$ is bounded, the constant is $0$. Then $w-\tilde w=c$ is constant under equal friction. If $c\neq 0$, $w$ and $w-c$ never have opposite signs, so $w$ "
+        r"as $v_2-\tilde v_2$ is bounded, the constant is $0$. Then $\dot z-\dot{\tilde z}=c$ is constant under equal friction. If $c\neq 0$, $\dot z$ and $\dot z-c$ never have opposite signs, so $\dot z$ "
         r"does not enter the interval between $0$ and $c$: it keeps one sign, friction is always $b$ or always $-b$, and $v_2$ is not bounded. So $N\to 0$.",
         bounded(),
         never_apart(),
@@ -75,12 +75,12 @@ def undamped_attraction() -> Evidence:
     place, relative = forced.undamped_difference()
     frequency = sp.Symbol("omega_1", positive=True)
     return argument(
-        r"Let $y_*$ be the periodic motion, $z$ a limit of another one moved by periods: $N(z-y_*)$ is constant, so at almost every time both have the same $w$ or the same friction. While $y_*$ sticks with "
-        r"$|\Lambda_*|<b$ then $z$ sticks; while $y_*$ slips $z$ has its friction. So at the exit of $y_*$ the load of $z$, too, is $sb$, hence $x_1=\tilde x_1$, and both velocities differ by one $d$. "
-        r"In the slip $v_2-\tilde v_2=d$ and $v_1-\tilde v_1=d\cos\omega_1t$. At its end $w_*=0$; friction of $y_*$ changes there, so that of $z$ does, which needs $w=0$. So $d(\cos\omega_1\tau-1)=0$, "
-        r"$d=0$, and $z=y_*$.",
+        r"Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one moved by periods: $N(\zeta-\eta_*)$ is constant, so at almost every time both have the same $\dot z$ or the same friction. While $\eta_*$ sticks with "
+        r"$|\Lambda_*|<b$ then $\zeta$ sticks; while $\eta_*$ slips $\zeta$ has its friction. So at the exit of $\eta_*$ the load of $\zeta$, too, is $sb$, hence $x_1=\tilde x_1$, and both velocities differ by one $\beta$. "
+        r"In the slip $v_2-\tilde v_2=\beta$ and $v_1-\tilde v_1=\beta\cos\omega_1t$. At its end $\dot z_*=0$; friction of $\eta_*$ changes there, so that of $\zeta$ does, which needs $\dot z=0$. So $\beta(\cos\omega_1t_s-1)=0$, "
+        r"$\beta=0$, and $\zeta=\eta_*$.",
         identity(
-            r"the difference starts as $0$ with the rate $d$, and $w-\tilde w$ vanishes with $d$ or $\cos\omega_1t=1$",
+            r"the difference starts as $0$ with the rate $\beta$, and $\dot z-\dot{\tilde z}$ vanishes with $\beta$ or $\cos\omega_1t=1$",
             sp.Matrix([place.subs(t, 0), sp.diff(place, t).subs(t, 0), relative]),
             sp.Matrix([0, forced.velocity_gap, forced.velocity_gap * (sp.cos(frequency * t) - 1)]),
         ),
@@ -99,7 +99,7 @@ def undamped_attraction() -> Evidence:
 def resonant_rate() -> Evidence:
     """z' has no state in it."""
     return identity(
-        r"with $a_2=m_1\omega_1^2$, $e^{i\omega_1t}\dot z=(u-b\sigma)/m_1$",
+        r"with $a_2=m_1\omega_1^2$, $e^{i\omega_1t}\dot A=(u-b\sigma)/m_1$",
         response.amplitude_rate(),
         (u - b * sp.Symbol("sigma", real=True)) / m1,
     )
@@ -115,12 +115,12 @@ def most_friction() -> Evidence:
 def grows() -> Evidence:
     """Above the bound every motion grows."""
     return argument(
-        r"Over a period $T$ the force adds $U_1T/2m_1$ to $z$ in one direction, and friction, $|b\sigma|\leqslant b$, takes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a "
+        r"Over a period $T$ the force adds $U_1T/2m_1$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$, takes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a "
         r"bounded amount.",
         resonant_rate(),
         most_friction(),
         identity(
-            r"so $|z|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
+            r"so $|A|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
             response.growth_rate(),
             (response.amplitude / 2 - 2 * b / sp.pi) / m1,
         ),
@@ -133,8 +133,8 @@ def stays_bounded() -> Evidence:
     offset = sp.Symbol("c", positive=True)
     slope = sp.diff(response.path_beside(offset), offset)
     return argument(
-        r"Over $n$ periods $z$ and $v_2$ change by at most a constant, $|z|=R$. So the work of $u$ is at most $R\,U_1nT/2$ and a constant (for $\omega_1T\notin 2\pi\mathbb Z$: $R\,\epsilon nT$, with $\epsilon$ as "
-        r"small as one likes for a large $n$), and the path of $w$ is at least the integral of $|R\cos\omega_1t-v_2|$ with one $v_2$, less a constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over "
+        r"Over $n$ periods $A$ and $v_2$ change by at most a constant, $|A|=R$. So the work of $u$ is at most $R\,U_1nT/2$ and a constant (for $\omega_1T\notin 2\pi\mathbb Z$: $R\,\epsilon nT$, with $\epsilon$ as "
+        r"small as one likes for a large $n$), and the path of $\dot z$ is at least the integral of $|R\cos\omega_1t-v_2|$ with one $v_2$, less a constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over "
         r"$n$ periods $E$ falls wherever it is large enough, and in between it rises by a bounded factor only.",
         energy_rate(),
         resonant_rate(),

@@ -57,7 +57,7 @@ def blind_to_x2() -> Evidence:
 def centre() -> Evidence:
     """Nothing depends on x2; the path of the relative displacement is paid."""
     return argument(
-        r"A motion with $x_2(0)$ moved by $c$ is the same motion with $x_2$ moved by $c$. Without a force $b\int_t^\infty|w|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than $(E(t)-E_\infty)/b$.",
+        r"A motion with $x_2(0)$ moved by $c$ is the same motion with $x_2$ moved by $c$. Without a force $b\int_t^\infty|\dot z|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than $(E(t)-E_\infty)/b$.",
         blind_to_x2(),
         *dissipation.in_every_mode()[:4],
     )

@@ -33,7 +33,7 @@ def stuck_force() -> Evidence:
     force = control.stuck_force()
     load = forced.load().subs({u: force, x1: control.r_place, v1: control.r_speed}, simultaneous=True)
     return identity(
-        r"the stuck pair follows $r$ under $u=M\ddot r+a_1\dot r+a_2r$ only, and its load is $m_2\ddot r$",
+        r"the stuck pair follows $x_{\mathrm{ref}}$ under $u=M\ddot x_{\mathrm{ref}}+a_1\dot x_{\mathrm{ref}}+a_2x_{\mathrm{ref}}$ only, and its load is $m_2\ddot x_{\mathrm{ref}}$",
         sp.Matrix([force, load]),
         sp.Matrix(
             [
@@ -48,8 +48,8 @@ def stuck_force() -> Evidence:
 def followed() -> Evidence:
     """Exactly the references with |r''| <= b/m2."""
     return argument(
-        r"Friction gives body 2 no more. Conversely the stuck motion along such an $r$, shifted by $x_1(0)-r(0)$, has $|\Lambda|=m_2|\ddot r|\leqslant b$ at almost every time: it is a motion under the force of "
-        r"stick; if $\ddot r$ jumps, so does $u$.",
+        r"Friction gives body 2 no more. Conversely the stuck motion along such an $x_{\mathrm{ref}}$, shifted by $x_1(0)-x_{\mathrm{ref}}(0)$, has $|\Lambda|=m_2|\ddot x_{\mathrm{ref}}|\leqslant b$ at almost every time: it is a motion under the force of "
+        r"stick; if $\ddot x_{\mathrm{ref}}$ jumps, so does $u$.",
         gentle(),
         stuck_force(),
         same_modes(),
@@ -59,7 +59,11 @@ def followed() -> Evidence:
 @cache
 def must_stick() -> Evidence:
     """Less than full friction is stick."""
-    return argument(r"Slip has $|\ddot x_2|=b/m_2$; so where $|\ddot r|<b/m_2$ there is none.", gentle(), same_modes())
+    return argument(
+        r"Slip has $|\ddot x_2|=b/m_2$; so where $|\ddot x_{\mathrm{ref}}|<b/m_2$ there is none.",
+        gentle(),
+        same_modes(),
+    )
 
 
 @cache
@@ -101,11 +105,11 @@ def stuck_amplitude() -> Evidence:
     first, second = control.transfer_force(True), control.transfer_force(False)
     step = 2 * total_mass() * control.strongest()
     return argument(
-        r"$u$ rises in the first half, up to $u_1$. In the second half, by the time $t$ to the end, it is a parabola that starts at $a_2D-bM/m_2$, turns at $t=a_1/a_2$, and at $\tau$ is less than $u_1$: it is never below "
+        r"$u$ rises in the first half, up to $u_1$. In the second half, by the time $t$ to the end, it is a parabola that starts at $a_2D-bM/m_2$, turns at $t=a_1/a_2$, and at $t_{1/2}$ is less than $u_1$: it is never below "
         r"$-bM/m_2\geqslant-u_1$, and above $u_1$ at its turn at most. At the end $u=a_2D$ holds the pair.",
         stuck_force(),
         identity(
-            r"the slopes are $a_1b/m_2+a_2bt/m_2$ and $a_1b/m_2-a_2bt/m_2$; at $\tau$ the force falls by $2bM/m_2$",
+            r"the slopes are $a_1b/m_2+a_2bt/m_2$ and $a_1b/m_2-a_2bt/m_2$; at $t_{1/2}$ the force falls by $2bM/m_2$",
             sp.Matrix([sp.diff(first, t), sp.diff(second, t), (first - second).subs(t, control.least_time() / 2)]),
             sp.Matrix([(a1 + a2 * t) * b / m2, (a1 - a2 * t) * b / m2, step]),
         ),
@@ -141,7 +145,7 @@ def contact_margin() -> Evidence:
         sp.Eq(sum_of, whole * first + second * part, evaluate=False),
     ]
     return prove(
-        r"$g(\tau+s)-2g(s)\leqslant g(\tau)(1-s/\tau)$ (here $g=g(\tau)$, $h=g(s)$, $k=g(\tau+s)$, $p=m_1g'(s)+a_1g(s)$, $r=m_1g'(\tau)$, $s$ for $s/\tau$)",
+        r"$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})(1-s/t_{1/2})$ (here $g=g(t_{1/2})$, $h=g(s)$, $k=g(t_{1/2}+s)$, $p=m_1g'(s)+a_1g(s)$, $r=m_1g'(t_{1/2})$, $s$ for $s/t_{1/2}$)",
         given,
         sp.Le(sum_of - 2 * part, whole * (1 - share), evaluate=False),
     )
@@ -153,13 +157,13 @@ def slipping_amplitude() -> Evidence:
     g = sp.Symbol("g", positive=True)
     reached = (control.slipping_amplitude() - b) * g
     return argument(
-        r"To arrive at $2\tau$ friction is $b$ up to $\tau$, then $-b$: so $w\geqslant 0$, then $w\leqslant 0$, and $v_1(\tau)=b\tau/m_2$. As $v_1(\tau)=\int_0^\tau g'(\tau-s)(u-b)\,ds\leqslant(U-b)\,g(\tau)$, $U\geqslant U_{min}$. With $u=U\geqslant U_{min}$ up to $\tau$ at "
-        r"$U_{min}$: $g$ is concave where $g'\geqslant 0$, so $v_1=(U-b)g(t)\geqslant bt/m_2$. Then $u=-U$: $v_1=(U-b)(g(\tau+s)-2g(s))$ at the time $\tau+s$. As $m_1g'+a_1g=1-a_2\int g\leqslant 1$ and "
-        r"$g(s)\geqslant g(\tau)s/\tau$, $w\leqslant 0$ up to $2\tau$. A larger bound of the force allows the same control. A pair that sticks at the limit from $\tau$ on has $v_1=v_2=b(2\tau-t)/m_2$, which is $0$ at $2\tau$.",
+        r"To arrive at $2t_{1/2}$ friction is $b$ up to $t_{1/2}$, then $-b$: so $\dot z\geqslant 0$, then $\dot z\leqslant 0$, and $v_1(t_{1/2})=bt_{1/2}/m_2$. As $v_1(t_{1/2})=\int_0^{t_{1/2}} g'(t_{1/2}-s)(u-b)\,ds\leqslant(U-b)\,g(t_{1/2})$, $U\geqslant U_{min}$. With $u=U\geqslant U_{min}$ up to $t_{1/2}$ at "
+        r"$U_{min}$: $g$ is concave where $g'\geqslant 0$, so $v_1=(U-b)g(t)\geqslant bt/m_2$. Then $u=-U$: $v_1=(U-b)(g(t_{1/2}+s)-2g(s))$ at the time $t_{1/2}+s$. As $m_1g'+a_1g=1-a_2\int g\leqslant 1$ and "
+        r"$g(s)\geqslant g(t_{1/2})s/t_{1/2}$, $\dot z\leqslant 0$ up to $2t_{1/2}$. A larger bound of the force allows the same control. A pair that sticks at the limit from $t_{1/2}$ on has $v_1=v_2=b(2t_{1/2}-t)/m_2$, which is $0$ at $2t_{1/2}$.",
         gentle(),
         addition(),
         contact_margin(),
-        identity(r"$(U_{min}-b)\,g(\tau)=b\tau/m_2$", reached, b * half_time / m2),
+        identity(r"$(U_{min}-b)\,g(t_{1/2})=bt_{1/2}/m_2$", reached, b * half_time / m2),
     )
 
 
@@ -167,7 +171,7 @@ def slipping_amplitude() -> Evidence:
 def undamped_slipping_amplitude() -> Evidence:
     """g = sin(omega_1 t)/(m1 omega_1)."""
     return identity(
-        r"for $a_1=0$, $g(\tau)=\sin\theta/(m_1\omega_1)$ and $U_{min}=b+\frac{m_1}{m_2}b\,\theta/\sin\theta$; $g'\geqslant 0$ up to $\theta=\pi/2$",
+        r"for $a_1=0$, $g(t_{1/2})=\sin\theta/(m_1\omega_1)$ and $U_{min}=b+\frac{m_1}{m_2}b\,\theta/\sin\theta$; $g'\geqslant 0$ up to $\theta=\pi/2$",
         control.undamped_slipping_amplitude(),
         b + b * m1 / m2 * angle / sp.sin(angle),
     )
