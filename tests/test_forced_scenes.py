@@ -6,6 +6,7 @@ The answers come from tests/forced_reference.py, which shares nothing with the s
 import json
 import tomllib
 from decimal import Decimal, localcontext
+from fractions import Fraction
 from time import process_time
 
 import pytest
@@ -15,6 +16,7 @@ from forced_reference import Reference
 from hypothesis import given
 from strategies import driven_scenes
 
+from numerics import Force, Friction, Pair, Piece, Scene, Sine, State
 from numerics.errors import EventUndecided, NumericsError
 from numerics.scene.file import load_scene
 from numerics.scene.writing import scene_text
@@ -121,6 +123,41 @@ def test_a_wrong_answer_is_seen(name):
     record["final"]["x1"] = record["final"]["x1"][:45]
     with pytest.raises(AssertionError):
         compare(found, record, ANSWER[name], 30, "ball")
+
+
+def in_other_seconds(scene, factor):
+    """The same scene with another unit of time: everything scales, nothing else changes."""
+    pair, at, square = scene.pair, scene.initial, factor**2
+    pieces = [
+        Piece(
+            one.start * factor,
+            [c / factor ** (k + 2) for k, c in enumerate(one.polynomial)],
+            [Sine(s.amplitude / square, s.omega / factor, s.phase) for s in one.sines],
+        )
+        for one in scene.force.pieces
+    ]
+    return Scene(
+        Pair(pair.m1, pair.m2, pair.a2 / square, pair.b / square, pair.a1 / factor),
+        State(at.x1, at.v1 / factor, at.x2, at.v2 / factor),
+        scene.until * factor,
+        force=Force(pieces),
+        friction=Friction([(t * factor, b / square) for t, b in scene.friction.pieces]),
+    )
+
+
+@pytest.mark.parametrize("factor", [Fraction(10**9), Fraction(10**20), Fraction(1, 10**9), Fraction(1, 10**20)])
+@pytest.mark.parametrize(
+    "name", ["tie-by-second-derivative-slips", "tie-on-the-lower-edge", "contact-to-third-order", "sine-at-threshold"]
+)
+def test_the_unit_of_time_does_not_matter(name, factor):
+    """@example of a found fault: at a tie a time below 1e-15 s was rounded to 0."""
+    scene = load_scene(HERE / "scenes" / f"{name}.toml")
+    one = solve(scene, arithmetic="ball", digits=25)
+    two = solve(in_other_seconds(scene, factor), arithmetic="ball", digits=25)
+    assert one.modes == two.modes
+    for a, b in zip(one.events, two.events, strict=True):
+        assert (a.t * factor.numerator / factor.denominator).overlaps(b.t)
+        assert a.y[0].overlaps(b.y[0])
 
 
 @given(driven_scenes())

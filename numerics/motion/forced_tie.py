@@ -32,7 +32,7 @@ def quiet_after_tie(pair: Pair, piece: ExactPiece, knot: Any) -> Fraction:
     h = min(h, (order + 1) * lead / bound) / 2
     while not knot.mode and 1.5 * weight * lead * h**order / factorial(order) > float(piece.b):
         h /= 2  # so long the load does not get as far as the other edge
-    return knot.local + Fraction(h).limit_denominator(10**15)
+    return knot.local + Fraction(f"{h:.6g}")  # half of the bound leaves room for the rounding
 
 
 def _derivatives(pair: Pair, piece: ExactPiece, knot: Any, mass: Fraction, most: int) -> list[Any]:
