@@ -24,7 +24,7 @@ from numerics.control.legs import stretches
 from numerics.control.linear import X1, X2, Motion, Row, W
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
-from numerics.control.settled import Settled, free_settled, periodic_settled, stuck_settled
+from numerics.control.settled import Settled, creeping_settled, free_settled, periodic_settled, stuck_settled
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
 from numerics.run.one import run_scene
 from numerics.scene import Scene
@@ -35,6 +35,7 @@ _SEARCH_BITS = 96
 _DOUBLINGS = 24
 """So often the horizon is doubled until the motion is known for ever."""
 _MAX_EVENTS = 100_000
+_FORCED_DOUBLINGS, _MAX_FORCED_EVENTS = 7, 2_000
 
 
 @dataclass(frozen=True)
@@ -79,23 +80,31 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
     until, near = scene.until, float(radius) * min(1.0, float(rate)) / 2
     drive = _drive(scene) if scene.is_forced else None
     orbit = _orbit(scene, drive, arithmetic)
+    doublings, most = (_DOUBLINGS, _MAX_EVENTS) if drive is None else (_FORCED_DOUBLINGS, _MAX_FORCED_EVENTS)
     if drive is not None:
         until = max(until, *(at + 1 for at in (*scene.force.starts, *scene.friction.starts)))
-    for _ in range(_DOUBLINGS):
+    for _ in range(doublings):
         longer = Scene(scene.pair, scene.initial, until, scene.law, scene.force, scene.friction)
-        trajectory = run_scene(longer, arithmetic, _MAX_EVENTS)
-        if drive is None:
-            found = free_settled(trajectory, near)
-        else:
-            found = periodic_settled(trajectory, orbit, near) if orbit else stuck_settled(trajectory, drive)
+        trajectory = run_scene(longer, arithmetic, most)
+        found = _known(trajectory, drive, orbit, near)
         if found is not None and found.is_sharp:
             return trajectory, found
         if not trajectory.reached:
             break
         until *= 2
     raise PrecisionExhausted(
-        f"the motion settles to within {float(radius):g} m after more than {_MAX_EVENTS} events; give a larger radius"
+        f"the motion is not known to settle to within {float(radius):g} m by t = {float(until):g} s or {most} events; "
+        "give a larger radius"
     )
+
+
+def _known(trajectory: Any, drive: Drive | None, orbit: Orbit | None, near: float) -> Settled | None:
+    """Return what is known for ever of a trajectory, by the road that its force leaves."""
+    if drive is None:
+        return free_settled(trajectory, near)
+    if orbit is not None:
+        return periodic_settled(trajectory, orbit, near)
+    return stuck_settled(trajectory, drive) or creeping_settled(trajectory, drive, near)
 
 
 def _drive(scene: Scene) -> Drive:

@@ -9,6 +9,7 @@ slips.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from flint import arb
@@ -21,7 +22,7 @@ from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import stuck_state
 from numerics.control.thresholds import stiffness
 from numerics.errors import EventUndecided
-from numerics.long_time.resting_place import resting_place
+from numerics.long_time.resting_place import RestingPlace, creeping_place, resting_place
 from numerics.motion.modes import Mode
 
 
@@ -42,6 +43,18 @@ def free_settled(trajectory: Any, near: float) -> Settled | None:
     found = resting_place(trajectory, near)
     if found is None:
         return None
+    return _at_rest(trajectory, found)
+
+
+def creeping_settled(trajectory: Any, drive: Drive, near: float) -> Settled | None:
+    """Return what is known of a pair under a force that ends as a constant, a1 = 0; None if that is too early."""
+    scene = trajectory.scene
+    last = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0))
+    found = None if drive.piece.sines else creeping_place(trajectory, drive.pair, near, last)
+    return None if found is None else _at_rest(trajectory, found)
+
+
+def _at_rest(trajectory: Any, found: RestingPlace) -> Settled:
     since = trajectory.events[found.index].t if found.index >= 0 else arb(0)
     if found.speed.is_zero():
         return Settled(found.limit, since, "the pair has stuck for ever")

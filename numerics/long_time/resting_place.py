@@ -7,14 +7,15 @@ slip from a ray with y = w/q moves z by E_cr q (y - F(y))/b, and the Abel functi
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.errors import PrecisionExhausted
 from numerics.long_time.energy import abel_functions, order_for, reach_of
 from numerics.motion.modes import EventKind
+from numerics.scene import Pair
 from numerics.trajectory.status import Status
 
 
@@ -39,37 +40,38 @@ def resting_place(trajectory: Any, near: float) -> RestingPlace | None:
     if trajectory.status is Status.STUCK_FOR_EVER:
         x1, _, x2, _ = trajectory.final_state
         return RestingPlace(x1 - x2, len(trajectory.events) - 1, arb(0), arb(0))
-    if trajectory.scene.pair.a1 > 0:
+    return creeping_place(trajectory, trajectory.scene.pair, near)
+
+
+def creeping_place(trajectory: Any, pair: Pair, near: float, since: Fraction = Fraction(0)) -> RestingPlace | None:
+    """Return the resting place of a pair that creeps, read from an exit after the time `since` (s), or None.
+
+    From then on no force acts on the pair, or a constant one, which only shifts x1. a1 = 0.
+    """
+    if pair.a1 > 0:
         return None
     for index, event in enumerate(trajectory.events):
-        if event.kind is EventKind.EXIT:
-            found = _from_ray(trajectory, index, event)
+        if event.kind is EventKind.EXIT and event.t > Ball.number(since):
+            found = _from_ray(trajectory.arithmetic.digits, pair, index, event)
             if found is not None and found.reach.max(found.speed) < near:
                 return found
     return None
 
 
-def _from_ray(trajectory: Any, index: int, event: Any) -> RestingPlace | None:
+def _from_ray(digits: int, pair: Pair, index: int, event: Any) -> RestingPlace | None:
     """Return what follows from one exit by a ray, None as long as y is too large for the series."""
-    pair, digits, frame = trajectory.scene.pair, trajectory.arithmetic.digits, trajectory.frame
-    y = event.reduced.w / frame.q
+    number = Ball.number
+    x1, v1, x2, _ = event.y
+    unit = number(pair.critical_energy * pair.share / pair.b)
+    # on the ray the spring has the energy E_cr (a constant force shifts x1 only): the excess is that of the velocity
+    y = number(pair.mass / (2 * pair.critical_energy * pair.share)) * v1 * v1
     if not y < reach_of(digits):
         return None
     abel = abel_functions(pair.share, order_for(digits))
-    if not y <= Ball.number(abel.largest_argument):
+    if not y <= number(abel.largest_argument):
         return None
-    unit = frame.critical_energy * frame.q / Ball.number(pair.b)
-    x1, _, x2, _ = event.y
     limit = x1 - x2 + event.after.sign * unit * abel.slide(y)
     # c(y) <= 3 y/2 bounds a slip's way; its angle is at most 3 sqrt(y), and w'' <= (a2/m1)|v1| while body 1 moves
     # outwards
-    reach = unit * frame.r * (9 * y * y / 4)
-    speed = abs(event.y[1]) * 9 * y / 2
-    return RestingPlace(limit, index, reach.upper(), speed.upper())
-
-
-def require_known(found: RestingPlace | None, digits: int) -> RestingPlace:
-    """Return it, or raise PrecisionExhausted."""
-    if found is None:
-        raise PrecisionExhausted(f"{digits} right digits of the resting place are not reached; raise max_events")
-    return found
+    reach = unit * number(1 - pair.share) * (9 * y * y / 4)
+    return RestingPlace(limit, index, reach.upper(), (abs(v1) * 9 * y / 2).upper())

@@ -18,8 +18,9 @@ from numerics.control.ring import ring_entry
 from numerics.control.ring_figure import draw_ring
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
+from numerics.errors import PrecisionExhausted
 from numerics.motion.modes import Mode
-from numerics.scene import Force, Pair, Piece, Scene, State
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.file import load_reference, load_scene, parse_scene
 from numerics.scene.writing import scene_text
 from numerics.solver.solve import solve
@@ -138,6 +139,22 @@ def test_the_ring_around_a_periodic_motion(amplitude, radius):
     outside = np.array(distances) > float(radius)
     assert outside[:19].any()
     assert not outside[21:].any()
+
+
+@pytest.mark.parametrize("force", [Force.step(0, "0.3"), Force((Piece(0, (), [Sine("0.3", 9)]), Piece(1, ["0.3"])))])
+def test_a_pair_creeps_under_a_constant_force_as_without_one(force):
+    found = ring_entry(Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5, force=force), "0.001")
+    entry = float(found.entry)
+    t = np.linspace(0, 1.2 * entry, 4001)
+    y = solve(replace(found.scene, until=Fraction(10))).sol(t)
+    late = t[np.hypot(y[0] - y[2] - float(found.centre), y[1] - y[3]) > 0.001]
+    assert 0 < entry - late[-1] < 1.3 * entry / 4000
+
+
+def test_a_motion_that_may_never_settle_is_refused():
+    scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5, force=Force.sine("0.02", 7))
+    with pytest.raises(PrecisionExhausted, match="not known to settle"):
+        ring_entry(scene, "0.001")
 
 
 def test_a_force_that_grows_has_no_ring():
