@@ -67,7 +67,7 @@ def test_the_notebooks_of_the_house_are_there():
     ]
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_notebook_runs_and_shows_something(name, fresh_kernel):
     notebook = execute(jupytext.read(FOLDER / name))

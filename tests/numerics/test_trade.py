@@ -2,108 +2,24 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
-import os
-import subprocess
-import sys
-import time
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 
-import numpy as np
 import pytest
+from trade_outcomes import SCENE, balls_of, floats_of, ours
 
 from numerics.__main__ import main
 from numerics.scene import Pair, Scene, State
-from numerics.scene.file import load_scene
 from numerics.trade import front, reference, scenes
-from numerics.trade.child import Child
 from numerics.trade.clock import median_time
-from numerics.trade.comparisons.heyoka_tuned import TunedHeyokaPeer
-from numerics.trade.comparisons.peer import PeerRun, Unsupported
-from numerics.trade.contender import all_contenders, labelled, peer_outcome
+from numerics.trade.contender import all_contenders, labelled
 from numerics.trade.front import Point
-from numerics.trade.interface import Wait, in_turns
 from numerics.trade.judge import judge
-from numerics.trade.measure import SOURCE, Limits, References, Status, measure, run
-from numerics.trade.ours import BALL, COMPILED, MANY, MPMATH, READ, Ours, our_contenders, solved
+from numerics.trade.ours import BALL, MPMATH, READ, Ours, solved
 from numerics.trade.outcome import Outcome, float_text
-from numerics.trade.plan import SIZES, NoSuchContender, selected, settings, trade
-from numerics.trade.table import as_record, print_trade
-from numerics.trade.worker import Worker
-
-ROOT = Path(__file__).resolve().parent.parent.parent
-QUICK = Limits(prepare=60, run=20, budget=0.01)
-SCENE = scenes.Benchmark("headline", "", load_scene(scenes.HEADLINE))
-
-PLANTED = """
-import os, time
-from numerics.trade.ours import BALL, our_contenders
-
-class Planted:
-    ours, use, knob, settings = False, "", "bits", (1.0, 2.0)
-    good = next(one for one in our_contenders() if one.label == BALL)
-    def __init__(self, label, call):
-        self.label = self.name = label
-        self.call = call
-    def missing(self):
-        return None
-    def takes(self, scene):
-        return not scene.is_forced
-    def prepare(self, scene, setting):
-        good = self.good.prepare(scene, 20.0)
-        return lambda: self.call(good)
-    def outcome(self, run):
-        return self.good.outcome(run)
-
-def hang(good):
-    time.sleep(600)
-
-def die(good):
-    os.write(2, b"a last word\\n")
-    os.abort()
-
-def refuse(good):
-    raise ArithmeticError("no step is small enough")
-
-def eat(good):
-    raise MemoryError
-
-def chatter(good):
-    print("this must not reach the channel")
-    os.write(1, b"nor this")
-    return good()
-
-def unloved():
-    return [Planted(call.__name__, call) for call in (hang, die, refuse, eat, chatter)]
-"""
-
-
-def ours(label: str) -> Ours:
-    return next(one for one in our_contenders() if one.label == label)
-
-
-def floats_of(scene: Scene) -> Outcome:
-    return ours(READ).outcome(solved(None)(scene, 53.0)())
-
-
-def balls_of(scene: Scene, digits: int) -> Outcome:
-    return ours(BALL).outcome(solved("ball")(scene, float(digits))())
-
-
-@pytest.fixture
-def planted(tmp_path, monkeypatch):
-    (tmp_path / "planted_contenders.py").write_text(PLANTED, "utf-8")
-    monkeypatch.syspath_prepend(tmp_path)
-    paths = [str(tmp_path), str(ROOT), os.environ.get("PYTHONPATH", "")]
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(path for path in paths if path))
-    import planted_contenders
-
-    yield {one.label: one for one in planted_contenders.unloved()}
-    del sys.modules["planted_contenders"]
+from numerics.trade.plan import SIZES, NoSuchContender, selected, settings
 
 
 @pytest.fixture(scope="module")
@@ -173,42 +89,6 @@ class TestJudge:
         assert still.error < -13
 
 
-class TestPeers:
-    @pytest.mark.parametrize(
-        ("precision", "setting", "error"), [("long double", 1e-21, -16), ("quadruple", 1e-34, -31), ("real", 50.0, -47)]
-    )
-    def test_a_peer_finer_than_floats_is_judged_by_all_its_digits(self, precision, setting, error):
-        peer = TunedHeyokaPeer(precision)
-        if peer.missing():
-            pytest.skip(peer.missing())
-        digits = max(60, reference.digits_for(peer.knob, setting))
-        proved = reference.proved(SCENE.scene, digits)
-        run = peer.prepare(SCENE.scene, setting)()
-        assert judge(peer_outcome(run), proved, digits, SCENE.scene).error < error
-        floored = judge(peer_outcome(replace(run, texts=None)), proved, digits, SCENE.scene)
-        assert -18 < floored.error < -15
-
-    def test_a_run_that_measured_itself_is_timed_by_its_own_clock(self, monkeypatch):
-        answer = PeerRun((), np.zeros(0), np.zeros(4), 0.0, 1, elapsed=1.5)
-
-        class SelfTimed:
-            name, use, knob, settings, forced = "self-timed", "", "step (s)", (1.0,), False
-
-            def missing(self):
-                return None
-
-            def prepare(self, scene, setting):
-                return lambda: (time.sleep(0.005), answer)[1]
-
-        monkeypatch.setattr("numerics.trade.contender.all_contenders", lambda: labelled([SelfTimed()]))
-        channel = io.StringIO()
-        asked = {"source": SOURCE, "contender": "self-timed", "scene": scenes.scene_as_record(SCENE.scene)}
-        Worker(channel).answer(asked | {"setting": 1.0, "budget": 0.01})
-        told = {row["stage"]: row for row in map(json.loads, channel.getvalue().splitlines())}
-        assert told["ran"]["seconds"] == told["timed"]["seconds"] == 1.5
-        assert told["timed"]["batches"] >= 1
-
-
 def _decimal(value: Fraction) -> str:
     """Return a rational with 60 digits after the point."""
     return f"{round(value * 10**60)}e-60"
@@ -235,120 +115,6 @@ class TestFront:
         assert ratios == expected
 
 
-class TestChild:
-    SOURCE = "planted_contenders:unloved"
-
-    def test_a_hanging_one_is_stopped_and_no_finer_setting_tried(self, planted):
-        with Child() as child, Child() as prover:
-            references = References(prover, 60)
-            limits = Limits(prepare=60, run=0.3, budget=0.01)
-            found = measure(child, references, planted["hang"], SCENE, (1.0, 2.0), limits, self.SOURCE)
-        assert [one.ran.status for one in found] == [Status.STOPPED, Status.NOT_TRIED]
-        assert [one.ran.note for one in found] == [
-            "stopped after 0.3 s of running",
-            "a coarser setting was stopped after 0.3 s of running",
-        ]
-
-    def test_failures_are_shown_and_the_next_request_is_answered(self, planted):
-        with Child() as child:
-            ran = {name: run(child, self.SOURCE, name, SCENE, 1.0, QUICK) for name in ("die", "refuse", "eat")}
-            after = run(child, self.SOURCE, "chatter", SCENE, 1.0, QUICK)
-        assert {one.status for one in ran.values()} == {Status.FAILED}
-        assert "SIGABRT" in ran["die"].note
-        assert ran["refuse"].note == "ArithmeticError: no step is small enough"
-        assert ran["eat"].note == "out of memory"
-        assert after.status is Status.MEASURED
-        assert after.batches > 0
-        assert len(after.outcome.kinds) == 32
-
-    def test_the_end_of_the_block_ends_a_busy_worker(self, planted):
-        with Child() as child:
-            child.ask(_request("hang", self.SOURCE))
-            assert child.answer(60)["stage"] == "prepared"
-            process = child._process
-        assert process.poll() is not None
-
-    def test_a_worker_whose_parent_is_gone_ends_itself(self, planted):
-        with subprocess.Popen(
-            [sys.executable, "-m", "numerics.trade.worker"],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-            start_new_session=True,
-        ) as worker:
-            worker.stdin.write(json.dumps(_request("hang", self.SOURCE)) + "\n")
-            worker.stdin.flush()
-            assert json.loads(worker.stdout.readline())["stage"] == "prepared"
-            worker.stdin.close()
-            assert worker.wait(timeout=30) < 0
-
-    def test_a_whole_table_survives_them_all(self, planted, monkeypatch, capsys):
-        monkeypatch.setitem(SIZES, "small", replace(SIZES["small"], limits=Limits(prepare=60, run=1, budget=0.01)))
-        found = trade("small", ["b05"], contenders=list(planted.values()), source=self.SOURCE)
-        print_trade(found, 200)
-        printed = capsys.readouterr().out
-        for text in ("stopped after 1 s", "SIGABRT", "no step is small enough", "out of memory", "right"):
-            assert text in printed
-        record = as_record(found)
-        assert json.dumps(record, allow_nan=False)
-        assert {row["status"] for row in record["runs"]} == {"stopped", "not tried", "failed", "measured"}
-        assert record["growth"] == []
-
-
-def _request(name: str, source: str) -> dict[str, object]:
-    scene = scenes.scene_as_record(SCENE.scene)
-    return {"source": source, "contender": name, "scene": scene, "setting": 1.0, "budget": 0}
-
-
-class TestOurs:
-    @pytest.mark.parametrize("label", [one.label for one in our_contenders() if one.knob == "bits"])
-    @pytest.mark.parametrize("scene", [SCENE, scenes.near_critical("0.00158", "1e-3")], ids=["headline", "on its ray"])
-    def test_every_call_gives_the_same_answer(self, label, scene):
-        one = ours(label)
-        if one.missing():
-            pytest.skip(one.missing())
-        run = one.prepare(scene.scene, 53.0)()
-        found = judge(one.outcome(run), reference.proved(scene.scene), 40, scene.scene)
-        assert found.right
-        assert found.error < -12
-
-    def test_a_batch_of_binary_numbers_is_no_near_critical_scene(self):
-        with pytest.raises(Unsupported, match="no binary numbers"):
-            ours(MANY).make(scenes.near_critical("5e-8", "1e-12").scene, 53.0)
-
-    def test_what_runs_inside_leads_nobody(self):
-        slow, quick = Point(READ, True, 53, 1.0, -10, True), Point(COMPILED, True, 53, 0.1, -10, True)
-        (lead,) = front.leads([slow, quick, Point("peer", False, 1, 2.0, -9, True)])
-        assert (lead.ratio, lead.ratio_inside) == (2.0, 20.0)
-
-
-class TestInterface:
-    def test_calls_are_timed_in_turn_and_held_against_what_is_asked(self):
-        order = []
-        took = in_turns({"a": lambda: order.append("a"), "b": lambda: (order.append("b"), time.sleep(0.003))}, 0.01)
-        assert took["b"] > 0.002 > took["a"] > 0
-        assert "".join(order).count("ab") > 2
-        assert [Wait("x", 1.0, most=most).kept for most in (None, 0.5, 2.0)] == [None, False, True]
-        assert Wait("x", 1.0, "y", 3.0, 2.0).kept is False
-
-    def test_the_command_prints_what_the_issue_names(self, monkeypatch, capsys):
-        monkeypatch.setattr("numerics.trade.interface._PEERS", {})
-        monkeypatch.setattr("numerics.trade.interface.first_compilation", lambda: 1.0)
-        assert main(["trade", "--interface", "--json"]) == 0
-        calls = {one["call"]: one for one in json.loads(capsys.readouterr().out)}
-        for name in ("the run inside", "solve(scene)", "solver(state, until)", "solve_many, one scene"):
-            assert calls[name]["seconds"] > 0
-        assert calls["solve(scene)"]["most"] == 6
-
-
-class TestTime:
-    def test_when_the_time_of_a_size_is_up_nothing_more_is_begun(self, planted, monkeypatch):
-        monkeypatch.setitem(SIZES, "small", replace(SIZES["small"], whole=0.0))
-        found = trade("small", ["b05"], contenders=[planted["hang"]], source=TestChild.SOURCE)
-        assert {one.ran.status for one in found.measurements} == {Status.NOT_TRIED}
-        assert "time for this size was up" in found.measurements[0].ran.note
-
-
 class TestScenes:
     def test_a_scene_crosses_processes_exactly(self):
         for one in [*scenes.benchmarks(10), scenes.of_mass_ratio(Fraction(1, 10**12))]:
@@ -366,28 +132,6 @@ class TestScenes:
         for one in scenes.benchmarks(20):
             times = (balls_of(one.scene, 15) if one.scene.is_forced else floats_of(one.scene)).times
             assert float(one.scene.until) - times[-1] > 1e-6
-
-
-class TestForced:
-    def test_nobody_is_asked_for_what_it_is_not_made_for(self):
-        free, forced = SCENE, scenes.forced_scenes()[0]
-        for one in all_contenders():
-            assert one.takes(free.scene) or one.takes(forced.scene)
-        both = {one.label for one in all_contenders() if one.takes(free.scene) and one.takes(forced.scene)}
-        assert {READ, BALL, MPMATH} <= both
-        assert all(one.ours for one in all_contenders() if one.label in both)
-
-    def test_under_a_force_our_floats_are_right_by_the_proved_reference(self):
-        scene = scenes.forced_scenes()[0].scene
-        found = judge(floats_of(scene), reference.proved(scene), 40, scene)
-        assert found.right
-        assert found.error < -12
-
-    def test_lost_work_is_seen_under_a_force(self):
-        scene = scenes.forced_scenes()[0].scene
-        truth = reference.proved(scene)
-        short = replace(floats_of(scene), dissipated="0.0028")
-        assert judge(short, truth, 40, scene).energy > -2
 
 
 class TestPlan:

@@ -144,6 +144,10 @@ def test_what_shows_rows_is_imported_by_nothing_that_decides_them():
         assert not [name for name in names if name.startswith(showing)], path
 
 
+def test_the_checks_that_share_derivations_are_there():
+    assert all((ROOT / "paper_checks" / "checks" / f"{name}.py").exists() for name in workers.SHARING)
+
+
 def test_a_process_that_ends_costs_its_own_row_only():
     claims = [claim_named(name) for name in QUICK]
     found = list(workers.found(claims, Context(), 2, dies_of_energy_rate))

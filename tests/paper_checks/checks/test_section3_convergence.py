@@ -29,6 +29,7 @@ from .conftest import (
     plus,
     recorded,
     squared,
+    two_of_each,
     unreadable,
     without,
 )
@@ -188,7 +189,7 @@ STEP_FAULTS = [
 
 
 @pytest.mark.usefixtures("runs_are_remembered")
-@pytest.mark.parametrize(("claim_id", "target", "fault"), STEP_FAULTS)
+@pytest.mark.parametrize(("claim_id", "target", "fault"), two_of_each(STEP_FAULTS))
 def test_a_fault_in_a_step_turns_the_claim(plant, claim_id, target, fault):
     plant(target, fault)
     assert finding_of(CHECKS[claim_id]).verdict is Verdict.UNDECIDED

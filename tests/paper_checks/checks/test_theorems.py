@@ -41,7 +41,7 @@ from paper_checks.steps import (
 from paper_checks.steps.roots import enclosed_root, precision
 from theory.symbols import q, theta
 
-from .conftest import doubled, finding_of, halved, misread, negated, plus, recorded, squared, unreadable
+from .conftest import doubled, finding_of, halved, misread, negated, plus, recorded, squared, two_of_each, unreadable
 from .test_theorems_forced import CHECKS as UNDER_A_FORCE
 
 CHECKS = {
@@ -187,7 +187,7 @@ def runs_are_remembered(monkeypatch):
 
 
 @pytest.mark.usefixtures("runs_are_remembered")
-@pytest.mark.parametrize(("claim_id", "target", "fault"), STEP_FAULTS)
+@pytest.mark.parametrize(("claim_id", "target", "fault"), two_of_each(STEP_FAULTS))
 def test_a_fault_in_a_step_turns_the_theorem(plant, claim_id, target, fault):
     plant(target, fault)
     assert decide([CHECKS[claim_id]], Context()).verdict is Verdict.UNDECIDED
