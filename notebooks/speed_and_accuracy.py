@@ -69,7 +69,7 @@ truth = proved(scene)
 wanted = ("float64", "double-double", "solve", "Solver", "ball", "SciPy DOP853", "heyoka (edge coordinates)")
 rows = []
 for one in all_contenders():
-    if one.label.startswith(wanted):
+    if one.takes(scene) and one.label.startswith(wanted):
         if one.missing():
             rows.append(f"| {one.label} | | not installed: needs {one.missing()} | | |")
             continue
