@@ -25,17 +25,28 @@ def stays(jet: Jet, h: float) -> bool:
     return low - (jet.bound + h * jet.growth) * h * h * h / 6.0 > _MARGIN * terms
 
 
+@text
+def fastest_of(pair: Pair, drive: Drive, piece: int) -> float:
+    """Return the fastest rate in the guard of a slip, 1/s."""
+    first, count = drive.places[piece][0], drive.places[piece][1]
+    fastest, at = pair.slip.rate, first + HEAD + 3 * count
+    for _ in range(drive.places[piece][2]):
+        fastest = max(fastest, rough(drive.numbers[at + 1]))
+        at += SINE
+    return fastest
+
+
 @text_apart
-def apart(pair: Pair, drive: Drive, start: Start, tau: Number, left: float) -> float:
+def apart(pair: Pair, drive: Drive, start: Start, tau: Number, left: float, fastest: float) -> float:
     """Return for how long from tau on a slip is proved to go on, at most `left`; 0 if that is no gain.
 
     s (v1 - v2) is a line (of the particular polynomial, up to t^2, and of body 2), the steady answers to slow sines,
     and oscillations about both: those to fast sines, and the free motion, of which a2/m y^2 + y'^2 never grows.
     """
-    slow = slow_guard(pair, drive, start, tau)
+    slow = slow_guard(pair, drive, start, tau, _SLOW * fastest)
     h = left
     for _ in range(60):
-        if pair.slip.rate * h <= 1.0 or slow.value <= 0.0:
+        if fastest * h <= 1.0 or slow.value <= 0.0:
             return 0.0
         if stays(slow, h):
             return h
@@ -44,8 +55,11 @@ def apart(pair: Pair, drive: Drive, start: Start, tau: Number, left: float) -> f
 
 
 @text
-def slow_guard(pair: Pair, drive: Drive, start: Start, tau: Number) -> Jet:
-    """Return the slow part of a slip's guard, less the amplitude of all that is fast; a value < 0 proves nothing."""
+def slow_guard(pair: Pair, drive: Drive, start: Start, tau: Number, limit: float) -> Jet:
+    """Return the slow part of a slip's guard, less the amplitude of all that is fast; a value < 0 proves nothing.
+
+    Slow is what has a rate below `limit`: sines, and the free motion y'' = -(a2 y + a1 y')/m1.
+    """
     numbers, first = drive.numbers, drive.places[start.piece][0]
     count, sines = drive.places[start.piece][1], drive.places[start.piece][2]
     here, local, side = state_at(pair, drive, start, tau), start.local + tau, float(start.mode)
@@ -68,7 +82,7 @@ def slow_guard(pair: Pair, drive: Drive, start: Start, tau: Number) -> Jet:
         two = omega * (in_phase * rough(cosine) + behind * rough(sine))
         y, z, peak = y - one, z - two, omega * math.hypot(in_phase, behind)
         size += (abs(in_phase) + abs(behind)) * (omega + rate)
-        if omega < _SLOW * rate:
+        if omega < limit:
             value, slope, bend = (
                 value + side * two,
                 slope - side * omega * omega * one,
@@ -78,5 +92,12 @@ def slow_guard(pair: Pair, drive: Drive, start: Start, tau: Number) -> Jet:
         else:
             fast += peak
         at += SINE
-    fast += math.sqrt(rate * y * (rate * y) + z * z) + rough(pair.guard_norm * start.norm) + 1e-9 * size
+    free = math.sqrt(rate * y * (rate * y) + z * z)
+    if pair.slip.rate < limit:
+        two = -(a2 * y + a1 * z) / rough(pair.m1)
+        value, slope = value + side * z, slope + side * two
+        bend, bound = bend - side * (a2 * z + a1 * two) / rough(pair.m1), bound + 2.0 * pair.slip.rate**3 * free
+    else:
+        fast += free
+    fast += rough(pair.guard_norm * start.norm) + 1e-9 * size
     return Jet(value - fast if known else -1.0, slope, bend, bound, 0.0, 0.0)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from numerics.arithmetic.float64 import UNIT, ZERO, below, middle, positive, rough, settled, size, spread, tolerance
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text, text_apart
-from numerics.contact.apart import apart, stays
+from numerics.contact.apart import apart, fastest_of, stays
 from numerics.contact.calm import calm
 from numerics.flows.forced_jet import guard_at, slip_jet, stick_jets
 from numerics.flows.forced_records import Drive, Jet, Pair, Start
@@ -82,7 +82,7 @@ def crossing(jet: Jet) -> float:
 def isolate(pair: Pair, drive: Drive, start: Start, limit: Number) -> Bracket:
     """Return the first root of the guard within `limit` seconds after the start."""
     step, order, tau = rough(limit), start.order, ZERO
-    shortest = 4.0 * UNIT * step
+    shortest, fastest = 4.0 * UNIT * step, fastest_of(pair, drive, start.piece)
     if positive(start.quiet - start.local):
         order, tau = 0, middle(start.quiet - start.local)
     for _ in range(_MOST_STEPS):
@@ -93,8 +93,8 @@ def isolate(pair: Pair, drive: Drive, start: Start, limit: Number) -> Bracket:
         found = ahead(pair, drive, start, order, tau, limit, one, two)
         if found.how != AHEAD:
             return found
-        if order == 0 and start.mode != 0 and pair.slip.rate * left > _LONG:
-            free = apart(pair, drive, start, tau, left)
+        if order == 0 and start.mode != 0 and fastest * left > _LONG:
+            free = apart(pair, drive, start, tau, left, fastest)
             if free > 0.0:
                 tau = limit if free >= left else middle(tau + free)
                 continue

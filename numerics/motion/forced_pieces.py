@@ -15,7 +15,8 @@ from numerics.scene import Piece, Scene, Sine
 
 _RADIANS = 8
 """A piece of binary64 numbers turns through so many radians or so: longer ones get seams, and phases stay sharp."""
-_MOST_SEAMS = 100_000
+_MOST_SEAMS = 20_000
+"""A piece that would get more has none: its phases are as sharp as binary64 has them, and the bounds say so."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,11 +51,10 @@ def pieces_of(scene: Scene, *, with_seams: bool = False) -> list[ExactPiece]:
 def _cut(whole: ExactPiece) -> Iterator[ExactPiece]:
     """Yield a piece in parts of a few turns of its fastest sine; their lengths are powers of 2, exact in binary."""
     fastest = max((one.omega for one in whole.sines), default=Fraction(0))
-    if fastest * whole.length <= 2 * _RADIANS:
+    if not 2 * _RADIANS < fastest * whole.length < _RADIANS * _MOST_SEAMS:
         yield whole
         return
-    most = max(_RADIANS / fastest, whole.length / _MOST_SEAMS)
-    part = Fraction(2) ** (math.frexp(float(most))[1] - 1)
+    part = Fraction(2) ** (math.frexp(float(_RADIANS / fastest))[1] - 1)
     start, left = whole.start, whole.length
     while left > 0:
         length = part if left > 2 * part else left

@@ -268,3 +268,10 @@ def test_a_light_body_oscillates_a_thousand_times_in_one_slip():
     light = Scene(Pair("1e-6", 10, 600, "1e-3"), State(v2="0.01"), 3, force=Force.sine("1e-3", 2))
     balls, points = solve(light, digits=12, arithmetic="ball", max_events=12), solve(light, max_events=12)
     assert itinerary(balls) == itinerary(points)
+
+
+def test_ten_million_radians_of_a_fast_sine_are_passed_by_their_amplitude():
+    fast = Scene(Pair(1, 1, 1, 1), State(v1=1), 1, force=Force.sine(1, "1e7"))
+    balls, points = solve(fast, digits=20, arithmetic="ball"), solve(fast)
+    assert itinerary(balls) == itinerary(points) == "+0"
+    assert len(balls.record.rows) == 2
