@@ -17,7 +17,7 @@ from flint import arb, arb_mat
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
 from numerics.control.linear import V1, X1, Motion, Row, W
-from numerics.control.modes_proved import is_positive_inside, require_slip, require_stick
+from numerics.control.modes_proved import QUICK, is_positive_inside, require_slip, require_stick
 from numerics.control.orbit import Orbit
 from numerics.control.variation import across, part
 from numerics.errors import EventUndecided
@@ -105,9 +105,9 @@ def _period_slopes(orbit: Orbit, place: Place, reach: arb) -> arb_mat:
         nominal = after.t if after.t > here else after.t + drive.period
         end = _event_time(motion, nominal - here, after.side)
         if leg.side == 0:
-            require_stick(motion, end, after.side)
+            require_stick(motion, end, after.side, QUICK)
         elif number_of:
-            require_slip(motion, end, from_stick=order[number_of - 1][0].side == 0)
+            require_slip(motion, end, from_stick=order[number_of - 1][0].side == 0, effort=QUICK)
         else:
             _require_apart(motion, end)
         z = motion.at(end)
@@ -120,7 +120,7 @@ def _period_slopes(orbit: Orbit, place: Place, reach: arb) -> arb_mat:
 def _require_apart(motion: Motion, end: arb) -> None:
     """Raise EventUndecided unless s w > 0 is proved from inside a slip to its end."""
     row = tuple((place, motion.mode.side * one) for place, one in W)
-    if not is_positive_inside(motion, row, end, 0, 1):
+    if not is_positive_inside(motion, row, end, 0, 1, QUICK):
         raise EventUndecided("do the bodies of the whole box slip?", "w near 0", working_digits())
 
 

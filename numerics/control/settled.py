@@ -108,6 +108,9 @@ def periodic_settled(trajectory: Any, orbit: Orbit, near: float) -> Settled | No
             limit = state[0] - state[2] - (place.state[0] - place.state[2])
             is_sharp = bool(left <= limit.rad())
             limit += arb(0, left)
+            if not is_sharp:
+                since = t
+                break
         if not left.max(Ball.number(kappa).sqrt() * reach) < near:
             break
         since = t
