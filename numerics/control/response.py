@@ -24,7 +24,7 @@ from numerics.control.simulated import simulated_guesses
 from numerics.control.thresholds import Thresholds, load_margin, stiffness, thresholds
 from numerics.control.two_stop import non_stop_guesses, two_stop_guesses
 from numerics.errors import EventUndecided, InvalidScene
-from numerics.scene import Force, Pair, Piece, Scene, Sine
+from numerics.scene import Force, Law, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import Exact
 
 
@@ -82,6 +82,8 @@ def response(
 
 def steady_drive(scene: Scene) -> Drive:
     """Return what acts in the long run. Raises InvalidScene unless that is a constant and sines."""
+    if scene.law is not Law.FILIPPOV:
+        raise InvalidScene(f'law = "{scene.law.value}" has no such theory; leave the law out for a response')
     drive = last_drive(scene)
     if drive is None or not drive.piece.sines:
         raise InvalidScene(

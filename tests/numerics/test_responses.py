@@ -134,6 +134,8 @@ def test_what_is_no_periodic_force_is_refused():
     for force in (Force(), Force.step(0, 1), Force.ramp(0, 1, 1)):
         with pytest.raises(InvalidScene, match="periodic"):
             response(Scene(PAIR, State(), 1, force=force))
+    with pytest.raises(InvalidScene, match="law"):
+        response(under(PAIR, 1, law="three-valued-sgn"))
     two = Force.sine(1, 3) + Force.sine(1, 5)
     with pytest.raises(InvalidScene, match="one sine"):
         response(Scene(PAIR, State(), 1, force=two), amplitude=1)
