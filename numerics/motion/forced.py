@@ -64,7 +64,11 @@ def locate(pair: Pair, drive: Drive, start: Start) -> Knot:
     if found.how != ROOT:
         return Knot(DOUBTFUL, found.side, found.low, window, ZERO)
     root = refine(pair, drive, start, found)
-    return Knot(GUARD if root.sure else DOUBTFUL, found.side, root.tau, root.window, size(root.slope))
+    # the true root is off by so much; next to it the slope must be known to hardly change
+    norm = (pair.load_norm if start.mode == 0 else pair.guard_norm) * start.norm
+    late = norm / size(root.slope) + root.window
+    is_sure = root.sure and positive(found.high - found.low - 64 * late)
+    return Knot(GUARD if is_sure else DOUBTFUL, found.side, root.tau, root.window, size(root.slope))
 
 
 @text
