@@ -74,9 +74,9 @@ def varying_interface(context: Context) -> Finding:  # noqa: ARG001
             argument(
                 r"At each time the equations are those of a constant friction with the value $b(t)$; at a jump of $b$ the strip changes and the state does not.",
                 forced_distance.friction_in_time(),
-                forced_rule.strict_rule(),
             ).as_correction(),
         ),
+        carried("rule", forced_rule.strict_rule().as_correction(), forced_rule.tie_rule().as_correction()),
         carried(
             "state",
             exhibit(

@@ -47,6 +47,7 @@ def forced_contraction(context: Context) -> Finding:  # noqa: ARG001
         carried("unique", forced_distance.one_solution()),
         carried("forces", forced_distance.forces_apart()),
         carried("interface", forced_distance.friction_in_time()),
+        carried("interface-rates", forced_distance.friction_in_time()),
     )
 
 

@@ -172,14 +172,16 @@ SECTION_5 = (
         correction=(
             clause(
                 "time",
-                r"For $b(t)>0$ by pieces in time there is one solution from every start, the mode rule stays as it is, and so does the contraction, «contraction».",
+                r"For $b(t)>0$ that is constant by pieces in time there is one solution from every start, and two never move apart, «contraction»;",
                 contraction=Formula(
                     r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
                     "=",
                     -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
                     equals(forced.contraction_rate),
                 ),
+                kernel=("varying-contraction", "varying-well-posed"),
             ),
+            clause("rule", r"the mode rule stays as it is, with the values of $b$ from the right."),
             clause(
                 "state",
                 r"For $b$ that depends on the place the contraction is lost: for two slips of one sign $s$ under $b$ and $\tilde b$, $a_1=0$, it becomes «rate», "

@@ -144,7 +144,12 @@ CONTRACTION = theorem(
     ),
     clause(
         "interface",
-        r"With a friction $b(t)>0$ that changes in time all four statements stay as they are, with $b(t)$ in the place of $b$.",
+        r"With a friction $b(t)>0$ that is constant by pieces in time there is one solution from every start, too, and the distance of two never grows.",
+        kernel=("varying-contraction", "varying-well-posed"),
+    ),
+    clause(
+        "interface-rates",
+        r"Both rates and the bound under two forces then hold with $b(t)$ in the place of $b$.",
     ),
 )
 
