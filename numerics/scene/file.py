@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import tomllib
+from fractions import Fraction
 from importlib import resources
 from pathlib import Path
 from typing import Any
 
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+from numerics.scene.decimals import exact_decimal
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
 """Of a scene without a force, and of one with."""
@@ -117,7 +119,9 @@ def parse_scene(text: str) -> Scene:
         until=run["until"],
         law=run.get("law", Law.FILIPPOV),
         force=Force(_in_place(_force_piece, one, number) for number, one in enumerate(force, start=1)),
-        friction=Friction((_given(one, "from", "friction"), _given(one, "b", "friction")) for one in friction),
+        friction=Friction(
+            _in_place(_friction_piece, one, number, "friction") for number, one in enumerate(friction, start=1)
+        ),
     )
 
 
@@ -146,7 +150,13 @@ def _force_piece(table: dict[str, Any]) -> Piece:
             raise InvalidScene("a sine must be { amplitude = A, omega = W, phase = P }")
         _require_known(one, _SINE, "a sine")
         sines.append(Sine(_given(one, "amplitude", "a sine"), _given(one, "omega", "a sine"), one.get("phase", 0)))
-    return Piece(table.get("from", 0), _list(table, "polynomial"), sines)
+    return Piece(exact_decimal(table.get("from", 0), "from"), _list(table, "polynomial"), sines)
+
+
+def _friction_piece(table: dict[str, Any]) -> tuple[Fraction, Fraction]:
+    """Return one piece of friction, checked by itself."""
+    ((start, b),) = Friction([(_given(table, "from", "friction"), _given(table, "b", "friction"))]).pieces
+    return start, b
 
 
 def _list(table: dict[str, Any], key: str) -> list[Any]:
