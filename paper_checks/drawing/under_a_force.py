@@ -39,7 +39,16 @@ def thresholds_over_frequency() -> Figure:
         ax.set_title(title)
         for rate, name in ((pair.a2 / pair.mass, r"$\Omega$"), (pair.a2 / pair.m1, r"$\omega_1$")):
             ax.axvline(float(rate) ** 0.5, color="#777777", lw=0.7, ls=":")
-            ax.text(float(rate) ** 0.5, ax.get_ylim()[1], name, ha="right", va="top", fontsize=9)
+            ax.annotate(
+                name,
+                (float(rate) ** 0.5, 1),
+                (-3, -3),
+                ax.get_xaxis_transform(),
+                "offset points",
+                ha="right",
+                va="top",
+                fontsize=9,
+            )
     patches = [Patch(fc=colour, ec="black", lw=0.4, label=name) for name, colour in REGIME_COLOURS.items()]
     figure.legend(handles=[*patches, *figure.axes[0].lines[:2]], loc="outside lower center", ncols=3, frameon=False)
     return figure
