@@ -13,6 +13,9 @@ from pathlib import Path
 
 import pytest
 
+from numerics import solve
+from numerics.scene.file import parse_scene
+
 ROOT = Path(__file__).resolve().parent.parent
 TELLING = ROOT / "numerics" / "arithmetic" / "compiling.py"
 FORBIDDEN = {
@@ -189,3 +192,11 @@ def test_the_readmes_examples_run():
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=False)
     assert done.returncode == 0, done.stderr
     assert "SLIP_PLUS" in done.stdout
+
+
+def test_the_scene_file_of_the_readme_is_one():
+    (text,) = re.findall(r"```toml\n(.*?)```", (ROOT / "README.md").read_text("utf-8"), flags=re.DOTALL)
+    scene = parse_scene(text)
+    assert scene.force.starts == (1,)
+    assert scene.friction.starts == (4,)
+    assert solve(scene).success
