@@ -9,6 +9,7 @@ import random
 from collections.abc import Iterable, Iterator
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from paper_checks.evidence import Evidence, EvidenceKind
 
@@ -76,7 +77,11 @@ def _entries(left: sp.Basic | int, right: sp.Basic | int) -> Iterator[sp.Expr]:
 def _samples(
     expression: sp.Expr, randomness: random.Random, points: int
 ) -> Iterable[tuple[dict[sp.Symbol, sp.Rational], sp.Expr]]:
-    """Yield up to `points` rational points, with the expression's finite values there."""
+    """Yield up to `points` rational points, with the expression's finite values there.
+
+    A function that is only named is stood in for by a known one: what differs for one function is no identity.
+    """
+    expression = expression.replace(lambda part: isinstance(part, AppliedUndef), _stand_in)
     symbols = sorted(expression.free_symbols, key=str)
     found = 0
     for _ in range(10 * points):
@@ -88,6 +93,12 @@ def _samples(
         found += 1
         if found == points:
             return
+
+
+def _stand_in(named: sp.Expr) -> sp.Expr:
+    """Return a positive function of the same arguments that is none of the usual ones; another name, another function."""
+    number = 2 + sum(map(ord, str(named.func)))
+    return sp.Integer(1) / number + sum((1 / (number + one**2) for one in named.args), sp.Integer(0))
 
 
 def _rational(symbol: sp.Symbol, randomness: random.Random) -> sp.Rational:

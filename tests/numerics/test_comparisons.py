@@ -77,10 +77,10 @@ def scipy_segment(pair, sign, start, t0, t1):
     )
 
 
-FREE = [name for name in shipped_scenes() if not load_scene(name).is_forced]
+UNFORCED = [name for name in shipped_scenes() if not load_scene(name).is_forced]
 
 
-@pytest.mark.parametrize("name", [name for name in FREE if "literal" not in name and "3a" not in name])
+@pytest.mark.parametrize("name", [name for name in UNFORCED if "literal" not in name and "3a" not in name])
 def test_scipy_finds_the_same_ends_of_the_same_modes(name):
     """Each mode is started where the exact one starts: a comparison of event times, not of accumulated errors."""
     scene = load_scene(name)

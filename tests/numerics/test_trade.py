@@ -196,7 +196,7 @@ class TestCommand:
         assert row["seconds"] > 0
         assert {one["axis"] for one in record["growth"]} >= {"events", "m1/m2"}
         assert not any(one["note"] for one in record["growth"] if one["axis"] != "batch")
-        assert set(record["machine"]) == {"processor", "cores", "system", "python", "packages"}
+        assert set(record["machine"]) == {"processor", "cores", "load", "system", "python", "packages"}
         assert sorted(path.name for path in tmp_path.iterdir()) == ["trade-growth.png", "trade.png"]
         assert main(["trade", "--size", "small", "--only", "absent", "b05"]) == 0
         assert "left out: absent tool: needs a package that nobody has" in capsys.readouterr().out

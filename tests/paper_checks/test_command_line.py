@@ -12,15 +12,19 @@ import paper_checks.__main__ as command_line
 import paper_checks.figures as figures_module
 import paper_checks.ledger as ledger_module
 from paper_checks import registry as registry_module
+from paper_checks import under_a_force
 from paper_checks.__main__ import main
 from paper_checks.ledger import CLAIMS
 from paper_checks.report import pdf
+from paper_checks.report.blocks import Section
 from paper_checks.speed import section as section_module
 
 
 @pytest.fixture
 def small(monkeypatch, rows, registry, figures):
-    """The small ledger in the place of the real one; the section on speed without forward Euler's runs."""
+    """The small ledger in the place of the real one; no chapter on its rows; speed without forward Euler's runs."""
+    monkeypatch.setattr(under_a_force, "section", lambda: Section("under-a-force", "Under a force", ()))
+    monkeypatch.setattr(under_a_force, "figures", dict)
     monkeypatch.setattr(section_module, "euler_figures", tuple)
     monkeypatch.setattr(section_module, "stick_energies", tuple)
     monkeypatch.setattr(ledger_module, "CLAIMS", tuple(row.claim for row in rows))

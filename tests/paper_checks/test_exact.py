@@ -69,3 +69,11 @@ def test_the_same_seed_gives_the_same_evidence():
 def test_points_meet_the_assumptions():
     negative = sp.Symbol("v", negative=True)
     assert identity("sign", sp.Abs(negative) + m + sp.Abs(k), -negative + sp.Abs(m) + sp.Abs(k)).passed is True
+
+
+def test_a_function_that_is_only_named_tells_different_arguments_apart():
+    c, x = sp.Function("c"), sp.Symbol("x", positive=True)
+    assert identity("the same", c(x) + 1, 1 + c(x)).passed is True
+    assert identity("twice", sp.Min(c(x), 1), 2 * sp.Min(c(x), 1)).passed is False
+    assert identity("elsewhere", c(x), c(2 * x)).passed is False
+    assert identity("another function", c(x), sp.Function("d")(x)).passed is False
