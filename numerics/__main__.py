@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, refuse
+from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, OneLineParser, refuse
 from numerics.faces import commands, solving
 from numerics.faces.asking import add_control, add_map_roads
 from numerics.faces.flags import in_flags, natural, positive
@@ -19,7 +19,7 @@ SCENE is a TOML file or a shipped scene; `python -m numerics scenes` lists them.
 
 def parser() -> argparse.ArgumentParser:
     """Return the argument parser; building it imports nothing heavy."""
-    top = argparse.ArgumentParser(
+    top: argparse.ArgumentParser = OneLineParser(
         prog="python -m numerics", description="Solve scenes of the inertial pair exactly.", allow_abbrev=False
     )
     subcommands = top.add_subparsers(dest="command", required=True)
@@ -142,13 +142,13 @@ def _add_trade(subcommands: argparse._SubParsersAction[argparse.ArgumentParser])
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
     options = parser().parse_args(arguments)
-    from numerics.errors import InvalidScene, NumericsError
+    from numerics.errors import InvalidScene, NoForceHere, NumericsError
 
     try:
         code: int = options.run(options)
         sys.stdout.flush()  # here a full disk or a reader that left can still be answered
         return code
-    except InvalidScene as error:
+    except (InvalidScene, NoForceHere) as error:
         return refuse(in_flags(str(error)), USAGE)
     except NumericsError as error:
         return refuse(in_flags(str(error)), FAILED)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import argparse
 import sys
 from pathlib import Path
+from typing import NoReturn
 
 OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
 """Done; undecided, out of reach or a tool that is missing; bad usage or an invalid scene; stopped by the user."""
@@ -26,3 +28,11 @@ def wrong_path(path: Path | None, figure_flag: str = "") -> str | None:
     if figure_flag and path.suffix not in FIGURES:
         return f"{figure_flag} {path.name}: the name must end in one of {', '.join(FIGURES)}"
     return None
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """A parser, with its subparsers, that tells bad usage in one line on stderr; --help shows the usage."""
+
+    def error(self, message: str) -> NoReturn:
+        """Print the one error line and exit with USAGE."""
+        self.exit(refuse(message, USAGE))

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from numerics.exits import OneLineParser
 from paper_checks import reporting
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = OneLineParser(
         prog="python -m paper_checks",
         description="Check every claim of the paper. Without a command: run.",
         epilog=EPILOGUE,
@@ -80,7 +81,7 @@ def _parser() -> argparse.ArgumentParser:
     source.add_argument("file", type=Path, metavar="FILE")
     source.set_defaults(command=_source)
     for command in (run, report):
-        command.add_argument("--seed", type=int, default=0, metavar="N", help="of random cases; default: %(default)s")
+        command.add_argument("--seed", type=_seed, default=0, metavar="N", help="of random cases; default: %(default)s")
         command.add_argument(
             "--jobs", type=_number, metavar="N", help="processes that decide rows; default: one a core"
         )
@@ -91,10 +92,17 @@ def _parser() -> argparse.ArgumentParser:
 
 def _number(text: str) -> int:
     """Read a number of processes."""
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError(f"{number} processes; it takes at least 1")
-    return number
+    if not (text.isascii() and text.isdigit() and len(text) < 5 and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to 9999")
+    return int(text)
+
+
+def _seed(text: str) -> int:
+    """Read the seed of the random cases."""
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number") from None
 
 
 def _run(options: argparse.Namespace) -> int:

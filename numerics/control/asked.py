@@ -24,7 +24,8 @@ def to_digits(
     """Return the answer of the first attempt whose balls have `digits` right digits each.
 
     An attempt runs in the context of the arithmetic that it is given. A ball that may be 0 counts as right below
-    10^(-4 digits). Raises what the last attempt raised (EventUndecided), PrecisionExhausted.
+    10^(-4 digits); one that is not finite is never right. Raises what the last attempt raised (EventUndecided),
+    PrecisionExhausted.
     """
     working = digits + _SPARE_DIGITS
     undecided: EventUndecided | None = None
@@ -33,7 +34,7 @@ def to_digits(
         try:
             with arithmetic.context():
                 answer, balls = attempt(arithmetic)
-                reached = min((digits_within(one.rad(), one, arb(1)) for one in balls), default=digits)
+                reached = min((_right_digits(one) for one in balls), default=digits)
         except EventUndecided as error:
             undecided, reached = error, 0
         else:
@@ -44,3 +45,8 @@ def to_digits(
     if undecided is not None:
         raise undecided
     raise PrecisionExhausted(f"{digits} right digits need more than {max_digits} working digits; raise max_digits")
+
+
+def _right_digits(one: arb) -> int:
+    """Return how many digits of a ball are right; none of an infinity, whose radius is 0, or of a nan."""
+    return digits_within(one.rad(), one, arb(1)) if one.is_finite() else 0

@@ -58,7 +58,7 @@ def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int = 
     def attempt(_: Ball) -> tuple[Thresholds, list[arb]]:
         low, high = entrainment_threshold(pair, rate), non_stop_threshold(pair, rate)
         found = Thresholds(rate, low, high, _odd_ratio(pair.a2 / pair.mass, rate, pair), digits)
-        return found, [one for one in (low, high) if one.is_finite()]
+        return found, [low] if non_stop_is_infinite(pair, rate) else [low, high]
 
     return to_digits(attempt, digits, max_digits)
 
@@ -85,10 +85,17 @@ def stiffness(pair: Pair, mass: Fraction, omega: Fraction | arb) -> arb:
 
 def non_stop_threshold(pair: Pair, omega: Fraction) -> arb:
     """Return an enclosure of U**, N; infinite where no such motion exists; in the arithmetic's context."""
-    if pair.a1 == 0 and _odd_ratio(pair.a2 / pair.m1, omega, pair, least=1):
+    if non_stop_is_infinite(pair, omega):
+        return arb.pos_inf()
+    if pair.a1 == 0 and pair.a2 == pair.m1 * omega**2:
         # at omega1 itself the sine must make up for what friction takes in a cycle, 4 b times the amplitude
-        return 4 * Ball.number(pair.b) / arb.pi() if pair.a2 == pair.m1 * omega**2 else arb.pos_inf()
+        return 4 * Ball.number(pair.b) / arb.pi()
     return non_stop_over(pair, omega)
+
+
+def non_stop_is_infinite(pair: Pair, omega: Fraction) -> bool:
+    """Return whether a1 = 0 and omega1/omega is an odd whole number >= 3: no U** then; exact."""
+    return _odd_ratio(pair.a2 / pair.m1, omega, pair)
 
 
 def non_stop_over(pair: Pair, omega: Fraction | arb) -> arb:
@@ -139,8 +146,8 @@ def hypot(x: arb, y: arb) -> arb:
     return abs(y) if x.is_zero() else sqrt(x * x + y * y)
 
 
-def _odd_ratio(squared_rate: Fraction, omega: Fraction, pair: Pair, least: int = 3) -> bool:
-    """Return whether a1 = 0 and rate/omega is an odd whole number >= least; exact."""
+def _odd_ratio(squared_rate: Fraction, omega: Fraction, pair: Pair) -> bool:
+    """Return whether a1 = 0 and rate/omega is an odd whole number >= 3; exact."""
     ratio = squared_rate / omega**2
     root = math.isqrt(ratio.numerator)
-    return pair.a1 == 0 and ratio.denominator == 1 and root**2 == ratio and root % 2 == 1 and root >= least
+    return pair.a1 == 0 and ratio.denominator == 1 and root**2 == ratio and root % 2 == 1 and root >= 3

@@ -10,7 +10,10 @@ _SPARE = 20
 
 
 def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:
-    """Return enclosures as decimal text with their radii beside them, `name` and `name_radius`; None is left out."""
+    """Return enclosures as decimal text with their radii beside them, `name` and `name_radius`; None is left out.
+
+    What is exactly infinite is "inf".
+    """
     from numerics.arithmetic.ball import Ball
     from numerics.trajectory.rendering import ball_text
 

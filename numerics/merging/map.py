@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 from numerics.errors import InvalidMap
 from numerics.merging.cell import Rectangle, Verdict, verdict
 from numerics.quadtree.tree import Leaf, Progress, Sides, Verdicts, leaves_of, shares
+from numerics.scene.decimals import decimal_text
 
 SMALLEST, LARGEST, NARROWEST = Fraction(1, 10**6), Fraction(10**6), Fraction(1001, 1000)
 
@@ -26,13 +27,14 @@ class Window:
 
     def __post_init__(self) -> None:
         """Refuse empty ranges, and what neither binary64 axes nor 10,000 slips resolve."""
-        for name, sides, text in zip(("m2/m1", "E/E_cr - 1"), self.rectangle, (self.ratio, self.energy), strict=True):
-            low, high = sides
+        named = (
+            ("m2/m1", self.ratio, "A and B from 1e-6 to 1e6 and B/A"),
+            ("E/E_cr", self.energy, "A and B from 1.000001 to 1000001 and (B - 1)/(A - 1)"),
+        )
+        for (low, high), (name, given, asked) in zip(self.rectangle, named, strict=True):
             if not (low >= SMALLEST and low * NARROWEST <= high <= LARGEST):
-                shown = " to ".join(str(one)[:20] for one in text)
-                raise InvalidMap(
-                    f"{name}: {shown} is no range; give A < B with {name} from 1e-6 to 1e6 and B/A > 1.001"
-                )
+                shown = " to ".join(decimal_text(one)[:20] for one in given)
+                raise InvalidMap(f"{name}: {shown} is no range; give {asked} at least 1.001")
 
     @property
     def rectangle(self) -> Rectangle:

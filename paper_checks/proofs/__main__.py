@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
 import sys
 import time
 
+from numerics.exits import OneLineParser
 from paper_checks import atomic
 from paper_checks.proofs import cited, library
 from paper_checks.proofs.pins import PINS, Pin, Pins, pinned, written
@@ -13,7 +13,7 @@ from paper_checks.proofs.pins import PINS, Pin, Pins, pinned, written
 
 def main() -> int:
     """Run a command; 0 if every theorem is proved as pinned, 1 if one is not, 3 without the kernel."""
-    parser = argparse.ArgumentParser(prog="python -m paper_checks.proofs", description=__doc__)
+    parser = OneLineParser(prog="python -m paper_checks.proofs", description=__doc__)
     parser.add_argument("command", nargs="?", choices=("check", "pin", "list"), default="check")
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="files that are compiled at a time (2)")
     options = parser.parse_args()

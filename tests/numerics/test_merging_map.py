@@ -241,8 +241,20 @@ def test_a_damaged_title_is_refused(tmp_path):
 
 @pytest.mark.parametrize(("ratio", "energy"), [((2, 1), (2, 3)), ((0, 1), (2, 3)), ((1, 2), (1, 2)), ((1, 2), (3, 3))])
 def test_windows_that_are_none_are_refused(ratio, energy):
-    with pytest.raises(InvalidMap, match="give A < B"):
+    with pytest.raises(InvalidMap, match="give A and B from"):
         Window(tuple(map(Fraction, ratio)), tuple(map(Fraction, energy)))
+
+
+@pytest.mark.parametrize(("low", "high"), [("1.000001", "1.000001001"), ("1000000", "1001000.999"), ("1", "1000001")])
+def test_a_refused_range_of_energies_is_told_in_terms_of_what_was_given(low, high):
+    """The edges that the refusal names are the true ones: (B - 1)/(A - 1) >= 1.001 between 1.000001 and 1000001."""
+    energy = (Fraction(low), Fraction(high))
+    inside = Fraction("1.000001") <= energy[0] and energy[1] <= 1000001
+    if inside and (energy[1] - 1) >= Fraction("1.001") * (energy[0] - 1):
+        assert Window(energy=energy).rectangle.excess[0] > 0
+        return
+    with pytest.raises(InvalidMap, match=rf"E/E_cr: {low} to {high} is no range; give A and B from 1.000001 to"):
+        Window(energy=energy)
 
 
 # command line

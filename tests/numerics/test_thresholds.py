@@ -13,11 +13,12 @@ from hypothesis import strategies as st
 from strategies import decimals, pairs
 
 from numerics.arithmetic.ball import Ball
+from numerics.control.asked import to_digits
 from numerics.control.orbit import Drive
 from numerics.control.response_map import Regimes, decide, response_map
 from numerics.control.thresholds import load_margin, thresholds
 from numerics.control.two_stop import exit_state
-from numerics.errors import InvalidMap, InvalidScene
+from numerics.errors import InvalidMap, InvalidScene, PrecisionExhausted
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
 PAIR = Pair(1, 1, 200, "0.5", 3)
@@ -65,6 +66,25 @@ def test_resonances_are_exact():
     assert not thresholds(Pair(1, 1, 1800, "0.5", "0.001"), 10).exception
     near_one = thresholds(Pair(1, 1, 100, "0.5"), "10.00000000000000000001", digits=15).non_stop
     assert abs(near_one - Ball.number(Fraction(636619772367581343, 10**18))) < 1e-15
+
+
+@pytest.mark.parametrize("omega", ["1e-6", "1e-29", "1e-30", "1e-60"])
+def test_a_very_slow_sine_has_finite_thresholds(omega):
+    """Body 1 rests at -b/a2 by each reversal: omega^2 U** tends to a2 b hypot(pi/(2 m2), (M + m2)/(m1 m2))."""
+    slow = Pair(m1=1, m2=1, a2=200, b="0.05", a1=1)
+    found = thresholds(slow, omega)
+    # h = -1/a2, h' = 0
+    limit = 10 * (arb.pi() ** 2 / 4 + 9).sqrt()
+    assert abs(found.non_stop * Ball.number(Fraction(omega) ** 2) / limit - 1) < 1e-6
+    assert found.non_stop.rad() < abs(found.non_stop) * 1e-15
+
+
+def test_only_what_is_decided_exactly_is_infinite():
+    with pytest.raises(PrecisionExhausted):
+        thresholds(Pair(m1=1, m2=1, a2=200, b="0.05", a1=1), "1e-200", max_digits=100)
+    for wrong in (arb.nan(), arb.pos_inf(), arb("0 +/- inf")):
+        with pytest.raises(PrecisionExhausted):
+            to_digits(lambda _, wrong=wrong: (None, [wrong]), 15, 100)
 
 
 @given(st.integers(1, 29), st.sampled_from([1, -1]))

@@ -128,11 +128,17 @@ def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatc
     assert capsys.readouterr().err == "paper_checks: nowhere.json cannot be read: No such file or directory\n"
 
 
-@pytest.mark.parametrize("arguments", [["run", "--nonsense"], ["report", "--format", "html,docx"], ["--seed", "x"]])
-def test_usage_errors(arguments):
+@pytest.mark.parametrize(
+    "arguments",
+    [["run", "--nonsense"], ["report", "--format", "html,docx"], ["--seed", "x"], ["--jobs", "x"], ["source"]],
+)
+def test_usage_errors(arguments, capsys):
     with pytest.raises(SystemExit) as stop:
         main(arguments)
     assert stop.value.code == 2
+    found = capsys.readouterr()
+    assert (found.out, found.err[:7], found.err.count("\n")) == ("", "error: ", 1)
+    assert "_" not in found.err  # names of functions are none of a user's words
 
 
 def test_an_interruption_is_130(monkeypatch, capsys):
