@@ -5,22 +5,22 @@ from __future__ import annotations
 CAPTIONS: dict[str, tuple[str, str]] = {
     "two-bodies": (
         "The two bodies",
-        "Body 1 hangs on a spring; body 2 rests on body 1 and touches nothing else. The only force between them is dry friction: "
+        "Body 1 hangs on a spring and, where $a_1>0$, a damper; body 2 rests on body 1 and touches nothing else. The only force between them is dry friction: "
         "it holds them together up to $b$, and is $b$ against the motion when they slip.",
     ),
     "force-needed": (
         "Fig. 4 (a): what sticking needs",
-        "The curve is the force that would keep the bodies together, the dashed line what friction can give. Where the curve is "
+        "The curve is the size (absolute value) of the force that would keep the bodies together, the dashed line the most that friction can give. Where the curve is "
         "above the line, in red, they cannot stick. The start is there.",
     ),
     "relative-velocity": (
         "Fig. 5 (a) about 4.7 s",
-        "At the dotted line, where the paper sees both bodies synchronise, the exact relative velocity is close to its largest "
+        "At the thick line, where the paper sees both bodies synchronise, the exact relative velocity is close to its largest "
         "value between two phases of stick (grey). Forward Euler misses the first of them.",
     ),
     "sharp-rate": (
         "The energy approaches its limit like 1/t",
-        "Left: $E-E_{cr}$ falls by one power of ten when $t$ grows by one. Right: $t(E-E_{cr})$, divided by the limit of the "
+        "Top: $E-E_{cr}$ falls by one power of ten when $t$ grows by one. Bottom: $t(E-E_{cr})$, divided by the limit of the "
         "theorem, tends to 1 from each start.",
     ),
     "start-at-6mm": (

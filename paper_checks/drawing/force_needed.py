@@ -10,7 +10,7 @@ from paper_checks.drawing.style import BODY_1, new_figure
 
 
 def force_needed() -> Figure:
-    """Draw the force that keeps the bodies of Fig. 4 (a) together, |m2 x1''| of the stuck motion, and what friction has."""
+    """Draw the size of the force that keeps the bodies of Fig. 4 (a) together, |m2 x1''| when stuck, and what friction has."""
     scene = load_scene("start-at-6mm")
     pair = scene.pair
     rate = float(pair.a2 / pair.mass) ** 0.5
@@ -26,5 +26,5 @@ def force_needed() -> Figure:
                   arrowprops={"arrowstyle": "-", "lw": 0.8})  # fmt: skip
     axes.text(0.157, available + 0.012, f"friction has {available:g} N", ha="center", va="bottom", fontsize=9)
     axes.text(0.314, 0.3, "needed, if the\nbodies stuck", ha="center", va="center", fontsize=9, color=BODY_1)
-    axes.set(xlim=(0, t[-1]), ylim=(0, 0.75), xlabel="$t$ (s)", ylabel="force between the bodies (N)")
+    axes.set(xlim=(0, t[-1]), ylim=(0, 0.75), xlabel="$t$ (s)", ylabel="size of the force\nbetween the bodies (N)")
     return figure

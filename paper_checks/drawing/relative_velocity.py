@@ -34,6 +34,6 @@ def draw_relative_velocity(axes: Any, exact: Trajectory) -> None:
         if segment is Mode.STICK:
             axes.axvspan(start, end, color=SLIDING, zorder=0, linewidth=0, label=label)
             label = None
-    axes.axvline(PRINTED, color="#b3007d", lw=1, ls=":", label="printed: $t\\approx 4.7$ s")
+    axes.axvline(PRINTED, color="#b3007d", lw=3, zorder=1.5, label="printed: $t\\approx 4.7$ s")
     axes.set(xlim=(4.4, 5.6), ylim=(-6, 6), xlabel="$t$ (s)", ylabel="$\\dot z$ (mm/s)")
     axes.legend(loc="upper right", ncols=2)

@@ -49,20 +49,20 @@ def limit_of(pair: Pair) -> sp.Expr:
 
 def sharp_rate() -> Figure:
     """Draw E - E_cr to 10^100 s for three frictions, both logarithmic, and its product with t over the limit."""
-    figure = new_figure(7.6, 3.1)
-    left, right = figure.subplots(1, 2)
+    figure = new_figure(4.4, 6.2)  # narrow, so that its letters read on a telephone
+    upper, lower = figure.subplots(2, 1)
     for name, label, colour, marker in RATE_SCENES:
         k, logarithm, ratio = np.array(approach(name)).T
         style: dict[str, Any] = {"color": colour, "marker": marker, "ms": 4}
-        left.plot(k, logarithm, lw=1, label=label, **style)
+        upper.plot(k, logarithm, lw=1, label=label, **style)
         early = k < 10
-        right.plot(k[early], ratio[early], lw=1, label=label, **style)
-    right.axhline(1, color="black", lw=0.8, ls=":")
-    for axis in (left.xaxis, left.yaxis, right.xaxis):
+        lower.plot(k[early], ratio[early], lw=1, label=label, **style)
+    lower.axhline(1, color="black", lw=0.8, ls=":")
+    for axis in (upper.xaxis, upper.yaxis, lower.xaxis):
         axis.set_major_formatter(lambda power, _: f"$10^{{{power:.0f}}}$")
-    left.set(xlabel="$t$ (s)", ylabel="$E-E_{cr}$ (J)", title="slope $-1$ up to $10^{100}$ s")
-    right.set(xlabel="$t$ (s)", ylabel="$t\\,(E-E_{cr})$ over its limit (dimensionless)",
+    upper.set(xlabel="$t$ (s)", ylabel="$E-E_{cr}$ (J)", title="slope $-1$ up to $10^{100}$ s")
+    lower.set(xlabel="$t$ (s)", ylabel="$t\\,(E-E_{cr})$ over its limit\n(dimensionless)",
               title="one limit for each pair", ylim=(0, None))  # fmt: skip
-    left.legend(loc="upper right")
-    right.legend(loc="best")
+    upper.legend(loc="upper right")
+    lower.legend(loc="best")
     return figure

@@ -16,12 +16,13 @@ from numerics.trajectory.trajectory import Trajectory
 from paper_checks.drawing.captions import caption
 from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.drawing.sharp_rate import LAST, limit_of
+from paper_checks.evidence import EvidenceKind
 from paper_checks.exhibit import value_at
 from paper_checks.finding import Verdict
 from paper_checks.ledger import Kind
 from paper_checks.report import notation
 from paper_checks.report.blocks import Block, Paragraph, Picture, Result, Section, Table
-from paper_checks.report.summary import first_sentence
+from paper_checks.report.summary import first_sentence, is_new_theorem
 from paper_checks.runner import Row
 
 ID, TITLE = "found", "What was found"
@@ -34,6 +35,14 @@ LAW = (
     "For $u=0$ that is the paper's system (3), (4). Section IV goes on with (11), (12), which leave the limit $b$ out: where they "
     "allow another motion, the row says so."
 )
+OPEN = "not proved here"
+"""What the reason of a row says of a part that it leaves open."""
+STRENGTHS = {
+    "a theorem of the proof kernel": (EvidenceKind.KERNEL,),
+    "checked by solvers, exact algebra or enclosures": (EvidenceKind.SMT, EvidenceKind.EXACT, EvidenceKind.ENCLOSURE),
+    "an argument that a person wrote": (EvidenceKind.ARGUMENT,),
+}
+"""Kinds of steps, from the strongest; together they are all that can settle a row."""
 _WORDS = {
     Verdict.HOLDS: ("holds as written", "hold as written"),
     Verdict.HOLDS_CORRECTED: ("holds after a correction", "hold after a correction"),
@@ -64,9 +73,31 @@ def counts(rows: Sequence[Row]) -> str:
         else ""
     )
     missing = sum(theorems.values()) - proved
-    past = f"Past the paper {proved} {'theorem is' if proved == 1 else 'theorems are'} proved here." if proved else ""
+    past = (
+        f"Past the paper {proved} {'theorem is' if proved == 1 else 'theorems are'} proved here{_open_parts(rows)}."
+        if proved
+        else ""
+    )
     still = f"{missing} more {'is' if missing == 1 else 'are'} not settled." if missing else ""
     return " ".join(filter(None, [of_claims, past, still]))
+
+
+def _open_parts(rows: Sequence[Row]) -> str:
+    """Say how many of the proved theorems have a part that their reason calls not proved."""
+    some = sum(OPEN in row.finding.reason for row in rows if is_new_theorem(row))
+    return f"; {some} of them {'leaves' if some == 1 else 'leave'} a part open, and the row says which" if some else ""
+
+
+def strengths(rows: Sequence[Row]) -> str:
+    """Return how many verdicts rest on what, each by the weakest step that it needs; nothing where none is settled."""
+    counted = Counter((row.established_by, row.claim.kind) for row in rows)
+    parts = []
+    for name, kinds in STRENGTHS.items():
+        claims, theorems = (sum(counted[one, kind] for one in kinds) for kind in (Kind.CLAIM, Kind.THEOREM))
+        numbers = [f"{n} {noun}{'s' if n != 1 else ''}" for n, noun in ((claims, "claim"), (theorems, "theorem")) if n]
+        if numbers:
+            parts.append(f"{name}: {' and '.join(numbers)}")
+    return f"The weakest step that a verdict needs is {'; '.join(parts)}." if parts else ""
 
 
 def _joined(parts: Sequence[str]) -> str:
@@ -74,10 +105,11 @@ def _joined(parts: Sequence[str]) -> str:
 
 
 def section(rows: Sequence[Row]) -> Section:
-    """Return the counts, and those of the three findings whose rows are there with the verdict on record."""
+    """Return the counts, what the verdicts rest on, and those of the three findings whose rows are there with the verdict on record."""
     shown = {row.claim.id: row for row in rows if row.as_recorded}
     results = [make() for name, make in RESULTS.items() if name in shown]
-    return Section(ID, TITLE, (Paragraph(counts(rows)), *results, Paragraph(LAW)))
+    texts = filter(None, (counts(rows), strengths(rows)))
+    return Section(ID, TITLE, (*map(Paragraph, texts), *results, Paragraph(LAW)))
 
 
 def exceptions(rows: Sequence[Row]) -> Section:
@@ -142,16 +174,20 @@ def _synchronisation() -> Result:
 
 
 def _rate() -> Result:
-    pair = load_scene("start-with-speed").pair
+    scene = load_scene("start-with-speed")
+    pair, limit = scene.pair, limit_of(scene.pair)
+    until = float(limit) / float(scene.energy_excess * pair.critical_energy)
     return Result(
         "Section III: the energy approaches its limit at one sharp rate",
         "sharp-rate-constant",
         "Section III",
         "the energy lies between $E_{cr}+c_1/t$ and $E_{cr}+c_2/t$, with constants that depend on $E(0)$ (row `rate-one-over-t`).",
-        "near $t=0$ the lower bound is false. Later more is true: unless the pair merges with a periodic orbit, $t\\,(E-E_{cr})$ has "
+        "near $t=0$ the lower bound is false: $E$ never exceeds $E(0)$, and $E_{cr}+c_1/t$ does. For the pair of Fig. 4 (b), with the "
+        f"limit below as $c_1$, it does up to {1000 * until:.3g} ms. Later more is true: unless "
+        "the pair merges with a periodic orbit, $t\\,(E-E_{cr})$ has "
         "a limit, and it does not depend on $E(0)$ at all: "
         f"$\\lim_{{t\\to\\infty}} t\\,(E-E_{{cr}})={sp.latex(_rate_in_words())}$.",
-        f"{1000 * float(limit_of(pair)):.4g} mJ s",
+        f"{1000 * float(limit):.4g} mJ s",
         f"is that limit for the pair of Fig. 4 (b); the picture follows it to $10^{{{LAST}}}$ s.",
         _picture("sharp-rate"),
     )

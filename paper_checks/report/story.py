@@ -14,6 +14,7 @@ from paper_checks.report import notation
 from paper_checks.report.blocks import Block, Command, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
 from paper_checks.report.mathematics import in_letters
 from paper_checks.report.summary import OUTCOMES
+from paper_checks.report.trust import PROVENANCE
 from paper_checks.runner import Row
 
 SHORT = 80
@@ -43,6 +44,7 @@ def _story(row: Row) -> Iterator[Block]:
     if symbols := notation.used([row.claim.statement, *filter(None, texts.values())]):
         yield Symbols(symbols)
     yield Command(f"python -m paper_checks run {row.claim.id}")
+    yield Paragraph(f"This runs the row again; how to install it is told at `{PROVENANCE}`.")
     yield from _folded(row)
 
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from rich.console import Console
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from paper_checks.evidence import Evidence, Subject
 from paper_checks.finding import Verdict
 from paper_checks.ledger import Claim
 from paper_checks.report.mathematics import plain
@@ -110,11 +112,19 @@ def _print_story(console: Console, row: Row) -> None:
             by = proof.established_by.value if proof.established_by else "open"
             theorems = "".join(f", kernel {name} {proof.kernel_status}" for name in proof.clause.kernel)
             _say(console, f"* {proof.clause.id} ({by}{theorems}): {plain(proof.clause.shown)}")
-    for item in finding.evidence:
+    for item, subjects in _once(finding.evidence).items():
         value = f" [{plain(item.value)}]" if item.value else ""
         cases = f", {item.cases} cases" if item.cases != 1 else ""
-        head = f"- {item.kind.value} ({item.engine}{cases}), {item.about.value}, {OUTCOMES[item.passed]}: "
+        head = f"- {item.kind.value} ({item.engine}{cases}), {subjects}, {OUTCOMES[item.passed]}: "
         _say(console, head + plain(item.statement) + value)
+
+
+def _once(evidence: Sequence[Evidence]) -> dict[Evidence, str]:
+    """Return each step once, and all that it speaks about: a counterexample and a correction may share it."""
+    found: dict[Evidence, list[str]] = {}
+    for step in evidence:
+        found.setdefault(replace(step, about=Subject.CLAIM, rests_on=()), []).append(step.about.value)
+    return {step: " and ".join(dict.fromkeys(subjects)) for step, subjects in found.items()}
 
 
 def _say(console: Console, text: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from importlib.metadata import PackageNotFoundError, version
 
 from paper_checks import kernel
 from paper_checks.evidence import Evidence, EvidenceKind, closure
@@ -15,6 +16,9 @@ from paper_checks.report.mathematics import in_letters
 from paper_checks.report.summary import kind
 from paper_checks.runner import Row
 
+SOFTWARE = "inertial-pair"
+INSTALL = "python3 -m venv .venv && .venv/bin/python -m pip install -e . && .venv/bin/python -m paper_checks"
+"""The first command of the README."""
 TRUST, GRAPH, PROVENANCE = "trust", "what-rests-on-what", "provenance"
 GUARANTEES = {
     EvidenceKind.KERNEL: (
@@ -196,8 +200,15 @@ def _clause(proof: Proof) -> str:
     return f"{proof.clause.id}: {by}" + (f" ({theorems}{status})" if theorems else "")
 
 
+def _version() -> str:
+    try:
+        return version(SOFTWARE)
+    except PackageNotFoundError:
+        return "unknown, as it is not installed"
+
+
 def provenance() -> Section:
-    """Return which text was checked."""
+    """Return which text was checked, by which version of this software, and how to install that."""
     lines = (
         ("paper", source.TITLE),
         ("authors", ", ".join(source.AUTHORS)),
@@ -211,6 +222,11 @@ def provenance() -> Section:
         "Provenance",
         (
             Table(("", "of the paper"), lines, "Which text was checked"),
+            Paragraph(
+                f"It was checked by {SOFTWARE}, version {_version()}. In its directory this installs it (Python 3.11 or later) and checks "
+                "every claim; the commands of this page then start with `.venv/bin/python`:"
+            ),
+            Command(INSTALL),
             Paragraph(
                 "`python -m paper_checks source FILE` says whether a file is that text. Sentences are quoted by their place in print; "
                 "numbers of equations and figures are those of the printed paper."

@@ -13,13 +13,14 @@ _WORDS = {
     "in": "∈", "notin": "∉", "cap": "∩", "cup": "∪", "subset": "⊂", "vee": "∨", "wedge": "∧", "emptyset": "∅",
     "forall": "∀", "exists": "∃", "int": "∫", "sum": "∑", "partial": "∂", "langle": "⟨", "rangle": "⟩",
     "lVert": "‖", "rVert": "‖", "Vert": "‖", "lvert": "|", "rvert": "|", "ell": "ℓ", "quad": "  ", "qquad": "    ",
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "varepsilon": "ε", "epsilon": "ε", "zeta": "ζ",
+    "propto": "∝", "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "varepsilon": "ε", "epsilon": "ε", "zeta": "ζ",
     "eta": "η", "theta": "θ", "lambda": "λ", "mu": "μ", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ",
-    "phi": "φ", "varphi": "φ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Phi": "Φ", "Omega": "Ω", "Sigma": "Σ",
+    "phi": "φ", "varphi": "φ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Lambda": "Λ",
+    "Gamma": "Γ", "Psi": "Ψ", "Pi": "Π", "Xi": "Ξ", "Phi": "Φ", "Omega": "Ω", "Sigma": "Σ",
 }  # fmt: skip
 _SUBSCRIPTS = str.maketrans("0123456789+-", "₀₁₂₃₄₅₆₇₈₉₊₋")
 _SUPERSCRIPTS = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
-_ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "bar": "\u0304", "hat": "\u0302", "tilde": "\u0303"}
+_ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "bar": "\u0304", "hat": "\u0302", "tilde": "\u0303", "dddot": "\u20db"}
 _FUNCTIONS = "arcsin|arccos|arctan|sinh|cosh|sin|cos|tan|cot|exp|ln|log|max|min|lim"
 _GROUP = r"\{([^{}]*)\}"
 
@@ -32,10 +33,11 @@ def spoken(latex: str) -> str:
     """
     text = re.sub(r"\\(?:left|right|[bB]ig[lr]?|[bB]igg[lr]?|displaystyle|limits)(?![A-Za-z])\s*\.?", "", latex)
     text = re.sub(r"\\([{}|\\])", lambda match: {"{": "\ue000", "}": "\ue001", "|": "‖", "\\": "; "}[match[1]], text)
-    text = re.sub(rf"\\(?:({_FUNCTIONS})(?![A-Za-z])|operatorname\s*{_GROUP})\s*", _function, text)
     text = re.sub(r"\\([A-Za-z]+)\s*", lambda match: _WORDS.get(match[1], match[0]), text)
-    text = re.sub(r"\\[td]?frac\s*([0-9A-Za-z])\s*([0-9A-Za-z])", r"\\frac{\1}{\2}", text)
-    text = re.sub(r"\\sqrt\s*([0-9A-Za-z])", r"\\sqrt{\1}", text)
+    text = re.sub(rf"\\(?:({_FUNCTIONS})(?![A-Za-z])|operatorname\s*{_GROUP})\s*", _function, text)
+    text = re.sub(r"\\[td]?frac\s*([^\W_])\s*([^\W_])", r"\\frac{\1}{\2}", text)
+    text = re.sub(r"\\[td]?frac\s*([^\W_])\s*\{", r"\\frac{\1}{", text)
+    text = re.sub(r"\\sqrt\s*([^\W_])", r"\\sqrt{\1}", text)
     previous = None
     while text != previous:
         previous = text
@@ -44,6 +46,7 @@ def spoken(latex: str) -> str:
             text = _without_a_bare_group(text)
     text = re.sub(r"\\([A-Za-z]+)\s*", r"\1", text)
     text = re.sub(r"\\[,;:!]|\\ ", " ", text).replace("&", " ")
+    text = re.sub(r"(?<=[^\W\d])\ue006", " ", text).replace("\ue006", "")
     text = re.sub(r"\ue004(?=[\w√(])|\ue005(?=[^\W²³¹⁰-₎]|√)", " ", text).replace("\ue004", "").replace("\ue005", "")
     for private, visible in (("\ue000", "{"), ("\ue001", "}"), ("\ue002", "_"), ("\ue003", "^")):
         text = text.replace(private, visible)
@@ -53,8 +56,10 @@ def spoken(latex: str) -> str:
 def _without_innermost_groups(text: str) -> str:
     text = re.sub(rf"\\[td]?frac\s*{_GROUP}\s*{_GROUP}", lambda m: f"{_whole(m[1])}/{_alone(m[2])}\ue004", text)
     text = re.sub(rf"\\sqrt\s*{_GROUP}", r"√(\1)", text)
-    text = re.sub(rf"\\(dot|ddot|bar|hat|tilde)(?![A-Za-z])\s*(?:{_GROUP}|([^\W\d_]))", _accented, text)
-    text = re.sub(rf"\\(?:mathrm|mathbf|mathbb|mathcal|mathit|text|operatorname)\s*{_GROUP}", r"\1", text)
+    text = re.sub(rf"\\(dot|ddot|dddot|bar|hat|tilde)(?![A-Za-z])\s*(?:{_GROUP}|([^\W\d_]))", _accented, text)
+    text = re.sub(
+        rf"\\(?:mathrm|mathbf|mathbb|mathcal|mathit|text|operatorname)\s*(?:{_GROUP}|([A-Za-z]))", _named, text
+    )
     text = re.sub(rf"([_^])(?:{_GROUP}|([0-9A-Za-z+-]))", _raised_or_lowered, text)
     return re.sub(r"\\(?:begin|end)\{[a-z*]+\}", " ", text)
 
@@ -68,8 +73,8 @@ def _without_a_bare_group(text: str) -> str:
 
 
 def _function(match: re.Match[str]) -> str:
-    """Name a function; a mark keeps the name from its argument."""
-    return f"{match[1] or match[2]}\ue005"
+    """Name a function; marks keep the name from the letter before it and from its argument."""
+    return f"\ue006{match[1] or match[2]}\ue005"
 
 
 def _whole(text: str) -> str:
@@ -79,6 +84,10 @@ def _whole(text: str) -> str:
 def _alone(text: str) -> str:
     """Put a denominator in parentheses, but for a number or one letter with its index."""
     return text if re.fullmatch(r"\d+|[^\W\d](?:_?\w)?", text) else f"({text})"
+
+
+def _named(match: re.Match[str]) -> str:
+    return match[1] if match[1] is not None else match[2]
 
 
 def _accented(match: re.Match[str]) -> str:

@@ -1,11 +1,16 @@
 """LaTeX in prose becomes MathML, Unicode and LaTeX; nothing hostile gets through."""
 
+import ast
+import re
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 
+import paper_checks
 from paper_checks.ledger import CLAIMS
 from paper_checks.report import mathml as mathml_module
+from paper_checks.report import unicode_mathematics
 from paper_checks.report.mathematics import (
     Piece,
     UnreadableMathematicsError,
@@ -16,6 +21,13 @@ from paper_checks.report.mathematics import (
     plain,
 )
 from paper_checks.report.mathml import objection_to, tree
+from paper_checks.report.unicode_mathematics import spoken
+
+ARRANGED = {
+    *("left", "right", "bigl", "bigr", "Bigl", "Bigr", "Big", "displaystyle", "limits", "begin", "end"),
+    *("frac", "tfrac", "dfrac", "sqrt", "operatorname", "mathrm", "mathbf", "mathbb", "mathcal", "mathit", "text"),
+}
+"""Commands that are structure, of which a line of text keeps nothing or a sign."""
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
@@ -25,6 +37,48 @@ def test_every_statement_can_be_read_in_every_form(claim):
         assert "\\" not in plain(text)
         assert "$" not in plain(text)
         assert "U+" not in latex(text)
+
+
+@pytest.mark.parametrize(
+    ("mathematics", "line"),
+    [
+        (r"\varphi\cos\varphi", "φ cos φ"),
+        (r"\varphi\cot\varphi>0", "φ cot φ>0"),
+        (r"2\sin^2\varphi", "2sin²φ"),
+        (r"\sqrt\kappa\,\varepsilon", "√(κ) ε"),
+        (r"|\Lambda|\leqslant b", "|Λ|≤b"),
+        (r"\omega_1T\notin2\pi\mathbb Z", "ω₁T∉2πZ"),
+        (r"\tfrac1{2\pi}", "1/(2π)"),
+    ],
+)
+def test_a_terminal_reads_it(mathematics, line):
+    assert spoken(mathematics) == line
+
+
+COMMANDS = sorted({*unicode_mathematics._WORDS, *unicode_mathematics._FUNCTIONS.split("|")})
+
+
+@pytest.mark.parametrize("first", COMMANDS)
+def test_no_name_of_a_command_is_left_whatever_follows_it(first):
+    alone = spoken(rf"\{first}")
+    for second in COMMANDS:
+        assert spoken(rf"\{first}\{second}").replace(" ", "") == alone + spoken(rf"\{second}")
+
+
+def test_the_terminal_knows_every_command_that_a_row_is_written_with():
+    """So no row's text can show the name of one: all words of the rooms in which the rows are written."""
+    root = Path(paper_checks.__file__).parent
+    known = {*COMMANDS, *unicode_mathematics._ACCENTS, *ARRANGED}
+    unknown = {
+        (path.name, name)
+        for room in ("checks", "ledger", "steps")
+        for path in (root / room).rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+        for name in re.findall(r"(?<!\\)\\([A-Za-z]+)", node.value)
+        if name not in known
+    }
+    assert not unknown
 
 
 def test_pieces():

@@ -7,8 +7,9 @@ import pytest
 from fontTools.ttLib import TTFont
 
 from paper_checks.ledger import CLAIMS, source
-from paper_checks.report import colours, font, notation, opening, trust
+from paper_checks.report import colours, font, html, notation, opening, trust
 from paper_checks.report.blocks import Graph, Table
+from paper_checks.report.document import document
 from paper_checks.report.html_graph import graph
 from paper_checks.report.mathematics import Piece, pieces
 from paper_checks.report.mathml import tree
@@ -91,6 +92,14 @@ def test_the_numbers_of_the_first_screen_are_computed(name):
     assert result.number == expected[0]
     assert expected[1] in result.what
     assert result.row == name
+
+
+def test_the_provenance_says_how_to_install_as_the_readme_does(rows):
+    readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    assert readme.partition("```sh\n")[2].partition("\n```")[0] == trust.INSTALL
+    text = html.render(document(rows), {})
+    assert f"{trust.SOFTWARE}, version " in text
+    assert 'how to install it is told at <a href="#provenance">' in text
 
 
 def test_a_file_is_the_source_or_it_is_not(tmp_path):

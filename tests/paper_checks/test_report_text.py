@@ -2,6 +2,7 @@
 
 import io
 import json
+from dataclasses import replace
 
 import pytest
 from rich.console import Console
@@ -46,6 +47,15 @@ def test_one_row_tells_its_whole_story(rows):
     text = printed(rows[1:2])
     for title in ("The paper", "Reason", "Corrected", "Counterexample", "- smt (z3 and cvc5), correction, passed"):
         assert title in text
+
+
+def test_a_step_that_two_parts_share_is_told_once(rows):
+    row = rows[1]
+    shared = row.finding.evidence[-1]
+    both = (*row.finding.evidence, shared.as_counterexample())
+    text = " ".join(printed([replace(row, finding=replace(row.finding, evidence=both))]).split())
+    assert "- smt (z3 and cvc5), correction and counterexample, passed" in text
+    assert text.count("- smt (z3 and cvc5)") == printed([row]).count("- smt (z3 and cvc5)")
 
 
 def test_the_list(rows):

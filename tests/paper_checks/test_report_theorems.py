@@ -2,14 +2,17 @@
 
 import io
 import json
+import re
+from dataclasses import replace
 
 import pytest
 from rich.console import Console
 
 from paper_checks.evidence import Evidence, EvidenceKind
 from paper_checks.finding import Finding, Verdict
+from paper_checks.graph import proofs
 from paper_checks.ledger import Claim, Kind
-from paper_checks.report import html, latex
+from paper_checks.report import html, latex, opening
 from paper_checks.report import json as json_report
 from paper_checks.report.document import document
 from paper_checks.report.terminal import print_rows
@@ -37,6 +40,27 @@ def test_the_page_counts_them_apart_and_filters_them(rows, theorem):
     assert '<option value="Theorems">Theorems</option>' in text
     assert '<option value="III">Section III</option>' in text
     assert 'data-section="Theorems"' in text
+
+
+def test_the_count_says_how_strong_they_are_and_that_a_part_is_open(rows, theorem):
+    row = replace(theorem, proofs=proofs(theorem.claim, theorem.finding))
+    assert (
+        opening.strengths([row])
+        == "The weakest step that a verdict needs is an argument that a person wrote: 1 theorem."
+    )
+    decided = [row, *rows]
+    assert sum(map(int, re.findall(r"(\d+) (?:claim|theorem)", opening.strengths(decided)))) == sum(
+        one.established_by is not None for one in decided
+    )
+    part = replace(row, finding=replace(row.finding, reason="One half; the other is not proved here."))
+    assert "proved here; 1 of them leaves a part open" in opening.counts([part])
+    assert "open" not in opening.counts([row])
+    assert opening.strengths([Row(row.claim, Finding(Verdict.UNDECIDED, "Not yet.", missing="a proof"))]) == ""
+
+
+def test_every_kind_that_settles_a_row_is_counted_once():
+    counted = [one for kinds in opening.STRENGTHS.values() for one in kinds]
+    assert counted == [one for one in EvidenceKind if one.decisive]
 
 
 def test_one_that_does_not_hold_is_not_counted_as_proved(theorem):
