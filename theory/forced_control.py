@@ -2,8 +2,25 @@
 
 from functools import cache
 
-from sympy import Expr, Symbol, acos, cos, diff, exp, factor, integrate, simplify, sin, solve
+from sympy import (
+    Expr,
+    ImmutableMatrix,
+    Symbol,
+    acos,
+    cancel,
+    cos,
+    diff,
+    exp,
+    factor,
+    integrate,
+    simplify,
+    sin,
+    solve,
+    sqrt,
+)
 
+from theory.energy import metric, slip_rate
+from theory.filippov import STATE, guard
 from theory.forced_response import decline, natural, swing
 from theory.model import slip, stick
 from theory.symbols import a1, a2, b, m1, m2, t, u, v1, x1
@@ -17,6 +34,7 @@ velocity_gain = Symbol(r"\Delta v_2", real=True)  # of body 2 over a transfer, m
 strength = Symbol("U", positive=True)  # bound of the force, N
 reduced = Symbol("d", positive=True)  # a2 D/U
 angle = Symbol("theta", positive=True)
+tolerance = Symbol("varepsilon", positive=True)  # width of a tube in the energy distance N, sqrt(J)
 
 
 def strongest() -> Expr:
@@ -145,3 +163,14 @@ def ring_ratio() -> Expr:
     speed = Symbol("v", positive=True)
     opposite = -m1 * speed / m2
     return factor((speed - opposite) ** 2 / (m1 * speed**2 + m2 * opposite**2))
+
+
+def ring_radius() -> Expr:
+    """The largest |w| in N <= epsilon, m/s: sqrt(c^T G^-1 c) epsilon with w = c^T z and the energy metric G."""
+    gradient = ImmutableMatrix([diff(guard(), one) for one in STATE])
+    return simplify(sqrt((gradient.T * metric().inv() * gradient)[0])) * tolerance
+
+
+def path_per_energy() -> Expr:
+    """|dz/dE| at most, m/J: how far the free pair, z = x1 - x2, slips for its energy where no damper takes a share."""
+    return cancel(-guard() / slip_rate(1).subs(a1, 0))

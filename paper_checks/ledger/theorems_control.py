@@ -10,25 +10,51 @@ from paper_checks.ledger.theorem import theorem
 from theory import forced
 from theory import forced_control as control
 from theory.energy import critical_energy, on_surface, sigma
-from theory.forced_control import angle, duration, path, velocity_gain
-from theory.symbols import a1, a2, b, m1, m2, v1, v2, x1
+from theory.filippov import load_threshold
+from theory.forced_control import angle, duration, path, strength, velocity_gain
+from theory.symbols import a1, a2, b, m1, m2, v1, v2, x1, x2
 
 MASS = m1 + m2
 OFFSET, RESPONSE = sp.Symbol("gamma", real=True), sp.Symbol("g", positive=True)
 HALF, PART = sp.Symbol("t_{1/2}", positive=True), sp.Symbol("xi", positive=True)
 WAY, WAY_RATE, WAY_BEND = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} \ddot{x}_{\mathrm{ref}}", real=True)
+THEN, LATER = sp.symbols("t_1 t_2", nonnegative=True)
+RATE_THEN, RATE_LATER = sp.symbols(r"\dot{x}_{\mathrm{ref}}(t_1) \dot{x}_{\mathrm{ref}}(t_2)", real=True)
 REFERENCE = {WAY: control.r_place, WAY_RATE: control.r_speed, WAY_BEND: control.r_acceleration}
+REST, ENERGY, LAST_ENERGY = sp.symbols(r"z_{\infty} E E_{\infty}", real=True)
 SPREAD, KAPPA, DISTANCE = sp.Symbol("s", real=True), sp.Symbol("kappa", positive=True), sp.Symbol("N", nonnegative=True)
 
 TRACKING = theorem(
     "trackable-references",
     clause(
         "iff",
-        r"Some force makes body 2 follow the velocity $\dot x_{\mathrm{ref}}$ exactly if $|\dot x_{\mathrm{ref}}(t')-\dot x_{\mathrm{ref}}(t)|\leqslant\frac{b}{m_2}|t'-t|$ for all times, from "
-        r"$x_{\mathrm{ref}}(0)=x_2(0)$ and $\dot x_{\mathrm{ref}}(0)=v_2(0)$: no force gives body 2 more.",
+        r"Let $x_{\mathrm{ref}}(0)=x_2(0)$ and $\dot x_{\mathrm{ref}}(0)=v_2(0)$. From a suitable start of body 1 some force makes body 2 follow the velocity $\dot x_{\mathrm{ref}}$ exactly if "
+        r"«gentle» for all times $t_1$, $t_2$: no force gives body 2 more.",
+        gentle=Formula(
+            sp.Abs(RATE_THEN - RATE_LATER),
+            "<=",
+            b / m2 * sp.Abs(THEN - LATER),
+            condition(
+                lambda: sp.Le(
+                    sp.Abs(RATE_THEN - RATE_LATER), control.strongest() * sp.Abs(THEN - LATER), evaluate=False
+                )
+            ),
+            sharp=True,
+        ),
         kernel=("trackable", "driven-acceleration"),
     ),
-    clause("sticks", r"While $|\ddot x_{\mathrm{ref}}|<b/m_2$ the pair must stick.", kernel=("must-stick",)),
+    clause(
+        "sticks",
+        r"While «slower» the pair must stick. So where that is so at the start, body 1 has to start with $v_1(0)=v_2(0)$.",
+        slower=Formula(
+            sp.Abs(WAY_BEND),
+            "<",
+            b / m2,
+            condition(lambda: sp.Lt(sp.Abs(WAY_BEND), control.strongest(), evaluate=False)),
+            sharp=True,
+        ),
+        kernel=("must-stick",),
+    ),
     clause(
         "force",
         r"A pair that always sticks has $v_1(0)=v_2(0)$, and follows $x_{\mathrm{ref}}$ under one force only, «force» with $\gamma=x_1(0)-x_{\mathrm{ref}}(0)$.",
@@ -109,9 +135,16 @@ TRANSFER = theorem(
     ),
     clause(
         "weak",
-        r"For a weak force, $a_1=0$, $3U\leqslant bM/m_2$ and $\xi=a_2D/U\leqslant 1$, nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
+        r"For a weak force, $a_1=0$, «weak» and $\xi=a_2D/U\leqslant 1$, nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
         r"at $D$ it takes at least $(\alpha_1+\alpha_2)/\Omega$, $\Omega=\sqrt{a_2/M}$, with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
         r"second. What lies between is open.",
+        weak=Formula(
+            3 * strength,
+            "<=",
+            b * MASS / m2,
+            condition(lambda: sp.Le(control.pressed().subs(angle, sp.pi), load_threshold(), evaluate=False)),
+            sharp=True,
+        ),
         first=Formula(
             r"\cos\alpha_1",
             "=",
@@ -137,7 +170,13 @@ RING = theorem(
     ),
     clause(
         "ring",
-        r"In the tube the relative velocities differ by at most $\sqrt\kappa\,\varepsilon$, «kappa»: «within», and no smaller factor will do.",
+        r"In the tube the relative velocities differ by at most «radius», «kappa»: «within», and no smaller factor will do.",
+        radius=Formula(
+            r"\varrho",
+            "=",
+            sp.sqrt(KAPPA) * control.tolerance,
+            equals(control.ring_radius, lambda: {KAPPA: control.ring_ratio()}),
+        ),
         kappa=Formula(KAPPA, "=", MASS / (m1 * m2), equals(control.ring_ratio)),
         within=Formula(
             (v1 - v2) ** 2,
@@ -158,7 +197,18 @@ RING = theorem(
     ),
     clause(
         "centre",
-        r"Without a force $x_1-x_2$ has a limit, and at a time with the energy $E$ it is no further from it than $(E-E_\infty)/b$, $E_\infty=\lim E$.",
+        r"Without a force $x_1-x_2$ has a limit $z_\infty$, and with the energy $E$ at a time there is «near» then, $E_\infty=\lim E$.",
+        near=Formula(
+            sp.Abs(x1 - x2 - REST),
+            "<=",
+            (ENERGY - LAST_ENERGY) / b,
+            condition(
+                lambda: sp.Le(
+                    sp.Abs(x1 - x2 - REST), (ENERGY - LAST_ENERGY) * control.path_per_energy(), evaluate=False
+                )
+            ),
+            sharp=True,
+        ),
         kernel=("displacement-limit", "displacement-paid"),
     ),
 )

@@ -40,6 +40,11 @@ def ring_contains() -> Evidence:
             sp.Le(m1 * m2 * (v1 - v2) ** 2, total_mass() * (a2 * x1**2 + m1 * v1**2 + m2 * v2**2), evaluate=False),
         ),
         identity(r"the ratio is attained: $\kappa=M/(m_1m_2)$", control.ring_ratio(), total_mass() / (m1 * m2)),
+        identity(
+            r"$\sqrt\kappa\,\varepsilon$ is the largest relative velocity in the ellipsoid $N\leqslant\varepsilon$",
+            control.ring_radius(),
+            sp.sqrt(control.ring_ratio()) * control.tolerance,
+        ),
     )
 
 
@@ -59,6 +64,7 @@ def centre() -> Evidence:
     return argument(
         r"A motion with $x_2(0)$ moved by $c$ is the same motion with $x_2$ moved by $c$. Without a force $b\int_t^\infty|\dot z|\,ds\leqslant E(t)-E_\infty$, so $x_1-x_2$ has a limit and is no further from it than $(E(t)-E_\infty)/b$.",
         blind_to_x2(),
+        identity(r"of the energy lost $\mathrm dE$ friction takes $b\,|\mathrm dz|$", control.path_per_energy(), 1 / b),
         *dissipation.in_every_mode()[:4],
     )
 

@@ -48,7 +48,7 @@ def stuck_force() -> Evidence:
 def followed() -> Evidence:
     """Exactly the references with |r''| <= b/m2."""
     return argument(
-        r"Friction gives body 2 no more. Conversely the stuck motion along such an $x_{\mathrm{ref}}$, shifted by $x_1(0)-x_{\mathrm{ref}}(0)$, has $|\Lambda|=m_2|\ddot x_{\mathrm{ref}}|\leqslant b$ at almost every time: it is a motion under the force of "
+        r"Friction gives body 2 no more. Conversely let body 1 start with $v_1(0)=v_2(0)$. The stuck motion along such an $x_{\mathrm{ref}}$, shifted by $x_1(0)-x_{\mathrm{ref}}(0)$, has $|\Lambda|=m_2|\ddot x_{\mathrm{ref}}|\leqslant b$ at almost every time: it is a motion under the force of "
         r"stick; if $\ddot x_{\mathrm{ref}}$ jumps, so does $u$.",
         gentle(),
         stuck_force(),
@@ -60,7 +60,7 @@ def followed() -> Evidence:
 def must_stick() -> Evidence:
     """Less than full friction is stick."""
     return argument(
-        r"Slip has $|\ddot x_2|=b/m_2$; so where $|\ddot x_{\mathrm{ref}}|<b/m_2$ there is none.",
+        r"Slip has $|\ddot x_2|=b/m_2$; so where $|\ddot x_{\mathrm{ref}}|<b/m_2$ there is none, at the start neither.",
         gentle(),
         same_modes(),
     )

@@ -71,6 +71,8 @@ STEP_FAULTS = [
     ("minimum-transfer-time", CONTROL + "pressed", doubled),
     ("minimum-transfer-time", TRANSFERS + "sp", misread("Ge", "Le", 1)),
     ("tolerance-ring", CONTROL + "ring_ratio", doubled),
+    ("tolerance-ring", CONTROL + "ring_radius", doubled),
+    ("tolerance-ring", CONTROL + "path_per_energy", doubled),
     ("tolerance-ring", TOLERANCE + "sp", misread("Le", "Ge", 0)),
     ("damping-can-desynchronise", FORCED + "creeping_load", negated),
     ("damping-can-desynchronise", TOLERANCE + "sp", misread("Gt", "Ge", 0)),
