@@ -104,9 +104,11 @@ def _model() -> Iterator[Block]:
 def _regimes() -> Iterator[Block]:
     yield Heading("Stuck, two stops a period, or no stop")
     yield Paragraph(
-        "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ the pair sticks for ever. From $U_{**}$ on it "
-        "slips without a stop. In between it sticks and slips in each half period. With a damper every motion tends to the one of its regime "
-        "(`forced-periodic-response`)."
+        "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ a motion that "
+        "sticks for ever exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "
+        "if $\\dot z$ keeps its sign between the turns. For $a_1=0$ and $\\omega>\\omega_1$ it always does; else it does from some amplitude on, which may "
+        "lie above $U_{**}$. In between the pair slips, and sticks or reverses more than twice in each period. With a damper every motion tends to the "
+        "one of its regime (`forced-periodic-response`)."
         + _formula("entrainment-threshold", "stuck", "threshold")
         + _formula("entrainment-threshold", "non-stop-undamped", "threshold")
     )

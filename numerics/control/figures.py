@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.linear import X2, Motion, value
+from numerics.control.non_stop import non_stop_edge
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import Regime, Response, stuck_state
 from numerics.control.signals import Derivative
@@ -95,31 +96,39 @@ def _over_a_period(found: Response) -> tuple[Floats, NDArray[np.bool_]]:
     return table, np.full(table.shape[1], True)
 
 
-def threshold_curves(pair: Pair, omegas: Sequence[float]) -> tuple[Floats, Floats]:
-    """Return U* and U** (N) at frequencies (rad/s), in binary64; infinite where U** is not finite."""
-    low, high = [], []
+def threshold_curves(pair: Pair, omegas: Sequence[float]) -> tuple[Floats, Floats, Floats]:
+    """Return U*, U** and the least U >= U** of a motion that slips for ever (N) at frequencies (rad/s), in binary64.
+
+    Both last are infinite where U** is. The last is approximate: w is looked at on a grid of times (`non_stop_edge`).
+    """
+    low, high, edge = [], [], []
     with Ball(_DIGITS).context():
         for one in omegas:
             omega = Fraction(float(one))
             low.append(float(pair.b / pair.m2 / omega**2) * float(stiffness(pair, pair.mass, omega)))
             high.append(float(non_stop_threshold(pair, omega)))
-    return np.array(low), np.array(high)
+            edge.append(max(high[-1], non_stop_edge(pair, Ball.number(omega))))
+    return np.array(low), np.array(high), np.array(edge)
 
 
 def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
-    """Draw U* and U** over frequency into axes, the three regimes shaded, and return the axes."""
-    low, high = threshold_curves(pair, omegas)
-    top = 4 * float(np.nanmedian(high[np.isfinite(high)]))
+    """Draw U*, U** and the edge of the non-stop regime over frequency into axes, and return the axes.
+
+    The regimes are shaded between U* and that edge, which is approximate as `threshold_curves` says.
+    """
+    low, high, edge = threshold_curves(pair, omegas)
+    top = 4 * float(np.nanquantile(edge[np.isfinite(edge)], 0.85))
     bottom = min(low.min(), np.nanmin(high)) / 3
     bottom = max(bottom, top / 1e4)
-    between = np.maximum(low, high)
+    between = np.maximum(low, edge)
     ax.fill_between(omegas, bottom, np.clip(low, bottom, top), color=REGIME_COLOURS["entrained"], lw=0)
     ax.fill_between(
         omegas, np.clip(low, bottom, top), np.clip(between, bottom, top), color=REGIME_COLOURS["stick-slip"], lw=0
     )
     ax.fill_between(omegas, np.clip(between, bottom, top), top, color=REGIME_COLOURS["non-stop"], lw=0)
     ax.plot(omegas, low, color=BLUE, label="$U^*$: above it the stuck response breaks")
-    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U^{**}$: from it on no stops")
+    ax.plot(omegas, edge, color="black", label="from it on a motion without stops, two reversals a period")
+    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U^{**}$: necessary for that motion, not always enough")
     ax.set(xscale="log", yscale="log", ylim=(bottom, top), xlim=(omegas[0], omegas[-1]))
     plain_decades(ax)
     ax.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)", title="Thresholds over frequency")

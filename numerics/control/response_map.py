@@ -1,8 +1,9 @@
 """Which regime a sine of amplitude U and frequency omega brings, as a map of proved cells of one pair.
 
     entrained  U <= U* over the whole cell
-    non-stop   U >= U** over the cell, and w > 0 between the reversals: w rises with U there, so the least U is looked
-    at between    U* < U < U** over the cell: slips, and sticks or reverses more than twice a period
+    non-stop   U >= U** over the cell, and w > 0 between the reversals: w rises with U there, so the least U is
+               looked at; where w is not proved > 0 the cell is undecided
+    between    U* < U < U** over the cell: slips, and sticks or reverses more than twice a period
 
 For a1 = 0 a verdict says that such a motion exists ("between": that neither of the others does).
 """
@@ -19,15 +20,8 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.linear import is_positive_on
-from numerics.control.thresholds import (
-    cosine_and_sine,
-    entrainment_threshold,
-    non_stop_over,
-    reversal_demand,
-    square_wave_response,
-    stiffness,
-)
+from numerics.control.non_stop import keeps_slipping
+from numerics.control.thresholds import entrainment_threshold, non_stop_over
 from numerics.errors import InvalidMap
 from numerics.quadtree.tree import Leaf, Progress, Side, Sides, Verdicts, leaves_of, shares
 from numerics.scene import Pair
@@ -36,8 +30,6 @@ from numerics.scene.decimals import decimal_text
 _DIGITS = 16
 _SLICES = 8
 """Frequencies of a cell are taken in so many slices: what is proved of a narrow ball is sharper."""
-_PARTS = 64
-"""Into so many parts half a period is cut before w > 0 counts as undecided."""
 _NARROWEST = Fraction(1001, 1000)
 
 
@@ -135,51 +127,3 @@ def _decide_slice(pair: Pair, omega: arb, low: arb, high: arb) -> Regimes:
     if low > slipping and keeps_slipping(pair, low, omega):
         return Regimes.NON_STOP
     return Regimes.UNDECIDED
-
-
-def keeps_slipping(pair: Pair, amplitude: arb, omega: arb) -> bool:
-    """Return whether w > 0 is proved between the reversals of the motion that only slips, for U > U**.
-
-    From a reversal to slip + on, with the square wave of friction from (-b h, -b h') and T = 2 pi/omega,
-
-        w = e^(-lambda t) (-b h' C(t) - k S(t)) - beta (t - T/4)
-            - V cos(omega t) + sqrt((U omega/Z)^2 - V^2) sin(omega t),
-
-    k = (b - a2 b h)/m1 - lambda b h', C = cos(omegad t), S = sin(omegad t)/omegad; w = 0 at both ends, for every omega.
-    """
-    number = Ball.number
-    b, beta, decay = number(pair.b), number(pair.b / pair.m2), number(pair.a1 / (2 * pair.m1))
-    squared = pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2
-    place, speed = square_wave_response(pair, omega)
-    demand, _ = reversal_demand(pair, omega)
-    reach = amplitude * omega / stiffness(pair, pair.m1, omega)
-    rest = reach * reach - demand * demand
-    if not rest > 0:
-        return False
-    sine, half = rest.sqrt(), arb.pi() / omega
-    swing = (b - number(pair.a2) * b * place) / number(pair.m1) - decay * b * speed
-
-    def relative(t: arb) -> arb:
-        c, s = cosine_and_sine(squared, t)
-        turn, turned = (omega * t).sin_cos()
-        own = (-decay * t).exp() * (-b * speed * c - swing * s)
-        return own - beta * (t - half / 2) - demand * turned + sine * turn
-
-    def rate(t: arb) -> arb:
-        c, s = cosine_and_sine(squared, t)
-        turn, turned = (omega * t).sin_cos()
-        falls = b * speed * (decay * c + number(squared) * s) - swing * (c - decay * s)
-        return (-decay * t).exp() * falls - beta + omega * (demand * turn + sine * turned)
-
-    def rising(part: arb) -> arb:
-        """Return w in the form that is the sharper: by its value in the middle and its rate over the part."""
-        wide = relative(part.mid()) + (part - part.mid()) * rate(part)
-        return wide if wide.rad() < relative(part).rad() else relative(part)
-
-    short = (half / 16).lower()
-    end = half.upper()
-    return (
-        is_positive_on(rate, arb(0), short, _PARTS)
-        and is_positive_on(lambda t: -rate(t), half.lower() - short, end, _PARTS)
-        and is_positive_on(rising, short, end - short, _PARTS)
-    )

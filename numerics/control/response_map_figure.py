@@ -22,7 +22,7 @@ COLOURS = {
 }
 LABELS = {
     Regimes.ENTRAINED: "sticks for ever",
-    Regimes.BETWEEN: "slips, with stops",
+    Regimes.BETWEEN: "slips, with stops or more reversals",
     Regimes.NON_STOP: "never stops",
     Regimes.UNDECIDED: "undecided at this depth",
 }
@@ -37,9 +37,9 @@ def draw_response_map(found: ResponseMap) -> Figure:
     grid = raster(found.leaves, found.depth, list(COLOURS))
     axes.pcolormesh(*edges, grid, cmap=colours, vmin=-0.5, vmax=len(COLOURS) - 0.5, rasterized=True)
     omegas = np.geomspace(edges[0][0], edges[0][-1], 600)
-    low, high = threshold_curves(found.pair, omegas.tolist())
+    low, high, _ = threshold_curves(found.pair, omegas.tolist())
     lines = axes.plot(omegas, low, color=BLUE, label="$U^*$") + axes.plot(omegas, high, color=ORANGE, ls="--")
-    lines[1].set_label("$U^{**}$")
+    lines[1].set_label("$U^{**}$, necessary for no stops")
     axes.set(xscale="log", yscale="log", xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
     plain_decades(axes)
     axes.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)")

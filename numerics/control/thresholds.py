@@ -1,9 +1,11 @@
-"""Thresholds of a force U sin(omega t + phase): up to U* the pair may stick for ever, from U** on it never stops.
+"""Thresholds of a force U sin(omega t + phase): up to U* it may stick for ever, only from U** on slip for ever.
 
 With beta = b/m2, M = m1 + m2 and Z(m) = |a2 - m omega^2 + i a1 omega|:
 
     U*  = beta Z(M)/omega^2     the stuck response has the acceleration omega^2 U/Z(M), and friction gives body 2 beta
-    U** : the motion that slips for ever and reverses twice a period. v1 = v2 = -beta T/4 where a slip of sign + starts,
+    U** : the least for a motion that slips for ever and reverses twice a period; it is one if w keeps its sign between
+          the reversals, too (`non_stop`): from U** on for a1 = 0 and omega > omega1, else from some U on.
+          v1 = v2 = -beta T/4 where a slip of sign + starts,
           the square wave of friction alone puts x1 = -b h, v1 = -b h' there, and U supplies the rest of the velocity,
           b (pi/(2 m2 omega) - h'), and of the acceleration, which must be at least beta: (b/m1) (M/m2 - a2 h - a1 h').
 

@@ -38,7 +38,7 @@ def tell_response(options: argparse.Namespace) -> int:
     shown = {name: text for name, text in told.items() if isinstance(text, str)}
     labels = {
         "entrainment": "U*",
-        "non_stop": "U**",
+        "non_stop": "U**, necessary for no stops",
         "drift": "mean velocity of body 2",
         "growth": "v1's amplitude grows by",
     }
@@ -50,12 +50,39 @@ def tell_response(options: argparse.Namespace) -> int:
         "decay": "of a distance left a period",
     }
     print_numbers({name: text for name, text in shown.items() if name.removesuffix("_radius") in units}, units, labels)
+    if "slips_for_ever" in told:
+        print(f"  {_SLIPS_FOR_EVER[told['slips_for_ever']]}")
     for one in told["multipliers"]:
         print(f"  multiplier {one['re']} + {one['im']} i, size {one['size']}")
     for event in told["events"]:
         print(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
     print(f"{found.digits} right digits, proved")
     return OK
+
+
+_SLIPS_FOR_EVER = {
+    "yes": "no stops: at this amplitude the motion with two reversals a period keeps slipping",
+    "below U**": "no stops: not at this amplitude, which is below U**",
+    "turns back": "no stops: U** is not enough here; at this amplitude the relative velocity would change its sign",
+    "undecided": "no stops: it is not decided whether the relative velocity keeps its sign at this amplitude",
+}
+
+
+def _slips_for_ever(found: Response) -> str:
+    """Return whether the motion that reverses twice a period slips for ever at the amplitude of the one sine."""
+    from numerics.arithmetic.ball import Ball
+    from numerics.control.non_stop import keeps_slipping, turns_back
+
+    drive, known = found.drive, found.thresholds
+    assert known is not None
+    sine = drive.piece.sines[0]
+    with Ball(found.digits + 10).context():
+        case = drive.pair, Ball.number(abs(sine.amplitude)), Ball.number(sine.omega)
+        if case[1] < known.non_stop:
+            return "below U**"
+        if case[1] > known.non_stop and keeps_slipping(*case):
+            return "yes"
+        return "turns back" if turns_back(*case) else "undecided"
 
 
 def _of_response(found: Response) -> dict[str, Any]:
@@ -71,6 +98,8 @@ def _of_response(found: Response) -> dict[str, Any]:
     if known is not None:
         values = {"entrainment": known.entrainment, "non_stop": known.non_stop, **values}
         told["exception"] = known.exception
+        if found.growth == 0:
+            told["slips_for_ever"] = _slips_for_ever(found)
     multipliers = found.multipliers or ()
     values["decay"] = abs(multipliers[0]) if multipliers else None
     told |= numbers(values, digits)

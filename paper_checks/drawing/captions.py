@@ -104,8 +104,10 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "thresholds-over-frequency": (
         "Three regimes under a sinusoidal force",
-        "Below the full line the pair sticks for ever, above the dashed one it never stops; in between it sticks and slips in each half "
-        "period. Left without a damper, right with one. Dotted: the stuck pair's own frequency, and that of body 1 alone.",
+        "Up to $U_*$ the pair sticks for ever, from the upper full line on it never stops (without a damper: some motion does); in between a "
+        "motion slips, and sticks or reverses more than twice in each period. Below the dashed $U_{**}$ no motion slips for ever with two "
+        "reversals a period; where the upper line leaves it, the bodies would meet once more. That line is computed on a grid, not proved. "
+        "Left without a damper, right with one. Dotted: the stuck pair's own frequency, and that of body 1 alone.",
     ),
     "resonance": (
         "At the resonance of body 1",

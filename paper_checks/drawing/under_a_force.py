@@ -32,7 +32,7 @@ SHARES = tuple(Fraction(k, 20) for k in range(21))
 
 
 def thresholds_over_frequency() -> Figure:
-    """Draw U* and U** over the frequency without and with a damper, the three regimes between them shaded."""
+    """Draw U*, U** and the edge of the non-stop regime over the frequency, without and with a damper; regimes shaded."""
     figure = new_figure(9.4, 4.4)
     for ax, pair, title in zip(figure.subplots(1, 2), (PAIR, DAMPED), ("$a_1=0$", "$a_1=2$ N s/m"), strict=True):
         draw_thresholds(pair, np.geomspace(4, 60, 700), ax)
@@ -50,7 +50,7 @@ def thresholds_over_frequency() -> Figure:
                 fontsize=9,
             )
     patches = [Patch(fc=colour, ec="black", lw=0.4, label=name) for name, colour in REGIME_COLOURS.items()]
-    figure.legend(handles=[*patches, *figure.axes[0].lines[:2]], loc="outside lower center", ncols=3, frameon=False)
+    figure.legend(handles=[*patches, *figure.axes[0].lines[:3]], loc="outside lower center", ncols=3, frameon=False)
     return figure
 
 

@@ -90,7 +90,7 @@ def _thresholds() -> Iterator[Tie]:
     )
     yield Tie(
         "tie_non_stop_amplitude",
-        "U**, the amplitude from which the pair never stops, by the response to the square wave.",
+        "U**, the amplitude that slip without a stop needs, by the response to the square wave.",
         f"forall m1 m2 a1 a2 b om h h' : R, {SINE}Fslip m1 m2 a1 a2 b om h h' = "
         f"sqrt {term(response.non_stop_amplitude_squared(), LETTERS)}",
         "intros; unfold Fslip, Z1, turn, leave; f_equal; field; lra.",

@@ -138,7 +138,7 @@ def load_positive() -> Evidence:
 
 @cache
 def non_stop() -> Evidence:
-    """Permanent slip, exactly from U** on."""
+    """Permanent slip, exactly from U** on if the relative velocity keeps its sign at U**."""
     in_phase, out_of_phase = response.non_stop_parts()
     lowest = -slip(1).acceleration2 * sp.pi / omega / 2
     speed = in_phase * omega - b * response.square_speed

@@ -51,7 +51,27 @@ def test_response_tells_regime_thresholds_and_periodic_motion(shaken, tmp_path, 
     assert len(found["multipliers"]) == 3
     assert (tmp_path / "r.svg").stat().st_size > 10_000
     assert main(["response", shaken, "--amplitude", amplitude]) == 0
-    assert "U** = 0.8330872604435" in capsys.readouterr().out
+    assert "U**, necessary for no stops = 0.8330872604435" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("amplitude", "regime", "said"),
+    [
+        ("5", "stick-slip", "below U**"),
+        ("15", "stick-slip", "turns back"),
+        ("-15", "stick-slip", "turns back"),
+        ("30", "non-stop", "yes"),
+    ],
+)
+def test_response_says_where_the_necessary_threshold_is_not_enough(tmp_path, capsys, amplitude, regime, said):
+    """U** = 11.76 N, but the relative velocity of the motion without stops keeps its sign from 28.5 N on only."""
+    file = tmp_path / "slow.toml"
+    file.write_text(scene_text(Scene(Pair(1, 1, 200, "0.5"), State(), 5, force=Force.sine("1", "4.624"))), "utf-8")
+    found = told(capsys, "response", str(file), "--amplitude", amplitude)
+    assert found["non_stop"].startswith("11.7618566")
+    assert (found["regime"], found["slips_for_ever"]) == (regime, said)
+    assert main(["response", str(file), "--amplitude", amplitude]) == 0
+    assert ("U** is not enough here" in capsys.readouterr().out) is (said == "turns back")
 
 
 def test_two_sines_are_settled_by_simulation_and_proved():

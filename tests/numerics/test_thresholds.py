@@ -14,6 +14,8 @@ from strategies import decimals, pairs
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.asked import to_digits
+from numerics.control.figures import threshold_curves
+from numerics.control.non_stop import keeps_slipping, turns_back
 from numerics.control.orbit import Drive
 from numerics.control.response_map import Regimes, decide, response_map
 from numerics.control.thresholds import load_margin, thresholds
@@ -120,6 +122,28 @@ def test_bad_frequencies_are_refused():
     for omega in (0, -1, "x", True):
         with pytest.raises(InvalidScene, match="omega"):
             thresholds(PAIR, omega)
+
+
+# the edge of the non-stop regime
+
+
+@pytest.mark.parametrize(("omega", "edge"), [("4.624", 28.5085), ("20", None)])
+def test_the_edge_of_the_non_stop_regime_lies_where_the_sign_is_kept(omega, edge):
+    """U** is not enough at 4.624 rad/s; above body 1's own frequency, without a damper, it is."""
+    pair, omega = Pair(1, 1, 200, "0.5"), Fraction(omega)
+    _, (needed,), (found,) = threshold_curves(pair, [float(omega)])
+    assert found == pytest.approx(edge or needed, rel=1e-4)
+    with Ball(20).context():
+        at = [(pair, Ball.number(Fraction(found) * Fraction(k, 1000)), Ball.number(omega)) for k in (998, 1002)]
+        assert not keeps_slipping(*at[0])
+        assert keeps_slipping(*at[1])
+        assert turns_back(*at[0]) is (edge is not None)
+        assert not turns_back(*at[1])
+
+
+def test_no_cell_between_the_necessary_threshold_and_the_edge_is_called_non_stop():
+    sides = ((Fraction("4.62399"), Fraction("4.62401")), (Fraction(20), Fraction("20.001")))
+    assert decide(Pair(1, 1, 200, "0.5"), sides) is Regimes.UNDECIDED
 
 
 # the map of regimes
