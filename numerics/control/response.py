@@ -17,6 +17,7 @@ from flint import acb, arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
 from numerics.control.asked import MAX_DIGITS, to_digits
+from numerics.control.given_sine import given_sine
 from numerics.control.linear import ONE, Row
 from numerics.control.modes_proved import is_positive_inside
 from numerics.control.orbit import Drive, Orbit, solve_orbit
@@ -67,12 +68,19 @@ def response(
 ) -> Response:
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
+    For a scene without a force both together are its force, amplitude sin(omega t).
+
     Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits),
     PrecisionExhausted.
     """
+    asked = given_sine(amplitude, omega)
+    if not scene.force.pieces:
+        if amplitude is None or omega is None:
+            raise InvalidScene("the scene has no force; add [[force]] with one sine, or give amplitude and omega")
+        scene = replace(scene, force=Force.sine(amplitude, omega))
     drive = steady_drive(scene)
-    if amplitude is not None or omega is not None:
-        drive = _replaced(drive, amplitude, omega)
+    if asked:
+        drive = _replaced(drive, asked)
     sines = drive.piece.sines
     known = None
     if len(sines) == 1:
@@ -104,13 +112,11 @@ def last_drive(scene: Scene) -> Drive | None:
     return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), b, steady.pieces[0], frequency)
 
 
-def _replaced(drive: Drive, amplitude: Exact | None, omega: Exact | None) -> Drive:
+def _replaced(drive: Drive, asked: dict[str, Fraction]) -> Drive:
     if len(drive.piece.sines) != 1:
         raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
     one = drive.piece.sines[0]
-    sine = Sine(one.amplitude if amplitude is None else amplitude, one.omega if omega is None else omega, one.phase)
-    if sine.amplitude == 0:
-        raise InvalidScene("amplitude = 0 must not be 0; without a force there is no response")
+    sine = Sine(asked.get("amplitude", one.amplitude), asked.get("omega", one.omega), one.phase)
     return replace(drive, piece=Piece(0, drive.piece.polynomial, [sine]), frequency=sine.omega)
 
 

@@ -93,9 +93,18 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
             break
         until *= 2
     raise PrecisionExhausted(
-        f"the motion is not known to settle to within {float(radius):g} m by t = {float(until):g} s or {most} events; "
-        "give a larger radius"
+        f"the motion is not known to settle to within a radius of {short(radius)} m by t = "
+        f"{short(trajectory.scene.until)} s or {most} events; {_remedy(drive, orbit)}"
     )
+
+
+def _remedy(drive: Drive | None, orbit: Orbit | None) -> str:
+    """Return whether a larger radius can help where nothing was proved of all later times."""
+    if orbit is not None:
+        return "no proof was found that it closes in on the periodic motion; a larger radius may not help either"
+    if drive is not None and drive.piece.sines:
+        return "a larger radius does not help: the pair is not proved to stick for ever"
+    return "give a larger radius"
 
 
 def _known(trajectory: Any, drive: Drive | None, orbit: Orbit | None, near: float) -> Settled | None:

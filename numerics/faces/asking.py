@@ -45,8 +45,16 @@ def _add_response(subcommands: _Subcommands[argparse.ArgumentParser]) -> None:
     what = "what the pair does in the long run under its periodic force: thresholds, periodic motion, multipliers"
     asked = _of_a_scene(subcommands, "response", what)
     asked.set_defaults(run=responses.tell_response)
-    asked.add_argument("--amplitude", metavar="U", help="instead of that of the scene's one sine, N")
-    asked.add_argument("--omega", metavar="W", help="instead of that of the scene's one sine, rad/s")
+    asked.add_argument(
+        "--amplitude",
+        metavar="U",
+        help="instead of that of the scene's one sine, N; with --omega: its force if it has none",
+    )
+    asked.add_argument(
+        "--omega",
+        metavar="W",
+        help="instead of that of the scene's one sine, rad/s; with --amplitude: its force if it has none",
+    )
 
 
 def _add_response_map(subcommands: _Subcommands[argparse.ArgumentParser]) -> None:

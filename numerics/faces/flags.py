@@ -15,6 +15,7 @@ def in_flags(message: str) -> str:
     """Return a message with its arguments as flags: `max_digits` is --max-digits, `digits=...` is --digits N."""
     message = _CALL.sub(r"\1", message)
     message = _ARGUMENT.sub(_flag, message)
+    message = message.replace("give amplitude and omega", "give --amplitude and --omega")
     return _CAP.sub(r"--max-\1", message)
 
 

@@ -49,7 +49,7 @@ def tell_tracking(options: argparse.Namespace) -> int:
 def tell_transfer(options: argparse.Namespace) -> int:
     """Print the fastest transfer from rest to rest, and write its force as a scene."""
     from numerics.control.again import transfer_again
-    from numerics.control.transfer import fastest_transfer
+    from numerics.control.transfer import Road, fastest_transfer
     from numerics.scene.file import load_scene
 
     wrong = wrong_path(options.out) or wrong_path(options.plot, "--plot")
@@ -88,6 +88,14 @@ def tell_transfer(options: argparse.Namespace) -> int:
             "least_amplitude": "least amplitude with which the bound can be met",
         }
         print_numbers(told, units, labels)
+        if found.road is Road.SLIP:
+            print(
+                "friction is at its limit: the written decimals leave slips of about 10^-20 m where the bodies stick;",
+                end=" ",
+            )
+            print("a transfer with --margin keeps clear of them")
+        elif found.road is Road.STUCK and found.margin == 0:
+            print("friction is within 10^-18 of its limit, as far as decimals go; --margin keeps clear of it")
     return _hand_over(found.scene, options, "no transfer is given: between these amplitudes the least time is open")
 
 

@@ -11,6 +11,8 @@ from numerics.exits import INTERRUPTED, OK, USAGE, refuse, wrong_path
 from numerics.faces.printing import numbers, print_numbers, show_blocks, write_figure
 
 if TYPE_CHECKING:
+    from flint import acb
+
     from numerics.control.response import Response
 
 
@@ -52,8 +54,9 @@ def tell_response(options: argparse.Namespace) -> int:
     print_numbers({name: text for name, text in shown.items() if name.removesuffix("_radius") in units}, units, labels)
     if "slips_for_ever" in told:
         print(f"  {_SLIPS_FOR_EVER[told['slips_for_ever']]}")
-    for one in told["multipliers"]:
-        print(f"  multiplier {one['re']} + {one['im']} i, size {one['size']}")
+    for multiplier in found.multipliers or ():
+        size = abs(multiplier).str(found.digits, radius=False)
+        print(f"  multiplier {_complex_text(multiplier, found.digits)}, size {size}")
     for event in told["events"]:
         print(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
     print(f"{found.digits} right digits, proved")
@@ -83,6 +86,17 @@ def _slips_for_ever(found: Response) -> str:
         if case[1] > known.non_stop and keeps_slipping(*case):
             return "yes"
         return "turns back" if turns_back(*case) else "undecided"
+
+
+def _complex_text(number: acb, digits: int) -> str:
+    """Return a complex ball as a + b i, each part with its right digits only; a part that may be 0 is left out."""
+    real, imaginary = (part.str(digits, radius=False) for part in (number.real, number.imag))
+    if number.imag.contains(0):
+        return "0" if number.real.contains(0) else str(real)
+    side = f"{imaginary.removeprefix('-')} i"
+    if number.real.contains(0):
+        return f"-{side}" if imaginary.startswith("-") else side
+    return f"{real} {'-' if imaginary.startswith('-') else '+'} {side}"
 
 
 def _of_response(found: Response) -> dict[str, Any]:

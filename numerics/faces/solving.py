@@ -119,6 +119,8 @@ def _print_table(trajectory: Trajectory, *, whole: bool) -> None:
     final = found["final"]
     print(f"at t = {final['t']} s, {final['mode']}; {in_flags(found['message'])}")
     for name, unit in UNITS.items():
+        if name == "energy_excess" and trajectory.scene.is_forced:
+            continue  # E_cr is that of [pair] b at rest: under a force, or another friction, it decides nothing
         print(f"  {LABELS.get(name, name)} = {final[name]} {unit}".rstrip())
     print(f"{found['arithmetic']}, {found['digits']} digits")
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from flint import acb, arb
 
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
@@ -19,6 +20,7 @@ from numerics.control.ring_figure import draw_ring
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
 from numerics.errors import PrecisionExhausted
+from numerics.faces.responses import _complex_text
 from numerics.motion.modes import Mode
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.file import load_reference, load_scene, parse_scene
@@ -74,6 +76,28 @@ def test_response_says_where_the_necessary_threshold_is_not_enough(tmp_path, cap
     assert ("U** is not enough here" in capsys.readouterr().out) is (said == "turns back")
 
 
+@pytest.mark.parametrize(
+    ("number", "text"),
+    [
+        (acb(1, -2), "1.00000 - 2.00000 i"),
+        (acb(arb("-0.5", "1e-4"), 2), "-0.500 + 2.00000 i"),
+        (acb(3, arb(0, "1e-30")), "3.00000"),
+        (acb(0, -2), "-2.00000 i"),
+        (acb(0), "0"),
+    ],
+)
+def test_a_multiplier_is_printed_by_its_radius(number, text):
+    assert _complex_text(number, 6) == text
+
+
+def test_the_energy_excess_is_told_where_its_unit_means_something(capsys):
+    for scene, is_told in (("velocities", True), ("forced-step", False), ("forced-friction-by-pieces", False)):
+        assert main(["solve", scene]) == 0
+        assert ("E_cr" in capsys.readouterr().out) is is_told
+    assert main(["solve", "forced-step", "--json"]) == 0
+    assert "energy_excess" in json.loads(capsys.readouterr().out)["final"]
+
+
 def test_two_sines_are_settled_by_simulation_and_proved():
     """The guess comes from a run in float64, the proof from the equations, and the second solve agrees."""
     force = Force.sine("0.5", 12) + Force.sine("0.3", 24, 1)
@@ -98,6 +122,22 @@ def test_move_writes_a_scene_that_arrives(tmp_path, capsys):
     end = solve(parse_scene(file.read_text("utf-8")), digits=12).final_state
     assert float(end[2]) == pytest.approx(0.001, abs=1e-12)
     assert (tmp_path / "m.svg").stat().st_size > 10_000
+
+
+def test_move_says_how_near_to_its_limit_friction_is(capsys):
+    """Stuck at the limit the load is within 10^-18 of b; where body 1 runs ahead, what slips of itself is tiny."""
+    assert main(["move", "at-rest", "--distance", "0.01"]) == 0
+    assert "friction is within 10^-18 of its limit" in capsys.readouterr().out
+    stuck = fastest_transfer(load_scene("at-rest"), "0.01").scene
+    load = 2 * stuck.force.pieces[0].polynomial[2] / stuck.pair.a2 * stuck.pair.m2
+    assert 0 < 1 - load / stuck.pair.b < Fraction(1, 10**18)
+    assert main(["move", "at-rest", "--distance", "0.01", "--margin", "0.1"]) == 0
+    assert "--margin" not in capsys.readouterr().out
+    assert main(["move", "at-rest", "--distance", "0.001", "--amplitude", "1.08"]) == 0
+    assert "slips of about 10^-20 m" in capsys.readouterr().out
+    solved = solve(fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08").scene, digits=40)
+    met, *later = (state[0] - state[2] for state in solved.event_states.T)
+    assert max(abs(float(one - met)) for one in later) < 1e-19
 
 
 @pytest.mark.parametrize("plan", [{}, {"margin": "0.1"}, {"amplitude": "2.5"}])
@@ -173,7 +213,9 @@ def test_a_pair_creeps_under_a_constant_force_as_without_one(force):
 
 def test_a_motion_that_may_never_settle_is_refused():
     scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5, force=Force.sine("0.02", 7))
-    with pytest.raises(PrecisionExhausted, match="not known to settle"):
+    with pytest.raises(
+        PrecisionExhausted, match=r"not known to settle.*a larger radius does not help: the pair is not proved"
+    ):
         ring_entry(scene, "0.001")
 
 
@@ -186,6 +228,7 @@ def test_a_force_that_grows_has_no_ring():
 
 BAD = [
     ["response", "velocities"],
+    ["response", "velocities", "--omega", "0"],
     ["response", "none-such"],
     ["move", "at-rest", "--distance", "0"],
     ["move", "at-rest", "--distance", "1", "--margin", "2"],

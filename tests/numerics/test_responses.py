@@ -131,7 +131,7 @@ def test_a_false_mode_is_not_proved(planted):
 
 
 def test_what_is_no_periodic_force_is_refused():
-    for force in (Force(), Force.step(0, 1), Force.ramp(0, 1, 1)):
+    for force in (Force.step(0, 1), Force.ramp(0, 1, 1)):
         with pytest.raises(InvalidScene, match="periodic"):
             response(Scene(PAIR, State(), 1, force=force))
     with pytest.raises(InvalidScene, match="law"):
@@ -141,6 +141,18 @@ def test_what_is_no_periodic_force_is_refused():
         response(Scene(PAIR, State(), 1, force=two), amplitude=1)
     with pytest.raises(InvalidScene, match="amplitude"):
         response(under(PAIR, 1), amplitude=0)
+
+
+def test_a_scene_without_a_force_takes_the_sine_that_is_given():
+    scene = Scene(PAIR, State(), 1)
+    one, two = response(scene, amplitude="0.2", omega=12), response(under(PAIR, "0.2"))
+    assert (one.drive, one.regime) == (two.drive, two.regime)
+    for half in ({}, {"amplitude": 1}, {"omega": 1}):
+        with pytest.raises(InvalidScene, match="the scene has no force"):
+            response(scene, **half)
+    for wrong in (0, -1, "inf"):
+        with pytest.raises(InvalidScene, match=r"^omega"):
+            response(scene, omega=wrong)
 
 
 @pytest.mark.parametrize("amplitude", ["0.2", "0.5", "2"])
