@@ -172,7 +172,7 @@ RING = theorem(
         "ring",
         r"In the tube the relative velocities differ by at most «radius», «kappa»: «within», and no smaller factor will do.",
         radius=Formula(
-            r"\varrho",
+            r"r_\varepsilon",
             "=",
             sp.sqrt(KAPPA) * control.tolerance,
             equals(control.ring_radius, lambda: {KAPPA: control.ring_ratio()}),
