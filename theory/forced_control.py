@@ -50,17 +50,33 @@ def stuck_force() -> Expr:
 
 
 @cache
-def spread() -> Expr:
-    """How far the place of body 2 at T can be from (v2(0) + v2(T)) T/2, m, for a change of velocity that it can make.
+def farthest() -> Expr:
+    """The farthest place of body 2 at T, m, from rest at 0, for a change of velocity that it can make.
 
-    Full acceleration first, its opposite from the time on at which the change is right: the place that is farthest.
+    Full acceleration first, its opposite from the time on at which the change is right.
     """
     turn = Symbol("s", positive=True)
     first = strongest() * t
     second = first.subs(t, turn) - strongest() * (t - turn)
     switch = solve(second.subs(t, duration) - velocity_gain, turn)[0]
-    farthest = integrate(first, (t, 0, turn)) + integrate(second, (t, turn, duration))
-    return factor(simplify(farthest.subs(turn, switch) - velocity_gain * duration / 2))
+    place = integrate(first, (t, 0, turn)) + integrate(second, (t, turn, duration))
+    return simplify(place.subs(turn, switch))
+
+
+def nearest() -> Expr:
+    """The nearest place, m: the mirror image of the farthest one for the opposite change."""
+    return -farthest().subs(velocity_gain, -velocity_gain)
+
+
+def middle() -> Expr:
+    """Half way between both, m."""
+    return simplify((farthest() + nearest()) / 2)
+
+
+@cache
+def spread() -> Expr:
+    """How far the place of body 2 at T can be from the middle, m."""
+    return factor(simplify((farthest() - nearest()) / 2))
 
 
 @cache
@@ -108,6 +124,12 @@ def late_peak() -> Expr:
 def impulse_response() -> Expr:
     """g, m/(N s): the place of body 1 after a unit impulse, by `decline` and `swing`."""
     return exp(-decline * t) * sin(swing * t) / (m1 * swing)
+
+
+def response_peak() -> Expr:
+    """The angle theta = omega_1 t up to which g rises where a1 = 0."""
+    response = impulse_response().subs({decline: 0, t: angle / swing}, simultaneous=True)
+    return min(solve(diff(response, angle), angle))
 
 
 def response_residual() -> Expr:

@@ -12,6 +12,7 @@ from theory import forced_control as control
 from theory.energy import critical_energy, on_surface, sigma
 from theory.filippov import load_threshold
 from theory.forced_control import angle, duration, path, strength, velocity_gain
+from theory.model import stick
 from theory.symbols import a1, a2, b, m1, m2, v1, v2, x1, x2
 
 MASS = m1 + m2
@@ -23,6 +24,15 @@ RATE_THEN, RATE_LATER = sp.symbols(r"\dot{x}_{\mathrm{ref}}(t_1) \dot{x}_{\mathr
 REFERENCE = {WAY: control.r_place, WAY_RATE: control.r_speed, WAY_BEND: control.r_acceleration}
 REST, ENERGY, LAST_ENERGY = sp.symbols(r"z_{\infty} E E_{\infty}", real=True)
 SPREAD, KAPPA, DISTANCE = sp.Symbol("s", real=True), sp.Symbol("kappa", positive=True), sp.Symbol("N", nonnegative=True)
+PLACE_START, PLACE_END = sp.Symbol("{x_2(0)}", real=True), sp.Symbol("{x_2(T)}", real=True)
+RATE_START, RATE_END = sp.Symbol("{v_2(0)}", real=True), sp.Symbol("{v_2(T)}", real=True)
+
+
+def _off_centre() -> sp.Expr:
+    """How far body 2 is from the middle of the places that it can reach."""
+    middle = RATE_START * duration + control.middle().subs(velocity_gain, RATE_END - RATE_START)
+    return PLACE_END - PLACE_START - middle
+
 
 TRACKING = theorem(
     "trackable-references",
@@ -71,8 +81,15 @@ TRANSFER = theorem(
     "minimum-transfer-time",
     clause(
         "reach",
-        r"Whatever the force, at the time $T$ body 2 has $|x_2(T)-x_2(0)-\frac{T}{2}(v_2(0)+v_2(T))|\leqslant s$, where «spread» and "
+        r"Whatever the force, at the time $T$ body 2 has «within», where «spread» and "
         r"$\Delta v_2=v_2(T)-v_2(0)$.",
+        within=Formula(
+            sp.Abs(PLACE_END - PLACE_START - duration / 2 * (RATE_START + RATE_END)),
+            "<=",
+            SPREAD,
+            condition(lambda: sp.Le(sp.Abs(_off_centre()), SPREAD, evaluate=False)),
+            sharp=True,
+        ),
         spread=Formula(
             SPREAD,
             "=",
@@ -114,9 +131,10 @@ TRANSFER = theorem(
     ),
     clause(
         "slip",
-        r"With slip less will do to arrive. Let $t_{1/2}=\sqrt{m_2D/b}$, and let $g$, the place of body 1 on its spring and damper after a unit "
+        r"With slip less will do to arrive. Let «half», and let $g$, the place of body 1 on its spring and damper after a unit "
         r"impulse, not fall on $[0,t_{1/2}]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2t_{1/2}$ under some $|u|\leqslant U$ exactly if "
         r"$U\geqslant U_{min}$, «least» with $g=g(t_{1/2})$. Body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
+        half=Formula(HALF, "=", sp.sqrt(m2 * path / b), equals(lambda: control.least_time() / 2)),
         least=Formula(
             "U_{min}",
             "=",
@@ -127,7 +145,10 @@ TRANSFER = theorem(
     ),
     clause(
         "slip-undamped",
-        r"For $a_1=0$ and $\theta=\omega_1t_{1/2}\leqslant\pi/2$ that is «undamped».",
+        r"For $a_1=0$, $\theta=\omega_1t_{1/2}$ and «rising» that is «undamped».",
+        rising=Formula(
+            angle, "<=", sp.pi / 2, condition(lambda: sp.Le(angle, control.response_peak(), evaluate=False)), sharp=True
+        ),
         undamped=Formula(
             "U_{min}", "=", b + b * m1 / m2 * angle / sp.sin(angle), equals(control.undamped_slipping_amplitude)
         ),
@@ -135,8 +156,8 @@ TRANSFER = theorem(
     ),
     clause(
         "weak",
-        r"For a weak force, $a_1=0$, «weak» and $\xi=a_2D/U\leqslant 1$, nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
-        r"at $D$ it takes at least $(\alpha_1+\alpha_2)/\Omega$, $\Omega=\sqrt{a_2/M}$, with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
+        r"For a weak force, $a_1=0$, «weak» and «held», «share», nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
+        r"at $D$ it takes at least $(\alpha_1+\alpha_2)/\Omega$, «pace», with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
         r"second. What lies between is open.",
         weak=Formula(
             3 * strength,
@@ -144,6 +165,17 @@ TRANSFER = theorem(
             b * MASS / m2,
             condition(lambda: sp.Le(control.pressed().subs(angle, sp.pi), load_threshold(), evaluate=False)),
             sharp=True,
+        ),
+        held=Formula(
+            a2 * path,
+            "<=",
+            strength,
+            condition(lambda: sp.Le(control.stuck_amplitudes()[1], strength, evaluate=False)),
+            sharp=True,
+        ),
+        share=Formula(PART, "=", a2 * path / strength, equals(lambda: control.stuck_amplitudes()[1] / strength)),
+        pace=Formula(
+            r"\Omega", "=", sp.sqrt(a2 / MASS), equals(lambda: sp.sqrt(-sp.diff(stick().acceleration1, x1).factor()))
         ),
         first=Formula(
             r"\cos\alpha_1",

@@ -69,6 +69,7 @@ STEP_FAULTS = [
     ("minimum-transfer-time", CONTROL + "slipping_amplitude", doubled),
     ("minimum-transfer-time", CONTROL + "switching", entry(0, lambda value: value / 2)),
     ("minimum-transfer-time", CONTROL + "pressed", doubled),
+    ("minimum-transfer-time", CONTROL + "farthest", doubled),
     ("minimum-transfer-time", TRANSFERS + "sp", misread("Ge", "Le", 1)),
     ("tolerance-ring", CONTROL + "ring_ratio", doubled),
     ("tolerance-ring", CONTROL + "ring_radius", doubled),
