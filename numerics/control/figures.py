@@ -59,30 +59,42 @@ def sampled_orbit(orbit: Orbit) -> tuple[Floats, NDArray[np.bool_]]:
 def draw_response(found: Response) -> Figure:
     """Return the velocities and the friction force over a period; for one sine the thresholds over frequency too."""
     panels = 3 if found.thresholds is not None else 2
-    figure = Figure(figsize=(4.2 * panels, 3.8), layout="constrained")
+    figure = Figure(figsize=(4.2 * panels, 4.4), layout="constrained")
     axes = figure.subplots(1, panels)
     drive, table, stuck = found.drive, *_over_a_period(found)
-    t = table[0]
+    t, clock = table[0], _clock(found)
     axes[0].plot(t, table[2], color=BLUE, label="$v_1$")
     axes[0].plot(t, table[4], color=ORANGE, ls="--", label="$v_2$")
-    axes[0].set(xlabel="t (s)", ylabel="velocity (m/s)", title="The periodic motion, one period")
+    axes[0].set(xlabel=clock, ylabel="velocity (m/s)", title="The periodic motion, one period")
     axes[1].plot(t, table[5] / float(drive.b), color=GREEN, label="friction on body 2 over b")
     for side in (-1, 1):
         axes[1].axhline(side, color=GRAY, lw=0.8, ls=":")
-    axes[1].set(xlabel="t (s)", ylabel="friction force / b", title="What the interface carries", ylim=(-1.15, 1.15))
+    axes[1].set(xlabel=clock, ylabel="friction force / b", title="What the interface carries", ylim=(-1.15, 1.15))
     for ax in axes[:2]:
         ax.fill_between(
             t, 0, 1, where=stuck, transform=ax.get_xaxis_transform(), color=GRAY, alpha=0.25, lw=0, label="stick"
         )
-        ax.legend(fontsize="small")
+        _legend_below(ax)
     if found.thresholds is not None:
         sine = drive.piece.sines[0]
         centre = float(sine.omega)
         draw_thresholds(drive.pair, np.geomspace(centre / 4, 4 * centre, 400), axes[2])
         axes[2].plot(centre, abs(float(sine.amplitude)), "o", color="black", label="this force")
-        axes[2].legend(fontsize="small", loc="best")
+        _legend_below(axes[2])
     figure.suptitle(found.regime.value)
     return figure
+
+
+def _clock(found: Response) -> str:
+    """Return what the time axis counts: an orbit begins with its first event, a stuck motion with the force."""
+    if found.orbit is None:
+        return "t (s)"
+    return f"t since the first {'slip' if found.orbit.legs[0].side else 'stick'} begins (s)"
+
+
+def _legend_below(ax: Any) -> None:
+    """Put the legend under the axes, where it covers no curve."""
+    ax.legend(fontsize="small", loc="upper center", bbox_to_anchor=(0.5, -0.16))
 
 
 def _over_a_period(found: Response) -> tuple[Floats, NDArray[np.bool_]]:

@@ -75,7 +75,7 @@ ENTRAINMENT = theorem(
     ),
     clause(
         "letters",
-        r"Let $\lambda=a_1/2m_1$, $\omega_d=\sqrt{a_2/m_1-\lambda^2}$ (positive or imaginary) and $\delta=e^{-\pi\lambda/\omega}$. Body 1 alone has the gain "
+        r"Let $\lambda=a_1/(2m_1)$, $\omega_d=\sqrt{a_2/m_1-\lambda^2}$ (positive or imaginary) and $\delta=e^{-\pi\lambda/\omega}$. Body 1 alone has the gain "
         r"«gain», and under a square wave of 1 N, where its sign turns to $1$, the place and the velocity «place» and «speed».",
         gain=Formula(GAIN, "=", 1 / sp.sqrt((a2 - m1 * omega**2) ** 2 + a1**2 * omega**2), equals(_gain)),
         place=Formula(

@@ -36,7 +36,7 @@ def _arithmetic(trade: RecordedTrade) -> Iterator[str]:
         need, one = list(some)[-1]
         parts.append(f"{contender} up to {need:,} ({time_text(one.seconds)})")
     if parts:
-        yield f"The cheapest call for so many right digits, on {scene.name}: {listed(parts)}."
+        yield f"The cheapest call for so many right digits, warm and with its answer read, on the one scene {scene.name}: {listed(parts)}."
 
 
 def _lead(trade: RecordedTrade) -> Iterator[str]:

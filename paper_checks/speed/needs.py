@@ -62,7 +62,11 @@ def needs(trade: RecordedTrade) -> Iterator[Block]:
                               for one in row.values()))
         for need, row in choices(trade)
     )  # fmt: skip
-    yield Table(head, lines, "The cheapest call for the right events and so many right digits on each scene of a kind")
+    yield Table(
+        head,
+        lines,
+        "The cheapest call for the right events and so many right digits on each scene of a kind; its time on the slowest of them, warm, the answer read",
+    )
     best = max(
         (one for one in trade.points(headline(trade)) if one.ours and one.right), key=lambda p: -p.error, default=None
     )

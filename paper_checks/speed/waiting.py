@@ -17,7 +17,7 @@ def waiting(trade: RecordedTrade) -> Iterator[Block]:
     if not rows:
         yield Paragraph("This record does not say; `python -m numerics trade --interface` measures it.")
         return
-    caption = f"What a user waits for on {headline(trade).name}, every call in turn with the others in one process"
+    caption = f"What a user waits for on {headline(trade).name}, every call warm, in turn with the others in one process; nothing of an answer is read but where the call says so"
     yield Table(("call", "time", "compared", "asked for"), rows, caption)
 
 

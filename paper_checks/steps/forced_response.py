@@ -115,7 +115,7 @@ def most_friction() -> Evidence:
 def grows() -> Evidence:
     """Above the bound every motion grows."""
     return argument(
-        r"Over a period $T$ the force adds $U_1T/2m_1$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$, takes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a "
+        r"Over a period $T$ the force adds $U_1T/(2m_1)$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$, takes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a "
         r"bounded amount.",
         resonant_rate(),
         most_friction(),

@@ -157,7 +157,14 @@ def test_a_scene_without_a_force_takes_the_sine_that_is_given():
 
 @pytest.mark.parametrize("amplitude", ["0.2", "0.5", "2"])
 def test_pictures_are_drawn(amplitude):
-    assert len(draw_response(response(under(PAIR, amplitude))).axes) == 3
+    found = response(under(PAIR, amplitude))
+    figure = draw_response(found)
+    figure.draw_without_rendering()
+    assert len(figure.axes) == 3
+    for axes in figure.axes:
+        assert axes.get_legend().get_window_extent().y1 < axes.get_window_extent().y0  # it covers no curve
+    said = "t (s)" if found.orbit is None else "t since the first slip begins (s)"
+    assert [axes.get_xlabel() for axes in figure.axes[:2]] == [said, said]
 
 
 @given(st.integers(1, 3))

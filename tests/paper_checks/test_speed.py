@@ -182,7 +182,8 @@ class TestInShort:
 
     def test_it_names_the_arithmetics_in_their_order(self, plain_trade):
         text = self.short(plain_trade)
-        assert f"on relative-motion-b05: {READ} up to 14 (500 µs) and ball up to 100 (3 ms)." in text
+        assert "warm and with its answer read" in text
+        assert f"on the one scene relative-motion-b05: {READ} up to 14 (500 µs) and ball up to 100 (3 ms)." in text
         assert "peer" not in text
 
     def test_it_says_what_a_user_waits_for_and_what_runs_inside(self, tmp_path, plain_trade):
