@@ -152,7 +152,7 @@ def _tracking() -> Iterator[Block]:
     found = track(load_scene("at-rest"), load_reference("s-curve"))
     yield Heading("What body 2 can follow")
     yield Paragraph(
-        "Body 2 can follow a reference exactly if that never asks for more acceleration than $b/m_2$, and starts where body 2 is (`trackable-references`). The pair then "
+        "Body 2 can follow a reference, from a suitable start of body 1, exactly if the reference never asks for more acceleration than $b/m_2$ and starts with the place and the velocity of body 2 (`trackable-references`). The pair then "
         "sticks, and one force does it:" + _formula("trackable-references", "force", "force")
     )
     yield Paragraph(
