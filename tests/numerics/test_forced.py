@@ -220,7 +220,7 @@ def test_causes_are_written(tmp_path, capsys):
 def test_what_is_free_only_says_so(tmp_path, capsys):
     path = tmp_path / "scene.toml"
     path.write_text(scene_text(Scene(PAIR, State(), 2, force=Force.step(1, 10))), "utf-8")
-    assert main(["energy", str(path), "--at", "10"]) == 1
+    assert main(["energy", str(path), "--at", "10"]) == 2
     assert "force" in capsys.readouterr().err
 
 

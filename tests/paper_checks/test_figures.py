@@ -76,7 +76,13 @@ def test_axes_have_labels_with_units_and_a_legend(name):
     assert texts(figure) or name in DIRECT
 
 
-@pytest.mark.parametrize("name", FIGURES)
+QUICK = sorted(FIGURES)[:3]
+"""Drawn twice by the default run; the `long` tests draw all of them twice."""
+
+
+@pytest.mark.parametrize(
+    "name", [name if name in QUICK else pytest.param(name, marks=pytest.mark.long) for name in FIGURES]
+)
 def test_bytes_depend_on_the_figure_alone(name, monkeypatch):
     first = vector.svg(FIGURES[name]()), vector.pdf(FIGURES[name]())
     monkeypatch.setitem(mpl.rcParams, "axes.facecolor", "pink")  # a reader's own taste

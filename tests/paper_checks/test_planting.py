@@ -28,7 +28,13 @@ def _remembered(ask, answers={}):  # noqa: B006  on purpose: one memory for all 
     return once
 
 
-@pytest.mark.parametrize("name", WITH_FORMULAS)
+LENGTHY = {"uniform-rate", "forced-no-zeno"}
+"""Rows with many faults, each slow to decide; the `long` tests plant them."""
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.long) if name in LENGTHY else name for name in WITH_FORMULAS]
+)
 def test_each_formula_stands_and_each_fault_turns_it(name):
     claims = [claim for claim in CLAIMS if claim.id == name]
     assert [formula.latex for *_, formula in places(claims) if formula.evidence().passed is not True] == []
