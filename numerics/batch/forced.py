@@ -8,18 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.arithmetic.float64 import FLOAT64, Float64
+from numerics.arithmetic.float64 import FLOAT64
 from numerics.arithmetic.telling import can_compile
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.motion.codes import EVENT_LIMIT, OUT_OF_RANGE, REACHED
-from numerics.run.forced import run_forced_scene
 from numerics.run.forced_loop import run_forced
+from numerics.run.forced_sharp import run_forced_sharply
 from numerics.scene import Scene
 from numerics.trajectory.forced import ForcedTrajectory
 from numerics.trajectory.record import CODES, END_CODES, END_NUMBERS, NUMBERS
 
 Table = NDArray[np.float64]
-_FLOAT64 = Float64()
 _WORTH_COMPILING = 100
 """So many scenes cost Python what it takes numba to come."""
 
@@ -35,7 +34,7 @@ def solve_forced(
         FLOAT64.compiled(run_forced)
     for index, scene in enumerate(scenes):
         try:
-            found = run_forced_scene(scene, _FLOAT64, max_events)
+            found = run_forced_sharply(scene, max_events)
         except (EventUndecided, OutOfRange) as error:
             ends[index] = np.nan
             _put(ends[index], END_CODES, {"how": OUT_OF_RANGE if isinstance(error, OutOfRange) else REACHED})

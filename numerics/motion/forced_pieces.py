@@ -19,6 +19,11 @@ _MOST_SEAMS = 20_000
 """A piece that would get more has none: its phases are as sharp as binary64 has them, and the bounds say so."""
 
 
+def has_seams(arithmetic: Arithmetic) -> bool:
+    """Return whether long pieces are cut for an arithmetic: for binary64, and for balls that are rounded to it."""
+    return bool(getattr(arithmetic, "seams", arithmetic.name == "float64"))
+
+
 @dataclass(frozen=True, slots=True)
 class ExactPiece:
     """u and b from `start` for `length` s: u = sum_k polynomial[k] (t - start)^k + sines; may u or b jump there?"""

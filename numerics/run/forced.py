@@ -18,7 +18,7 @@ from numerics.motion.begin import in_halves
 from numerics.motion.codes import EVENT_LIMIT, MOVING, OUT_OF_RANGE
 from numerics.motion.forced_exact import ExactKnot, exact_knots
 from numerics.motion.forced_pair import pair_of
-from numerics.motion.forced_pieces import ExactPiece, drive_of, pieces_of
+from numerics.motion.forced_pieces import ExactPiece, drive_of, has_seams, pieces_of
 from numerics.run.forced_loop import OPEN, at_horizon, record, rounded_start, run_forced
 from numerics.scene import Scene
 from numerics.trajectory.forced import ForcedTrajectory
@@ -45,7 +45,7 @@ def run_forced_scene(
     scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None
 ) -> ForcedTrajectory:
     """Solve a scene with a force once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange."""
-    pieces = pieces_of(scene, with_seams=arithmetic.name == "float64")
+    pieces = pieces_of(scene, with_seams=has_seams(arithmetic))
     knots = exact_knots(scene, pieces)
     with arithmetic.context():
         told = _in_numbers(scene, pieces, knots, arithmetic)

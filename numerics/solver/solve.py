@@ -11,6 +11,7 @@ from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.errors import EventUndecided, OutOfRange, PrecisionExhausted
+from numerics.run.forced_sharp import run_forced_sharply
 from numerics.run.one import MAX_EVENTS, Progress, run_scene
 from numerics.scene import Scene
 from numerics.scene.decimals import require_whole
@@ -44,7 +45,8 @@ def solve(
     10^(-4 N) of its scale.) First float64, if its own error bounds (Trajectory.accuracy) leave so many; then
     double-double (a1 = 0; 31 digits, some of them lost), if its bounds do; else balls, their precision raised until the
     digits are proved. The choice depends on the scene and the digits alone; `tried` says what was chosen and why.
-    Without `digits`, float64; mpmath works with `digits` or 30. `t_eval`: times (s) at which `t`, `y` and `energy` are
+    Without `digits`, float64 (under a force, where its bounds leave less than 10 digits of 1000 events or fewer, balls
+    that are rounded to it); mpmath works with `digits` or 30. `t_eval`: times (s) at which `t`, `y` and `energy` are
     given, instead of at the events. `progress(events, fraction)` is called now and then.
 
     A float in a scene is read as the decimal that it shows: 0.1 is 1/10. (`solve_many` reads arrays as binary numbers.)
@@ -78,6 +80,8 @@ def _solve(
         if digits is not None:
             has = "53 bits" if arithmetic == "float64" else "31 digits"
             raise ValueError(f"{arithmetic} works with {has}; leave digits out, or leave the choice of arithmetic out")
+        if scene.is_forced and arithmetic != "double-double":
+            return run_forced_sharply(scene, max_events, progress)
         return run_scene(scene, _DOUBLE_DOUBLE if arithmetic == "double-double" else _FLOAT64, max_events, progress)
     if arithmetic == "mpmath":
         working = (digits or 30) + _GUARD_DIGITS

@@ -13,7 +13,7 @@ from numerics.arithmetic.protocol import Number
 from numerics.flows.forced_records import Drive, Pair
 from numerics.motion.codes import EVENT_LIMIT, STUCK
 from numerics.motion.forced_pair import pair_of
-from numerics.motion.forced_pieces import ExactPiece, drive_of, pieces_of
+from numerics.motion.forced_pieces import ExactPiece, drive_of, has_seams, pieces_of
 from numerics.motion.modes import MODES, Mode, event_kind
 from numerics.motion.records import ReducedState
 from numerics.trajectory.deferred import Deferred
@@ -72,7 +72,7 @@ class ForcedTrajectory(Trajectory):
     @cached_property
     def pieces(self) -> list[ExactPiece]:
         """Return the pieces of force and friction as the run saw them, exact."""
-        return pieces_of(self.scene, with_seams=self.arithmetic.name == "float64")
+        return pieces_of(self.scene, with_seams=has_seams(self.arithmetic))
 
     @cached_property
     def tables(self) -> tuple[Pair, Drive]:

@@ -31,20 +31,26 @@ def accuracy_of(trajectory: Any) -> Accuracy:
     energy_error = norm * (root + norm) + 8 * rounding * energy + _TINY
     critical = float(pair.critical_energy)
     excess = energy_error / critical + 8 * rounding * (1 + energy / critical)
+    scales = np.maximum(abs(states).max(axis=0, initial=0.0), abs(state))
+    scales = np.maximum(scales, scales[[2, 3, 0, 1]])  # both positions, and both velocities, have one
     worst = [
-        *_relative(t, trajectory.event_times.astype(float)),
-        *_relative(y.ravel(), states.ravel()),
-        *_relative(final, state),
-        *_relative(np.array([energy_error]), np.array([energy])),
+        _digits(t, trajectory.event_times.astype(float), np.array(0.0)),
+        _digits(y, states, scales),
+        _digits(final, state, scales),
+        _digits(np.array([energy_error]), np.array([energy]), np.array(0.0)),
     ]
-    largest = max([*worst, rounding / 8])
-    digits = max(0, min(most, math.floor(-math.log10(largest)))) if largest < 1 else 0
+    digits = max(0, min(most, *worst))
     return Accuracy(t, y, final, energy_error, excess, energy_error, True, digits)
 
 
-def _relative(error: Any, value: Any) -> list[float]:
-    """Return errors relative to their values; what is 0 to within a rounding of the smallest number counts as exact."""
-    return [
-        0.0 if e <= 2 * _TINY else e / abs(v) if v else math.inf
-        for e, v in zip(error.tolist(), value.tolist(), strict=True)
-    ]
+def _digits(error: Any, value: Any, scale: Any) -> int:
+    """Return the least number of digits that errors leave right, relative to each value.
+
+    As for balls (digits.py): a value that may be 0 counts as 0 to n digits below 10^(-4 n) of its scale.
+    """
+    may_be_zero = error >= abs(value)
+    size = np.where(may_be_zero, scale, abs(value))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        digits = -np.log10(np.where(error <= 2 * _TINY, 0.0, error / size))
+    digits = np.where(may_be_zero, digits / 4, digits)
+    return 0 if np.isnan(digits).any() else math.floor(min(digits.min(initial=99.0), 99.0))
