@@ -26,7 +26,7 @@ from IPython.display import Latex, display
 from sympy import Order, expand, factor, lambdify, simplify, sqrt
 
 from numerics import Pair, Scene, State, solve
-from paper_checks.formula import equation
+from paper_checks.evidence.formula import equation
 from theory import energy, excursion, filippov, model, near_critical, rate_bounds, scaling
 from theory.symbols import V1, V2, X, a1, a2, epsilon, free, m1, m2, q, theta, undamped, w, x1
 

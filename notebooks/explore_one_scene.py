@@ -38,7 +38,7 @@ from numerics.motion.frame import Frame
 from numerics.motion.modes import EventKind
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.export import as_record
-from paper_checks.formula import equation
+from paper_checks.evidence.formula import equation
 from theory.near_critical import rate_constant
 from theory.symbols import a2, b, m1, m2
 

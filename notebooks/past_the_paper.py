@@ -32,7 +32,7 @@ from numerics.long_time.energy import energy_at
 from numerics.merging.cell import CRITICAL_SHARE, Verdict
 from numerics.merging.figure import draw_map
 from numerics.merging.map import Window, merging_cells
-from paper_checks.formula import equation
+from paper_checks.evidence.formula import equation
 from theory import excursion, near_critical, return_map
 from theory.symbols import q, theta
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from paper_checks.ledger import Claim
-    from paper_checks.runner import Row
+    from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
 
@@ -106,7 +106,7 @@ def _seed(text: str) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    from paper_checks.runner import exit_code
+    from paper_checks.running.runner import exit_code
 
     claims = _chosen(options.ids)
     if claims is None:
@@ -138,7 +138,7 @@ def _list(options: argparse.Namespace) -> int:
 
 
 def _plant(options: argparse.Namespace) -> int:
-    from paper_checks.planting import places, planted
+    from paper_checks.running.planting import places, planted
 
     claims = _chosen(options.ids)
     if claims is None:
@@ -192,11 +192,11 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
     """Come by the rows, with progress on stderr where that is a terminal."""
-    from paper_checks import rows
-    from paper_checks.kept import Kept
-    from paper_checks.registry import Context
+    from paper_checks.checks.registry import Context
     from paper_checks.report.progress import progress
-    from paper_checks.workers import cores
+    from paper_checks.running import rows
+    from paper_checks.running.kept import Kept
+    from paper_checks.running.workers import cores
 
     manner = rows.Manner(options.jobs or (cores() if options.program else 1))
     if options.program:

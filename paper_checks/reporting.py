@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from paper_checks.ledger import Claim
-    from paper_checks.runner import Row
+    from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used.
 
@@ -54,13 +54,12 @@ def report(
 ) -> int:
     """Write the report on these claims, which `run` decides, and return the exit code."""
     from numerics.trade.recorded import UnreadableTrade, recorded
-    from paper_checks import under_a_force
+    from paper_checks.drawing.figures import FIGURES
     from paper_checks.errors import ToolMissingError
-    from paper_checks.figures import FIGURES
     from paper_checks.ledger import CLAIMS
-    from paper_checks.report import document, pdf
+    from paper_checks.report import document, pdf, under_a_force
     from paper_checks.report.files import write
-    from paper_checks.runner import exit_code
+    from paper_checks.running.runner import exit_code
     from paper_checks.speed import section
 
     try:

@@ -3,10 +3,10 @@
 import os
 from multiprocessing.connection import Connection
 
+from paper_checks.checks.registry import Context, load_checks
 from paper_checks.ledger import claim_named
-from paper_checks.plain import plain
-from paper_checks.registry import Context, load_checks
-from paper_checks.runner import run
+from paper_checks.running.plain import plain
+from paper_checks.running.runner import run
 
 
 def dies_of_energy_rate(connection: Connection, context: Context) -> None:

@@ -62,79 +62,108 @@ def within(module: str, package: str) -> bool:
     return module == package or module.startswith(f"{package}.")
 
 
-FLOORS = (
-    ("errors", "exits"),
-    ("scene",),
-    ("arithmetic",),
-    ("flows",),
-    ("contact",),
-    ("motion",),
-    ("bounds",),
-    ("trajectory",),
-    ("run",),
-    ("sensitivity", "long_time", "batch"),
-    ("solver", "quadtree"),
-    ("merging", "control"),
-    ("audit", "trade"),
-    ("faces",),
-    ("__main__",),
-)
-"""The rooms of numerics/ from the ground up; each imports only rooms on lower floors, or itself."""
+FLOORS = {
+    "numerics": (
+        ("errors", "exits"),
+        ("scene",),
+        ("arithmetic",),
+        ("flows",),
+        ("contact",),
+        ("motion",),
+        ("bounds",),
+        ("trajectory",),
+        ("run",),
+        ("sensitivity", "long_time", "batch"),
+        ("solver", "quadtree"),
+        ("merging", "control"),
+        ("audit", "trade"),
+        ("faces",),
+        ("__main__",),
+    ),
+    "paper_checks": (
+        ("errors", "atomic"),
+        ("evidence", "proofs"),
+        ("solvers",),
+        ("engines",),
+        ("certificates",),
+        ("steps",),
+        ("ledger",),
+        ("checks",),
+        ("running",),
+        ("drawing", "explore"),
+        ("report",),
+        ("speed",),
+        ("reporting",),
+        ("__main__",),
+    ),
+}
+"""The rooms of a package from the ground up; each imports only rooms on lower floors, or itself."""
 
 
-def floor_of(room: str) -> int:
-    return next(number for number, rooms in enumerate(FLOORS) if room in rooms)
+def floor_of(package: str, room: str) -> int:
+    return next(number for number, rooms in enumerate(FLOORS[package]) if room in rooms)
 
 
 def room_of(module: str) -> str:
     return module.split(".")[1]
 
 
-def climbing(path: Path, room: str) -> set[str]:
+def climbing(path: Path, package: str, room: str) -> set[str]:
     """Return what a file of a room imports from its own floor, other than itself, or from above."""
-    modules = {one for one in imported_modules(path) if one.startswith("numerics.")}
-    known = {name for rooms in FLOORS for name in rooms}
+    modules = {one for one in imported_modules(path) if one.startswith(f"{package}.")}
+    known = {name for rooms in FLOORS[package] for name in rooms}
     rooms = {one for one in map(room_of, modules) if one in known}
-    return {one for one in rooms - {room} if floor_of(one) >= floor_of(room)}
+    return {one for one in rooms - {room} if floor_of(package, one) >= floor_of(package, room)}
 
 
-def files_of_numerics() -> list[tuple[str, Path]]:
+def files_of(package: str) -> list[tuple[str, Path]]:
     """Return every file with its room; numerics/__init__ names the public functions of all floors."""
-    base = ROOT / "numerics"
+    base = ROOT / package
     files = [path for path in base.rglob("*.py") if path != base / "__init__.py"]
     return [(path.relative_to(base).parts[0].removesuffix(".py"), path) for path in files]
 
 
-def test_every_room_of_numerics_imports_lower_floors_only():
-    assert len(files_of_numerics()) > 80
-    assert not {str(path): found for room, path in files_of_numerics() if (found := climbing(path, room))}
+@pytest.mark.parametrize("package", FLOORS)
+def test_every_room_imports_lower_floors_only(package):
+    assert len(files_of(package)) > 80
+    assert not {str(path): found for room, path in files_of(package) if (found := climbing(path, package, room))}
 
 
 @pytest.mark.parametrize(
-    "line", ["from numerics.run.loop import run", "from numerics import run", "import numerics.solver"]
+    ("line", "package", "room"),
+    [
+        ("from numerics.run.loop import run", "numerics", "trajectory"),
+        ("from numerics import run", "numerics", "trajectory"),
+        ("import numerics.solver", "numerics", "trajectory"),
+        ("from paper_checks.ledger.claim import Claim", "paper_checks", "evidence"),
+        ("from paper_checks import report", "paper_checks", "running"),
+        ("import paper_checks.proofs", "paper_checks", "evidence"),
+    ],
 )
-def test_a_room_that_leans_on_what_stands_on_it_is_found_out(tmp_path, line):
+def test_a_room_that_leans_on_what_stands_on_it_is_found_out(tmp_path, line, package, room):
     (tmp_path / "dense.py").write_text(f"import math\n{line}\n", "utf-8")
-    assert climbing(tmp_path / "dense.py", "trajectory")
+    assert climbing(tmp_path / "dense.py", package, room)
 
 
-def test_no_two_files_of_numerics_import_each_other():
+@pytest.mark.parametrize("package", FLOORS)
+def test_no_two_files_import_each_other(package):
     graph = {}
-    for _, path in files_of_numerics():
+    for _, path in files_of(package):
         name = ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
-        graph[name] = {one for one in imported_modules(path) if one.startswith("numerics.") and one != name}
+        graph[name] = {one for one in imported_modules(path) if one.startswith(f"{package}.") and one != name}
     graph = {name: used & set(graph) for name, used in graph.items()}
     assert graphlib.TopologicalSorter(graph).prepare() is None  # raises CycleError
 
 
-def test_no_file_of_numerics_is_longer_than_a_few_screens():
-    lengths = {str(path): len(path.read_text("utf-8").splitlines()) for _, path in files_of_numerics()}
-    assert not {path: lines for path, lines in lengths.items() if lines > 250}
+@pytest.mark.parametrize(("package", "most"), [("numerics", 250), ("paper_checks", 280)])
+def test_no_file_is_longer_than_a_few_screens(package, most):
+    lengths = {str(path): len(path.read_text("utf-8").splitlines()) for _, path in files_of(package)}
+    assert not {path: lines for path, lines in lengths.items() if lines > most}
 
 
 def test_what_numba_compiles_lives_where_the_cache_looks():
     """numba's cache is named after the sources of these rooms; a text elsewhere would be missed when it changes."""
-    rooms = {room for room, path in files_of_numerics() if "import text" in path.read_text("utf-8")}
+    rooms = {room for room, path in files_of("numerics") if "import text" in path.read_text("utf-8")}
     listed = set(re.findall(r'"(\w+)"', re.search(r"_ROOMS = \(([^)]*)\)", TELLING.read_text("utf-8")).group(1)))
     assert rooms - {"sensitivity", "long_time"} <= listed  # dual numbers and long times are never compiled
 

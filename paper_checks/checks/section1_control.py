@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import argument
-from paper_checks.exact import identity
-from paper_checks.exhibit import exhibit
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit
+from paper_checks.evidence.evidence import argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.points import INSIDE
-from paper_checks.registry import Context, check
+from paper_checks.ledger.points import INSIDE
 from paper_checks.steps import forced_response, tolerance, transfers
 from theory import forced
 from theory.energy import critical_energy, on_surface, sigma

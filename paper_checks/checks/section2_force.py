@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.exact import identity
-from paper_checks.exhibit import exhibit
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
+from paper_checks.ledger.points import EXAMPLE_PAIR
 from paper_checks.ledger.section2 import DISTURBANCE, REFERENCE, REFERENCE_RATE, STIFFNESS, VISCOSITY
-from paper_checks.points import EXAMPLE_PAIR
-from paper_checks.registry import Context, check
 from theory.model import driven_equation, driving_equation
 from theory.symbols import a1, a2, u, v1, x1
 

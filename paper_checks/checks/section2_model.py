@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.exhibit import exhibit, value_at
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.formula import equation
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit, value_at
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import equation
 from paper_checks.ledger import claim_named
-from paper_checks.points import EDGE, INSIDE, START_AT_6MM
-from paper_checks.registry import Context, check
+from paper_checks.ledger.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.steps.solutions import (
     adhesion_factor,
     bracket_is_off_in_slip,

@@ -6,15 +6,15 @@ import sympy as sp
 
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
-from paper_checks.enclosure import compare, exact, itinerary, solved, text
-from paper_checks.evidence import Evidence
-from paper_checks.exact import identity
-from paper_checks.exhibit import exhibit, value_at
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.formula import equation
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import compare, exact, itinerary, solved, text
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit, value_at
+from paper_checks.evidence.evidence import Evidence
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import equation
 from paper_checks.ledger import claim_named
-from paper_checks.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM
-from paper_checks.registry import Context, check
+from paper_checks.ledger.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.steps import solutions
 from theory.closed_forms import Regime, residual, solution
 from theory.filippov import sliding_field, transversality

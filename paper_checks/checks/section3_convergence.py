@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from paper_checks.evidence import argument
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.registry import Context, check
-from paper_checks.samples import dichotomy_samples
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.exact import identity
+from paper_checks.engines.samples import dichotomy_samples
+from paper_checks.evidence.evidence import argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.steps import capture
 from paper_checks.steps.turned_back import contact_again, merges_or_creeps
 from theory.energy import stick_rate

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.polynomial import cleared
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.solvers.polynomial import cleared
+from paper_checks.solvers.smt import prove
 from paper_checks.steps import solutions
 from theory.energy import slip_rate
 from theory.filippov import half_width, load_threshold, phi, sliding_field, transversality
@@ -126,7 +126,7 @@ def viscous_no_direct_effect(context: Context) -> Finding:
     from numerics.motion.begin import mode_at_start
     from numerics.motion.modes import Mode
     from numerics.scene import Pair, Scene, State
-    from paper_checks.evidence import EvidenceKind
+    from paper_checks.evidence.evidence import EvidenceKind
 
     start = State(x1="0.006", v1="-0.3", v2="-0.3")
     modes = [mode_at_start(Scene(Pair(m1=1, m2=1, a1=damping, a2=200, b="0.5"), start, until=1)) for damping in (0, 1)]

@@ -7,10 +7,10 @@ from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.enclosure import compare, exact, itinerary, solved, text
-from paper_checks.evidence import Evidence, EvidenceKind, argument
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.registry import Context, check
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import compare, exact, itinerary, solved, text
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.steps.perpetual_slips import ARGUMENT, never_merges
 from paper_checks.steps.turned_back import merges_or_creeps
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
+from paper_checks.checks.registry import Context, check
 from paper_checks.checks.section3_surface import beyond, product, within
-from paper_checks.evidence import argument
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.polynomial import cleared
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.solvers.polynomial import cleared
+from paper_checks.solvers.smt import prove
 from paper_checks.steps import capture
 from theory.energy import (
     critical_energy,

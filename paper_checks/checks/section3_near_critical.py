@@ -9,13 +9,13 @@ from flint import arb
 
 from numerics.motion.modes import EventKind
 from numerics.scene.file import load_scene
-from paper_checks.enclosure import solved, within
-from paper_checks.evidence import Evidence, EvidenceKind, argument
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import solved, within
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.solvers.smt import prove
 from paper_checks.steps.creeping import EVENTUALLY, creeps_for_ever, sharp_limit, two_sided
 from paper_checks.steps.excursions import (
     angle_of_excursion,

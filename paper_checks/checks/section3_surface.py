@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.polynomial import cleared
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.solvers.polynomial import cleared
+from paper_checks.solvers.smt import prove
 from paper_checks.steps import capture
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import (

@@ -5,14 +5,14 @@ from __future__ import annotations
 import sympy as sp
 
 from numerics.scene.file import load_scene
-from paper_checks.enclosure import solved
-from paper_checks.evidence import argument
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import solved
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.polynomial import cleared
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.solvers.polynomial import cleared
+from paper_checks.solvers.smt import prove
 from paper_checks.steps import capture, dissipation
 from paper_checks.steps.perpetual_slips import never_merges
 from theory.energy import slip_rate, stick_rate

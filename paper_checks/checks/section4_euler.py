@@ -12,14 +12,14 @@ from flint import arb, fmpq
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.trade.comparisons.forward_euler import forward_euler
-from paper_checks.enclosure import ENGINE, compare, rounded, solved, stuck_for_ever, text, within
-from paper_checks.euler_in_balls import COARSE, HORIZONS, STEPS, run
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, conclude
-from paper_checks.polynomial import cleared
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import ENGINE, compare, rounded, solved, stuck_for_ever, text, within
+from paper_checks.engines.euler_in_balls import COARSE, HORIZONS, STEPS, run
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.finding import Finding, Verdict, conclude
+from paper_checks.solvers.polynomial import cleared
+from paper_checks.solvers.smt import prove
 from theory.filippov import half_width, phi, sliding_field
 from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
 

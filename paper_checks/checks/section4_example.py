@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.exact import identity
-from paper_checks.exhibit import exhibit, value_at
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.formula import equation
-from paper_checks.points import START_AT_6MM
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit, value_at
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import equation
+from paper_checks.ledger.points import START_AT_6MM
+from paper_checks.solvers.smt import prove
 from paper_checks.steps.solutions import bracket_is_off_in_slip
 from theory.closed_forms import Regime, rate, rates, residual, solution
 from theory.energy import stick_rate

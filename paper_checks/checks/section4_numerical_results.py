@@ -12,13 +12,13 @@ from numerics.motion.modes import EventKind, Mode
 from numerics.scene import Law, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.exhibit import Point, exhibit, value_at
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import Point, exhibit, value_at
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.registry import Context, check
 from paper_checks.steps.dissipation import in_every_mode
 from paper_checks.steps.perpetual_slips import (
     ARGUMENT,

@@ -6,17 +6,17 @@ import sympy as sp
 
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
-from paper_checks.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import Evidence
-from paper_checks.exact import identity
-from paper_checks.exhibit import exhibit, value_at
-from paper_checks.finding import Finding, Verdict, conclude
-from paper_checks.formula import equation
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit, value_at
+from paper_checks.evidence.evidence import Evidence
+from paper_checks.evidence.finding import Finding, Verdict, conclude
+from paper_checks.evidence.formula import equation
 from paper_checks.ledger import claim_named
-from paper_checks.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM, scene_at
-from paper_checks.polynomial import cleared
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.ledger.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM, scene_at
+from paper_checks.solvers.polynomial import cleared
+from paper_checks.solvers.smt import prove
 from paper_checks.steps import dissipation
 from paper_checks.steps.capture import leaves_above_critical
 from paper_checks.steps.solutions import bracket_is_off_in_slip, stick_region

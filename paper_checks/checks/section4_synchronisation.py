@@ -8,13 +8,13 @@ from flint import arb
 
 from numerics.motion.modes import EventKind, Mode
 from numerics.trajectory.trajectory import Trajectory
+from paper_checks.checks.registry import Context, check
 from paper_checks.checks.section4_velocities import first_contact, literal_reading
-from paper_checks.enclosure import compare, itinerary, rounded, solved, within
-from paper_checks.euler_in_balls import run as run_euler
-from paper_checks.evidence import Evidence, EvidenceKind, argument
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.engines.enclosure import compare, itinerary, rounded, solved, within
+from paper_checks.engines.euler_in_balls import run as run_euler
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.registry import Context, check
 from paper_checks.steps.perpetual_slips import (
     ARGUMENT,
     first_exit,

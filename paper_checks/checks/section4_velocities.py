@@ -11,12 +11,12 @@ from flint import arb
 
 from numerics.motion.modes import Mode
 from numerics.scene import Law
-from paper_checks.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
-from paper_checks.evidence import Evidence, Subject
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, Subject
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.registry import Context, check
 from paper_checks.steps.velocity_peaks import SLIPS, decrements, peak_after_adhesion, velocities_scene
 from theory.model import slip
 from theory.symbols import a2, b, free, m1, m2, undamped, v1, x1

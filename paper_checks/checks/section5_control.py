@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.exhibit import exhibit
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
-from paper_checks.registry import Context, check
 from paper_checks.steps import forced_distance, forced_response, forced_rule, transfers
 from theory import forced
 from theory.energy import energy

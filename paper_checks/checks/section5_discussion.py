@@ -8,16 +8,16 @@ import sympy as sp
 
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
-from paper_checks.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import Evidence
-from paper_checks.exact import identity
-from paper_checks.exhibit import exhibit, value_at
-from paper_checks.finding import Finding, Verdict, conclude
-from paper_checks.formula import equation
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit, value_at
+from paper_checks.evidence.evidence import Evidence
+from paper_checks.evidence.finding import Finding, Verdict, conclude
+from paper_checks.evidence.formula import equation
 from paper_checks.ledger import claim_named
-from paper_checks.points import EXAMPLE_PAIR, START_AT_6MM
-from paper_checks.registry import Context, check
-from paper_checks.smt import prove
+from paper_checks.ledger.points import EXAMPLE_PAIR, START_AT_6MM
+from paper_checks.solvers.smt import prove
 from paper_checks.steps import solutions
 from theory.filippov import load, load_threshold, phi, sliding_field
 from theory.model import CASE_STUDY, branch_named, branches, case_study_mode

@@ -14,15 +14,15 @@ from numerics.scene import Pair, Scene
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import Evidence, EvidenceKind, argument
-from paper_checks.exact import identity
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.formula import equation
+from paper_checks.checks.registry import Context, check
+from paper_checks.engines.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
+from paper_checks.engines.exact import identity
+from paper_checks.engines.samples import random_pair, random_state
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import equation
 from paper_checks.ledger import claim_named
-from paper_checks.points import EXAMPLE_PAIR, scene_at
-from paper_checks.registry import Context, check
-from paper_checks.samples import random_pair, random_state
+from paper_checks.ledger.points import EXAMPLE_PAIR, scene_at
 from paper_checks.steps import dissipation, perpetual_slips
 from paper_checks.steps.capture import meets_surface
 from paper_checks.steps.creeping import creeps_for_ever

@@ -9,9 +9,9 @@ from numerics.arithmetic.ball import Ball
 from numerics.long_time.excursion_map import excursions
 from numerics.motion.frame import Frame
 from numerics.scene import Pair
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.finding import Finding, Verdict, conclude
-from paper_checks.registry import Context, check
+from paper_checks.checks.registry import Context, check
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.finding import Finding, Verdict, conclude
 from paper_checks.steps.excursions import angle_of_excursion
 from paper_checks.steps.monotone_slips import (
     contact,

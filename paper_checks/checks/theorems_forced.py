@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.registry import Context, check
+from paper_checks.checks.registry import Context, check
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.steps import entrainment, forced_distance, forced_response, forced_rule
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.registry import Context, check
+from paper_checks.checks.registry import Context, check
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.steps.certified import certificate
 from paper_checks.steps.critical_share import one_turning_point, threshold
 from paper_checks.steps.merging_no_slip import first_landing, no_slip_merges

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from paper_checks.finding import Finding, Verdict, conclude
-from paper_checks.registry import Context, check
+from paper_checks.checks.registry import Context, check
+from paper_checks.evidence.finding import Finding, Verdict, conclude
 from paper_checks.steps.critical_share import one_turning_point, threshold
 from paper_checks.steps.excursions import angle_of_excursion
 from paper_checks.steps.long_time import constant_found_again, expansion

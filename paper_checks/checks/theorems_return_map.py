@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.finding import Finding, Verdict, conclude
-from paper_checks.registry import Context, check
+from paper_checks.checks.registry import Context, check
+from paper_checks.evidence.finding import Finding, Verdict, conclude
 from paper_checks.steps.monotone_slips import depth_grows, landings, rise_is_convex
 from paper_checks.steps.return_map import ORDER, coefficients, cycle_time, remainder
 from theory.return_map import depth_series

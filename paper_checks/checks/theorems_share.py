@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from paper_checks.evidence import argument
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.registry import Context, check
+from paper_checks.checks.registry import Context, check
+from paper_checks.evidence.evidence import argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.steps.creeping import creeps_for_ever
 from paper_checks.steps.merging_bands import bands
 from paper_checks.steps.merging_share import exact_share, limit, random_states

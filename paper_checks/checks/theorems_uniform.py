@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from paper_checks.finding import Finding, Verdict, carried, conclude
-from paper_checks.registry import Context, check
+from paper_checks.checks.registry import Context, check
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.steps.rate_with_error import law_with_error
 from paper_checks.steps.uniform_rate import no_lower, upper
 

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from numerics.motion.modes import Mode
 from paper_checks.drawing.style import new_figure, solved
-from paper_checks.euler_in_balls import STEPS, run
+from paper_checks.engines.euler_in_balls import STEPS, run
 
 SCENES = (
     ("start-with-speed", "Fig. 4 (b): $b=0.5$ N", "#2e8b3d", "s"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from fractions import Fraction
@@ -22,6 +22,8 @@ from numerics.solver.solve import solve
 from numerics.trade.comparisons.forward_euler import EulerRun, forward_euler
 from numerics.trajectory.trajectory import Trajectory
 
+Figures = Mapping[str, Callable[[], Figure]]
+"""How each figure is drawn, by the name that findings and sections give it."""
 STEP = 1e-4
 """Step of the forward Euler runs that are drawn, s."""
 STEP_TEXT = "$10^{-4}$ s"

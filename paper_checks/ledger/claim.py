@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 
-from paper_checks.clause import Clause
 from paper_checks.errors import LedgerError
-from paper_checks.finding import Verdict
+from paper_checks.evidence.clause import Clause
+from paper_checks.evidence.finding import Verdict
 
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 

@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from paper_checks.clause import Formula
-from paper_checks.deciders import Decide, shown
-from paper_checks.evidence import Evidence
-from paper_checks.exact import identity
-from paper_checks.polynomial import cleared
+from paper_checks.engines.deciders import Decide, shown
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.clause import Formula
+from paper_checks.evidence.evidence import Evidence
+from paper_checks.solvers.polynomial import cleared
 from theory.filippov import half_width
 from theory.symbols import a2, b, m1, m2, v1, x1
 

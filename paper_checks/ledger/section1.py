@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import equals
-from paper_checks.finding import Verdict
+from paper_checks.engines.deciders import equals
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from theory.forced_control import ring_ratio
 from theory.symbols import m1, m2

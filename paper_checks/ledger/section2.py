@@ -2,9 +2,9 @@
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import equals
-from paper_checks.finding import Verdict
+from paper_checks.engines.deciders import equals
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, driven_equation, driving_equation
 from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, u, v1, x1

@@ -2,9 +2,9 @@
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import condition, equals, implied
-from paper_checks.finding import Verdict
+from paper_checks.engines.deciders import condition, equals, implied
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from paper_checks.ledger.letters import BEYOND, SIGN, WITHIN, field, guard_rate
 from theory.energy import critical_energy, energy, slip_rate

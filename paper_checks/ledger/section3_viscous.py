@@ -2,9 +2,9 @@
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import condition, equals
-from paper_checks.finding import Verdict
+from paper_checks.engines.deciders import condition, equals
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from theory.closed_forms import discriminant
 from theory.energy import energy

@@ -2,11 +2,11 @@
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import condition, equals, fails_at
-from paper_checks.finding import Verdict
+from paper_checks.engines.deciders import condition, equals, fails_at
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
-from paper_checks.points import START_AT_6MM
+from paper_checks.ledger.points import START_AT_6MM
 from theory.energy import critical_energy, on_surface
 from theory.filippov import half_width
 from theory.model import (

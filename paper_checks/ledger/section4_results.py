@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import Decide, decimal, equals, false_value
-from paper_checks.finding import Verdict
+from paper_checks.engines.deciders import Decide, decimal, equals, false_value
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from paper_checks.ledger.section3_sliding import width
 from theory.filippov import half_width
@@ -27,7 +27,7 @@ def _event(scene: str, number: int) -> Callable[[], arb]:
 
     def time() -> arb:
         from numerics.scene.file import load_scene
-        from paper_checks.enclosure import solved
+        from paper_checks.engines.enclosure import solved
 
         found: arb = solved(load_scene(scene)).events[number].t
         return found
@@ -40,7 +40,7 @@ def _relative_speed() -> arb:
     from fractions import Fraction
 
     from numerics.scene.file import load_scene
-    from paper_checks.enclosure import solved
+    from paper_checks.engines.enclosure import solved
 
     state = solved(load_scene("velocities")).sol(Fraction(47, 10))
     found: arb = state[1] - state[3]
@@ -51,7 +51,7 @@ def _decrement(place: int) -> Callable[[], arb]:
     """Return how a decrement of the positive peaks of v1 in Fig. 5 (a) is enclosed, mm/s."""
 
     def lost() -> arb:
-        from paper_checks.enclosure import solved
+        from paper_checks.engines.enclosure import solved
         from paper_checks.steps.velocity_peaks import decrements, velocities_scene
 
         run = solved(velocities_scene())
@@ -63,7 +63,7 @@ def _decrement(place: int) -> Callable[[], arb]:
 
 def _later_speed() -> arb:
     """Return a bound of |z'| from the first exit on in Fig. 5 (a), mm/s."""
-    from paper_checks.enclosure import solved
+    from paper_checks.engines.enclosure import solved
     from paper_checks.steps.perpetual_slips import first_exit, relative_speed_bound
     from paper_checks.steps.velocity_peaks import velocities_scene
 

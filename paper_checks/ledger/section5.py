@@ -4,10 +4,10 @@ from functools import partial
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import Decide, equals, implied
-from paper_checks.evidence import Evidence
-from paper_checks.finding import Verdict
+from paper_checks.engines.deciders import Decide, equals, implied
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.evidence import Evidence
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from paper_checks.ledger.letters import S, either_sign
 from theory import forced

@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from paper_checks.clause import Clause, Formula
-from paper_checks.deciders import equals
-from paper_checks.finding import Verdict
+from paper_checks.engines.deciders import equals
+from paper_checks.evidence.clause import Clause, Formula
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim, Kind
 from theory.excursion import h
 from theory.return_map import depth

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import condition, equals, implied
+from paper_checks.engines.deciders import condition, equals, implied
+from paper_checks.evidence.clause import Formula, clause
 from paper_checks.ledger.theorem import theorem
 from theory import forced
 from theory import forced_control as control

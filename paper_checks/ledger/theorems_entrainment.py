@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import equals
+from paper_checks.engines.deciders import equals
+from paper_checks.evidence.clause import Formula, clause
 from paper_checks.ledger.theorem import theorem
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing

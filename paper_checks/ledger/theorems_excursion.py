@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import decimal, equals
+from paper_checks.engines.deciders import decimal, equals
+from paper_checks.evidence.clause import Formula, clause
 from paper_checks.ledger.theorem import C, H, R, in_angle, of_share, theorem
 from theory.excursion import h, half_tangent_form
 from theory.near_critical import cycle
@@ -34,8 +34,8 @@ def _crossing_depth() -> sp.Expr:
 
 
 def _turning_angle() -> arb:
+    from paper_checks.engines.roots import precision
     from paper_checks.steps.monotone_slips import turning_angle
-    from paper_checks.steps.roots import precision
 
     with precision():
         return turning_angle()

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import equals, implied
+from paper_checks.engines.deciders import equals, implied
+from paper_checks.evidence.clause import Formula, clause
 from paper_checks.ledger.letters import S, either_sign
 from paper_checks.ledger.theorem import theorem
 from theory import forced

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import decimal, equals
-from paper_checks.evidence import Evidence
+from paper_checks.engines.deciders import decimal, equals
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.evidence import Evidence
 from paper_checks.ledger.theorem import C, H, R, in_angle, theorem
 from theory.excursion import angle
 from theory.merging import critical_mass_ratio, turning_function
@@ -29,8 +29,8 @@ ANGLE = sp.Symbol("varphi", positive=True)
 
 
 def _critical_ratio() -> arb:
+    from paper_checks.engines.roots import precision
     from paper_checks.steps.critical_share import critical_value
-    from paper_checks.steps.roots import precision
 
     with precision():
         return (1 - critical_value()) / critical_value()

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import equals
-from paper_checks.evidence import Evidence
+from paper_checks.engines.deciders import equals
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.evidence import Evidence
 from paper_checks.ledger.section3_convergence import sharp_limit
 from paper_checks.ledger.theorem import R, of_share, theorem
 from theory.long_time import balanced_share, leading_coefficient, logarithm_weight, map_coefficients

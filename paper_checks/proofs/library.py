@@ -105,7 +105,11 @@ def build(progress: Progress | None = None, jobs: int = 2, store: Path | None = 
 
 @cache
 def theorem(name: str) -> Proved:
-    """A cited theorem by its id; builds on first use. Raises KeyError for an id that is not in the register."""
+    """A cited theorem by its id; builds on first use. Raises KeyError for an id that is not in the register.
+
+    >>> theorem("contraction").name
+    'Pair.contraction'
+    """
     return _built().theorem(name)
 
 

@@ -9,7 +9,7 @@ from paper_checks.ledger import source
 from paper_checks.report import blocks, notation, opening, trust
 from paper_checks.report.blocks import Block, Paragraph, Section
 from paper_checks.report.story import story
-from paper_checks.runner import Row
+from paper_checks.running.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"
 STEPS = (

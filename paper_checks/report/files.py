@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from matplotlib.figure import Figure
 
 from paper_checks import atomic
+from paper_checks.drawing.style import Figures
 from paper_checks.report import html, latex, pdf, vector
 from paper_checks.report.document import Document
-
-Figures = Mapping[str, Callable[[], Figure]]
-"""How each figure is drawn, by the name that findings and sections give it."""
 
 
 def write(

@@ -6,14 +6,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 
+from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import page
-from paper_checks.finding import Verdict
 from paper_checks.ledger import Kind
 from paper_checks.report import colours, font
 from paper_checks.report.document import ROWS, ROWS_TITLE, Document
 from paper_checks.report.html_blocks import HtmlWriter
 from paper_checks.report.summary import first_sentence, kind, section_title, sections
-from paper_checks.runner import Row
+from paper_checks.running.runner import Row
 
 
 def render(report: Document, figures: Mapping[str, str]) -> str:

@@ -6,11 +6,11 @@ import json
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from paper_checks.evidence import Evidence, closure
-from paper_checks.graph import Proof, numbered
-from paper_checks.kernel import STATUS
+from paper_checks.engines.kernel import STATUS
+from paper_checks.evidence.evidence import Evidence, closure
 from paper_checks.ledger import Claim
-from paper_checks.runner import Row
+from paper_checks.running.graph import Proof, numbered
+from paper_checks.running.runner import Row
 
 
 def render(rows: Iterable[Row]) -> str:

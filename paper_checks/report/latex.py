@@ -8,7 +8,7 @@ from paper_checks.report.document import ROWS, ROWS_TITLE, Document
 from paper_checks.report.latex_blocks import LatexWriter
 from paper_checks.report.mathematics import latex
 from paper_checks.report.summary import kind, speaker
-from paper_checks.runner import Row
+from paper_checks.running.runner import Row
 
 PREAMBLE = r"""\documentclass[10pt]{article}
 \usepackage[T1]{fontenc}

@@ -16,14 +16,14 @@ from numerics.trajectory.trajectory import Trajectory
 from paper_checks.drawing.captions import caption
 from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.drawing.sharp_rate import LAST, limit_of
-from paper_checks.evidence import EvidenceKind
-from paper_checks.exhibit import value_at
-from paper_checks.finding import Verdict
+from paper_checks.engines.exhibit import value_at
+from paper_checks.evidence.evidence import EvidenceKind
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import Kind
 from paper_checks.report import notation
 from paper_checks.report.blocks import Block, Paragraph, Picture, Result, Section, Table
 from paper_checks.report.summary import first_sentence, is_new_theorem
-from paper_checks.runner import Row
+from paper_checks.running.runner import Row
 
 ID, TITLE = "found", "What was found"
 MODEL = (

@@ -11,7 +11,7 @@ from paper_checks.ledger import Kind
 from paper_checks.report.document import ROWS, ROWS_TITLE, Document
 from paper_checks.report.summary import kind
 from paper_checks.report.typst_blocks import TypstWriter, escaped
-from paper_checks.runner import Row
+from paper_checks.running.runner import Row
 
 REMEDY = "a PDF needs typst; install it with: pip install 'inertial-pair[pdf]'"
 PREAMBLE = """#set document(title: "{title}", date: none)

@@ -9,20 +9,8 @@ from typing import Any
 
 from paper_checks.ledger import Claim
 from paper_checks.report.terminal import STYLES
-from paper_checks.runner import Row
-
-
-class Progress:
-    """Tells nobody: the one for a pipe, and the shape of the others."""
-
-    def compiled(self, done: int, total: int, name: str) -> None:
-        """Tell how many proof files the kernel has read."""
-
-    def begun(self, claim: Claim) -> None:
-        """Tell which claim is being decided."""
-
-    def found(self, row: Row) -> None:
-        """Tell a row."""
+from paper_checks.running.rows import Progress
+from paper_checks.running.runner import Row
 
 
 class OnTerminal(Progress):

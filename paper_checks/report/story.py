@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from paper_checks import kernel
 from paper_checks.drawing.captions import caption
-from paper_checks.evidence import Evidence, EvidenceKind, Subject, closure
-from paper_checks.exhibit import ENGINE as EXHIBITED
-from paper_checks.graph import Proof, numbered
-from paper_checks.kernel import PROVED
+from paper_checks.engines import kernel
+from paper_checks.engines.exhibit import ENGINE as EXHIBITED
+from paper_checks.engines.kernel import PROVED
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
 from paper_checks.report import notation
 from paper_checks.report.blocks import Block, Command, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
 from paper_checks.report.mathematics import in_letters
 from paper_checks.report.summary import OUTCOMES
 from paper_checks.report.trust import PROVENANCE
-from paper_checks.runner import Row
+from paper_checks.running.graph import Proof, numbered
+from paper_checks.running.runner import Row
 
 SHORT = 80
 """Characters up to which the value of an enclosure is shown with the decisive step."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from paper_checks.finding import Verdict
-from paper_checks.kernel import PROVED
+from paper_checks.engines.kernel import PROVED
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import Claim, Kind
-from paper_checks.runner import Row
+from paper_checks.running.runner import Row
 
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
 

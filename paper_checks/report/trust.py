@@ -6,15 +6,15 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from importlib.metadata import PackageNotFoundError, version
 
-from paper_checks import kernel
-from paper_checks.evidence import Evidence, EvidenceKind, closure
-from paper_checks.graph import Proof
-from paper_checks.kernel import PROVED
+from paper_checks.engines import kernel
+from paper_checks.engines.kernel import PROVED
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
 from paper_checks.ledger import source
 from paper_checks.report.blocks import Block, Command, Folded, Graph, Node, Paragraph, Points, Section, Table
 from paper_checks.report.mathematics import in_letters
 from paper_checks.report.summary import kind
-from paper_checks.runner import Row
+from paper_checks.running.graph import Proof
+from paper_checks.running.runner import Row
 
 SOFTWARE = "inertial-pair"
 INSTALL = "python3 -m venv .venv && .venv/bin/python -m pip install -e . && .venv/bin/python -m paper_checks"

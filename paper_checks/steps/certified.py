@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from paper_checks.certificates import checker
-from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
 
 def certificate(part: str, path: Path = checker.CERTIFICATE) -> Evidence:

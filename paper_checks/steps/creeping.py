@@ -6,8 +6,8 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.steps import capture
 from paper_checks.steps.excursions import angle_of_excursion, never_merges
 from paper_checks.steps.turned_back import merges_or_creeps

@@ -8,12 +8,13 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.exact import identity
-from paper_checks.formula import form, stating
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.engines.roots import enclosed_root, point, precision, shown
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.formula import form, stating
+from paper_checks.solvers.smt import prove
 from paper_checks.steps.excursions import vanishes
-from paper_checks.steps.roots import depth, enclosed_root, point, precision, rise, shown
+from paper_checks.steps.excursions_in_balls import depth, rise
 from theory.excursion import angle
 from theory.merging import (
     critical_mass_ratio,

@@ -6,10 +6,10 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.polynomial import cleared
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.solvers.polynomial import cleared
+from paper_checks.solvers.smt import prove
 from theory.energy import captive_energy, energy, on_surface, slip_rate, stick_rate
 from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
 from theory.model import branch_named, free_system, slip

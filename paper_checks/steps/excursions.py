@@ -13,9 +13,9 @@ from numerics.arithmetic.ball import Ball
 from numerics.long_time.excursion_map import excursions
 from numerics.motion.frame import Frame
 from numerics.scene import Pair
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.exact import identity
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.solvers.smt import prove
 from paper_checks.steps.capture import mirror_image
 from theory.excursion import angle, excursion, guard_of_u, h, h_limits, h_slope, half_angle_slope, half_tangent_form
 from theory.rate_bounds import no_merging_excess

@@ -6,8 +6,8 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.steps.forced_distance import energy_rate, force_cancels, never_apart, one_solution
 from paper_checks.steps.forced_rule import strict_rule, tie_rule
 from theory import forced

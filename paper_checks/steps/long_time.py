@@ -12,9 +12,9 @@ from numerics.arithmetic.ball import Ball
 from numerics.long_time.energy import energy_at
 from numerics.motion.modes import Mode
 from numerics.scene import Pair, Scene, State
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.exact import identity
-from paper_checks.formula import form, stating
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.formula import form, stating
 from theory.long_time import (
     abel_defect,
     balanced_share,

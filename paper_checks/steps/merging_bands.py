@@ -13,8 +13,8 @@ from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.steps.roots import point, precision
+from paper_checks.engines.roots import point, precision
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
 MERGES, CREEPS = "merges", "creeps"
 SPEEDS = tuple(Fraction(n, 20) for n in range(21, 421))

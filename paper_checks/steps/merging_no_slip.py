@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from paper_checks.evidence import Evidence, argument
+from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.steps import capture
 from paper_checks.steps.certified import certificate
 from paper_checks.steps.critical_share import all_slips, one_turning_point, threshold, worst_slip

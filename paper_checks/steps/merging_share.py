@@ -13,8 +13,8 @@ import sympy as sp
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
-from paper_checks.evidence import Evidence, EvidenceKind, argument
-from paper_checks.exact import identity
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.steps.capture import stays_below_critical
 from paper_checks.steps.merging_no_slip import no_slip_merges
 from paper_checks.steps.turned_back import contact_again

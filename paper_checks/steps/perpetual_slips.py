@@ -13,10 +13,10 @@ from flint import arb
 from numerics.motion.modes import EventKind
 from numerics.trajectory.segment import Event
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.enclosure import ball, compare, exact
-from paper_checks.evidence import Evidence
-from paper_checks.exact import identity
-from paper_checks.smt import prove
+from paper_checks.engines.enclosure import ball, compare, exact
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence
+from paper_checks.solvers.smt import prove
 from theory.excursion import (
     angle,
     excursion,

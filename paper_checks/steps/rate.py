@@ -15,10 +15,10 @@ from numerics.long_time.energy import energy_at
 from numerics.long_time.excursion_map import excursions
 from numerics.motion.frame import Frame
 from numerics.scene import Pair, Scene, State
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.exact import identity
-from paper_checks.formula import form, stating
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.formula import form, stating
+from paper_checks.solvers.smt import prove
 from paper_checks.steps.excursions import vanishes
 from theory.excursion import excursion, h, half_tangent_form
 from theory.near_critical import cycle_limit, inverse_step, rate_constant, stick_rotation

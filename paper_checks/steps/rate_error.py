@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import flint
 from flint import acb, acb_poly, arb, arb_poly, arb_series, fmpq
 
-from paper_checks.steps.roots import point, precision
+from paper_checks.engines.roots import point, precision
 
 Quotient = Callable[["Slip", Any], tuple[Any, Any]]
 SPLIT, RIM = Fraction(4, 5), Fraction(7, 5)

@@ -7,14 +7,14 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
-from paper_checks.clause import Formula
-from paper_checks.evidence import Evidence, EvidenceKind, argument
-from paper_checks.exact import identity
+from paper_checks.engines.exact import identity
+from paper_checks.engines.roots import point, precision, shown
+from paper_checks.evidence.clause import Formula
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.steps.excursions import angle_of_excursion, never_merges
 from paper_checks.steps.monotone_slips import landings
 from paper_checks.steps.rate import one_cycle
 from paper_checks.steps.rate_error import ranges
-from paper_checks.steps.roots import point, precision, shown
 from theory.long_time import abel_defect, leading_coefficient, map_coefficients
 from theory.near_critical import cycle
 from theory.symbols import epsilon, q, r

@@ -9,12 +9,13 @@ from itertools import pairwise
 import sympy as sp
 from flint import arb
 
-from paper_checks.evidence import Evidence, EvidenceKind, argument
-from paper_checks.exact import identity
+from paper_checks.engines.exact import identity
+from paper_checks.engines.roots import enclosed_root, point, precision, shown
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.steps.critical_share import ENGINE, critical_value
 from paper_checks.steps.excursions import vanishes
+from paper_checks.steps.excursions_in_balls import depth, rise
 from paper_checks.steps.monotone_slips import contact, cusa_huygens, depth_grows, landings, one_contact, rise_is_convex
-from paper_checks.steps.roots import depth, enclosed_root, point, precision, rise, shown
 from theory.alternation import (
     falling_part_residual,
     landing_excess_residual,

@@ -11,10 +11,10 @@ import sympy as sp
 from flint import acb, arb, fmpq, fmpq_series
 
 from numerics.long_time.abel import AbelFunctions
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.exact import identity
-from paper_checks.formula import form, stating
-from paper_checks.steps.roots import point, precision
+from paper_checks.engines.exact import identity
+from paper_checks.engines.roots import point, precision
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.formula import form, stating
 from theory.near_critical import cycle
 from theory.return_map import depth_series, return_map_series
 from theory.symbols import epsilon, q, r, w

@@ -9,9 +9,9 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.solvers.smt import prove
 from theory.energy import contraction_rate, contraction_terms, sigma, sigma_other
 from theory.filippov import derivative_along, load, load_threshold, sliding_field
 from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, driven_equation, free_system, slip, stick

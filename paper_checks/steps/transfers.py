@@ -6,9 +6,9 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.solvers.smt import prove
 from paper_checks.steps.forced_distance import same_modes
 from theory import forced
 from theory import forced_control as control

@@ -6,9 +6,9 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, argument
-from paper_checks.exact import identity
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.solvers.smt import prove
 from paper_checks.steps.creeping import creeps_for_ever
 from paper_checks.steps.monotone_slips import contact, depth_grows, landings, one_contact
 from paper_checks.steps.rate import one_step

@@ -133,7 +133,7 @@ def test_ctrl_c_while_solving_leaves_nothing(tmp_path):
     assert errors.startswith("error: interrupted")
 
 
-@pytest.mark.parametrize("module", ["sympy", "paper_checks.runner"])
+@pytest.mark.parametrize("module", ["sympy", "paper_checks.running.runner"])
 def test_ctrl_c_while_reporting_leaves_nothing(tmp_path, module):
     code, _, errors = interrupted("paper_checks", [*REPORT[3:], "--out", "out"], module, tmp_path)
     assert (code, errors.splitlines(), list(tmp_path.iterdir())) == (130, ["paper_checks: interrupted"], [])

@@ -5,12 +5,12 @@ from dataclasses import replace
 import pytest
 from matplotlib.figure import Figure
 
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.finding import Finding, Verdict
-from paper_checks.graph import proofs
+from paper_checks.checks.registry import Registry
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger import Claim
-from paper_checks.registry import Registry
-from paper_checks.runner import Row
+from paper_checks.running.graph import proofs
+from paper_checks.running.runner import Row
 
 EXACT = Evidence(
     EvidenceKind.EXACT,

@@ -9,13 +9,12 @@ import pytest
 from planted_trades import planted
 
 import paper_checks.__main__ as command_line
-import paper_checks.figures as figures_module
+import paper_checks.drawing.figures as figures_module
 import paper_checks.ledger as ledger_module
-from paper_checks import registry as registry_module
-from paper_checks import under_a_force
 from paper_checks.__main__ import main
+from paper_checks.checks import registry as registry_module
 from paper_checks.ledger import CLAIMS
-from paper_checks.report import pdf
+from paper_checks.report import pdf, under_a_force
 from paper_checks.report.blocks import Section
 from paper_checks.speed import section as section_module
 
@@ -170,7 +169,7 @@ def test_a_closed_pipe_is_no_error():
 
 def test_ctrl_c_ends_the_process_cleanly():
     program = (
-        "import signal, sys, time, paper_checks.registry as r, paper_checks.__main__ as m\n"
+        "import signal, sys, time, paper_checks.checks.registry as r, paper_checks.__main__ as m\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # whatever the shell that started the tests does
         "def slow():\n    print('begun', flush=True)\n    time.sleep(60)\n"
         "r.load_checks = slow\nsys.exit(m.main([]))"

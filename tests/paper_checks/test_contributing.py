@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from paper_checks import registry, runner
-from paper_checks.finding import Verdict
-from paper_checks.planting import planted
-from paper_checks.registry import Context, Registry
+from paper_checks.checks import registry
+from paper_checks.checks.registry import Context, Registry
+from paper_checks.evidence.finding import Verdict
+from paper_checks.running import runner
+from paper_checks.running.planting import planted
 
 from .checks.conftest import doubled, finding_of
 

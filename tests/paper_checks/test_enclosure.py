@@ -6,7 +6,7 @@ from flint import arb
 
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
-from paper_checks.enclosure import ball, compare, exact, itinerary, rounded, solved, stuck_for_ever, within
+from paper_checks.engines.enclosure import ball, compare, exact, itinerary, rounded, solved, stuck_for_ever, within
 
 WIDE = arb(1, 0.5)
 

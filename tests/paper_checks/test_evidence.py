@@ -2,8 +2,8 @@
 
 import pytest
 
-from paper_checks.evidence import Evidence, EvidenceKind, Subject
-from paper_checks.finding import Finding, InvalidFindingError, Verdict, conclude
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject
+from paper_checks.evidence.finding import Finding, InvalidFindingError, Verdict, conclude
 
 EXACT = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
 SAMPLE = Evidence(EvidenceKind.PROPERTY, "hypothesis", "a = a", True, cases=100)

@@ -3,9 +3,9 @@
 import pytest
 import sympy as sp
 
-from paper_checks import exact
-from paper_checks.evidence import EvidenceKind
-from paper_checks.exact import identity
+from paper_checks.engines import exact
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.evidence import EvidenceKind
 
 x, y = sp.symbols("x y", real=True)
 m = sp.Symbol("m", positive=True)

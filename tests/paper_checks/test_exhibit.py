@@ -3,9 +3,9 @@
 import pytest
 import sympy as sp
 
-from paper_checks.evidence import EvidenceKind
-from paper_checks.exhibit import exhibit, value_at
-from paper_checks.points import EDGE, EXAMPLE_PAIR, START_AT_6MM, scene_at
+from paper_checks.engines.exhibit import exhibit, value_at
+from paper_checks.evidence.evidence import EvidenceKind
+from paper_checks.ledger.points import EDGE, EXAMPLE_PAIR, START_AT_6MM, scene_at
 from theory.energy import critical_energy, energy
 from theory.symbols import u
 

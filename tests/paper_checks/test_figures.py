@@ -12,8 +12,8 @@ from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from paper_checks import checks
 from paper_checks.drawing.captions import CAPTIONS, caption
+from paper_checks.drawing.figures import FIGURES
 from paper_checks.drawing.style import MARKERS, MODE_COLOURS
-from paper_checks.figures import FIGURES
 from paper_checks.report import vector
 
 PAPER = (

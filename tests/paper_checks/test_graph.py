@@ -3,13 +3,14 @@
 import pytest
 import sympy as sp
 
-from paper_checks import kernel
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import equals
-from paper_checks.evidence import Evidence, EvidenceKind, argument, closure, weakest
-from paper_checks.finding import Finding, Verdict, carried, conclude
+from paper_checks.engines import kernel
+from paper_checks.engines.deciders import equals
+from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument, closure, weakest
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import Claim
-from paper_checks.runner import row
+from paper_checks.proofs.library import Proved
+from paper_checks.running.runner import row
 
 SMT = Evidence(EvidenceKind.SMT, "z3", "a < b", True)
 EXACT = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
@@ -67,9 +68,13 @@ def test_a_wrong_formula_turns_the_row():
     assert "$E=m_{2}$" in (turned.finding.missing or "")
 
 
+def proved(name, holds, *ties):
+    return Proved(name, "Law.sharp_law", "It is so.", "forall x, x = x", {}, (), ties, (), holds)
+
+
 def theorem(status):
     holds = {name: passed for passed, name in kernel.STATUS.items()}[status]
-    return lambda name: kernel.Unavailable(name, "Law.sharp_law", "It is so.", "forall x, x = x", holds=holds)
+    return lambda name: proved(name, holds)
 
 
 @pytest.fixture
@@ -103,8 +108,8 @@ def test_the_kernel_carries_a_clause_or_leaves_it_to_the_other_steps(theorems, s
 def test_a_theorem_about_something_else_than_the_theory_proves_nothing(monkeypatch, status):
     holds = {name: passed for passed, name in kernel.STATUS.items()}[status]
     said = {
-        "sharp-law": kernel.Unavailable("sharp-law", ties=("tie-ray",), holds=True),
-        "tie-ray": kernel.Unavailable("tie-ray", holds=holds),
+        "sharp-law": proved("sharp-law", True, "tie-ray"),
+        "tie-ray": proved("tie-ray", holds),
     }
     monkeypatch.setattr(kernel, "theorem", said.__getitem__)
     kernel.step.cache_clear()
@@ -112,17 +117,6 @@ def test_a_theorem_about_something_else_than_the_theory_proves_nothing(monkeypat
     kernel.step.cache_clear()
     assert found.passed is holds
     assert ("tie-ray" in found.value) == (holds is not True)
-
-
-def test_without_the_proofs_no_theorem_is_run(monkeypatch):
-    def missing(name):
-        raise ModuleNotFoundError(name)
-
-    monkeypatch.setattr(kernel.importlib, "import_module", missing)
-    kernel.theorem.cache_clear()
-    kernel.step.cache_clear()
-    assert kernel.step("sharp-law").passed is None
-    kernel.theorem.cache_clear()
 
 
 def test_a_finding_that_is_open_is_not_established():

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from paper_checks.errors import LedgerError
-from paper_checks.finding import Verdict
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import CLAIMS, Claim
 from paper_checks.ledger.claim import in_order
 

@@ -3,12 +3,12 @@
 import pytest
 import sympy as sp
 
-from paper_checks import smt
-from paper_checks.clause import Formula, clause
-from paper_checks.deciders import condition, decimal, equals, fails_at, holds_at, implied
+from paper_checks.engines.deciders import condition, decimal, equals, fails_at, holds_at, implied
 from paper_checks.errors import LedgerError
+from paper_checks.evidence.clause import Formula, clause
 from paper_checks.ledger import CLAIMS
-from paper_checks.planting import faults, places, planted
+from paper_checks.running.planting import faults, places, planted
+from paper_checks.solvers import smt
 from theory.symbols import b, m1, m2, v1
 
 WITH_FORMULAS = sorted({claim.id for claim, *_ in places(CLAIMS)})

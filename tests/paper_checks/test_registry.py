@@ -4,10 +4,10 @@ import importlib
 
 import pytest
 
-from paper_checks import registry as module
+from paper_checks.checks import registry as module
+from paper_checks.checks.registry import REGISTRY, Registry, load_checks
 from paper_checks.errors import LedgerError
 from paper_checks.ledger import CLAIMS
-from paper_checks.registry import REGISTRY, Registry, load_checks
 
 
 def test_an_unknown_claim_is_refused():

@@ -8,15 +8,15 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.finding import Finding, Verdict
-from paper_checks.graph import proofs
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger import Claim, Kind
 from paper_checks.report import html, latex, opening
 from paper_checks.report import json as json_report
 from paper_checks.report.document import document
 from paper_checks.report.terminal import print_rows
-from paper_checks.runner import Row
+from paper_checks.running.graph import proofs
+from paper_checks.running.runner import Row
 
 PROVED = Evidence(EvidenceKind.EXACT, "sympy", "$1=1$", True, value="y = x**2")
 

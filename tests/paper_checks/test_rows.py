@@ -13,17 +13,17 @@ import pytest
 from dying_process import dies_of_energy_rate
 from interruption import interrupted
 
-from paper_checks import kept, plain, workers
 from paper_checks.__main__ import main
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.finding import Verdict
-from paper_checks.kept import Kept
+from paper_checks.checks.registry import Context
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import claim_named
-from paper_checks.registry import Context
-from paper_checks.runner import decide
+from paper_checks.running import kept, plain, workers
+from paper_checks.running.kept import Kept
+from paper_checks.running.runner import decide
 
 QUICK = ("energy-rate", "stiction-bracket", "vector-fields", "two-descriptions")
-ROOT = Path(kept.__file__).parent.parent
+ROOT = Path(kept.__file__).parents[2]
 SHOWN_WITH = {"matplotlib", "rich", "latex2mathml"}
 
 
@@ -146,7 +146,7 @@ def imported_by(path):
 def test_what_shows_rows_is_reached_from_no_check():
     """Those rooms are not in the state."""
     package = ROOT / "paper_checks"
-    waiting, reached = [*(package / "checks").glob("*.py"), package / "runner.py"], set()
+    waiting, reached = [*(package / "checks").glob("*.py"), package / "running" / "runner.py"], set()
     while waiting:
         path = waiting.pop()
         if path not in reached:
@@ -187,7 +187,7 @@ def test_the_bytes_are_the_same_from_one_process_from_two_and_from_the_cache(tmp
 
 
 def test_ctrl_c_ends_all_processes_and_says_one_word(tmp_path):
-    code, _, errors = interrupted("paper_checks", ["--fresh", "--jobs", "2"], "paper_checks.workers", tmp_path)
+    code, _, errors = interrupted("paper_checks", ["--fresh", "--jobs", "2"], "paper_checks.running.workers", tmp_path)
     assert (code, errors) == (130, "paper_checks: interrupted\n")
 
 

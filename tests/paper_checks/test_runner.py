@@ -2,12 +2,12 @@
 
 import pytest
 
+from paper_checks.checks.registry import Context, Registry
 from paper_checks.errors import ToolMissingError
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.finding import Finding, Verdict
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger import Claim
-from paper_checks.registry import Context, Registry
-from paper_checks.runner import Row, decide, exit_code, joined, run
+from paper_checks.running.runner import Row, decide, exit_code, joined, run
 
 PASSED = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
 HOLDS = Finding(Verdict.HOLDS, "So it is.", (PASSED,), derivation=("step",), figure="f")

@@ -5,11 +5,11 @@ import sys
 import pytest
 import sympy as sp
 
-from paper_checks import smt
 from paper_checks.errors import NotPolynomialError, ToolMissingError
-from paper_checks.evidence import EvidenceKind
-from paper_checks.smt import Answers, prove
-from paper_checks.smt_text import script
+from paper_checks.evidence.evidence import EvidenceKind
+from paper_checks.solvers import smt
+from paper_checks.solvers.smt import Answers, prove
+from paper_checks.solvers.text import script
 
 x, y, z = sp.symbols("x y z", real=True)
 m = sp.Symbol("m_1", positive=True)

@@ -5,10 +5,9 @@ from functools import cache
 
 import pytest
 
-from paper_checks import under_a_force
 from paper_checks.drawing.captions import CAPTIONS
 from paper_checks.ledger import CLAIMS
-from paper_checks.report import mathematics
+from paper_checks.report import mathematics, under_a_force
 from paper_checks.report.blocks import Paragraph, Picture, Points, Table
 
 chapter = cache(under_a_force.section)

@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
-from paper_checks import smt
-from paper_checks.finding import Finding
+from paper_checks.checks.registry import Check, Context
+from paper_checks.evidence.finding import Finding
 from paper_checks.ledger import CLAIMS
-from paper_checks.registry import Check, Context
 from paper_checks.report import mathematics
+from paper_checks.solvers import smt
 
-STEPS = ("paper_checks.steps.", "paper_checks.arguments")
+STEPS = ("paper_checks.steps.",)
 
 
 ask_once = cache(smt.ask)

@@ -3,9 +3,9 @@
 import pytest
 
 from paper_checks.checks import section1_control, section2_force, section5_control
-from paper_checks.finding import Verdict
-from paper_checks.registry import Context
-from paper_checks.runner import decide
+from paper_checks.checks.registry import Context
+from paper_checks.evidence.finding import Verdict
+from paper_checks.running.runner import decide
 from theory import forced
 from theory.symbols import b, u
 

@@ -5,8 +5,8 @@ from fractions import Fraction
 import pytest
 from flint import acb, arb
 
+from paper_checks.engines.roots import point, precision
 from paper_checks.steps import rate_error, return_map
-from paper_checks.steps.roots import point, precision
 
 
 @pytest.mark.parametrize(

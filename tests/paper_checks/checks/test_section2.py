@@ -4,8 +4,8 @@ import pytest
 import sympy as sp
 
 from paper_checks.checks import section2_model, section2_signum
-from paper_checks.finding import Verdict
-from paper_checks.points import INSIDE, START_AT_6MM, at_rest
+from paper_checks.evidence.finding import Verdict
+from paper_checks.ledger.points import INSIDE, START_AT_6MM, at_rest
 from theory.model import RELATIVE_SIGN, STICTION_SIGN
 from theory.symbols import acceleration1, b, m2
 

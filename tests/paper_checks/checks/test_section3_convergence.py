@@ -11,11 +11,11 @@ import sympy as sp
 from numerics.motion.modes import Mode
 from numerics.scene.file import load_scene
 from numerics.trajectory.status import Status
-from paper_checks import samples
 from paper_checks.checks import section3_convergence, section3_itineraries, section3_near_critical, section3_viscous
-from paper_checks.finding import Verdict
-from paper_checks.registry import Context
-from paper_checks.runner import decide
+from paper_checks.checks.registry import Context
+from paper_checks.engines import samples
+from paper_checks.evidence.finding import Verdict
+from paper_checks.running.runner import decide
 from paper_checks.steps import excursions
 from theory.symbols import a1, a2, b, m2, q, theta, v1, v2, x1
 
@@ -240,7 +240,7 @@ def test_the_bound_on_the_mass_ratio_is_needed(plant):
 
 
 def test_one_sample_that_neither_merges_nor_creeps_turns_the_dichotomy(plant):
-    plant("paper_checks.samples._merged_or_creeping", lambda _: lambda one: one.final.w > 0)
+    plant("paper_checks.engines.samples._merged_or_creeping", lambda _: lambda one: one.final.w > 0)
     assert finding_of(CHECKS["dichotomy"]).verdict is Verdict.UNDECIDED
 
 

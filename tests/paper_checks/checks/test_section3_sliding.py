@@ -7,8 +7,8 @@ import sympy as sp
 
 from numerics.motion.modes import Mode
 from paper_checks.checks import section3_energy, section3_fields, section3_levels, section3_surface
-from paper_checks.finding import Verdict
-from paper_checks.registry import Context
+from paper_checks.checks.registry import Context
+from paper_checks.evidence.finding import Verdict
 from theory.filippov import EdgeContact
 from theory.symbols import a2, b, m1, m2, v1, v2, x1
 

@@ -4,8 +4,8 @@ import pytest
 import sympy as sp
 
 from paper_checks.checks import section4_example, section4_onset
-from paper_checks.finding import Verdict
-from paper_checks.points import EDGE, INSIDE, START_AT_6MM
+from paper_checks.evidence.finding import Verdict
+from paper_checks.ledger.points import EDGE, INSIDE, START_AT_6MM
 from theory.symbols import acceleration1, b, x1
 
 from .conftest import doubled, finding_of, negated, recorded, squared, unreadable

@@ -15,11 +15,11 @@ from paper_checks.checks import (
     section4_synchronisation,
     section4_velocities,
 )
-from paper_checks.enclosure import solved
-from paper_checks.euler_in_balls import STEPS, euler_in_balls, run
-from paper_checks.finding import Verdict
-from paper_checks.registry import Context
-from paper_checks.runner import decide
+from paper_checks.checks.registry import Context
+from paper_checks.engines.enclosure import solved
+from paper_checks.engines.euler_in_balls import STEPS, euler_in_balls, run
+from paper_checks.evidence.finding import Verdict
+from paper_checks.running.runner import decide
 from paper_checks.steps.perpetual_slips import never_merges
 
 from .conftest import doubled, finding_of, negated, recorded, squared, unreadable

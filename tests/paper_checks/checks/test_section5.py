@@ -8,8 +8,8 @@ import sympy as sp
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from paper_checks.checks import section5_discussion, section5_synchronisation
-from paper_checks.finding import Verdict
-from paper_checks.points import INSIDE
+from paper_checks.evidence.finding import Verdict
+from paper_checks.ledger.points import INSIDE
 from paper_checks.steps import dissipation
 from theory.symbols import a1, b, m1, v2
 

@@ -23,11 +23,12 @@ from paper_checks.checks import (
     theorems_share,
     theorems_uniform,
 )
-from paper_checks.clause import Formula
-from paper_checks.finding import Verdict
+from paper_checks.checks.registry import Context
+from paper_checks.engines.roots import enclosed_root, precision
+from paper_checks.evidence.clause import Formula
+from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import CLAIMS, Kind
-from paper_checks.registry import Context
-from paper_checks.runner import decide
+from paper_checks.running.runner import decide
 from paper_checks.steps import (
     certified,
     long_time,
@@ -38,7 +39,6 @@ from paper_checks.steps import (
     rate_with_error,
     return_map,
 )
-from paper_checks.steps.roots import enclosed_root, precision
 from theory.symbols import q, theta
 
 from .conftest import doubled, finding_of, halved, misread, negated, plus, recorded, squared, two_of_each, unreadable

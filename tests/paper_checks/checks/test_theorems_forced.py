@@ -3,10 +3,10 @@
 import pytest
 
 from paper_checks.checks import theorems_control, theorems_forced
-from paper_checks.evidence import closure
-from paper_checks.finding import Verdict
-from paper_checks.registry import Context
-from paper_checks.runner import decide
+from paper_checks.checks.registry import Context
+from paper_checks.evidence.evidence import closure
+from paper_checks.evidence.finding import Verdict
+from paper_checks.running.runner import decide
 from paper_checks.steps import entrainment, tolerance, transfers
 from theory.symbols import a1, b, u, v1
 

@@ -5,12 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from paper_checks import plain, registry, runner, workers
-from paper_checks.kept import Kept
+from paper_checks.checks import registry
+from paper_checks.checks.registry import Context
 from paper_checks.ledger import Claim
-from paper_checks.proofs import build
-from paper_checks.registry import Context
-from paper_checks.report.progress import Progress
+from paper_checks.proofs.library import build
+from paper_checks.running import plain, runner, workers
+from paper_checks.running.kept import Kept
+
+
+class Progress:
+    """Tells nobody: the one for a pipe, and the shape of the others."""
+
+    def compiled(self, done: int, total: int, name: str) -> None:
+        """Tell how many proof files the kernel has read."""
+
+    def begun(self, claim: Claim) -> None:
+        """Tell which claim is being decided."""
+
+    def found(self, row: runner.Row) -> None:
+        """Tell a row."""
 
 
 @dataclass(frozen=True)

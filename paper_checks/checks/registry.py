@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 from paper_checks.errors import LedgerError
-from paper_checks.finding import Finding
+from paper_checks.evidence.finding import Finding
 from paper_checks.ledger import CLAIMS
 
 

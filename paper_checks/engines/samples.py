@@ -11,7 +11,7 @@ from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
 
 def random_pair(source: random.Random, damping: Fraction = Fraction(0)) -> Pair:

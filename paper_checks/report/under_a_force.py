@@ -22,7 +22,7 @@ from numerics.scene.file import load_reference, load_scene
 from paper_checks.drawing import under_a_force as drawing
 from paper_checks.drawing.captions import caption
 from paper_checks.drawing.style import house_style
-from paper_checks.enclosure import rounded
+from paper_checks.engines.enclosure import rounded
 from paper_checks.ledger import claim_named
 from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
 from theory.forced import breaking_damping

@@ -17,9 +17,8 @@ from paper_checks.drawing.phase_portraits import relative_motion, start_at_6mm, 
 from paper_checks.drawing.rates import long_time, rate_bounds_explicit, rate_with_error, uniform_rate_figure
 from paper_checks.drawing.relative_velocity import relative_velocity
 from paper_checks.drawing.sharp_rate import sharp_rate
-from paper_checks.drawing.style import house_style
+from paper_checks.drawing.style import Figures, house_style
 from paper_checks.drawing.velocities import velocities_scene
-from paper_checks.report.files import Figures
 
 
 def _styled(draw: Callable[[], Figure]) -> Callable[[], Figure]:

@@ -1,6 +1,6 @@
 """Clauses of a claim: prose whose mathematics is made from the expressions that are checked.
 
-A `Formula` is shown as LaTeX and decided from the same expressions; `paper_checks.planting` changes a sign, a factor, an
+A `Formula` is shown as LaTeX and decided from the same expressions; `paper_checks.running.planting` changes a sign, a factor, an
 exponent or a relation in it and sees the decision turn.
 """
 
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from paper_checks.errors import LedgerError
-from paper_checks.evidence import Evidence
+from paper_checks.evidence.evidence import Evidence
 from theory.symbols import a2
 
 RELATIONS = {

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from paper_checks.evidence import Evidence, Subject, closure
+from paper_checks.evidence.evidence import Evidence, Subject, closure
 
 
 class Verdict(Enum):

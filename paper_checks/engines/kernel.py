@@ -1,45 +1,16 @@
-"""The seam to the proof kernel: its cited theorems, by id, as steps of a proof. Nothing else imports `paper_checks.proofs`."""
+"""The proof kernel: its cited theorems, by id, as steps of a proof."""
 
 from __future__ import annotations
 
-import importlib
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
-from typing import Any
 
-from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.proofs.library import Proved, theorem
 
 PROVED, NOT_RUN, FAILED = "proved", "not run", "failed"
 STATUS = {True: PROVED, None: NOT_RUN, False: FAILED}
 """What the kernel's answer is called."""
-
-
-@dataclass(frozen=True)
-class Unavailable:
-    """What stands for a theorem where there are no proofs."""
-
-    id: str
-    name: str = ""
-    sentence: str = ""
-    statement: str = ""
-    uses: tuple[str, ...] = ()
-    ties: tuple[str, ...] = ()
-    axioms: tuple[str, ...] = ()
-    holds: bool | None = None
-    problem: str = "the proofs are not part of this installation"
-
-
-@cache
-def theorem(name: str) -> Any:
-    """Return what the kernel says of the theorem with this id; where the proofs are missing, that it was not run.
-
-    Raises KeyError for an id that the proofs do not cite.
-    """
-    try:
-        proofs = importlib.import_module("paper_checks.proofs")
-    except ModuleNotFoundError:
-        return Unavailable(name)
-    return proofs.theorem(name)
 
 
 @cache
@@ -47,7 +18,7 @@ def step(name: str) -> Evidence:
     """Return the theorem as evidence, resting on those of ours that it uses.
 
     Passed is True where the kernel accepted it and the ties of its definitions to `theory/`, None where it was not run,
-    False where it, or a tie, was refused.
+    False where it, or a tie, was refused. Raises KeyError for an id that the proofs do not cite.
     """
     found = theorem(name)
     untied = [tie for tie in map(theorem, found.ties) if not tie.holds] if found.holds else []
@@ -58,7 +29,7 @@ def step(name: str) -> Evidence:
     return _stated(found)
 
 
-def _stated(found: Any) -> Evidence:
+def _stated(found: Proved) -> Evidence:
     """Return a theorem as evidence, whatever its ties."""
     name, problem = found.id, f": {found.problem}" if found.problem else ""
     value = " ".join(found.statement.split()) if found.holds else f"kernel {STATUS[found.holds]}: {name}{problem}"

@@ -56,16 +56,6 @@ def _sign(function: Callable[[arb], arb], at: Fraction) -> int:
     raise ArithmeticError(f"the sign at {at} is not decided: {value.str(6)}")
 
 
-def rise(theta: arb) -> arb:
-    """Return h(theta) = (theta - sin theta)/(1 - cos theta)."""
-    return (theta - theta.sin()) / (2 * (theta / 2).sin() ** 2)
-
-
-def depth(theta: arb) -> arb:
-    """Return c(theta) = 2 - theta cot(theta/2)."""
-    return 2 - theta * (theta / 2).cot()
-
-
 def shown(value: arb, digits: int = DIGITS) -> str:
     """Return a ball with all of its proved digits, at most `digits`, and its radius."""
     return str(value.str(digits))

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from paper_checks.clause import Formula
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.exact import identity
-from paper_checks.exhibit import Point, exhibit
-from paper_checks.polynomial import cleared
-from paper_checks.smt import prove
+from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import Point, exhibit
+from paper_checks.evidence.clause import Formula
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.solvers.polynomial import cleared
+from paper_checks.solvers.smt import prove
 
 if TYPE_CHECKING:
     from flint import arb
@@ -74,7 +74,7 @@ def decimal(value: Callable[[], arb]) -> Decide:
     """Decide a decimal fraction that goes on: the enclosed value has these digits."""
 
     def decide(formula: Formula) -> Evidence:
-        from paper_checks.enclosure import exact  # with it come numerics, which the list of claims does without
+        from paper_checks.engines.enclosure import exact  # with it come numerics, which the list of claims does without
 
         digits, found = sp.Rational(formula.right), value()
         low, high = exact(digits), exact(digits + sp.Rational(1, digits.q))
@@ -111,7 +111,7 @@ def false_value(value: Callable[[], arb]) -> Decide:
     """Decide that an equation is false: the enclosed value of its left side differs from the right one."""
 
     def decide(formula: Formula) -> Evidence:
-        from paper_checks.enclosure import exact
+        from paper_checks.engines.enclosure import exact
 
         found, claimed = value(), exact(sp.Rational(formula.right))
         apart = bool(found < claimed or found > claimed)

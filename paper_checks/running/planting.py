@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from paper_checks.clause import NEGATIONS, Clause, Formula
-from paper_checks.exact import identity
+from paper_checks.engines.exact import identity
+from paper_checks.evidence.clause import NEGATIONS, Clause, Formula
 from paper_checks.ledger.claim import Claim
 
 REVERSED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}

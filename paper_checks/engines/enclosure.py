@@ -13,7 +13,7 @@ from numerics.scene import Scene
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
 ENGINE = "python-flint"
 DIGITS = 25

@@ -2,7 +2,7 @@
 
 Each line on stdin is JSON, `{"texts": [SMT-LIB 2 text, ...], "seconds": limit for each}`, and is answered by a line on
 stdout, `{"answers": ["sat" | "unsat" | "unknown", ...], "model": of the last text}`; it ends with its stdin. Run as
-`python -m paper_checks.smt_worker z3` (or `cvc5`).
+`python -m paper_checks.solvers.worker z3` (or `cvc5`).
 """
 
 from __future__ import annotations

@@ -14,9 +14,9 @@ from importlib.util import find_spec
 import sympy as sp
 
 from paper_checks.errors import NotPolynomialError, ToolMissingError
-from paper_checks.evidence import Evidence, EvidenceKind
-from paper_checks.smt_text import script
-from paper_checks.solver_process import answer
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.solvers.process import answer
+from paper_checks.solvers.text import script
 
 SOLVERS = ("z3", "cvc5")
 ENGINE = " and ".join(SOLVERS)

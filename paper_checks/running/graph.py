@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from paper_checks import kernel
-from paper_checks.clause import Clause
-from paper_checks.evidence import Evidence, EvidenceKind, Subject, argument, closure, weakest
-from paper_checks.finding import Finding, Verdict
+from paper_checks.engines import kernel
+from paper_checks.evidence.clause import Clause
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, weakest
+from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger.claim import Claim
 
 SETTLED = (Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED)

@@ -25,7 +25,7 @@ class _Process:
     def __init__(self, solver: str) -> None:
         """Start it."""
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "paper_checks.smt_worker", solver],
+            [sys.executable, "-m", "paper_checks.solvers.worker", solver],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
 Point = Mapping[sp.Symbol, "sp.Rational | int"]
 """Exact values of symbols, SI units; anything but a rational is refused."""

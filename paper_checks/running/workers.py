@@ -12,13 +12,13 @@ import signal
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from multiprocessing.connection import Connection, wait
-from pathlib import Path
 from typing import Any
 
+from paper_checks import checks
+from paper_checks.checks.registry import Context, load_checks
 from paper_checks.ledger import Claim, claim_named
-from paper_checks.plain import Plain, plain
-from paper_checks.registry import Context, load_checks
-from paper_checks.runner import Row, failed, run
+from paper_checks.running.plain import Plain, plain
+from paper_checks.running.runner import Row, failed, run
 
 SHARING = (
     "section3_near_critical",
@@ -44,8 +44,8 @@ def method() -> Any:
     if "forkserver" not in multiprocessing.get_all_start_methods():
         return multiprocessing.get_context("spawn")
     context = multiprocessing.get_context("forkserver")
-    checks = pkgutil.iter_modules([str(Path(__file__).parent / "checks")])
-    context.set_forkserver_preload([f"paper_checks.checks.{one.name}" for one in checks])
+    modules = pkgutil.iter_modules(checks.__path__)
+    context.set_forkserver_preload([f"{checks.__name__}.{one.name}" for one in modules])
     return context
 
 

@@ -7,12 +7,12 @@ import traceback
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 
+from paper_checks.checks.registry import Check, Context, Registry
 from paper_checks.errors import ToolMissingError
-from paper_checks.evidence import EvidenceKind
-from paper_checks.finding import Finding, Verdict
-from paper_checks.graph import SETTLED, Proof, established_by, judged, kernel_status, proofs
+from paper_checks.evidence.evidence import EvidenceKind
+from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger import Claim
-from paper_checks.registry import Check, Context, Registry
+from paper_checks.running.graph import SETTLED, Proof, established_by, judged, kernel_status, proofs
 
 
 @dataclass(frozen=True)

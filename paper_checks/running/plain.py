@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from paper_checks.evidence import Evidence, EvidenceKind, closure
-from paper_checks.finding import Finding
-from paper_checks.graph import SETTLED, Proof, clauses
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
+from paper_checks.evidence.finding import Finding
 from paper_checks.ledger import Claim
-from paper_checks.runner import Row
+from paper_checks.running.graph import SETTLED, Proof, clauses
+from paper_checks.running.runner import Row
 
 
 @dataclass(frozen=True)

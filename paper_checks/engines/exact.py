@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from paper_checks.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
 DIGITS = 60
 """Decimal digits at which a difference that is not rational at a point is evaluated."""

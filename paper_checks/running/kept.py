@@ -17,8 +17,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from paper_checks import atomic
-from paper_checks.plain import Plain
 from paper_checks.proofs import kernel
+from paper_checks.running.plain import Plain
 
 PACKAGES = ("theory", "numerics", "paper_checks")
 SHOWING = ("report", "drawing", "explore", "speed")
@@ -30,7 +30,7 @@ _GENERATIONS = 8
 
 def sources() -> Iterator[Path]:
     """Yield every file that a row can depend on, in a fixed order."""
-    root = Path(__file__).parent.parent
+    root = Path(__file__).parents[2]
     for package in PACKAGES:
         for path in sorted((root / package).rglob("*")):
             inside = path.relative_to(root).parts

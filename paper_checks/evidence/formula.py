@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from paper_checks.evidence import Evidence
+from paper_checks.evidence.evidence import Evidence
 
 
 def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
@@ -21,7 +21,7 @@ def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
 def stating(evidence: Evidence, *forms: str) -> Evidence:
     """Return the evidence with closed forms, for programs to read, before its value.
 
-    >>> from paper_checks.evidence import EvidenceKind
+    >>> from paper_checks.evidence.evidence import EvidenceKind
     >>> stating(Evidence(EvidenceKind.EXACT, "sympy", "s", True, value="0"), "y = h**2", "x = 1").value
     'y = h**2; x = 1; 0'
     """

@@ -1,0 +1,1 @@
+"""What decides a statement, and answers with evidence: algebra, balls, one point, samples, the proof kernel."""

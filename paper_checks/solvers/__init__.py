@@ -1,0 +1,1 @@
+"""Polynomial statements over the reals, proved by SMT solvers."""
