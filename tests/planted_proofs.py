@@ -157,6 +157,24 @@ CONTROL = [
         "beyond k r <= beyond k t) -> exists d",
         "sticking under a rising load",
     ),
+    (
+        "Zeno",
+        "piecewise_analytic u -> 0 <= T -> finitely_many_modes v1 v2 0 T. Proof. intros Hm1 Hm2 Ha1 Ha2 Hb H",
+        "0 <= T -> finitely_many_modes v1 v2 0 T. Proof. intros Hm1 Hm2 Ha1 Ha2 Hb H",
+        "any force, without accumulation",
+    ),
+    (
+        "Analytic",
+        "<= C * K ^ i * INR (fact i). (** From",
+        "<= C * K ^ i * INR (fact i) ^ 2. (** From",
+        "flat functions",
+    ),
+    (
+        "Before",
+        "(forall t, d < t < T -> 0 < p t) -> False.",
+        "(forall t, d < t < T -> 0 <= p t) -> False.",
+        "no marginal stick",
+    ),
     ("Ring", "<= e <-> T <= t)) /\\", "<= e <-> T < t)) /\\", "a tube without its edge"),
     (
         "Ring",

@@ -33,6 +33,7 @@ def forced_no_zeno(context: Context) -> Finding:  # noqa: ARG001
         "What decides a tie for the time after it decides it for the time before it too: next to any instant the load keeps one side of each edge, so modes cannot alternate without end.",
         carried("deviation", forced_rule.deviation(), forced_rule.excess()),
         carried("finite", forced_rule.finitely_many_events()),
+        carried("finite-friction", forced_rule.finitely_many_events()),
     )
 
 

@@ -101,8 +101,13 @@ NO_ZENO = theorem(
     ),
     clause(
         "finite",
-        r"Where $u$ is piecewise analytic (polynomials and sinusoids by pieces), and so is $b>0$, every bounded interval of time holds "
-        r"finitely many events.",
+        r"Where $u$ is analytic by pieces (polynomials plus sinusoids by pieces are) and $b>0$ is constant by pieces, the pair changes "
+        r"its mode finitely often in every bounded interval of time.",
+        kernel=("no-zeno-varying", "scenes-analytic"),
+    ),
+    clause(
+        "finite-friction",
+        r"So it does where $b>0$, too, is analytic by pieces.",
     ),
 )
 

@@ -35,6 +35,18 @@ FORCED: dict[str, tuple[str, str]] = {
         "Mode.tie_rule",
         "At a contact with the load b or -b the first derivative that is not 0 of what the force asks beyond b decides.",
     ),
+    "no-zeno": (
+        "Zeno.no_zeno",
+        "Under a force that is analytic by pieces every bounded time holds finitely many changes of mode.",
+    ),
+    "no-zeno-varying": (
+        "Zeno.no_zeno_varying",
+        "The same where the friction is constant by pieces.",
+    ),
+    "scenes-analytic": (
+        "Analytic.scenes_are_analytic",
+        "Polynomials plus sinusoids by pieces are analytic by pieces.",
+    ),
     "forced-energy-rate": ("Forced.forced_energy_rate", "dE/dt = u v1 - a1 v1^2 - b |v1 - v2|."),
     "input-to-state": (
         "Forced.input_to_state_integral",

@@ -1,0 +1,360 @@
+(** Analytic functions of time, as far as events need them: next to any time such a function is constant, or it
+  rises, or it
+    falls. Polynomials, sinusoids and their sums are analytic. *)
+From Coq Require Import Reals Lra Lia Psatz Classical List Wf_nat.
+From Coquelicot Require Import Coquelicot.
+Local Open Scope R_scope.
+
+(** f is analytic at t: near t it has derivatives P 0 = f, P 1, P 2, ...
+that grow no faster than those of a power series *)
+Definition analytic_at (f : R -> R) (t : R) := exists (P : nat -> R -> R) d C K, 0 < d /\ 0 < C /\ 0 < K /\
+  (forall r, Rabs (r - t) < d -> P 0%nat r = f r) /\
+  forall i r, Rabs (r - t) < d -> is_derive (P i) r (P (S i) r) /\ Rabs (P i r) <= C * K ^ i * INR (fact i).
+
+(** From t in the direction e (1: later, -1: earlier) f rises, or it never does *)
+Definition one_way (f : R -> R) (t e : R) := exists d, 0 < d /\
+  ((forall h, 0 < h < d -> f t < f (t + e * h)) \/
+   (forall h h', 0 <= h <= h' -> h' < d -> f (t + e * h') <= f (t + e * h))).
+
+(** *** All derivatives P i of a function on [0, d) *)
+Section Derivatives.
+Variables (P : nat -> R -> R) (d : R).
+Hypotheses (Hd : 0 < d) (DP : forall i h, 0 <= h < d -> is_derive (P i) h (P (S i) h)).
+
+(** the mean value theorem for each of them *)
+Lemma mean i g g' a c : 0 <= a < c -> c < d -> (forall h, 0 <= h < d -> is_derive g h (g' h)) ->
+  exists h, a < h < c /\ (g c - P i c) - (g a - P i a) = (g' h - P (S i) h) * (c - a).
+Proof.
+  intros Ha Hc Dg. destruct (MVT_cor2 (fun h => g h - P i h) (fun h => g' h - P (S i) h) a c) as (h & E & Hh);
+    [lra| |eauto].
+  intros h Hh. apply is_derive_Reals. apply (is_derive_minus g (P i)); [apply Dg|apply DP]; lra.
+Qed.
+
+(** where all are 0 at 0, each is as small as its power series allows *)
+Lemma below_power C K : 0 < C -> 0 < K -> (forall i h, 0 <= h < d -> Rabs (P i h) <= C * K ^ i * INR (fact i)) ->
+  (forall i, P i 0 = 0) -> forall j i h, 0 <= h < d -> Rabs (P i h) <= C * K ^ (i + j) * (INR (fact (i + j)) / INR
+    (fact j)) * h ^ j.
+Proof.
+  intros HC HK B Z. induction j as [|j IH]; intros i h Hh.
+  - rewrite Nat.add_0_r, pow_O, Rmult_1_r. replace (INR (fact 0)) with 1 by reflexivity.
+    unfold Rdiv. rewrite Rinv_1, Rmult_1_r. auto.
+  - replace (i + S j)%nat with (S i + j)%nat by lia. destruct (Req_dec h 0) as [->|Nz].
+    { rewrite Z, Rabs_R0, pow_i by lia. lra. }
+    set (A := C * K ^ (S i + j) * (INR (fact (S i + j)) / INR (fact (S j)))).
+    assert (Dg : forall s, s = 1 \/ s = -1 -> forall u, 0 <= u < d ->
+      is_derive (fun u => s * (A * u ^ S j)) u (s * (A * INR (S j) * u ^ j))).
+    { intros s _ u _. auto_derive; auto. change (match j with 0%nat => 1 | S _ => INR j + 1 end) with (INR (S j)).
+      ring. }
+    assert (Fj : 0 < INR (fact j)) by (apply lt_0_INR, lt_O_fact). assert (Sj : 0 < INR (S j)) by (apply lt_0_INR; lia).
+    assert (Up : forall u, 0 <= u < d -> Rabs (P (S i) u) <= A * INR (S j) * u ^ j).
+    { intros u Hu. eapply Rle_trans; [apply IH; auto|]. apply Req_le. unfold A.
+      replace (fact (S j)) with (S j * fact j)%nat by reflexivity. rewrite mult_INR. field. lra. }
+    destruct (mean i _ _ 0 h ltac:(lra) ltac:(lra) (Dg 1 ltac:(auto))) as (u & Hu & E).
+    destruct (mean i _ _ 0 h ltac:(lra) ltac:(lra) (Dg (-1) ltac:(auto))) as (q & Hq & E').
+    pose proof (Up u ltac:(lra)) as U1. pose proof (Up q ltac:(lra)) as U2. rewrite Z, pow_i in E, E' by lia.
+    apply Rabs_le_between in U1. apply Rabs_le_between in U2.
+    apply Rabs_le. split; nra.
+Qed.
+
+(** so the function is 0 there as far as the series converges *)
+Lemma flat C K : 0 < C -> 0 < K -> (forall i h, 0 <= h < d -> Rabs (P i h) <= C * K ^ i * INR (fact i)) ->
+  (forall i, P i 0 = 0) -> forall h, 0 <= h < d -> K * h <= / 2 -> P 0%nat h = 0.
+Proof.
+  intros HC HK B Z h Hh Small. apply Rabs_eq_0, Rle_antisym; [|apply Rabs_pos]. apply le_epsilon. intros e He.
+  destruct (pow_lt_1_zero (/ 2) ltac:(rewrite Rabs_pos_eq; lra) (e / C) ltac:(apply Rdiv_lt_0_compat; auto)) as (n & Q).
+  specialize (Q n ltac:(lia)). rewrite Rabs_pos_eq in Q by (apply pow_le; lra).
+  pose proof (below_power C K HC HK B Z n 0%nat h Hh) as L. change (0 + n)%nat with n in L.
+  replace (C * K ^ n * (INR (fact n) / INR (fact n)) * h ^ n) with (C * (K * h) ^ n) in L
+    by (rewrite Rpow_mult_distr; field; apply INR_fact_neq_0).
+  assert (Pw : (K * h) ^ n <= (/ 2) ^ n) by (apply pow_incr; split; [apply Rmult_le_pos; lra|auto]).
+  assert (C * (K * h) ^ n <= C * (e / C)) by (apply Rmult_le_compat_l; lra).
+  assert (C * (e / C) = e) by (field; lra). lra.
+Qed.
+
+(** the sign at 0 of the first derivative that is not 0 there is for a while that of all lower ones *)
+Lemma rising k n : k = 1 \/ k = -1 -> 0 < k * P n 0 -> (forall i, (i < n)%nat -> P i 0 = 0) ->
+  exists c, 0 < c <= d /\ forall i, (i <= n)%nat -> forall h, 0 < h < c -> 0 < k * P i h.
+Proof.
+  intros Hk Pn Z. assert (Near : exists c, 0 < c <= d /\ forall h, 0 <= h < c -> 0 < k * P n h).
+  { assert (Cp : continuity_pt (fun h => k * P n h) 0).
+    { apply derivable_continuous_pt. exists (k * P (S n) 0). apply is_derive_Reals, is_derive_scal, DP. lra. }
+    destruct (Cp (k * P n 0) Pn) as (c & Hc & Q). exists (Rmin c d). pose proof (Rmin_l c d). pose proof (Rmin_r c d).
+    split; [split; [apply Rmin_glb_lt; auto|auto]|]. intros h Hh. destruct (Req_dec h 0) as [->|N]; auto.
+    specialize (Q h). simpl in Q. unfold R_dist in Q. rewrite Rminus_0_r, (Rabs_pos_eq h) in Q by lra.
+    assert (D : Rabs (k * P n h - k * P n 0) < k * P n 0) by (apply Q; split; [split; [exact I|auto]|lra]).
+    apply Rabs_def2 in D. lra. }
+  destruct Near as (c & Hc & Near). exists c. split; auto. intros i Hi. remember (n - i)%nat as j eqn:Ej.
+  revert i Hi Ej. induction j as [|j IH]; intros i Hi Ej h Hh.
+  - replace i with n by lia. apply Near. lra.
+  - destruct (mean i (fun _ => 0) (fun _ => 0) 0 h ltac:(lra) ltac:(lra)) as (u & Hu & E).
+    { intros u _. auto_derive; auto. }
+    rewrite (Z i) in E by lia. pose proof (IH (S i) ltac:(lia) ltac:(lia) u ltac:(lra)) as Pu.
+    replace (P i h) with (P (S i) u * h) by lra. rewrite <- Rmult_assoc. apply Rmult_lt_0_compat; lra.
+Qed.
+
+(** one that never falls stays *)
+Lemma never_rises c : 0 < c <= d -> (forall h, 0 < h < c -> P 1%nat h <= 0) -> forall h h', 0 <= h <= h' -> h' < c ->
+  P 0%nat h' <= P 0%nat h.
+Proof.
+  intros Hc N h h' Hh Hh'. destruct (Req_dec h h') as [->|Ne]; [lra|].
+  destruct (mean 0 (fun _ => 0) (fun _ => 0) h h' ltac:(lra) ltac:(lra)) as (u & Hu & E).
+  { intros u _. auto_derive; auto. }
+  specialize (N u ltac:(lra)). nra.
+Qed.
+
+(** the alternatives: the function rises, or it never does *)
+Lemma rises_or_not C K : 0 < C -> 0 < K -> (forall i h, 0 <= h < d -> Rabs (P i h) <= C * K ^ i * INR (fact i)) ->
+  P 0%nat 0 = 0 -> exists c, 0 < c <= d /\
+  ((forall h, 0 < h < c -> 0 < P 0%nat h) \/ (forall h h', 0 <= h <= h' -> h' < c -> P 0%nat h' <= P 0%nat h)).
+Proof.
+  intros HC HK B Z0. destruct (classic (exists n, P n 0 <> 0)) as [Ex|No].
+  - destruct (dec_inh_nat_subset_has_unique_least_element (fun n => P n 0 <> 0) (fun n => classic _) Ex)
+      as (n & (Pn & Least) & _).
+    assert (Z : forall i, (i < n)%nat -> P i 0 = 0).
+    { intros i Hi. apply NNPP. intros N. specialize (Least i N). lia. }
+    assert (N1 : (1 <= n)%nat) by (destruct n; [contradiction|lia]).
+    destruct (Rdichotomy _ _ Pn) as [Neg|Pos].
+    + destruct (rising (-1) n (or_intror eq_refl) ltac:(lra) Z) as (c & Hc & Q). exists c. split; auto. right.
+      apply never_rises; auto. intros h Hh. specialize (Q 1%nat N1 h Hh). lra.
+    + destruct (rising 1 n (or_introl eq_refl) ltac:(lra) Z) as (c & Hc & Q). exists c. split; auto. left.
+      intros h Hh. specialize (Q 0%nat ltac:(lia) h Hh). lra.
+  - assert (Z : forall i, P i 0 = 0) by (intros i; apply NNPP; intros N; apply No; exists i; auto).
+    exists (Rmin d (/ (2 * K))). pose proof (Rmin_l d (/ (2 * K))). pose proof (Rmin_r d (/ (2 * K))).
+    assert (0 < / (2 * K)) by (apply Rinv_0_lt_compat; lra). split; [split; [apply Rmin_glb_lt; auto|auto]|]. right.
+    assert (F : forall h, 0 <= h < Rmin d (/ (2 * K)) -> P 0%nat h = 0).
+    { intros h Hh. apply (flat C K); auto; [lra|]. replace (/ 2) with (K * / (2 * K)) by (field; lra).
+      apply Rmult_le_compat_l; lra. }
+    intros h h' Hh Hh'. rewrite !F by lra. lra.
+Qed.
+End Derivatives.
+
+(** a function that is analytic at t goes one way next to it, on either side *)
+Theorem analytic_one_way f t e : e = 1 \/ e = -1 -> analytic_at f t -> one_way f t e.
+Proof.
+  intros He (P & d & C & K & Hd & HC & HK & P0 & DP).
+  assert (E0 : Rabs e = 1) by (unfold Rabs; destruct Rcase_abs; lra).
+  assert (In : forall h, 0 <= h < d -> Rabs (t + e * h - t) < d).
+  { intros h Hh. replace (t + e * h - t) with (e * h) by ring. rewrite Rabs_mult, E0, (Rabs_pos_eq h); lra. }
+  assert (E1 : forall i, Rabs (e ^ i) = 1).
+  { intros i. rewrite <- RPow_abs, E0. apply pow1. }
+  (* the derivatives along the way, of f less its value at t *)
+  set (Q := fun i h => match i with O => P 0%nat (t + e * h) - P 0%nat t | S _ => e ^ i * P i (t + e * h) end).
+  destruct (rises_or_not Q d Hd) with (C := 2 * C) (K := K) as (c & Hc & W); try lra.
+  - intros i h Hh. destruct (DP i _ (In h Hh)) as (D & _). assert (Ch : is_derive (fun h => P i (t + e * h)) h (e * P
+    (S i) (t + e * h))).
+    { apply (is_derive_comp (P i) (fun h => t + e * h)); auto. auto_derive; auto; ring. }
+    destruct i as [|i].
+    + unfold Q. rewrite pow_1. apply (is_derive_ext (fun h => P 0%nat (t + e * h) + - P 0%nat t)); [reflexivity|].
+      replace (e * P 1%nat (t + e * h)) with (e * P 1%nat (t + e * h) + 0) by ring.
+      apply (is_derive_plus (fun h => P 0%nat (t + e * h)) (fun _ => - P 0%nat t)); [auto|auto_derive; auto].
+    + unfold Q. replace (e ^ S (S i) * P (S (S i)) (t + e * h)) with (e ^ S i * (e * P (S (S i)) (t + e * h))) by
+      (simpl; ring).
+      apply (is_derive_scal (fun h => P (S i) (t + e * h))); auto.
+  - intros i h Hh. destruct (DP i _ (In h Hh)) as (_ & B). assert (0 <= C * K ^ i * INR (fact i)).
+    { apply Rmult_le_pos; [apply Rmult_le_pos; [lra|apply pow_le; lra]|apply pos_INR]. }
+    destruct i as [|i]; unfold Q.
+    + destruct (DP 0%nat t ltac:(rewrite Rminus_diag_eq, Rabs_R0; auto)) as (_ & B0). simpl in *.
+      eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
+    + rewrite Rabs_mult, E1, Rmult_1_l. nra.
+  - unfold Q. rewrite Rmult_0_r, Rplus_0_r. ring.
+  - assert (F : forall h, 0 <= h < c -> Q 0%nat h = f (t + e * h) - f t).
+    { intros h Hh. unfold Q. rewrite P0 by (apply In; lra). f_equal. f_equal. apply P0.
+      rewrite Rminus_diag_eq, Rabs_R0; auto. }
+    exists c. split; [lra|]. destruct W as [W|W]; [left|right].
+    + intros h Hh. specialize (W h Hh). rewrite F in W by lra. lra.
+    + intros h h' Hh Hh'. specialize (W h h' Hh Hh'). rewrite !F in W by lra. lra.
+Qed.
+
+(** *** Which functions are analytic *)
+
+(** it is enough to know a function nearby *)
+Lemma analytic_near f g t d : 0 < d -> (forall r, Rabs (r - t) < d -> f r = g r) -> analytic_at f t -> analytic_at g t.
+Proof.
+  intros Hd E (P & d' & C & K & Hd' & HC & HK & P0 & DP). exists P, (Rmin d d'), C, K.
+  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [apply Rmin_glb_lt; auto|]. split; auto. split; auto.
+  split.
+  - intros r Hr. rewrite <- E by lra. apply P0. lra.
+  - intros i r Hr. apply DP. lra.
+Qed.
+
+(** an analytic function has a derivative *)
+Lemma analytic_derive f t : analytic_at f t -> exists l, is_derive f t l.
+Proof.
+  intros (P & d & C & K & Hd & HC & HK & P0 & DP). exists (P 1%nat t).
+  apply is_derive_ext_loc with (P 0%nat); [|apply DP; rewrite Rminus_diag_eq, Rabs_R0; auto].
+  exists (mkposreal d Hd). intros r Hr. apply P0. exact Hr.
+Qed.
+
+(** so it is continuous *)
+Lemma analytic_continuous f t : analytic_at f t -> forall e, 0 < e -> exists d, 0 < d /\
+  forall r, Rabs (r - t) < d -> Rabs (f r - f t) < e.
+Proof.
+  intros A e He. destruct (analytic_derive f t A) as (l & D).
+  destruct (derivable_continuous_pt f t) with (eps := e) as (d & Hd & Q); [exists l; apply is_derive_Reals, D|auto|].
+  exists d. split; auto. intros r Hr. destruct (Req_dec r t) as [->|N]; [rewrite Rminus_diag_eq, Rabs_R0; auto|].
+  apply Q. split; [split; [exact I|auto]|exact Hr].
+Qed.
+
+(** sums *)
+Lemma analytic_plus f g t : analytic_at f t -> analytic_at g t -> analytic_at (fun r => f r + g r) t.
+Proof.
+  intros (P & d & C & K & Hd & HC & HK & P0 & DP) (Q & d' & C' & K' & Hd' & HC' & HK' & Q0 & DQ).
+  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). pose proof (Rmax_l K K'). pose proof (Rmax_r K K').
+  exists (fun i r => P i r + Q i r), (Rmin d d'), (C + C'), (Rmax K K').
+  split; [apply Rmin_glb_lt; auto|]. split; [lra|]. split; [lra|]. split; [intros r Hr; rewrite P0, Q0 by lra; auto|].
+  intros i r Hr. destruct (DP i r ltac:(lra)) as (D & B), (DQ i r ltac:(lra)) as (D' & B').
+  split; [apply (is_derive_plus (P i) (Q i)); auto|]. eapply Rle_trans; [apply Rabs_triang|].
+  assert (F : 0 < INR (fact i)) by (apply lt_0_INR, lt_O_fact).
+  assert (C * K ^ i * INR (fact i) <= C * Rmax K K' ^ i * INR (fact i)).
+  { apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [lra|]. apply pow_incr; lra. }
+  assert (C' * K' ^ i * INR (fact i) <= C' * Rmax K K' ^ i * INR (fact i)).
+  { apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [lra|]. apply pow_incr; lra. }
+  lra.
+Qed.
+
+(** multiples *)
+Lemma analytic_scal c f t : analytic_at f t -> analytic_at (fun r => c * f r) t.
+Proof.
+  intros (P & d & C & K & Hd & HC & HK & P0 & DP). pose proof (Rabs_pos c).
+  exists (fun i r => c * P i r), d, ((Rabs c + 1) * C), K. split; auto. split; [apply Rmult_lt_0_compat; lra|].
+  split; auto.
+  split; [intros r Hr; rewrite P0; auto|]. intros i r Hr. destruct (DP i r Hr) as (D & B).
+  split; [apply is_derive_scal; auto|]. rewrite Rabs_mult, !Rmult_assoc. rewrite Rmult_assoc in B.
+  apply Rmult_le_compat; auto using Rabs_pos; lra.
+Qed.
+
+(** constants *)
+Lemma analytic_const c t : analytic_at (fun _ => c) t.
+Proof.
+  pose proof (Rabs_pos c). exists (fun i _ => match i with O => c | S _ => 0 end), 1, (Rabs c + 1), 1.
+  split; [lra|]. split; [lra|]. split; [lra|]. split; [auto|]. intros i r _. split; [destruct i; auto_derive; auto|].
+  rewrite pow1, Rmult_1_r. assert (1 <= INR (fact i)) by (apply (le_INR 1), lt_O_fact).
+  destruct i; [|rewrite Rabs_R0]; nra.
+Qed.
+
+(** what has an analytic derivative *)
+Lemma analytic_primitive f f' t : (forall r, is_derive f r (f' r)) -> analytic_at f' t -> analytic_at f t.
+Proof.
+  intros D (P & d & C & K & Hd & HC & HK & P0 & DP).
+  destruct (derivable_continuous_pt f t) with (eps := 1) as (d' & Hd' & Q);
+    [exists (f' t); apply is_derive_Reals, D|lra|].
+  assert (Near : forall r, Rabs (r - t) < d' -> Rabs (f r) <= Rabs (f t) + 1).
+  { intros r Hr. destruct (Req_dec r t) as [->|N]; [lra|]. assert (L : Rabs (f r - f t) < 1).
+    { apply Q. split; [split; [exact I|auto]|exact Hr]. }
+    pose proof (Rabs_triang_inv (f r) (f t)). lra. }
+  set (K' := Rmax K 1). assert (K <= K') by apply Rmax_l. assert (1 <= K') by apply Rmax_r.
+  set (C' := Rabs (f t) + 1 + C). pose proof (Rabs_pos (f t)).
+  exists (fun i => match i with O => f | S i => P i end), (Rmin d d'), C', K'.
+  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [apply Rmin_glb_lt; auto|].
+  split; [unfold C'; lra|]. split; [lra|]. split; [auto|]. intros i r Hr. destruct i as [|i].
+  - split; [rewrite P0 by lra; apply D|]. simpl. rewrite !Rmult_1_r. specialize (Near r ltac:(lra)). unfold C'. lra.
+  - destruct (DP i r ltac:(lra)) as (Di & B). split; auto. eapply Rle_trans; [exact B|].
+    assert (Pw : 0 < K ^ i) by (apply pow_lt; auto). assert (0 <= INR (fact i)) by apply pos_INR.
+    assert (INR (fact i) <= INR (fact (S i))) by (apply le_INR, fact_le; lia).
+    assert (K ^ i <= K' ^ S i).
+    { apply Rle_trans with (K' ^ i); [apply pow_incr; lra|]. apply Rle_pow; [auto|lia]. }
+    apply Rmult_le_compat; auto; [apply Rmult_le_pos; lra|]. apply Rmult_le_compat; try lra. unfold C'. lra.
+Qed.
+
+(** powers of the time since a *)
+Lemma analytic_power a n t : analytic_at (fun r => (r - a) ^ n) t.
+Proof.
+  induction n as [|n IH]; [exact (analytic_const 1 t)|].
+  apply analytic_primitive with (fun r => INR (S n) * (r - a) ^ n); [|apply analytic_scal, IH].
+  intros r. auto_derive; auto. change (match n with 0%nat => 1 | S _ => INR n + 1 end) with (INR (S n)).
+  unfold Rminus. ring.
+Qed.
+
+(** sinusoids *)
+Lemma analytic_sine om phi t : analytic_at (fun r => sin (om * r + phi)) t.
+Proof.
+  pose proof (Rabs_pos om).
+  exists (fun i r => om ^ i * sin (om * r + phi + INR i * (PI / 2))), 1, 1, (Rabs om + 1).
+  split; [lra|]. split; [lra|]. split; [lra|]. split; [intros r _; simpl; rewrite Rmult_0_l, Rplus_0_r; ring|].
+  intros i r _. split.
+  - rewrite S_INR. auto_derive; auto. replace (om * r + phi + (INR i + 1) * (PI / 2)) with (PI / 2 + (om * r + phi +
+    INR i * (PI / 2))) by field.
+    rewrite <- cos_sin. simpl. ring.
+  - rewrite Rmult_1_l, Rabs_mult, <- RPow_abs. pose proof (pow_le (Rabs om) i (Rabs_pos _)).
+    pose proof (pow_incr (Rabs om) (Rabs om + 1) i ltac:(lra)).
+    assert (1 <= INR (fact i)) by (apply (le_INR 1), lt_O_fact).
+    pose proof (Rabs_pos (sin (om * r + phi + INR i * (PI / 2)))).
+    assert (Rabs (sin (om * r + phi + INR i * (PI / 2))) <= 1) by (apply Rabs_le, SIN_bound). nra.
+Qed.
+
+(** a function that runs earlier by T *)
+Lemma analytic_shift f t T : analytic_at f (T + t) -> analytic_at (fun r => f (T + r)) t.
+Proof.
+  intros (P & d & C & K & Hd & HC & HK & P0 & DP). exists (fun i r => P i (T + r)), d, C, K.
+  assert (In : forall r, Rabs (r - t) < d -> Rabs (T + r - (T + t)) < d) by (intros r Hr;
+    replace (T + r - (T + t)) with (r - t) by ring; auto).
+  split; auto. split; auto. split; auto. split; [intros; apply P0; auto|]. intros i r Hr.
+  destruct (DP i (T + r) (In r Hr)) as (D & B). split; auto.
+  replace (P (S i) (T + r)) with (scal 1 (P (S i) (T + r))) by apply Rmult_1_l.
+  apply (is_derive_comp (P i) (fun r => T + r)); auto. auto_derive; auto.
+Qed.
+
+(** a polynomial, by its coefficients and powers, plus sinusoids, by amplitude, frequency and phase: a piece of a
+  force *)
+Definition piece (powers : list (R * nat)) (sines : list (R * R * R)) (r : R) :=
+  fold_right (fun p z => fst p * r ^ snd p + z) 0 powers +
+  fold_right (fun p z => fst (fst p) * sin (snd (fst p) * r + snd p) + z) 0 sines.
+
+Theorem analytic_piece powers sines t : analytic_at (piece powers sines) t.
+Proof.
+  apply analytic_plus.
+  - induction powers as [|(c, n) later IH]; simpl; [apply analytic_const|]. apply analytic_plus; auto.
+    apply analytic_scal. apply (analytic_near (fun r => (r - 0) ^ n) _ t 1 Rlt_0_1).
+    { intros r _. rewrite Rminus_0_r. auto. } apply analytic_power.
+  - induction sines as [|((c, om), phi) later IH]; simpl; [apply analytic_const|]. apply analytic_plus; auto.
+    apply analytic_scal, analytic_sine.
+Qed.
+
+(** *** Functions that are analytic by pieces *)
+
+(** next to every time, on either side, u is an analytic function; at a time itself the later one is meant *)
+Definition piecewise_analytic (u : R -> R) := forall t, 0 <= t -> exists f g d, 0 < d /\ analytic_at f t /\
+  analytic_at g t /\
+  (forall r, t <= r < t + d -> u r = g r) /\ (forall r, 0 <= r -> t - d < r < t -> u r = f r).
+
+(** a force that is analytic by pieces is so from T on *)
+Lemma piecewise_later u T : 0 <= T -> piecewise_analytic u -> piecewise_analytic (fun t => u (T + t)).
+Proof.
+  intros HT A t Ht. destruct (A (T + t) ltac:(lra)) as (f & g & d & Hd & Af & Ag & Eg & Ef).
+  exists (fun r => f (T + r)), (fun r => g (T + r)), d. split; auto. split; [apply analytic_shift; auto|].
+  split; [apply analytic_shift; auto|]. split; [intros r Hr; apply Eg; lra|intros r Hr0 Hr; apply Ef; lra].
+Qed.
+
+(** *** Polynomials plus sinusoids, by pieces, are such forces: the pieces begin at the times of a list *)
+Fixpoint by_pieces (first : R -> R) (later : list (R * (R -> R))) (t : R) :=
+  match later with
+  | nil => first t
+  | (t1, f) :: rest => if Rlt_dec t t1 then first t else by_pieces f rest t
+  end.
+
+Lemma by_pieces_analytic first later : (forall t, analytic_at first t) -> (forall p, In p later -> forall t,
+  analytic_at (snd p) t) ->
+  piecewise_analytic (by_pieces first later).
+Proof.
+  revert first. induction later as [|(t1, f) rest IH]; intros first A0 A.
+  - intros t _. exists first, first, 1. repeat split; auto; lra.
+  - intros t Ht. destruct (IH f (fun t => A (t1, f) (or_introl eq_refl) t) (fun p Hp => A p (or_intror Hp)) t Ht)
+      as (f' & g' & d & Hd & Af & Ag & Eg & Ef).
+    assert (Early : forall r, r < t1 -> by_pieces first ((t1, f) :: rest) r = first r)
+      by (intros r Hr; simpl; destruct (Rlt_dec r t1); auto; lra).
+    assert (Late : forall r, t1 <= r -> by_pieces first ((t1, f) :: rest) r = by_pieces f rest r)
+      by (intros r Hr; simpl; destruct (Rlt_dec r t1); auto; lra).
+    destruct (Rtotal_order t t1) as [Lt|[->|Gt]].
+    + exists first, first, (t1 - t). repeat split; auto; try lra; intros; apply Early; lra.
+    + exists first, g', d. repeat split; auto; intros; [rewrite Late by lra; auto|apply Early; lra].
+    + exists f', g', (Rmin d (t - t1)). pose proof (Rmin_l d (t - t1)). pose proof (Rmin_r d (t - t1)).
+      split; [apply Rmin_glb_lt; lra|]. repeat split; auto; intros; rewrite Late by lra; [apply Eg|apply Ef]; lra.
+Qed.
+
+(** each piece a polynomial plus sinusoids: what scenes have *)
+Theorem scenes_are_analytic first later : piecewise_analytic (by_pieces (piece (fst first) (snd first))
+  (map (fun p => (fst p, piece (fst (snd p)) (snd (snd p)))) later)).
+Proof.
+  apply by_pieces_analytic; [apply analytic_piece|]. intros p Hp t. apply in_map_iff in Hp. destruct Hp as (z & <- & _).
+  apply analytic_piece.
+Qed.
