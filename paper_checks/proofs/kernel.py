@@ -157,10 +157,15 @@ class _Run:
         ]
         command = ["coqc", "-q", "-w", "none", *below, "-Q", ".", LIBRARY, f"{name}.v"]
         self._errors = (self._folder / "errors").open("w+", encoding="utf-8")
-        # a session of its own: Ctrl-C in the terminal reaches us, and we end it
-        self._process = subprocess.Popen(
-            command, cwd=self._folder, stdout=subprocess.DEVNULL, stderr=self._errors, start_new_session=True
-        )
+        try:
+            # a session of its own: Ctrl-C in the terminal reaches us, and we end it
+            self._process = subprocess.Popen(
+                command, cwd=self._folder, stdout=subprocess.DEVNULL, stderr=self._errors, start_new_session=True
+            )
+        except BaseException:  # an interrupt while it starts: nobody else knows the folder yet
+            self._errors.close()
+            shutil.rmtree(self._folder, ignore_errors=True)
+            raise
 
     def finished(self) -> bool:
         """Whether the compiler has ended; one that takes far too long is ended."""
