@@ -137,19 +137,53 @@ def in_other_seconds(scene, factor):
     )
 
 
-@pytest.mark.parametrize("factor", [Fraction(10**9), Fraction(10**20), Fraction(1, 10**9), Fraction(1, 10**20)])
+@pytest.mark.parametrize("exponent", [9, 20, 60, -9, -20, -60])
 @pytest.mark.parametrize(
-    "name", ["tie-by-second-derivative-slips", "tie-on-the-lower-edge", "contact-to-third-order", "sine-at-threshold"]
+    "name",
+    [
+        "tie-by-second-derivative-slips",
+        "tie-on-the-lower-edge",
+        "contact-to-third-order",
+        "sine-at-threshold",
+        "polynomial-of-degree-8",
+    ],
 )
-def test_the_unit_of_time_does_not_matter(name, factor):
-    """@example of a found fault: at a tie a time below 1e-15 s was rounded to 0."""
-    scene = load_scene(HERE / "scenes" / f"{name}.toml")
+def test_the_unit_of_time_does_not_matter(name, exponent):
+    """@example of found faults: a time below 1e-15 s was rounded to 0 at a tie; tau^20 left the range of floats."""
+    scene, factor = load_scene(HERE / "scenes" / f"{name}.toml"), Fraction(10) ** exponent
     one = solve(scene, arithmetic="ball", digits=25)
     two = solve(in_other_seconds(scene, factor), arithmetic="ball", digits=25)
     assert one.modes == two.modes
     for a, b in zip(one.events, two.events, strict=True):
         assert (a.t * factor.numerator / factor.denominator).overlaps(b.t)
         assert a.y[0].overlaps(b.y[0])
+    assert two.ledger.residual.contains(0)
+
+
+@pytest.mark.parametrize("exponent", [9, 16, 20, 60, 100, -9, -16, -20, -60, -100])
+@pytest.mark.parametrize("name", ["triangular-wave", "polynomial-of-degree-8", "sine-stick-slip", "damping-heavy"])
+def test_the_unit_of_time_does_not_matter_in_floats(name, exponent):
+    """Events, states between them, bounds and ledger. @example of found faults: refusals, a bare ZeroDivisionError."""
+    scene, factor = load_scene(HERE / "scenes" / f"{name}.toml"), Fraction(10) ** exponent
+    one, two = solve(scene), solve(in_other_seconds(scene, factor))
+    assert one.modes == two.modes
+    assert two.event_times / float(factor) == pytest.approx(one.event_times, rel=1e-14)
+    assert two.event_states[0] == pytest.approx(one.event_states[0], rel=1e-12, abs=1e-15)
+    assert two.accuracy.digits == pytest.approx(one.accuracy.digits, abs=1)
+    early = two.sol(two.scene.until / 3)
+    assert early[0] == pytest.approx(one.sol(scene.until / 3)[0], rel=1e-13)
+    assert early[1] * float(factor) == pytest.approx(one.sol(scene.until / 3)[1], rel=1e-13)
+    assert abs(two.ledger.residual) <= 1e-12 * (two.ledger.friction + two.ledger.viscous)
+
+
+@pytest.mark.parametrize("way", ["ball", "float64"])
+@pytest.mark.parametrize("a2", ["1e-900", "1e900"])
+def test_rates_out_of_all_proportion_are_refused_in_one_line(a2, way):
+    """@example of a found fault: ZeroDivisionError."""
+    scene = Scene(Pair(1, 1, a2, "0.05", a1=1), State(), 3, force=Force.sine("0.45", 5))
+    with pytest.raises(NumericsError) as refused:
+        solve(scene, arithmetic=way)
+    assert len(str(refused.value).splitlines()) == 1
 
 
 @given(driven_scenes())

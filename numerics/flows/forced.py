@@ -12,7 +12,7 @@ from typing import Any
 from numerics.arithmetic.float64 import ZERO, rough, size, widened
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text, text_apart
-from numerics.flows.forced_records import HEAD, SINE, Drive, Moved, Swing
+from numerics.flows.forced_records import HEAD, PHASES, SINE, Drive, Moved, Swing
 from numerics.flows.forced_sine import sine_by_series, sine_by_steady_state, sine_near_resonance
 from numerics.flows.oscillator import propagate
 
@@ -71,29 +71,31 @@ def by_series(
 ) -> Moved:
     """Return the motion under the polynomial and the push by its power series, for rate tau <= 1.
 
-    With c_k = x^(k)/k!, (k+1)(k+2) c_(k+2) = (f_k - a1 (k+1) c_(k+1) - a2 c_k)/m. Past the polynomial's degree
-    max(|x^(k)|, |x^(k+1)|/rate)/rate^k never grows, which bounds the rest.
+    d_k = x^(k) tau^k/k! is carried whole, so that no unit of time is too large or too small:
+    (k+1)(k+2) d_(k+2) = (f_k tau^(k+2) - a1 tau (k+1) d_(k+1) - a2 tau^2 d_k)/m, divided by tau once. Past the
+    polynomial's degree max(|x^(k)|, |x^(k+1)|/rate)/rate^k never grows, which bounds the rest.
     """
-    a, b, power = x, v, tau
+    a, b, power = x, v, tau  # d_k, d_(k+1)/tau and tau^(k+1)
     position, speed = x + v * tau, v
     x_size, v_size = abs(rough(x)) + abs(rough(v * tau)), abs(rough(v))
-    terms = max(swing.terms, count + 2)
+    terms, drag, stiff = max(swing.terms, count + 2), swing.a1 * tau, swing.a2 * tau
     for k in range(terms):
-        f = coefficient_at(numbers, first, count, k, local) if k < count else ZERO
+        pull = -drag * ((k + 1) * b) - stiff * a
+        if k < count:
+            pull = pull + coefficient_at(numbers, first, count, k, local) * power
         if k == 0:
-            f = f + push
-        c = ((f - swing.a1 * ((k + 1) * b) - swing.a2 * a) / swing.mass) / ((k + 1) * (k + 2))
-        term = c * power  # of the velocity, over k + 2
-        speed = speed + (k + 2) * term
-        position = position + term * tau
-        x_size += abs(rough(term * tau))
-        v_size += (k + 2) * abs(rough(term))
-        a, b, power = b, c, power * tau
-    # a and b are c_n and c_(n+1), n = terms
-    rest = (size(a) + size(b) * ((terms + 1) / swing.rate)) * power * 4
-    return Moved(
-        widened(position, rest), widened(speed, (terms + 1) * rest / tau) if rough(tau) > 0.0 else speed, x_size, v_size
-    )
+            pull = pull + push * tau
+        c = (pull / swing.mass) / ((k + 1) * (k + 2))
+        term = c * tau
+        speed = speed + (k + 2) * c
+        position = position + term
+        x_size += abs(rough(term))
+        v_size += (k + 2) * abs(rough(c))
+        a, b, power = b * tau, c, power * tau
+    # d_n and d_(n+1), n = terms, times rate tau/(n+1) and 1: what is left of x is (rate tau) times these over n + 2
+    rest = size(a) * (swing.rate * tau) / (terms + 1) + size(b * tau)
+    x_rest = 4 * rest * (swing.rate * tau) / (terms + 2)
+    return Moved(widened(position, x_rest), widened(speed, 4 * rest * swing.rate), x_size, v_size)
 
 
 @text
@@ -117,12 +119,13 @@ def with_sine(swing: Swing, numbers: Any, at: int, is_stick: bool, local: Number
     """Return the motion with the answer from rest to one sine added."""
     amplitude, omega = numbers[at], numbers[at + 1]
     phase = numbers[at + 2] + omega * local
+    off = (abs(rough(numbers[at + 2])) + rough(omega * local)) / PHASES
     mode = at + (5 if is_stick else 3)
     total = (swing.rate + rough(omega)) * rough(tau)
     if total <= swing.short:
-        one = sine_by_series(swing, amplitude, omega, phase, tau, total)
+        one = sine_by_series(swing, amplitude, omega, phase, off, tau)
     elif swing.light and 0.5 < rough(omega) / rough(swing.of.frequency) < 2.0:
-        one = sine_near_resonance(swing, amplitude, omega, phase, numbers[mode], tau)
+        one = sine_near_resonance(swing, amplitude, omega, phase, off, numbers[mode], tau)
     else:
-        one = sine_by_steady_state(swing, amplitude, omega, phase, numbers[mode + 1], tau)
+        one = sine_by_steady_state(swing, amplitude, omega, phase, off, numbers[mode + 1], tau)
     return Moved(found.x + one.x, found.v + one.v, found.x_size + one.x_size, found.v_size + one.v_size)

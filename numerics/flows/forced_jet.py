@@ -13,7 +13,7 @@ from numerics.arithmetic.float64 import UNIT, rough, sine_cosine, spread
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text, text_apart
 from numerics.flows.forced import coefficient_at, moved
-from numerics.flows.forced_records import HEAD, ROUNDINGS, SINE, Drive, Jet, Moved, Pair, Push, Start
+from numerics.flows.forced_records import HEAD, PHASES, ROUNDINGS, SINE, Drive, Jet, Moved, Pair, Push, Start
 
 
 @text_apart
@@ -27,7 +27,7 @@ def push_at(drive: Drive, piece: int, local: Number) -> Push:
     height, third, fourth = 0.0, 0.0, 0.0
     for n in range(count):
         term = abs(rough(numbers[low + n]))
-        height += term * length**n
+        height += term * rough(local) ** n * (1.0 + n / 8.0)  # Horner's scheme rounds twice for each power
         if n > 2:
             third += term * n * (n - 1) * (n - 2) * length ** (n - 3)
         if n > 3:
@@ -40,7 +40,8 @@ def push_at(drive: Drive, piece: int, local: Number) -> Push:
         push, next_push = amplitude * sine, amplitude * omega * cosine
         u0, u1 = u0 + push, u1 + next_push
         u2, u3 = u2 - omega * omega * push, u3 - omega * omega * next_push
-        height += peak * (1.0 + abs(rough(numbers[at + 2])) + rate * rough(local))
+        off = (abs(rough(numbers[at + 2])) + rate * rough(local)) / PHASES
+        height += abs(rough(push)) + abs(rough(amplitude * cosine)) * off
         third, fourth = third + peak * rate**3, fourth + peak * rate**4
         at += SINE
     return Push(u0, u1, u2, u3, height, third, fourth)

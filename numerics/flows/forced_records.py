@@ -13,8 +13,8 @@ the start of the piece, then for slip and for stick the frequency squared less o
 
 ROUNDINGS = 16.0
 """Roundings that a number takes, counted in the size of what it is a sum of."""
-PHASES = 8.0
-"""A phase takes so many roundings fewer than other numbers: they are counted in 16 of them ROUNDINGS."""
+PHASES = 4.0
+"""A phase takes so many times fewer roundings: those of the phase at the start, of omega, of their product and sum."""
 
 
 class Swing(NamedTuple):

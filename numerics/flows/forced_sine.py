@@ -15,32 +15,31 @@ from numerics.flows.oscillator import propagate
 
 
 @text
-def sine_by_series(swing: Swing, amplitude: Number, omega: Number, phase: Number, tau: Number, total: float) -> Moved:
+def sine_by_series(swing: Swing, amplitude: Number, omega: Number, phase: Number, off: float, tau: Number) -> Moved:
     """Return the answer from rest by its power series: |x^(k)| <= (A/m) (rate + omega)^(k-2) at the start."""
     sine, cosine = sine_cosine(phase)
-    f, g = amplitude * sine, amplitude * omega * cosine  # of the series of the force, two at a time
-    a, b, power, position, speed = ZERO, ZERO, tau, ZERO, ZERO
+    turned, v_size = omega * tau, 0.0
+    # the series of the force, two at a time, and d_k, d_(k+1)/tau as in flows/forced.py
+    f, g, drag, stiff = amplitude * sine, amplitude * turned * cosine, swing.a1 * tau, swing.a2 * tau
+    a, b, position, speed = ZERO, ZERO, ZERO, ZERO
     for k in range(swing.terms):
-        c = ((f - swing.a1 * ((k + 1) * b) - swing.a2 * a) / swing.mass) / ((k + 1) * (k + 2))
-        term = c * power
-        speed, position = speed + (k + 2) * term, position + term * tau
-        a, b, power = b, c, power * tau
-        f, g = g, -(omega * omega) * f / ((k + 1) * (k + 2))
+        c = ((f * tau - drag * ((k + 1) * b) - stiff * a) / swing.mass) / ((k + 1) * (k + 2))
+        speed, position = speed + (k + 2) * c, position + c * tau
+        v_size += (k + 2) * abs(rough(c))
+        a, b = b * tau, c
+        f, g = g, -(turned * turned) * f / ((k + 1) * (k + 2))
     rest = amplitude / swing.mass * tau
     for k in range(2, swing.terms + 2):
         rest = rest * (tau * swing.rate + tau * omega) / k
-    push = abs(rough(amplitude / swing.mass)) * rough(tau)
-    return Moved(
-        widened(position, 4 * rest * tau),
-        widened(speed, 4 * (swing.terms + 2) * rest),
-        push * rough(tau) * (1.0 + total),
-        push * (1.0 + total),
-    )
+    # a phase that is off changes the force by its other half
+    v_size += abs(rough(amplitude * cosine / swing.mass * tau)) * off
+    x_size = v_size * rough(tau)
+    return Moved(widened(position, 4 * rest * tau), widened(speed, 4 * (swing.terms + 2) * rest), x_size, v_size)
 
 
 @text
 def sine_by_steady_state(
-    swing: Swing, amplitude: Number, omega: Number, phase: Number, stiff: Number, tau: Number
+    swing: Swing, amplitude: Number, omega: Number, phase: Number, off: float, stiff: Number, tau: Number
 ) -> Moved:
     """Return the answer from rest as steady state plus free motion; `stiff` = a2 - m omega^2."""
     drag = swing.a1 * omega
@@ -52,16 +51,26 @@ def sine_by_steady_state(
     free, free_speed = propagate(swing.of, -y, -z, tau)
     x = in_phase * sine_end - behind * cosine_end + free
     v = omega * (in_phase * cosine_end + behind * sine_end) + free_speed
-    height, frequency = abs(rough(in_phase)) + abs(rough(behind)), rough(omega)
-    turned = 1.0 + (abs(rough(phase)) + frequency * rough(tau)) / PHASES
-    # the free motion: |z| t or |z|/rate, whichever is less
-    reach = height * frequency * min(rough(tau), 1.0 / rough(swing.of.frequency) if swing.of.regime > 0 else rough(tau))
-    return Moved(x, v, 2.0 * height * turned + reach, height * (frequency * turned + swing.rate))
+    x_begin, v_begin = steady_sizes(in_phase, behind, sine, cosine, rough(omega), off)
+    x_end, v_end = steady_sizes(in_phase, behind, sine_end, cosine_end, rough(omega), off + rough(omega * tau) / PHASES)
+    # the free motion from (y, z): |z| t or |z|/rate, whichever is less
+    reach = v_begin * min(rough(tau), 1.0 / rough(swing.of.frequency) if swing.of.regime > 0 else rough(tau))
+    return Moved(x, v, x_end + x_begin + reach, v_end + v_begin + swing.rate * x_begin)
+
+
+@text
+def steady_sizes(
+    in_phase: Number, behind: Number, sine: Number, cosine: Number, omega: float, off: float
+) -> tuple[float, float]:
+    """Return the sizes of what a steady state's position and velocity are sums of; `off` is the size of its phase."""
+    one = abs(rough(in_phase * sine)) + abs(rough(behind * cosine))
+    two = abs(rough(in_phase * cosine)) + abs(rough(behind * sine))
+    return one + off * two, omega * (two + off * one)
 
 
 @text
 def sine_near_resonance(
-    swing: Swing, amplitude: Number, omega: Number, phase: Number, detuning: Number, tau: Number
+    swing: Swing, amplitude: Number, omega: Number, phase: Number, off: float, detuning: Number, tau: Number
 ) -> Moved:
     """Return the answer from rest, exact at resonance and free of cancellation next to it; light damping.
 
@@ -78,7 +87,7 @@ def sine_near_resonance(
     # r+ Q+ - r- Q- = -decay (Q+ - Q-) + i n (Q+ + Q-)
     re_v, im_v = -decay * re - n * (im_1 + im_2), n * (re_1 + re_2) - decay * im
     scaled = abs(rough(scale)) * (abs(rough(re_1)) + abs(rough(im_1)) + abs(rough(re_2)) + abs(rough(im_2)))
-    turned = 1.0 + (abs(rough(phase)) + (rough(omega) + rough(n)) * rough(tau)) / PHASES
+    turned = 1.0 + off + (rough(omega) + rough(n)) * rough(tau) / PHASES
     x, v = scale * (cosine * re - sine * im), scale * (cosine * re_v - sine * im_v)
     return Moved(x, v, scaled * turned, scaled * turned * swing.rate)
 

@@ -23,6 +23,7 @@ from numerics.run.forced_loop import OPEN, at_horizon, record, rounded_start, ru
 from numerics.scene import Scene
 from numerics.trajectory.forced import ForcedTrajectory
 from numerics.trajectory.forced_record import ForcedRecord, row_length
+from numerics.trajectory.forced_units import in_seconds, in_unit, unit_of_time
 
 Progress = Callable[[int, float], None]
 _FEW, _MANY = 6000, 65536
@@ -45,6 +46,22 @@ def run_forced_scene(
     scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None
 ) -> ForcedTrajectory:
     """Solve a scene with a force once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange."""
+    unit = unit_of_time(scene)
+    try:
+        record = _recorded(scene if unit == 1 else in_unit(scene, unit), arithmetic, max_events, progress)
+    except (ZeroDivisionError, OverflowError):
+        raise OutOfRange(
+            "rates of this scene lie so far apart that floats cannot choose steps; bring a1/m1, sqrt(a2/m1), omega and "
+            "1/until within 1e+-60 of each other"
+        ) from None
+    if unit != 1:
+        with arithmetic.context():
+            record = in_seconds(record, unit, arithmetic)
+    return ForcedTrajectory(scene, arithmetic, record, bounded=arithmetic.name in _HAS_BOUNDS)
+
+
+def _recorded(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> ForcedRecord:
+    """Return what a run leaves behind, its times in the unit in which the scene counts them."""
     pieces = pieces_of(scene, with_seams=has_seams(arithmetic))
     knots = exact_knots(scene, pieces)
     with arithmetic.context():
@@ -62,9 +79,7 @@ def run_forced_scene(
     if how == EVENT_LIMIT:
         parts, end = _up_to_last_event(parts)
     kept, end = (_joined(parts), np.array(end)) if arithmetic.name == "float64" else (list(chain(*parts)), end)
-    return ForcedTrajectory(
-        scene, arithmetic, ForcedRecord(kept, end, how, told.width), bounded=arithmetic.name in _HAS_BOUNDS
-    )
+    return ForcedRecord(kept, end, how, told.width)
 
 
 def _up_to_last_event(parts: list[Any]) -> tuple[list[Any], Any]:

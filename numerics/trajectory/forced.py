@@ -23,6 +23,7 @@ from numerics.trajectory.forced_accuracy import accuracy_of
 from numerics.trajectory.forced_dense import ForcedDense
 from numerics.trajectory.forced_record import ForcedRecord
 from numerics.trajectory.forced_segment import ForcedSegment, ledger_of
+from numerics.trajectory.forced_units import in_seconds, in_unit, unit_of_time
 from numerics.trajectory.segment import EnergyLedger, Event
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
@@ -111,11 +112,11 @@ class ForcedTrajectory(Trajectory):
 
     def time_of(self, row: int) -> Number:
         """Return when the segment of a row begins, s; -1: the end. In the arithmetic's context."""
-        record, (_, drive) = self.record, self.tables
+        record, number = self.record, self.arithmetic.number
         code = record.end_row if row < 0 else record.rows[row]
         if row < 0 and self.reached:
-            return self.arithmetic.number(self.scene.until)
-        at = drive.numbers[drive.places[int(code[3])][0]] + record.number(row, "local")
+            return number(self.scene.until)
+        at = number(self.pieces[int(code[3])].start) + record.number(row, "local")
         return widened(at, record.number(row, "late")) if self.arithmetic.name == "ball" else at
 
     @property
@@ -206,6 +207,16 @@ class ForcedTrajectory(Trajectory):
         return ForcedSegment(MODES[self.signs[index]], t[index], t[index + 1], self)
 
     @cached_property
+    def in_unit(self) -> ForcedTrajectory:
+        """Return the same trajectory with its times in the unit in which it was followed; itself, mostly."""
+        unit = unit_of_time(self.scene)
+        if unit == 1:
+            return self
+        with self.arithmetic.context():
+            record = in_seconds(self.record, 1 / unit, self.arithmetic)
+        return ForcedTrajectory(in_unit(self.scene, unit), self.arithmetic, record, bounded=self.bounded)
+
+    @cached_property
     def dense(self) -> ForcedDense:
         """Return the evaluation at any time."""
         return ForcedDense(self)
@@ -231,4 +242,5 @@ class ForcedTrajectory(Trajectory):
     def ledger(self) -> EnergyLedger:
         """Return the energy ledger of the whole run, with the work of u."""
         with self.arithmetic.context():
-            return ledger_of(self)
+            found, unit = ledger_of(self.in_unit), unit_of_time(self.scene)
+            return found if unit == 1 else found.times(self.arithmetic.number(1 / unit**2))

@@ -12,6 +12,7 @@ from numerics.flows.forced_jet import state_at
 from numerics.flows.forced_records import Start
 from numerics.motion.modes import MODES, Mode
 from numerics.trajectory.dense import Side, exact_time
+from numerics.trajectory.forced_units import unit_of_time
 
 
 class ForcedDense:
@@ -70,6 +71,11 @@ class ForcedDense:
 
     def after(self, row: int, tau: Number) -> tuple[Number, ...]:
         """Return the state at tau after the start of a row's segment."""
+        followed = self._of.in_unit
+        if followed is not self._of:
+            number, unit = self._arithmetic.number, unit_of_time(self._of.scene)
+            x1, v1, x2, v2 = followed.dense.after(row, tau * number(1 / unit))
+            return x1, v1 * number(1 / unit), x2, v2 * number(1 / unit)
         start, (pair, drive) = self.motion_of(row), self._of.tables
         here = self._arithmetic.telling(state_at)(pair, drive, start, tau)
         if start.mode == 0:

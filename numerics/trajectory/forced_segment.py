@@ -49,13 +49,13 @@ def ledger_of(trajectory: Any) -> EnergyLedger:
 
 def length_of(trajectory: Any, row: int) -> Number:
     """Return how long the segment of a row lasts, s."""
-    rows, record, (_, drive) = trajectory.record.rows, trajectory.record, trajectory.tables
+    rows, record = trajectory.record.rows, trajectory.record
     piece = int(rows[row][3])
     after = row + 1 if row + 1 < len(rows) else -1
     code = record.end_row if after < 0 else rows[after]
     if int(code[3]) == piece:
         return record.number(after, "local") - record.number(row, "local")
-    return drive.numbers[drive.places[piece][0] + 1] - record.number(row, "local")
+    return trajectory.arithmetic.number(trajectory.pieces[piece].length) - record.number(row, "local")
 
 
 def row_parts(trajectory: Any, row: int, length: Number) -> tuple[Number, Number, Number]:

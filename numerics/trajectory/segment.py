@@ -75,6 +75,11 @@ class EnergyLedger:
     residual: Number
     work: Number = 0
 
+    def times(self, factor: Number) -> EnergyLedger:
+        """Return the ledger in another unit of energy."""
+        parts = self.initial, self.final, self.friction, self.viscous, self.residual, self.work
+        return EnergyLedger(*(factor * one for one in parts))
+
 
 def segment_of(trajectory: Any, index: int) -> Segment:
     """Return a segment of a trajectory; the last one, after all events, ends at the horizon."""
