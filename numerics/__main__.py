@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, OneLineParser, refuse
-from numerics.faces import commands, solving
+from numerics.faces import commands, maps, solving
 from numerics.faces.asking import add_control, add_map_roads
 from numerics.faces.flags import in_flags, natural, positive
 
@@ -88,7 +88,7 @@ def _add_map(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     chart = subcommands.add_parser(
         "map", help="which mass ratios merge from which energies on S0, in proved cells", allow_abbrev=False
     )
-    chart.set_defaults(run=commands.chart_merging)
+    chart.set_defaults(run=maps.chart_merging)
     chart.add_argument("--ratio", nargs=2, metavar=("A", "B"), default=["0.8", "100"], help="range of m2/m1")
     chart.add_argument("--energy", nargs=2, metavar=("A", "B"), default=["1.01", "101"], help="range of E/E_cr")
     add_map_roads(chart)

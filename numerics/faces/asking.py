@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from numerics.faces import plans, responses
+from numerics.faces import maps, plans, responses
 from numerics.faces.flags import positive
 
 _Subcommands = argparse._SubParsersAction  # what add_subparsers returns has no public name
@@ -63,7 +63,7 @@ def _add_response_map(subcommands: _Subcommands[argparse.ArgumentParser]) -> Non
         help="which regime a sine brings, over frequency and amplitude, in proved cells",
         allow_abbrev=False,
     )
-    chart.set_defaults(run=responses.chart_response)
+    chart.set_defaults(run=maps.chart_response)
     chart.add_argument("scene", metavar="SCENE", help="whose pair it is; its force is not looked at")
     chart.add_argument("--amplitude", nargs=2, required=True, metavar=("A", "B"), help="range of the amplitude, N")
     chart.add_argument("--omega", nargs=2, required=True, metavar=("A", "B"), help="range of the frequency, rad/s")

@@ -6,8 +6,7 @@ import argparse
 import json
 import sys
 
-from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, refuse, wrong_path
-from numerics.faces.printing import show_blocks
+from numerics.exits import FAILED, OK
 from numerics.faces.solving import LABELS
 
 
@@ -50,40 +49,6 @@ def tell_energy(options: argparse.Namespace) -> int:
     print(f"{options.digits} right digits of the energy and its excess, proved")
     if options.explain:
         print(f"{found.road.value} ({found.stepped} events stepped)")
-    return OK
-
-
-def chart_merging(options: argparse.Namespace) -> int:
-    """Compute the merging map of a window; print its summary or its cells, draw it."""
-    from numerics.merging import figure as map_figure
-    from numerics.merging.map import Window, merging_cells
-    from numerics.scene.decimals import exact_decimal
-
-    wrong = wrong_path(options.resume) or wrong_path(options.out, "--out")
-    if wrong is not None:
-        return refuse(wrong, USAGE)
-    ratio, energy = ([exact_decimal(one, name) for one in getattr(options, name)] for name in ("ratio", "energy"))
-    try:
-        found = merging_cells(
-            Window((ratio[0], ratio[1]), (energy[0], energy[1])),
-            options.depth,
-            jobs=options.jobs,
-            dask=options.dask,
-            resume=options.resume,
-            progress=show_blocks if sys.stderr.isatty() else None,
-        )
-    except KeyboardInterrupt:
-        if options.resume is None:
-            raise
-        return refuse(f"interrupted; finished blocks are in {options.resume}, the same command goes on", INTERRUPTED)
-    if options.out is not None:
-        map_figure.write_map(found, options.out)
-    if options.json:
-        print(json.dumps(found.as_record()))
-        return OK
-    for name, share in found.shares().items():
-        print(f"{name.name.lower():10}{share:8.2%} of the window (logarithmic axes)")
-    print(f"{len(found.cells)} cells, sides down to 2^-{found.depth} of the window")
     return OK
 
 

@@ -1,8 +1,7 @@
-"""How enclosures and figures leave the commands: numbers with their radii, whole files, progress on a terminal."""
+"""How enclosures and figures leave the commands: numbers with their radii, whole files."""
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -41,9 +40,3 @@ def write_figure(figure: Any, path: Path) -> None:
 
     with whole_file(path) as file:
         figure.savefig(file, format=path.suffix[1:], dpi=200)
-
-
-def show_blocks(done: int, blocks: int) -> None:
-    """Show on stderr how many blocks of a map are done."""
-    end = "\n" if done == blocks else ""
-    print(f"\r{done} of {blocks} blocks ", end=end, file=sys.stderr, flush=True)

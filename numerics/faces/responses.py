@@ -1,14 +1,13 @@
-"""`python -m numerics response` and `response-map`: what a pair does in the long run under a periodic force."""
+"""`python -m numerics response`: what a pair does in the long run under a periodic force."""
 
 from __future__ import annotations
 
 import argparse
 import json
-import sys
 from typing import TYPE_CHECKING, Any
 
-from numerics.exits import INTERRUPTED, OK, USAGE, refuse, wrong_path
-from numerics.faces.printing import numbers, print_numbers, show_blocks, write_figure
+from numerics.exits import OK, USAGE, refuse, wrong_path
+from numerics.faces.printing import numbers, print_numbers, write_figure
 
 if TYPE_CHECKING:
     from flint import acb
@@ -123,41 +122,3 @@ def _of_response(found: Response) -> dict[str, Any]:
         to = {1: "slip+", -1: "slip-", 0: "stick"}[leg.side]
         told["events"].append({"to": to, **numbers({"t": leg.t, "x1": leg.x, "v1": leg.v}, digits)})
     return told
-
-
-def chart_response(options: argparse.Namespace) -> int:
-    """Compute the response map of a scene's pair; print its summary or its cells, draw it."""
-    from numerics.control.response_map import response_map
-    from numerics.scene.decimals import exact_decimal
-    from numerics.scene.file import load_scene
-
-    wrong = wrong_path(options.resume) or wrong_path(options.out, "--out")
-    if wrong is not None:
-        return refuse(wrong, USAGE)
-    sides = [[exact_decimal(one, name) for one in getattr(options, name)] for name in ("amplitude", "omega")]
-    (weak, strong), (slow, fast) = sides
-    roads = {"jobs": options.jobs, "dask": options.dask, "resume": options.resume}
-    try:
-        found = response_map(
-            load_scene(options.scene).pair,
-            (weak, strong),
-            (slow, fast),
-            options.depth,
-            **roads,
-            progress=show_blocks if sys.stderr.isatty() else None,
-        )
-    except KeyboardInterrupt:
-        if options.resume is None:
-            raise
-        return refuse(f"interrupted; finished blocks are in {options.resume}, the same command goes on", INTERRUPTED)
-    if options.out is not None:
-        from numerics.control.response_map_figure import draw_response_map
-
-        write_figure(draw_response_map(found), options.out)
-    if options.json:
-        print(json.dumps(found.as_record()))
-        return OK
-    for name, share in found.shares().items():
-        print(f"{name.name.lower().replace('_', '-'):10}{share:8.2%} of the window (logarithmic axes)")
-    print(f"{len(found.leaves)} cells, sides down to 2^-{found.depth} of the window")
-    return OK

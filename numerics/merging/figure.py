@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,6 @@ import numpy as np
 from numerics.merging.cell import CRITICAL_SHARE, Verdict
 from numerics.merging.map import MergingMap
 from numerics.quadtree import tree
-from numerics.trajectory.export import whole_file
 
 COLOURS = {Verdict.CREEPS: "#f3e6c4", Verdict.UNDECIDED: "#d1603d", Verdict.MERGES: "#1f3a5f"}
 LABELS = {
@@ -50,10 +48,3 @@ def draw_map(cells: MergingMap) -> Any:
     figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize="small", frameon=False)
     axes.set_title("From which energies on $S_0$ the pair merges: every decided cell is proved")
     return figure
-
-
-def write_map(cells: MergingMap, path: Path) -> None:
-    """Write the picture to a .svg, .pdf or .png file."""
-    figure = draw_map(cells)
-    with whole_file(path) as file:
-        figure.savefig(file, format=path.suffix[1:], dpi=200)

@@ -6,11 +6,8 @@ table starts a remark in small print.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-
-_CODE = re.compile(r"`([^`]+)`")
 
 
 @dataclass(frozen=True)
@@ -175,18 +172,3 @@ def anchors(section: Section) -> Iterator[str]:
             yield block.id
         elif isinstance(block, Table):
             yield from filter(None, block.ids)
-
-
-def with_links(text: str, anchors: Iterable[str]) -> str:
-    """Return a text in which every mention of a row, an id of words joined by hyphens, stands between backticks."""
-    names = sorted((name for name in anchors if "-" in name), key=len, reverse=True)
-    if not names:
-        return text
-    mention = re.compile(rf"`[^`]*`|(?<![\w-])({'|'.join(map(re.escape, names))})(?![\w-])")
-    return mention.sub(lambda match: f"`{match[1]}`" if match[1] else match[0], text)
-
-
-def with_code(text: str, write: Callable[[str], str], code: Callable[[str], str]) -> str:
-    """Write a text whose code stands between backticks: every second piece."""
-    pieces = _CODE.split(text)
-    return "".join(code(piece) if index % 2 else write(piece) for index, piece in enumerate(pieces))

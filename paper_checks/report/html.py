@@ -23,7 +23,7 @@ def render(report: Document, figures: Mapping[str, str]) -> str:
     """
     writer = HtmlWriter(figures, report.anchors)
     parts = [_head(report, figures), _navigation(report), f'<main id="main">\n<h1>{escape(report.title)}</h1>']
-    parts.append(f'<div class="model">\n{writer.blocks(report.model, "model")}\n</div>')
+    parts.append(f'<div class="model">\n{writer.body(report.model, "model")}\n</div>')
     parts += [writer.section(one) for one in report.before]
     parts += [_rows(report.rows, report, writer)] if report.rows else []
     parts += [writer.section(one) for one in report.after]
@@ -107,5 +107,5 @@ def _row(row: Row, report: Document, writer: HtmlWriter) -> str:
         f"<td>{badge(finding.verdict)}<br><small>{kind(row)}</small></td>"
         f"<td>{writer.text(first_sentence(finding.reason))}</td></tr>\n"
         f'<tr><td colspan="3"><details><summary><code>{claim.id}</code>: why, and how it was checked</summary>\n'
-        f"{writer.blocks(report.stories[claim.id], claim.id)}</details></td></tr>\n</tbody>"
+        f"{writer.body(report.stories[claim.id], claim.id)}</details></td></tr>\n</tbody>"
     )

@@ -3,93 +3,72 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from html import escape
 
 from paper_checks.report import blocks, mathematics, notation
-from paper_checks.report.blocks import (
-    Block,
-    Command,
-    Folded,
-    Graph,
-    Heading,
-    Labelled,
-    Numbered,
-    Paragraph,
-    Picture,
-    Points,
-    Result,
-    Section,
-    Symbols,
-    Table,
-)
 from paper_checks.report.colours import themed
 from paper_checks.report.html_graph import graph
+from paper_checks.report.writer import Writer
 
 
-class HtmlWriter:
+class HtmlWriter(Writer):
     """Writes blocks as HTML. `figures` maps names to SVG texts; `anchors` are the ids that code in a text links to."""
 
-    def __init__(self, figures: Mapping[str, str], anchors: Iterable[str] = ()) -> None:
-        """Take the figures and the anchors of the page."""
-        self._figures = figures
-        self._anchors = frozenset(anchors)
-
-    def section(self, section: Section) -> str:
+    def section(self, section: blocks.Section) -> str:
         """Return a section with its heading."""
         return (
             f'<section aria-labelledby="{section.id}">\n<h2 id="{section.id}">{self.text(section.title)}</h2>\n'
-            f"{self.blocks(section.blocks, section.id)}\n</section>"
+            f"{self.body(section.blocks, section.id)}\n</section>"
         )
 
-    def blocks(self, some: Sequence[Block], prefix: str) -> str:
+    def body(self, some: Sequence[blocks.Block], prefix: str) -> str:
         """Return blocks one below the other; `prefix` makes the ids of their figures the page's own."""
         return "\n".join(self._block(block, prefix) for block in some)
 
-    def text(self, text: str) -> str:
-        """Return a text as HTML phrasing content; code that names an anchor links to it."""
-        return blocks.with_code(blocks.with_links(text, self._anchors), mathematics.html, self._code)
+    def _prose(self, text: str) -> str:
+        return mathematics.html(text)
 
     def _code(self, code: str) -> str:
         shown = f"<code>{_breakable(code)}</code>"
-        target = next((one for one in (code, f"theorem-{code}") if one in self._anchors), None)
+        target = self._target(code)
         return f'<a href="#{target}">{shown}</a>' if target else shown
 
-    def _block(self, block: Block, prefix: str) -> str:  # noqa: PLR0911  one return for each kind of block
+    def _block(self, block: blocks.Block, prefix: str) -> str:  # noqa: PLR0911  one return for each kind of block
         match block:
-            case Heading(text, anchor):
+            case blocks.Heading(text, anchor):
                 return f"<h3{f' id={chr(34)}{anchor}{chr(34)}' if anchor else ''}>{self.text(text)}</h3>"
-            case Paragraph(text):
+            case blocks.Paragraph(text):
                 return f"<p>{self.text(text)}</p>"
-            case Labelled(label, text, marked):
+            case blocks.Labelled(label, text, marked):
                 mark = ' class="decisive"' if marked else ""
                 return f"<p{mark}><strong>{escape(label)}.</strong> {self.text(text)}</p>"
-            case Points(items):
+            case blocks.Points(items):
                 return f"<ul>\n{self._items(items)}\n</ul>"
-            case Numbered(items):
+            case blocks.Numbered(items):
                 return f"<ol>\n{self._items(items)}\n</ol>"
-            case Command(text):
+            case blocks.Command(text):
                 return f"<pre><code>{escape(text)}</code></pre>"
-            case Symbols(ids):
+            case blocks.Symbols(ids):
                 return f'<p class="symbols"><strong>Symbols.</strong> {", ".join(map(_symbol, ids))}</p>'
-            case Folded(title, inside):
+            case blocks.Folded(title, inside):
                 return (
                     f'<details class="folded"><summary>{self.text(title)}</summary>\n'
-                    f"{self.blocks(inside, prefix)}\n</details>"
+                    f"{self.body(inside, prefix)}\n</details>"
                 )
-            case Table():
+            case blocks.Table():
                 return self._table(block)
-            case Picture():
+            case blocks.Picture():
                 return self._picture(block, prefix)
-            case Result():
+            case blocks.Result():
                 return self._result(block, prefix)
-            case Graph():
+            case blocks.Graph():
                 return graph(block, self._anchors, self.text)
 
     def _items(self, items: Iterable[str]) -> str:
         return "\n".join(f"<li>{self.text(item)}</li>" for item in items)
 
-    def _table(self, table: Table) -> str:
+    def _table(self, table: blocks.Table) -> str:
         titles = "".join(f'<th scope="col">{self.text(text)}</th>' for text in table.head)
         ids = table.ids or ("",) * len(table.rows)
         lines = "\n".join(self._line(table.head, row, anchor) for row, anchor in zip(table.rows, ids, strict=True))
@@ -112,7 +91,7 @@ class HtmlWriter:
         first, *remarks = text.split("\n")
         return self.text(first) + "".join(f"<br><small>{self.text(remark)}</small>" for remark in remarks if remark)
 
-    def _picture(self, picture: Picture, prefix: str) -> str:
+    def _picture(self, picture: blocks.Picture, prefix: str) -> str:
         if picture.name not in self._figures:
             return f"<p>The figure {escape(picture.name)} was not drawn.</p>"
         title = f"<strong>{self.text(picture.title)}.</strong> " if picture.title else ""
@@ -124,7 +103,7 @@ class HtmlWriter:
             f"<figcaption>{title}{self.text(picture.caption)}</figcaption></figure>"
         )
 
-    def _result(self, result: Result, prefix: str) -> str:
+    def _result(self, result: blocks.Result, prefix: str) -> str:
         return (
             f'<article class="result"><h3>{self.text(result.title)}</h3>\n<div class="told">'
             f"<p><strong>The paper says</strong> ({self.text(result.where)}): {self.text(result.says)}</p>\n"

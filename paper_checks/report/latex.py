@@ -27,7 +27,7 @@ PREAMBLE = r"""\documentclass[10pt]{article}
 def render(report: Document, figures: Mapping[str, str]) -> str:
     """Return the source. `figures` maps a figure's name to the file, beside the source, that holds it."""
     writer = LatexWriter(figures, report.anchors)
-    parts = [PREAMBLE + r"\begin{document}", rf"\section*{{{latex(report.title)}}}", writer.blocks(report.model)]
+    parts = [PREAMBLE + r"\begin{document}", rf"\section*{{{latex(report.title)}}}", writer.body(report.model)]
     parts += map(writer.section, report.before)
     parts += _rows(report.rows, report, writer) if report.rows else []
     parts += map(writer.section, report.after)
@@ -46,4 +46,4 @@ def _row(row: Row, report: Document, writer: LatexWriter) -> str:
         rf"({latex(kind(row))})}}"
     )
     said = rf"\textbf{{{latex(speaker(claim))}.}} {writer.text(claim.statement)}"
-    return "\n\n".join([heading, said, writer.blocks(report.stories[claim.id])])
+    return "\n\n".join([heading, said, writer.body(report.stories[claim.id])])

@@ -2,91 +2,70 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 from paper_checks.report import blocks, mathematics, notation
-from paper_checks.report.blocks import (
-    Block,
-    Command,
-    Folded,
-    Graph,
-    Heading,
-    Labelled,
-    Numbered,
-    Paragraph,
-    Picture,
-    Points,
-    Result,
-    Section,
-    Symbols,
-    Table,
-)
+from paper_checks.report.writer import Writer, shares
 
 SIZE = r"width=\textwidth,height=0.42\textheight,keepaspectratio"
 
 
-class LatexWriter:
+class LatexWriter(Writer):
     """Writes blocks as LaTeX. `figures` maps names to files beside the source, `anchors` are the labels of the document."""
 
-    def __init__(self, figures: Mapping[str, str], anchors: Iterable[str] = ()) -> None:
-        """Take the figures and the labels."""
-        self._figures = figures
-        self._anchors = frozenset(anchors)
-
-    def section(self, section: Section) -> str:
+    def section(self, section: blocks.Section) -> str:
         """Return a section with its heading."""
         heading = rf"\phantomsection\label{{{section.id}}}\subsection*{{{self.text(section.title)}}}"
-        return f"{heading}\n\n{self.blocks(section.blocks)}"
+        return f"{heading}\n\n{self.body(section.blocks)}"
 
-    def blocks(self, some: Sequence[Block]) -> str:
+    def body(self, some: Sequence[blocks.Block]) -> str:
         """Return blocks one below the other."""
         return "\n\n".join(filter(None, map(self._block, some)))
 
-    def text(self, text: str) -> str:
-        """Return a text as LaTeX source."""
-        return blocks.with_code(blocks.with_links(text, self._anchors), mathematics.latex, self._code)
+    def _prose(self, text: str) -> str:
+        return mathematics.latex(text)
 
     def _code(self, code: str) -> str:
         """Return code in typewriter, that may be broken at its hyphens; two of them must not join to a dash."""
         shown = mathematics.latex(code).replace("--", "-{-}")
         shown = rf"\texttt{{{shown if ' ' in code else shown.replace('-', '-' + chr(92) + 'allowbreak{}')}}}"
-        target = next((one for one in (code, f"theorem-{code}") if one in self._anchors), None)
+        target = self._target(code)
         return rf"\hyperref[{target}]{{{shown}}}" if target else shown
 
-    def _block(self, block: Block) -> str:  # noqa: PLR0911  one return for each kind of block
+    def _block(self, block: blocks.Block) -> str:  # noqa: PLR0911  one return for each kind of block
         match block:
-            case Heading(text, anchor):
+            case blocks.Heading(text, anchor):
                 label = rf"\phantomsection\label{{{anchor}}}" if anchor else ""
                 return rf"{label}\subsubsection*{{{self.text(text)}}}"
-            case Paragraph(text):
+            case blocks.Paragraph(text):
                 return self.text(text)
-            case Labelled(label, text):
+            case blocks.Labelled(label, text):
                 return rf"\textbf{{{mathematics.latex(label)}.}} {self.text(text)}"
-            case Points(items):
+            case blocks.Points(items):
                 return self._list("itemize", items)
-            case Numbered(items):
+            case blocks.Numbered(items):
                 return self._list("enumerate", items)
-            case Command(text):
+            case blocks.Command(text):
                 return rf"\textbf{{Run it again.}} {self._code(text)}"
-            case Symbols(ids):
+            case blocks.Symbols(ids):
                 links = (rf"\hyperref[{notation.anchor(one)}]{{${notation.SYMBOLS[one].latex}$}}" for one in ids)
                 return rf"\textbf{{Symbols.}} {', '.join(links)}"
-            case Folded(title, inside):
-                return rf"\textbf{{{self.text(title)}.}}" + "\n\n" + self.blocks(inside)
-            case Table():
+            case blocks.Folded(title, inside):
+                return rf"\textbf{{{self.text(title)}.}}" + "\n\n" + self.body(inside)
+            case blocks.Table():
                 return self._table(block)
-            case Picture():
+            case blocks.Picture():
                 return self._picture(block)
-            case Result():
+            case blocks.Result():
                 return self._result(block)
-            case Graph():
+            case blocks.Graph():
                 return ""
 
     def _list(self, environment: str, items: Iterable[str]) -> str:
         lines = "\n".join(rf"\item {self.text(item)}" for item in items)
         return f"\\begin{{{environment}}}\n{lines}\n\\end{{{environment}}}"
 
-    def _picture(self, picture: Picture) -> str:
+    def _picture(self, picture: blocks.Picture) -> str:
         if picture.name not in self._figures:
             return f"The figure {mathematics.latex(picture.name)} was not drawn."
         title = rf"\textbf{{{self.text(picture.title)}.}} " if picture.title else ""
@@ -95,7 +74,7 @@ class LatexWriter:
             rf"\\ \small {title}{self.text(picture.caption)}\end{{center}}"
         )
 
-    def _result(self, result: Result) -> str:
+    def _result(self, result: blocks.Result) -> str:
         return "\n\n".join(
             [
                 rf"\subsubsection*{{{self.text(result.title)}}}",
@@ -106,7 +85,7 @@ class LatexWriter:
             ]
         )
 
-    def _table(self, table: Table) -> str:
+    def _table(self, table: blocks.Table) -> str:
         """Return a table as wide as the page, its columns as wide as their texts ask for, within limits."""
         columns = "".join(
             rf">{{\raggedright\arraybackslash}}p{{\dimexpr{share:.3f}\textwidth-2\tabcolsep}}"
@@ -128,13 +107,3 @@ class LatexWriter:
     def _cell(self, text: str) -> str:
         first, *remarks = text.split("\n")
         return self.text(first) + "".join(rf"\newline{{\footnotesize {self.text(one)}}}" for one in remarks if one)
-
-
-def shares(table: Table) -> list[float]:
-    """Return the share of each column of the width (dimensionless, their sum 1): the root of its longest text's length."""
-    columns = [
-        [len(line) for cell in column for line in cell.split("\n")]
-        for column in zip(table.head, *table.rows, strict=True)
-    ]
-    wishes = [max(*lengths, 6) ** 0.5 for lengths in columns]
-    return [wish / sum(wishes) for wish in wishes]

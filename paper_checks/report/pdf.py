@@ -60,7 +60,7 @@ def _row(row: Row, report: Document, writer: TypstWriter) -> str:
     who = "The paper" if claim.kind is Kind.CLAIM else "Theorem"
     heading = f'=== #raw("{claim.id}"): {row.finding.verdict.value} ({escaped(kind(row))}) <{claim.id}>'
     said = f"#strong[{who}] ({writer.text(claim.where)}): {writer.text(claim.statement)}"
-    return "\n\n".join([heading, said, writer.blocks(report.stories[claim.id])])
+    return "\n\n".join([heading, said, writer.body(report.stories[claim.id])])
 
 
 def render(report: Document, figures: Mapping[str, str]) -> bytes:

@@ -3,52 +3,27 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 
 from paper_checks.report import blocks, mathematics
-from paper_checks.report.blocks import (
-    Block,
-    Command,
-    Folded,
-    Graph,
-    Heading,
-    Labelled,
-    Numbered,
-    Paragraph,
-    Picture,
-    Points,
-    Result,
-    Section,
-    Symbols,
-    Table,
-)
-from paper_checks.report.latex_blocks import shares
 from paper_checks.report.mathematics import Piece, pieces
 from paper_checks.report.mathml import UnreadableMathematicsError
 from paper_checks.report.typst_mathematics import typst
+from paper_checks.report.writer import Writer, shares
 
 _SPECIAL = re.compile(r"[\\#$*_`<>@\[\]~=/+\-'\"]")
 
 
-class TypstWriter:
+class TypstWriter(Writer):
     """Writes blocks as typst markup. `figures` maps names to files beside the source, `anchors` are its labels."""
 
-    def __init__(self, figures: Mapping[str, str], anchors: Iterable[str] = ()) -> None:
-        """Take the figures and the labels."""
-        self._figures = figures
-        self._anchors = frozenset(anchors)
-
-    def section(self, section: Section) -> str:
+    def section(self, section: blocks.Section) -> str:
         """Return a section with its heading."""
-        return f"== {self.text(section.title)} <{section.id}>\n\n{self.blocks(section.blocks)}"
+        return f"== {self.text(section.title)} <{section.id}>\n\n{self.body(section.blocks)}"
 
-    def blocks(self, some: Sequence[Block]) -> str:
+    def body(self, some: Sequence[blocks.Block]) -> str:
         """Return blocks one below the other."""
         return "\n\n".join(filter(None, map(self._block, some)))
-
-    def text(self, text: str) -> str:
-        """Return a text as typst markup."""
-        return blocks.with_code(blocks.with_links(text, self._anchors), self._prose, self._code)
 
     def _prose(self, text: str) -> str:
         return "".join(self._piece(kind, content) for kind, content in pieces(text))
@@ -64,43 +39,43 @@ class TypstWriter:
 
     def _code(self, code: str) -> str:
         shown = _raw(code)
-        target = next((one for one in (code, f"theorem-{code}") if one in self._anchors), None)
+        target = self._target(code)
         return f"#link(<{target}>)[{shown}]" if target else shown
 
-    def _block(self, block: Block) -> str:  # noqa: PLR0911  one return for each kind of block
+    def _block(self, block: blocks.Block) -> str:  # noqa: PLR0911  one return for each kind of block
         match block:
-            case Heading(text, anchor):
+            case blocks.Heading(text, anchor):
                 return f"=== {self.text(text)}{f' <{anchor}>' if anchor else ''}"
-            case Paragraph(text):
+            case blocks.Paragraph(text):
                 return self.text(text)
-            case Labelled(label, text, marked):
+            case blocks.Labelled(label, text, marked):
                 told = f"#strong[{escaped(label)}.] {self.text(text)}"
                 return f"#decisive[{told}]" if marked else told
-            case Points(items):
+            case blocks.Points(items):
                 return "\n".join(f"- {self.text(item)}" for item in items)
-            case Numbered(items):
+            case blocks.Numbered(items):
                 return "\n".join(f"+ {self.text(item)}" for item in items)
-            case Command(text):
+            case blocks.Command(text):
                 return _raw(text)
-            case Table():
+            case blocks.Table():
                 return self._table(block)
-            case Picture():
+            case blocks.Picture():
                 return self._picture(block)
-            case Result():
+            case blocks.Result():
                 return self._result(block)
-            case Folded(title, inside):
-                return f"#strong[{self.text(title)}.]\n\n{self.blocks(inside)}"
-            case Symbols() | Graph():
+            case blocks.Folded(title, inside):
+                return f"#strong[{self.text(title)}.]\n\n{self.body(inside)}"
+            case blocks.Symbols() | blocks.Graph():
                 return ""
 
-    def _picture(self, picture: Picture) -> str:
+    def _picture(self, picture: blocks.Picture) -> str:
         if picture.name not in self._figures:
             return f"The figure {escaped(picture.name)} was not drawn."
         title = f"#strong[{self.text(picture.title)}.] " if picture.title else ""
         alt = mathematics.plain(f"{picture.title}. {picture.caption}").replace("\\", "").replace('"', "'")
         return f'#picture("{self._figures[picture.name]}", "{alt}")[{title}{self.text(picture.caption)}]'
 
-    def _result(self, result: Result) -> str:
+    def _result(self, result: blocks.Result) -> str:
         told = "\n\n".join(
             [
                 f"#strong[The paper says] ({self.text(result.where)}): {self.text(result.says)}",
@@ -110,12 +85,12 @@ class TypstWriter:
         )
         return f"=== {self.text(result.title)}\n\n#aside[{told}][{self._picture(result.picture)}]"
 
-    def model(self, some: Sequence[Block]) -> str:
+    def model(self, some: Sequence[blocks.Block]) -> str:
         """Return what the paper models: its picture beside its symbols."""
         text, picture, symbols = map(self._block, some)
         return f"{text}\n\n#aside[{picture}][{symbols}]"
 
-    def _table(self, table: Table) -> str:
+    def _table(self, table: blocks.Table) -> str:
         widths = ", ".join(f"{share:.3f}fr" for share in shares(table))
         ids = table.ids or ("",) * len(table.rows)
         head = ", ".join(f"[#strong[{self.text(text)}]]" for text in table.head)
