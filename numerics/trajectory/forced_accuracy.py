@@ -46,11 +46,12 @@ def accuracy_of(trajectory: Any) -> Accuracy:
 def _digits(error: Any, value: Any, scale: Any) -> int:
     """Return the least number of digits that errors leave right, relative to each value.
 
-    As for balls (digits.py): a value that may be 0 counts as 0 to n digits below 10^(-4 n) of its scale.
+    As for balls (digits.py): a value that may be 0 counts as 0 to n digits below 10^(-4 n) of its scale; where
+    its scale is 0 too, it has none.
     """
     may_be_zero = error >= abs(value)
     size = np.where(may_be_zero, scale, abs(value))
     with np.errstate(divide="ignore", invalid="ignore"):
         digits = -np.log10(np.where(error <= 2 * _TINY, 0.0, error / size))
     digits = np.where(may_be_zero, digits / 4, digits)
-    return 0 if np.isnan(digits).any() else math.floor(min(digits.min(initial=99.0), 99.0))
+    return math.floor(min(digits.min(initial=99.0), 99.0)) if (digits > 0).all() else 0
