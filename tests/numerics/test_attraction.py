@@ -1,0 +1,158 @@
+"""What is left to slide next to a periodic motion: a bound, held against sums, maps and runs that are known."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from functools import cache
+
+import numpy as np
+import pytest
+from control_scenes import referred
+from flint import arb, arb_mat
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import decimals, signed
+
+from numerics.arithmetic.ball import Ball
+from numerics.control import attraction
+from numerics.control.attraction import Place, distance, place_at, slide_left
+from numerics.control.orbit import Orbit
+from numerics.control.response import response
+from numerics.control.ring import Z, timeline
+from numerics.errors import EventUndecided
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+
+UNEVEN = Pair(3, "0.5", 200, "0.5", 3)
+STICKS, SLIPS = "3", "5"
+"""Amplitudes at 12 rad/s under which this pair sticks twice a period, and not at all."""
+
+
+@cache
+def orbit_under(amplitude: str) -> Orbit:
+    return response(Scene(UNEVEN, State(), 1, force=Force.sine(amplitude, 12))).orbit
+
+
+def in_leg(orbit: Orbit, number: int) -> Place:
+    """The middle of a leg."""
+    leg, after = orbit.turns[number]
+    return place_at(orbit, (leg.t + after.t) / 2)
+
+
+def norm(pair: Pair, vector: np.ndarray) -> float:
+    """N of a difference (x1, v1, v2)."""
+    return math.sqrt(
+        float(pair.a2) * vector[0] ** 2 + float(pair.m1) * vector[1] ** 2 + float(pair.m2) * vector[2] ** 2
+    )
+
+
+def after_a_period(orbit: Orbit, place: Place, t: Fraction, moved: np.ndarray) -> np.ndarray:
+    """(x1, v1, v2) a period after a start beside the orbit at time t, by the independent reference."""
+    x1, v1, _, v2 = (Fraction(float(one.mid())) for one in place.state)
+    piece, more = orbit.drive.piece, [Fraction(float(one)) for one in moved]
+    sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * t) for one in piece.sines]
+    start = State(x1=x1 + more[0], v1=v1 + more[1], v2=v2 + more[2])
+    period = Fraction(float(orbit.drive.period.mid()))
+    scene = Scene(orbit.drive.pair, start, until=period, force=Force((Piece(0, piece.polynomial, sines),)))
+    end = referred(scene).state()
+    return np.array([float(end[0]), float(end[1]), float(end[3])])
+
+
+@given(
+    st.lists(signed(decimals(-6, 6)), min_size=9, max_size=9), st.lists(signed(decimals(-3, 3)), min_size=3, max_size=3)
+)
+def test_the_norm_of_a_map_bounds_what_it_does_to_every_difference(entries, vector):
+    numbers = np.array([float(one) for one in entries]).reshape(3, 3)
+    v = np.array([float(one) for one in vector])
+    bound = attraction._norm(UNEVEN, arb_mat(numbers.tolist()))
+    assert norm(UNEVEN, numbers @ v) <= float(bound) * norm(UNEVEN, v) * (1 + 1e-12)
+
+
+@given(st.lists(signed(decimals(-3, 3)), min_size=4, max_size=4), decimals(-6, -1))
+def test_the_distance_of_balls_is_that_of_their_points_that_are_farthest_apart(point, radius):
+    wide, other = [float(one) for one in point], (arb(0),) * 4
+    balls = [arb(one, float(radius)) for one in wide]
+    far = np.array([abs(wide[k]) + float(radius) for k in (0, 1, 3)])
+    assert float(distance(UNEVEN, balls, other)) == pytest.approx(norm(UNEVEN, far), rel=1e-9)
+
+
+@given(st.integers(500, 990))
+def test_what_is_left_holds_the_sum_of_a_map_that_shrinks_by_a_known_factor(thousandths):
+    """dz is a factor times what it was, a period later: int |w - w*| dt is sqrt(kappa) T eps/(1 - factor) at most."""
+    factor, orbit, reach = thousandths / 1000, orbit_under(SLIPS), 1e-6
+    kappa = float(UNEVEN.mass / (UNEVEN.m1 * UNEVEN.m2))
+    longest = math.sqrt(kappa) * float(orbit.drive.period) * reach / (1 - factor)
+    with pytest.MonkeyPatch.context() as patch, Ball(20).context():
+        patch.setattr(attraction, "_period_slopes", lambda *_: factor * arb_mat(np.eye(3).tolist()))
+        assert float(slide_left(orbit, in_leg(orbit, 0), arb(reach))) >= longest
+
+
+def test_a_map_that_does_not_shrink_leaves_it_undecided():
+    orbit = orbit_under(SLIPS)
+    with pytest.MonkeyPatch.context() as patch, Ball(20).context():
+        patch.setattr(attraction, "_period_slopes", lambda *_: arb_mat(np.eye(3).tolist()))
+        with pytest.raises(EventUndecided, match="shrink"):
+            slide_left(orbit, in_leg(orbit, 0), arb("1e-6"))
+
+
+@pytest.mark.parametrize(("amplitude", "number"), [(SLIPS, 0), (STICKS, 0), (STICKS, 1)])
+@settings(max_examples=3)
+@given(st.lists(st.integers(-8, 8), min_size=3, max_size=3))
+def test_the_slopes_of_a_period_hold_over_the_whole_box(amplitude, number, corner):
+    """The difference of two runs beside the orbit is a slope in between times that of their starts (mean value)."""
+    orbit, reach = orbit_under(amplitude), 2e-5
+    place = in_leg(orbit, number)
+    leg, after = orbit.turns[number]
+    t = Fraction(float(((leg.t + after.t) / 2).mid()))
+    sizes = np.array([float(1 / math.sqrt(one)) for one in (UNEVEN.a2, UNEVEN.m1, UNEVEN.m2)]) * reach
+    moved = np.array(corner) / 8 * sizes * 0.999
+    if leg.side == 0:
+        moved[2] = moved[1]
+    found = after_a_period(orbit, place, t, moved) - after_a_period(orbit, place, t, np.zeros(3))
+    with Ball(20).context():
+        slopes = attraction._period_slopes(orbit, place, arb(reach))
+        bound = slopes * arb_mat([[one] for one in moved.tolist()])
+        for row in range(3):
+            assert (bound[row, 0] + arb(0, 1e-13)).contains(arb(found[row])), (row, bound[row, 0], found[row])
+
+
+@pytest.mark.parametrize(("amplitude", "number"), [(SLIPS, 0), (STICKS, 0), (STICKS, 1)])
+def test_a_box_whose_motions_have_other_events_is_undecided(amplitude, number):
+    orbit = orbit_under(amplitude)
+    with Ball(20).context(), pytest.raises(EventUndecided):
+        attraction._period_slopes(orbit, in_leg(orbit, number), arb("0.3"))
+
+
+@pytest.mark.parametrize(("amplitude", "number"), [(SLIPS, 0), (STICKS, 0), (STICKS, 1)])
+def test_a_box_that_reaches_out_of_its_mode_is_undecided(amplitude, number):
+    """Just before the event that ends a leg some of the states within reach have left its mode, others have not."""
+    orbit = orbit_under(amplitude)
+    with Ball(20).context():
+        _, after = orbit.turns[number]
+        place = place_at(orbit, after.t - arb("1e-5"))
+        near, wide = arb("1e-9"), arb("1e-2")
+        attraction._period_slopes(orbit, place, near)
+        with pytest.raises(EventUndecided):
+            attraction._period_slopes(orbit, place, wide)
+
+
+@given(st.integers(-300, 300))
+@settings(max_examples=10)
+def test_two_ways_to_follow_a_motion_that_drifts_agree(percent):
+    """Where the periodic motion is at a time, and its legs one after the other: the same x1 - x2, drift included."""
+    force = Force.sine("0.5", 12) + Force.sine("0.3", 24, 1)
+    orbit = drifting(force)
+    with Ball(20).context():
+        t = orbit.drive.period * percent / 100 + arb("0.00123")
+        x1, _, x2, _ = place_at(orbit, t).state
+        legs = list(timeline(orbit, t - orbit.drive.period / 3, t + orbit.drive.period / 3))
+        inside = [one for one in legs if one[0] <= t < one[1]]
+        assert len(inside) == 1
+        begin, _, motion, moved = inside[0]
+        assert (motion.range(Z, t - begin) + moved - (x1 - x2)).contains(0)
+        assert abs(orbit.travel) > 1e-6
+
+
+@cache
+def drifting(force: Force) -> Orbit:
+    return response(Scene(Pair(1, 1, 200, "0.5", 3), State(), 1, force=force), digits=20).orbit
