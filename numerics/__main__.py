@@ -107,7 +107,7 @@ def _add_audit(subcommands: argparse._SubParsersAction[argparse.ArgumentParser])
         "--size",
         choices=["small", "default", "large"],
         default="default",
-        help="about 10 s, 2 min or 20 min (%(default)s)",
+        help="about 10 s, 2 min or 10 min (%(default)s)",
     )
     audit.add_argument("--json", action="store_true", help="print every figure as JSON, also by decade and by reason")
     audit.add_argument("--decades", action="store_true", help="print the errors of each formula by decade as well")

@@ -12,7 +12,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.audit.draws import KINDS
-from numerics.audit.table import Progress, Row
+from numerics.audit.table import Progress, Row, counted
 from numerics.errors import NumericsError
 from numerics.run.one import run_scene
 from numerics.scene import Scene
@@ -33,9 +33,7 @@ def audit_bounds(seed: int, cases: int, progress: Progress, solver: Solver | Non
     """Yield a row for each kind of scene, `cases` scenes each."""
     for kind, draw in KINDS.items():
         honesty, random = Honesty(kind), Random(f"bounds {seed} {kind}")
-        for case in range(cases):
-            if case % 100 == 0:
-                progress(f"error bounds: {kind}, scene {case + 1} of {cases}")
+        for _ in counted(cases, f"error bounds: {kind}, scene", progress):
             honesty.compare(draw(random), solver or _float64)
         yield honesty.row()
 

@@ -8,7 +8,7 @@ with N three times as large.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
@@ -20,7 +20,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import BALL
 from numerics.arithmetic.protocol import Number
 from numerics.audit.draws import KINDS, damping, decimal, masses, signed
-from numerics.audit.table import Progress, Row
+from numerics.audit.table import Progress, Row, counted
 from numerics.contact.free import first_contact
 from numerics.contact.surface import contact
 from numerics.errors import NumericsError
@@ -140,8 +140,8 @@ def audit_enclosures(
     """Yield a row a function, `cases` points each, one for the trajectories of `scenes` scenes a kind, and the sum."""
     rows = []
     for one in tried or functions():
-        progress(f"enclosures of {one.name}")
-        rows.append(_function_row(one, Random(f"{seed} {one.name}"), cases))
+        points = counted(cases, f"enclosures of {one.name}, point", progress)
+        rows.append(_function_row(one, Random(f"{seed} {one.name}"), points))
         yield rows[-1]
     rows.append(_trajectory_row(Random(f"{seed} ball trajectories"), scenes, progress))
     yield rows[-1]
@@ -149,9 +149,9 @@ def audit_enclosures(
     yield Row("enclosures", "together", trials, {"failures": failures}, "failures = 0", trials > 0 and not failures)
 
 
-def _function_row(one: Enclosed, random: Random, cases: int) -> Row:
+def _function_row(one: Enclosed, random: Random, cases: Iterable[int]) -> Row:
     trials, undecided, missed = 0, Counter[str](), []
-    for _ in range(cases):
+    for _ in cases:
         digits, points = random.choice(_DIGITS), one.draw(random)
         exact = (one.scene(random),) if one.scene else ()
         coarse, fine = Ball(digits), Ball(3 * digits)

@@ -68,12 +68,14 @@ def ulps(computed: float, truth: arb) -> float:
 def audit_formulas(formulas: Sequence[Formula], seed: int, cases: int, progress: Progress) -> Iterator[Row]:
     """Yield one row a formula; `cases` is the number of arguments in a decade."""
     for formula in formulas:
-        progress(f"error of {formula.name}")
-        yield _measured(formula, Random(f"{seed} {formula.name}"), max(4, cases // formula.cost))
+        yield _measured(formula, Random(f"{seed} {formula.name}"), max(4, cases // formula.cost), progress)
 
 
-def _measured(formula: Formula, random: Random, cases: int) -> Row:
-    decades = [_decade(formula, random, decade, cases) for decade in formula.decades]
+def _measured(formula: Formula, random: Random, cases: int, progress: Progress) -> Row:
+    decades = []
+    for decade in formula.decades:
+        progress(f"error of {formula.name} at 1e{decade}")
+        decades.append(_decade(formula, random, decade, cases))
     tried, worst = sum(one["tried"] for one in decades), max(decades, key=lambda one: float(one["max_ulp"]))
     mean = sum(one["mean_ulp"] * one["tried"] for one in decades) / tried
     measured = {"max ulp": worst["max_ulp"], "mean ulp": mean, "worst at": float(worst["worst_at"].split()[0])}

@@ -16,7 +16,7 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from numerics.audit.table import Progress, Row
+from numerics.audit.table import Progress, Row, counted
 from numerics.errors import InvalidScene
 from numerics.scene.file import parse_scene
 
@@ -59,9 +59,9 @@ def audit_refusals(seed: int, cases: int, progress: Progress, reader: Reader | N
         "characters changed at random": (_scrambled, describes_a_scene),
     }
     for name, (draw, is_scene) in ways.items():
-        progress(f"invalid scenes: {name}")
         random = Random(f"{seed} {name}")
-        yield _refusal_row(name, (draw(random) for _ in range(cases)), is_scene, reader or parse_scene)
+        texts = (draw(random) for _ in counted(cases, f"invalid scenes: {name}", progress))
+        yield _refusal_row(name, texts, is_scene, reader or parse_scene)
 
 
 def _refusal_row(name: str, texts: Iterator[str], is_scene: Callable[[str], bool], reader: Reader) -> Row:

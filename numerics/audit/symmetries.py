@@ -14,7 +14,7 @@ from random import Random
 from typing import NamedTuple
 
 from numerics.audit.draws import KINDS
-from numerics.audit.table import Progress, Row
+from numerics.audit.table import Progress, Row, counted
 from numerics.errors import NumericsError
 from numerics.motion.records import ReducedState
 from numerics.scene import Pair, Scene, State
@@ -49,14 +49,15 @@ def audit_symmetries(seed: int, cases: int, progress: Progress, solver: Solver |
         "all three and the sign": lambda random: Units(power(random), power(random), power(random), -1),
     }
     for name, draw in symmetries.items():
-        progress(f"bit for bit: {name}")
-        yield _symmetry(name, draw, Random(f"{seed} {name}"), cases, solver or _solve)
+        tried = counted(cases, f"bit for bit: {name}, scene", progress)
+        yield _symmetry(name, draw, Random(f"{seed} {name}"), tried, solver or _solve)
 
 
-def _symmetry(name: str, draw: Callable[[Random], Units], random: Random, cases: int, solver: Solver) -> Row:
-    numbers, refused, differing = 0, 0, []
+def _symmetry(name: str, draw: Callable[[Random], Units], random: Random, cases: Iterator[int], solver: Solver) -> Row:
+    tried, numbers, refused, differing = 0, 0, 0, []
     kinds = tuple(KINDS.values())
-    for case in range(cases):
+    for case in cases:
+        tried = case + 1
         scene, units = kinds[case % len(kinds)](random), draw(random)
         here, there = _figures(scene, Units(), solver), _figures(rescaled(scene, units), units, solver)
         if len(here) == len(there) and all(_equal(one, two) for one, two in zip(here, there, strict=True)):
@@ -65,7 +66,7 @@ def _symmetry(name: str, draw: Callable[[Random], Units], random: Random, cases:
             differing.append(f"{units}: {scene}")
     measured = {"figures equal": numbers, "scenes differing": len(differing), "scenes refused alike": refused}
     passed = numbers > refused and not differing
-    return Row("bit for bit", name, cases, measured, "scenes differing = 0", passed, [{"differing": differing[:_KEPT]}])
+    return Row("bit for bit", name, tried, measured, "scenes differing = 0", passed, [{"differing": differing[:_KEPT]}])
 
 
 def rescaled(scene: Scene, units: Units) -> Scene:

@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 Progress: TypeAlias = Callable[[str], None]
 """Is told now and then, in a few words, what is being tried."""
+
+
+_EVERY = 100
+
+
+def counted(cases: int, what: str, progress: Progress) -> Iterator[int]:
+    """Yield 0, ..., cases - 1, and say now and then how many of what were tried."""
+    for case in range(cases):
+        if case % _EVERY == 0:
+            progress(f"{what}, {case + 1} of {cases}")
+        yield case
 
 
 @dataclass(frozen=True)
