@@ -31,6 +31,10 @@ class PrecisionExhausted(NumericsError):
     """The digits asked for were not reached below the cap on the working precision."""
 
 
+class NotSettled(NumericsError):
+    """No motion that lasts for ever was found, or proved, within a cap on work; the message says what may help."""
+
+
 class OutOfRange(NumericsError, OverflowError):
     """A number of this scene does not fit the arithmetic; another arithmetic may hold it."""
 

@@ -16,7 +16,7 @@ import flint
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import precision
+from numerics.arithmetic.ball_words import precision, sqrt
 from numerics.scene import Pair, Piece
 
 X1, V1, X2, V2, ONE, FIRST = range(6)
@@ -24,7 +24,8 @@ Row = tuple[tuple[int, Fraction], ...]
 """A linear function of z: pairs (place, coefficient)."""
 W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
 """The relative velocity w = v1 - v2."""
-_REMAINDER_BITS = 80
+_REMAINDER_BITS, _FURTHER = 80, 4
+"""Bits of a bound on a remainder, and the further terms of Taylor in it."""
 MOST_CUTS = 2_000
 """Into so many parts an interval is cut before a sign on it counts as undecided."""
 
@@ -57,26 +58,36 @@ class LinearMode:
         own = (X1, -share * self.pair.a2), (V1, -share * self.pair.a1)
         return (*((place, share * factor) for place, factor in self.force), *own)
 
+    @property
+    def mass(self) -> Fraction:
+        """Return the mass that the spring moves, kg: body 1 alone in slip, both in stick."""
+        return self.pair.m1 if self.side else self.pair.mass
+
     def generator(self) -> list[list[Fraction]]:
         """Return A, exact."""
         rows = [[Fraction(0)] * self.size for _ in range(self.size)]
         pair = self.pair
-        mass = pair.m1 if self.side else pair.mass
         rows[X1][V1] = rows[X2][V2] = Fraction(1)
         for place, factor in ((X1, -pair.a2), (V1, -pair.a1), (ONE, -self.side * self.b), *self.force):
-            rows[V1][place] += factor / mass
+            rows[V1][place] += factor / self.mass
         if self.side:
             rows[V2][ONE] = self.side * self.b / pair.m2
         else:
             rows[V2] = list(rows[V1])
         for k in range(len(self.piece.polynomial) - 1):
             rows[FIRST + k][FIRST + k + 1] = Fraction(1)
-        for place, sine in zip(self._sine_places, self.piece.sines, strict=True):
+        for place, sine in zip(self.sine_places, self.piece.sines, strict=True):
             rows[place][place + 1], rows[place + 1][place] = sine.omega, -sine.omega
         return rows
 
     @property
-    def _sine_places(self) -> range:
+    def polynomial_places(self) -> range:
+        """Return where the polynomial and its derivatives stand in z."""
+        return range(FIRST, FIRST + len(self.piece.polynomial))
+
+    @property
+    def sine_places(self) -> range:
+        """Return where each sine stands in z, its cosine one place on."""
         return range(FIRST + len(self.piece.polynomial), self.size, 2)
 
     def start(self, state: Sequence[arb], t: arb) -> arb_mat:
@@ -126,7 +137,8 @@ class Motion:
 
     def over(self, t: arb) -> Stretched:
         """Return the motion over a ball of times, for the ranges of rows and of their derivatives."""
-        return Stretched(self.matrix, self.at(t.mid()), t - t.mid())
+        begin = t.lower()
+        return Stretched(self.mode, self.matrix, self.at(begin), t - begin)
 
     def range(self, row: Row, t: arb, order: int = 0) -> arb:
         """Return an enclosure of the order-th derivative of a row over a ball of times, by Taylor's theorem."""
@@ -134,27 +146,73 @@ class Motion:
 
 
 class Stretched:
-    """A motion over a ball of times: z in its middle, and enclosures of derivatives of rows over the whole of it."""
+    """A motion over a ball of times: z where it begins, and enclosures of derivatives of rows over the whole of it.
 
-    def __init__(self, matrix: arb_mat, middle: arb_mat, h: arb) -> None:
-        """Keep z in the middle; `h` is the ball of times, counted from the middle."""
-        self.matrix, self.h, self.derivatives = matrix, h, [middle]
-        # what bounds a remainder needs few digits
-        with precision(min(flint.ctx.prec, _REMAINDER_BITS)):
-            self.bends = [(matrix * h).exp() * middle]
+    The remainder is bounded by energy, not by exp(A h): with y the n-th derivative of x1, n >= 1,
 
-    def _taken(self, kept: list[arb_mat], order: int) -> arb_mat:
-        while len(kept) <= order:
-            kept.append(self.matrix * kept[-1])
-        return kept[order]
+        m y'' + a1 y' + a2 y = u^(n),    so that    sqrt(a2 y^2 + m y'^2) grows by int |u^(n)| dt/sqrt(m) at most
+
+    (m = m1 in slip, M in stick). A light body 1, whose own rates are large, then costs no finer parts for ever.
+    """
+
+    def __init__(self, mode: LinearMode, matrix: arb_mat, begin: arb_mat, h: arb) -> None:
+        """Keep z where the ball begins; `h` is the ball of times, counted from there."""
+        self.mode, self.matrix, self.h, self.derivatives = mode, matrix, h, [begin]
+        self.bends: dict[int, arb_mat] = {}
+
+    def derivative(self, order: int) -> arb_mat:
+        """Return the order-th derivative of z where the ball begins."""
+        while len(self.derivatives) <= order:
+            self.derivatives.append(self.matrix * self.derivatives[-1])
+        return self.derivatives[order]
 
     def range(self, row: Row, order: int = 0) -> arb:
         """Return an enclosure of the order-th derivative of a row over the ball of times, by Taylor's theorem."""
-        here, slope = (value(row, self._taken(self.derivatives, order + n)) for n in (0, 1))
+        here, slope = (value(row, self.derivative(order + n)) for n in (0, 1))
         if self.h.is_zero():
             return here
-        bend = value(row, self._taken(self.bends, order + 2))
-        return here + self.h * slope + (self.h * self.h / 2) * bend
+        return here + self.h * slope + (self.h * self.h / 2) * value(row, self._bend(order + 2))
+
+    def _bend(self, order: int) -> arb_mat:
+        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times.
+
+        Further terms of Taylor are sharp on a short ball, the bound by energy on a long one: the narrower counts.
+        """
+        if order not in self.bends:
+            # what bounds a remainder needs few digits
+            with precision(min(flint.ctx.prec, _REMAINDER_BITS)):
+                higher = [self.derivative(order)]
+                for _ in range(_FURTHER):
+                    higher.append(self.matrix * higher[-1])
+                found = self._bounded(higher.pop())
+                for k, one in reversed(list(enumerate(higher, start=1))):
+                    found = one + found * (self.h / k)
+                wide = self._bounded(self.derivative(order))
+                entries = zip(found.entries(), wide.entries(), strict=True)
+                self.bends[order] = arb_mat([[x if x.rad() < y.rad() else y] for x, y in entries])
+        return self.bends[order]
+
+    def _bounded(self, z: arb_mat) -> arb_mat:
+        """Return an enclosure of a derivative of z over the ball of times by energy; `z` is it where that begins."""
+        mode, number, bent = self.mode, Ball.number, arb_mat(z)
+        places = mode.polynomial_places
+        for k, place in enumerate(places):
+            bent[place, 0] = sum((z[later, 0] * _power(self.h, later - place) for later in places[k:]), arb(0))
+        for place in mode.sine_places:
+            amplitude = sqrt(z[place, 0] * z[place, 0] + z[place + 1, 0] * z[place + 1, 0]).upper()
+            bent[place, 0] = bent[place + 1, 0] = arb(0, amplitude)
+        mass, spring = number(mode.mass), number(mode.pair.a2)
+        energy = spring * z[X1, 0] * z[X1, 0] + mass * z[V1, 0] * z[V1, 0]
+        grown = sqrt(energy) + abs(self.h) * abs(value(mode.force, bent)) / mass.sqrt()
+        bent[X1, 0], bent[V1, 0] = (arb(0, (grown / one.sqrt()).upper()) for one in (spring, mass))
+        if mode.side == 0:  # else body 2 has a constant acceleration, and z says all
+            bent[X2, 0], bent[V2, 0] = bent[X1, 0], bent[V1, 0]
+        return bent
+
+
+def _power(h: arb, order: int) -> arb:
+    """Return h^order/order!."""
+    return h**order / math.factorial(order)
 
 
 def value(row: Row, z: arb_mat) -> arb:

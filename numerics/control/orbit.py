@@ -17,6 +17,8 @@ from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
+from numerics.control.asked import Tell, silent
+from numerics.control.cyclic import SIZE, Link, newton_step, prefixes
 from numerics.control.linear import V1, V2, X1, X2, LinearMode, Motion, value
 from numerics.control.modes_proved import require_slip, require_stick
 from numerics.control.variation import across
@@ -94,45 +96,86 @@ class Orbit:
         turns = self.turns
         sticks = [k for k, leg in enumerate(self.legs) if leg.side == 0]
         first = sticks[0] if sticks else 0
-        total = arb_mat([[1, 0], [0, 1], [0, 1]]) if sticks else arb_mat([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
-        for leg, after in (*turns[first:], *turns[:first]):
-            total = across(self.motion(leg), after.t - leg.t, self.motion(after)) * total
+        order = (*turns[first:], *turns[:first])
+        total = prefixes([across(self.motion(leg), after.t - leg.t, self.motion(after)) for leg, after in order])[-1]
         if sticks:
-            (a, b), (c, d), _ = total.tolist()
+            (a, b), (c, d), _ = (total * arb_mat([[1, 0], [0, 1], [0, 1]])).tolist()
             return [*_eigenvalues_of_two(a, b, c, d), flint.acb(0)]
         return _eigenvalues(total)
 
 
-def solve_orbit(guess: Orbit) -> Orbit:
+def solve_orbit(guess: Orbit, tell: Tell = silent) -> Orbit:
     """Return the proved enclosure of the periodic motion next to a guess, its modes proved. Raises EventUndecided."""
-    vector = arb_mat([[one.mid()] for leg in guess.legs for one in (leg.t, leg.x, leg.v)])
+    tell(f"solving a periodic motion of {len(guess.legs)} events to {working_digits()} digits")
+    orbit = _moved(guess, None)
     tiny = arb(10) ** -(working_digits() - 4)
     before: arb | None = None
     for _ in range(_STEPS):
-        miss, slopes = _equations(guess, vector)
-        step = _solved(slopes, miss)
-        vector = (vector - step).mid()
-        size = _largest(step)
+        step = newton_step(_links(orbit))
+        orbit = _moved(orbit, step)
+        size = max(abs(one).upper() for entry in step for one in entry.entries())
         if size <= tiny or (before is not None and size >= before and size < 10 * tiny.sqrt()):
             break
         before = size
-    found = _proved(guess, vector)
+        _require_order(orbit)
+    found = _proved(orbit)
+    tell(f"proving the modes between {len(guess.legs)} events")
     prove_modes(found)
     return found
 
 
-def _proved(guess: Orbit, middle: arb_mat) -> Orbit:
+def _require_order(orbit: Orbit) -> None:
+    """Raise EventUndecided if some event of a guess comes before the one that it follows: Newton went astray."""
+    for leg, after in orbit.turns:
+        if after.t < leg.t:
+            raise EventUndecided("are the events in this order?", (after.t - leg.t).str(6), working_digits())
+
+
+def _moved(orbit: Orbit, steps: Sequence[arb_mat] | None) -> Orbit:
+    """Return the orbit of exact numbers next to one, after a step if there is one."""
+    moves = [arb_mat(SIZE, 1)] * len(orbit.legs) if steps is None else steps
+    return _with(
+        orbit,
+        [
+            arb_mat([[one.mid()] for one in (old + move).entries()])
+            for old, move in zip(_unknowns(orbit), moves, strict=True)
+        ],
+    )
+
+
+def _unknowns(orbit: Orbit) -> list[arb_mat]:
+    return [arb_mat([[leg.t], [leg.x], [leg.v]]) for leg in orbit.legs]
+
+
+def _with(orbit: Orbit, unknowns: Sequence[arb_mat]) -> Orbit:
+    """Return the orbit whose unknowns are these."""
+    legs = [Leg(leg.side, *some.entries()) for leg, some in zip(orbit.legs, unknowns, strict=True)]
+    return replace(orbit, legs=tuple(legs))
+
+
+def _proved(middle: Orbit) -> Orbit:
     """Return the orbit in a box about a point by an interval Newton step that maps the box into itself."""
-    miss, slopes = _equations(guess, middle)
-    step = _solved(slopes, miss)
+    links, points = _links(middle), _unknowns(middle)
+    steps = newton_step(links)
     for factor in (4, 64, 4096):
-        box = arb_mat([[m + arb(0, factor * abs(s).upper())] for m, s in zip(middle, step, strict=True)])
-        image = middle - _solved(_equations(guess, box)[1], miss)
-        if all(
-            old.contains_interior(new) or old == new for old, new in zip(box.entries(), image.entries(), strict=True)
-        ):
-            return _with(guess, image)
-    raise EventUndecided("is there a periodic motion with these events?", _largest(step).str(6), working_digits())
+        box = [point + _about_zero(step, factor) for point, step in zip(points, steps, strict=True)]
+        slopes = _links(_with(middle, box))
+        moves = newton_step([wide._replace(miss=one.miss) for one, wide in zip(links, slopes, strict=True)])
+        images = [point + move for point, move in zip(points, moves, strict=True)]
+        if all(_is_inside(image, old) for image, old in zip(images, box, strict=True)):
+            return _with(middle, images)
+    size = max(abs(one).upper() for step in steps for one in step.entries())
+    raise EventUndecided("is there a periodic motion with these events?", size.str(6), working_digits())
+
+
+def _about_zero(step: arb_mat, factor: int) -> arb_mat:
+    """Return a box about 0 that is `factor` times as wide as a step."""
+    return arb_mat([[arb(0, factor * abs(one).upper())] for one in step.entries()])
+
+
+def _is_inside(image: arb_mat, box: arb_mat) -> bool:
+    pairs = zip(image.entries(), box.entries(), strict=True)
+    return all(old.contains_interior(new) or bool(old == new) for new, old in pairs)
 
 
 def prove_modes(orbit: Orbit) -> None:
@@ -148,53 +191,32 @@ def prove_modes(orbit: Orbit) -> None:
             require_stick(orbit.motion(leg), length, after.side)
 
 
-def _with(guess: Orbit, vector: arb_mat) -> Orbit:
-    """Return the orbit whose unknowns are these."""
-    numbers = vector.entries()
-    legs = [Leg(leg.side, *numbers[3 * k : 3 * k + 3]) for k, leg in enumerate(guess.legs)]
-    return Orbit(guess.drive, tuple(legs))
-
-
-def _equations(guess: Orbit, vector: arb_mat) -> tuple[arb_mat, arb_mat]:
-    """Return what each leg misses its end by, and the derivatives of that by the unknowns."""
-    orbit, size = _with(guess, vector), 3 * len(guess.legs)
-    miss, slopes = arb_mat(size, 1), arb_mat(size, size)
-    for k, (leg, after) in enumerate(orbit.turns):
-        motion, ahead = orbit.motion(leg), 3 * ((k + 1) % len(guess.legs))
+def _links(orbit: Orbit) -> list[Link]:
+    """Return what each leg misses its end by, and the derivatives of that by the unknowns of both its events."""
+    found = []
+    for leg, after in orbit.turns:
+        motion, is_slip = orbit.motion(leg), leg.side != 0
         flow = motion.flow(after.t - leg.t)
         z = flow * motion.begin
-        begun = motion.rate(motion.begin)
+        begun, ended = motion.rate(motion.begin), motion.rate(z)
         for place in range(4):
             begun[place, 0] = arb(0)  # the state is an unknown of its own; the force goes on by itself
-        # by the time of the start, its position and velocity, and the time of the end
-        columns = [flow * begun - motion.rate(z), _columns(flow, (X1,)), _columns(flow, (V1, V2)), motion.rate(z)]
+        by_time, by_place, by_speed = flow * begun - ended, _columns(flow, (X1,)), _columns(flow, (V1, V2))
         mode = orbit.drive.mode(leg.side)
-        rows = [((X1, Fraction(1)),), ((V1, Fraction(1)),), ((V2, Fraction(1)),) if leg.side else mode.load]
-        targets = [after.x, after.v, after.v if leg.side else after.side * Ball.number(orbit.drive.b)]
-        for n, (row, target) in enumerate(zip(rows, targets, strict=True)):
-            miss[3 * k + n, 0] = value(row, z) - target
-            for place, column in zip((3 * k, 3 * k + 1, 3 * k + 2, ahead), columns, strict=True):
-                slopes[3 * k + n, place] += value(row, column)
-            if n < 2 or leg.side:
-                slopes[3 * k + n, ahead + min(n + 1, 2)] -= 1
-    return miss, slopes
+        rows = [((X1, Fraction(1)),), ((V1, Fraction(1)),), ((V2, Fraction(1)),) if is_slip else mode.load]
+        targets = [after.x, after.v, after.v if is_slip else after.side * Ball.number(orbit.drive.b)]
+        met = (0, -1, 0), (0, 0, -1), (0, 0, -int(is_slip))
+        miss = arb_mat([[value(row, z) - target] for row, target in zip(rows, targets, strict=True)])
+        here = arb_mat([[value(row, one) for one in (by_time, by_place, by_speed)] for row in rows])
+        ahead = arb_mat([[value(row, ended) + t, x, v] for row, (t, x, v) in zip(rows, met, strict=True)])
+        found.append(Link(miss, here, ahead))
+    return found
 
 
 def _columns(flow: arb_mat, places: Sequence[int]) -> arb_mat:
     """Return the sum of some columns."""
     size = flow.nrows()
     return arb_mat([[sum((flow[row, place] for place in places), arb(0))] for row in range(size)])
-
-
-def _solved(slopes: arb_mat, miss: arb_mat) -> arb_mat:
-    try:
-        return slopes.solve(miss)
-    except ZeroDivisionError:
-        raise EventUndecided("is the periodic motion isolated?", "a singular matrix", working_digits()) from None
-
-
-def _largest(step: arb_mat) -> arb:
-    return max((abs(one).upper() for one in step.entries()), default=arb(0))
 
 
 def _eigenvalues_of_two(a: arb, b: arb, c: arb, d: arb) -> list[flint.acb]:

@@ -7,7 +7,6 @@ more.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
@@ -16,14 +15,13 @@ from flint import acb, arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
-from numerics.control.asked import MAX_DIGITS, to_digits
+from numerics.control.asked import Tell, most_digits, silent, to_digits
 from numerics.control.given_sine import given_sine
 from numerics.control.linear import ONE, Row
 from numerics.control.modes_proved import is_positive_inside
-from numerics.control.orbit import Drive, Orbit, solve_orbit
-from numerics.control.simulated import simulated_guesses
+from numerics.control.orbit import Drive, Orbit
+from numerics.control.search import MAX_EVENTS, Search
 from numerics.control.thresholds import Thresholds, load_margin, stiffness, thresholds
-from numerics.control.two_stop import non_stop_guesses, two_stop_guesses
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.scene import Force, Law, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import Exact
@@ -64,13 +62,17 @@ def response(
     amplitude: Exact | None = None,
     omega: Exact | None = None,
     digits: int = 15,
-    max_digits: int = MAX_DIGITS,
+    max_digits: int | None = None,
+    max_events: int = MAX_EVENTS,
+    tell: Tell = silent,
 ) -> Response:
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
-    For a scene without a force both together are its force, amplitude sin(omega t).
+    For a scene without a force both together are its force, amplitude sin(omega t). Where more than one sine acts, a
+    run of up to `max_events` events finds the motion; `tell` hears what is being done.
 
-    Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits),
+    Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits, by
+    default 16 times as many as are asked for), NotSettled (no motion was found within max_events),
     PrecisionExhausted.
     """
     asked = given_sine(amplitude, omega)
@@ -85,7 +87,9 @@ def response(
     known = None
     if len(sines) == 1:
         known = thresholds(drive.pair, sines[0].omega, digits=digits, max_digits=max_digits)
-    return to_digits(lambda _: _attempt(drive, known, digits), digits, max_digits)
+    most = most_digits(digits, max_digits)
+    search = Search(max_events, tell)
+    return to_digits(lambda _: _attempt(drive, known, digits, search), digits, most)
 
 
 def steady_drive(scene: Scene) -> Drive:
@@ -120,28 +124,14 @@ def _replaced(drive: Drive, asked: dict[str, Fraction]) -> Drive:
     return replace(drive, piece=Piece(0, drive.piece.polynomial, [sine]), frequency=sine.omega)
 
 
-def _attempt(drive: Drive, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:
+def _attempt(drive: Drive, known: Thresholds | None, digits: int, search: Search) -> tuple[Response, list[arb]]:
     growth = resonant_growth(drive)
     if growth > 0:
         found = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
         return found, [growth]
     if entrained(drive):
         return _entrained(drive, known, digits)
-    undecided: EventUndecided | None = None
-    for guess in _guesses(drive):
-        try:
-            return _of_orbit(solve_orbit(guess), known, digits)
-        except EventUndecided as error:
-            undecided = error
-    raise undecided or EventUndecided("what is the periodic motion?", "no guess", working_digits())
-
-
-def _guesses(drive: Drive) -> Iterator[Orbit]:
-    """Yield periodic motions that may be the one: by their exact equations, then by simulation."""
-    if len(drive.piece.sines) == 1:
-        yield from non_stop_guesses(drive)
-        yield from two_stop_guesses(drive)
-    yield from simulated_guesses(drive)
+    return _of_orbit(search.orbit(drive), known, digits)
 
 
 def resonant_growth(drive: Drive) -> arb:

@@ -19,13 +19,13 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import precision, working_digits
-from numerics.control.asked import MAX_DIGITS, to_digits
+from numerics.control.asked import Tell, most_digits, silent, to_digits
 from numerics.control.legs import stretches
 from numerics.control.linear import X1, X2, Motion, Row, W
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
 from numerics.control.settled import Settled, creeping_settled, free_settled, periodic_settled, stuck_settled
-from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
+from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.run.one import run_scene
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
@@ -56,10 +56,19 @@ class Ring:
     digits: int
 
 
-def ring_entry(scene: Scene, radius: Exact, *, rate: Exact = 1, digits: int = 15, max_digits: int = MAX_DIGITS) -> Ring:
+def ring_entry(
+    scene: Scene,
+    radius: Exact,
+    *,
+    rate: Exact = 1,
+    digits: int = 15,
+    max_digits: int | None = None,
+    tell: Tell = silent,
+) -> Ring:
     """Return when the relative motion enters for good the ring of a radius (m) > 0; w counts as w/rate, rate (1/s) > 0.
 
-    Raises InvalidScene, EventUndecided (the motion touches the ring), PrecisionExhausted (it settles too late).
+    `tell` hears what is being done. Raises InvalidScene, EventUndecided (the motion touches the ring), NotSettled (it
+    settles too late, or not for certain), PrecisionExhausted. max_digits is as in `response`.
     """
     size, per = exact_decimal(radius, "radius"), exact_decimal(rate, "rate")
     for name, one in (("radius", size), ("rate", per)):
@@ -67,24 +76,26 @@ def ring_entry(scene: Scene, radius: Exact, *, rate: Exact = 1, digits: int = 15
             raise InvalidScene(f"{name} = {short(one)} must be > 0; give a positive {name}")
 
     def attempt(arithmetic: Ball) -> tuple[Ring, list[arb]]:
-        trajectory, known = _settled(scene, arithmetic, size, per)
+        trajectory, known = _settled(scene, arithmetic, (size, per), tell)
         entry = last_on_ring(trajectory, known, size, per)
         found = Ring(scene, size, per, known.limit, entry, known.orbit, known.why, digits)
         return found, [found.centre, found.entry]
 
-    return to_digits(attempt, digits, max_digits)
+    return to_digits(attempt, digits, most_digits(digits, max_digits))
 
 
-def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -> tuple[Any, Settled]:
-    """Return a trajectory that is long enough to know the limit, and what is known."""
+def _settled(scene: Scene, arithmetic: Ball, ring: tuple[Fraction, Fraction], tell: Tell) -> tuple[Any, Settled]:
+    """Return a trajectory that is long enough to know the limit, and what is known; `ring`: its radius and rate."""
+    radius, rate = ring
     until, near = scene.until, float(radius) * min(1.0, float(rate)) / 2
     drive = _drive(scene) if scene.is_forced else None
-    orbit = _orbit(scene, drive, arithmetic)
+    orbit = _orbit(scene, drive, arithmetic, tell)
     doublings, most = (_DOUBLINGS, _MAX_EVENTS) if drive is None else (_FORCED_DOUBLINGS, _MAX_FORCED_EVENTS)
     if drive is not None:
         until = max(until, *(at + 1 for at in (*scene.force.starts, *scene.friction.starts)))
     for _ in range(doublings):
         longer = Scene(scene.pair, scene.initial, until, scene.law, scene.force, scene.friction)
+        tell(f"following the motion to t = {float(until):.6g} s in {arithmetic.digits} digits")
         trajectory = run_scene(longer, arithmetic, most)
         found = _known(trajectory, drive, orbit, near)
         if found is not None and found.is_sharp:
@@ -92,7 +103,7 @@ def _settled(scene: Scene, arithmetic: Ball, radius: Fraction, rate: Fraction) -
         if not trajectory.reached:
             break
         until *= 2
-    raise PrecisionExhausted(
+    raise NotSettled(
         f"the motion is not known to settle to within a radius of {short(radius)} m by t = "
         f"{short(trajectory.scene.until)} s or {most} events; {_remedy(drive, orbit)}"
     )
@@ -123,11 +134,11 @@ def _drive(scene: Scene) -> Drive:
     return drive
 
 
-def _orbit(scene: Scene, drive: Drive | None, arithmetic: Ball) -> Orbit | None:
+def _orbit(scene: Scene, drive: Drive | None, arithmetic: Ball, tell: Tell) -> Orbit | None:
     """Return the periodic motion that a scene tends to, None if it ends stuck."""
     if drive is None or not drive.piece.sines:
         return None
-    found = response(scene, digits=arithmetic.digits)
+    found = response(scene, digits=arithmetic.digits, tell=tell)
     if found.growth > 0:
         raise InvalidScene(f"{found.regime.value}; no ring is entered for good")
     return found.orbit

@@ -11,6 +11,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
+from numerics.control.exact_sign import is_never_negative
 from numerics.errors import EventUndecided
 from numerics.scene import Piece
 
@@ -73,16 +74,17 @@ class Derivative:
             found[key] = found.get(key, Fraction(0)) + coefficient
         return {key: coefficient for key, coefficient in found.items() if coefficient}
 
-    def exact_bound(self, length: Fraction) -> Fraction | None:
-        """Return sum |A| + max |polynomial| over [start, start + length], exact; None for a degree above 2."""
-        p = self.polynomial
-        if len(p) > 3:
-            return None
-        first, slope, bend = (*p, *(3 - len(p)) * (Fraction(0),))
-        peaks = [first, first + slope * length + bend * length**2]
-        if bend and 0 < -slope / (2 * bend) < length:
-            peaks.append(first - slope**2 / (4 * bend))
-        return max(map(abs, peaks)) + sum((abs(amplitude) for amplitude, _, _ in self.sines), Fraction(0))
+    def is_within(self, limit: Fraction, length: Fraction) -> bool | None:
+        """Return whether |f| <= limit over [start, start + length] as far as that is decided exactly, else None.
+
+        For a polynomial it always is; with sines only where sum |A| + max |polynomial| <= limit.
+        """
+        left = limit - sum((abs(amplitude) for amplitude, _, _ in self.sines), Fraction(0))
+        first, *others = self.polynomial or (Fraction(0),)
+        below = [left - first, *(-c for c in others)]
+        above = [left + first, *others]
+        is_small = left >= 0 and all(is_never_negative(one, length) for one in (below, above))
+        return is_small if is_small or not self.sines else None
 
 
 def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: int) -> tuple[arb, arb]:

@@ -22,7 +22,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import sqrt
-from numerics.control.asked import MAX_DIGITS, to_digits
+from numerics.control.asked import to_digits
 from numerics.errors import InvalidScene
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, exact_decimal, short
@@ -45,7 +45,7 @@ class Thresholds:
     digits: int
 
 
-def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int = MAX_DIGITS) -> Thresholds:
+def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int | None = None) -> Thresholds:
     """Return both thresholds at the frequency omega (rad/s) > 0. Raises InvalidScene, PrecisionExhausted.
 
     >>> from numerics import Pair

@@ -20,7 +20,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
-from numerics.control.asked import MAX_DIGITS, to_digits
+from numerics.control.asked import to_digits
 from numerics.control.rounding import rounded
 from numerics.control.signals import Derivative, ends, largest_size
 from numerics.errors import EventUndecided, InvalidScene
@@ -61,8 +61,13 @@ class Tracking:
     force_error: float
     digits: int
 
+    @property
+    def is_at_limit(self) -> bool:
+        """Return whether the reference is not proved to stay below the limit of friction."""
+        return not all(one.force < Ball.number(one.b) for one in self.demands)
 
-def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int = MAX_DIGITS) -> Tracking:
+
+def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
     """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
 
     The scene's own force is replaced, its friction in time counts. Raises InvalidScene (a jump of r or r', another
@@ -120,10 +125,9 @@ def _at_one_friction(scene: Scene, start: Fraction, end: Fraction) -> Iterator[t
 
 def _demand(pair: Pair, number: int, piece: Piece, end: Fraction, b: Fraction, digits: int) -> Demand:
     acceleration, limit = Derivative.of(piece, 2), b / pair.m2
-    bound = acceleration.exact_bound(end - piece.start)
     peak, where = largest_size(acceleration, piece.start, end, digits + 2)
-    possible = bound is not None and bound <= limit
-    if not possible:
+    possible = acceleration.is_within(limit, end - piece.start)
+    if possible is None:
         over = peak - Ball.number(limit)
         if over.contains(0) and not over.is_zero():
             raise EventUndecided("is the acceleration within the limit of friction?", over.str(6), working_digits())

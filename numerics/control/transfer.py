@@ -22,7 +22,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
-from numerics.control.asked import MAX_DIGITS, to_digits
+from numerics.control.asked import to_digits
 from numerics.control.rounding import KEPT_DIGITS, TIME_DIGITS, rounded, rounded_up
 from numerics.control.thresholds import cosine_and_sine
 from numerics.errors import EventUndecided, InvalidScene
@@ -70,7 +70,7 @@ def fastest_transfer(
     amplitude: Exact | None = None,
     margin: Exact = 0,
     digits: int = 15,
-    max_digits: int = MAX_DIGITS,
+    max_digits: int | None = None,
 ) -> Transfer:
     """Return the transfer of a scene's pair over a distance (m) from its initial state, which must be at rest.
 

@@ -36,6 +36,12 @@ def _of_a_scene(subcommands: _Subcommands[argparse.ArgumentParser], name: str, w
     asked = subcommands.add_parser(name, help=what, allow_abbrev=False)
     asked.add_argument("scene", metavar="SCENE", help="TOML file, or the short name of a shipped scene")
     asked.add_argument("--digits", type=positive, default=15, metavar="N", help="right digits wanted (%(default)s)")
+    asked.add_argument(
+        "--max-digits",
+        type=positive,
+        metavar="N",
+        help="cap on the working digits (16 times the right digits wanted; 2000 where that takes milliseconds)",
+    )
     asked.add_argument("--json", action="store_true", help="print the answer as JSON")
     asked.add_argument("--plot", type=Path, metavar="F", help="write a figure: .svg, .pdf or .png")
     return asked
@@ -54,6 +60,13 @@ def _add_response(subcommands: _Subcommands[argparse.ArgumentParser]) -> None:
         "--omega",
         metavar="W",
         help="instead of that of the scene's one sine, rad/s; with --amplitude: its force if it has none",
+    )
+    asked.add_argument(
+        "--max-events",
+        type=positive,
+        default=10_000,
+        metavar="N",
+        help="cap on the events of a run that looks for the periodic motion, a fifth for one period (%(default)s)",
     )
 
 

@@ -7,7 +7,7 @@ import json
 from typing import TYPE_CHECKING
 
 from numerics.exits import FAILED, OK, USAGE, refuse, wrong_path
-from numerics.faces.printing import numbers, print_numbers, write_figure
+from numerics.faces.printing import numbers, print_numbers, told_steps, write_figure
 
 if TYPE_CHECKING:
     from numerics.scene import Scene
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 def tell_tracking(options: argparse.Namespace) -> int:
     """Print what a reference asks of the interface, and write the force that makes body 2 follow, as a scene."""
+    from numerics.arithmetic.ball import Ball
     from numerics.control.again import tracking_again
     from numerics.control.tracking import track
     from numerics.scene.decimals import decimal_text
@@ -24,7 +25,7 @@ def tell_tracking(options: argparse.Namespace) -> int:
     if wrong is not None:
         return refuse(wrong, USAGE)
     scene = load_scene(options.scene)
-    found = track(scene, load_reference(options.reference), digits=options.digits)
+    found = track(scene, load_reference(options.reference), digits=options.digits, max_digits=options.max_digits)
     tracking_again(found)
     if options.plot is not None:
         from numerics.control.figures import draw_tracking
@@ -33,6 +34,9 @@ def tell_tracking(options: argparse.Namespace) -> int:
     demands = []
     for demand in found.demands:
         told = numbers({"asked": demand.force, "at": demand.at}, found.digits)
+        with Ball(found.digits + 20).context():
+            over = (demand.force - Ball.number(demand.b)).upper()
+            told |= {} if demand.possible else {"too_much_by": over.str(3, radius=False)}
         told |= {"from": decimal_text(demand.start), "until": decimal_text(demand.end), "b": decimal_text(demand.b)}
         demands.append({"piece": demand.number, "possible": demand.possible, **told})
     record = {"possible": found.scene is not None, "demands": demands, "force_error": f"{found.force_error:.1e}"}
@@ -40,9 +44,11 @@ def tell_tracking(options: argparse.Namespace) -> int:
         print(json.dumps(record | {"digits": found.digits} | _scene_key(found.scene), indent=1))
     else:
         for one in demands:
-            verdict = "within" if one["possible"] else "TOO MUCH for"
+            verdict = "within" if one["possible"] else f"TOO MUCH by {one['too_much_by']} N for"
             span = f"piece {one['piece']}, {one['from']} s to {one['until']} s"
             print(f"{span}: asks {one['asked']} N, {verdict} b = {one['b']} N")
+        if found.scene is not None and found.is_at_limit and found.force_error > 0:
+            print(f"friction is at its limit: phases rounded to 60 digits change {found.force_error:.0e} N s in all")
     return _hand_over(found.scene, options, "no force makes body 2 follow: friction cannot give what a piece asks")
 
 
@@ -61,6 +67,7 @@ def tell_transfer(options: argparse.Namespace) -> int:
         amplitude=options.amplitude,
         margin=options.margin,
         digits=options.digits,
+        max_digits=options.max_digits,
     )
     solved = transfer_again(found)
     if options.plot is not None and solved is not None:
@@ -126,7 +133,9 @@ def tell_ring(options: argparse.Namespace) -> int:
     wrong = wrong_path(options.plot, "--plot")
     if wrong is not None:
         return refuse(wrong, USAGE)
-    found = ring_entry(load_scene(options.scene), options.radius, rate=options.rate, digits=options.digits)
+    asked = {name: getattr(options, name) for name in ("rate", "digits", "max_digits")}
+    with told_steps() as tell:
+        found = ring_entry(load_scene(options.scene), options.radius, **asked, tell=tell)
     if options.plot is not None:
         from numerics.control.ring_figure import draw_ring
 

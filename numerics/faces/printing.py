@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -40,3 +43,15 @@ def write_figure(figure: Any, path: Path) -> None:
 
     with whole_file(path) as file:
         figure.savefig(file, format=path.suffix[1:], dpi=200)
+
+
+@contextmanager
+def told_steps() -> Iterator[Callable[[str], None]]:
+    """Yield what shows on stderr what is being done, one line that goes away at the end; on a terminal only."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    try:
+        yield lambda what: print(f"\r\033[K{what}", end="", file=sys.stderr, flush=True)
+    finally:
+        print("\r\033[K", end="", file=sys.stderr, flush=True)

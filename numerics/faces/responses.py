@@ -7,7 +7,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from numerics.exits import OK, USAGE, refuse, wrong_path
-from numerics.faces.printing import numbers, print_numbers, write_figure
+from numerics.faces.printing import numbers, print_numbers, told_steps, write_figure
 
 if TYPE_CHECKING:
     from flint import acb
@@ -24,9 +24,12 @@ def tell_response(options: argparse.Namespace) -> int:
     wrong = wrong_path(options.plot, "--plot")
     if wrong is not None:
         return refuse(wrong, USAGE)
-    found = response(load_scene(options.scene), amplitude=options.amplitude, omega=options.omega, digits=options.digits)
-    if found.orbit is not None:
-        orbit_again(found.orbit, found.digits)
+    asked = {name: getattr(options, name) for name in ("amplitude", "omega", "digits", "max_digits", "max_events")}
+    with told_steps() as tell:
+        found = response(load_scene(options.scene), **asked, tell=tell)
+        if found.orbit is not None:
+            tell("solving one period of it again by events")
+            orbit_again(found.orbit, found.digits)
     if options.plot is not None:
         from numerics.control.figures import draw_response
 

@@ -19,7 +19,7 @@ from numerics.control.ring import ring_entry
 from numerics.control.ring_figure import draw_ring
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
-from numerics.errors import PrecisionExhausted
+from numerics.errors import NotSettled
 from numerics.faces.responses import _complex_text
 from numerics.motion.modes import Mode
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
@@ -213,9 +213,7 @@ def test_a_pair_creeps_under_a_constant_force_as_without_one(force):
 
 def test_a_motion_that_may_never_settle_is_refused():
     scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5, force=Force.sine("0.02", 7))
-    with pytest.raises(
-        PrecisionExhausted, match=r"not known to settle.*a larger radius does not help: the pair is not proved"
-    ):
+    with pytest.raises(NotSettled, match=r"not known to settle.*a larger radius does not help: the pair is not proved"):
         ring_entry(scene, "0.001")
 
 

@@ -15,6 +15,8 @@ from strategies import decimals
 
 from numerics.arithmetic.ball import Ball
 from numerics.control import transfer as transfers
+from numerics.control.again import tracking_again
+from numerics.control.exact_sign import is_never_negative
 from numerics.control.figures import draw_tracking
 from numerics.control.signals import Derivative, largest_size
 from numerics.control.tracking import track
@@ -180,6 +182,56 @@ def test_the_limit_itself_can_be_followed(amplitude, possible):
     assert (track(Scene(FREE, State(), 2), (Piece(0, [0, 0, half]),)).scene is not None) == possible
     wave = (Piece(0, [0, -Fraction(amplitude)], [Sine(amplitude, 1)]),)
     assert (track(Scene(FREE, State(), 4), wave, digits=25).scene is not None) == possible
+
+
+@pytest.mark.parametrize(("b", "possible"), [("4/27", True), ("0.1481481481481481481481481481", False)])
+def test_a_polynomial_that_touches_the_limit_inside_is_decided_exactly(b, possible):
+    """r'' = t (1 - t)^2 is largest, 4/27, at t = 1/3, where it turns back."""
+    bump = (Piece(0, [0, 0, 0, "1/6", "-1/6", "1/20"]),)
+    found = track(Scene(Pair(1, 1, 200, b), State(), 1), bump)
+    assert (found.scene is not None) == possible
+    assert found.is_at_limit
+
+
+@given(
+    st.lists(decimals(-1, 1, 2), min_size=1, max_size=3), decimals(-1, 0, 2), st.sampled_from([0, "1e-40", "-1e-40"])
+)
+def test_an_exact_sign_is_that_of_a_square_moved_a_little(coefficients, length, moved):
+    """p^2 + d is >= 0 everywhere exactly if d >= 0, or p^2 stays above -d: a zero of p inside decides for d < 0."""
+    p = [(-1) ** k * c for k, c in enumerate(coefficients)]
+    square = [
+        sum((p[i] * p[k - i] for i in range(len(p)) if 0 <= k - i < len(p)), Fraction(0)) for k in range(2 * len(p) - 1)
+    ]
+    signs = {sum(c * (length * k / 64) ** n for n, c in enumerate(p)) > 0 for k in range(65)}
+    square[0] += Fraction(moved)
+    if Fraction(moved) >= 0:
+        assert is_never_negative(square, length)
+    elif len(signs) == 2:
+        assert not is_never_negative(square, length)
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "answer"),
+    [
+        ([0, 1], True),
+        ([0, -1], False),
+        ([0, 0, 1], True),
+        ([0, 1, -1], True),
+        ([0, -1, 1], False),
+        ([1, -1], True),
+        ([], True),
+    ],
+)
+def test_zeros_at_the_ends_are_no_changes_of_sign(coefficients, answer):
+    assert is_never_negative([Fraction(one) for one in coefficients], Fraction(1)) is answer
+
+
+def test_a_damped_reference_at_the_limit_is_followed_up_to_its_rounded_phase():
+    """The force has a cosine whose phase pi/2 is rounded: solved again, the bodies slip by that, and body 2 follows."""
+    wave = (Piece(0, [0, "-0.5"], [Sine("0.5", 1)]),)
+    found = track(Scene(Pair(1, 1, 200, "0.5", "1e6"), State(), 4), wave)
+    assert 0 < found.force_error < 1e-50
+    assert tracking_again(found).final_mode is not None
 
 
 @given(st.lists(decimals(-1, 1, 2), min_size=1, max_size=4), decimals(-1, 1, 2), decimals(-1, 0, 2))

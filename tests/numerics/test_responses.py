@@ -8,17 +8,20 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from control_scenes import one_period, referred
-from flint import arb
-from hypothesis import given, settings
+from flint import arb, arb_mat
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
-from strategies import sine_scenes
+from strategies import decimals, sine_scenes
 
 from numerics.arithmetic.ball import Ball
+from numerics.control.again import orbit_again
+from numerics.control.cyclic import Link, newton_step
 from numerics.control.figures import draw_response
+from numerics.control.linear import LinearMode, W
 from numerics.control.orbit import Drive, Orbit, prove_modes, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
-from numerics.errors import EventUndecided, InvalidScene
+from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
 
 PAIR, FREE = Pair(1, 1, 200, "0.5", 3), Pair(1, 1, 200, "0.5")
@@ -174,3 +177,74 @@ def test_overrides_are_the_scene_with_that_sine(k):
     assert response(under(PAIR, 1, 9), amplitude=amplitude, omega=12).multipliers is not None
     one, two = response(under(PAIR, 1, 9), amplitude=amplitude, omega=12), response(under(PAIR, amplitude))
     assert one.regime is two.regime
+
+
+# long periods, light bodies, and an end in bounded time
+
+
+@given(st.integers(1, 9), st.integers(1, 10**6))
+@settings(max_examples=8)
+def test_a_step_around_the_ring_of_events_is_that_of_the_whole_matrix(count, seed):
+    draw = np.random.default_rng(seed).uniform(-1, 1, (count, 3, 7)) + 2 * np.eye(3, 7, 4)
+    links = [
+        Link(arb_mat(one[:, :1].tolist()), arb_mat(one[:, 1:4].tolist()), arb_mat(one[:, 4:].tolist())) for one in draw
+    ]
+    steps = np.array([[float(x) for x in step.entries()] for step in newton_step(links)]).ravel()
+    whole, missed = np.zeros((3 * count, 3 * count)), draw[:, :, 0].ravel()
+    for k, one in enumerate(draw):
+        rows, after = slice(3 * k, 3 * k + 3), (k + 1) % count
+        whole[rows, 3 * k : 3 * k + 3] += one[:, 1:4]
+        whole[rows, 3 * after : 3 * after + 3] += one[:, 4:]
+    assert steps == pytest.approx(-np.linalg.solve(whole, missed), rel=1e-6, abs=1e-6)
+
+
+def test_many_events_in_a_period_are_solved_together():
+    """5 and 5.5 rad/s: some 30 events in 4 pi seconds, solved as one ring of equations."""
+    pair = Pair(1, 1, 200, "0.05", 1)
+    found = response(Scene(pair, State(), 1, force=Force.sine("0.3", 5) + Force.sine("0.3", "5.5")))
+    assert len(found.orbit.legs) > 30
+    assert orbit_again(found.orbit, 15).final_mode.sign == found.orbit.legs[0].side
+
+
+def test_a_light_body_1_takes_no_finer_parts_for_ever():
+    """Its own rates are 10^6/s and 200/s; the slip is 0.2 s long."""
+    found = response(under(Pair("1e-6", 1, 200, "0.05", 1), "0.6", 5))
+    assert found.regime is Regime.STICK_SLIP
+    assert orbit_again(found.orbit, 15).final_mode is not None
+
+
+@pytest.mark.parametrize(
+    ("omega", "max_events", "said"), [("7.000000001", 500, "500 events, 2 periods"), ("15", 27, "a fifth")]
+)
+def test_what_does_not_settle_within_the_cap_is_said_at_once(omega, max_events, said):
+    scene = Scene(Pair(1, 1, 200, "0.05", 1), State(), 1, force=Force.sine("0.3", 5) + Force.sine("0.3", omega))
+    with pytest.raises(NotSettled, match=said):
+        response(scene, max_events=max_events)
+
+
+def test_who_waits_hears_what_is_done():
+    heard: list[str] = []
+    response(under(PAIR, "0.5"), tell=heard.append)
+    assert any("solving a periodic motion of 4 events" in one for one in heard)
+    assert any("proving the modes" in one for one in heard)
+
+
+def test_many_digits_are_solved_again_to_as_many():
+    found = response(under(PAIR, "0.5"), digits=120)
+    assert orbit_again(found.orbit, 120).final_mode is not None
+
+
+@given(decimals(-6, 6, 2), decimals(-2, 2, 2), st.sampled_from([0, 1, -1]), decimals(-3, 0, 2))
+@example(Fraction(1, 10**6), Fraction(1), 1, Fraction(1, 10))
+@settings(max_examples=25)
+def test_a_range_over_times_holds_the_values_at_them(m1, a1, side, length):
+    """Also where body 1 is so light that the bound by energy is the one that counts."""
+    mode = LinearMode(Pair(m1, 1, 200, "0.5", a1), Fraction(1, 2), side, Piece(0, ["0.1", 1, -2], [Sine("0.3", 7)]))
+    with Ball(30).context():
+        v1 = arb("0.2")
+        motion = mode.motion((arb("0.01"), v1, arb(0), v1 if side == 0 else arb(0)), arb("0.3"))
+        begin, end = Ball.number(length), Ball.number(2 * length)
+        for row, order in ((W, 0), (W, 1), (mode.load, 0), (mode.load, 1), (mode.load, 2)):
+            wide = motion.range(row, begin.union(end), order)
+            for k in range(5):
+                assert wide.overlaps(motion.range(row, begin + (end - begin) * k / 4, order))
