@@ -15,7 +15,7 @@ from numerics.scene import Law, Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.trade.comparisons import (
-    diffrax_peer,
+    diffrax_arc,
     euler_peer,
     heyoka_peer,
     heyoka_tuned,
@@ -158,7 +158,7 @@ def test_the_other_reading_is_refused(peer):
 
 
 def test_what_is_missing_is_named(monkeypatch):
-    modules = (diffrax_peer, euler_peer, heyoka_peer, heyoka_tuned, scipy_peer)
+    modules = (diffrax_arc, euler_peer, heyoka_peer, heyoka_tuned, scipy_peer)
     for module in modules:
         monkeypatch.setattr(module, "find_spec", lambda name: None)
     monkeypatch.setattr(siconos_peer, "_interpreter", lambda: None)

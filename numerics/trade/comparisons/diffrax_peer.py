@@ -1,41 +1,26 @@
 """diffrax, in edge coordinates: one compiled `diffeqsolve` for both modes, called from event to event.
 
-Events are found where a condition changes sign over a step, and located by bisection of the dense output (Newton's
-method, the documentation's choice, runs away from wide steps). So, as with SciPy at its best, the first step off the
-surface ends inside the slip, and a stick arc stops at the exit or where the load turns back, whichever comes first.
-What goes in and out of the compiled function is packed into one array each way: transfers cost more than steps.
+As with SciPy at its best, the first step off the surface ends inside the slip, and a stick arc stops at the exit or
+where the load turns back, whichever comes first.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from importlib.util import find_spec
-
-import numpy as np
 
 from numerics.scene import Scene
+from numerics.trade.comparisons.diffrax_arc import Arc, Asked, DiffraxMethod
 from numerics.trade.comparisons.edge_coordinates import EdgePair, run_by_edges
-from numerics.trade.comparisons.peer import Extra, PeerFailed, PeerRun
-
-MAX_STEPS = 1_000_000
+from numerics.trade.comparisons.peer import Extra, PeerRun
 
 
-class DiffraxPeer:
-    """diffeqsolve by one explicit method with a PID controller, in float64, compiled and warm."""
+class DiffraxPeer(DiffraxMethod):
+    """A free pair by diffrax."""
 
     use = "edge coordinates, first steps set, peaks watched, work integrated along"
     forced = False
-    knob = "rtol"
     settings: tuple[float, ...] = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
-
-    def __init__(self, method: str) -> None:
-        """Take one of diffrax's solvers: "Dopri8", "Tsit5"."""
-        self.method, self.name = method, f"diffrax {method}"
-
-    def missing(self) -> str | None:
-        """Name diffrax if it is not installed."""
-        return None if find_spec("diffrax") else "diffrax (extra `comparisons`)"
 
     def prepare(self, scene: Scene, setting: float) -> Callable[[], PeerRun]:
         """Compile the arc. Raises Unsupported."""
@@ -57,15 +42,12 @@ class DiffraxArcs:
 
     def __init__(self, pair: EdgePair, method: str, tolerance: float, energy: float) -> None:
         """Compile for a pair, the absolute tolerances being rtol times the sizes that E(0) > 0 allows."""
-        import jax
-
         self.pair, self.steps = pair, 0
         energy = energy or pair.held**2 / pair.a2
         force, speed = math.sqrt(2 * energy * pair.a2), math.sqrt(2 * energy / pair.m1)
         sizes = (force, speed, speed, energy / pair.b, energy / (pair.a1 or 1.0))
-        self.width = 4 + len(pair.rest)
-        arc = arc_function(pair, method, tolerance, sizes[: self.width])
-        self.arc = jax.jit(arc).lower(np.zeros(self.width + 4)).compile()
+        width = 4 + len(pair.rest)
+        self.arc = Arc(method, tolerance, sizes[:width], _field(pair), _guard(pair, force, speed), _unpack, width + 4)
 
     def slip(self, start: Extra, left: float) -> Extra:
         """Slip until g falls to 0."""
@@ -83,22 +65,19 @@ class DiffraxArcs:
         return met, length, (*end[:2], *end[4:])
 
     def _solve(self, start: Extra, left: float, first: float, slips: bool, watched: bool) -> Extra:
-        out = np.asarray(self.arc(np.array([left, min(first, left), slips, watched, *start])))
-        length, met, steps, good, *end = out.tolist()
-        if not good:
-            raise PeerFailed(f"diffrax: no end of the arc after {steps:.0f} steps")
-        self.steps += int(steps)
-        return met == 1, length, end
+        met, length, steps, end = self.arc([left, min(first, left), slips, watched, *start])
+        self.steps += steps
+        return met, length, end
 
 
-def arc_function(pair: EdgePair, method: str, tolerance: float, sizes: tuple[float, ...]) -> Callable[..., Extra]:
-    """Return the arc as a function of one array: left, first step, 1 in slip, 1 where guards are watched, the start.
+def _unpack(packed: Extra) -> Asked:
+    """Read an array: left, first step, 1 in slip, 1 where guards are watched, the start."""
+    return Asked(packed[0], packed[1], packed[4:], (packed[2] == 1, packed[3] == 1))
 
-    It returns one array: length, 1 if the event was met, steps, 1 if it got there, the end.
-    """
-    import diffrax
+
+def _field(pair: EdgePair) -> Callable[..., Extra]:
+    """Return the rates of edge, v1, g, z, and of u where there is viscosity, in the mode that is asked."""
     import jax.numpy as jnp
-    import optimistix
 
     a1, a2, m1, push, mass, held = pair.a1, pair.a2, pair.m1, pair.push, pair.mass, pair.held
 
@@ -108,33 +87,16 @@ def arc_function(pair: EdgePair, method: str, tolerance: float, sizes: tuple[flo
         rates = [a2 * y[1] + a1 * pull, pull, jnp.where(slips, -y[0] / m1, 0.0), y[2]]
         return jnp.stack([*rates, y[1] ** 2] if pair.rest else rates)
 
+    return field
+
+
+def _guard(pair: EdgePair, force: float, speed: float) -> Callable[..., Extra]:
+    """Return what falls to 0 at the event: g in slip; in stick the distance to the edge, or to where the load turns."""
+    import jax.numpy as jnp
+
     def guard(t: Extra, y: Extra, args: Extra, **_: Extra) -> Extra:  # noqa: ARG001  (diffrax names its arguments)
         slips, watched = args
-        stick = jnp.minimum(-y[0], pair.turning(y[0], y[1])) / sizes[0]
-        return jnp.where(watched, jnp.where(slips, y[2] / sizes[1], stick), 1.0)
+        stick = jnp.minimum(-y[0], pair.turning(y[0], y[1])) / force
+        return jnp.where(watched, jnp.where(slips, y[2] / speed, stick), 1.0)
 
-    event = diffrax.Event(guard, optimistix.Bisection(1e-15, 1e-14), direction=False)
-    atol = tolerance * jnp.array(sizes)
-    controller = diffrax.PIDController(rtol=tolerance, atol=atol)
-    solver = getattr(diffrax, method)()
-
-    def arc(packed: Extra) -> Extra:
-        left, first, slips, watched = packed[0], packed[1], packed[2] == 1, packed[3] == 1
-        out = diffrax.diffeqsolve(
-            diffrax.ODETerm(field),
-            solver,
-            0.0,
-            left,
-            first,
-            packed[4:],
-            args=(slips, watched),
-            stepsize_controller=controller,
-            event=event,
-            max_steps=MAX_STEPS,
-            throw=False,
-        )
-        stopped = out.result == diffrax.RESULTS.event_occurred
-        good = stopped | (out.result == diffrax.RESULTS.successful)
-        return jnp.concatenate([jnp.stack([out.ts[-1], stopped, out.stats["num_steps"], good]), out.ys[-1]])
-
-    return arc
+    return guard
