@@ -18,7 +18,8 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import depth_and_cotangent, sine_deficit, versine
 from numerics.contact.enclosed import enclosed_contact
 from paper_checks import atomic
-from paper_checks.engines.roots import enclosed_root, point, precision
+from paper_checks.engines.balls import point, precision
+from paper_checks.engines.roots import enclosed_root
 
 CERTIFICATE = Path(__file__).with_name("critical_ratio.json")
 SHARE = Fraction(557, 1000)

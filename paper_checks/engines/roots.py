@@ -2,26 +2,12 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from fractions import Fraction
 
-import flint
-from flint import arb, fmpq
+from flint import arb
 
-DIGITS = 50
-"""Digits that a constant is enclosed to."""
-
-
-@contextmanager
-def precision(digits: int = DIGITS) -> Iterator[None]:
-    """Set flint's process-wide precision, with guard digits, and restore it."""
-    before, flint.ctx.prec = flint.ctx.prec, math.ceil((2 * digits + 20) * math.log2(10))
-    try:
-        yield
-    finally:
-        flint.ctx.prec = before
+from paper_checks.engines.balls import DIGITS, point
 
 
 def enclosed_root(
@@ -42,11 +28,6 @@ def enclosed_root(
     return point(low).union(point(high))
 
 
-def point(value: Fraction | int) -> arb:
-    """Return a ball around a rational number."""
-    return arb(fmpq(value.numerator, value.denominator))
-
-
 def _sign(function: Callable[[arb], arb], at: Fraction) -> int:
     value = function(point(at))
     if value > 0:
@@ -54,8 +35,3 @@ def _sign(function: Callable[[arb], arb], at: Fraction) -> int:
     if value < 0:
         return -1
     raise ArithmeticError(f"the sign at {at} is not decided: {value.str(6)}")
-
-
-def shown(value: arb, digits: int = DIGITS) -> str:
-    """Return a ball with all of its proved digits, at most `digits`, and its radius."""
-    return str(value.str(digits))

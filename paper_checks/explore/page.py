@@ -81,7 +81,7 @@ def page() -> str:
 
 def critical_ratio() -> float:
     """Return the mass ratio m1/m2 from which on nothing on S above E_cr merges, rounded up from a proved enclosure."""
-    from paper_checks.engines.roots import precision
+    from paper_checks.engines.balls import precision
     from paper_checks.steps.critical_share import critical_value
 
     with precision():

@@ -34,7 +34,7 @@ def _crossing_depth() -> sp.Expr:
 
 
 def _turning_angle() -> arb:
-    from paper_checks.engines.roots import precision
+    from paper_checks.engines.balls import precision
     from paper_checks.steps.monotone_slips import turning_angle
 
     with precision():

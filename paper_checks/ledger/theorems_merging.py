@@ -29,7 +29,7 @@ ANGLE = sp.Symbol("varphi", positive=True)
 
 
 def _critical_ratio() -> arb:
-    from paper_checks.engines.roots import precision
+    from paper_checks.engines.balls import precision
     from paper_checks.steps.critical_share import critical_value
 
     with precision():

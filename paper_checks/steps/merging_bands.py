@@ -13,7 +13,7 @@ from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.engines.roots import point, precision
+from paper_checks.engines.balls import point, precision
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
 MERGES, CREEPS = "merges", "creeps"

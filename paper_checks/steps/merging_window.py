@@ -8,7 +8,8 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
-from paper_checks.engines.roots import enclosed_root, point, precision, shown
+from paper_checks.engines.balls import point, precision, shown
+from paper_checks.engines.roots import enclosed_root
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.solvers.smt import prove
 from paper_checks.steps.critical_share import ENGINE, half_angle

@@ -7,8 +7,9 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
+from paper_checks.engines.balls import precision, shown
 from paper_checks.engines.exact import identity
-from paper_checks.engines.roots import enclosed_root, precision, shown
+from paper_checks.engines.roots import enclosed_root
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.formula import form, stating
 from paper_checks.solvers.smt import prove

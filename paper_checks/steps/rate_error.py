@@ -13,10 +13,9 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
-import flint
 from flint import acb, acb_poly, arb, arb_poly, arb_series, fmpq
 
-from paper_checks.engines.roots import point, precision
+from paper_checks.engines.balls import point, precision, terms
 
 Quotient = Callable[["Slip", Any], tuple[Any, Any]]
 SPLIT, RIM = Fraction(4, 5), Fraction(7, 5)
@@ -107,7 +106,7 @@ def on_rim(theta: acb) -> Slip:
 
 def near_zero(quotient: Quotient, p: arb) -> arb:
     """Enclose a quotient for slip angles up to SPLIT: Taylor polynomial, and the rest by Cauchy's estimate on the rim."""
-    with _terms(ORDER + 12):
+    with terms(ORDER + 12):
         above, below = quotient(plain(arb_series([0, 1])), arb_series([p]))
         series = _shifted(above, ZEROS[quotient]) / _shifted(below, ZEROS[quotient])
         coefficients = [series[n] for n in range(0, ORDER, 2)]
@@ -127,7 +126,7 @@ def near_zero(quotient: Quotient, p: arb) -> arb:
 def beyond(quotient: Quotient, theta: arb, p: arb) -> arb:
     """Enclose a quotient on a box by its value in the middle and its slopes on the box."""
     middle, centre = theta.mid(), p.mid()
-    with _terms(2):
+    with terms(2):
         slip = on_box(theta)
         along = _ratio(quotient(slip, arb_series([p])))[1]
         fixed = Slip(*(arb_series([one[0]]) for one in slip))
@@ -206,19 +205,3 @@ def _rim() -> Iterator[acb]:
     for k in range(ARCS):
         argument = step * (k + point(Fraction(1, 2))) + arb(0, (step / 2).upper())
         yield acb(point(RIM) * argument.cos(), point(RIM) * argument.sin())
-
-
-class _terms:  # noqa: N801  reads as `with terms(n)`
-    """Sets flint's process-wide series length, and restores it."""
-
-    def __init__(self, number: int) -> None:
-        """Ask for this number of terms."""
-        self.number = number
-
-    def __enter__(self) -> None:
-        """Set it."""
-        self.before, flint.ctx.cap = flint.ctx.cap, self.number
-
-    def __exit__(self, *_: object) -> None:
-        """Restore what was before."""
-        flint.ctx.cap = self.before

@@ -7,8 +7,8 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
+from paper_checks.engines.balls import point, precision, shown
 from paper_checks.engines.exact import identity
-from paper_checks.engines.roots import point, precision, shown
 from paper_checks.evidence.clause import Formula
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.steps.excursions import angle_of_excursion, never_merges

@@ -9,8 +9,9 @@ from itertools import pairwise
 import sympy as sp
 from flint import arb
 
+from paper_checks.engines.balls import point, precision, shown
 from paper_checks.engines.exact import identity
-from paper_checks.engines.roots import enclosed_root, point, precision, shown
+from paper_checks.engines.roots import enclosed_root
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.steps.critical_share import ENGINE, critical_value
 from paper_checks.steps.excursions import vanishes

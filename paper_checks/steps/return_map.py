@@ -6,13 +6,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 
-import flint
 import sympy as sp
 from flint import acb, arb, fmpq, fmpq_series
 
 from numerics.long_time.abel import AbelFunctions
+from paper_checks.engines.balls import point, precision, terms
 from paper_checks.engines.exact import identity
-from paper_checks.engines.roots import point, precision
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.formula import form, stating
 from theory.near_critical import cycle
@@ -64,7 +63,7 @@ def coefficients() -> tuple[Evidence, ...]:
 
 def reverted_depth(order: int) -> list[sp.Rational]:
     """Return the coefficients of c in y by exact series reversion: theta in powers of h, then c(theta)."""
-    with _terms(2 * order + 6):
+    with terms(2 * order + 6):
         theta = fmpq_series([0, 1])
         sine, cosine = theta.sin(), theta.cos()
         height = _divided(theta - sine, 2) / _divided(1 - cosine, 2)
@@ -78,22 +77,6 @@ def _divided(series: fmpq_series, power: int) -> fmpq_series:
     return fmpq_series([series[k] for k in range(power, series.length())])
 
 
-class _terms:  # noqa: N801  reads as `with terms(n)`
-    """Sets flint's process-wide series length, and restores it."""
-
-    def __init__(self, number: int) -> None:
-        """Ask for this number of terms."""
-        self.number = number
-
-    def __enter__(self) -> None:
-        """Set it."""
-        self.before, flint.ctx.cap = flint.ctx.cap, self.number
-
-    def __exit__(self, *_: object) -> None:
-        """Restore what was before."""
-        flint.ctx.cap = self.before
-
-
 def lost_coefficients() -> tuple[sp.Rational, ...]:
     """Return the coefficients of c^2, from y^2 to y^ORDER: y' is y less r times this."""
     series = depth_series(ORDER - 1)
@@ -104,14 +87,14 @@ def lost_coefficients() -> tuple[sp.Rational, ...]:
 def remainder() -> tuple[Evidence, ...]:
     """Bound c^2 less its Taylor polynomial on the rim |theta| = RADIUS; by Schwarz's lemma then inside."""
     with precision(20):
-        terms = [arb(fmpq(int(c.p), int(c.q))) for c in lost_coefficients()]
+        lost = [arb(fmpq(int(c.p), int(c.q))) for c in lost_coefficients()]
         bound = arb(0)
         for theta in quarter_rim():
             half = theta / 2
             height = (theta - theta.sin()) / (2 * half.sin() ** 2)
             y = height * height
             value = (2 - theta * half.cot()) ** 2
-            for n, term in enumerate(terms, start=2):
+            for n, term in enumerate(lost, start=2):
                 value -= acb(term) * y**n
             bound = bound.max(abs(value).upper())
         text = f"|c**2 - polynomial| <= {bound.str(5)} on |theta| = {RADIUS}"
@@ -137,7 +120,7 @@ def remainder() -> tuple[Evidence, ...]:
 
 def defect_in_angle() -> list[sp.Rational]:
     """Return the coefficients of c^2 - P_8(h^2) in the slip angle below the power 2 ORDER + 2, exact."""
-    with _terms(2 * ORDER + 6):
+    with terms(2 * ORDER + 6):
         theta = fmpq_series([0, 1])
         sine, cosine = theta.sin(), theta.cos()
         height = _divided(theta - sine, 2) / _divided(1 - cosine, 2)

@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 from flint import acb, arb
 
-from paper_checks.engines.roots import point, precision
+from paper_checks.engines.balls import point, precision
 from paper_checks.steps import rate_error, return_map
 
 

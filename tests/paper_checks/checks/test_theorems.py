@@ -24,7 +24,8 @@ from paper_checks.checks import (
     theorems_uniform,
 )
 from paper_checks.checks.registry import Context
-from paper_checks.engines.roots import enclosed_root, precision
+from paper_checks.engines.balls import precision
+from paper_checks.engines.roots import enclosed_root
 from paper_checks.evidence.clause import Formula
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import CLAIMS, Kind
