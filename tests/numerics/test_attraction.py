@@ -19,7 +19,7 @@ from numerics.control import attraction
 from numerics.control.attraction import Place, distance, place_at, slide_left
 from numerics.control.orbit import Orbit
 from numerics.control.response import response
-from numerics.control.ring import Z, timeline
+from numerics.control.ring_crossing import Z, timeline
 from numerics.errors import EventUndecided
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
