@@ -23,10 +23,12 @@ from theory.energy import metric, slip_rate
 from theory.filippov import STATE, guard
 from theory.forced_response import decline, natural, swing
 from theory.model import slip, stick
-from theory.symbols import a1, a2, b, m1, m2, t, u, v1, x1
+from theory.scaling import stick_frequency
+from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v2_0, x1, x1_0, x2_0
 
 r_place, r_speed, r_acceleration = Symbol("r", real=True), Symbol(r"\dot{r}", real=True), Symbol(r"\ddot{r}", real=True)
 """A reference for body 2 and its derivatives, m, m/s, m/s^2; here x1 - x2 = 0 at the start."""
+r_start = Symbol("r_0", real=True)  # the reference at the time 0, m
 path, duration = Symbol("D", positive=True), Symbol("T", positive=True)
 """Distance of a transfer (m) and the time it takes (s)."""
 half_time = Symbol("tau", positive=True)  # half the least time of a transfer, s
@@ -40,6 +42,25 @@ tolerance = Symbol("varepsilon", positive=True)  # width of a tube in the energy
 def strongest() -> Expr:
     """b/m2, m/s^2: the acceleration of body 2 in slip, which stick cannot exceed."""
     return slip(1).acceleration2
+
+
+@cache
+def followed_start() -> tuple[Expr, Expr]:
+    """(r(0), r'(0)), m and m/s, of a reference that is the path of body 2, which starts at x2(0) with v2(0).
+
+    The path is the start and what the acceleration, here a constant, adds in two integrals.
+    """
+    place, speed = Symbol("p_0", real=True), Symbol("p_1", real=True)
+    gained = integrate(integrate(r_acceleration, t), t)
+    apart = x2_0 + v2_0 * t + gained - (place + speed * t + r_acceleration * t**2 / 2)
+    at_start = {place: solve(apart.subs(t, 0), place)[0], speed: solve(diff(apart, t).subs(t, 0), speed)[0]}
+    return at_start[place], at_start[speed]
+
+
+def stuck_offset() -> Expr:
+    """Place of body 1 less the reference, m, in a pair that always sticks: both move alike."""
+    moved = r_place - r_start
+    return (x1_0 + moved - r_place).expand()
 
 
 @cache
@@ -172,6 +193,11 @@ def switching() -> tuple[Expr, Expr]:
     place = Symbol("X", real=True)
     meets = solve((1 - (place - 1) ** 2) - ((1 + reduced) ** 2 - (place + 1) ** 2), place)[0]
     return acos((1 - meets).expand()), acos(simplify((meets + 1) / (1 + reduced)))
+
+
+def weak_time() -> Expr:
+    """The time of that transfer, s: its arcs at the angular frequency of the stuck pair."""
+    return sum(switching()) / stick_frequency()
 
 
 def pressed() -> Expr:

@@ -48,6 +48,21 @@ square_place, square_speed = Symbol("h", real=True), Symbol("h'", real=True)
 """What a square wave of friction of 1 N does: place (m/N) and velocity (m/s/N) of body 1 where its sign turns to 1."""
 
 
+@cache
+def rates() -> tuple[Expr, Expr]:
+    """(lambda, omega_d), 1/s, of body 1 on its spring and damper: its motion has the roots -lambda +- i omega_d."""
+    root = Symbol("rho")
+    acceleration = slip(1).acceleration1.subs({x1: 1, v1: root, u: 0, b: 0}, simultaneous=True)
+    first, second = solve(root**2 - acceleration, root)
+    half = simplify((first + second) / 2)
+    return -half, sqrt(simplify(first * second) - half**2)
+
+
+def left_after_half() -> Expr:
+    """What half a period of the force leaves of an oscillation of body 1 that declines at the rate `decline`."""
+    return exp(-decline * t).subs(t, pi / omega)
+
+
 def impedance(acceleration: Expr, inertia: Expr) -> Expr:
     """Force by place, N/m, of a body with that acceleration on exp(i omega t): a2 - I omega^2 + i a1 omega."""
     along = {x1: 1, v1: I * omega, u: 0, b: 0}

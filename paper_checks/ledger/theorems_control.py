@@ -12,8 +12,8 @@ from theory import forced_control as control
 from theory.energy import critical_energy, on_surface, sigma
 from theory.filippov import load_threshold
 from theory.forced_control import angle, duration, path, strength, velocity_gain
-from theory.model import stick
-from theory.symbols import a1, a2, b, m1, m2, v1, v2, x1, x2
+from theory.scaling import stick_frequency
+from theory.symbols import a1, a2, b, m1, m2, v1, v2, v2_0, x1, x1_0, x2, x2_0
 
 MASS = m1 + m2
 OFFSET, RESPONSE = sp.Symbol("gamma", real=True), sp.Symbol("g", positive=True)
@@ -26,6 +26,13 @@ REST, ENERGY, LAST_ENERGY = sp.symbols(r"z_{\infty} E E_{\infty}", real=True)
 SPREAD, KAPPA, DISTANCE = sp.Symbol("s", real=True), sp.Symbol("kappa", positive=True), sp.Symbol("N", nonnegative=True)
 PLACE_START, PLACE_END = sp.Symbol("{x_2(0)}", real=True), sp.Symbol("{x_2(T)}", real=True)
 RATE_START, RATE_END = sp.Symbol("{v_2(0)}", real=True), sp.Symbol("{v_2(T)}", real=True)
+START = {PLACE_START: x2_0, RATE_START: v2_0}
+FIRST_PLACE, WAY_START = sp.Symbol("{x_1(0)}", real=True), sp.Symbol(r"{x_{\mathrm{ref}}(0)}", real=True)
+FIRST_ANGLE, SECOND_ANGLE, PACE = sp.symbols("alpha_1 alpha_2 Omega", positive=True)
+
+
+def _arcs() -> dict[sp.Basic, sp.Basic]:
+    return {FIRST_ANGLE: control.switching()[0], SECOND_ANGLE: control.switching()[1], PACE: stick_frequency()}
 
 
 def _off_centre() -> sp.Expr:
@@ -38,8 +45,14 @@ TRACKING = theorem(
     "trackable-references",
     clause(
         "iff",
-        r"Let $x_{\mathrm{ref}}(0)=x_2(0)$ and $\dot x_{\mathrm{ref}}(0)=v_2(0)$. From a suitable start of body 1 some force makes body 2 follow the velocity $\dot x_{\mathrm{ref}}$ exactly if "
+        r"Let «place» and «speed». From a suitable start of body 1 some force makes body 2 follow the velocity $\dot x_{\mathrm{ref}}$ exactly if "
         r"«gentle» for all times $t_1$, $t_2$: no force gives body 2 more.",
+        place=Formula(
+            r"x_{\mathrm{ref}}(0)", "=", PLACE_START, equals(lambda: control.followed_start()[0], lambda: START)
+        ),
+        speed=Formula(
+            r"\dot x_{\mathrm{ref}}(0)", "=", RATE_START, equals(lambda: control.followed_start()[1], lambda: START)
+        ),
         gentle=Formula(
             sp.Abs(RATE_THEN - RATE_LATER),
             "<=",
@@ -67,12 +80,18 @@ TRACKING = theorem(
     ),
     clause(
         "force",
-        r"A pair that always sticks has $v_1(0)=v_2(0)$, and follows $x_{\mathrm{ref}}$ under one force only, «force» with $\gamma=x_1(0)-x_{\mathrm{ref}}(0)$.",
+        r"A pair that always sticks has $v_1(0)=v_2(0)$, and follows $x_{\mathrm{ref}}$ under one force only, «force» with «offset».",
         force=Formula(
             "u",
             "=",
             MASS * WAY_BEND + a1 * WAY_RATE + a2 * (WAY + OFFSET),
             equals(lambda: control.stuck_force().subs(control.r_place, control.r_place + OFFSET), lambda: REFERENCE),
+        ),
+        offset=Formula(
+            OFFSET,
+            "=",
+            FIRST_PLACE - WAY_START,
+            equals(control.stuck_offset, lambda: {FIRST_PLACE: x1_0, WAY_START: control.r_start}),
         ),
     ),
 )
@@ -157,7 +176,7 @@ TRANSFER = theorem(
     clause(
         "weak",
         r"For a weak force, $a_1=0$, «weak» and «held», «share», nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
-        r"at $D$ it takes at least $(\alpha_1+\alpha_2)/\Omega$, «pace», with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
+        r"at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
         r"second. What lies between is open.",
         weak=Formula(
             3 * strength,
@@ -174,9 +193,8 @@ TRANSFER = theorem(
             sharp=True,
         ),
         share=Formula(PART, "=", a2 * path / strength, equals(lambda: control.stuck_amplitudes()[1] / strength)),
-        pace=Formula(
-            r"\Omega", "=", sp.sqrt(a2 / MASS), equals(lambda: sp.sqrt(-sp.diff(stick().acceleration1, x1).factor()))
-        ),
+        span=Formula("T_w", "=", (FIRST_ANGLE + SECOND_ANGLE) / PACE, equals(control.weak_time, _arcs)),
+        pace=Formula(PACE, "=", sp.sqrt(a2 / MASS), equals(stick_frequency)),
         first=Formula(
             r"\cos\alpha_1",
             "=",

@@ -9,7 +9,8 @@ from paper_checks.evidence.clause import Formula, clause
 from paper_checks.ledger.theorem import theorem
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
-from theory.symbols import a1, a2, b, m1, m2, u
+from theory.scaling import stick_frequency
+from theory.symbols import a1, a2, b, m1, m2, u, undamped
 
 MASS = m1 + m2
 GAIN, K, K_RATE = sp.Symbol("G", positive=True), sp.Symbol("k", real=True), sp.Symbol("k'", real=True)
@@ -24,12 +25,18 @@ def _gain() -> sp.Expr:
     return 1 / sp.sqrt(response.size_squared(response.slip_impedance()))
 
 
+def _natural() -> Formula:
+    """The frequency of body 1 alone without a damper."""
+    return Formula(natural, "=", sp.sqrt(a2 / m1), equals(lambda: undamped(response.rates()[1])))
+
+
 RESONANCE = theorem(
     "forced-resonance-bound",
     clause(
         "rate",
-        r"Let $a_1=0$, $\omega_1=\sqrt{a_2/m_1}$, $u$ of period $T$, and $U_1$ its Fourier amplitude at $\omega_1$ ($0$ if $\omega_1T\notin 2\pi\mathbb Z$). "
+        r"Let $a_1=0$, «natural», $u$ of period $T$, and $U_1$ its Fourier amplitude at $\omega_1$ ($0$ if $\omega_1T\notin 2\pi\mathbb Z$). "
         r"The amplitude $A=e^{-i\omega_1t}(v_1+i\omega_1x_1)$ has «rate», where $\sigma$ is the value of $\mathrm{sign}(\dot z)$.",
+        natural=_natural(),
         rate=Formula(r"e^{i\omega_1t}\,\dot A", "=", (u - b * SIGMA) / m1, equals(response.amplitude_rate)),
     ),
     clause(
@@ -62,7 +69,7 @@ ENTRAINMENT = theorem(
     ),
     clause(
         "undamped",
-        r"For $a_1=0$ some motion sticks for ever exactly if $U\leqslant U_*$, «threshold», unless $\Omega=\sqrt{a_2/M}$ is an odd multiple of $\omega$. If "
+        r"For $a_1=0$ some motion sticks for ever exactly if $U\leqslant U_*$, «threshold», unless «pace» is an odd multiple of $\omega$. If "
         r"$\Omega=n\omega$, $n=3,5,\ldots$, some do exactly if $U\leqslant U_n$, «harmonic», as a free oscillation flattens the peaks of $\ddot x_1$; if "
         r"$\Omega=\omega$, none does for $U>0$.",
         threshold=Formula(
@@ -71,12 +78,21 @@ ENTRAINMENT = theorem(
             b / m2 * sp.Abs(a2 / omega**2 - MASS),
             equals(lambda: sp.sqrt(sp.factor(response.entrained_amplitude().subs(a1, 0) ** 2))),
         ),
+        pace=Formula(r"\Omega", "=", sp.sqrt(a2 / MASS), equals(stick_frequency)),
         harmonic=Formula(r"U_n/U_*", "=", 1 / sp.cos(sp.pi / (2 * multiple)), equals(response.harmonic_amplitude)),
     ),
     clause(
         "letters",
-        r"Let $\lambda=a_1/(2m_1)$, $\omega_d=\sqrt{a_2/m_1-\lambda^2}$ (positive or imaginary) and $\delta=e^{-\pi\lambda/\omega}$. Body 1 alone has the gain "
+        r"Let «decline», «ringing» (positive or imaginary) and «left». Body 1 alone has the gain "
         r"«gain», and under a square wave of 1 N, where its sign turns to $1$, the place and the velocity «place» and «speed».",
+        decline=Formula(decline, "=", a1 / (2 * m1), equals(lambda: response.rates()[0])),
+        ringing=Formula(
+            RINGING,
+            "=",
+            sp.sqrt(a2 / m1 - decline**2),
+            equals(lambda: response.rates()[1], lambda: {decline: response.rates()[0]}),
+        ),
+        left=Formula(decayed, "=", sp.exp(-sp.pi * decline / omega), equals(response.left_after_half)),
         gain=Formula(GAIN, "=", 1 / sp.sqrt((a2 - m1 * omega**2) ** 2 + a1**2 * omega**2), equals(_gain)),
         place=Formula(
             K,
@@ -108,7 +124,8 @@ ENTRAINMENT = theorem(
     ),
     clause(
         "non-stop-undamped",
-        r"For $a_1=0$, $\omega_1=\sqrt{a_2/m_1}$ no odd multiple of $\omega$: «threshold»; and for $\omega>\omega_1$ $\dot z$ does keep its sign.",
+        r"For $a_1=0$, «natural» no odd multiple of $\omega$: «threshold»; and for $\omega>\omega_1$ $\dot z$ does keep its sign.",
+        natural=_natural(),
         threshold=Formula(
             "U_{**}^2",
             "=",

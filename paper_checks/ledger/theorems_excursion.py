@@ -22,7 +22,8 @@ from theory.return_map import (
     return_map_of_angle,
     scaled_excess,
 )
-from theory.symbols import epsilon, q, theta, w
+from theory.scaling import to_si
+from theory.symbols import epsilon, m1, m2, q, r, theta, w
 
 if TYPE_CHECKING:
     from flint import arb
@@ -54,7 +55,9 @@ EXCURSIONS = (
         ),
         clause(
             "landing",
-            r"There «gap», «push», «loss» with «depth», $q=m_1/M$, $r=m_2/M$, $M=m_1+m_2$, $w=E/E_{cr}-1$.",
+            r"There «gap», «push», «loss» with «depth», «share», «rest», $M=m_1+m_2$, $w=E/E_{cr}-1$.",
+            share=Formula(q, "=", m1 / (m1 + m2), equals(lambda: to_si(q))),
+            rest=Formula("r", "=", m2 / (m1 + m2), equals(lambda: to_si(r))),
             gap=in_angle("d'", -(gap + C), lambda: landing().gap),
             push=in_angle(r"\nu'", push - theta, lambda: landing().push),
             loss=in_angle("w'-w", -q * R * C * (C + 2 * gap), lambda: landing().excess_change),

@@ -13,7 +13,8 @@ from paper_checks.ledger.theorem import theorem
 from theory import forced
 from theory.energy import sigma, sigma_other
 from theory.forced import U_RATES
-from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v1_other, v2, v2_other, x1, x1_other
+from theory.forced_response import rates
+from theory.symbols import a1, a2, b, m1, m2, t, u, undamped, v1, v1_other, v2, v2_other, x1, x1_other
 
 LOAD = sp.Symbol("Lambda", real=True)
 P = sp.Symbol("p", real=True)
@@ -121,8 +122,14 @@ CONTRACTION = theorem(
     ),
     clause(
         "distance",
-        r"Two solutions under one force, the second with tildes, have $N^2=a_2(x_1-\tilde x_1)^2+m_1(v_1-\tilde v_1)^2+m_2(v_2-\tilde v_2)^2$ and "
+        r"Two solutions under one force, the second with tildes, have «squared» and "
         r"«rate» $\leqslant 0$: their distance never grows.",
+        squared=Formula(
+            DISTANCE**2,
+            "=",
+            a2 * (x1 - x1_other) ** 2 + m1 * (v1 - v1_other) ** 2 + m2 * (v2 - v2_other) ** 2,
+            equals(forced.distance_squared),
+        ),
         rate=Formula(
             r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
             "=",
@@ -173,8 +180,9 @@ RESPONSE = theorem(
     clause(
         "undamped",
         r"Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant before which $|\Lambda|<b$, slip for a time $t_s$ and "
-        r"have $\omega_1t_s\notin 2\pi\mathbb Z$, $\omega_1=\sqrt{a_2/m_1}$. Then every motion tends to it. For what keeps its distance from it "
+        r"have $\omega_1t_s\notin 2\pi\mathbb Z$, «natural». Then every motion tends to it. For what keeps its distance from it "
         r"differs in that slip by «place» and «relative» at the time $t$ after the exit, $\beta$ being the lead of both velocities at it, and both pairs have $\dot z=0$ at $t=t_s$.",
+        natural=Formula(NATURAL, "=", sp.sqrt(a2 / m1), equals(lambda: undamped(rates()[1]))),
         place=Formula(
             r"x_1-\tilde x_1",
             "=",
