@@ -12,7 +12,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from numerics.contact.polynomial_root import first_crossing
-from numerics.motion.forced_pieces import ExactPiece, particular
+from numerics.motion.forced_pieces import ExactPiece, ExactPieces, particular
 from numerics.motion.forced_rules import MARGINAL, load_form, mode_after
 from numerics.motion.sine_form import SineForm
 from numerics.scene import Law, Scene
@@ -44,7 +44,7 @@ class _Motion(NamedTuple):
     sines: list[tuple[Fraction, Fraction]]
 
 
-def exact_knots(scene: Scene, pieces: list[ExactPiece]) -> list[ExactKnot]:
+def exact_knots(scene: Scene, pieces: ExactPieces) -> list[ExactKnot]:
     """Return the segments that are known exactly, in order; the last one goes on in numbers."""
     at = scene.initial
     x1, v1, x2, v2 = (SineForm(one) for one in (at.x1, at.v1, at.x2, at.v2))
@@ -64,7 +64,7 @@ def _mode_after(scene: Scene, piece: ExactPiece, local: Fraction, x: SineForm, v
     return mode_after(scene.pair, piece, local, x, v, literal=scene.law is Law.THREE_VALUED_SGN)
 
 
-def _followed(scene: Scene, pieces: list[ExactPiece], knot: ExactKnot) -> tuple[Fraction, ExactKnot | None]:
+def _followed(scene: Scene, pieces: ExactPieces, knot: ExactKnot) -> tuple[Fraction, ExactKnot | None]:
     """Return up to when nothing happens after a knot, and the next one if it is exact."""
     piece = pieces[knot.piece]
     motion = _exact_motion(scene, piece, knot)
@@ -79,7 +79,7 @@ def _followed(scene: Scene, pieces: list[ExactPiece], knot: ExactKnot) -> tuple[
 
 
 def _to_first_root(
-    scene: Scene, pieces: list[ExactPiece], knot: ExactKnot, motion: _Motion
+    scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: _Motion
 ) -> tuple[Fraction, ExactKnot | None]:
     """Return the same where the guards are polynomials."""
     piece = pieces[knot.piece]
@@ -187,9 +187,7 @@ def _moved(scene: Scene, piece: ExactPiece, knot: ExactKnot, motion: _Motion, lo
     )
 
 
-def _at_root(
-    scene: Scene, pieces: list[ExactPiece], knot: ExactKnot, motion: _Motion, root: Fraction
-) -> ExactKnot | None:
+def _at_root(scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: _Motion, root: Fraction) -> ExactKnot | None:
     """Return the event at an exact root; where a piece ends there, what follows is decided in the next one."""
     piece = pieces[knot.piece]
     at = _moved(scene, piece, knot, motion, root)
@@ -199,13 +197,13 @@ def _at_root(
     return at._replace(mode=mode, order=order, is_event=mode != knot.mode, is_jump=False)
 
 
-def _next_piece(scene: Scene, pieces: list[ExactPiece], knot: ExactKnot, motion: _Motion) -> ExactKnot | None:
+def _next_piece(scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: _Motion) -> ExactKnot | None:
     """Return the start of the next piece, exact; None after the last one."""
     piece = pieces[knot.piece]
     return _into_next(scene, pieces, _moved(scene, piece, knot, motion, piece.length), is_jump=True)
 
 
-def _into_next(scene: Scene, pieces: list[ExactPiece], at: ExactKnot, *, is_jump: bool) -> ExactKnot | None:
+def _into_next(scene: Scene, pieces: ExactPieces, at: ExactKnot, *, is_jump: bool) -> ExactKnot | None:
     """Return a state at the end of a piece as the start of the next one, the mode decided where v1 = v2."""
     if at.piece + 1 == len(pieces):
         return None

@@ -18,7 +18,7 @@ from numerics.motion.begin import in_halves
 from numerics.motion.codes import EVENT_LIMIT, MOVING, OUT_OF_RANGE
 from numerics.motion.forced_exact import ExactKnot, exact_knots
 from numerics.motion.forced_pair import pair_of
-from numerics.motion.forced_pieces import ExactPiece, drive_of, has_seams, pieces_of
+from numerics.motion.forced_pieces import ExactPieces, drive_of, has_seams, pieces_of
 from numerics.run.forced_loop import OPEN, at_horizon, record, rounded_start, run_forced
 from numerics.scene import Scene
 from numerics.trajectory.forced import ForcedTrajectory
@@ -95,7 +95,7 @@ def _joined(parts: list[Any]) -> Any:
     return np.concatenate([np.array(part, dtype=float).reshape(-1, row_length(1)) for part in parts])
 
 
-def _in_numbers(scene: Scene, pieces: list[ExactPiece], knots: list[ExactKnot], arithmetic: Arithmetic) -> _Told:
+def _in_numbers(scene: Scene, pieces: ExactPieces, knots: list[ExactKnot], arithmetic: Arithmetic) -> _Told:
     """Return what a run starts from; double-double numbers as their halves."""
     pair, drive = pair_of(scene, arithmetic), drive_of(scene, pieces, arithmetic)
     if not isinstance(arithmetic, DoubleDouble):
@@ -155,7 +155,7 @@ def _followed(
     return how, last, errors
 
 
-def _heard(progress: Progress | None, pieces: list[ExactPiece], scene: Scene) -> Callable[[int, Any], None]:
+def _heard(progress: Progress | None, pieces: ExactPieces, scene: Scene) -> Callable[[int, Any], None]:
     """Return what tells `progress` how far a run is."""
 
     def hear(events: int, rows: Any) -> None:

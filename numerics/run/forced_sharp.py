@@ -39,8 +39,7 @@ def run_forced_sharply(scene: Scene, max_events: int, progress: Progress | None 
     except EventUndecided:
         pass
     if found is not None:
-        digits = found.right_digits
-        if digits >= _ENOUGH or len(found.knots) > _FEW_EVENTS:
+        if len(found.knots) > _FEW_EVENTS or (digits := found.right_digits) >= _ENOUGH:
             return found
         why = f"float64 has {digits} right digits by its error bounds"
     for working in _WORKING:

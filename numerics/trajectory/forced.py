@@ -13,7 +13,7 @@ from numerics.arithmetic.protocol import Number
 from numerics.flows.forced_records import Drive, Pair
 from numerics.motion.codes import EVENT_LIMIT, STUCK
 from numerics.motion.forced_pair import pair_of
-from numerics.motion.forced_pieces import ExactPiece, drive_of, has_seams, pieces_of
+from numerics.motion.forced_pieces import ExactPieces, drive_of, has_seams, pieces_of
 from numerics.motion.modes import MODES, Mode, event_kind
 from numerics.motion.records import ReducedState
 from numerics.trajectory.deferred import Deferred
@@ -23,6 +23,7 @@ from numerics.trajectory.forced_accuracy import accuracy_of
 from numerics.trajectory.forced_dense import ForcedDense
 from numerics.trajectory.forced_record import ForcedRecord
 from numerics.trajectory.forced_segment import ForcedSegment, ledger_of
+from numerics.trajectory.forced_table import table_of_floats
 from numerics.trajectory.forced_units import in_seconds, in_unit, unit_of_time
 from numerics.trajectory.segment import EnergyLedger, Event
 from numerics.trajectory.status import Status
@@ -71,7 +72,7 @@ class ForcedTrajectory(Trajectory):
         return ForcedRecord.restored(*parts)
 
     @cached_property
-    def pieces(self) -> list[ExactPiece]:
+    def pieces(self) -> ExactPieces:
         """Return the pieces of force and friction as the run saw them, exact."""
         return pieces_of(self.scene, with_seams=has_seams(self.arithmetic))
 
@@ -129,14 +130,17 @@ class ForcedTrajectory(Trajectory):
     def _table(self) -> tuple[NDArray[Any], NDArray[np.int64]]:
         """Return t, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (5, m); events by kind."""
         rows = [0, *self.knots.tolist(), *([-1] if self.reached else [])]
-        table = np.empty((5, len(rows)), dtype=float if self.arithmetic.name == "float64" else object)
-        with self.arithmetic.context():
-            for column, row in enumerate(rows):
-                table[:, column] = [self.time_of(row) if row else self.arithmetic.number(0), *self._enclosed(row)]
-        kinds = [list(type(kind)).index(kind) for kind in self.event_kinds]
-        order = np.argsort(kinds, kind="stable") if kinds else np.zeros(0, dtype=np.int64)
-        entries, exits = kinds.count(0), kinds.count(0) + kinds.count(1)
-        return table, np.array([entries, exits, *order], dtype=np.int64)
+        if self.arithmetic.name == "float64":
+            table = table_of_floats(self, rows)
+        else:
+            table = np.empty((5, len(rows)), dtype=object)
+            with self.arithmetic.context():
+                for column, row in enumerate(rows):
+                    table[:, column] = [self.time_of(row) if row else self.arithmetic.number(0), *self._enclosed(row)]
+        signs = np.array(self.signs)
+        kinds = np.where(signs[1:] == 0, 0, np.where(signs[:-1] == 0, 1, 2))  # entry, exit, crossing
+        entries, exits = np.count_nonzero(kinds == 0), np.count_nonzero(kinds < 2)
+        return table, np.array([entries, exits, *np.argsort(kinds, kind="stable")], dtype=np.int64)
 
     @property
     def event_times(self) -> NDArray[Any]:

@@ -17,7 +17,9 @@ def accuracy_of(trajectory: Any) -> Accuracy:
     """Return the bounds in SI units, binary64; `dissipated` is what energy and work leave open."""
     record, number, (rounding, most) = trajectory.record, trajectory.arithmetic.to_float, rounding_of(trajectory)
 
-    def errors(name: str) -> list[float]:
+    def errors(name: str) -> Any:
+        if isinstance(record.rows, np.ndarray):
+            return record.column(name)[trajectory.knots]
         return [number(one) for one in record.numbers(name, trajectory.knots)]
 
     t = np.array(errors("late")) + 4 * rounding * trajectory.event_times.astype(float)

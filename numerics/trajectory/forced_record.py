@@ -64,6 +64,11 @@ class ForcedRecord:
         """Return a number of some segments."""
         return [self.number(int(index), name) for index in indices]
 
+    def column(self, name: str) -> NDArray[np.float64]:
+        """Return a number of all segments, in binary64; of a run in binary64."""
+        found: NDArray[np.float64] = self.rows[:, len(CODES) + NUMBERS.index(name)]
+        return found
+
     def _at(self, row: Any, name: str) -> Number:
         column = len(CODES) + self.width * NUMBERS.index(name)
         if self.width == 2:

@@ -5,6 +5,7 @@ import pickle
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
+from time import process_time
 
 import numpy as np
 import pytest
@@ -14,11 +15,27 @@ from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import MODERATE, forces, frictions, pairs, states
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, State, sensitivities, solve, solve_many, solve_scenes
+from numerics import (
+    Force,
+    Friction,
+    Law,
+    Pair,
+    Piece,
+    Scene,
+    Sine,
+    State,
+    sensitivities,
+    solve,
+    solve_many,
+    solve_scenes,
+)
 from numerics.__main__ import main
 from numerics.arithmetic.ball_words import precision
+from numerics.arithmetic.float64 import Float64
 from numerics.errors import EventUndecided, InvalidScene, NoForceHere, OutOfRange
+from numerics.motion.forced_pieces import drive_of, pieces_of
 from numerics.motion.modes import Mode
+from numerics.run.forced import run_forced_scene
 from numerics.scene.file import load_scene, shipped_scenes
 from numerics.scene.writing import scene_text
 from numerics.trajectory.comparison import distance
@@ -149,9 +166,9 @@ def test_ledgers_close_and_opposite_scenes_are_opposite(pair, force, friction, d
 @pytest.mark.parametrize("name", ["many-causes", "damping-heavy", "resonance-in-slip", "sweep", "friction-by-pieces"])
 def test_compiled_code_gives_the_same_bits(name, monkeypatch):
     pytest.importorskip("numba")
-    plain = in_binary64(name)
+    plain = run_forced_scene(scene(name), Float64(), 1000)
     monkeypatch.setattr("numerics.run.forced._FEW", 1)
-    compiled = solve(scene(name))
+    compiled = run_forced_scene(scene(name), Float64(), 1000)
     assert np.array_equal(plain.record.rows, compiled.record.rows)
 
 
@@ -275,3 +292,46 @@ def test_ten_million_radians_of_a_fast_sine_are_passed_by_their_amplitude():
     balls, points = solve(fast, digits=20, arithmetic="ball"), solve(fast)
     assert itinerary(balls) == itinerary(points) == "+0"
     assert len(balls.record.rows) == 2
+
+
+@pytest.mark.parametrize("polynomial", [(), ("0.3",), ("0.3", "-0.01", "0.002")])
+def test_parts_of_a_piece_are_the_whole_piece(polynomial):
+    """Where seams cut, what each part says of start, phase and polynomial is that of the exact piece, narrowed once."""
+    sines = [Sine("0.2", "7.3", "0.4"), Sine("0.1", "11/3", "-100")]
+    scene = Scene(Pair(1, 2, 200, "0.05"), State(), 200, force=Force([Piece("0.1", polynomial, sines)]))
+    pieces = pieces_of(scene, with_seams=True)
+    drive, starts = drive_of(scene, pieces, Float64()), pieces.float_starts()
+    whole = pieces.wholes[1]
+    assert len(pieces) == len(drive.places) == len(starts) > 100
+    assert sum(one.length for one in pieces) == 200
+    assert pieces[-1] == pieces[len(pieces) - 1] == pieces[-2:][1]
+    with pytest.raises(IndexError):
+        pieces[len(pieces)]
+    turn = 2 * Fraction(314159265358979323846264338327950288419716939937510582097494, 10**59)
+    for k, (piece, (first, count, number, is_jump), before) in enumerate(
+        zip(pieces, drive.places, pieces[:1] + pieces[:], strict=False)
+    ):
+        assert piece.start == (before.start + before.length if k else 0)
+        assert (count, number, is_jump) == (len(piece.polynomial), len(piece.sines), int(k < 2))
+        assert drive.numbers[first : first + 3] == [float(piece.start), float(piece.length), 0.05]
+        assert starts[k] == float(piece.start)
+        at = first + 3 + 3 * count
+        for sine, phase in zip(piece.sines, drive.numbers[at + 2 :: 7], strict=False):
+            off = (sine.omega * piece.start + sine.phase - Fraction(phase)) / turn
+            assert abs(off - round(off)) * turn <= 2.0**-53 * max(abs(phase), 1e-9)
+        assert [float(c) for c in piece.polynomial] == drive.numbers[first + 3 : first + 3 + count]
+        time = piece.start - whole.start
+        if k and polynomial:
+            assert piece.polynomial[0] == sum(Fraction(c) * time**n for n, c in enumerate(polynomial))
+
+
+@pytest.mark.long
+def test_ten_thousand_periods_take_a_fraction_of_a_second():
+    """All that a solve gives: events, states and bounds of 40,000 events; Python and numba share the work."""
+    scene = Scene(Pair(1, 1, 200, "0.05", a1="0.5"), State(), 12566, force=Force.sine("0.35", 5))
+    solve(scene, max_events=7000)  # numba comes
+    began = process_time()
+    found = solve(scene)
+    assert len(found.event_times) == 40001
+    assert found.accuracy.t.max() < 1e-6
+    assert process_time() - began < 1.5
