@@ -177,7 +177,8 @@ def refine(pair: Pair, drive: Drive, start: Start, found: Bracket) -> Root:
             after = middle((low + high) / 2)
         tau = after
         value, slope, error = guard_at(pair, drive, start, found.side, tau)
-        if is_last or abs(rough(value)) <= error:
+        # a rough value of balls vanishes below 1e-308, and their error is 0: only a bound on rounding ends it early
+        if is_last or (error > 0.0 and abs(rough(value)) <= error):
             break
         is_last = is_near
     window = (size(value) + spread(value) + error) / size(slope)

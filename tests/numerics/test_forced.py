@@ -84,6 +84,16 @@ def test_balls_hold_the_reference_to_its_last_digit(name):
                 assert number.overlaps(arb(text, abs(arb(text)) * arb("1e-58") + arb("1e-45")))
 
 
+@pytest.mark.parametrize("arithmetic", ["ball", "mpmath"])
+def test_more_digits_than_a_float_has_decades_are_reached_at_once(arithmetic):
+    """Beyond 308 digits what is rough is 0: it once ended Newton's method early, and no precision was enough."""
+    few, many = (solve(scene("sine-stick-slip"), digits=n, arithmetic=arithmetic, max_digits=500) for n in (360, 400))
+    with precision(2000):
+        for one, two in zip(few.event_times, many.event_times, strict=True):
+            texts = (run.arithmetic.text(t, 380) for run, t in ((few, one), (many, two)))
+            assert abs(arb(next(texts)) - arb(next(texts))) < arb("1e-355")
+
+
 @pytest.mark.parametrize("name", sorted(ANSWERS))
 def test_binary64_is_within_its_own_bounds_or_refuses(name):
     found = in_binary64(name)
