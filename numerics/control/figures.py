@@ -26,7 +26,9 @@ from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE
 Floats = NDArray[np.float64]
 _DIGITS = 16
 _POINTS = 240
-REGIME_COLOURS = {"entrained": "#dbe7f3", "stick-slip": "#f6e3c5", "non-stop": "#e3cfe3"}
+ENTRAINED, BETWEEN, NON_STOP = "sticks for ever", "slips, with stops or more reversals", "never stops"
+"""What a motion does below U*, between the lines, and above the upper one."""
+REGIME_COLOURS = {ENTRAINED: "#dbe7f3", BETWEEN: "#f6e3c5", NON_STOP: "#e3cfe3"}
 
 
 def sampled_motion(motion: Motion, length: arb, count: int = _POINTS) -> Floats:
@@ -94,7 +96,7 @@ def _clock(found: Response) -> str:
 
 def _legend_below(ax: Any) -> None:
     """Put the legend under the axes, where it covers no curve."""
-    ax.legend(fontsize="small", loc="upper center", bbox_to_anchor=(0.5, -0.16))
+    ax.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.16))
 
 
 def _over_a_period(found: Response) -> tuple[Floats, NDArray[np.bool_]]:
@@ -133,14 +135,14 @@ def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
     bottom = min(low.min(), np.nanmin(high)) / 3
     bottom = max(bottom, top / 1e4)
     between = np.maximum(low, edge)
-    ax.fill_between(omegas, bottom, np.clip(low, bottom, top), color=REGIME_COLOURS["entrained"], lw=0)
+    ax.fill_between(omegas, bottom, np.clip(low, bottom, top), color=REGIME_COLOURS[ENTRAINED], lw=0)
     ax.fill_between(
-        omegas, np.clip(low, bottom, top), np.clip(between, bottom, top), color=REGIME_COLOURS["stick-slip"], lw=0
+        omegas, np.clip(low, bottom, top), np.clip(between, bottom, top), color=REGIME_COLOURS[BETWEEN], lw=0
     )
-    ax.fill_between(omegas, np.clip(between, bottom, top), top, color=REGIME_COLOURS["non-stop"], lw=0)
-    ax.plot(omegas, low, color=BLUE, label="$U^*$: above it the stuck response breaks")
-    ax.plot(omegas, edge, color="black", label="no stops from this line on")
-    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U^{**}$: necessary for no stops")
+    ax.fill_between(omegas, np.clip(between, bottom, top), top, color=REGIME_COLOURS[NON_STOP], lw=0)
+    ax.plot(omegas, low, color=BLUE, label="$U_*$: none sticks for ever above it")
+    ax.plot(omegas, edge, color="black", label="without a stop from here on")
+    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U_{**}$: none without a stop below it")
     ax.set(xscale="log", yscale="log", ylim=(bottom, top), xlim=(omegas[0], omegas[-1]))
     plain_decades(ax)
     ax.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)", title="Thresholds over frequency")
@@ -173,7 +175,7 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
             side = [float(forces(Fraction(at))) for at in t[:-1]]
             rows[2].plot(t[:-1], side, color=GREEN)
     rows[0].set(ylabel="r (m)", title="The reference of body 2")
-    rows[1].set(ylabel="$m_2 r''$ (N)", title="What it asks of friction; gray: what friction can give")
+    rows[1].set(ylabel="friction needed (N)", title="What it asks of friction; grey: what friction can give")
     rows[2].set(
         ylabel="u (N)", xlabel="t (s)", xlim=(0, float(last)), title="The force on body 1 that makes body 2 follow"
     )

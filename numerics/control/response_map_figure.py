@@ -9,21 +9,21 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from numerics.control.figures import REGIME_COLOURS, plain_decades, threshold_curves
+from numerics.control.figures import BETWEEN, ENTRAINED, NON_STOP, REGIME_COLOURS, plain_decades, threshold_curves
 from numerics.control.response_map import Regimes, ResponseMap
 from numerics.quadtree.tree import raster
 from numerics.trajectory.figures import BLUE, ORANGE
 
 COLOURS = {
-    Regimes.ENTRAINED: REGIME_COLOURS["entrained"],
-    Regimes.BETWEEN: REGIME_COLOURS["stick-slip"],
-    Regimes.NON_STOP: REGIME_COLOURS["non-stop"],
+    Regimes.ENTRAINED: REGIME_COLOURS[ENTRAINED],
+    Regimes.BETWEEN: REGIME_COLOURS[BETWEEN],
+    Regimes.NON_STOP: REGIME_COLOURS[NON_STOP],
     Regimes.UNDECIDED: "#777777",
 }
 LABELS = {
-    Regimes.ENTRAINED: "sticks for ever",
-    Regimes.BETWEEN: "slips, with stops or more reversals",
-    Regimes.NON_STOP: "never stops",
+    Regimes.ENTRAINED: ENTRAINED,
+    Regimes.BETWEEN: BETWEEN,
+    Regimes.NON_STOP: NON_STOP,
     Regimes.UNDECIDED: "undecided at this depth",
 }
 
@@ -38,14 +38,14 @@ def draw_response_map(found: ResponseMap) -> Figure:
     axes.pcolormesh(*edges, grid, cmap=colours, vmin=-0.5, vmax=len(COLOURS) - 0.5, rasterized=True)
     omegas = np.geomspace(edges[0][0], edges[0][-1], 600)
     low, high, _ = threshold_curves(found.pair, omegas.tolist())
-    lines = axes.plot(omegas, low, color=BLUE, label="$U^*$") + axes.plot(omegas, high, color=ORANGE, ls="--")
-    lines[1].set_label("$U^{**}$, necessary for no stops")
+    lines = axes.plot(omegas, low, color=BLUE, label="$U_*$") + axes.plot(omegas, high, color=ORANGE, ls="--")
+    lines[1].set_label("$U_{**}$: none without a stop below it")
     axes.set(xscale="log", yscale="log", xlim=edges[0][[0, -1]], ylim=edges[1][[0, -1]])
     plain_decades(axes)
     axes.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)")
     shares = found.shares()
     handles: list[Any] = [Patch(fc=COLOURS[one], ec="black", lw=0.5, label=_label(one, shares[one])) for one in COLOURS]
-    figure.legend(handles=[*handles, *lines], loc="outside lower center", ncols=3, fontsize="small", frameon=False)
+    figure.legend(handles=[*handles, *lines], loc="outside lower center", ncols=3, fontsize=9, frameon=False)
     axes.set_title("What a sine does to the pair: every decided cell is proved")
     return figure
 

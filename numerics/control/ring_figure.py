@@ -32,7 +32,7 @@ def draw_ring(found: Ring) -> Figure:
     plane.plot(z[at], w[at], "o", color="black", ms=5, label=f"t = {entry:.6g} s")
     plane.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
     plane.locator_params(axis="x", nbins=5)
-    plane.legend(fontsize="small", loc="best")
+    plane.legend(fontsize=9, loc="best")
     distance = np.hypot(z, w / rate)
     time.semilogy(t, np.where(distance > 0, distance, np.nan), color=BLUE, lw=0.9)
     time.axhline(radius, color="black", ls="--", lw=0.9)

@@ -47,7 +47,7 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
         ax.axvline(float(found.bound), color=GRAY, lw=1, label="no control arrives before")
         ax.axvline(float(time), color="black", lw=0.8, ls=":")
         _shade(ax, t, together)
-        ax.legend(fontsize="small", loc="best")
+        ax.legend(fontsize=9, loc="best")
     return figure
 
 

@@ -45,6 +45,6 @@ def draw_map(cells: MergingMap) -> Any:
         line = axes.axvline(threshold, color="black", lw=1.2, ls="--")
         line.set_label(f"$m_2/m_1 = {threshold:.6f}$, $m_2/M = r^* = {float(CRITICAL_SHARE):.6f}$")
         handles.append(line)
-    figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize="small", frameon=False)
+    figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize=9, frameon=False)
     axes.set_title("From which energies on $S_0$ the pair merges: every decided cell is proved")
     return figure

@@ -137,7 +137,7 @@ def _label(panel: Any, labels: list[tuple[float, str, str]]) -> None:
     scale, least = panel.transData + panel.transAxes.inverted(), -1.0
     for height, name, colour in sorted(labels):
         place = max(float(scale.transform((1.0, height))[1]), least + _ROOM)
-        panel.annotate(name, (1.02, place), xycoords="axes fraction", color=colour, va="center", fontsize="small")
+        panel.annotate(name, (1.02, place), xycoords="axes fraction", color=colour, va="center", fontsize=9)
         least = place
 
 

@@ -39,7 +39,7 @@ def _draw_errors(axes: Any) -> None:
         axes.loglog(steps, errors, color=colour, marker=marker, ms=5, lw=1, label=label)
     axes.loglog(steps, steps, color="black", lw=0.8, ls=":", label="one step")
     axes.axhline(NEVER, color="#777777", lw=0.8, ls="--")
-    axes.text(1.1e-5, 0.72 * NEVER, "never sticks", va="top", color="#555555", fontsize=8)
+    axes.text(1.1e-5, 0.72 * NEVER, "never sticks", va="top", color="#555555")
     axes.set(
         xlabel="Euler step $h$ (s)",
         ylabel="error of the first adhesion time (s)",

@@ -17,7 +17,7 @@ def force_needed() -> Figure:
     most, available = float(pair.m2 * pair.a2 / pair.mass * scene.initial.x1), float(pair.b)
     t = np.linspace(0, 2 * np.pi / rate, 401)
     needed = most * np.abs(np.cos(rate * t))
-    figure = new_figure(5.4, 2.9)
+    figure = new_figure(4.9, 2.8)  # narrow, so that its letters read on a telephone
     axes = figure.subplots()
     axes.plot(t, needed, color=BODY_1, lw=1.6)
     axes.axhline(available, color="black", lw=1.2, ls="--")

@@ -49,7 +49,7 @@ def merging_map() -> Figure:
     handles = [
         Patch(fc=COLOURS[one], ec="black", lw=0.5, label=f"{LABELS[one]} ({shares[one]:.0%})") for one in COLOURS
     ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=7.5, frameon=False)
+    figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False)
     return figure
 
 

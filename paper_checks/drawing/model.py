@@ -17,7 +17,7 @@ _SPRING, _DAMPER = 1.14, 0.52
 
 def two_bodies() -> Figure:
     """Draw the two bodies with their coordinates and forces."""
-    figure = new_figure(6.6, 2.7)
+    figure = new_figure(4.9, 2.3)  # narrow, so that its letters read on a telephone
     axes = figure.subplots()
     axes.set_axis_off()
     axes.set(xlim=(-0.4, 11.2), ylim=(-0.85, 4.1), aspect="equal")

@@ -38,7 +38,7 @@ _RC = {
     "font.size": 9,
     "axes.labelsize": 9,
     "axes.titlesize": 9.5,
-    "legend.fontsize": 8,
+    "legend.fontsize": 9,
     "legend.framealpha": 0.92,
     "axes.grid": True,
     "grid.color": "#d9d9d9",

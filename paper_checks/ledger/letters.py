@@ -40,7 +40,7 @@ def field(sign: int) -> sp.Matrix:
 
 def guard_rate(sign: int) -> sp.Symbol:
     """Return the letter of a field's product with the normal of S."""
-    return sp.Symbol(rf"\Phi_{'+' if sign > 0 else '-'}\cdot n_S", real=True)
+    return sp.Symbol(rf"\Phi_{{{'+' if sign > 0 else '-'}}}\cdot n_S", real=True)
 
 
 def either_sign(

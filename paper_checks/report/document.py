@@ -69,13 +69,14 @@ class Document:
 
 def document(rows: Sequence[Row], chapters: Sequence[Section] = ()) -> Document:
     """Return the report on these rows, with `chapters` after them."""
+    elsewhere = frozenset(anchor for chapter in chapters for anchor in blocks.anchors(chapter))
     return Document(
         TITLE,
         opening.model(),
         (opening.section(rows), *opening.refuted(rows)),
         tuple(rows),
         (trust.section(rows), notation.section(), trust.graph(rows), *chapters, trust.provenance()),
-        {row.claim.id: story(row) for row in rows},
+        {row.claim.id: story(row, elsewhere) for row in rows},
     )
 
 

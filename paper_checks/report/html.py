@@ -73,7 +73,7 @@ def _rows(rows: Sequence[Row], report: Document, writer: HtmlWriter) -> str:
         bodies = "\n".join(_row(row, report, writer) for row in chosen)
         anchor = f"section-{name.lower().replace(' ', '-')}"
         parts.append(
-            f'<table class="claims" aria-labelledby="{anchor}">\n<caption><h3 id="{anchor}">{escape(section_title(name))}</h3>'
+            f'<table class="claims{" theorems" if theorems else ""}" aria-labelledby="{anchor}">\n<caption><h3 id="{anchor}">{escape(section_title(name))}</h3>'
             f"</caption>\n<thead><tr>{head}</tr></thead>\n{bodies}\n</table>"
         )
     return "\n".join([*parts, "</section>"])

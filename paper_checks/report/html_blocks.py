@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable, Sequence
 from html import escape
@@ -85,7 +86,8 @@ class HtmlWriter(Writer):
             f'<td data-name="{name}">{self._cell(cell)}</td>' for name, cell in zip(names[1:], row[1:], strict=True)
         )
         mark = f' id="{anchor}"' if anchor else ""
-        return f'<tr{mark}><th scope="row">{self._cell(row[0])}</th>{cells}</tr>'
+        name = f' data-name="{names[0]}"' if names[0] else ""
+        return f'<tr{mark}><th scope="row"{name}>{self._cell(row[0])}</th>{cells}</tr>'
 
     def _cell(self, text: str) -> str:
         first, *remarks = text.split("\n")
@@ -125,9 +127,15 @@ def _breakable(code: str) -> str:
 
 
 def element(svg: str, prefix: str, name: str) -> str:
-    """Return the svg element alone, told to screen readers, in the page's colours, `prefix` before each of its ids."""
+    """Return the svg element alone, told to screen readers, in the page's colours, `prefix` before each of its ids.
+
+    `--least` and `--high` are its size with a point as a pixel: smaller, its letters cannot be read on a screen.
+    """
     found = svg[svg.index("<svg") :].strip()
     found = re.sub(r'\bid="', f'id="{prefix}--', found)
     found = re.sub(r'href="#', f'href="#{prefix}--', found)
     found = re.sub(r"url\(#", f"url(#{prefix}--", found)
-    return themed(found).replace("<svg", f'<svg role="img" aria-label="{name}"', 1)
+    size = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)', found)
+    wide, high = (math.ceil(float(one)) for one in size.groups()) if size else (0, 0)
+    least = f' style="--least: {wide}px; --high: {high}px"' if size else ""
+    return themed(found).replace("<svg", f'<svg role="img" aria-label="{name}"{least}', 1)

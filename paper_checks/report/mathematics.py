@@ -10,10 +10,12 @@ from collections.abc import Iterator
 from enum import Enum
 from html import escape
 
-from paper_checks.report.mathml import UnreadableMathematicsError, mathml
+from paper_checks.report.mathml import UnreadableMathematicsError
+from paper_checks.report.typesetting import mathml
 from paper_checks.report.unicode_mathematics import spoken
 
 _PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)
+_OPENING, _CLOSING = re.compile(r"[(\[]+$"), re.compile(r"^[.,:;!?)\]]+")
 _LONG_NUMBER = re.compile(r"\d{24,}")
 _TEX_SPECIAL = re.compile(r"[&%#_{}~^\\$<>|]")
 _TEX_ESCAPES = {
@@ -89,8 +91,29 @@ def _letter(match: re.Match[str]) -> str:
 
 
 def html(text: str) -> str:
-    """Return the text as HTML phrasing content; mathematics that cannot be read stays visible, as code."""
-    return "".join(_html_piece(kind, content) for kind, content in pieces(text))
+    """Return the text as HTML phrasing content; mathematics that cannot be read stays visible, as code.
+
+    A formula keeps the brackets and the punctuation about it, so that no line begins with a comma.
+    """
+    split = list(pieces(text))
+    written = [_html_piece(kind, content) for kind, content in split]
+    for index, (kind, _) in enumerate(split):
+        if kind is not Piece.INLINE:
+            continue
+        opening, closing = "", ""
+        if index and split[index - 1][0] is Piece.PROSE:
+            opening, written[index - 1] = _cut(_OPENING, written[index - 1])
+        if index + 1 < len(split) and split[index + 1][0] is Piece.PROSE:
+            closing, written[index + 1] = _cut(_CLOSING, written[index + 1])
+        if opening or closing:
+            written[index] = f'<span class="glued">{opening}{written[index]}{closing}</span>'
+    return "".join(written)
+
+
+def _cut(mark: re.Pattern[str], text: str) -> tuple[str, str]:
+    """Return the marks at an end of a text, and the text without them."""
+    found = mark.search(text)
+    return (found[0], text[: found.start()] + text[found.end() :]) if found else ("", text)
 
 
 def _html_piece(kind: Piece, content: str) -> str:

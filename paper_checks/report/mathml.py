@@ -1,4 +1,4 @@
-"""LaTeX mathematics as MathML: converted, checked, mended where the converter leaves spacing to chance, checked again."""
+"""LaTeX mathematics as a MathML tree: converted, checked, mended where the converter leaves spacing to chance, checked again."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ FUNCTIONS = {"sin", "cos", "tan", "cot", "acot", "arccot", "atan", "acos", "exp"
 ACCENTS = {"˙", "¨", "¯", "‾", "~", "˜", "^", "ˆ", "→"}
 _COMMAND = re.compile(r"\s*\\[A-Za-z]+")
 _SIGNS = {"\u2212", "+", "±", "∓"}
-_CLOSING = {")", "]", "}", "|", "‖", "⌉", "⌋", "⟩", "!", "′"}
-_THIN = {"width": "0.167em"}
+CLOSING = {")", "]", "}", "|", "‖", "⌉", "⌋", "⟩", "!", "′"}
+THIN = {"width": "0.167em"}
 
 Element = ElementTree.Element
 
@@ -49,13 +49,6 @@ def tree(latex: str, *, display: bool = False) -> Element:
     return element
 
 
-def mathml(latex: str, *, display: bool = False) -> str:
-    """Return the MathML element as text; raises UnreadableMathematicsError."""
-    element = tree(latex, display=display)
-    element.set("xmlns", NAMESPACE)
-    return ElementTree.tostring(element, encoding="unicode")
-
-
 def objection_to(element: Element) -> str | None:
     """Say why an element is no MathML: an unknown element or command, an argument lost or one too many."""
     for node in element.iter():
@@ -73,6 +66,8 @@ def _mend(element: Element) -> None:
     for node in element.iter():
         if node.tag == "mi" and _is_operator(node.text or ""):
             node.tag = "mo"
+        elif node.tag == "mo" and node.text == "∞":
+            node.tag = "mi"
         if node.tag == "mo":
             _mend_fence(node)
         if node.tag == "mover" and (node[1].text or "") in ACCENTS:
@@ -105,18 +100,19 @@ def _spaced(children: list[Element]) -> Iterator[Element]:
             child.set("form", "prefix")
         yield child
         after = children[index + 1] if index + 1 < len(children) else None
-        if _is_function(child) and after is not None and _is_argument(after):
-            yield Element("mspace", _THIN)
+        if is_function(child) and after is not None and _is_argument(after):
+            yield Element("mspace", THIN)
         if child.tag != "mspace":
             before = child
 
 
 def _is_open(before: Element | None) -> bool:
     """Return whether a sign after this element is a prefix: it follows an operator that closes nothing."""
-    return before is not None and before.tag == "mo" and (before.text or "") not in _CLOSING
+    return before is not None and before.tag == "mo" and (before.text or "") not in CLOSING
 
 
-def _is_function(node: Element) -> bool:
+def is_function(node: Element) -> bool:
+    """Return whether the element is a function's name, with or without an index or a power."""
     base = node[0] if node.tag in ("msub", "msup", "msubsup") else node
     return base.tag in ("mi", "mo") and (base.text or "") in FUNCTIONS
 

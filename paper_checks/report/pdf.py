@@ -30,7 +30,8 @@ PREAMBLE = """#set document(title: "{title}", date: none)
 #let picture(file, words, body) = align(center, block(breakable: false)[
   #layout(size => {
     let whole = image(file, alt: words, width: size.width)
-    let height = calc.min(measure(whole).height, {height})
+    let legible = {scale} * measure(image(file)).height  // letters of 9 pt stay above 5 pt
+    let height = calc.min(measure(whole).height, calc.max({height}, legible))
     image(file, alt: words, height: height, fit: "contain")
   })
   #text(size: 0.9em, body)
@@ -41,9 +42,11 @@ PREAMBLE = """#set document(title: "{title}", date: none)
 def source(report: Document, figures: Mapping[str, str]) -> str:
     """Return the typst source. `figures` maps a figure's name to its file beside the source."""
     writer = TypstWriter(figures, report.anchors)
-    size, height = ("9pt", "52mm") if report.rows else ("8.3pt", "42mm")  # in short: two pages
+    size, height, scale = ("9pt", "52mm", "0.6") if report.rows else ("8.3pt", "42mm", "0")  # in short: two pages
     title = report.title.replace('"', "'")
-    preamble = PREAMBLE.replace("{title}", title).replace("{size}", size).replace("{height}", height)
+    preamble = (
+        PREAMBLE.replace("{title}", title).replace("{size}", size).replace("{height}", height).replace("{scale}", scale)
+    )
     parts = [preamble, f"= {escaped(report.title)}", writer.model(report.model)]
     parts += map(writer.section, report.before)
     parts += (

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from paper_checks.drawing.captions import caption
 from paper_checks.engines import kernel
 from paper_checks.engines.exhibit import ENGINE as EXHIBITED
 from paper_checks.engines.kernel import PROVED
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
-from paper_checks.report import notation
-from paper_checks.report.blocks import Block, Command, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
+from paper_checks.report import notation, under_a_force
+from paper_checks.report.blocks import Block, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
 from paper_checks.report.mathematics import in_letters
 from paper_checks.report.summary import OUTCOMES
 from paper_checks.report.trust import PROVENANCE
@@ -21,12 +21,12 @@ SHORT = 80
 """Characters up to which the value of an enclosure is shown with the decisive step."""
 
 
-def story(row: Row) -> tuple[Block, ...]:
-    """Return what a row tells after the statement and the verdict, as blocks."""
-    return tuple(_story(row))
+def story(row: Row, elsewhere: Collection[str] = ()) -> tuple[Block, ...]:
+    """Return what a row tells after the statement and the verdict, as blocks; `elsewhere` are anchors of chapters beside it."""
+    return tuple(_story(row, elsewhere))
 
 
-def _story(row: Row) -> Iterator[Block]:
+def _story(row: Row, elsewhere: Collection[str]) -> Iterator[Block]:
     finding = row.finding
     if not row.as_recorded:
         yield Labelled("Attention", f"This differs from the verdict on record, {row.claim.recorded.value}", marked=True)
@@ -39,13 +39,20 @@ def _story(row: Row) -> Iterator[Block]:
         "Missing for a proof": finding.missing,
     }
     yield from (Labelled(label, text) for label, text in texts.items() if text)
-    if finding.figure:
-        yield Picture(finding.figure, *reversed(caption(finding.figure)))
+    yield from _picture(row, elsewhere)
     if symbols := notation.used([row.claim.statement, *filter(None, texts.values())]):
         yield Symbols(symbols)
-    yield Command(f"python -m paper_checks run {row.claim.id}")
-    yield Paragraph(f"This runs the row again; how to install it is told at `{PROVENANCE}`.")
+    yield Labelled("Run it again", f"`python -m paper_checks run {row.claim.id}`, installed as `{PROVENANCE}` says.")
     yield from _folded(row)
+
+
+def _picture(row: Row, elsewhere: Collection[str]) -> Iterator[Block]:
+    """Yield the row's figure, or where a chapter shows it."""
+    figure, anchor = under_a_force.PICTURED.get(row.claim.id, (row.finding.figure, ""))
+    if figure and anchor in elsewhere:
+        yield Labelled("Picture", f"{caption(figure)[0]}, drawn under `{anchor}`.")
+    elif figure:
+        yield Picture(figure, *reversed(caption(figure)))
 
 
 def decisive(row: Row) -> Evidence | None:

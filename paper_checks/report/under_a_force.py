@@ -47,6 +47,16 @@ def figures() -> dict[str, Callable[[], Figure]]:
     return {name: _styled(draw) for name, draw in DRAWINGS.items()}
 
 
+PICTURED = {
+    "entrainment-threshold": ("thresholds-over-frequency", "regimes-under-a-sine"),
+    "forced-resonance-bound": ("resonance", "at-resonance"),
+    "trackable-references": ("tracked-reference", "what-body-2-can-follow"),
+    "minimum-transfer-time": ("fastest-transfer", "the-fastest-transfer"),
+    "tolerance-ring": ("tolerance-ring-of-a-scene", "the-ring"),
+    "ring-of-tolerance": ("tolerance-ring-of-a-scene", "the-ring"),
+    "forced-periodic-response": ("drift-against-asymmetry", "drift-of-body-2"),
+}
+"""By a row's id: the figure of it that the chapter shows, and the anchor under which it does."""
 DRAWINGS: dict[str, Callable[[], Figure]] = {
     "thresholds-over-frequency": drawing.thresholds_over_frequency,
     "resonance": drawing.resonance,
@@ -102,7 +112,7 @@ def _model() -> Iterator[Block]:
 
 
 def _regimes() -> Iterator[Block]:
-    yield Heading("Stuck, two stops a period, or no stop")
+    yield Heading("Stuck, with stops, or without a stop", "regimes-under-a-sine")
     yield Paragraph(
         "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ a motion that "
         "sticks for ever exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "
@@ -139,7 +149,7 @@ def _thresholds(rate: int) -> tuple[str, ...]:
 
 def _resonance() -> Iterator[Block]:
     edge = resonant_amplitude().subs(_of(drawing.PAIR))
-    yield Heading("Resonance")
+    yield Heading("Resonance", "at-resonance")
     yield Paragraph(
         "Friction takes energy out of a resonant oscillation, but only so much. Without a damper, a force with more than $4b/\\pi$ at the frequency of body 1 alone "
         f"makes every motion grow; with less, every motion stays bounded (`forced-resonance-bound`). For $b={float(drawing.PAIR.b):g}$ N that is "
@@ -150,7 +160,7 @@ def _resonance() -> Iterator[Block]:
 
 def _tracking() -> Iterator[Block]:
     found = track(load_scene("at-rest"), load_reference("s-curve"))
-    yield Heading("What body 2 can follow")
+    yield Heading("What body 2 can follow", "what-body-2-can-follow")
     yield Paragraph(
         "Body 2 can follow a reference, from a suitable start of body 1, exactly if the reference never asks for more acceleration than $b/m_2$ and starts with the place and the velocity of body 2 (`trackable-references`). The pair then "
         "sticks, and one force does it:" + _formula("trackable-references", "force", "force")
@@ -165,7 +175,7 @@ def _transfer() -> Iterator[Block]:
     found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
     least = found.least_amplitude
     assert least is not None  # the half time is below a quarter turn of body 1
-    yield Heading("The fastest transfer")
+    yield Heading("The fastest transfer", "the-fastest-transfer")
     yield Paragraph(
         "No force, however strong, brings body 2 from rest to rest over a distance sooner than its friction allows (`minimum-transfer-time`):"
         + _formula("minimum-transfer-time", "least", "time")
@@ -179,7 +189,7 @@ def _transfer() -> Iterator[Block]:
 
 def _ring() -> Iterator[Block]:
     found = ring_entry(load_scene("velocities"), "0.001", rate=20)
-    yield Heading("The ring of Fig. 1")
+    yield Heading("The ring of Fig. 1", "the-ring")
     yield Paragraph(
         "Two motions under one force never move apart, so a tube around a motion is entered once, for good, and a ring that holds its image is not left after that "
         "(`tolerance-ring`). The ring needs its centre at the limit of the motion itself: nothing acts on $x_1-x_2$ (`ring-of-tolerance`)."
@@ -192,7 +202,7 @@ def _ring() -> Iterator[Block]:
 def _drift() -> Iterator[Block]:
     found = response(drawing.DRIVEN)
     largest = max((abs(one) for one in found.multipliers or ()), key=float, default=arb(0))
-    yield Heading("Drift")
+    yield Heading("Drift", "drift-of-body-2")
     yield Paragraph(
         "In a period body 2 moves on by the integral of its velocity. Under a force whose second half period is the first with the other sign, it does not move on at all "
         "(`forced-periodic-response`); any asymmetry may carry it away; how fast and which way depends on the phases of its parts. At the symmetric end of the picture the periodic motion attracts: "

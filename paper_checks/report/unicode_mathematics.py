@@ -60,7 +60,7 @@ def _without_innermost_groups(text: str) -> str:
     text = re.sub(
         rf"\\(?:mathrm|mathbf|mathbb|mathcal|mathit|text|operatorname)\s*(?:{_GROUP}|([A-Za-z]))", _named, text
     )
-    text = re.sub(rf"([_^])(?:{_GROUP}|([0-9A-Za-z+-]))", _raised_or_lowered, text)
+    text = re.sub(rf"([_^])(?:{_GROUP}|([0-9A-Za-z+*-]))", _raised_or_lowered, text)
     return re.sub(r"\\(?:begin|end)\{[a-z*]+\}", " ", text)
 
 
@@ -98,5 +98,7 @@ def _raised_or_lowered(match: re.Match[str]) -> str:
     content = match[2] if match[2] is not None else match[3]
     if re.fullmatch(r"[0-9+-]+", content):
         return content.translate(_SUBSCRIPTS if match[1] == "_" else _SUPERSCRIPTS)
+    if content and not content.strip("*"):
+        return content
     mark = "\ue002" if match[1] == "_" else "\ue003"
     return mark + (content if re.fullmatch(r"\w+|.", content) else f"({content})")

@@ -122,6 +122,40 @@ def test_space_stands_beside_a_function_and_never_among_its_arguments(source, el
     assert objection_to(tree(source)) is None
 
 
+@pytest.mark.parametrize(
+    ("source", "element"),
+    [
+        ("w'", '<mi>w</mi><mo form="postfix" lspace="0" rspace="0">′</mo>'),
+        ("w_1^{\\prime}", '</msub><mo form="postfix" lspace="0" rspace="0">′</mo>'),
+        ("U_{**}", '<mo lspace="0" rspace="0">*</mo><mo lspace="0" rspace="0">*</mo>'),
+        ("c/t", '<mi>c</mi><mo lspace="0" rspace="0">/</mo><mi>t</mi>'),
+        (r"a\left(b+c\right)", '<mo stretchy="false" fence="true" form="prefix" lspace="0" rspace="0">(</mo>'),
+        (r"a\left(\frac{b}{c}\right)", '<mo stretchy="true" fence="true" form="prefix" lspace="0" rspace="0">(</mo>'),
+        (r"U\sin\omega t", '<mi>U</mi><mspace width="0.167em" /><mi>sin</mi>'),
+        (r"\left|\cos x\right|", 'rspace="0">|</mo><mi>cos</mi>'),
+        (r"t\to\infty", "<mo>→</mo><mi>∞</mi>"),
+    ],
+)
+def test_a_browser_sets_it_as_tex_does(source, element):
+    assert element in mathml(source)
+
+
+def test_no_line_begins_with_the_comma_after_a_formula():
+    written = html("for ($a$), or $b$: [$c$] and $d$")
+    assert re.sub(r"<math.*?</math>", "M", written) == (
+        'for <span class="glued">(M),</span> or <span class="glued">M:</span> <span class="glued">[M]</span> and M'
+    )
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
+def test_an_index_is_a_letter_or_a_word_and_no_product(claim):
+    """As sympy would make of a name that it splits at its underscore."""
+    for kind, content in pieces(claim.statement):
+        if kind is not Piece.PROSE:
+            for node in tree(content).iter("msub"):
+                assert "·" not in "".join(node[1].itertext())
+
+
 @pytest.mark.parametrize("name", ["msup", "mfrac", "msubsup"])
 def test_one_argument_too_many_is_an_objection(name):
     element = ElementTree.fromstring(f"<math><{name}>{'<mi>x</mi>' * 4}</{name}></math>")
@@ -167,6 +201,7 @@ def test_prose_is_escaped():
         (r"\Phi_{+}\cdot n_{S}", "Φ₊·n_S"),
         (r"\left|{v_{1} - v_{2}}\right|", "|v₁ - v₂|"),
         (r"\left\{E=E_0\right\}\cap S_0", "{E=E₀}∩S₀"),
+        (r"U_{**}>U_*", "U**>U*"),
     ],
 )
 def test_plain_text(source, text):

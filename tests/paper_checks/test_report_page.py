@@ -99,7 +99,7 @@ def test_the_provenance_says_how_to_install_as_the_readme_does(rows):
     assert readme.partition("```sh\n")[2].partition("\n```")[0] == trust.INSTALL
     text = html.render(document(rows), {})
     assert f"{trust.SOFTWARE}, version " in text
-    assert 'how to install it is told at <a href="#provenance">' in text
+    assert 'installed as <a href="#provenance">' in text
 
 
 def test_a_file_is_the_source_or_it_is_not(tmp_path):
