@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from numerics.trade.euler import EulerFigure, EulerOutcome
 from numerics.trade.ours import COMPILED, PLAIN, READ
 from numerics.trade.recorded import RecordedTrade, recorded
 
@@ -67,3 +68,12 @@ def planted(folder: Path, *more_runs: dict[str, Any], **more: Any) -> RecordedTr
     path = folder / "planted.json"
     path.write_text(json.dumps(made), "utf-8")
     return recorded(path)
+
+
+EULER_FIGURE = EulerFigure(
+    "9",
+    7,
+    2.0,
+    (EulerOutcome(1e-2, False, "5 events, not 7", 1.0, 0), EulerOutcome(1e-3, True, None, -1.5, 40)),
+)
+"""Forward Euler on a figure that the paper does not have: wrong with the coarser of two steps."""

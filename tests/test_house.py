@@ -155,10 +155,10 @@ def test_no_two_files_import_each_other(package):
     assert graphlib.TopologicalSorter(graph).prepare() is None  # raises CycleError
 
 
-@pytest.mark.parametrize(("package", "most"), [("numerics", 250), ("paper_checks", 280)])
-def test_no_file_is_longer_than_a_few_screens(package, most):
+@pytest.mark.parametrize("package", FLOORS)
+def test_no_file_is_longer_than_a_few_screens(package):
     lengths = {str(path): len(path.read_text("utf-8").splitlines()) for _, path in files_of(package)}
-    assert not {path: lines for path, lines in lengths.items() if lines > most}
+    assert not {path: lines for path, lines in lengths.items() if lines > 250}
 
 
 def test_what_numba_compiles_lives_where_the_cache_looks():

@@ -1,32 +1,24 @@
-"""The merging map: its cells against single runs, its checkpoints, its roads, and faults planted in it."""
+"""The merging map: its cells against single runs, the edges of the set, and faults planted in it."""
 
 from __future__ import annotations
 
-import json
 import random
-import sys
 from fractions import Fraction
 from itertools import pairwise
 from math import acos, cos, pi, tan
 
 import mpmath
 import pytest
-from flint import arb, fmpq
-from hypothesis import given
-from hypothesis import strategies as st
+from flint import arb
 
-from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
-from numerics.errors import InvalidMap, MissingTool
 from numerics.long_time.excursion_map import excursions
 from numerics.merging import cell as merging_cell
 from numerics.merging import map as merging_map
 from numerics.merging.cell import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
-from numerics.merging.centred_form import Cell
 from numerics.merging.figure import COLOURS, raster
 from numerics.merging.map import Window, merging_cells
 from numerics.motion.frame import Frame
-from numerics.quadtree import tree
 from numerics.scene import Pair
 from theory.excursion import h, half_tangent_form
 from theory.return_map import depth, gap, half_cotangent, in_trigonometry
@@ -178,153 +170,3 @@ def test_a_cell_of_which_only_the_middle_is_computed_is_seen(monkeypatch):
 
     monkeypatch.setattr(merging_map, "verdict", middle)
     assert contradictions(merging_cells(Window(), 5))
-
-
-# roads, checkpoints
-
-
-def test_processes_change_nothing(chart):
-    pytest.importorskip("joblib")
-    assert merging_cells(Window(), 6, jobs=2) == chart
-
-
-@pytest.mark.slow
-def test_a_dask_cluster_changes_nothing():
-    distributed = pytest.importorskip("distributed")
-    with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
-    ) as cluster:
-        found = merging_cells(Window(), 4, dask=cluster.scheduler_address)
-    assert found == merging_cells(Window(), 4)
-
-
-@pytest.mark.parametrize(("module", "road"), [("joblib", {"jobs": 2}), ("distributed", {"dask": "tcp://127.0.0.1:1"})])
-def test_a_missing_package_is_named(monkeypatch, module, road):
-    monkeypatch.setitem(sys.modules, module, None)
-    with pytest.raises(MissingTool, match=module):
-        merging_cells(Window(), 4, **road)
-    assert merging_cells(Window(), 1).cells
-
-
-def test_a_run_goes_on_where_it_stopped(tmp_path, chart):
-    file, counts = tmp_path / "cells.jsonl", []
-    assert merging_cells(Window(), 6, resume=file) == chart
-    lines = file.read_text().splitlines(keepends=True)
-    assert len(lines) == 65
-    file.write_text("".join(lines[:41]) + lines[41][:30])  # 40 blocks and a torn line
-    assert merging_cells(Window(), 6, resume=file, progress=lambda *done: counts.append(done)) == chart
-    assert counts == [(n, 64) for n in range(41, 65)]
-    assert sorted(file.read_text().splitlines()) == sorted("".join(lines).splitlines())
-    assert merging_cells(Window(), 6, resume=file, progress=lambda *_: pytest.fail("nothing is left to do")) == chart
-
-
-def test_a_foreign_or_damaged_checkpoint_is_refused(tmp_path):
-    file = tmp_path / "cells.jsonl"
-    merging_cells(Window(), 4, resume=file)
-    with pytest.raises(InvalidMap, match="another map"):
-        merging_cells(Window(), 3, resume=file)
-    lines = file.read_text().splitlines(keepends=True)
-    uncut = next(k for k, line in enumerate(lines) if "+" in line)
-    for damaged in ("{}\n", "nonsense\n", lines[uncut].replace("+", ""), lines[uncut].replace('"}', 'm"}')):
-        file.write_text("".join([*lines[:uncut], damaged, *lines[uncut + 1 :]]))
-        with pytest.raises(InvalidMap, match=r"damaged|finished part"):
-            merging_cells(Window(), 4, resume=file)
-
-
-def test_a_damaged_title_is_refused(tmp_path):
-    file = tmp_path / "notes.txt"
-    file.write_text("my notes\n")
-    with pytest.raises(InvalidMap, match="damaged"):
-        merging_cells(Window(), 1, resume=file)
-    assert file.read_text() == "my notes\n"
-
-
-@pytest.mark.parametrize(("ratio", "energy"), [((2, 1), (2, 3)), ((0, 1), (2, 3)), ((1, 2), (1, 2)), ((1, 2), (3, 3))])
-def test_windows_that_are_none_are_refused(ratio, energy):
-    with pytest.raises(InvalidMap, match="give A and B from"):
-        Window(tuple(map(Fraction, ratio)), tuple(map(Fraction, energy)))
-
-
-@pytest.mark.parametrize(("low", "high"), [("1.000001", "1.000001001"), ("1000000", "1001000.999"), ("1", "1000001")])
-def test_a_refused_range_of_energies_is_told_in_terms_of_what_was_given(low, high):
-    """The edges that the refusal names are the true ones: (B - 1)/(A - 1) >= 1.001 between 1.000001 and 1000001."""
-    energy = (Fraction(low), Fraction(high))
-    inside = Fraction("1.000001") <= energy[0] and energy[1] <= 1000001
-    if inside and (energy[1] - 1) >= Fraction("1.001") * (energy[0] - 1):
-        assert Window(energy=energy).rectangle.excess[0] > 0
-        return
-    with pytest.raises(InvalidMap, match=rf"E/E_cr: {low} to {high} is no range; give A and B from 1.000001 to"):
-        Window(energy=energy)
-
-
-# command line
-
-
-def test_command_line(capsys, tmp_path):
-    picture = tmp_path / "map.png"
-    assert main(["map", "--depth", "4", "--ratio", "1", "8", "--out", str(picture), "--json"]) == 0
-    record = json.loads(capsys.readouterr().out)
-    assert picture.read_bytes().startswith(b"\x89PNG")
-    assert (record["ratio"], record["energy"], record["depth"]) == (["1", "8"], ["101/100", "101"], 4)
-    assert sum(record["shares"].values()) == pytest.approx(1)
-    for low, high, least, most, name in record["cells"]:
-        assert 1 <= Fraction(low) < Fraction(high) <= 8
-        assert 1 < Fraction(least) < Fraction(most) <= 101
-        assert name in {"merges", "creeps", "undecided"}
-    assert main(["map", "--depth", "2"]) == 0
-    assert "of the window" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize(
-    "arguments",
-    [["--depth", "40"], ["--ratio", "2", "1"], ["--energy", "x", "2"], ["--out", "map.txt"], ["--out", "no/m.png"]],
-)
-def test_command_line_refuses(capsys, arguments):
-    assert main(["map", *arguments]) == 2
-    assert capsys.readouterr().err.startswith("error: ")
-
-
-def test_an_interrupted_command_says_how_to_go_on(monkeypatch, capsys, tmp_path):
-    road = tree.run_tasks
-
-    def interrupted(function, tasks, **roads):
-        yield from road(function, tasks[:5], **roads)
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(tree, "run_tasks", interrupted)
-    file = tmp_path / "cells.jsonl"
-    assert main(["map", "--depth", "4", "--resume", str(file)]) == 130
-    assert "goes on" in capsys.readouterr().err
-    assert len(file.read_text().splitlines()) == 6
-    assert main(["map", "--depth", "4"]) == 130
-    assert "nothing was written" in capsys.readouterr().err
-
-
-# centred forms
-
-sides = st.tuples(st.integers(1, 1000), st.integers(1, 100)).map(lambda s: (Fraction(s[0], 100), Fraction(sum(s), 100)))
-inside = st.fractions(0, 1, max_denominator=1000)
-
-
-@given(sides, sides, inside, inside)
-def test_a_centred_form_holds_every_value_and_no_more_than_twice_the_width(first, second, s, t):
-    """For f = (x y - y) sqrt(x) + 3 x over a cell, and over one whose sides are a thousandth of their distance."""
-    with Ball(20).context():
-        x, y = (low + (high - low) * part for (low, high), part in ((first, s), (second, t)))
-        ranges = _form(Cell(first, second))
-        exact = _value(x, y)
-        assert ranges.value.contains(exact) or ranges.value.overlaps(exact)
-        small = _form(Cell((x, x * Fraction(1001, 1000)), (y, y * Fraction(1001, 1000)))).value
-        corners = [_value(a, b) for a in (x, x * Fraction(1001, 1000)) for b in (y, y * Fraction(1001, 1000))]
-        hull = corners[0].union(corners[1]).union(corners[2]).union(corners[3])
-        assert small.rad() < 2 * hull.rad() + arb(10) ** -12
-
-
-def _form(cell):
-    x, y = cell.parameters
-    return cell.tight((x * y - y) * x.sqrt() + x * 3)
-
-
-def _value(x, y):
-    a, b = (arb(fmpq(one.numerator, one.denominator)) for one in (x, y))
-    return (a * b - b) * a.sqrt() + a * 3

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 import pytest
-from planted_trades import COMPILED, PLAIN, READ, SCENES, our_runs, planted, run, with_forced
+from planted_trades import COMPILED, EULER_FIGURE, PLAIN, READ, SCENES, our_runs, planted, run
 
 from numerics.scene.file import load_scene
 from numerics.trade import euler
 from numerics.trade.comparisons.euler_peer import read
 from numerics.trade.comparisons.forward_euler import forward_euler
 from numerics.trade.comparisons.switching import SwitchedPair
-from numerics.trade.euler import EulerFigure, EulerOutcome, StickEnergy
+from numerics.trade.euler import EulerFigure, StickEnergy
 from numerics.trade.interface import Wait
 from numerics.trade.ours import TWELVE
-from paper_checks.report.blocks import Heading, Paragraph, Picture, Points, Section, Table
-from paper_checks.report.html_blocks import HtmlWriter
-from paper_checks.report.latex_blocks import LatexWriter
+from paper_checks.report.blocks import Section, Table
 from paper_checks.report.markdown import markdown
 from paper_checks.speed import euler_figures, in_short, misleading, needs, payoff, peers, section
 
@@ -145,16 +142,9 @@ class TestPeers:
 
 
 class TestForwardEuler:
-    FIGURE = EulerFigure(
-        "9",
-        7,
-        2.0,
-        (EulerOutcome(1e-2, False, "5 events, not 7", 1.0, 0), EulerOutcome(1e-3, True, None, -1.5, 40)),
-    )
-
     def test_energy_that_departs_from_theory_is_named(self):
         fits, departs = StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5), StickEnergy(1e-3, 5.0, 2.0, 2.1, 1.5, 50)
-        text = said(misleading.forward_euler([self.FIGURE], [fits, departs]))
+        text = said(misleading.forward_euler([EULER_FIGURE], [fits, departs]))
         assert "to 8 digits, but not with steps of $10^{-3}$ s." in text
         assert "at first differ by $10^{-9}$ m/s it chatters" in text
         assert "between 1.50000 and 1.50000" in text
@@ -162,23 +152,23 @@ class TestForwardEuler:
         shorter = said(misleading.forward_euler([], [replace(fits, until=2.5)]))
         assert "$E(2.5)/E(0)$ in chatter" in shorter
         assert "stuck for 2.5 s" in shorter
-        assert "in every run below" in said(misleading.forward_euler([self.FIGURE], [fits]))
+        assert "in every run below" in said(misleading.forward_euler([EULER_FIGURE], [fits]))
 
     def test_steps_and_chatter_are_those_of_the_runs(self):
-        text = said(misleading.forward_euler([self.FIGURE], []))
+        text = said(misleading.forward_euler([EULER_FIGURE], []))
         assert "| Fig. 9 | 7 in 2 s | $10^{-3}$ | about $3.2\\cdot10^{-4}$ | about $3.2\\cdot10^{-5}$ | 3e-2 |" in text
         assert "| Fig. 9 | 0 × | 40 |" in text
         assert "Runs that never chatter have missed every phase of stick: Fig. 9 up to $10^{-2}$ s." in text
         assert "Finer steps give more chatter" in text
 
     def test_chatter_that_does_not_grow_is_not_said_to(self):
-        figure = EulerFigure("9", 7, 2.0, tuple(reversed(self.FIGURE.outcomes)))
+        figure = EulerFigure("9", 7, 2.0, tuple(reversed(EULER_FIGURE.outcomes)))
         assert "Finer steps" not in said(misleading.forward_euler([figure], []))
 
 
 class TestInShort:
     def short(self, trade) -> str:
-        return said(in_short.in_short(trade, [TestForwardEuler.FIGURE], [StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5)]))
+        return said(in_short.in_short(trade, [EULER_FIGURE], [StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5)]))
 
     def test_it_names_the_arithmetics_in_their_order(self, plain_trade):
         text = self.short(plain_trade)
@@ -215,85 +205,6 @@ class TestInShort:
         assert "Fig. 9: for the right events $10^{-3}$ s, for 1 % about $3.2\\cdot10^{-4}$ s." in text
         assert "In 5 s forward Euler multiplies the energy" in text
         assert "by 2 (step $10^{-2}$ s)" in text
-
-
-class TestSection:
-    @pytest.fixture
-    def whole(self, tmp_path, monkeypatch):
-        monkeypatch.setattr(section, "euler_figures", lambda: (TestForwardEuler.FIGURE,))
-        monkeypatch.setattr(section, "stick_energies", lambda: (StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5),))
-        return section.section(planted(tmp_path, run("Peer", "velocities", 1e-3, -3.0)))
-
-    def test_it_names_the_machine_and_how_to_measure_another(self, whole):
-        text = markdown(whole)
-        assert "Measured once: Abacus, 2 cores, Python 3.11, numpy 2" in text
-        assert "python -m paper_checks report --trade F" in text
-
-    def test_every_part_has_its_heading_and_every_figure_is_drawn(self, whole, plain_trade):
-        headings = [one.text for one in whole.blocks if isinstance(one, Heading)]
-        assert len(headings) == len(set(headings)) == 10
-        assert set(whole.pictures) == set(section.figures(plain_trade))
-        for draw in section.figures(plain_trade).values():
-            assert draw().axes
-
-    def test_all_forms_carry_every_table_and_sentence(self, whole):
-        tables = [one for one in whole.blocks if isinstance(one, Table)]
-        assert HtmlWriter({}).section(whole).count("<table") == len(tables)
-        assert LatexWriter({}).section(whole).count(r"\begin{longtable}") == len(tables)
-        assert markdown(whole).count("\n| --- |") == len(tables)
-        assert HtmlWriter({}).section(whole).count("was not drawn") == len(whole.pictures)
-
-    def test_rows_are_as_long_as_their_heads(self, whole):
-        for one in whole.blocks:
-            if isinstance(one, Table):
-                assert {len(row) for row in one.rows} == {len(one.head)}
-
-
-class TestUnderAForce:
-    PEERS = (
-        run("ball", "forced-touch", 2e-3, -15.0),
-        run("tanh smoothing", "forced-touch", 1e-2, -2.0, right=False, difference="2 events, not 20"),
-        run("heyoka, u(t)", "forced-touch", 1e-4, -12.0),
-    )
-
-    def test_its_scenes_have_a_part_of_their_own(self, tmp_path, monkeypatch):
-        monkeypatch.setattr(section, "euler_figures", lambda: (TestForwardEuler.FIGURE,))
-        monkeypatch.setattr(section, "stick_energies", lambda: (StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5),))
-        whole = section.section(planted(tmp_path, *self.PEERS, scenes=with_forced()))
-        text = markdown(whole)
-        before, _, after = text.partition("Under a force")
-        assert "forced-touch" not in before
-        assert "| tanh smoothing | 0/1 |" in after
-        assert "heyoka, u(t)" in after
-        assert "Measured on Abacus" in after
-
-    def test_without_such_scenes_nothing_is_said(self, plain_trade):
-        assert list(section.under_a_force(plain_trade.part(forced=True))) == []
-
-    @pytest.mark.parametrize(("load", "said_so"), [(0.2, False), (8.0, True), (None, False)])
-    def test_a_busy_machine_is_confessed(self, tmp_path, load, said_so):
-        machine = {"processor": "Abacus", "cores": 2, "load": load, "python": "3.11", "packages": {}}
-        trade = planted(tmp_path, *self.PEERS, scenes=with_forced(), machine=machine).part(forced=True)
-        assert ("at a load of" in said(section.under_a_force(trade))) == said_so
-
-
-def test_the_shipped_record_is_advised_on_without_forward_euler():
-    from numerics.trade.recorded import recorded
-
-    text = said(section.advice(recorded()))
-    assert "Ours have the right event sequence in all" in text
-    assert not re.search(r"\bnan\b|\bNone\b", text)
-
-
-def test_hostile_texts_are_escaped():
-    hostile = Section("x", "<b>&", (Paragraph("<i> `a--b<` $x<y$"), Points(("%_<",)), Picture("p", "<c>")))
-    page = HtmlWriter({"p": "<svg></svg>"}).section(hostile)
-    assert "<b>" not in page
-    assert "<i>" not in page
-    assert "<code>a-<wbr>-<wbr>b&lt;</code>" in page
-    source = LatexWriter({"p": "p.pdf"}).section(hostile)
-    assert r"\texttt{a-\allowbreak{}{-\allowbreak{}}b\textless{}}" in source
-    assert r"\%\_\textless{}" in source
 
 
 def test_the_house_runs_of_euler_are_cached():

@@ -1,17 +1,15 @@
-"""Every closed form of a slip from S against the solved slip ODE in 50 digits, and faults that must show."""
+"""The return map of a ray and its series against slips in 50 digits, and faults that must show."""
 
-import random
 from collections.abc import Iterator
 
 import mpmath
 import pytest
-from sympy import Float, Rational, S, cot, diff, expand, limit, oo, pi, sin
+from slip_by_hand import DIGITS, SLIPS, TOLERANCE, at, number
+from sympy import Rational, S, cot, diff, expand, limit, oo, pi, sin
 
 from theory import return_map
 from theory.symbols import q, theta
 
-DIGITS = 50
-TOLERANCE = 10.0 ** (8 - DIGITS)
 CACHED = [member for member in vars(return_map).values() if hasattr(member, "cache_clear")]
 
 
@@ -19,166 +17,6 @@ CACHED = [member for member in vars(return_map).values() if hasattr(member, "cac
 def fifty_digits() -> Iterator[None]:
     with mpmath.workdps(DIGITS + 10):
         yield
-
-
-def number(value) -> mpmath.mpf:
-    """A sympy number, in more digits than the comparison needs."""
-    return mpmath.mpf(str(S(value).evalf(DIGITS + 8)))
-
-
-def at(expression, **values) -> mpmath.mpf:
-    """An expression of theory.return_map at numbers for q, d, u, theta, y."""
-    symbols = {symbol.name: symbol for symbol in (q, return_map.gap, return_map.push, return_map.scaled_excess, theta)}
-    point = {symbols[name]: Float(mpmath.nstr(value, DIGITS + 10), DIGITS + 10) for name, value in values.items()}
-    return number(S(expression).subs(point))
-
-
-class SlipByHand:
-    """The slip with v1 < v2 from X = 1 + q d, V1 = V2 = sqrt(q) u, solved from q V1' = -(X - r), V2' = -1 by hand."""
-
-    def __init__(self, fraction, gap, push):
-        self.rationals = fraction, gap, push
-
-    @property
-    def numbers(self):
-        """q, d, u in the precision of the moment."""
-        return [mpmath.mpf(value.p) / value.q for value in self.rationals]
-
-    @property
-    def q(self):
-        return self.numbers[0]
-
-    @property
-    def d(self):
-        return self.numbers[1]
-
-    @property
-    def u(self):
-        return self.numbers[2]
-
-    @property
-    def r(self):
-        return 1 - self.q
-
-    @property
-    def root(self):
-        return mpmath.sqrt(self.q)
-
-    @property
-    def start(self):
-        return 1 + self.q * self.d, self.root * self.u, self.root * self.u
-
-    def state(self, angle):
-        """(X, V1, V2) at tau = sqrt(q) angle: body 1 turns about X = r, body 2 is slowed at the rate 1."""
-        reach, speed = self.start[0] - self.r, self.start[1]
-        cosine, sine = mpmath.cos(angle), mpmath.sin(angle)
-        return (
-            self.r + reach * cosine + self.root * speed * sine,
-            speed * cosine - reach / self.root * sine,
-            self.start[2] - self.root * angle,
-        )
-
-    def guard(self, angle):
-        """(V1 - V2)/sqrt(q)."""
-        _, v1, v2 = self.state(angle)
-        return (v1 - v2) / self.root
-
-    def end(self):
-        """The first zero of the guard after its start: scanned for in steps of 1/200, then bisected."""
-        step = mpmath.mpf(1) / 200
-        angle = step
-        assert self.guard(angle) < 0, "the slip is over before the scan begins: draw it longer"
-        while self.guard(angle) < 0:
-            angle += step
-        return mpmath.findroot(self.guard, (angle - step, angle), solver="anderson", tol=mpmath.mpf(10) ** -105)
-
-    def excess(self, angle):
-        """w = X^2 + q V1^2 + r V2^2 - 1."""
-        x, v1, v2 = self.state(angle)
-        return x**2 + self.q * v1**2 + self.r * v2**2 - 1
-
-
-def slips(cases, gaps=(0, 300)):
-    """Random slips; every third one is from a ray (d = 0)."""
-    source = random.Random(5)
-    for case in range(cases):
-        gap = Rational(source.randint(*gaps), 100) if case % 3 else Rational(0)
-        push = Rational(source.randint(20, 300), 100)
-        if case % 2 and gap > 0:
-            push = -push  # beyond the edge the pair may move inwards at the start
-        yield SlipByHand(Rational(source.randint(2, 98), 100), gap, push)
-
-
-SLIPS = list(slips(9))
-
-
-def test_the_slip_by_hand_solves_its_equations():
-    """Against a Taylor integrator, so that the yardstick itself does not rest on the closed form."""
-    with mpmath.workdps(25):
-        slip = SlipByHand(Rational(1, 3), Rational(2, 5), Rational(3, 4))
-
-        def field(_, y):
-            return [y[1], -(y[0] - slip.r) / slip.q, mpmath.mpf(-1)]
-
-        integrated = mpmath.odefun(field, 0, list(slip.start))(slip.root)
-        assert all(abs(one - other) < 1e-20 for one, other in zip(integrated, slip.state(1), strict=True))
-
-
-@pytest.mark.parametrize("slip", SLIPS)
-def test_a_slip_ends_where_the_contact_condition_vanishes(slip):
-    end = slip.end()
-    assert 0 < end < 2 * mpmath.pi
-    assert abs(at(return_map.contact_condition(), d=slip.d, u=slip.u, theta=end)) < TOLERANCE
-    wrong = return_map.contact_condition() + 2 * return_map.gap * cot(theta / 2)
-    assert slip.d == 0 or abs(at(wrong, d=slip.d, u=slip.u, theta=end)) > 1e-6
-
-
-@pytest.mark.parametrize("slip", SLIPS)
-def test_the_guard_on_the_way(slip):
-    for angle in (mpmath.mpf(1) / 7, mpmath.mpf(2), slip.end()):
-        found = at(return_map.reduced_guard(), q=slip.q, d=slip.d, u=slip.u, theta=angle)
-        assert abs(found - slip.guard(angle)) < TOLERANCE
-
-
-def landed(slip, landing, end):
-    """(gap, push, change of the excess) by the closed forms minus those of the slip by hand."""
-    x, _, v2 = slip.state(end)
-    known = {"q": slip.q, "d": slip.d, "u": slip.u, "theta": end}
-    return (
-        at(landing.gap, **known) - (x - 1) / slip.q,
-        at(landing.push, **known) - v2 / slip.root,
-        at(landing.excess_change, **known) - (slip.excess(end) - slip.excess(mpmath.mpf(0))),
-    )
-
-
-@pytest.mark.parametrize("slip", SLIPS)
-def test_where_a_slip_lands(slip):
-    assert all(abs(difference) < TOLERANCE for difference in landed(slip, return_map.landing(), slip.end()))
-
-
-def wrong_landings():
-    """Landings with one sign, factor or term wrong, and which of the three entries that is."""
-    depth, gap, push, fraction = return_map.depth(), return_map.gap, return_map.push, 1 - q
-    right = return_map.landing()
-    yield 0, return_map.Landing(gap + depth, right.push, right.excess_change)
-    yield 0, return_map.Landing(-depth - 2 * gap, right.push, right.excess_change)
-    yield 0, return_map.Landing(-gap - depth / 2, right.push, right.excess_change)
-    yield 1, return_map.Landing(right.gap, push + theta, right.excess_change)
-    yield 1, return_map.Landing(right.gap, push - 2 * theta, right.excess_change)
-    yield 2, return_map.Landing(right.gap, right.push, -q * fraction * depth * (depth + gap))
-    yield 2, return_map.Landing(right.gap, right.push, q * fraction * depth * (depth + 2 * gap))
-    yield 2, return_map.Landing(right.gap, right.push, -q * q * depth * (depth + 2 * gap))
-    yield 2, return_map.Landing(right.gap, right.push, -fraction * depth * (depth + 2 * gap))
-    yield 2, return_map.Landing(right.gap, right.push, -2 * q * fraction * depth * (depth + 2 * gap))
-
-
-def test_a_wrong_landing_shows_in_its_entry_only():
-    slip = SLIPS[2]
-    assert slip.d > 0
-    end = slip.end()
-    for entry, wrong in wrong_landings():
-        differences = [abs(difference) > TOLERANCE for difference in landed(slip, wrong, end)]
-        assert differences == [position == entry for position in range(3)]
 
 
 @pytest.mark.parametrize("slip", [one for one in SLIPS if one.d == 0])
@@ -197,17 +35,6 @@ def test_the_slope_of_the_return_map_is_its_derivative():
     slope = (ends[0][1] - ends[1][1]) / (ends[0][0] - ends[1][0])
     assert abs(slope - (1 - (1 - fraction) * (1 - mpmath.cos(angle)))) < 1e-20
     assert abs(slope - (1 - (1 - fraction) * (1 + mpmath.cos(angle)))) > 0.1
-
-
-def test_both_terms_of_the_contact_slope_are_its_derivative_and_positive():
-    first, second = return_map.contact_slope()
-    for slip in SLIPS:
-        for angle in map(mpmath.mpf, ("0.01", "1", "3", "5", "6.28")):
-            known = {"d": slip.d, "u": slip.u, "theta": angle}
-            terms = at(first, **known), at(second, **known)
-            assert terms[0] > 0
-            assert terms[1] >= 0
-            assert abs(at(diff(return_map.contact_condition(), theta), **known) - sum(terms)) < TOLERANCE * 10**9
 
 
 def test_the_depth():

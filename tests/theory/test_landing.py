@@ -1,0 +1,97 @@
+"""Where a slip from S ends: every closed form against the slip by hand, in 50 digits."""
+
+from collections.abc import Iterator
+
+import mpmath
+import pytest
+from slip_by_hand import DIGITS, SLIPS, TOLERANCE, SlipByHand, at
+from sympy import Rational, cot, diff
+
+from theory import return_map
+from theory.symbols import q, theta
+
+
+@pytest.fixture(autouse=True)
+def fifty_digits() -> Iterator[None]:
+    with mpmath.workdps(DIGITS + 10):
+        yield
+
+
+def test_the_slip_by_hand_solves_its_equations():
+    """Against a Taylor integrator, so that the yardstick itself does not rest on the closed form."""
+    with mpmath.workdps(25):
+        slip = SlipByHand(Rational(1, 3), Rational(2, 5), Rational(3, 4))
+
+        def field(_, y):
+            return [y[1], -(y[0] - slip.r) / slip.q, mpmath.mpf(-1)]
+
+        integrated = mpmath.odefun(field, 0, list(slip.start))(slip.root)
+        assert all(abs(one - other) < 1e-20 for one, other in zip(integrated, slip.state(1), strict=True))
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_a_slip_ends_where_the_contact_condition_vanishes(slip):
+    end = slip.end()
+    assert 0 < end < 2 * mpmath.pi
+    assert abs(at(return_map.contact_condition(), d=slip.d, u=slip.u, theta=end)) < TOLERANCE
+    wrong = return_map.contact_condition() + 2 * return_map.gap * cot(theta / 2)
+    assert slip.d == 0 or abs(at(wrong, d=slip.d, u=slip.u, theta=end)) > 1e-6
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_the_guard_on_the_way(slip):
+    for angle in (mpmath.mpf(1) / 7, mpmath.mpf(2), slip.end()):
+        found = at(return_map.reduced_guard(), q=slip.q, d=slip.d, u=slip.u, theta=angle)
+        assert abs(found - slip.guard(angle)) < TOLERANCE
+
+
+def landed(slip, landing, end):
+    """(gap, push, change of the excess) by the closed forms minus those of the slip by hand."""
+    x, _, v2 = slip.state(end)
+    known = {"q": slip.q, "d": slip.d, "u": slip.u, "theta": end}
+    return (
+        at(landing.gap, **known) - (x - 1) / slip.q,
+        at(landing.push, **known) - v2 / slip.root,
+        at(landing.excess_change, **known) - (slip.excess(end) - slip.excess(mpmath.mpf(0))),
+    )
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_where_a_slip_lands(slip):
+    assert all(abs(difference) < TOLERANCE for difference in landed(slip, return_map.landing(), slip.end()))
+
+
+def wrong_landings():
+    """Landings with one sign, factor or term wrong, and which of the three entries that is."""
+    depth, gap, push, fraction = return_map.depth(), return_map.gap, return_map.push, 1 - q
+    right = return_map.landing()
+    yield 0, return_map.Landing(gap + depth, right.push, right.excess_change)
+    yield 0, return_map.Landing(-depth - 2 * gap, right.push, right.excess_change)
+    yield 0, return_map.Landing(-gap - depth / 2, right.push, right.excess_change)
+    yield 1, return_map.Landing(right.gap, push + theta, right.excess_change)
+    yield 1, return_map.Landing(right.gap, push - 2 * theta, right.excess_change)
+    yield 2, return_map.Landing(right.gap, right.push, -q * fraction * depth * (depth + gap))
+    yield 2, return_map.Landing(right.gap, right.push, q * fraction * depth * (depth + 2 * gap))
+    yield 2, return_map.Landing(right.gap, right.push, -q * q * depth * (depth + 2 * gap))
+    yield 2, return_map.Landing(right.gap, right.push, -fraction * depth * (depth + 2 * gap))
+    yield 2, return_map.Landing(right.gap, right.push, -2 * q * fraction * depth * (depth + 2 * gap))
+
+
+def test_a_wrong_landing_shows_in_its_entry_only():
+    slip = SLIPS[2]
+    assert slip.d > 0
+    end = slip.end()
+    for entry, wrong in wrong_landings():
+        differences = [abs(difference) > TOLERANCE for difference in landed(slip, wrong, end)]
+        assert differences == [position == entry for position in range(3)]
+
+
+def test_both_terms_of_the_contact_slope_are_its_derivative_and_positive():
+    first, second = return_map.contact_slope()
+    for slip in SLIPS:
+        for angle in map(mpmath.mpf, ("0.01", "1", "3", "5", "6.28")):
+            known = {"d": slip.d, "u": slip.u, "theta": angle}
+            terms = at(first, **known), at(second, **known)
+            assert terms[0] > 0
+            assert terms[1] >= 0
+            assert abs(at(diff(return_map.contact_condition(), theta), **known) - sum(terms)) < TOLERANCE * 10**9
