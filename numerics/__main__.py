@@ -56,7 +56,9 @@ def parser() -> argparse.ArgumentParser:
     solve.add_argument("--all", action="store_true", help="print all events on a terminal, not the first and the last")
     solve.add_argument("--explain", action="store_true", help="say on stderr which road was taken, and why")
     solve.add_argument(
-        "--sensitivity", action="store_true", help="add the derivatives by initial state and parameters (SI units)"
+        "--sensitivity",
+        action="store_true",
+        help="add the derivatives by initial state, parameters and numbers of the force (SI units)",
     )
     output = solve.add_mutually_exclusive_group()
     output.add_argument("--json", action="store_true", help="print the trajectory as JSON")

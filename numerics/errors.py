@@ -43,6 +43,10 @@ class NoForceHere(NumericsError, ValueError):
     """A question that is answered for a pair without a force only, asked of a scene with one."""
 
 
+class NotDifferentiable(NumericsError, ValueError):
+    """A scene whose motion has no derivative by its data: it differs to first order on either side of what it meets."""
+
+
 class InvalidMap(InvalidScene):
     """A map that cannot be computed: its window, its depth or its checkpoint; the message says what to give instead."""
 

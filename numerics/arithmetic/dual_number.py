@@ -99,6 +99,14 @@ class DualNumber:
         """Return whether the value is not 0."""
         return bool(self.value != 0)
 
+    def __float__(self) -> float:
+        """Return the value in binary64."""
+        return float(self.value)
+
+    def __round__(self) -> int:
+        """Return the whole number nearest to an exact value: it has no derivatives."""
+        return round(self.value)
+
     def __eq__(self, other: object) -> bool:
         """Compare the values."""
         return bool(self.value == _value(other))

@@ -125,6 +125,10 @@ class _Words:
     def middle(x: DualNumber) -> DualNumber:
         return x
 
+    def size(self, x: DualNumber) -> DualNumber:
+        """It bounds, and has no derivatives."""
+        return self._constant("size", x.value)
+
     def spread(self, x: DualNumber) -> DualNumber:
         return self._constant("spread", x.value)
 

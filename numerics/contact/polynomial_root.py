@@ -18,20 +18,11 @@ def first_crossing(polynomial: list[Fraction], after: Fraction, until: Fraction)
     A rational root is given, with t = root. For another one root is None and t lies before it, with no root of odd
     multiplicity and no touch between t and it. Without any, (until, None).
     """
-    below = math.lcm(*(c.denominator for c in polynomial))
-    whole = fmpz_poly([int(c * below) for c in polynomial])
-    if whole.degree() < 1:
+    found = _roots(polynomial)
+    if found is None:
         return until, None
-    found = []
-    _, factors = whole.factor()
-    for factor, multiplicity in factors:
-        if factor.degree() == 1:
-            root = Fraction(-int(factor[0]), int(factor[1]))
-            found.append((root, root, root if multiplicity % 2 else None, multiplicity))
-        else:
-            found += [(*ends, None, multiplicity) for ends in _real_roots(factor)]
     before = after
-    for low, high, exact, multiplicity in sorted(found, key=lambda one: one[0]):
+    for low, high, exact, multiplicity in found:
         if low <= after:
             continue
         if low > until:
@@ -43,6 +34,31 @@ def first_crossing(polynomial: list[Fraction], after: Fraction, until: Fraction)
             return exact, exact
         return max(before, min(low, until)), None
     return until, None
+
+
+def touches(polynomial: list[Fraction], after: Fraction, until: Fraction) -> bool:
+    """Return whether it has a root of even multiplicity in (after, until]."""
+    return any(n % 2 == 0 and after < low and high <= until for low, high, _, n in _roots(polynomial) or [])
+
+
+def _roots(polynomial: list[Fraction]) -> list[tuple[Fraction, Fraction, Fraction | None, int]] | None:
+    """Return the real roots in order: bounds, the root if it is rational (of odd multiplicity), its multiplicity.
+
+    None for a constant.
+    """
+    below = math.lcm(*(c.denominator for c in polynomial))
+    whole = fmpz_poly([int(c * below) for c in polynomial])
+    if whole.degree() < 1:
+        return None
+    found: list[tuple[Fraction, Fraction, Fraction | None, int]] = []
+    _, factors = whole.factor()
+    for factor, multiplicity in factors:
+        if factor.degree() == 1:
+            root = Fraction(-int(factor[0]), int(factor[1]))
+            found.append((root, root, root if multiplicity % 2 else None, multiplicity))
+        else:
+            found += [(*ends, None, multiplicity) for ends in _real_roots(factor)]
+    return sorted(found, key=lambda one: one[0])
 
 
 def _real_roots(factor: fmpz_poly) -> list[tuple[Fraction, Fraction]]:

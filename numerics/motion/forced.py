@@ -77,14 +77,20 @@ def norm_of(pair: Pair, x: Number, v1: Number, v2: Number) -> Number:
     return pair.root_a2 * x + pair.root_m1 * v1 + pair.root_m2 * v2
 
 
+@text
+def driven_at(pair: Pair, drive: Drive, start: Start, here: Moved, tau: Number) -> tuple[Number, Number, Number]:
+    """Return x2 and v2 at tau after the start of a mode, where body 1 is `here`; and what a slip adds to v2."""
+    gain = start.mode * (drive.numbers[drive.places[start.piece][0] + 2] / pair.m2) * tau
+    if start.mode == 0:
+        return start.x2 + (here.x - start.x1), here.v, gain
+    return start.x2 + (start.v2 + gain / 2) * tau, start.v2 + gain, gain
+
+
 @text_apart
 def arrive(pair: Pair, drive: Drive, start: Start, knot: Knot) -> tuple[Start, Moved]:
     """Return the path at a knot as the start of a mode yet to be chosen, errors grown, and the sizes of its sums."""
     here, tau = state_at(pair, drive, start, knot.tau), knot.tau
-    b = drive.numbers[drive.places[start.piece][0] + 2]
-    gain = start.mode * (b / pair.m2) * tau
-    v2 = start.v2 + gain if start.mode != 0 else here.v
-    x2 = start.x2 + (start.v2 + gain / 2) * tau if start.mode != 0 else start.x2 + (here.x - start.x1)
+    x2, v2, gain = driven_at(pair, drive, start, here, tau)
     x_off = spread(here.x) + ROUNDINGS * UNIT * here.x_size
     v_off = spread(here.v) + ROUNDINGS * UNIT * here.v_size
     v2_size = abs(rough(start.v2)) + abs(rough(gain)) if start.mode != 0 else 0.0

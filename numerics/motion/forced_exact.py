@@ -37,7 +37,7 @@ class ExactKnot(NamedTuple):
     quiet: Fraction
 
 
-class _Motion(NamedTuple):
+class Motion(NamedTuple):
     """The particular motion of a mode on a piece: a polynomial, and for every sine in-phase and behind parts of x1."""
 
     polynomial: list[Fraction]
@@ -67,7 +67,7 @@ def _mode_after(scene: Scene, piece: ExactPiece, local: Fraction, x: SineForm, v
 def _followed(scene: Scene, pieces: ExactPieces, knot: ExactKnot) -> tuple[Fraction, ExactKnot | None]:
     """Return up to when nothing happens after a knot, and the next one if it is exact."""
     piece = pieces[knot.piece]
-    motion = _exact_motion(scene, piece, knot)
+    motion = exact_motion(scene, piece, knot)
     if motion is None:
         return (piece.length if _touches_at_most(scene, piece, knot) else _start_of(scene, piece, knot)), None
     literal = scene.law is Law.THREE_VALUED_SGN
@@ -79,12 +79,12 @@ def _followed(scene: Scene, pieces: ExactPieces, knot: ExactKnot) -> tuple[Fract
 
 
 def _to_first_root(
-    scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: _Motion
+    scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: Motion
 ) -> tuple[Fraction, ExactKnot | None]:
     """Return the same where the guards are polynomials."""
     piece = pieces[knot.piece]
     known, root = piece.length, None
-    for guard in _guards(scene, piece, knot, motion):
+    for guard in guards(scene, piece, knot, motion):
         before, exact = first_crossing(guard, knot.local, known)
         if exact is not None or before < known:
             known, root = before, exact
@@ -93,7 +93,7 @@ def _to_first_root(
     return known, _next_piece(scene, pieces, knot, motion) if known == piece.length else None
 
 
-def _exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> _Motion | None:
+def exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> Motion | None:
     """Return the particular motion of the mode if the state lies on it exactly, else None."""
     pair, mass = scene.pair, scene.pair.m1 if knot.mode else scene.pair.mass
     polynomial = list(piece.polynomial) or [Fraction(0)]
@@ -105,12 +105,12 @@ def _exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> _Motion |
             return None
         scale = sine.amplitude / (stiff**2 + drag**2)
         sines.append((stiff * scale, -drag * scale))
-    motion = _Motion(particular(tuple(polynomial), mass, pair.a1, pair.a2), sines)
+    motion = Motion(particular(tuple(polynomial), mass, pair.a1, pair.a2), sines)
     x, v = _state(piece, motion, knot.local)
     return motion if x == knot.x1 and v == knot.v1 else None
 
 
-def _state(piece: ExactPiece, motion: _Motion, local: Fraction) -> tuple[SineForm, SineForm]:
+def _state(piece: ExactPiece, motion: Motion, local: Fraction) -> tuple[SineForm, SineForm]:
     """Return x1 and v1 of a particular motion at a time in its piece."""
     x = SineForm(sum((c * local**k for k, c in enumerate(motion.polynomial)), Fraction(0)))
     v = SineForm(sum((k * c * local ** (k - 1) for k, c in enumerate(motion.polynomial) if k), Fraction(0)))
@@ -121,7 +121,7 @@ def _state(piece: ExactPiece, motion: _Motion, local: Fraction) -> tuple[SineFor
     return x, v
 
 
-def _guards(scene: Scene, piece: ExactPiece, knot: ExactKnot, motion: _Motion) -> list[list[Fraction]]:
+def guards(scene: Scene, piece: ExactPiece, knot: ExactKnot, motion: Motion) -> list[list[Fraction]]:
     """Return the guards of a mode as polynomials of the time in the piece; they must not become negative."""
     p = motion.polynomial
     if knot.mode == 0:
@@ -137,7 +137,7 @@ def _guards(scene: Scene, piece: ExactPiece, knot: ExactKnot, motion: _Motion) -
     return [guard]
 
 
-def _amplitude_below(scene: Scene, piece: ExactPiece, motion: _Motion) -> bool:
+def _amplitude_below(scene: Scene, piece: ExactPiece, motion: Motion) -> bool:
     """Return whether the load of a stuck motion with one sine never gets past b; it may touch it for ever."""
     if len(piece.sines) != 1 or any(motion.polynomial[3:]):
         return False
@@ -151,7 +151,7 @@ def _touches_at_most(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> bool:
     x, v, pair = knot.x1.rational, knot.v1.rational, scene.pair
     if knot.mode or pair.a1 or piece.sines or len(piece.polynomial) > 3 or x is None or v is None:
         return False
-    steady = _Motion(particular(piece.polynomial, pair.mass, pair.a1, pair.a2), [])
+    steady = Motion(particular(piece.polynomial, pair.mass, pair.a1, pair.a2), [])
     x_steady, v_steady = (one.rational or Fraction(0) for one in _state(piece, steady, knot.local))
     constant = 2 * steady.polynomial[2] if len(steady.polynomial) > 2 else Fraction(0)
     stiff = pair.a2 / pair.mass
@@ -175,7 +175,7 @@ def _start_of(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> Fraction:
     return quiet_after_tie(scene.pair, piece, knot)
 
 
-def _moved(scene: Scene, piece: ExactPiece, knot: ExactKnot, motion: _Motion, local: Fraction) -> ExactKnot:
+def moved_exactly(scene: Scene, piece: ExactPiece, knot: ExactKnot, motion: Motion, local: Fraction) -> ExactKnot:
     """Return the state at a later time in the piece."""
     x1, v1 = _state(piece, motion, local)
     t = local - knot.local
@@ -187,20 +187,20 @@ def _moved(scene: Scene, piece: ExactPiece, knot: ExactKnot, motion: _Motion, lo
     )
 
 
-def _at_root(scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: _Motion, root: Fraction) -> ExactKnot | None:
+def _at_root(scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: Motion, root: Fraction) -> ExactKnot | None:
     """Return the event at an exact root; where a piece ends there, what follows is decided in the next one."""
     piece = pieces[knot.piece]
-    at = _moved(scene, piece, knot, motion, root)
+    at = moved_exactly(scene, piece, knot, motion, root)
     if root == piece.length:
         return _into_next(scene, pieces, at, is_jump=knot.mode == 0)
     mode, order = _mode_after(scene, piece, root, at.x1, at.v1)
     return at._replace(mode=mode, order=order, is_event=mode != knot.mode, is_jump=False)
 
 
-def _next_piece(scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: _Motion) -> ExactKnot | None:
+def _next_piece(scene: Scene, pieces: ExactPieces, knot: ExactKnot, motion: Motion) -> ExactKnot | None:
     """Return the start of the next piece, exact; None after the last one."""
     piece = pieces[knot.piece]
-    return _into_next(scene, pieces, _moved(scene, piece, knot, motion, piece.length), is_jump=True)
+    return _into_next(scene, pieces, moved_exactly(scene, piece, knot, motion, piece.length), is_jump=True)
 
 
 def _into_next(scene: Scene, pieces: ExactPieces, at: ExactKnot, *, is_jump: bool) -> ExactKnot | None:

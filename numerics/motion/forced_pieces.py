@@ -221,6 +221,6 @@ def _reduced(phase: Fraction) -> Fraction:
     """Return a phase less whole turns, in (-pi, pi], as far as 200 bits go; 0 exactly for 0."""
     if abs(phase) < 4:
         return phase
-    size = max(0, phase.numerator.bit_length() - phase.denominator.bit_length())
+    size = round(abs(phase)).bit_length()
     turn = _turn(256 * (2 + size // 256))
     return phase - round(phase / turn) * turn

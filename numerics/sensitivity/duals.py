@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
+import numpy as np
 from flint import arb
 
 from numerics.arithmetic import float64
@@ -17,7 +20,7 @@ from numerics.arithmetic.telling import Telling, text_of
 from numerics.arithmetic.words import words_of
 from numerics.contact.root import root, root_of
 from numerics.contact.surface import Contact, contact
-from numerics.flows import oscillator
+from numerics.flows import forced_sine, oscillator
 from numerics.flows.slip import Variables, slid_at
 from numerics.motion import seen, undamped
 from numerics.motion.tellings import motion_telling
@@ -39,6 +42,7 @@ def _dual_telling(base: Telling) -> Telling:
         root: lambda pair: _root(motions, pair),
         slid_at: _slid(motions(slid_at), formulas(slid_at)),
         oscillator.smooth_in_damping: _basis(words),
+        forced_sine.faded_turn: _faded_turn(base(forced_sine.faded_turn), words),
         undamped.ray_landing: _landing(motions),
         seen.seen_ray_landing: gradients.ray_landing,
         seen.seen_landing: gradients.landing,
@@ -56,6 +60,19 @@ def values(record: Any) -> Any:
     if isinstance(record, DualNumber):
         return record.value
     return type(record)(*map(values, record)) if isinstance(record, tuple) else record
+
+
+def unit(index: int, count: int) -> Any:
+    """Return a unit vector of exact numbers."""
+    return np.array([Fraction(int(k == index)) for k in range(count)], dtype=object)
+
+
+def frozen(kind: type[Any], **values: Any) -> Any:
+    """Return a frozen record of what its constructor would not read: dual numbers in the place of exact ones."""
+    record: Any = object.__new__(kind)
+    for name, value in values.items():
+        object.__setattr__(record, name, value)
+    return record
 
 
 def _landing(motions: Telling) -> Callable[[Any, Any], undamped.Landing]:
@@ -137,10 +154,52 @@ def _sine_by_square(of: Any, t: DualNumber, found: tuple[DualNumber, DualNumber]
         return (t * cosine - sine) / (2 * squared)
     total = term = words["exactly"](1.0) / 6
     enough, j = words["tolerance"]() / 2**40, 1
-    while of.regime and words["size"](term.value) > enough:
+    while of.regime and words["size"](term) > enough:
         j += 1
         term = -term * z * j / ((j - 1) * 2 * j * (2 * j + 1))
         total = total + term
     if of.regime and isinstance(term.value, arb):
         total = total + DualNumber(term.value.union(-term.value))  # what is left out is less than the last term
     return -t * t * t * total * words["exp"](-of.decay * t)
+
+
+def _faded_turn(
+    found: Callable[..., tuple[Any, Any]], words: dict[str, Any]
+) -> Callable[..., tuple[DualNumber, DualNumber]]:
+    """Return F = (1 - e^(-z tau))/z of z = decay + i omega as the base has it: dF = F' dz + e^(-z tau) dtau."""
+
+    def faded_turn(decay: DualNumber, omega: DualNumber, tau: DualNumber) -> tuple[DualNumber, DualNumber]:
+        fixed = DualNumber(decay.value), DualNumber(omega.value), DualNumber(tau.value)
+        re, im = map(DualNumber, found(decay.value, omega.value, tau.value))
+        sine, cosine = words["sine_cosine"](fixed[1] * fixed[2])
+        left = words["exp"](-fixed[0] * fixed[2])
+        turned = left * cosine, -left * sine
+        by_re, by_im = _turn_by_rate(*fixed, (re, im), turned, words)
+        return (
+            linear(re, (by_re, decay), (-by_im, omega), (turned[0], tau)),
+            linear(im, (by_im, decay), (by_re, omega), (turned[1], tau)),
+        )
+
+    return faded_turn
+
+
+def _turn_by_rate(
+    decay: DualNumber, omega: DualNumber, tau: DualNumber, turn: Any, turned: Any, words: dict[str, Any]
+) -> tuple[DualNumber, DualNumber]:
+    """Return F' = (tau e^(-y) - F)/z, y = z tau; next to z = 0 by the series -tau^2 sum_k (k+1) (-y)^k/(k+2)!."""
+    y, rough = (decay * tau, omega * tau), words["rough"]
+    if math.hypot(rough(y[0]), rough(y[1])) > 1:
+        square = decay * decay + omega * omega
+        re, im = (tau * one - two for one, two in zip(turned, turn, strict=True))
+        return (re * decay + im * omega) / square, (im * decay - re * omega) / square
+    re, im = words["exactly"](1.0) / 2, words["exactly"](0.0)
+    sums, enough, k = (re, im), words["tolerance"]() / 2**40, 0
+    while words["size"](re) > enough or words["size"](im) > enough:
+        k += 1
+        factor = (k + 1) * words["exactly"](1.0) / (k * (k + 2))  # of the terms (k + 1) (-y)^k/(k + 2)!
+        re, im = -(re * y[0] - im * y[1]) * factor, -(re * y[1] + im * y[0]) * factor
+        sums = sums[0] + re, sums[1] + im
+    if isinstance(re.value, arb):  # what is left out is less than the last term
+        rest = abs(re.value) + abs(im.value)
+        sums = sums[0] + DualNumber(rest.union(-rest)), sums[1] + DualNumber(rest.union(-rest))
+    return -tau * tau * sums[0], -tau * tau * sums[1]

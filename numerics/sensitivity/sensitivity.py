@@ -11,12 +11,14 @@ For a1 = 0 the derivative with respect to a1 is one-sided, towards a1 > 0. On th
 stuck for ever) neighbours with more energy slip, by amounts of second order: the derivatives are those of the stuck
 pair. Under the law three-valued-sgn a pair that sticks outside the sliding region comes apart on one side of v1 = v2:
 then, too, the derivative is the one towards the other side.
+
+Under a force (forced.py) `until` and every number of force and friction are among the parameters, by the names that
+forced_parameters.py gives them.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -32,17 +34,18 @@ from numerics.motion.frame import Frame
 from numerics.motion.modes import Mode
 from numerics.motion.records import ReducedState
 from numerics.run.families import run_telling
+from numerics.run.one import run_scene
 from numerics.run.row import solve_start
 from numerics.run.rows import Growing
 from numerics.scene import Pair, Scene, State
-from numerics.sensitivity.duals import dual
+from numerics.sensitivity.duals import dual, frozen, unit
 from numerics.trajectory.digits import EXACT, digits_within
 from numerics.trajectory.record import Record, end_length, row_length
 from numerics.trajectory.si_table import si_table
 from numerics.trajectory.trajectory import Trajectory
 
 WRT = ("x1", "v1", "x2", "v2", "m1", "m2", "a2", "b", "a1")
-"""The initial state and the parameters, in the order of the last axis of every array."""
+"""The initial state and the parameters of a free pair, in the order of the last axis of every array."""
 
 
 @dataclass(frozen=True)
@@ -54,13 +57,13 @@ class Sensitivity:
 
     wrt: tuple[str, ...]
     t: NDArray[Any]
-    """Of the time of every event, shape (k, 9)."""
+    """Of the time of every event, shape (k, p), with p = 9 without a force."""
     y: NDArray[Any]
-    """Of x1, v1, x2, v2 at every event, shape (k, 4, 9): total derivatives, the time of the event moves too."""
+    """Of x1, v1, x2, v2 at every event, shape (k, 4, p): total derivatives, the time of the event moves too."""
     final: NDArray[Any]
-    """Of x1, v1, x2, v2 at the fixed horizon, shape (4, 9); at the last event if the cap on events ended the run."""
+    """Of x1, v1, x2, v2 at the fixed horizon, shape (4, p); at the last event if the cap on events ended the run."""
     energy: NDArray[Any]
-    """Of the energy there, shape (9,)."""
+    """Of the energy there, shape (p,)."""
 
     def __repr__(self) -> str:
         """Return a short summary."""
@@ -80,12 +83,15 @@ class Sensitivity:
 def sensitivities(trajectory: Trajectory) -> Sensitivity:
     """Return the sensitivities of a trajectory, by solving its scene again, at 5 to 15 times the cost.
 
+    Under a force its path is followed once more. In balls the derivatives are enclosed; elsewhere they are approximate.
+
     It works with the arithmetic and precision of the trajectory. Where balls were asked for N digits the precision is
     raised, at most three times, until the radii are below 10^-N of the largest derivative of the same quantity by the
     same variable.
 
     Raises EventUndecided if the events are not those of the trajectory, if one falls on the horizon, or if a derivative
-    is not enclosed; OutOfRange if one leaves the range of float64.
+    is not enclosed; OutOfRange if one leaves the range of float64; NotDifferentiable, under a force, where a motion has
+    no derivative by its data, as where an event falls on a jump (motion/forced_corners.py).
     """
     base = trajectory.arithmetic
     found = _differentiate(trajectory, base)
@@ -111,6 +117,8 @@ def _proved_digits(found: Sensitivity) -> int:
 
 
 def _differentiate(trajectory: Trajectory, base: Arithmetic) -> Sensitivity:
+    if trajectory.scene.is_forced:
+        return _differentiate_forced(trajectory, base)
     arithmetic, scene = dual(base), differentiable(trajectory.scene)
     with arithmetic.context():
         record = _run(trajectory, scene, arithmetic)
@@ -135,6 +143,23 @@ def _differentiate(trajectory: Trajectory, base: Arithmetic) -> Sensitivity:
     return found
 
 
+def _differentiate_forced(trajectory: Trajectory, base: Arithmetic) -> Sensitivity:
+    """Return the same under a force, along the trajectory's own path, or along that of another precision."""
+    from numerics.sensitivity.forced import derivatives_of
+
+    path: Any = trajectory
+    if base is not trajectory.arithmetic:
+        path = run_scene(trajectory.scene, base, len(trajectory.record) + trajectory.reached)
+        if path.modes != trajectory.modes:
+            raise _undecided(trajectory, "are the events those of the trajectory?", f"{len(path.record)} events")
+    wrt, t, y, final, energy = derivatives_of(path)
+    array = dual(base).array
+    found = Sensitivity(wrt, array(t).reshape(-1, len(wrt)), array(y).reshape(-1, 4, len(wrt)), final, energy)
+    with base.context():
+        _require_finite(trajectory, found)
+    return found
+
+
 def _run(trajectory: Trajectory, scene: Scene, arithmetic: Any) -> Record:
     """Return the record of the same run over dual numbers; raises EventUndecided if its events are others."""
     # one event more than were found shows a lost one
@@ -154,27 +179,15 @@ def _run(trajectory: Trajectory, scene: Scene, arithmetic: Any) -> Record:
 def differentiable(scene: Scene) -> Scene:
     """Return the scene over exact dual numbers: each of `WRT` with its unit vector as gradient."""
     pair, at = scene.pair, scene.initial
-    units = {name: _exact(*(int(name == other) for other in WRT)) for name in WRT}
+    units = {name: unit(index, len(WRT)) for index, name in enumerate(WRT)}
     if mode_at_start(scene) is Mode.STICK:
         units["v1"] = units["v2"] = (units["v1"] * pair.m1 + units["v2"] * pair.m2) / pair.mass
     numbers = {
         name: DualNumber(getattr(pair if hasattr(pair, name) else at, name), unit) for name, unit in units.items()
     }
-    made_pair = _frozen(Pair, {name: numbers[name] for name in ("m1", "m2", "a2", "b", "a1")})
-    initial = _frozen(State, {name: numbers[name] for name in ("x1", "v1", "x2", "v2")})
+    made_pair = frozen(Pair, **{name: numbers[name] for name in ("m1", "m2", "a2", "b", "a1")})
+    initial = frozen(State, **{name: numbers[name] for name in ("x1", "v1", "x2", "v2")})
     return Scene.of(made_pair, initial, scene.until, scene.law)
-
-
-def _exact(*values: int) -> NDArray[Any]:
-    return np.array([Fraction(value) for value in values], dtype=object)
-
-
-def _frozen(kind: type[Any], values: dict[str, Any]) -> Any:
-    """Return a frozen record of what its constructor would not read: dual numbers in the place of exact ones."""
-    record: Any = object.__new__(kind)
-    for name, value in values.items():
-        object.__setattr__(record, name, value)
-    return record
 
 
 def _require_finite(trajectory: Trajectory, found: Sensitivity) -> None:

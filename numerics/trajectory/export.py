@@ -172,7 +172,9 @@ def _excess(trajectory: Any) -> NDArray[Any]:
         found = [trajectory.reduced(one).w for one in trajectory.t_eval]
     else:
         end = [trajectory.final.w] if trajectory.reached else []
-        found = [trajectory.initial.w, *trajectory.record.numbers("w"), *end]
+        forced = trajectory.scene.is_forced  # whose record has no w
+        events = [one.reduced.w for one in trajectory.events] if forced else trajectory.record.numbers("w")
+        found = [trajectory.initial.w, *events, *end]
     return np.array(found, dtype=object)
 
 

@@ -102,9 +102,9 @@ class ForcedTrajectory(Trajectory):
     def final_state(self) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at the end."""
         with self.arithmetic.context():
-            return self._enclosed(-1)
+            return self.enclosed(-1)
 
-    def _enclosed(self, row: int) -> Any:
+    def enclosed(self, row: int) -> Any:
         """Return the state at the start of a segment, with its bounds where the arithmetic has radii."""
         number = self.record.number
         if self.arithmetic.name != "ball":
@@ -136,7 +136,7 @@ class ForcedTrajectory(Trajectory):
             table = np.empty((5, len(rows)), dtype=object)
             with self.arithmetic.context():
                 for column, row in enumerate(rows):
-                    table[:, column] = [self.time_of(row) if row else self.arithmetic.number(0), *self._enclosed(row)]
+                    table[:, column] = [self.time_of(row) if row else self.arithmetic.number(0), *self.enclosed(row)]
         signs = np.array(self.signs)
         kinds = np.where(signs[1:] == 0, 0, np.where(signs[:-1] == 0, 1, 2))  # entry, exit, crossing
         entries, exits = np.count_nonzero(kinds == 0), np.count_nonzero(kinds < 2)
@@ -174,7 +174,7 @@ class ForcedTrajectory(Trajectory):
     def initial(self) -> ReducedState:
         """Return the reduced state at the start."""
         with self.arithmetic.context():
-            return self.as_reduced(self._enclosed(0))
+            return self.as_reduced(self.enclosed(0))
 
     @cached_property
     def final_energy(self) -> Number:

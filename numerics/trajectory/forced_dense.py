@@ -10,6 +10,7 @@ from numerics.arithmetic.ball_words import widened
 from numerics.arithmetic.protocol import Number
 from numerics.flows.forced_jet import state_at
 from numerics.flows.forced_records import Start
+from numerics.motion.forced import driven_at
 from numerics.motion.modes import MODES, Mode
 from numerics.trajectory.dense import Side, exact_time
 from numerics.trajectory.forced_units import unit_of_time
@@ -78,11 +79,7 @@ class ForcedDense:
             return x1, v1 * number(1 / unit), x2, v2 * number(1 / unit)
         start, (pair, drive) = self.motion_of(row), self._of.tables
         here = self._arithmetic.telling(state_at)(pair, drive, start, tau)
-        if start.mode == 0:
-            v2, x2 = here.v, start.x2 + (here.x - start.x1)
-        else:
-            gain = start.mode * (drive.numbers[drive.places[start.piece][0] + 2] / pair.m2) * tau
-            v2, x2 = start.v2 + gain, start.x2 + (start.v2 + gain / 2) * tau
+        x2, v2, _ = self._arithmetic.telling(driven_at)(pair, drive, start, here, tau)
         found = (here.x, here.v, x2, v2)
         if self._arithmetic.name != "ball":
             return found

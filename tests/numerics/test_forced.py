@@ -24,7 +24,6 @@ from numerics import (
     Scene,
     Sine,
     State,
-    sensitivities,
     solve,
     solve_many,
     solve_scenes,
@@ -32,7 +31,7 @@ from numerics import (
 from numerics.__main__ import main
 from numerics.arithmetic.ball_words import precision
 from numerics.arithmetic.float64 import Float64
-from numerics.errors import EventUndecided, InvalidScene, NoForceHere, OutOfRange
+from numerics.errors import EventUndecided, InvalidScene, OutOfRange
 from numerics.motion.forced_pieces import drive_of, pieces_of
 from numerics.motion.modes import Mode
 from numerics.run.forced import run_forced_scene
@@ -276,11 +275,6 @@ def test_free_and_forced_scenes_in_one_batch():
     assert found.success.tolist() == [True, True, False]
     with pytest.raises(InvalidScene):
         solve_many(1, 1, 200, float("nan"), until=1, force=Force.step(0, 1))
-
-
-def test_sensitivities_say_that_they_know_no_force():
-    with pytest.raises(NoForceHere, match="force"):
-        sensitivities(solve(Scene(PAIR, State(), 1, force=Force.step(0, 1))))
 
 
 def test_a_cap_on_events_ends_at_the_last_event():
