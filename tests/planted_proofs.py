@@ -175,6 +175,20 @@ CONTROL = [
         "(forall t, d < t < T -> 0 <= p t) -> False.",
         "no marginal stick",
     ),
+    ("Rule", "(load t - k * b)).", "(load t + k * b)).", "friction that drives the slip"),
+    ("Rule", "Rabs (load t) <= b. Proof", "Rabs (load t) < b. Proof", "no stick at the edge"),
+    (
+        "Rule",
+        "(forall n, Derive_n",
+        "(forall n, (n < 3)%nat -> Derive_n",
+        "a tie called marginal after three derivatives",
+    ),
+    (
+        "Drift",
+        "U (T + t) - U T = - (U t - U 0)) ->",
+        "U (T + t) - U T = U t - U 0) ->",
+        "no drift under any periodic force",
+    ),
     ("Ring", "<= e <-> T <= t)) /\\", "<= e <-> T < t)) /\\", "a tube without its edge"),
     (
         "Ring",

@@ -54,6 +54,7 @@ RULE = theorem(
             MASS / (m1 * m2) * (LOAD - S * b),
             either_sign(forced.relative_rate, {LOAD: lambda _: forced.load()}),
         ),
+        kernel=("slip-rate", "stuck-load", "follow-forced-arc"),
     ),
     clause(
         "strict",
@@ -73,10 +74,12 @@ RULE = theorem(
     clause(
         "marginal",
         r"Where all of them are zero, and $u$ is analytic, slip of sign $s$ and stick are one and the same motion.",
+        kernel=("mode-marginal",),
     ),
     clause(
         "jump",
         r"A jump of $u$ moves the strip $|\Lambda|\leqslant b$ and not the state; the rule with the values after it decides what follows.",
+        kernel=("jump-moves-strip", "mode-stick", "mode-slip", "mode-tie"),
     ),
 )
 
@@ -176,6 +179,7 @@ RESPONSE = theorem(
     clause(
         "drift",
         r"In one period body 2 moves on by $\int_0^T v_2\,dt$ of that motion; by nothing if $u(t+T/2)=-u(t)$.",
+        kernel=("drift", "no-drift"),
     ),
     clause(
         "undamped",

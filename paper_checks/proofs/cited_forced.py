@@ -35,6 +35,22 @@ FORCED: dict[str, tuple[str, str]] = {
         "Mode.tie_rule",
         "At a contact with the load b or -b the first derivative that is not 0 of what the force asks beyond b decides.",
     ),
+    "mode-marginal": (
+        "Rule.marginal",
+        "Where all of them are 0 and the force is analytic, the pair sticks at the load b, with the acceleration of the slip.",
+    ),
+    "slip-rate": (
+        "Rule.slip_rate",
+        "In slip the relative velocity has the rate that the load beyond b gives it.",
+    ),
+    "stuck-load": (
+        "Rule.stuck_load",
+        "While stuck body 2 has the acceleration load/m2, and the load is within b.",
+    ),
+    "jump-moves-strip": (
+        "Rule.jump_moves_strip",
+        "The state is continuous whatever the force does; a jump of it moves the strip |load| <= b.",
+    ),
     "no-zeno": (
         "Zeno.no_zeno",
         "Under a force that is analytic by pieces every bounded time holds finitely many changes of mode.",
@@ -71,6 +87,11 @@ FORCED: dict[str, tuple[str, str]] = {
     "periodic-response": (
         "Periodic.response",
         "With a1 > 0 a periodic bounded force has exactly one periodic motion, and it attracts all.",
+    ),
+    "drift": ("Drift.drift", "The place of body 2 changes by the integral of its velocity."),
+    "no-drift": (
+        "Drift.no_drift",
+        "With a1 > 0, if the force changes its sign after half a period, so does the periodic response, and body 2 comes back.",
     ),
     "entrains": ("Sync.entrains", "With a1 > 0 and amplitude up to F*: every motion tends to the stuck response."),
     "synchronises": (

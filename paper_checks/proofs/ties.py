@@ -25,7 +25,8 @@ Ltac circle p := let SC := fresh "SC" in pose proof (sin2_cos2 p) as SC; unfold 
 
 
 UNDER_A_FORCE = f"""(** What follows is about the pair under a force. *)
-From {LIBRARY} Require Import Forced Entrain Nonstop Undamped Damped Transfer.
+From Coquelicot Require Import Coquelicot.
+From {LIBRARY} Require Import Forced Entrain Nonstop Undamped Damped Transfer Arrival.
 """
 
 

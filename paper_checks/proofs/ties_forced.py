@@ -1,4 +1,4 @@
-"""Ties under a force: the law, both thresholds, the square wave's response, the fastest transfer."""
+"""Ties under a force: the law, both thresholds, the square wave's response, the fastest transfer and its amplitudes."""
 
 from __future__ import annotations
 
@@ -109,6 +109,18 @@ def _thresholds() -> Iterator[Tie]:
   set (w := sqrt (a2 / m1)) in *; clearbody w. field; lra.""",
     )
 
+    damped = LETTERS | {
+        response.square_place: "(turn_place m1 a1 a2 om)",
+        response.square_speed: "(turn_speed m1 a1 a2 om)",
+    }
+    yield Tie(
+        "tie_non_stop_damped",
+        "The same with a damper that lets body 1 swing.",
+        f"forall m1 m2 a1 a2 b om : R, {SINE}0 < a1 -> a1 ^ 2 < 4 * m1 * a2 -> Fslip_damped m1 m2 a1 a2 b om = "
+        f"sqrt {term(response.non_stop_amplitude_squared(), damped)}",
+        "intros. rewrite <- Fslip_swing, swing_0, swing'_0 by lra. apply tie_non_stop_amplitude; lra.",
+    )
+
 
 def _square_wave() -> Iterator[Tie]:
     """Where a square wave of friction turns, with damping."""
@@ -170,4 +182,52 @@ def _transfer() -> Iterator[Tie]:
             LETTERS | {forced_control.r_place: "(run m2 b (half_time m2 b D) t - run m2 b (half_time m2 b D) 0)"},
         ),
         "intros; unfold stuck_force; ring.",
+    )
+    yield from _amplitudes()
+
+
+def _amplitudes() -> Iterator[Tie]:
+    """What a transfer asks of the force: the theorems on it, with the amplitudes of the theory in their statements."""
+    at_turn, at_rest, late = (term(one, LETTERS) for one in forced_control.stuck_amplitudes())
+    yield Tie(
+        "tie_stuck_amplitude",
+        "The amplitude of the fastest stuck transfer.",
+        f"""forall m1 m2 a1 a2 b D F : R, {PAIR}0 <= a1 -> 0 < D ->
+  (forall t, 0 <= t -> Rabs (stuck_force m1 m2 a1 a2 b D t) <= F) <->
+  {at_turn} <= F /\\ {at_rest} <= F /\\ (0 <= {term(forced_control.late_peak(), LETTERS)} -> {late} <= F)""",
+        """intros m1 m2 a1 a2 b D F Hm1 Hm2 Ha2 Hb Ha1 HD.
+  rewrite (stuck_amplitude m1 m2 a1 a2 b D Hm1 Hm2 Ha1 Ha2 Hb HD F).
+  assert (Z : sqrt (b / m2 * D) = sqrt D * sqrt b * / sqrt m2).
+  { rewrite sqrt_mult_alt by (apply Rlt_le, Rdiv_lt_0_compat; lra). rewrite sqrt_div_alt by lra. unfold Rdiv. ring. }
+  assert (S : 0 < sqrt m2) by (apply sqrt_lt_R0; lra). rewrite Z. root m2. clear Z.
+  split; intros (A & B & C); (split; [|split; [|intros N; specialize (C ltac:(unfold Rdiv in *; lra))]]);
+    unfold Rdiv in *; repeat match goal with A : ?x <= F |- ?y <= F => replace y with x by (field; lra); assumption end.""",
+    )
+    arrival = LETTERS | {
+        forced_control.half_time: "(half_time m2 b D)",
+        sp.Symbol("g", positive=True): "(g (half_time m2 b D))",
+        forced_control.angle: "(sqrt (a2 / m1) * half_time m2 b D)",
+    }
+    yield Tie(
+        "tie_least_amplitude",
+        "The least amplitude with which body 2 arrives in the least time, by body 1's impulse response.",
+        f"""forall m1 m2 a1 a2 b D F : R, {PAIR}0 <= a1 -> 0 < D -> forall g g' : R -> R,
+  (forall t, is_derive g t (g' t)) -> (forall t, is_derive g' t (- (a2 * g t + a1 * g' t) / m1)) ->
+  g 0 = 0 -> g' 0 = / m1 -> (forall t, 0 <= t <= half_time m2 b D -> 0 <= g' t) -> 0 < g (half_time m2 b D) ->
+  (exists v, arrives m1 m2 a1 a2 b D F v) <-> {term(forced_control.slipping_amplitude(), arrival)} <= F""",
+        """intros m1 m2 a1 a2 b D F Hm1 Hm2 Ha2 Hb Ha1 HD g g' Dg Dg' G0 G0' Gp Gt.
+  rewrite (least_amplitude m1 m2 a1 a2 b D Hm1 Hm2 Ha1 Ha2 Hb HD g g' Dg Dg' G0 G0' Gp Gt F).
+  match goal with |- ?x <= F <-> ?y <= F => replace y with x by (field; lra) end. reflexivity.""",
+    )
+    yield Tie(
+        "tie_least_amplitude_undamped",
+        "The same without a damper, by the angle that body 1 turns in half of that time.",
+        f"""forall m1 m2 a2 b D F : R, {PAIR}0 < D -> sqrt (a2 / m1) * half_time m2 b D <= PI / 2 ->
+  (exists v, arrives m1 m2 0 a2 b D F v) <-> {term(forced_control.undamped_slipping_amplitude(), arrival)} <= F""",
+        """intros m1 m2 a2 b D F Hm1 Hm2 Ha2 Hb HD Hth.
+  pose proof (least_amplitude_undamped m1 m2 a2 b D F Hm1 Hm2 Ha2 Hb HD) as Q. cbv zeta in Q. rewrite (Q Hth).
+  assert (0 < sin (sqrt (a2 / m1) * half_time m2 b D)).
+  { apply sin_gt_0; [apply Rmult_lt_0_compat; [apply sqrt_lt_R0, Rdiv_lt_0_compat|apply tau_pos]; auto|
+      pose proof PI_RGT_0; lra]. }
+  match goal with |- ?x <= F <-> ?y <= F => replace y with x by (field; lra) end. reflexivity.""",
     )

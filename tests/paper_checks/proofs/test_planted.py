@@ -10,7 +10,8 @@ from paper_checks.proofs import kernel, library
 from paper_checks.proofs.sources import Source, all_required, in_order
 
 EVERYTHING = os.environ.get("PLANT") == "all"
-TIES = ["tie_critical_energy", "tie_level"]
+TIES = ["tie_critical_energy", "tie_level", "tie_non_stop_damped", "tie_least_amplitude_undamped"]
+THEOREM = re.compile(r"^Theorem .*? Qed\.\n", re.MULTILINE | re.DOTALL)
 
 pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("needs_kernel")]
 
@@ -80,17 +81,20 @@ def test_no_tie_to_a_wrong_expression_is_proved(compiled, store):
 
 
 def check_wrong_tie(compiled, store, name):
-    """Twice the theory's side of one tie."""
+    """Twice the theory's side of one tie, with the ties that its proof uses."""
     sources, _ = compiled
-    text = sources[library.TIES].text
-    header, blocks = text[: text.index("Theorem ")], re.findall(r"^Theorem .*? Qed\.\n", text, re.MULTILINE | re.DOTALL)
-    wrong = []
-    for block in blocks:
-        statement, proof = block.split(".\nProof.", maxsplit=1)
-        if f"Theorem {name} " in statement:
-            left, right = statement.rsplit(" = ", maxsplit=1)
-            wrong.append(f"{left} = 2 * {right}.\nProof.{proof}")
-            break
-        if name in {"tie_push", "tie_return_map", "tie_level"} and re.search("tie_(half_angle_h|depth) ", statement):
-            wrong.append(block)
-    assert first_broken(Source("Wrong", header + "".join(wrong)), sources, store).startswith(f"Wrong.{name} ")
+    blocks = {tie_names(block)[0]: block for block in THEOREM.findall(sources[library.TIES].text)}
+    wanted = [name]
+    for one in wanted:
+        wanted += [other for other in blocks if other not in wanted and re.search(rf"\b{other}\b", blocks[one])]
+    kept = [made_wrong(block) if one == name else block for one, block in blocks.items() if one in wanted]
+    text = THEOREM.sub("", sources[library.TIES].text) + "".join(kept)
+    assert first_broken(Source("Wrong", text), sources, store).startswith(f"Wrong.{name} ")
+
+
+def made_wrong(block):
+    """A tie with twice the right side of its last equation, or with one more in its last bound."""
+    statement, proof = block.split(".\nProof.", maxsplit=1)
+    before, sign, after = max((statement.rpartition(sign) for sign in (" = ", " <= F")), key=lambda cut: len(cut[0]))
+    changed = f"{sign}2 * {after}" if sign == " = " else f"{sign} + 1{after}"
+    return f"{before}{changed}.\nProof.{proof}"
