@@ -20,10 +20,11 @@ from numerics.control import settled
 from numerics.control.attraction import place_at
 from numerics.control.orbit import Orbit
 from numerics.control.response import last_drive, response, stuck_state
+from numerics.control.ring import ring_entry
 from numerics.control.settled import Settled, periodic_settled, stuck_settled
 from numerics.errors import EventUndecided
 from numerics.run.one import run_scene
-from numerics.scene import Force, Pair, Scene, State
+from numerics.scene import Force, Pair, Piece, Scene, State
 from numerics.solver.solve import solve
 
 HEAVY = Pair(1, 1, 1, 1, 10)
@@ -116,3 +117,13 @@ def test_the_speed_counts_even_where_nothing_is_left_to_slide(monkeypatch):
             except EventUndecided:  # next to an event of the orbit
                 continue
             assert abs(y[1, k] - y[3, k] - v1 + v2) < 1e-3
+
+
+def test_a_piece_that_begins_after_the_horizon_counts():
+    """The pair is at rest, and so it is under the last piece; one in between tears it apart."""
+    force = Force((Piece(2, [2]), Piece(3, [0])))
+    scene = Scene(Pair(1, 1, 200, "0.5", 3), State(), Fraction(1, 2), force=force)
+    found = ring_entry(scene, "0.0005", digits=8)
+    assert found.entry > 3
+    y = solve(replace(scene, until=Fraction(10))).sol(float(found.entry.mid()) + np.linspace(1e-6, 5, 400))
+    assert np.hypot(y[0] - y[2] - float(found.centre), y[1] - y[3]).max() <= 0.0005
