@@ -72,9 +72,7 @@ def test_a_slip_that_turns_back_in_between_is_not_called_a_slip():
 def strong_pieces(draw) -> Piece:
     """Polynomials up to the fifth degree and two sines, slow and fast, that outweigh the motion of a pair at rest."""
     powers = draw(st.lists(signed(decimals(-1, 2)), max_size=6))
-    sines = draw(
-        st.lists(st.builds(Sine, signed(decimals(0, 2)), decimals(-1, 2), signed(decimals(-1, 0))), max_size=2)
-    )
+    waves = st.builds(Sine, signed(decimals(0, 2)), decimals(-1, 2), signed(decimals(-1, 0)))
     return Piece(0, powers, draw(st.lists(waves, max_size=2)))
 
 
