@@ -5,7 +5,6 @@ from functools import cache
 from sympy import (
     Expr,
     ImmutableMatrix,
-    Le,
     Rational,
     Symbol,
     cancel,
@@ -82,11 +81,6 @@ def critical_energy() -> Expr:
     return factor(solve(level_semi_axis() - half_width(), E0)[0])
 
 
-def closed_level_condition() -> Expr:
-    """{E = E0} on S lies in S0, so is a closed trajectory: semi-axis <= L."""
-    return Le(level_semi_axis(), half_width())
-
-
 @cache
 def semi_axis_margin() -> Expr:
     """L^2 - semi-axis^2, m^2, as (E_cr - E0) times a positive factor: the condition and its converse."""
@@ -128,12 +122,6 @@ def captive_energy() -> Expr:
     speed_axis = sqrt(2 * E0 / diff(on_surface(), v1, 2))
     amplitude = (a2 * level_semi_axis()) ** 2 + (a1 * speed_axis) ** 2
     return factor(solve(amplitude - load_threshold() ** 2, E0)[0])
-
-
-@cache
-def excess_on_surface() -> Expr:
-    """w = E/E_cr - 1 on S, dimensionless."""
-    return factor(on_surface() / critical_energy() - 1)
 
 
 def other(quantity: Expr) -> Expr:

@@ -10,7 +10,6 @@ from functools import cache
 from sympy import (
     Abs,
     And,
-    ConditionSet,
     Eq,
     Expr,
     Gt,
@@ -18,9 +17,7 @@ from sympy import (
     Integer,
     Le,
     Lt,
-    Reals,
     Symbol,
-    Tuple,
     diff,
     factor,
     simplify,
@@ -109,11 +106,6 @@ def surface(damped: bool = False) -> Surface:
         ray_minus=ray(-1),
         ray_plus=ray(1),
     )
-
-
-def as_set(condition: Expr) -> ConditionSet:
-    """A part of S as a subset of the state space R^3 of (x1, v1, v2)."""
-    return ConditionSet(Tuple(x1, v1, v2), condition, Reals**3)
 
 
 @cache

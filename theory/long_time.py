@@ -7,11 +7,11 @@ that converges; pi A grows as the time does. Solving it for y gives the expansio
 
 from functools import cache
 
-from sympy import Expr, Integer, Symbol, cancel, diff, expand, log, pi, series, solve
+from sympy import Expr, Symbol, cancel, diff, expand, log, pi, series, solve
 
 from theory.near_critical import cycle_limit
 from theory.return_map import return_map_series, scaled_excess
-from theory.symbols import q, r
+from theory.symbols import q
 
 step = Symbol("a", positive=True)
 curvature = Symbol("b", positive=True)
@@ -78,8 +78,3 @@ def logarithm_coefficient() -> Expr:
 def balanced_share() -> Expr:
     """The share r = m2/M at which the logarithm vanishes: 2/5, that is m1/m2 = 3/2."""
     return 1 - solve(logarithm_weight(), q)[0]
-
-
-def printed_logarithm_coefficient() -> Expr:
-    """pi (1 - 2/(5 r)) as the theorem states it."""
-    return pi * (Integer(1) - Integer(2) / (5 * r))

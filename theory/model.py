@@ -8,7 +8,7 @@ physical.
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Lt, Piecewise, Rational, S, factor, solve
+from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Rational, S, factor, solve
 
 from theory.symbols import a1, a2, acceleration1, acceleration2, b, free, m1, m2, sgn, u, v1, v2, x1
 
@@ -123,12 +123,6 @@ def stick() -> Branch:
 def slip(sign: int) -> Branch:
     """Mode (ii) with sgn(z') = sign, which is 1 or -1."""
     return branch_named({1: "slip+", -1: "slip-"}[sign])
-
-
-@cache
-def stiction_condition() -> Expr:
-    """The stiction condition |x1''| < b/m2 with the acceleration of stick put in (SI)."""
-    return Lt(Abs(stick().acceleration1), b / m2)
 
 
 @cache

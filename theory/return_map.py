@@ -101,12 +101,6 @@ def landing_residuals() -> tuple[Expr, Expr, Expr]:
 
 
 @cache
-def depth_slope() -> Expr:
-    """c' = (theta - sin theta)/(1 - cos theta) = h: the depth grows at the rate h; checked by its residual."""
-    return h()
-
-
-@cache
 def depth_slope_residual() -> Expr:
     """c' - h: 0."""
     return half_tangent_form(diff(in_trigonometry(depth()), theta) - h())

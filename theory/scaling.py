@@ -108,9 +108,3 @@ def excess_rate(sign: int, damped: bool = False) -> Expr:
 def canonical_pair() -> dict[Symbol, Expr]:
     """SI parameters for which L = Omega = M = 1: its SI formulas are the reduced ones."""
     return {symbol: value.subs({L: 1, M: 1, Omega: 1}) for symbol, value in parameters().items()}
-
-
-def units_of_canonical_pair() -> tuple[Expr, ...]:
-    """L, Omega and M of the canonical pair: (1, 1, 1) if the scaling is consistent."""
-    sizes = (half_width(), stick_frequency(), total_mass())
-    return tuple(simplify(size.subs(canonical_pair(), simultaneous=True)) for size in sizes)

@@ -124,11 +124,6 @@ def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: i
     raise EventUndecided("how large does the reference's acceleration get?", best.str(6), working_digits())
 
 
-def same_value(one: Derivative, two: Derivative, t: Fraction) -> bool:
-    """Return whether two derivatives of the same order have the same value at t; exact."""
-    return one.at(t) == two.at(t)
-
-
 def ends(pieces: tuple[Piece, ...], until: Fraction) -> Iterator[tuple[Piece, Fraction]]:
     """Yield each piece that begins before `until` with the time at which it ends."""
     for index, piece in enumerate(pieces):

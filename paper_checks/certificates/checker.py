@@ -30,7 +30,6 @@ from flint import arb, fmpq
 CERTIFICATE = Path(__file__).with_name("critical_ratio.json")
 _BITS = 400
 _TURNING_ORDER = ["above", "falling", "below"]
-_CONSTANTS = ("half_angle", "share", "m1_over_m2", "m2_over_m1")
 
 
 def objections(text: str) -> list[str]:

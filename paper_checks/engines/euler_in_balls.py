@@ -39,8 +39,6 @@ class EulerRun:
     """Pairs of consecutive steps, both in |x1| <= L, between which z' changes its sign."""
     adhesion: int | None
     """The first step after such a change: where the run first sticks. None if it never does."""
-    largest_chatter: arb
-    """Largest |z'| beside such a change, m/s."""
     energy_ratio: arb
     """E at the end over E at the start, dimensionless."""
 
@@ -60,15 +58,14 @@ def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
         raise ValueError("a1 must be 0 and the start must slip")
     with BALL.context():
         number = BALL.number
-        h, width, zero = number(step), number(pair.half_width), number(0)
+        h, width = number(step), number(pair.half_width)
         spring, push = number(step * pair.a2 / pair.m1), number(step * pair.b / pair.m1)
         driven = number(step * pair.b / pair.m2)
         x1, v1, relative = number(at.x1), number(at.v1), number(at.v1 - at.v2)
-        steps, contact, chatter, adhesion, largest = int(until / step), None, 0, None, zero
+        steps, contact, chatter, adhesion = int(until / step), None, 0, None
         sign, inside = (1 if at.v1 > at.v2 else -1), abs(at.x1) <= pair.half_width
         for n in range(1, steps + 1):
             dv1 = -(spring * x1 + sign * push)
-            before = relative
             x1, v1, relative = x1 + h * v1, v1 + dv1, relative + dv1 - sign * driven
             now, edge = _sign(relative, "sign of the relative velocity", n), _sign(abs(x1) - width, "in the strip?", n)
             still_inside = edge <= 0
@@ -78,11 +75,10 @@ def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
             if now * sign < 0 and inside and still_inside:
                 chatter += 1
                 adhesion = adhesion or n
-                largest = largest.max(abs(before)).max(abs(relative))
             sign, inside = now, still_inside
         v2 = v1 - relative
         energy = number(pair.a2) * x1 * x1 + number(pair.m1) * v1 * v1 + number(pair.m2) * v2 * v2
-        return EulerRun(step, steps, contact, chatter, adhesion, largest, energy / number(2 * scene.energy))
+        return EulerRun(step, steps, contact, chatter, adhesion, energy / number(2 * scene.energy))
 
 
 def _sign(value: arb, question: str, step: int) -> int:

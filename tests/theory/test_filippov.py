@@ -104,12 +104,6 @@ def test_a_ray_has_no_points_with_inward_velocity(state, part):
     assert condition.subs(dict(zip((x1, v1, v2), state, strict=True))) == False  # noqa: E712
 
 
-def test_a_part_is_a_set_of_states():
-    sliding = filippov.as_set(filippov.surface().sliding.subs(NUMBERS))
-    assert (S(0), S(1), S(1)) in sliding
-    assert (S(0), S(1), S(2)) not in sliding
-
-
 @BOTH
 def test_the_convex_combination_is_tangent_and_its_weight_fits_on_s0_only(damped, same):
     alpha = filippov.sliding_weight(damped)

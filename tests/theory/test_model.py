@@ -18,7 +18,6 @@ from theory.symbols import (
     sgn,
     total_mass,
     u,
-    undamped,
     v1,
     v2,
     x1,
@@ -121,12 +120,6 @@ def test_free_system_agrees_with_the_branches_off_the_surface_and_not_on_it(same
     # The set-valued sign that makes both accelerations equal gives stick.
     adhesion = -m2 * free(a1 * v1 + a2 * x1) / (total_mass() * b)
     assert all(same(left, right) for left, right in zip(model.free_system(adhesion), model.stick().field, strict=True))
-
-
-def test_stiction_condition_is_the_load_below_its_threshold():
-    condition = undamped(free(model.stiction_condition()))
-    assert simplify(condition.lhs - a2 * Abs(x1) / total_mass()) == 0
-    assert condition.rhs == b / m2
 
 
 def test_the_printed_equations_5_and_6(same):
