@@ -16,8 +16,9 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.linear import X2, Motion, value
 from numerics.control.non_stop import non_stop_edge
 from numerics.control.orbit import Drive, Orbit
-from numerics.control.response import Regime, Response, stuck_state
+from numerics.control.response import Regime, Response
 from numerics.control.signals import Derivative
+from numerics.control.stuck import entrained, flattened_state, stuck_state
 from numerics.control.thresholds import non_stop_threshold, stiffness
 from numerics.control.tracking import Tracking
 from numerics.scene import Pair
@@ -106,6 +107,8 @@ def _over_a_period(found: Response) -> tuple[Floats, NDArray[np.bool_]]:
         state = stuck_state(found.drive, arb(0))
         if found.regime is Regime.GROWS or state is None:
             return np.zeros((6, 2)), np.zeros(2, dtype=bool)
+        if not entrained(found.drive):
+            state = flattened_state(found.drive, arb(0))
         table = sampled_motion(found.drive.mode(0).motion(state, arb(0)), found.drive.period)
     return table, np.full(table.shape[1], True)
 

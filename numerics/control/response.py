@@ -17,11 +17,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import working_digits
 from numerics.control.asked import Tell, most_digits, silent, to_digits
 from numerics.control.given_sine import given_sine
-from numerics.control.linear import ONE, Row
-from numerics.control.modes_proved import is_positive_inside
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.search import MAX_EVENTS, Search
-from numerics.control.thresholds import Thresholds, load_margin, stiffness, thresholds
+from numerics.control.stuck import entrained, others_stick, stuck_multipliers
+from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.scene import Force, Law, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import Exact
@@ -129,7 +128,7 @@ def _attempt(drive: Drive, known: Thresholds | None, digits: int, search: Search
     if growth > 0:
         found = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
         return found, [growth]
-    if entrained(drive):
+    if entrained(drive) or others_stick(drive, known):
         return _entrained(drive, known, digits)
     return _of_orbit(search.orbit(drive), known, digits)
 
@@ -149,49 +148,21 @@ def resonant_growth(drive: Drive) -> arb:
     return over / (2 * Ball.number(pair.m1)) if over > 0 else arb(0)
 
 
-def entrained(drive: Drive) -> bool:
-    """Return whether the stuck response exists: |Lambda| <= b along it. Raises EventUndecided."""
-    sines = drive.piece.sines
-    if len(sines) == 1:
-        return load_margin(drive.pair, sines[0].amplitude, sines[0].omega) >= 0
-    state = stuck_state(drive, arb(0))
-    if state is None:
-        return False
-    motion = drive.mode(0).motion(state, arb(0))
-    rows: list[Row] = []
-    for side in (1, -1):
-        rows.append((*((place, -side * c) for place, c in motion.mode.load), (ONE, drive.b)))
-    if all(is_positive_inside(motion, row, drive.period) for row in rows):
-        return True
-    steps = 4096
-    if any(motion.range(row, drive.period * k / steps) < 0 for row in rows for k in range(steps)):
-        return False
-    raise EventUndecided("does friction hold the pair in its stuck response?", "load near b", working_digits())
-
-
-def stuck_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb] | None:
-    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0."""
-    pair, number = drive.pair, Ball.number
-    x, v = number(sum(drive.piece.polynomial, Fraction(0)) / pair.a2), arb(0)
-    for one in drive.piece.sines:
-        if stiffness(pair, pair.mass, one.omega).is_zero():
-            return None
-        below = acb(number(pair.a2 - pair.mass * one.omega**2), number(pair.a1 * one.omega))
-        turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase)))
-        moved = turned * number(one.amplitude) / below
-        x, v = x + moved.imag, v + number(one.omega) * moved.real
-    return x, v, arb(0), v
+_FLATTENED = (
+    "not all motions do; the response breaks, but with a free oscillation that flattens the load's peaks they stick"
+)
 
 
 def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:
     pair = drive.pair
     if pair.a1 == 0:
         why = "not all motions tend to it: a free oscillation of the stuck pair stays"
-        if known is not None and known.exception:
-            why += "; other stuck motions exist up to larger amplitudes, as Omega/omega is odd"
-        pairs = _stuck_multipliers(drive)
+        if known is not None and known.exception is not None:
+            up_to = f"up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
+            why = f"{why}; others stick {up_to}" if entrained(drive) else f"{_FLATTENED} {up_to}"
+        pairs = stuck_multipliers(drive)
         return Response(drive, Regime.ENTRAINED, known, None, pairs, arb(0), arb(0), why, digits), []
-    multipliers: tuple[acb, ...] | None = _stuck_multipliers(drive)
+    multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
     sine = drive.piece.sines[0]
     touches = len(drive.piece.sines) == 1 and load_margin(pair, sine.amplitude, sine.omega) == 0
     why = "every motion tends to it, and sticks after a finite time"
@@ -199,15 +170,6 @@ def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> tuple[Res
         multipliers, why = None, "every motion tends to it; its load touches the limit"
     found = Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
     return found, [abs(one) for one in multipliers or ()]
-
-
-def _stuck_multipliers(drive: Drive) -> tuple[acb, ...]:
-    """Return exp(lambda T) of the stuck pair's two rates, and 0: w dies in a finite time."""
-    pair, number = drive.pair, Ball.number
-    half, squared = pair.a1 / (2 * pair.mass), (pair.a1 / (2 * pair.mass)) ** 2 - pair.a2 / pair.mass
-    rest = number(abs(squared)).sqrt()
-    rates = [acb(0, rest), acb(0, -rest)] if squared < 0 else [acb(rest), acb(-rest)]
-    return (*(acb.exp((one - number(half)) * drive.period) for one in rates), acb(0))
 
 
 def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:

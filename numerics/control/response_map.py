@@ -5,11 +5,13 @@
                looked at; where w is not proved > 0 the cell is undecided
     between    U* < U < U** over the cell: slips, and sticks or reverses more than twice a period
 
-For a1 = 0 a verdict says that such a motion exists ("between": that neither of the others does).
+For a1 = 0 a verdict says that such a motion exists ("between": that neither of the others does; at a frequency whose
+3rd, 5th, ... multiple is Omega that is so from U*/cos(pi omega/(2 Omega)) on).
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
@@ -21,7 +23,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.non_stop import keeps_slipping
-from numerics.control.thresholds import entrainment_threshold, non_stop_over
+from numerics.control.thresholds import entrainment_threshold, flattest_peak, non_stop_over
 from numerics.errors import InvalidMap
 from numerics.quadtree.tree import Leaf, Progress, Side, Sides, Verdicts, leaves_of, shares
 from numerics.scene import Pair
@@ -116,13 +118,22 @@ def decide(pair: Pair, sides: Sides) -> Regimes:
     return found or Regimes.UNDECIDED
 
 
+def _flattening(pair: Pair, omega: arb) -> arb:
+    """Return the factor above U* up to which stuck motions may exist over a ball of frequencies."""
+    if pair.a1 > 0:
+        return arb(1)
+    ratio = Ball.number(pair.a2 / pair.mass).sqrt() / omega
+    odd = max(3, 2 * math.ceil((float(ratio.lower()) - 1) / 2 - 1e-9) + 1)  # the least odd number >= 3 in it, or below
+    return 1 / flattest_peak(odd) if arb(odd) <= ratio.upper() else arb(1)
+
+
 def _decide_slice(pair: Pair, omega: arb, low: arb, high: arb) -> Regimes:
     """Return what is proved of the amplitudes from low to high over a ball of frequencies."""
     stuck = entrainment_threshold(pair, omega)
     if high <= stuck:
         return Regimes.ENTRAINED
     slipping = non_stop_over(pair, omega)
-    if low > stuck and high < slipping:
+    if low > stuck * _flattening(pair, omega) and high < slipping:
         return Regimes.BETWEEN
     if low > slipping and keeps_slipping(pair, low, omega):
         return Regimes.NON_STOP

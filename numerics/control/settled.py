@@ -19,7 +19,7 @@ from numerics.arithmetic.ball_words import sqrt
 from numerics.control.attraction import distance, place_at, slide_left
 from numerics.control.legs import Stretch, stretches
 from numerics.control.orbit import Drive, Orbit
-from numerics.control.response import stuck_state
+from numerics.control.stuck import stuck_state
 from numerics.control.thresholds import stiffness
 from numerics.errors import EventUndecided
 from numerics.long_time.resting_place import RestingPlace, creeping_place, resting_place

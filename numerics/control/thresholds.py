@@ -34,14 +34,15 @@ class Thresholds:
 
     `non_stop` is infinite where a1 = 0 and omega1/omega is an odd whole number > 1: there friction and body 1 are in
     resonance, and no force keeps the pair slipping with two reversals a period. `entrainment` is exactly 0 at the
-    resonance of the stuck pair without damper. `exception`: a1 = 0 and Omega/omega is an odd whole number >= 3, where
-    stuck motions other than the response exist above U* (a free oscillation flattens the peaks of the acceleration).
+    resonance of the stuck pair without damper. `exception` (N), None but where a1 = 0 and Omega/omega = n is an odd
+    whole number >= 3: up to U*/cos(pi/(2 n)) other stuck motions exist, whose free oscillation flattens the peaks of
+    the acceleration.
     """
 
     omega: Fraction
     entrainment: arb
     non_stop: arb
-    exception: bool
+    exception: arb | None
     digits: int
 
 
@@ -59,8 +60,11 @@ def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int | 
 
     def attempt(_: Ball) -> tuple[Thresholds, list[arb]]:
         low, high = entrainment_threshold(pair, rate), non_stop_threshold(pair, rate)
-        found = Thresholds(rate, low, high, _odd_ratio(pair.a2 / pair.mass, rate, pair), digits)
-        return found, [low] if non_stop_is_infinite(pair, rate) else [low, high]
+        odd = odd_ratio(pair.a2 / pair.mass, rate, pair)
+        flattened = None if odd is None else low / flattest_peak(odd)
+        found = Thresholds(rate, low, high, flattened, digits)
+        finite = [] if non_stop_is_infinite(pair, rate) else [high]
+        return found, [low, *finite, *([] if flattened is None else [flattened])]
 
     return to_digits(attempt, digits, max_digits)
 
@@ -97,7 +101,7 @@ def non_stop_threshold(pair: Pair, omega: Fraction) -> arb:
 
 def non_stop_is_infinite(pair: Pair, omega: Fraction) -> bool:
     """Return whether a1 = 0 and omega1/omega is an odd whole number >= 3: no U** then; exact."""
-    return _odd_ratio(pair.a2 / pair.m1, omega, pair)
+    return odd_ratio(pair.a2 / pair.m1, omega, pair) is not None
 
 
 def non_stop_over(pair: Pair, omega: Fraction | arb) -> arb:
@@ -148,8 +152,14 @@ def hypot(x: arb, y: arb) -> arb:
     return abs(y) if x.is_zero() else sqrt(x * x + y * y)
 
 
-def _odd_ratio(squared_rate: Fraction, omega: Fraction, pair: Pair) -> bool:
-    """Return whether a1 = 0 and rate/omega is an odd whole number >= 3; exact."""
+def flattest_peak(odd: int) -> arb:
+    """Return the least max |sin t + c sin(n t + phase)| over c and phase for an odd n >= 3: cos(pi/(2 n))."""
+    return (arb.pi() / (2 * odd)).cos()
+
+
+def odd_ratio(squared_rate: Fraction, omega: Fraction, pair: Pair) -> int | None:
+    """Return rate/omega if a1 = 0 and that is an odd whole number >= 3, else None; exact."""
     ratio = squared_rate / omega**2
     root = math.isqrt(ratio.numerator)
-    return pair.a1 == 0 and ratio.denominator == 1 and root**2 == ratio and root % 2 == 1 and root >= 3
+    is_odd = pair.a1 == 0 and ratio.denominator == 1 and root**2 == ratio and root % 2 == 1 and root >= 3
+    return root if is_odd else None

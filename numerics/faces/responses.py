@@ -42,12 +42,14 @@ def tell_response(options: argparse.Namespace) -> int:
     shown = {name: text for name, text in told.items() if isinstance(text, str)}
     labels = {
         "entrainment": "U*",
+        "exception": "other motions stick up to U*/cos(pi omega/(2 Omega))",
         "non_stop": "U**, necessary for no stops",
         "drift": "mean velocity of body 2",
         "growth": "v1's amplitude grows by",
     }
     units = {
         "entrainment": "N",
+        "exception": "N",
         "non_stop": "N",
         "drift": "m/s",
         "growth": "m/s^2 at least",
@@ -112,8 +114,8 @@ def _of_response(found: Response) -> dict[str, Any]:
     }
     values = {"drift": found.drift, "growth": found.growth if found.growth > 0 else None}
     if known is not None:
-        values = {"entrainment": known.entrainment, "non_stop": known.non_stop, **values}
-        told["exception"] = known.exception
+        edges = {"entrainment": known.entrainment, "exception": known.exception, "non_stop": known.non_stop}
+        values = edges | values
         if found.growth == 0:
             told["slips_for_ever"] = _slips_for_ever(found)
     multipliers = found.multipliers or ()

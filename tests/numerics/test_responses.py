@@ -21,6 +21,7 @@ from numerics.control.figures import draw_response
 from numerics.control.linear import LinearMode, W
 from numerics.control.orbit import Drive, Orbit, prove_modes, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
+from numerics.control.stuck import flattened_state
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
 
@@ -248,3 +249,16 @@ def test_a_range_over_times_holds_the_values_at_them(m1, a1, side, length):
             wide = motion.range(row, begin.union(end), order)
             for k in range(5):
                 assert wide.overlaps(motion.range(row, begin + (end - begin) * k / 4, order))
+
+
+@pytest.mark.parametrize(("amplitude", "sticks"), [("8.5", True), ("-9.2", True), ("9.3", False)])
+def test_where_a_free_oscillation_lets_the_pair_stick_that_is_the_answer(amplitude, sticks):
+    """Omega = 3 omega, U* = 8 N, and stuck motions up to 9.2376 N: above U* the response breaks and they do not."""
+    drive = steady_drive(under(Pair(1, 1, 450, "0.5"), amplitude, 5))
+    found = response(under(Pair(1, 1, 450, "0.5"), amplitude, 5))
+    assert (found.regime is Regime.ENTRAINED) == sticks
+    with Ball(20).context():
+        x1, v1, _, _ = (Fraction(float(one)) for one in flattened_state(drive, arb(0)))
+    scene = Scene(drive.pair, State(x1=x1, v1=v1, v2=v1), until=4, force=Force.sine(amplitude, 5))
+    assert (not referred(scene).events) == sticks
+    assert draw_response(found).axes

@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 import mpmath
+import numpy as np
 import pytest
 from control_scenes import referred
 from flint import arb
@@ -64,10 +65,36 @@ def test_resonances_are_exact():
     assert thresholds(free, 10).entrainment.is_zero()
     assert thresholds(Pair(1, 1, 100, "0.5"), 10, digits=30).non_stop.overlaps(2 / arb.pi())
     assert not thresholds(Pair(1, 1, 900, "0.5"), 10).non_stop.is_finite()  # friction drives body 1 at 3 omega
-    assert thresholds(Pair(1, 1, 1800, "0.5"), 10).exception
-    assert not thresholds(Pair(1, 1, 1800, "0.5", "0.001"), 10).exception
+    assert thresholds(Pair(1, 1, 1800, "0.5", "0.001"), 10).exception is None
     near_one = thresholds(Pair(1, 1, 100, "0.5"), "10.00000000000000000001", digits=15).non_stop
     assert abs(near_one - Ball.number(Fraction(636619772367581343, 10**18))) < 1e-15
+
+
+@pytest.mark.parametrize("odd", [3, 5, 7])
+def test_a_free_oscillation_lets_the_pair_stick_up_to_a_larger_amplitude(odd):
+    """Omega = n omega: from the start that flattens its peaks the reference sticks up to U*/cos(pi/(2 n))."""
+    pair, omega = Pair(1, 1, 2 * (10 * odd) ** 2, "0.5"), 10
+    known = thresholds(pair, omega)
+    assert (known.exception * (arb.pi() / (2 * odd)).cos()).overlaps(known.entrainment)
+    for factor, sticks in (("0.999999", True), ("1.000001", False)):
+        amplitude = Fraction(float(known.exception)) * Fraction(factor)
+        # x'' = -omega^2 A (sin + c sin(n omega t)) with c = +-sin(pi/(2 n))/n, whose peaks are the lowest
+        A = float(amplitude) / (float(pair.a2) - 2 * omega**2)
+        c = -((-1) ** ((odd - 1) // 2)) * np.sin(np.pi / (2 * odd)) / odd
+        speed = Fraction(float(A * omega * (1 + c / odd)))
+        scene = Scene(pair, State(v1=speed, v2=speed), until=3, force=Force.sine(amplitude, omega))
+        assert (not referred(scene, digits=40).events) == sticks
+
+
+def test_the_map_leaves_open_where_a_free_oscillation_may_let_the_pair_stick():
+    pair, omega = Pair(1, 1, 1800, "0.5"), Fraction(10)
+    edge = Fraction(float(thresholds(pair, omega).entrainment))
+    near = (omega - Fraction(1, 1000), omega + Fraction(1, 1000))
+    away = (omega + Fraction(1, 100), omega + Fraction(1, 50))
+    above, beyond = ((edge * Fraction(one, 100), edge * Fraction(one + 1, 100)) for one in (112, 117))
+    assert decide(pair, (near, above)) is Regimes.UNDECIDED
+    assert decide(pair, (near, beyond)) is Regimes.BETWEEN
+    assert decide(pair, (away, above)) is Regimes.BETWEEN
 
 
 @pytest.mark.parametrize("omega", ["1e-6", "1e-29", "1e-30", "1e-60"])
