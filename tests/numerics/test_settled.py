@@ -19,9 +19,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.control import settled
 from numerics.control.attraction import place_at
 from numerics.control.orbit import Orbit
-from numerics.control.response import last_drive, response, stuck_state
+from numerics.control.response import last_drive, response
 from numerics.control.ring import ring_entry
 from numerics.control.settled import Settled, periodic_settled, stuck_settled
+from numerics.control.stuck import stuck_state
 from numerics.errors import EventUndecided
 from numerics.run.one import run_scene
 from numerics.scene import Force, Pair, Piece, Scene, State
