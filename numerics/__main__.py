@@ -40,12 +40,12 @@ def parser() -> argparse.ArgumentParser:
     solve.set_defaults(run=solving.solve_scene)
     solve.add_argument("scene", metavar="SCENE", help="TOML file, or the short name of a shipped scene")
     solve.add_argument(
-        "--digits", type=positive, metavar="N", help="right digits wanted; the cheapest arithmetic that has them"
+        "--digits", type=positive, metavar="N", help="right digits wanted, in the cheapest arithmetic that has them"
     )
     solve.add_argument(
         "--arithmetic",
         choices=["float64", "double-double", "mpmath", "ball"],
-        help="without --digits: ball, which proves 15; float64 and double-double bound their errors",
+        help="one for all; without --digits ball proves 15 digits, float64 and double-double bound their errors",
     )
     solve.add_argument(
         "--max-events", type=positive, default=250_000, metavar="N", help="stop after N events (%(default)s)"
@@ -77,7 +77,7 @@ def _add_energy(subcommands: argparse._SubParsersAction[argparse.ArgumentParser]
     energy.add_argument("--at", required=True, metavar="T", help="time in s, a decimal such as 1e100")
     energy.add_argument("--digits", type=positive, default=15, metavar="N", help="right digits wanted (%(default)s)")
     energy.add_argument("--json", action="store_true", help="print the answer as JSON")
-    energy.add_argument("--explain", action="store_true", help="say which road was taken, and why")
+    energy.add_argument("--explain", action="store_true", help="say which method was used, and why")
     energy.add_argument(
         "--max-steps", type=positive, default=200_000, metavar="N", help="cap on stepped events (%(default)s)"
     )
@@ -133,7 +133,9 @@ def _add_trade(subcommands: argparse._SubParsersAction[argparse.ArgumentParser])
         "--only", nargs="+", default=[], metavar="NAME", help="contenders and scenes whose names contain NAME"
     )
     trade.add_argument(
-        "--interface", action="store_true", help="only what a user waits for, beside the run inside: a minute"
+        "--interface",
+        action="store_true",
+        help="only the times of whole calls beside that of the solver inside: a minute",
     )
     trade.add_argument("--json", action="store_true", help="print every measurement as JSON")
     trade.add_argument(

@@ -65,23 +65,27 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--json", action="store_true", help="print a JSON list")
     run.add_argument("--times", action="store_true", help="show how long each claim took")
     run.set_defaults(command=_run)
-    claims = commands.add_parser("list", help="print the claims and the verdicts on record")
+    claims = commands.add_parser("list", help="print the claims, their verdicts on record, and what those rest on")
     claims.add_argument("--json", action="store_true", help="print a JSON list")
     claims.set_defaults(command=_list)
     report = commands.add_parser("report", help="write the report", epilog=EPILOGUE)
     reporting.add_arguments(report)
     report.set_defaults(command=_report)
-    explore = commands.add_parser("explore", help="write a page on which a reader plays with the pair")
+    explore = commands.add_parser("explore", help="write a page on which you can play with the pair")
     explore.add_argument("--out", type=Path, default=Path("explore.html"), metavar="F", help="default: %(default)s")
     explore.set_defaults(command=_explore)
-    plant = commands.add_parser("plant", help="change every formula of every clause, and see that its row turns")
+    plant = commands.add_parser(
+        "plant", help="plant faults in every formula of every clause, and count the rows that notice"
+    )
     plant.add_argument("ids", nargs="*", metavar="ID", help="claims to plant faults in; all without it")
     plant.set_defaults(command=_plant)
     source = commands.add_parser("source", help="say whether a file is the text of the paper that was checked")
     source.add_argument("file", type=Path, metavar="FILE")
     source.set_defaults(command=_source)
     for command in (run, report):
-        command.add_argument("--seed", type=_seed, default=0, metavar="N", help="of random cases; default: %(default)s")
+        command.add_argument(
+            "--seed", type=_seed, default=0, metavar="N", help="seed of the random cases; default: %(default)s"
+        )
         command.add_argument(
             "--jobs", type=_number, metavar="N", help="processes that decide rows; default: one a core"
         )
@@ -125,15 +129,18 @@ def _run(options: argparse.Namespace) -> int:
 
 def _list(options: argparse.Namespace) -> int:
     from paper_checks.ledger import CLAIMS
+    from paper_checks.running import rows
+    from paper_checks.running.kept import Kept
 
+    found = rows.kept(CLAIMS, Kept(seed=0)) if options.program else {}
     if options.json:
         from paper_checks.report import json
 
-        sys.stdout.write(json.render_claims(CLAIMS))
+        sys.stdout.write(json.render_claims(CLAIMS, found))
     else:
         from paper_checks.report.terminal import print_claims
 
-        print_claims(_console(), CLAIMS)
+        print_claims(_console(), CLAIMS, found)
     return 0
 
 
@@ -183,7 +190,7 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
     known = [claim.id for claim in CLAIMS]
     for name in ids:
         if name not in known:
-            near = difflib.get_close_matches(name, known, n=3, cutoff=0.5)
+            near = difflib.get_close_matches(name, [*known, *COMMANDS], n=3, cutoff=0.5)
             hint = f"did you mean {', '.join(near)}?" if near else "`list` prints the ids"
             _complain(f"unknown claim {name!r}; {hint}")
             return None

@@ -39,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--summary", action="store_true", help="the report on two pages: summary.html, .tex or .pdf")
     parser.add_argument(
-        "--steps", action="store_true", help="print in LaTeX and PDF the steps that the page folds, too"
+        "--steps", action="store_true", help="print all steps in LaTeX and PDF; the HTML page has them folded"
     )
     parser.add_argument(
         "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"

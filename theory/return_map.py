@@ -1,12 +1,12 @@
 """Every slip that starts on S, in closed form; the return map from ray to ray (a1 = 0, reduced coordinates).
 
-Mirror the pair so that the slip starts at X = 1 + q d, V1 = V2 = sqrt(q) u with d >= 0 and v1 < v2; on the ray l_+
+Mirror the pair so that the slip starts at X = 1 + q d, V1 = V2 = sqrt(q) nu with d >= 0 and v1 < v2; on the ray l_+
 d = 0.  With the depth c(theta) = 2 - theta cot(theta/2) and h of ``theory.excursion`` it ends at the one angle in
 (0, 2 pi) with
 
-    h(theta) - d cot(theta/2) = u
+    h(theta) - d cot(theta/2) = nu
 
-and there d' = -(d + c), u' = u - theta, w' = w - q r c (c + 2 d), duration sqrt(q) theta. From a ray, with y = w/q,
+and there d' = -(d + c), nu' = nu - theta, w' = w - q r c (c + 2 d), duration sqrt(q) theta. From a ray, with y = w/q,
 y = h^2 and y' = h^2 - r c^2: the mass ratio enters as a factor only. All expressions are exact unless said otherwise.
 """
 
@@ -20,7 +20,7 @@ from theory.scaling import excess
 from theory.symbols import V1, V2, X, epsilon, overshoot, q, r, theta
 
 gap = Symbol("d", nonnegative=True)  # (X - 1)/q at the start
-push = Symbol("u", real=True)  # V1/sqrt(q) at the start
+push = Symbol("nu", real=True)  # V1/sqrt(q) at the start
 scaled_excess = Symbol("y", positive=True)  # w/q
 
 
@@ -35,13 +35,13 @@ def half_cotangent() -> Expr:
 
 
 def contact_condition() -> Expr:
-    """h(theta) - d cot(theta/2) - u: zero exactly at the end of the slip."""
+    """h(theta) - d cot(theta/2) - nu: zero exactly at the end of the slip."""
     return h() - gap * cot(theta / 2) - push
 
 
 @cache
 def reduced_guard() -> Expr:
-    """(V1 - V2)/sqrt(q) along a slip from S, in d, u and theta; negative while it lasts."""
+    """(V1 - V2)/sqrt(q) along a slip from S, in d, nu and theta; negative while it lasts."""
     start = {overshoot: q * gap, epsilon: sqrt(q) * push}
     return expand(slip_from_outside().guard.subs(start, simultaneous=True) / sqrt(q))
 
@@ -71,7 +71,7 @@ def contact_slope_residual() -> Expr:
 
 @dataclass(frozen=True)
 class Landing:
-    """Where a slip from S ends: gap d', push u', and w' - w (dimensionless, exact)."""
+    """Where a slip from S ends: gap d', push nu', and w' - w (dimensionless, exact)."""
 
     gap: Expr
     push: Expr
@@ -79,7 +79,7 @@ class Landing:
 
 
 def landing() -> Landing:
-    """d' = -(d + c), u' = u - theta, w' - w = -q r c (c + 2 d)."""
+    """d' = -(d + c), nu' = nu - theta, w' - w = -q r c (c + 2 d)."""
     return Landing(-(gap + depth()), push - theta, -q * r * depth() * (depth() + 2 * gap))
 
 

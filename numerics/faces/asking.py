@@ -28,7 +28,9 @@ def add_control(subcommands: _Subcommands[argparse.ArgumentParser]) -> None:
     ring = _of_a_scene(subcommands, "ring", "when the relative motion enters its tolerance ring for good")
     ring.set_defaults(run=plans.tell_ring)
     ring.add_argument("--radius", required=True, metavar="R", help="radius of the ring about the limit of x1 - x2, m")
-    ring.add_argument("--rate", default="1", metavar="W", help="v1 - v2 counts as (v1 - v2)/W, 1/s (%(default)s)")
+    ring.add_argument(
+        "--rate", default="1", metavar="W", help="divides v1 - v2, to make metres of it, 1/s (%(default)s)"
+    )
 
 
 def _of_a_scene(subcommands: _Subcommands[argparse.ArgumentParser], name: str, what: str) -> argparse.ArgumentParser:
@@ -54,19 +56,19 @@ def _add_response(subcommands: _Subcommands[argparse.ArgumentParser]) -> None:
     asked.add_argument(
         "--amplitude",
         metavar="U",
-        help="instead of that of the scene's one sine, N; with --omega: its force if it has none",
+        help="amplitude of the sine, N, in place of the scene's; with --omega also for a scene without a force",
     )
     asked.add_argument(
         "--omega",
         metavar="W",
-        help="instead of that of the scene's one sine, rad/s; with --amplitude: its force if it has none",
+        help="frequency of the sine, rad/s, in place of the scene's; with --amplitude also for a scene without a force",
     )
     asked.add_argument(
         "--max-events",
         type=positive,
         default=10_000,
         metavar="N",
-        help="cap on the events of a run that looks for the periodic motion, a fifth for one period (%(default)s)",
+        help="cap on the events in the search for the periodic motion; a period may have a fifth (%(default)s)",
     )
 
 
@@ -77,7 +79,7 @@ def _add_response_map(subcommands: _Subcommands[argparse.ArgumentParser]) -> Non
         allow_abbrev=False,
     )
     chart.set_defaults(run=maps.chart_response)
-    chart.add_argument("scene", metavar="SCENE", help="whose pair it is; its force is not looked at")
+    chart.add_argument("scene", metavar="SCENE", help="scene whose pair is taken; its force is ignored")
     chart.add_argument("--amplitude", nargs=2, required=True, metavar=("A", "B"), help="range of the amplitude, N")
     chart.add_argument("--omega", nargs=2, required=True, metavar=("A", "B"), help="range of the frequency, rad/s")
     add_map_roads(chart)
@@ -88,7 +90,9 @@ def add_map_roads(chart: argparse.ArgumentParser) -> None:
     chart.add_argument(
         "--depth", type=positive, default=10, metavar="N", help="cells down to 2^-N of each side (%(default)s)"
     )
-    chart.add_argument("--jobs", type=positive, default=1, metavar="N", help="processes, by joblib (%(default)s)")
+    chart.add_argument(
+        "--jobs", type=positive, default=1, metavar="N", help="processes that share the work (%(default)s)"
+    )
     chart.add_argument("--dask", metavar="ADDRESS", help="compute on the Dask cluster of this scheduler instead")
     chart.add_argument("--resume", type=Path, metavar="F", help="keep finished blocks in F, and go on from there")
     chart.add_argument("--out", type=Path, metavar="FIGURE", help="write a figure: .svg, .pdf or .png")

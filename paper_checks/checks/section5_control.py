@@ -47,7 +47,7 @@ def damping_for_tracking(context: Context) -> Finding:  # noqa: ARG001
     """What a damper adds to the force under which the stuck pair follows a reference."""
     return conclude(
         Verdict.HOLDS,
-        "Under the force of trackable-references one motion follows the reference; with a damper, and a bounded force, every other one approaches it, without one a free oscillation stays. The damper costs $a_1\\dot r$ "
+        "Under the force of trackable-references one motion follows the reference. With a damper and a bounded force every other motion approaches it; without a damper a free oscillation stays. The damper costs $a_1\\dot r$ "
         "in that force. It does not speed up every motion: see damping-can-desynchronise.",
         carried(
             "tracking",

@@ -12,7 +12,7 @@ def trackable_references(context: Context) -> Finding:  # noqa: ARG001
     """Friction is the only force on body 2."""
     return conclude(
         Verdict.HOLDS,
-        "The interface hands on at most its friction. Every reference that asks for no more can be followed, by a pair that sticks, under a force that can be written down.",
+        "Friction is all that the interface can pass on to body 2. Every reference that asks for no more can be followed, by a pair that sticks, under a force that can be written down.",
         carried("iff", transfers.followed()),
         carried("sticks", transfers.must_stick()),
         carried("force", transfers.stuck_force()),
@@ -40,7 +40,7 @@ def tolerance_ring(context: Context) -> Finding:  # noqa: ARG001
     """The distance never grows; its image in the relative plane."""
     return conclude(
         Verdict.HOLDS,
-        "A ring that holds the image of a tube is reached by the time the tube is, and not left after it. The energy distance does not see the relative displacement, so the ring is centred on its limit.",
+        "A ring that holds the image of the tube is reached no later than the tube, and not left after that. The energy distance does not see the relative displacement, so the ring is centred on its limit.",
         carried("tube", tolerance.entered_once()),
         carried("ring", tolerance.ring_contains()),
         carried("blind", tolerance.blind_to_x2()),

@@ -57,7 +57,7 @@ def forced_periodic_response(context: Context) -> Finding:  # noqa: ARG001
     """One response, what moves body 2 on, and when the same holds without a damper."""
     return conclude(
         Verdict.HOLDS,
-        "With a damper a periodic force has one response. Without one, a single stick exit with a slip of the right length after it does the same.",
+        "With a damper a periodic force has one response. Without one, a single exit from stick has the same effect if the slip after it has the right length.",
         carried("one", forced_response.one_response()),
         carried("drift", forced_response.drift()),
         carried("undamped", forced_response.undamped_attraction()),

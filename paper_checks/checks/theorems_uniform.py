@@ -14,7 +14,8 @@ def rate_with_error(context: Context) -> Finding:  # noqa: ARG001
     return conclude(
         Verdict.HOLDS,
         "The next term of the $1/t$ law is a logarithm, and what is left is bounded by the start alone. One cycle adds $\\pi G-F$ to what is "
-        "left; over what telescopes along the exits both are bounded for every mass ratio, so the sum is.",
+        "left. Each of the two is at most a constant, the same for every mass ratio, times a difference that telescopes along the exits; so "
+        "the sum is bounded.",
         carried("error", law_with_error()),
         derivation=(
             "$$\\frac{C}{w_n}+\\pi B\\ln\\frac{w_n}{w_0}=\\frac{C}{w_0}+\\tau_n+R_n,\\qquad R_n=\\sum_{k<n}(\\pi G_k-F_k).$$",

@@ -20,7 +20,10 @@ _FREE: dict[str, tuple[str, str]] = {
     "energy-rate": ("Pair.energy_rate", "dE/dt = -b |v1 - v2| - a1 v1^2 at every time, from the right."),
     "energy-decreases": ("Pair.energy_decreases", "The energy never increases, with damping or without."),
     "bounded-stay": ("Pair.dwell", "A stay off S lasts at most 2 sqrt(2 E m2)/b."),
-    "contact": ("Stick.contact", "Every solution meets S in every time window of that length, so infinitely often."),
+    "contact": (
+        "Stick.contact",
+        "Every solution meets S in every time window of length 2 sqrt(2 E m2)/b, so infinitely often.",
+    ),
     "ellipse-solution": (
         "Stick.ellipse_solution",
         "Every ellipse on S with energy up to E_cr is a solution: the stuck pair.",

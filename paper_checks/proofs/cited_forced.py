@@ -57,7 +57,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "no-zeno-varying": (
         "Zeno.no_zeno_varying",
-        "The same where the friction is constant by pieces.",
+        "The same holds with a friction that is constant by pieces: finitely many changes of mode in every bounded time.",
     ),
     "scenes-analytic": (
         "Analytic.scenes_are_analytic",
@@ -72,31 +72,41 @@ FORCED: dict[str, tuple[str, str]] = {
     "trackable": ("Forced.trackable_iff", "Body 2 can be made to follow a velocity exactly if that is b/m2-Lipschitz."),
     "reach": ("Forced.reach", "Where body 2 can be at a time, whatever the force."),
     "least-time": ("Forced.least_time", "From rest to rest over D takes at least 2 sqrt(m2 D/b), whatever the force."),
-    "least-time-attained": ("Forced.least_time_attained", "That time is attained."),
+    "least-time-attained": (
+        "Forced.least_time_attained",
+        "The least time 2 sqrt(m2 D/b) from rest to rest over D is attained.",
+    ),
     "entrained-iff": (
         "Entrain.entrained_iff",
-        "The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most F*.",
+        "The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most U*.",
     ),
     "stuck-iff": (
         "Entrain.stuck_iff",
-        "With a1 > 0 some solution sticks for ever under it exactly if the amplitude is at most F*.",
+        "With a1 > 0 some solution sticks for ever under a sinusoidal force exactly if its amplitude is at most U*.",
     ),
-    "third-harmonic": ("Entrain.third_harmonic", "With a1 = 0 and Omega = 3 omega a stuck motion exists above F*."),
+    "third-harmonic": ("Entrain.third_harmonic", "With a1 = 0 and Omega = 3 omega a stuck motion exists above U*."),
     "forced-bounded": ("Bounded.bounded", "With a1 > 0 every motion under a bounded force is bounded."),
     "forced-approach": ("Bounded.approach", "With a1 > 0 any two motions under one bounded force approach each other."),
     "periodic-response": (
         "Periodic.response",
         "With a1 > 0 a periodic bounded force has exactly one periodic motion, and it attracts all.",
     ),
+<<<<<<< HEAD
     "drift": ("Drift.drift", "The place of body 2 changes by the integral of its velocity."),
     "no-drift": (
         "Drift.no_drift",
         "With a1 > 0, if the force changes its sign after half a period, so does the periodic response, and body 2 comes back.",
     ),
     "entrains": ("Sync.entrains", "With a1 > 0 and amplitude up to F*: every motion tends to the stuck response."),
+=======
+    "entrains": (
+        "Sync.entrains",
+        "With a1 > 0 every motion tends to the stuck response to a sinusoidal force of amplitude up to U*.",
+    ),
+>>>>>>> 6b85c3b (list shows what each verdict rests on; help and theorems are told plainly; the velocity of a slip is no force)
     "synchronises": (
         "Sync.synchronises",
-        "With a1 > 0 and amplitude below F*: every motion sticks for ever after a finite time.",
+        "With a1 > 0 every motion under a sinusoidal force of amplitude below U* sticks for ever after a finite time.",
     ),
     "arc-begins": (
         "Arcs.arc_begins",

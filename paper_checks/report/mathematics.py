@@ -44,9 +44,12 @@ _TYPED_WORDS = {
     "pi": r"\pi",
     "Omega": r"\Omega",
     "theta": r"\theta",
+    "U*": "U_*",
+    "Phi+ . n_S": r"\Phi_+\cdot n_S",
+    "Phi- . n_S": r"\Phi_-\cdot n_S",
 }
 _TYPED = re.compile(
-    r"(?<![\w*^])(?:(?P<word>E_cr|phi\*|phi|pi|Omega|theta)|(?P<name>[SxvmacwU])(?P<digit>[0-2])(?P<power>\^\d)?"
+    r"(?<![\w*^])(?:(?P<word>E_cr|phi\*|phi|pi|Omega|theta|U\*|Phi[+-] \. n_S)|(?P<name>[SxvmacwU])(?P<digit>[0-2])(?P<power>\^\d)?"
     r"|(?P<square>[a-zA-Z])(?P<exponent>\^\d))(?![\w*])"
 )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from rich.console import Console
@@ -46,13 +46,16 @@ def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) ->
     _say(console, ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict]))
 
 
-def print_claims(console: Console, claims: Iterable[Claim]) -> None:
-    """Print the claims, with the verdict on record and the place in the paper."""
-    table = _empty_table("claim", "recorded")
+def print_claims(console: Console, claims: Sequence[Claim], found: Mapping[str, Row]) -> None:
+    """Print the claims with the verdict on record, what it rests on where the row is known, and the place in the paper."""
+    table = _empty_table("claim", "recorded", "established by")
     table.add_column("where")
     for claim in claims:
-        table.add_row(Text(claim.id), _coloured(claim.recorded), Text(claim.where))
+        by = kind(found[claim.id]) if claim.id in found else "–"
+        table.add_row(Text(claim.id), _coloured(claim.recorded), Text(by), Text(claim.where))
     console.print(table)
+    if len(found) < len(claims):
+        _say(console, "–: not decided here yet; `python -m paper_checks` decides all claims")
 
 
 def _empty_table(*titles: str) -> Table:

@@ -47,6 +47,11 @@ def rows(claims: Sequence[Claim], context: Context, manner: Manner, progress: Pr
     return [found[claim.id] for claim in claims]
 
 
+def kept(claims: Sequence[Claim], store: Kept) -> dict[str, runner.Row]:
+    """Return by id the rows that are kept, deciding none."""
+    return {claim.id: plain.row(claim, one) for claim in claims if (one := store.row(claim.id))}
+
+
 def _rows(claims: Sequence[Claim], context: Context, manner: Manner, progress: Progress) -> Iterator[runner.Row]:
     store = manner.store
     missing = []

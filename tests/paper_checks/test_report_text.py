@@ -8,7 +8,7 @@ import pytest
 from rich.console import Console
 
 from paper_checks.report import json as json_report
-from paper_checks.report.summary import first_sentence
+from paper_checks.report.summary import first_sentence, kind
 from paper_checks.report.terminal import print_claims, print_rows
 
 
@@ -60,8 +60,12 @@ def test_a_step_that_two_parts_share_is_told_once(rows):
 
 def test_the_list(rows):
     stream = io.StringIO()
-    print_claims(Console(file=stream, width=80), [row.claim for row in rows])
-    assert all(row.claim.id in stream.getvalue() for row in rows)
+    print_claims(Console(file=stream, width=100), [row.claim for row in rows], {rows[0].claim.id: rows[0]})
+    lines = {line.split()[0]: line for line in stream.getvalue().splitlines() if line.strip()}
+    assert all(row.claim.id in lines for row in rows)
+    assert f" {kind(rows[0])} " in lines[rows[0].claim.id]
+    assert " – " in lines[rows[1].claim.id]
+    assert "not decided here yet" in stream.getvalue()
 
 
 def test_json_has_the_shape_of_the_design(rows):
