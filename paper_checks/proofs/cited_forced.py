@@ -91,19 +91,15 @@ FORCED: dict[str, tuple[str, str]] = {
         "Periodic.response",
         "With a1 > 0 a periodic bounded force has exactly one periodic motion, and it attracts all.",
     ),
-<<<<<<< HEAD
     "drift": ("Drift.drift", "The place of body 2 changes by the integral of its velocity."),
     "no-drift": (
         "Drift.no_drift",
         "With a1 > 0, if the force changes its sign after half a period, so does the periodic response, and body 2 comes back.",
     ),
-    "entrains": ("Sync.entrains", "With a1 > 0 and amplitude up to F*: every motion tends to the stuck response."),
-=======
     "entrains": (
         "Sync.entrains",
         "With a1 > 0 every motion tends to the stuck response to a sinusoidal force of amplitude up to U*.",
     ),
->>>>>>> 6b85c3b (list shows what each verdict rests on; help and theorems are told plainly; the velocity of a slip is no force)
     "synchronises": (
         "Sync.synchronises",
         "With a1 > 0 every motion under a sinusoidal force of amplitude below U* sticks for ever after a finite time.",
