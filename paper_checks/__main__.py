@@ -38,6 +38,9 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
     if not words or words[0] not in (*COMMANDS, "-h", "--help"):
         words.insert(0, "run")
     options = _parser().parse_args(words, argparse.Namespace(program=program))
+    if program:
+        # some thousand short scenes: Python solves them, to the same bits, before numba has come or compiled anything
+        os.environ.setdefault("NUMBA_DISABLE_JIT", "1")
     if hasattr(sys.stdout, "reconfigure"):
         sys.stdout.reconfigure(errors="backslashreplace")
     try:

@@ -63,9 +63,8 @@ def run_scene(
 def run_float64(scene: Scene, max_events: int, progress: Progress | None = None) -> Trajectory:
     """Solve a scene in binary64 with its error bounds, compiled where numba is installed."""
     telling = run_telling(FLOAT64, is_damped=scene.pair.a1 > 0)
-    row, literal = scene_row(scene), scene.law is Law.THREE_VALUED_SGN
-    end = np.empty(end_length(1))
-    if row is not None and worth_compiling():
+    end, literal = np.empty(end_length(1)), scene.law is Law.THREE_VALUED_SGN
+    if worth_compiling() and (row := scene_row(scene)) is not None:
         rows = np.empty((_room(row, max_events), row_length(1)))
         count = telling.compiled(solve_row)(row, literal, max_events, rows, end)
         if count > len(rows):

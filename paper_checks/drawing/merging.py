@@ -15,10 +15,8 @@ from matplotlib.patches import Patch
 from numerics.merging.cell import CRITICAL_SHARE
 from numerics.merging.figure import COLOURS, LABELS, raster
 from numerics.merging.map import MergingMap, Window, merging_cells
-from numerics.solver.solve import solve
-from numerics.trajectory.status import Status
 from paper_checks.drawing.style import new_figure
-from paper_checks.steps.merging_bands import SPEEDS, start
+from paper_checks.steps.merging_bands import MERGES, SPEEDS, decided, start
 from paper_checks.steps.merging_share import by_quadrature
 
 DEPTH = 7
@@ -81,7 +79,8 @@ def _chart() -> MergingMap:
 @cache
 def _merged(share: Fraction) -> tuple[bool, ...]:
     """Return for each of SPEEDS whether the pair merges, solved in float64."""
-    return tuple(solve(start(share, speed)).status is Status.STUCK_FOR_EVER for speed in SPEEDS)
+    scenes = [start(share, speed) for speed in SPEEDS]
+    return tuple(decided(one.pair, one.initial) == MERGES for one in scenes)
 
 
 @cache

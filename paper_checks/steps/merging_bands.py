@@ -20,6 +20,8 @@ MERGES, CREEPS = "merges", "creeps"
 SPEEDS = tuple(Fraction(n, 20) for n in range(21, 421))
 """Speeds on S0 at x1 = 0, in units of L Omega, that are looked through: w = V^2 - 1."""
 UNTIL = 150
+STAGES = (25, 200)
+"""Horizons of the runs that decide in float64: the second one where the first leaves it open."""
 
 
 def start(share: Fraction, speed: Fraction) -> Scene:
@@ -37,14 +39,25 @@ def outcome(share: Fraction, trajectory: Trajectory) -> str | None:
         return CREEPS if any(w > 0 and w < level for w in exits) else None
 
 
+def decided(pair: Pair, at: State) -> str:
+    """Return in float64 what becomes of a pair with L = Omega = M = 1: it merges, or creeps; "" if that stays open.
+
+    A run is made longer only until that is known: on a ray with 0 < w <= q (pi/2 - 1)^2 it never merges.
+    """
+    level = float(pair.m1) * 0.3258
+    for until in STAGES:
+        run = solve(Scene(pair, at, until))
+        if run.status is Status.STUCK_FOR_EVER:
+            return MERGES
+        if any(event.kind is EventKind.EXIT and 0 < event.reduced.w < level for event in reversed(run.events)):
+            return CREEPS
+    return ""
+
+
 def looked_through(share: Fraction) -> list[tuple[str, Fraction]]:
     """Return the middle of each run of speeds with one outcome in float64, in order: where to look in balls."""
-    level = float(1 - share) * 0.3258
-    found = []
-    for speed in SPEEDS:
-        run = solve(start(share, speed))
-        small = any(event.kind is EventKind.EXIT and 0 < event.reduced.w < level for event in run.events)
-        found.append((MERGES if run.status is Status.STUCK_FOR_EVER else CREEPS if small else "", speed))
+    scenes = [start(share, speed) for speed in SPEEDS]
+    found = [(decided(one.pair, one.initial), speed) for one, speed in zip(scenes, SPEEDS, strict=True)]
     runs = [(name, [speed for _, speed in members]) for name, members in groupby(found, key=lambda one: one[0])]
     return [(name, speeds[len(speeds) // 2]) for name, speeds in runs if name]
 

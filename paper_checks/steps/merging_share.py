@@ -10,12 +10,11 @@ from functools import cache
 import numpy as np
 import sympy as sp
 
-from numerics.scene import Pair, Scene, State
-from numerics.solver.solve import solve
-from numerics.trajectory.status import Status
+from numerics.scene import Pair, State
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.steps.capture import stays_below_critical
+from paper_checks.steps.merging_bands import MERGES, decided
 from paper_checks.steps.merging_no_slip import no_slip_merges
 from paper_checks.steps.turned_back import contact_again
 from theory.merging_share import density, dissipation, divergence, flux, large_energy_limit, level, relative, sphere
@@ -94,7 +93,7 @@ def random_states(share: Fraction, energy: Fraction, cases: int, seed: int) -> E
             for one, root in zip(point, (1, float(pair.m1) ** 0.5, float(pair.m2) ** 0.5), strict=True)
         )
         start = State(x1=Fraction(x), v1=Fraction(first), v2=Fraction(second))
-        merged += solve(Scene(pair, start, until=200)).status is Status.STUCK_FOR_EVER
+        merged += decided(pair, start) == MERGES
     expected = by_quadrature(float(share), float(energy))
     deviation = math.sqrt(expected * (1 - expected) / cases)
     return Evidence(
