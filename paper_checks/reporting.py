@@ -8,7 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from numerics.trade.recorded import RecordedTrade
     from paper_checks.ledger import Claim
+    from paper_checks.report.document import Document
+    from paper_checks.report.files import Pictures
+    from paper_checks.report.finished import Finished
     from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used.
@@ -54,13 +58,9 @@ def report(
 ) -> int:
     """Write the report on these claims, which `run` decides, and return the exit code."""
     from numerics.trade.recorded import UnreadableTrade, recorded
-    from paper_checks.drawing.figures import FIGURES
     from paper_checks.errors import ToolMissingError
-    from paper_checks.ledger import CLAIMS
-    from paper_checks.report import document, pdf, under_a_force
-    from paper_checks.report.files import write
+    from paper_checks.report import pdf
     from paper_checks.running.runner import exit_code
-    from paper_checks.speed import section
 
     try:
         trade = recorded(options.trade)
@@ -71,13 +71,9 @@ def report(
         complain(remedy)
         return UNCHECKED
     rows = run(claims)
-    chapters = [under_a_force.section(), section.section(trade)] if len(claims) == len(CLAIMS) else []
     complaints: list[str] = []
-    found = document.summary(rows) if options.summary else document.document(rows, chapters)
-    figures = {**FIGURES, **under_a_force.figures(), **section.figures(trade)}
-    name = "summary" if options.summary else "report"
     try:
-        paths = write(options.out, options.format, found, figures, complaints.append, name, options.steps)
+        paths = _written(options, rows, trade, complaints)
     except OSError as error:
         complain(f"the report cannot be written: {error}; choose another folder with --out")
         return USAGE
@@ -88,6 +84,47 @@ def report(
         complain(complaint)
     print(*paths, sep="\n")
     return exit_code(rows) or (UNCHECKED if complaints else 0)
+
+
+def _written(
+    options: argparse.Namespace, rows: Sequence[Row], trade: RecordedTrade, complaints: list[str]
+) -> list[Path]:
+    """Write each form, as it was made before or anew, and return the main files. Raises OSError, ToolMissingError."""
+    from paper_checks.report.finished import Finished, name_of, placed
+
+    kept = Finished(options.trade) if options.program else None
+    names = {form: name_of(rows, form, (options.summary, options.steps)) for form in options.format}
+    before = {form: kept.files(name) for form, name in names.items()} if kept and not options.fresh else {}
+    found, paths = None, []
+    for form, name in names.items():
+        files = before.get(form)
+        if files is None:
+            from paper_checks.report import files as writing  # with it comes matplotlib
+
+            found = found or _drawable(options, rows, trade, complaints, kept)
+            files = writing.made(form, *found, "summary" if options.summary else "report", options.steps)
+            if kept and not complaints:
+                kept.keep_files(name, files)
+        paths.append(placed(options.out, files))
+    if kept:
+        kept.forget_old()
+    return paths
+
+
+def _drawable(
+    options: argparse.Namespace, rows: Sequence[Row], trade: RecordedTrade, complaints: list[str], kept: Finished | None
+) -> tuple[Document, Pictures]:
+    """Return the report and its figures; what cannot be drawn is added to the complaints."""
+    from paper_checks.drawing.figures import FIGURES
+    from paper_checks.ledger import CLAIMS
+    from paper_checks.report import document, under_a_force
+    from paper_checks.report.files import Pictures
+    from paper_checks.speed import section
+
+    chapters = [under_a_force.section(), section.section(trade)] if len(rows) == len(CLAIMS) else []
+    found = document.summary(rows) if options.summary else document.document(rows, chapters)
+    figures = {**FIGURES, **under_a_force.figures(), **section.figures(trade)}
+    return found, Pictures(found.pictures, figures, complaints.append, kept, options.fresh)
 
 
 def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:

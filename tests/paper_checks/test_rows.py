@@ -116,7 +116,7 @@ def test_the_state_knows_seed_kernel_versions_and_sources(monkeypatch, tmp_path)
     states = [kept.state(0), kept.state(1)]
     source.write_text("2")
     states.append(kept.state(0))
-    monkeypatch.setattr(kept, "_version", lambda name: "0.0")
+    monkeypatch.setattr(kept, "version", lambda name: "0.0")
     states.append(kept.state(0))
     monkeypatch.setattr(kept.kernel, "why_not", lambda _: "kernel not run: gone")
     states.append(kept.state(0))

@@ -1,0 +1,66 @@
+"""Reports and figures kept in the user's cache, so that nothing is drawn or set twice: the bytes are those of a fresh run.
+
+They are kept under a hash of every source file, of the versions of all that draws and sets, of the kernel's, and of the
+trade that is shown; a form of the report also under its rows and options.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import pickle
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from paper_checks import atomic
+from paper_checks.running import kept, plain
+from paper_checks.running.runner import Row
+from paper_checks.running.store import Store, all_sources, digest, version
+
+DRAWN_WITH = ("matplotlib", "latex2mathml", "fonttools", "typst")
+Files = Mapping[str, bytes]
+"""The files of one form by name, the main one last."""
+
+
+class Finished:
+    """What was made before, for one trade."""
+
+    def __init__(self, trade: Path | None = None, folder: Path | None = None) -> None:
+        """Find the folder; raises OSError where the trade, a file that is shown instead of the shipped one, is not read."""
+        words = [*kept.tools(), *(f"{name} {version(name)}" for name in (*kept.DEPENDENCIES, *DRAWN_WITH))]
+        words.append(hashlib.sha256(trade.read_bytes()).hexdigest() if trade else "")
+        self._store = Store("reports", digest(all_sources(), words), folder)
+        self.forget_old = self._store.forget_old
+
+    def figure(self, file: str) -> bytes | None:
+        """Return a figure's file."""
+        return self._store.get(file)
+
+    def keep_figure(self, file: str, content: bytes) -> None:
+        """Keep a figure's file."""
+        self._store.put(file, content)
+
+    def files(self, name: str) -> Files | None:
+        """Return the files of a form, by what `name_of` calls it."""
+        body = self._store.get(name)
+        found: Files | None = pickle.loads(body) if body else None
+        return found
+
+    def keep_files(self, name: str, files: Files) -> None:
+        """Keep the files of a form."""
+        self._store.put(name, pickle.dumps(dict(files)))
+
+
+def name_of(rows: Sequence[Row], form: str, options: Iterable[object]) -> str:
+    """Return a name for a form of the report on these rows: a hash of what they say, and not of how long they took."""
+    said = hashlib.sha256(repr((form, *options)).encode())
+    for row in rows:
+        said.update(pickle.dumps(replace(plain.plain(row), seconds=0.0)))
+    return f"{said.hexdigest()[:32]}.{form}"
+
+
+def placed(folder: Path, files: Files) -> Path:
+    """Write files into a folder; return the last one, which is the main one. Raises OSError."""
+    for name, content in files.items():
+        atomic.write(folder / name, content)
+    return folder / name

@@ -1,0 +1,82 @@
+"""Sealed files in the user's cache, under a hash of all that they rest on: what is damaged, or of another state, is not read."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import shutil
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from paper_checks import atomic
+from paper_checks.proofs import kernel
+
+ROOT = Path(__file__).parents[2]
+PACKAGES = ("theory", "numerics", "paper_checks")
+_GENERATIONS = 8
+"""How many states of the sources are kept; the oldest goes."""
+
+
+def all_sources() -> Iterator[Path]:
+    """Yield every file of the packages, in a fixed order."""
+    for package in PACKAGES:
+        for path in sorted((ROOT / package).rglob("*")):
+            if path.is_file() and "__pycache__" not in path.parts:
+                yield path
+
+
+def digest(files: Iterable[Path], words: Iterable[str]) -> str:
+    """Return the hash of the files' names and contents and of the words."""
+    found = hashlib.sha256()
+    for path in files:
+        content = path.read_bytes()
+        found.update(f"{path.name} {len(content)}\n".encode() + content)
+    found.update("\n".join(words).encode())
+    return found.hexdigest()[:32]
+
+
+def version(name: str) -> str:
+    """Return the installed version of a package, or that there is none."""
+    try:
+        return importlib.metadata.version(name)
+    except importlib.metadata.PackageNotFoundError:
+        return "not installed"
+
+
+class Store:
+    """Files of one kind and one state."""
+
+    def __init__(self, kind: str, state: str, folder: Path | None = None) -> None:
+        """Find the folder; `folder` instead of the one of this kind in the user's cache."""
+        self._state = state
+        self._folder = (folder or kernel.cache_folder().parent / kind) / state
+
+    def get(self, name: str) -> bytes | None:
+        """Return what was put under a name; None where nothing was, or the file is not as it was written."""
+        try:
+            content = (self._folder / name).read_bytes()
+        except OSError:
+            return None
+        seal, _, body = content.partition(b"\n")
+        return body if seal == self._seal(name, body) else None
+
+    def put(self, name: str, body: bytes) -> None:
+        """Keep bytes under a name; a cache that cannot be written keeps nothing."""
+        try:
+            atomic.write(self._folder / name, self._seal(name, body) + b"\n" + body)
+        except OSError:
+            return
+
+    def forget_old(self) -> None:
+        """Remove the folders of states that have not been used for longest."""
+        with_times = []
+        try:
+            self._folder.touch()
+            with_times = [(one.stat().st_mtime, one) for one in self._folder.parent.iterdir() if one.is_dir()]
+        except OSError:
+            return
+        for _, old in sorted(with_times)[:-_GENERATIONS]:
+            shutil.rmtree(old, ignore_errors=True)
+
+    def _seal(self, name: str, body: bytes) -> bytes:
+        return hashlib.sha256(f"{self._state} {name}\n".encode() + body).hexdigest().encode()

@@ -1,0 +1,139 @@
+"""Reports and figures from the cache: the same bytes as drawn anew, and never those of another state, form or row."""
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from paper_checks import reporting
+from paper_checks.evidence.finding import Verdict
+from paper_checks.report import files, finished
+from paper_checks.report.finished import Finished, name_of
+from paper_checks.running.graph import proofs
+
+
+@pytest.fixture
+def cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setenv("PATH", "")  # no kernel: asking for its version takes a while
+    return tmp_path / "cache"
+
+
+@pytest.fixture
+def drawable(rows):
+    """Rows whose only figure is the one of the first screen."""
+    found = [replace(row, finding=replace(row.finding, figure=None)) for row in rows]
+    return [replace(row, proofs=proofs(row.claim, row.finding)) for row in found]
+
+
+def pictures(figures, kept, complaints, *, fresh=False):
+    return files.Pictures(["sine", "lost"], figures, complaints.append, kept, fresh)
+
+
+def test_a_figure_is_drawn_once_for_each_form(figures, tmp_path):
+    drawn, complaints = [], []
+
+    def counted():
+        drawn.append("sine")
+        return figures["sine"]()
+
+    def saved(form, *, fresh=False):
+        return pictures({"sine": counted}, Finished(folder=tmp_path), complaints, fresh=fresh).saved(form)
+
+    first = saved("svg")
+    assert saved("svg") == first == pictures(figures, None, []).saved("svg")
+    assert len(drawn) == 1
+    assert saved("pdf") == saved("pdf") == pictures(figures, None, []).saved("pdf")
+    assert len(drawn) == 2
+    assert saved("svg", fresh=True) == first
+    assert len(drawn) == 3
+    assert complaints == ["the figure lost is not known"] * 5
+
+
+def test_a_figure_that_fails_is_told_once_and_not_kept(tmp_path):
+    def broken():
+        raise RuntimeError("no trajectory")
+
+    complaints = []
+    found = files.Pictures(["sine"], {"sine": broken}, complaints.append, Finished(folder=tmp_path))
+    assert found.saved("svg") == found.saved("pdf") == {}
+    assert complaints == ["the figure sine was not drawn: RuntimeError: no trajectory"]
+    assert not [path for path in tmp_path.rglob("*") if path.is_file()]
+
+
+def test_a_name_knows_rows_form_and_options_and_not_how_long_it_took(rows):
+    first = name_of(rows, "html", (False, False))
+    others = [
+        name_of(rows[:-1], "html", (False, False)),
+        name_of(rows[::-1], "html", (False, False)),
+        name_of(rows, "pdf", (False, False)),
+        name_of(rows, "html", (True, False)),
+        name_of(
+            [replace(rows[0], finding=replace(rows[0].finding, reason="Another.")), *rows[1:]], "html", (False, False)
+        ),
+    ]
+    assert len({first, *others}) == 6
+    assert name_of([replace(row, seconds=row.seconds + 1) for row in rows], "html", (False, False)) == first
+
+
+def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch):
+    source, trade = tmp_path / "one.py", tmp_path / "trade.json"
+    source.write_text("1")
+    trade.write_text("{}")
+    monkeypatch.setattr(finished, "all_sources", lambda: [source])
+    store, found = tmp_path / "store", []
+
+    def seen(trade=None):
+        Finished(trade, store).keep_figure("sine.svg", b"")
+        found.append(len(list(store.iterdir())))
+
+    seen()
+    seen(trade)
+    trade.write_text("{ }")
+    seen(trade)
+    source.write_text("2")
+    seen()
+    monkeypatch.setattr(finished, "version", lambda name: "0.0")
+    seen()
+    seen()
+    assert found == [1, 2, 3, 4, 5, 5]
+
+
+def test_a_damaged_form_is_not_read(tmp_path):
+    kept = Finished(folder=tmp_path)
+    kept.keep_files("one.html", {"report.html": b"whole"})
+    assert kept.files("one.html") == {"report.html": b"whole"}
+    (entry,) = (path for path in tmp_path.rglob("*") if path.is_file())
+    entry.write_bytes(entry.read_bytes()[:-1])
+    assert kept.files("one.html") is None
+
+
+def reported(rows, out, *, fresh=False, program=True, form=("html",)):
+    options = argparse.Namespace(
+        trade=None, format=form, program=program, summary=False, steps=False, fresh=fresh, out=out
+    )
+    complaints = []
+    code = reporting.report(options, rows, lambda claims: rows, complaints.append)
+    assert complaints == []
+    return code, {path.name: path.read_bytes() for path in Path(out).iterdir()}
+
+
+@pytest.mark.usefixtures("cache")
+def test_a_second_report_draws_and_sets_nothing(drawable, tmp_path, monkeypatch):
+    first = reported(drawable, tmp_path / "one")
+
+    def never(*_):
+        raise AssertionError("made again")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(files, "made", never)
+        assert reported(drawable, tmp_path / "two") == first
+        with pytest.raises(AssertionError, match="made again"):
+            reported(drawable, tmp_path / "three", fresh=True)
+        with pytest.raises(AssertionError, match="made again"):
+            reported(drawable, tmp_path / "four", program=False)
+        with pytest.raises(AssertionError, match="made again"):
+            reported([row for row in drawable if row.finding.verdict is not Verdict.REFUTED], tmp_path / "five")
+    assert reported(drawable, tmp_path / "six", fresh=True) == first
+    assert reported(drawable, tmp_path / "seven", program=False) == first
