@@ -69,7 +69,10 @@ FORCED: dict[str, tuple[str, str]] = {
         "The energy distance grows at most by the integral of the forces' difference over sqrt m1.",
     ),
     "must-stick": ("Forced.must_stick", "Where body 2 accelerates by less than b/m2 the pair sticks."),
-    "trackable": ("Forced.trackable_iff", "Body 2 can be made to follow a velocity exactly if that is b/m2-Lipschitz."),
+    "trackable": (
+        "Forced.trackable_iff",
+        "From some start of body 1, some force makes body 2 follow a velocity exactly if that is b/m2-Lipschitz.",
+    ),
     "reach": ("Forced.reach", "Where body 2 can be at a time, whatever the force."),
     "least-time": ("Forced.least_time", "From rest to rest over D takes at least 2 sqrt(m2 D/b), whatever the force."),
     "least-time-attained": (

@@ -13,6 +13,7 @@ from flint import acb, arb
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.control import again
+from numerics.control import ring as rings
 from numerics.control.attraction import place_at
 from numerics.control.response import response
 from numerics.control.ring import ring_entry
@@ -215,6 +216,13 @@ def test_a_motion_that_may_never_settle_is_refused():
     scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), 5, force=Force.sine("0.02", 7))
     with pytest.raises(NotSettled, match=r"not known to settle.*a larger radius does not help: the pair is not proved"):
         ring_entry(scene, "0.001")
+
+
+def test_a_motion_that_is_not_proved_to_close_in_on_the_periodic_one_is_refused(monkeypatch):
+    monkeypatch.setattr(rings, "periodic_settled", lambda *_: None)
+    monkeypatch.setattr(rings, "_FORCED_DOUBLINGS", 1)
+    with pytest.raises(NotSettled, match="closes in on the periodic motion; a larger radius may not help either"):
+        ring_entry(Scene(PAIR, State(v1=1), 1, force=Force.sine("0.5", 12)), "0.001")
 
 
 def test_a_force_that_grows_has_no_ring():

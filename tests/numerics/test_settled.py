@@ -17,7 +17,8 @@ from strategies import decimals, signed
 
 from numerics.arithmetic.ball import Ball
 from numerics.control import settled
-from numerics.control.attraction import place_at
+from numerics.control.attraction import distance, place_at
+from numerics.control.legs import stretches
 from numerics.control.orbit import Orbit
 from numerics.control.response import last_drive, response
 from numerics.control.ring import ring_entry
@@ -118,6 +119,24 @@ def test_the_speed_counts_even_where_nothing_is_left_to_slide(monkeypatch):
             except EventUndecided:  # next to an event of the orbit
                 continue
             assert abs(y[1, k] - y[3, k] - v1 + v2) < 1e-3
+
+
+def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monkeypatch):
+    """One period earlier the speeds may be further apart; with 20 times the distance that would count as near, too."""
+    monkeypatch.setattr(settled, "slide_left", lambda *_: arb(0))
+    scene, orbit = fast_orbit()
+    pair, arithmetic, near = orbit.drive.pair, Ball(24), 1e-3
+    since = known("0.3", near).since
+    with arithmetic.context():
+        parts = list(stretches(run_scene(replace(scene, until=Fraction("0.3")), arithmetic, 2_000)))
+        kappa = Ball.number(pair.mass / (pair.m1 * pair.m2))
+        apart = []
+        for t in (since, since - orbit.drive.period):
+            [state] = [
+                one.motion.state(t - one.start) for one in parts if 0 <= float(t - one.start) < float(one.length)
+            ]
+            apart.append(float(kappa.sqrt() * distance(pair, state, place_at(orbit, t).state)))
+    assert apart[0] < near <= apart[1]
 
 
 def test_a_piece_that_begins_after_the_horizon_counts():
