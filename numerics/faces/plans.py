@@ -10,6 +10,7 @@ from numerics.exits import FAILED, OK, USAGE, refuse, wrong_path
 from numerics.faces.printing import numbers, print_numbers, told_steps, write_figure
 
 if TYPE_CHECKING:
+    from numerics.control.transfer import Transfer
     from numerics.scene import Scene
 
 
@@ -55,7 +56,7 @@ def tell_tracking(options: argparse.Namespace) -> int:
 def tell_transfer(options: argparse.Namespace) -> int:
     """Print the fastest transfer from rest to rest, and write its force as a scene."""
     from numerics.control.again import transfer_again
-    from numerics.control.transfer import Road, fastest_transfer
+    from numerics.control.transfer import fastest_transfer
     from numerics.scene.file import load_scene
 
     wrong = wrong_path(options.out) or wrong_path(options.plot, "--plot")
@@ -74,36 +75,33 @@ def tell_transfer(options: argparse.Namespace) -> int:
         from numerics.control.transfer_figure import draw_transfer
 
         write_figure(draw_transfer(found, solved), options.plot)
-    values = {
-        "bound": found.bound,
-        "time": found.time,
-        "stuck_amplitude": found.stuck_amplitude,
-        "least_amplitude": found.least_amplitude,
-    }
-    told = numbers(values, found.digits)
-    road = found.road.name.lower().replace("_", "-")
+    names = ("bound", "time", "stuck_amplitude", "least_amplitude")
+    told = numbers({name: getattr(found, name) for name in names}, found.digits)
     if options.json:
+        road = found.road.name.lower().replace("_", "-")
         record = {"road": road, "sentence": found.road.value, "fastest": found.fastest, **told, "digits": found.digits}
         print(json.dumps(record | _scene_key(found.scene), indent=1))
     else:
-        print(f"{found.road.value}; {found.fastest}" if found.scene else found.fastest)
-        units = {"bound": "s", "time": "s", "stuck_amplitude": "N", "least_amplitude": "N"}
-        labels = {
-            "bound": "no control arrives before",
-            "time": "this transfer takes",
-            "stuck_amplitude": "amplitude that sticking at the limit needs",
-            "least_amplitude": "least amplitude with which the bound can be met",
-        }
-        print_numbers(told, units, labels)
-        if found.road is Road.SLIP:
-            print(
-                "friction is at its limit: the written decimals leave slips of about 10^-20 m where the bodies stick;",
-                end=" ",
-            )
-            print("a transfer with --margin keeps clear of them")
-        elif found.road is Road.STUCK and found.margin == 0:
-            print("friction is within 10^-18 of its limit, as far as decimals go; --margin keeps clear of it")
+        _print_transfer(found, told)
     return _hand_over(found.scene, options, "no transfer is given: between these amplitudes the least time is open")
+
+
+def _print_transfer(found: Transfer, told: dict[str, str]) -> None:
+    from numerics.control.transfer import Road
+
+    print(f"{found.road.value}; {found.fastest}" if found.scene else found.fastest)
+    labels = {
+        "bound": "no control arrives before",
+        "time": "this transfer takes",
+        "stuck_amplitude": "amplitude that sticking at the limit needs",
+        "least_amplitude": "least amplitude with which the bound can be met",
+    }
+    print_numbers(told, {"bound": "s", "time": "s", "stuck_amplitude": "N", "least_amplitude": "N"}, labels)
+    if found.road is Road.SLIP:
+        slips = "the written decimals leave slips of about 10^-20 m where the bodies stick"
+        print(f"friction is at its limit: {slips}; a transfer with --margin keeps clear of them")
+    elif found.road is Road.STUCK and found.margin == 0:
+        print("friction is within 10^-18 of its limit, as far as decimals go; --margin keeps clear of it")
 
 
 def _scene_key(scene: Scene | None) -> dict[str, str]:

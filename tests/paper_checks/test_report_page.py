@@ -10,6 +10,7 @@ from paper_checks.ledger import CLAIMS, source
 from paper_checks.report import colours, font, html, notation, opening, trust
 from paper_checks.report.blocks import Graph, Table
 from paper_checks.report.document import document
+from paper_checks.report.highlights import HIGHLIGHTS
 from paper_checks.report.html_graph import graph
 from paper_checks.report.mathematics import Piece, pieces
 from paper_checks.report.mathml import tree
@@ -81,9 +82,9 @@ def test_results_are_shown_only_with_the_verdict_on_record(rows):
     assert opening.section(rows).pictures == []  # none of the three rows is among these
 
 
-@pytest.mark.parametrize("name", opening.RESULTS)
+@pytest.mark.parametrize("name", HIGHLIGHTS)
 def test_the_numbers_of_the_first_screen_are_computed(name):
-    result = opening.RESULTS[name]()
+    result = HIGHLIGHTS[name]()
     expected = {
         "start-at-6mm-sticks": ("0.6 N", "at most 0.5 N"),
         "synchronisation-time": ("2.31 mm/s", "1.5 % of the initial speed"),
