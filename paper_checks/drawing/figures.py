@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import wraps
-
-from matplotlib.figure import Figure
-
 from paper_checks.drawing.euler_convergence import euler_convergence
 from paper_checks.drawing.excursions import excursion_curves, merging_window, return_map
 from paper_checks.drawing.force_needed import force_needed
@@ -20,18 +15,8 @@ from paper_checks.drawing.sharp_rate import sharp_rate
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.drawing.velocities import velocities_scene
 
-
-def _styled(draw: Callable[[], Figure]) -> Callable[[], Figure]:
-    @wraps(draw)
-    def drawn() -> Figure:
-        with house_style():
-            return draw()
-
-    return drawn
-
-
 FIGURES: Figures = {
-    name: _styled(draw)
+    name: house_style()(draw)
     for name, draw in (
         ("two-bodies", two_bodies),
         ("force-needed", force_needed),

@@ -51,7 +51,7 @@ _RC = {
 
 @contextmanager
 def house_style() -> Iterator[None]:
-    """Draw with matplotlib's defaults and the settings above, whatever the reader's own settings are."""
+    """Draw with matplotlib's defaults and the settings above, whatever the reader's own are; also a decorator."""
     with mpl_style.context("default"), mpl.rc_context(_RC):
         yield
 

@@ -5,12 +5,10 @@ Its formulas are those of the rows, its numbers are enclosed; its pictures stand
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import wraps
+from collections.abc import Iterator
 
 import sympy as sp
 from flint import arb
-from matplotlib.figure import Figure
 
 from numerics.control.response import response
 from numerics.control.ring import ring_entry
@@ -21,7 +19,7 @@ from numerics.scene import Pair
 from numerics.scene.file import load_reference, load_scene
 from paper_checks.drawing import under_a_force as drawing
 from paper_checks.drawing.captions import caption
-from paper_checks.drawing.style import house_style
+from paper_checks.drawing.style import Figures, house_style
 from paper_checks.engines.enclosure import rounded
 from paper_checks.ledger import claim_named
 from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
@@ -42,9 +40,9 @@ def section() -> Section:
     return Section(ID, TITLE, tuple(block for part in parts for block in part()))
 
 
-def figures() -> dict[str, Callable[[], Figure]]:
+def figures() -> Figures:
     """Return how the chapter's figures are drawn in the house style, by name."""
-    return {name: _styled(draw) for name, draw in DRAWINGS.items()}
+    return {name: house_style()(draw) for name, draw in DRAWINGS.items()}
 
 
 PICTURED = {
@@ -57,7 +55,7 @@ PICTURED = {
     "forced-periodic-response": ("drift-against-asymmetry", "drift-of-body-2"),
 }
 """By a row's id: the figure of it that the chapter shows, and the anchor under which it does."""
-DRAWINGS: dict[str, Callable[[], Figure]] = {
+DRAWINGS: Figures = {
     "thresholds-over-frequency": drawing.thresholds_over_frequency,
     "resonance": drawing.resonance,
     "tracked-reference": drawing.tracked_reference,
@@ -65,15 +63,6 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "tolerance-ring-of-a-scene": drawing.tolerance_ring,
     "drift-against-asymmetry": drawing.drift_against_asymmetry,
 }
-
-
-def _styled(draw: Callable[[], Figure]) -> Callable[[], Figure]:
-    @wraps(draw)
-    def drawn() -> Figure:
-        with house_style():
-            return draw()
-
-    return drawn
 
 
 def _picture(name: str) -> Picture:

@@ -5,14 +5,14 @@ Nothing in it is timed anew; forward Euler's runs and float64's bounds are compu
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from matplotlib.figure import Figure
 
 from numerics.trade.euler import stick_energies
 from numerics.trade.figure import draw_growth, draw_trade
 from numerics.trade.recorded import RecordedTrade, divided
-from paper_checks.drawing.style import house_style
+from paper_checks.drawing.style import Figures, house_style
 from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Points, Section
 from paper_checks.speed.euler_figures import euler_figures
 from paper_checks.speed.in_short import in_short
@@ -129,17 +129,17 @@ def euler_advice() -> Iterator[Block]:
     yield from forward_euler(euler_figures(), stick_energies())
 
 
-def figures(trade: RecordedTrade) -> dict[str, Callable[[], Figure]]:
+def figures(trade: RecordedTrade) -> Figures:
     """Return how the figures of a trade are drawn in the house style, two panels a row, by name; of free scenes."""
     trade, _ = divided(trade)
 
+    @house_style()
     def work_precision() -> Figure:
-        with house_style():
-            return draw_trade(trade, columns=2, panel_size=(4.1, 2.5))
+        return draw_trade(trade, columns=2, panel_size=(4.1, 2.5))
 
+    @house_style()
     def growth() -> Figure:
-        with house_style():
-            return draw_growth(trade, columns=2, panel_size=(4.1, 3.0))
+        return draw_growth(trade, columns=2, panel_size=(4.1, 3.0))
 
-    found: dict[str, Callable[[], Figure]] = {WORK_PRECISION: work_precision}
-    return found | ({GROWTH: growth} if any(one.seconds_per_event for one in trade.growth) else {})
+    grows = any(one.seconds_per_event for one in trade.growth)
+    return {WORK_PRECISION: work_precision, GROWTH: growth} if grows else {WORK_PRECISION: work_precision}
