@@ -22,9 +22,17 @@ from theory.rate_bounds import (
 from theory.return_map import depth
 from theory.symbols import q, tau, theta, w
 from theory.symbols import r as share_of_q
-from theory.uniform_rate import crossing_loss, crossings, first_contact_bound, gain, late, upper_bound
+from theory.uniform_rate import (
+    crossing_loss,
+    crossings,
+    crossings_bound,
+    first_contact_bound,
+    gain,
+    late,
+    upper_bound,
+)
 
-RHO, LATE_TIME, CONTACT = sp.symbols("rho tau^* tau_1", positive=True)
+RHO, LATE_TIME, CONTACT, LOSS = sp.symbols("rho tau^* tau_1 l", positive=True)
 DEPTH = sp.Function("c")
 
 
@@ -135,7 +143,7 @@ UNIFORM = (
         clause(
             "upper",
             r"Along every trajectory that starts with $w_0=q\,y_0>0$ and never merges, $w(\tau)\leqslant w_+$, «bound», with «gain», «late», "
-            r"«contact» and «loss», where $h(\theta_0)^2=y_0$, $c_0=c(\theta_0)$ and $N=\lceil y_0/l\rceil$: an upper bound that $E(0)$ alone "
+            r"«contact» and «loss», where $h(\theta_0)^2=y_0$, $c_0=c(\theta_0)$ and «count»: an upper bound that $E(0)$ alone "
             r"fixes.",
             bound=Formula(
                 "w_+",
@@ -151,8 +159,14 @@ UNIFORM = (
                 equals(late, lambda: {CONTACT: first_contact_bound().subs(w, q * first_excess)}),
             ),
             contact=of_share(r"\tau_1", 2 * sp.sqrt((1 + w) / R), first_contact_bound),
+            count=Formula(
+                crossings,
+                "=",
+                sp.ceiling(first_excess / LOSS),
+                equals(crossings_bound, lambda: {LOSS: crossing_loss()}),
+            ),
             loss=Formula(
-                "l",
+                LOSS,
                 "=",
                 2 * R / q * sp.Min(DEPTH(2 * sp.acot(q * (sp.sqrt(first_excess) + sp.pi / 2))), 1 / q),
                 equals(crossing_loss, _depths),

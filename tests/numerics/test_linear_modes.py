@@ -13,6 +13,7 @@ from strategies import decimals, forces, pairs, signed
 from numerics.arithmetic.ball import Ball
 from numerics.control.linear import LinearMode, W, is_positive_on
 from numerics.control.modes_proved import require_slip, require_stick
+from numerics.control.signals import Derivative
 from numerics.errors import EventUndecided
 from numerics.scene import Pair, Piece, Sine
 
@@ -87,3 +88,15 @@ def test_the_bound_by_energy_holds_every_derivative_at_every_point(pair, piece, 
             there = motion.over(Ball.number(length * k / 10)).derivative(order)
             for place in range(there.nrows()):
                 assert bound[place, 0].overlaps(there[place, 0]), (place, bound[place, 0], there[place, 0])
+
+
+@given(pairs((-1, 1), damped=None), strong_pieces(), decimals(-1, 0), decimals(-1, 0))
+def test_the_force_of_a_motion_is_that_of_its_piece(pair, piece, begin, later):
+    """u and u' as functions of z, at the start and after a flow, against the piece itself."""
+    with Ball(20).context():
+        motion = LinearMode(pair, pair.b, 1, piece).motion([arb(0)] * 4, Ball.number(begin))
+        for order in (0, 1):
+            exact = Derivative.of(piece, order)
+            for t in (Fraction(0), later):
+                found = motion.range(motion.mode.force, Ball.number(t), order)
+                assert found.overlaps(exact(Ball.number(begin + t)))

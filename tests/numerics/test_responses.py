@@ -12,14 +12,14 @@ from flint import arb, arb_mat
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
-from strategies import decimals, sine_scenes
+from strategies import decimals, signed, sine_scenes
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.again import orbit_again
 from numerics.control.cyclic import Link, newton_step
 from numerics.control.figures import draw_response
 from numerics.control.linear import LinearMode, W
-from numerics.control.orbit import Drive, Orbit, prove_modes, solve_orbit
+from numerics.control.orbit import Drive, Leg, Orbit, _eigenvalues_of_two, _proved, prove_modes, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
 from numerics.control.stuck import flattened_state
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
@@ -132,6 +132,40 @@ def test_a_false_mode_is_not_proved(planted):
     legs[0] = replace(legs[0], side=-1) if planted == "side" else replace(legs[0], t=legs[1].t + 1)
     with pytest.raises(EventUndecided), Ball(20).context():
         prove_modes(Orbit(orbit.drive, tuple(legs)))
+
+
+@pytest.mark.parametrize("amplitude", ["0.2", "5"])
+def test_events_that_no_motion_has_are_not_proved(amplitude):
+    """Those of a stick-slip motion, under a force for which there is none of the kind."""
+    legs = [Leg(leg.side, leg.t.mid(), leg.x.mid(), leg.v.mid()) for leg in response(under(PAIR, "0.5")).orbit.legs]
+    drive = steady_drive(under(PAIR, amplitude))
+    with Ball(20).context(), pytest.raises(EventUndecided):
+        _proved(Orbit(drive, tuple(legs)))
+
+
+@pytest.mark.parametrize("amplitude", ["0.22", "0.24"])
+def test_a_force_and_its_opposite_have_the_same_regime(amplitude):
+    """Their loads have other largest than smallest values: both edges count."""
+    force = Force.sine(amplitude, 12, "1.5708") + Force.sine("0.3", 24, "1.2")
+    assert len({response(Scene(PAIR, State(), 1, force=one)).regime for one in (force, -force)}) == 1
+
+
+def test_sines_of_one_frequency_may_cancel_at_resonance():
+    force = Force.sine(1, 10) + Force.sine("0.9", 10, "3.14159")
+    assert response(Scene(Pair(1, 1, 100, "0.5"), State(), 1, force=force)).regime is not Regime.GROWS
+
+
+@given(*[signed(decimals(-3, 3))] * 4)
+def test_the_larger_multiplier_comes_first(a, b, c, d):
+    with Ball(20).context():
+        numbers = [Ball.number(one) for one in (a, b, c, d)]
+        try:
+            large, small = _eigenvalues_of_two(*numbers)
+        except EventUndecided:
+            return
+        assert not abs(large) < abs(small)
+        assert (large + small - numbers[0] - numbers[3]).contains(0)
+        assert (large * small - numbers[0] * numbers[3] + numbers[1] * numbers[2]).contains(0)
 
 
 def test_what_is_no_periodic_force_is_refused():
