@@ -40,6 +40,8 @@ class Size:
     """how long the parent waits for one run of the long scene, s"""
     extent: Extent
     reference_limit: float = 900.0
+    forced_digits: float = 1000
+    """the most digits of both under a force, where a reference takes longer"""
     whole: float = math.inf
     """after so many seconds, compiling our own code apart, nothing more is begun, s; ours come first"""
 
@@ -137,10 +139,10 @@ def trade(
                 limits = replace(size.limits, run=size.long_run) if scene.name.startswith("long") else size.limits
                 progress(f"{contender.label}: {scene.name}")
                 if deadline.left() == 0:
-                    found += [not_tried(contender, scene, one, TIME_IS_UP) for one in settings(contender, size)]
+                    found += [not_tried(contender, scene, one, TIME_IS_UP) for one in settings(contender, size, scene)]
                     continue
                 limits = replace(limits, prepare=min(limits.prepare, deadline.left()))
-                found += measure(child, references, contender, scene, settings(contender, size), limits, source)
+                found += measure(child, references, contender, scene, settings(contender, size, scene), limits, source)
         curves = growth(child, references, present, size.extent, size.limits, progress, source, deadline)
         grown = [] if all(one.scene.is_forced for one in scenes) else list(curves)
     waits = []
@@ -178,10 +180,12 @@ def _named(name: str, only: Sequence[str]) -> bool:
     return any(text.lower() in name.lower() for text in only)
 
 
-def settings(contender: Contender, size: Size) -> tuple[float, ...]:
-    """Return the settings of a contender that this size measures."""
+def settings(contender: Contender, size: Size, scene: Benchmark) -> tuple[float, ...]:
+    """Return the settings of a contender that this size measures on a scene."""
     if contender.name in size.digits and contender.ours:
-        return tuple(one for one in contender.settings if one <= size.digits[contender.name])
+        most = size.digits[contender.name]
+        most = min(most, size.forced_digits) if scene.scene.is_forced else most
+        return tuple(one for one in contender.settings if one <= most)
     return thinned(contender.settings, size.settings)
 
 

@@ -13,17 +13,13 @@ from paper_checks.speed.wording import asked, counted, digits, factor_text, list
 def leading(trade: RecordedTrade) -> Iterator[Block]:
     """Yield by how much ours leads on each scene, and where a peer beats it."""
     closest = {scene: closest_peer(trade, scene) for scene in trade.scenes}
-    lost = [(scene, one) for scene in trade.scenes for one in beaten(trade, scene)]
+    lost = [text for scene in trade.scenes for text in losses(trade, scene)]
     held = [(one.ratio, scene, one) for scene, one in closest.items() if one is not None and one.ratio is not None]
     if not any(not one.ours for one in trade.runs):
         yield Paragraph("No peer took part: nothing can be said about others.")
         return
     if lost:
-        worst = {
-            (scene.name, one.peer.contender): (scene, one) for scene, one in sorted(lost, key=_least, reverse=True)
-        }
-        by_scene = sorted(worst.values(), key=lambda item: trade.scenes.index(item[0]))
-        yield Points(tuple(_loss(trade, scene, one) for scene, one in by_scene))
+        yield Points(tuple(lost))
     elif held:
         ratio, scene, one = min(held, key=lambda item: item[0])
         yield Paragraph(
@@ -40,8 +36,11 @@ def leading(trade: RecordedTrade) -> Iterator[Block]:
     )
 
 
-def _least(item: tuple[RecordedScene, Lead]) -> float:
-    return item[1].ratio or 0.0
+def losses(trade: RecordedTrade, scene: RecordedScene) -> list[str]:
+    """Return a sentence for each right peer that beats ours on a scene, at the setting where it does most."""
+    by_peer = sorted(beaten(trade, scene), key=lambda one: one.ratio or 0.0, reverse=True)
+    worst = {one.peer.contender: one for one in by_peer}
+    return [_loss(trade, scene, one) for one in worst.values()]
 
 
 def closest_peer(trade: RecordedTrade, scene: RecordedScene) -> Lead | None:
@@ -79,7 +78,7 @@ def _lead_row(trade: RecordedTrade, scene: RecordedScene, one: Lead | None) -> t
 
 def sequences(trade: RecordedTrade) -> Iterator[Block]:
     """Yield who has the event sequence right where, as one table."""
-    yield Paragraph(_ours(trade))
+    yield Paragraph(our_sequences(trade))
     head = ("who", *(scene.name for scene in trade.scenes))
     rows = tuple(
         (one.label, *(_cell(_runs(trade, one.label, scene.name)) for scene in trade.scenes)) for one in trade.contenders
@@ -103,7 +102,8 @@ def _cell(runs: list[RecordedRun]) -> str:
     return f"{len(right)}/{len(judged)}" + (f": {digits(min(right)):,}" if right else "")
 
 
-def _ours(trade: RecordedTrade) -> str:
+def our_sequences(trade: RecordedTrade) -> str:
+    """Return in how many runs ours have the events right."""
     runs = [one for one in trade.runs if one.ours and one.right is not None]
     wrong = [f"{one.contender} on {one.scene} ({one.difference})" for one in runs if not one.right]
     if wrong:

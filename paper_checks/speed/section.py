@@ -13,8 +13,9 @@ from numerics.trade.euler import stick_energies
 from numerics.trade.figure import draw_growth, draw_trade
 from numerics.trade.recorded import RecordedTrade, divided
 from paper_checks.drawing.style import Figures, house_style
-from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Points, Section
+from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Section
 from paper_checks.speed.euler_figures import euler_figures
+from paper_checks.speed.forced import under_a_force
 from paper_checks.speed.in_short import in_short
 from paper_checks.speed.misleading import forward_euler
 from paper_checks.speed.needs import float64_is_enough, needs, price_of_digits
@@ -29,7 +30,7 @@ WORK_PRECISION, GROWTH = "work-precision", "growth-of-cost"
 def section(trade: RecordedTrade) -> Section:
     """Return the whole section: provenance, advice (first in short), curves, and where forward Euler misleads."""
     free, forced = divided(trade)
-    blocks = [*provenance(free), *summary(free), *advice(free), *curves(free), *under_a_force(forced), *euler_advice()]
+    blocks = [*provenance(free), *summary(free), *advice(free), *curves(free), *forced_part(forced), *euler_advice()]
     return Section(ID, TITLE, tuple(blocks))
 
 
@@ -97,30 +98,11 @@ def curves(trade: RecordedTrade) -> Iterator[Block]:
         yield Picture(name, captions[name], titles[name])
 
 
-def under_a_force(trade: RecordedTrade) -> Iterator[Block]:
+def forced_part(trade: RecordedTrade) -> Iterator[Block]:
     """Yield who is right under a force and how fast, hand-written friction among them; nothing if nobody was asked."""
-    if not trade.scenes:
-        return
-    yield Heading("Under a force")
-    yield Paragraph(
-        "Integrators are restarted at every jump of $u$ or $b$ and at every event. Karnopp's dead zone and smoothing by "
-        "$\\tanh$ are one call of SciPy without events, as engineers write them; their setting is the width of the zone "
-        "in units of $L\\Omega$. A refusal of ours is shown as failed: where float64 cannot tell a touch from a slip, "
-        "it says so, and balls decide."
-    )
-    yield Points(tuple(f"{scene.name}: {scene.why}." for scene in trade.scenes))
-    yield from sequences(trade)
-    yield from leading(trade)
-    of = trade.machine
-    busy = (of.get("load") or 0) > of["cores"] / 2
-    yield Paragraph(
-        f"Measured on {of['processor']}, {of['cores']} cores"
-        + (
-            f", at a load of {of['load']:g}: it did other work, so times are good for their order of magnitude."
-            if busy
-            else "."
-        )
-    )
+    if trade.scenes:
+        yield Heading("Under a force")
+        yield from under_a_force(trade)
 
 
 def euler_advice() -> Iterator[Block]:

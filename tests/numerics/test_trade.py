@@ -147,8 +147,10 @@ class TestPlan:
             selected(everyone, some, ["wrong"])
 
     def test_sizes_go_further_and_further(self):
-        most = [settings(ours(BALL), SIZES[name])[-1] for name in ("small", "default", "large")]
+        free = scenes.paper_scenes()[0]
+        most = [settings(ours(BALL), SIZES[name], free)[-1] for name in ("small", "default", "large")]
         assert most == [100, 10_000, 10_000]
+        assert settings(ours(BALL), SIZES["default"], scenes.forced_scenes()[0])[-1] == 1000
 
     def test_two_uses_of_one_tool_are_told_apart(self):
         class Tool:

@@ -13,6 +13,7 @@ from paper_checks.report.html_blocks import HtmlWriter
 from paper_checks.report.latex_blocks import LatexWriter
 from paper_checks.report.markdown import markdown
 from paper_checks.speed import section
+from paper_checks.speed.forced import under_a_force
 
 
 def said(found) -> str:
@@ -71,18 +72,33 @@ class TestUnderAForce:
         text = markdown(whole)
         before, _, after = text.partition("Under a force")
         assert "forced-touch" not in before
-        assert "| tanh smoothing | 0/1 |" in after
+        assert "| tanh smoothing | wrong: 2, 5× |" in after
         assert "heyoka, u(t)" in after
         assert "Measured on Abacus" in after
 
+    def test_a_cell_says_what_is_right_and_the_time_beside_ours(self, tmp_path):
+        slow = run("slow, u(t)", "forced-touch", 4e-2, -11.0)
+        fine = run("fine, u(t)", "forced-touch", 4e-2, -90.0)
+        hung = run("hung, u(t)", "forced-touch", None)
+        trade = planted(tmp_path, *self.PEERS, slow, fine, hung, scenes=with_forced()).part(forced=True)
+        text = said(under_a_force(trade))
+        assert "| ball | 1/1: 15, 2 ms |" in text
+        assert "| tanh smoothing | wrong: 2, 5× |" in text
+        assert "| heyoka, u(t) | 1/1: 12, 0.05× |" in text
+        assert "| slow, u(t) | 1/1: 11, 20× |" in text
+        assert "| fine, u(t) | 1/1: 90, - |" in text
+        assert "| hung, u(t) | stopped |" in text
+        assert "On forced-touch heyoka, u(t) (12 digits, 100 µs) beats ours: it is 20 times as fast as ball." in text
+        assert "no run of ours is as accurate as fine, u(t) (90 digits, 40 ms)" in text
+
     def test_without_such_scenes_nothing_is_said(self, plain_trade):
-        assert list(section.under_a_force(plain_trade.part(forced=True))) == []
+        assert list(section.forced_part(plain_trade.part(forced=True))) == []
 
     @pytest.mark.parametrize(("load", "said_so"), [(0.2, False), (8.0, True), (None, False)])
     def test_a_busy_machine_is_confessed(self, tmp_path, load, said_so):
         machine = {"processor": "Abacus", "cores": 2, "load": load, "python": "3.11", "packages": {}}
         trade = planted(tmp_path, *self.PEERS, scenes=with_forced(), machine=machine).part(forced=True)
-        assert ("at a load of" in said(section.under_a_force(trade))) == said_so
+        assert ("at a load of" in said(under_a_force(trade))) == said_so
 
 
 def test_the_shipped_record_is_advised_on_without_forward_euler():
