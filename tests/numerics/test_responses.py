@@ -21,7 +21,7 @@ from numerics.control.figures import draw_response
 from numerics.control.linear import LinearMode, W
 from numerics.control.orbit import Drive, Leg, Orbit, _eigenvalues_of_two, _proved, prove_modes, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
-from numerics.control.stuck import flattened_state
+from numerics.control.stuck import flattened_state, stuck_state
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
 
@@ -296,3 +296,30 @@ def test_where_a_free_oscillation_lets_the_pair_stick_that_is_the_answer(amplitu
     scene = Scene(drive.pair, State(x1=x1, v1=v1, v2=v1), until=4, force=Force.sine(amplitude, 5))
     assert (not referred(scene).events) == sticks
     assert draw_response(found).axes
+
+
+@given(decimals(-1, 1, 2), st.integers(0, 20))
+@settings(max_examples=10)
+def test_the_stuck_response_is_a_motion_of_the_stuck_pair(a1, tenths):
+    """What it is at one time flows into what it is at a later one; the multipliers are those of the flow."""
+    pair = Pair(1, 2, 200, 50, a1)
+    scene = Scene(pair, State(), 1, force=Force.sine("0.3", 4, 1) + Force.sine("0.2", 6, "-0.7"))
+    drive = steady_drive(scene)
+    with Ball(20).context():
+        t = drive.period * tenths / 10
+        begun, there = stuck_state(drive, arb(0)), stuck_state(drive, t)
+        flowed = drive.mode(0).motion(begun, arb(0)).state(t)
+        for place in (0, 1):
+            assert (flowed[place] - there[place]).contains(0)
+        first, second, _ = response(scene).multipliers
+        left = (-Ball.number(pair.a1 / pair.mass) * drive.period).exp()
+        assert (first * second - left).contains(0)
+
+
+def test_a_drift_of_exactly_zero_is_said_only_where_no_other_motion_can_be():
+    """Without a damper and without a stop nothing proves that the motion is the only one, odd as the force is."""
+    damped, free = (response(under(pair, "2")) for pair in (PAIR, FREE))
+    assert damped.regime is free.regime is Regime.NON_STOP
+    assert damped.drift.is_zero()
+    assert free.drift.contains(0)
+    assert not free.drift.is_zero()
