@@ -175,6 +175,25 @@ CONTROL = [
         "(forall t, d < t < T -> 0 <= p t) -> False.",
         "no marginal stick",
     ),
+    ("Pieces", "- friction pieces b t * Rabs", "- b * Rabs", "the last friction at all times"),
+    (
+        "Pieces",
+        "+ (J t - J r) / sqrt m1. Proof",
+        "+ (J t - J r) / sqrt (2 * m1). Proof",
+        "half the force in a second piece",
+    ),
+    (
+        "Relative",
+        "c * (2 * energy m1 m2 a2 x v1 v2)) -> (m1 + m2)",
+        "c * (2 * energy m1 m2 a2 x v1 v2)) -> 2 * (m1 + m2)",
+        "a smaller ring",
+    ),
+    (
+        "Relative",
+        "(x' 0 - z' 0) - (x 0 - z 0) /\\ v1'",
+        "(x' 0 - z' 0) /\\ v1'",
+        "a displacement that is drawn somewhere",
+    ),
     ("Rule", "(load t - k * b)).", "(load t + k * b)).", "friction that drives the slip"),
     ("Rule", "Rabs (load t) <= b. Proof", "Rabs (load t) < b. Proof", "no stick at the edge"),
     (

@@ -43,11 +43,13 @@ SECTION_1 = (
                 "velocity",
                 r"in the tube the relative velocity is within $\sqrt\kappa\,\varepsilon$ of the orbit's, «kappa»;",
                 kappa=Formula(r"\kappa", "=", (m1 + m2) / (m1 * m2), equals(ring_ratio)),
+                kernel=("ring-factor",),
             ),
             clause(
                 "displacement",
                 r"the relative displacement is not drawn anywhere: a start with another $x_2(0)$ keeps the difference for ever, so the ring has to be centred on "
                 r"the motion's own limit.",
+                kernel=("displacement-unseen",),
             ),
         ),
     ),

@@ -108,11 +108,13 @@ RING = theorem(
                 }
             ),
         ),
+        kernel=("ring-factor",),
     ),
     clause(
         "blind",
         r"$N$ does not see $x_1-x_2$: moving $x_2(0)$ moves the relative motion by as much, for ever. So a ring in the plane of $x_1-x_2$ and its rate is "
         r"centred on the limit of the motion itself.",
+        kernel=("displacement-unseen",),
     ),
     clause(
         "centre",

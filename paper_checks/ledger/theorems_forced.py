@@ -165,6 +165,7 @@ CONTRACTION = theorem(
     clause(
         "interface-rates",
         r"Both rates and the bound under two forces then hold with $b(t)$ in the place of $b$.",
+        kernel=("varying-energy-rate", "varying-contraction", "varying-input-to-state"),
     ),
 )
 

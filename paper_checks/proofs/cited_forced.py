@@ -23,6 +23,14 @@ FORCED: dict[str, tuple[str, str]] = {
         "Varying.varying_well_posed",
         "With a friction by pieces in time, too: one motion from every start.",
     ),
+    "varying-energy-rate": (
+        "Pieces.varying_energy_rate",
+        "The energy has the same rate, with the friction of the time.",
+    ),
+    "varying-input-to-state": (
+        "Pieces.varying_input_to_state",
+        "So has the energy distance under two forces the same bound.",
+    ),
     "mode-stick": (
         "Mode.sticks_at",
         "At a contact with the load within b the pair sticks for a while, whatever the force does later.",
@@ -169,6 +177,14 @@ FORCED: dict[str, tuple[str, str]] = {
     "rest-to-rest": (
         "Arrival.rest_to_rest",
         "With that amplitude both bodies can be at rest then, if the stuck pair may brake with it in the second half.",
+    ),
+    "ring-factor": (
+        "Relative.ring_factor",
+        "|v1 - v2| <= sqrt kappa N, kappa = (m1 + m2)/(m1 m2), and no smaller factor will do.",
+    ),
+    "displacement-unseen": (
+        "Relative.displacement_unseen",
+        "Another place of body 2 at the start moves the relative motion by as much, for ever.",
     ),
     "tolerance-ring": (
         "Ring.ring",
