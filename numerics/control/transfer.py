@@ -21,11 +21,11 @@ from fractions import Fraction
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import working_digits
+from numerics.control.amplitudes import least_amplitude, reaches, stuck_amplitude
 from numerics.control.asked import to_digits
 from numerics.control.rounding import KEPT_DIGITS, TIME_DIGITS, rounded, rounded_up
 from numerics.control.thresholds import cosine_and_sine
-from numerics.errors import EventUndecided, InvalidScene
+from numerics.errors import InvalidScene
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
 
@@ -131,50 +131,17 @@ def _chosen(
     found = _bang_bang(pair, far, most, margin)
     if found is not None:
         return found
-    why = f"{Road.OPEN.value}; a stuck transfer at the limit needs {stuck.str(6, radius=False)} N"
-    return Road.OPEN, None, why, None
+    return Road.OPEN, None, f"{Road.OPEN.value}; {_what_is_known(most, stuck, least)}", None
 
 
-def stuck_amplitude(pair: Pair, far: Fraction, margin: Fraction) -> arb:
-    """Return the largest |u| of the transfer that sticks at (1 - margin) b, N; an enclosure."""
-    number, gain = Ball.number, (1 - margin) * pair.b / pair.m2
-    found = number(pair.mass * gain + pair.a2 * far / 2) + number(pair.a1) * number(gain * far).sqrt()
-    found = found.max(number(pair.a2 * far))
-    if pair.a1**2 * gain <= pair.a2**2 * far:
-        found = found.max(number(pair.a2 * far + pair.a1**2 * gain / (2 * pair.a2) - pair.mass * gain))
-    return found
-
-
-def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
-    """Return U_min = b + beta tau/g(tau), N, an enclosure; None where g' < 0 somewhere on [0, tau]."""
-    number = Ball.number
-    tau = number(pair.m2 * far / pair.b).sqrt()
-    g, slope = _impulse_response(pair, tau)
-    if slope is None or slope < 0:
-        return None
-    if not slope > 0:
-        raise EventUndecided("does body 1 still run ahead at half time?", slope.str(6), working_digits())
-    return number(pair.b) + number(pair.b / pair.m2) * tau / g
-
-
-def _impulse_response(pair: Pair, t: arb) -> tuple[arb, arb | None]:
-    """Return g(t) (m/(N s)), and m1 e^(a1 t/(2 m1)) g'(t), None if g' has changed sign for certain before t."""
-    number, decay = Ball.number, pair.a1 / (2 * pair.m1)
-    squared = pair.a2 / pair.m1 - decay**2
-    cosine, sine = cosine_and_sine(squared, t)
-    if squared > 0 and number(squared).sqrt() * t > arb.pi() / 2:
-        return sine, None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
-    return (-number(decay) * t).exp() * sine / number(pair.m1), cosine - number(decay) * sine
-
-
-def reaches(most: Fraction, needed: arb) -> bool:
-    """Return whether an amplitude is at least an enclosed one. Raises EventUndecided."""
-    over = Ball.number(most) - needed
-    if over >= 0:
-        return True
-    if over < 0:
-        return False
-    raise EventUndecided("does the amplitude suffice?", over.str(6), working_digits())
+def _what_is_known(most: Fraction, stuck: arb, least: arb | None) -> str:
+    """Return what is proved of the bound where the least time is open."""
+    needs = f"a stuck transfer at the limit needs {stuck.str(6, radius=False)} N"
+    if least is None:
+        return f"{needs}, and whether slipping meets the bound with less is open, too"
+    if reaches(most, least):
+        return f"{needs}; with less body 2 can meet the bound, but whether both bodies can rest then is open"
+    return f"{needs}, and no control meets the bound with less than {least.str(6, radius=False)} N"
 
 
 def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:

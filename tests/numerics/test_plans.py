@@ -122,7 +122,18 @@ def test_between_the_amplitudes_it_says_that_the_least_time_is_open():
     found = fastest_transfer(at_rest(FREE), "0.01", amplitude="1.5")
     assert found.road is Road.OPEN
     assert found.scene is None
-    assert "open" in found.fastest
+    assert "whether slipping meets the bound with less is open" in found.fastest  # g' < 0 before half time
+    weaker = fastest_transfer(at_rest(FREE), "0.001", amplitude=1)
+    assert weaker.road is Road.OPEN
+    assert "no control meets the bound with less than 1.03496 N" in weaker.fastest
+
+
+def test_where_the_impulse_response_turns_no_least_amplitude_is_claimed():
+    """Heavy damping: g' < 0 before half time."""
+    found = fastest_transfer(at_rest(Pair("0.8", "1.9", 64, "0.25", 40)), "0.02", amplitude=3)
+    assert found.road is Road.OPEN
+    assert found.least_amplitude is None
+    assert "whether slipping meets the bound with less is open" in found.fastest
 
 
 @pytest.mark.parametrize(
