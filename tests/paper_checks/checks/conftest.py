@@ -9,13 +9,15 @@ from typing import Any
 
 import pytest
 
-from paper_checks.checks.registry import Check, Context
+from paper_checks.checks.registry import Check, Context, load_checks
 from paper_checks.evidence.finding import Finding
 from paper_checks.ledger import CLAIMS
 from paper_checks.report import mathematics
 from paper_checks.solvers import smt
 
 STEPS = ("paper_checks.steps.",)
+CHECKS: dict[str, Check] = {claim.id: check for claim in CLAIMS for check in load_checks().of(claim.id)}
+"""The check of each claim."""
 
 
 ask_once = cache(smt.ask)

@@ -31,8 +31,8 @@ from paper_checks.steps import (
     return_map,
 )
 
-from .conftest import finding_of
-from .test_theorems import BANDS, CHECKS, LATE, MAP, MEASURE, RATE
+from .conftest import CHECKS, finding_of
+from .test_theorems import BANDS, LATE, MAP, MEASURE, RATE
 
 
 def value_of(claim_id, beginning):
