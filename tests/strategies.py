@@ -224,3 +224,17 @@ def driven_states(draw, pair: Pair, force: Force) -> State:
     if kind == "edge" and isinstance(u, Fraction):
         x = (u - pair.a1 * v - draw(st.sampled_from([-1, 1])) * pair.a2 * pair.half_width) / pair.a2
     return State(x, v, x, v)
+
+
+@st.composite
+def trigonometric_quotients(draw):
+    """Quotients of polynomials in theta, its sine, its cosine and sqrt(q); a zero of the denominator leaves no pole."""
+    from sympy import cos, sin, sqrt
+
+    from theory.symbols import q, theta
+
+    zeros, powers = draw(st.integers(0, 2)), st.integers(0, 2)
+    terms = draw(st.lists(st.tuples(st.integers(-3, 3), powers, powers, powers, powers), min_size=1, max_size=3))
+    top = sum(n * theta**a * sin(theta) ** b * cos(theta) ** c * sqrt(q) ** d for n, a, b, c, d in terms)
+    unit = draw(st.integers(1, 3)) + draw(st.sampled_from([0, 1, sqrt(q), q])) * sin(theta)
+    return top * theta ** (2 * zeros) / ((1 - cos(theta)) ** zeros * unit)

@@ -18,7 +18,6 @@ from sympy import (
     cos,
     expand,
     limit,
-    series,
     simplify,
     sin,
     solve,
@@ -29,6 +28,7 @@ from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
 from theory.filippov import at_edge
+from theory.power_series import taylor
 from theory.scaling import canonical_pair, excess, half_width, stick_frequency, to_si
 from theory.symbols import V1, V2, X, epsilon, q, t, theta, v1_0, w, x1, x1_0
 
@@ -39,11 +39,6 @@ def truncate(expression: Expr, variable: Symbol, order: int) -> Expr:
     """The part of a polynomial below variable**order."""
     polynomial = expand(expression)
     return sum((polynomial.coeff(variable, n) * variable**n for n in range(order)), Integer(0))
-
-
-def taylor(expression: Expr, variable: Symbol, order: int) -> Expr:
-    """Taylor polynomial at 0 below variable**order."""
-    return expand(series(expression, variable, 0, order).removeO())
 
 
 @cache

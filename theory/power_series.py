@@ -1,0 +1,113 @@
+"""Taylor polynomials at 0 by truncated power series: exact, and much quicker than sympy's general `series`."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from sympy import (
+    QQ,
+    Dummy,
+    Expr,
+    Integer,
+    Poly,
+    PolynomialError,
+    Symbol,
+    cos,
+    expand,
+    fraction,
+    series,
+    sin,
+    sqrt,
+    together,
+)
+from sympy.polys.polyerrors import CoercionFailed
+
+_SPARE = 12
+"""Orders that a zero of the denominator may take away."""
+
+
+def taylor(expression: Expr, variable: Symbol, order: int) -> Expr:
+    """Taylor polynomial at 0 below variable**order.
+
+    For a quotient of polynomials in the variable, its sine and its cosine by power series over the field of all other
+    symbols and their square roots; for anything else, or at a pole, by sympy's `series`.
+    """
+    found = _by_division(expression, variable, order)
+    return expand(series(expression, variable, 0, order).removeO()) if found is None else found
+
+
+def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
+    sine, cosine = Dummy("sine"), Dummy("cosine")
+    roots = {one: Dummy(one.name, positive=True) for one in expression.free_symbols - {variable} if one.is_positive}
+    unknown = expression.subs({sin(variable): sine, cos(variable): cosine})
+    unknown = unknown.subs({one: root**2 for one, root in roots.items()})
+    letters = sorted(unknown.free_symbols - {variable, sine, cosine}, key=str)
+    field = QQ.frac_field(*letters) if letters else QQ
+    length = order + _SPARE
+    powers = [_series_of(one, field, length) for one in _circle(length)]
+    try:
+        top, bottom = (
+            _value(Poly(part, variable, sine, cosine, domain=field), powers, length)
+            for part in fraction(together(unknown))
+        )
+    except (PolynomialError, CoercionFailed):
+        return None
+    zeros = next((place for place, one in enumerate(bottom) if one), length)
+    if zeros > _SPARE or any(top[:zeros]):
+        return None
+    quotient = _divided(top[zeros:], bottom[zeros:], order)
+    back = {root: sqrt(one) for one, root in roots.items()}
+    return expand(sum((field.to_sympy(one).subs(back) * variable**n for n, one in enumerate(quotient)), Integer(0)))
+
+
+def _circle(length: int) -> tuple[list[Any], list[Any]]:
+    """The coefficients of sine and cosine."""
+    sines, cosines, factorial = [], [], QQ(1)
+    for n in range(length):
+        factorial = factorial * n if n else factorial
+        term = QQ((-1) ** (n // 2)) / factorial
+        sines.append(term if n % 2 else QQ(0))
+        cosines.append(QQ(0) if n % 2 else term)
+    return sines, cosines
+
+
+def _series_of(coefficients: Sequence[Any], field: Any, length: int) -> list[list[Any]]:
+    """The powers 0 and 1 of a series, in the field; `_power` adds the others."""
+    one = [field.one, *[field.zero] * (length - 1)]
+    return [one, [field.convert(term, QQ) for term in coefficients]]
+
+
+def _power(powers: list[list[Any]], exponent: int) -> list[Any]:
+    while len(powers) <= exponent:
+        powers.append(_product(powers[-1], powers[1]))
+    return powers[exponent]
+
+
+def _value(polynomial: Poly, powers: Sequence[list[list[Any]]], length: int) -> list[Any]:
+    """A polynomial in variable, sine and cosine as a series."""
+    zero = polynomial.domain.zero
+    found = [zero] * length
+    for (shift, of_sine, of_cosine), factor in polynomial.rep.to_dict().items():
+        term = _product(_power(powers[0], of_sine), _power(powers[1], of_cosine))
+        for n, one in enumerate(term[: max(0, length - shift)]):
+            if one:
+                found[n + shift] += factor * one
+    return found
+
+
+def _product(one: Sequence[Any], other: Sequence[Any]) -> list[Any]:
+    found = [one[0] * 0] * len(one)
+    for n, left in enumerate(one):
+        if left:
+            for m, right in enumerate(other[: len(one) - n]):
+                if right:
+                    found[n + m] += left * right
+    return found
+
+
+def _divided(top: Sequence[Any], bottom: Sequence[Any], order: int) -> list[Any]:
+    """The first coefficients of a quotient of series; the bottom one does not begin with 0."""
+    found: list[Any] = []
+    for n in range(order):
+        rest = sum((found[m] * bottom[n - m] for m in range(n) if bottom[n - m]), top[n] * 0)
+        found.append((top[n] - rest) / bottom[0])
+    return found
