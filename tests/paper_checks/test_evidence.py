@@ -67,6 +67,8 @@ OVERREACHING = {
         (COUNTER, CORRECTION, FAILED.as_correction()),
         CORRECTED,
     ),
+    "failed counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION, FAILED.as_counterexample()), CORRECTED),
+    "silent counterexample": (Verdict.REFUTED, "r", (COUNTER, CORRECTION, SILENT.as_counterexample()), CORRECTED),
     "undecided without what is missing": (Verdict.UNDECIDED, "r", (SAMPLE,), {}),
 }
 
@@ -76,6 +78,12 @@ def test_an_overreaching_finding_cannot_be_built(case):
     verdict, reason, evidence, texts = OVERREACHING[case]
     with pytest.raises(InvalidFindingError, match=verdict.value):
         Finding(verdict, reason, evidence, **texts)
+
+
+@pytest.mark.parametrize(("step", "decides"), [(EXACT, True), (FAILED, False), (SILENT, False), (SAMPLE, False)])
+def test_only_a_step_that_passed_and_can_settle_a_claim_decides(step, decides):
+    assert step.decides is decides
+    assert not step.as_support().decides
 
 
 def test_conclude_keeps_a_supported_verdict():

@@ -17,6 +17,7 @@ EXACT = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
 BALL = Evidence(EvidenceKind.ENCLOSURE, "arb", "a < 1", True)
 SAMPLE = Evidence(EvidenceKind.PROPERTY, "numerics", "a < 1", True, cases=9)
 FAILED = Evidence(EvidenceKind.EXACT, "sympy", "a = c", False)
+SILENT = Evidence(EvidenceKind.SMT, "z3", "a = d", None)
 
 
 def claim(*clauses, **more):
@@ -34,9 +35,18 @@ def test_the_weakest_step_counts_and_what_supports_does_not():
     assert weakest([SAMPLE]) is None
 
 
+@pytest.mark.parametrize("kind", [EvidenceKind.KERNEL, EvidenceKind.SMT])
+def test_a_step_is_no_stronger_than_what_it_rests_on_however_deep(kind):
+    below = Evidence(EvidenceKind.EXACT, "sympy", "so", True, rests_on=(argument("by hand", SMT),))
+    assert weakest([Evidence(kind, "k", "all", True, rests_on=(below,))]) is EvidenceKind.ARGUMENT
+    assert weakest([Evidence(kind, "k", "all", True, rests_on=(BALL.as_support(),))]) is kind
+
+
 def test_an_argument_is_as_good_as_what_it_rests_on():
     assert argument("so", SMT, EXACT).passed is True
     assert argument("so", SMT, FAILED).passed is False
+    assert argument("so", SMT, SILENT).passed is None
+    assert argument("so", SILENT, FAILED).passed is False
     assert argument("so", SMT, SAMPLE).passed is True
     assert argument("so", cites=("Filippov",)).passed is True
     with pytest.raises(ValueError, match="rests on steps, or cites"):
