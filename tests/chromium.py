@@ -23,7 +23,7 @@ def browser() -> str:
     return found
 
 
-def asked(page: str, question: Path, folder: Path, *flags: str, **given: object) -> object:
+def asked(page: str, question: Path, folder: Path, *flags: str, seconds: float = 180, **given: object) -> object:
     """Return what `question`, a file with the body of an async function, returns on this page. It knows `given`."""
     known = "".join(f"const {name} = {json.dumps(value)};\n" for name, value in given.items()).replace("</", "<\\/")
     body = known + question.read_text("utf-8")
@@ -41,7 +41,7 @@ def asked(page: str, question: Path, folder: Path, *flags: str, **given: object)
         capture_output=True,
         text=True,
         encoding="utf-8",
-        timeout=180,
+        timeout=seconds,
         check=False,
     )
     answer = ANSWER.search(done.stdout)

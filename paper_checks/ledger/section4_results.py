@@ -190,8 +190,8 @@ NUMERICAL_RESULTS = (
             ),
             clause(
                 "for-ever",
-                r"they stick and slip in turn for ever, with $|\dot z|\leqslant B$, «bound» mm/s, falling from slip to slip to 0 as $t\to\infty$.",
-                bound=Formula("B", "=...", sp.Rational("2.320"), decimal(_later_speed)),
+                r"they stick and slip in turn for ever, with $|\dot z|\leqslant\beta$, «bound» mm/s, falling from slip to slip to 0 as $t\to\infty$.",
+                bound=Formula(r"\beta", "=...", sp.Rational("2.320"), decimal(_later_speed)),
             ),
         ),
     ),

@@ -45,7 +45,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "mode-marginal": (
         "Rule.marginal",
-        "Where all of them are 0 and the force is analytic, the pair sticks at the load b, with the acceleration of the slip.",
+        "Where all these derivatives are 0 and the force is analytic, the pair sticks at the load b, with the acceleration of the slip.",
     ),
     "slip-rate": (
         "Rule.slip_rate",

@@ -12,7 +12,7 @@ from paper_checks.ledger import Kind
 from paper_checks.report import colours, font
 from paper_checks.report.document import ROWS, ROWS_TITLE, Document
 from paper_checks.report.html_blocks import HtmlWriter
-from paper_checks.report.summary import first_sentence, kind, section_title, sections
+from paper_checks.report.summary import first_sentence, kind, place, section_title, sections
 from paper_checks.running.runner import Row
 
 
@@ -103,7 +103,7 @@ def _row(row: Row, report: Document, writer: HtmlWriter) -> str:
     claim, finding = row.claim, row.finding
     return (
         f'<tbody id="{claim.id}" data-section="{escape(claim.section)}" data-verdict="{finding.verdict.value}">\n'
-        f'<tr><th scope="row">{writer.text(claim.statement)} <small>({writer.text(claim.where)})</small></th>'
+        f'<tr><th scope="row">{writer.text(claim.statement)} <small>{writer.text(place(claim))}</small></th>'
         f"<td>{badge(finding.verdict)}<br><small>{kind(row)}</small></td>"
         f"<td>{writer.text(first_sentence(finding.reason))}</td></tr>\n"
         f'<tr><td colspan="3"><details><summary><code>{claim.id}</code>: why, and how it was checked</summary>\n'

@@ -9,7 +9,7 @@ from pathlib import Path
 from paper_checks.errors import ToolMissingError
 from paper_checks.ledger import Kind
 from paper_checks.report.document import ROWS, ROWS_TITLE, Document
-from paper_checks.report.summary import kind
+from paper_checks.report.summary import kind, place
 from paper_checks.report.typst_blocks import TypstWriter, escaped
 from paper_checks.running.runner import Row
 
@@ -62,7 +62,7 @@ def _row(row: Row, report: Document, writer: TypstWriter) -> str:
     claim = row.claim
     who = "The paper" if claim.kind is Kind.CLAIM else "Theorem"
     heading = f'=== #raw("{claim.id}"): {row.finding.verdict.value} ({escaped(kind(row))}) <{claim.id}>'
-    said = f"#strong[{who}] ({writer.text(claim.where)}): {writer.text(claim.statement)}"
+    said = f"#strong[{who}] {writer.text(place(claim))}: {writer.text(claim.statement)}"
     return "\n\n".join([heading, said, writer.body(report.stories[claim.id])])
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from paper_checks.engines.kernel import PROVED
@@ -19,7 +20,12 @@ def is_new_theorem(row: Row) -> bool:
 
 def speaker(claim: Claim) -> str:
     """Return who says the statement, and where."""
-    return f"The paper ({claim.where})" if claim.kind is Kind.CLAIM else f"Theorem, {claim.where}"
+    return f"The paper {place(claim)}" if claim.kind is Kind.CLAIM else f"Theorem, {claim.where}"
+
+
+def place(claim: Claim) -> str:
+    """Return the place of a claim in brackets; an equation's number has them already."""
+    return claim.where if re.fullmatch(r"\([^()]*\)", claim.where) else f"({claim.where})"
 
 
 def section_title(name: str) -> str:

@@ -1,6 +1,7 @@
 """The page is valid, self-contained, anchored, escaped, and the same on every run."""
 
 import re
+from dataclasses import replace
 from html import unescape
 from html.parser import HTMLParser
 
@@ -9,6 +10,7 @@ import pytest
 from paper_checks.report import html, notation, vector
 from paper_checks.report.document import document, summary
 from paper_checks.report.files import write
+from paper_checks.report.summary import place
 
 VOID = {"meta", "br", "wbr", "link", "img", "input", "hr"}
 
@@ -191,3 +193,16 @@ def test_an_interruption_leaves_no_partial_file(rows, figures, tmp_path, monkeyp
     with pytest.raises(KeyboardInterrupt):
         write(tmp_path, ("html",), document(rows), figures, print)
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("where", "shown"),
+    [
+        ("(8)", "(8)"),
+        ("after (8)", "(after (8))"),
+        ("Fig. 3 (a)", "(Fig. 3 (a))"),
+        ("eqs. (3), (4)", "(eqs. (3), (4))"),
+    ],
+)
+def test_the_number_of_an_equation_has_its_own_brackets(rows, where, shown):
+    assert place(replace(rows[0].claim, where=where)) == shown
