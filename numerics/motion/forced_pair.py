@@ -36,12 +36,17 @@ def _swing(arithmetic: Arithmetic, mass: Fraction, a1: Fraction, a2: Fraction) -
     return Swing(number(mass), number(a1), number(a2), of, rate, light, short, terms)
 
 
+def bits_of(arithmetic: Arithmetic) -> int:
+    """Return how many bits a number of an arithmetic has, or a few more."""
+    return {"float64": 53, "double-double": 107}.get(arithmetic.name, math.ceil(arithmetic.digits * 3.33) + 16)
+
+
 def _series(arithmetic: Arithmetic) -> tuple[float, int]:
     """Return up to what argument power series are used, and of how many terms: up to 1 where digits are few.
 
     With more of them closed forms are quicker, and what little cancels there is added to the working digits.
     """
-    bits = {"float64": 53, "double-double": 107}.get(arithmetic.name, math.ceil(arithmetic.digits * 3.33) + 16)
+    bits = bits_of(arithmetic)
     short = 1.0 if bits < 120 else 1 / 16
     terms, size = 2, 0.0
     while size < bits + 8:

@@ -22,8 +22,8 @@ from numerics.trajectory.digits import Accuracy
 from numerics.trajectory.forced_accuracy import accuracy_of
 from numerics.trajectory.forced_dense import ForcedDense
 from numerics.trajectory.forced_record import ForcedRecord
-from numerics.trajectory.forced_segment import ForcedSegment, ledger_of
-from numerics.trajectory.forced_table import table_of_floats
+from numerics.trajectory.forced_segment import ForcedSegment, Parts, ledger_of, parts_of
+from numerics.trajectory.forced_table import table_of
 from numerics.trajectory.forced_units import in_seconds, in_unit, unit_of_time
 from numerics.trajectory.segment import EnergyLedger, Event
 from numerics.trajectory.status import Status
@@ -130,13 +130,7 @@ class ForcedTrajectory(Trajectory):
     def _table(self) -> tuple[NDArray[Any], NDArray[np.int64]]:
         """Return t, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (5, m); events by kind."""
         rows = [0, *self.knots.tolist(), *([-1] if self.reached else [])]
-        if self.arithmetic.name == "float64":
-            table = table_of_floats(self, rows)
-        else:
-            table = np.empty((5, len(rows)), dtype=object)
-            with self.arithmetic.context():
-                for column, row in enumerate(rows):
-                    table[:, column] = [self.time_of(row) if row else self.arithmetic.number(0), *self.enclosed(row)]
+        table = table_of(self, rows)
         signs = np.array(self.signs)
         kinds = np.where(signs[1:] == 0, 0, np.where(signs[:-1] == 0, 1, 2))  # entry, exit, crossing
         entries, exits = np.count_nonzero(kinds == 0), np.count_nonzero(kinds < 2)
@@ -243,8 +237,13 @@ class ForcedTrajectory(Trajectory):
         return accuracy_of(self) if self.bounded else None
 
     @cached_property
+    def parts(self) -> Parts:
+        """Return what friction and viscosity took and u put in, in the unit of time in which it was followed."""
+        with self.arithmetic.context():
+            return parts_of(self.in_unit)
+
+    @cached_property
     def ledger(self) -> EnergyLedger:
         """Return the energy ledger of the whole run, with the work of u."""
         with self.arithmetic.context():
-            found, unit = ledger_of(self.in_unit), unit_of_time(self.scene)
-            return found if unit == 1 else found.times(self.arithmetic.number(1 / unit**2))
+            return ledger_of(self)

@@ -82,6 +82,18 @@ def _start(row: Any) -> Start:
     return Start._make((int(row[0]), int(row[4]), int(row[3]), *numbers, 0.0))
 
 
+def dissipated_of(trajectory: Any) -> tuple[float, float]:
+    """Return what friction and viscosity took in a run in binary64, J, and a bound on its error.
+
+    In truth it is what the initial energy and the work of u leave of the final energy; the ledger's residual says by
+    how much it is not. Raises OutOfRange.
+    """
+    ledger, unit = trajectory.ledger, float(unit_of_time(trajectory.scene))
+    sizes = ledger.initial + abs(ledger.work) + ledger.final + ledger.friction + ledger.viscous
+    off = trajectory.parts.off / unit**2 + trajectory.accuracy.energy + 8 * rounding_of(trajectory)[0] * sizes
+    return ledger.friction + ledger.viscous, abs(ledger.residual) + off
+
+
 def _digits(error: Any, value: Any, scale: Any) -> int:
     """Return the least number of digits that errors leave right, relative to each value.
 
