@@ -3,7 +3,7 @@
     the mirror image of a motion; motions that repeat with the opposite sign. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence.
 Local Open Scope R_scope.
 
 (** a right derivative sees only what comes next *)

@@ -7,7 +7,7 @@
     -F, and body 1 falls behind; or, where F allows it, the pair sticks at the limit, and both bodies come to rest. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Arcs Nonstop Undamped Transfer.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Nonstop Undamped Transfer.
 Local Open Scope R_scope.
 
 (** a function whose derivative is not negative does not fall *)

@@ -4,7 +4,7 @@
     before T, and with it the load. *)
 From Coq Require Import Reals Lra Psatz Classical.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced Response Bounded Arcs Mode Analytic Modes.
+From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded Arcs Mode Analytic Modes.
 Local Open Scope R_scope.
 
 (** exp rises *)
@@ -43,22 +43,10 @@ Hypotheses (HT : 0 < T) (Meet : v1 T = v2 T).
 Lemma stays_behind k r t : k = 1 \/ k = -1 -> 0 <= r <= t -> (forall q, r <= q < t -> k * load q <= b) ->
   k * w r <= 0 -> k * w t <= 0.
 Proof.
-  intros Hk Hr Ld W0. apply Rnot_lt_le. intros N. assert (Cn : cont (fun q => - (k * w q))).
-  { apply cont_ext with (fun q => -1 * (k * w q)); [intros; ring|]. apply cont_scal, cont_scal, Cw. }
-  destruct (last_nonneg (fun q => - (k * w q)) r t Cn Hr) as (p & Hp & Wp & Ab); [lra|lra|].
-  (* after its last zero the relative velocity cannot grow *)
-  set (p' := p + (t - p) / 2). assert (Hp' : p < p' < t) by (unfold p'; lra).
-  assert (All : forall q, p < q < t -> k * w t <= k * w q).
-  { intros q Hq. apply (dini_mono (fun z => k * w z)); [apply cont_scal, Cw|lra|]. intros z Hz.
-    apply (held m1 m2 a1 a2 b Hm1 Hm2 U u x v1 v2 s 0 (z + 1) H (Rle_refl 0) ltac:(intros; apply DU; lra));
-      [lra|auto|apply Ld; lra|].
-    specialize (Ab z ltac:(lra)). cbv beta in Ab. unfold w in *. lra. }
-  destruct (Cn p ltac:(lra) (k * w t) ltac:(lra)) as (d & Hd & K). set (q := p + Rmin (d / 2) ((t - p) / 2)).
-  pose proof (Rmin_l (d / 2) ((t - p) / 2)). pose proof (Rmin_r (d / 2) ((t - p) / 2)).
-  assert (0 < Rmin (d / 2) ((t - p) / 2)) by (apply Rmin_glb_lt; lra).
-  specialize (K q ltac:(unfold q; lra)). rewrite Rabs_pos_eq in K by (unfold q; lra).
-  specialize (K ltac:(unfold q; lra)).
-  apply Rabs_def2 in K. specialize (All q ltac:(unfold q; lra)). lra.
+  intros Hk Hr Ld W0. apply le_epsilon. intros e He. rewrite Rplus_0_l.
+  apply (barrier_until (fun q => k * w q) e r t); [apply cont_scal, Cw|auto|lra|]. intros q Hq Wq.
+  apply (held m1 m2 a1 a2 b Hm1 Hm2 U u x v1 v2 s 0 (q + 1) H (Rle_refl 0) ltac:(intros; apply DU; lra));
+    [lra|auto|apply Ld; lra|unfold w in Wq; lra].
 Qed.
 
 (** the load within both edges: once stuck, the pair sticks up to T *)

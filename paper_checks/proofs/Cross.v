@@ -1,4 +1,5 @@
-(** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and the exact set of energies that merge
+(** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and the exact set of energies that
+  merge
     after the first slip. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.

@@ -3,8 +3,7 @@
     the motion that slips for ever, which then attracts every motion. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Response Bounded Arcs Nonstop
-  Undamped.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Nonstop Undamped.
 Local Open Scope R_scope.
 
 (** z <= sinh z and 1 < cosh z for z > 0 *)

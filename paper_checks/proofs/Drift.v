@@ -3,7 +3,7 @@
     with the opposite sign after half a period. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Response Bounded Arcs Periodic.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Periodic.
 Local Open Scope R_scope.
 
 (** a function with the derivative 0 on [0, +oo) keeps its value *)

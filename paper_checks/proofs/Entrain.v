@@ -1,7 +1,7 @@
 (** A sinusoidal force u = F sin (om t): the stuck periodic response, and when it exists. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced Limit Viscous.
+From InertialPair Require Import Dini Pair Stick Chase Forced Limit Viscous.
 Local Open Scope R_scope.
 
 (** a Lipschitz constant bounds the right derivative *)

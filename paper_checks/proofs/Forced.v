@@ -2,7 +2,7 @@
     The force enters through its impulse U (U' = u from the right): any continuous U is allowed, so jumps of u are. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence.
+From InertialPair Require Import Dini Pair Stick Chase.
 Local Open Scope R_scope.
 
 (** right derivatives are unique *)
@@ -93,46 +93,16 @@ Proof.
   apply cont_plus; [apply cont_const|]. apply cont_scal, (forced_cs _ _ _ _ _ H).
 Qed.
 
-(** if w' < w then s rises at least as fast as s': either w > 0 and s rises with slope 1,
-  or w' < 0 and s' falls with slope -1 *)
-Lemma friction_order U x v1 v2 s U' x' v1' v2' s' t : forced U x v1 v2 s -> forced U' x' v1' v2' s' -> 0 <= t ->
-  v1' t - v2' t < v1 t - v2 t -> forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
-  - e * h <= (s (t + h) - s t) - (s' (t + h) - s' t).
+(** friction, as it pushes body 2 *)
+Lemma forced_pushes U x v1 v2 s t : forced U x v1 v2 s -> 0 <= t -> pushes s (v1 t - v2 t) t.
 Proof.
-  intros H H' Ht W e He.
-  assert (B : forall h, 0 < h -> s' (t + h) - s' t <= h /\ - h <= s (t + h) - s t).
-  { intros h Hh. pose proof (f_lip _ _ _ _ _ H t (t + h) ltac:(lra)) as L.
-    pose proof (f_lip _ _ _ _ _ H' t (t + h) ltac:(lra)) as L'.
-    apply Rabs_inv in L. apply Rabs_inv in L'. lra. }
-  destruct (Rlt_dec (v2 t) (v1 t)) as [P|P].
-  - destruct (f_pos _ _ _ _ _ H t Ht P e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). specialize (B h ltac:(lra)). apply Rabs_inv in K. lra.
-  - destruct (f_neg _ _ _ _ _ H' t Ht ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
-    specialize (K h Hh). specialize (B h ltac:(lra)). apply Rabs_inv in K. lra.
-Qed.
-
-(** friction is monotone: the increments of both impulses against the relative velocities *)
-Lemma friction_monotone U x v1 v2 s U' x' v1' v2' s' t : forced U x v1 v2 s -> forced U' x' v1' v2' s' -> 0 <= t ->
-  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
-  - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * ((v1 t - v2 t) - (v1' t - v2' t)).
-Proof.
-  intros H H' Ht e He. set (q := (v1 t - v2 t) - (v1' t - v2' t)). pose proof (Rabs_pos q).
-  assert (He1 : 0 < e / (Rabs q + 1)) by (apply Rdiv_lt_0_compat; lra).
-  assert (Q : e / (Rabs q + 1) * Rabs q <= e).
-  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). apply Rmult_le_compat_l; lra. }
-  destruct (Rtotal_order q 0) as [Lt|[Eq|Gt]].
-  - destruct (friction_order _ _ _ _ _ _ _ _ _ _ t H' H Ht ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K).
-    exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto.
-    set (e1 := e / (- q + 1)) in *. nra.
-  - exists 1; split; [lra|]. intros h Hh. rewrite Eq. nra.
-  - destruct (friction_order _ _ _ _ _ _ _ _ _ _ t H H' Ht ltac:(unfold q in Gt; lra) _ He1) as (d & Hd & K).
-    exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_pos_eq in * by lra.
-    set (e1 := e / (q + 1)) in *. nra.
+  intros H Ht. split; [|split; intros W; [apply (f_pos _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ H)]; lra].
+  intros h Hh. apply Rabs_inv. replace h with (t + h - t) at 2 by ring. apply (f_lip _ _ _ _ _ H). lra.
 Qed.
 
 (** increments of the impulse are O(h) *)
 Lemma big_s U x v1 v2 s t : forced U x v1 v2 s -> 0 <= t -> big (fun h => s (t + h) - s t).
-Proof. intros H. apply big_lip, (f_lip _ _ _ _ _ H). Qed.
+Proof. intros H Ht. exact (pushes_big _ _ _ (forced_pushes _ _ _ _ _ t H Ht)). Qed.
 
 Section Two.
 Variables U x v1 v2 s U' x' v1' v2' s' : R -> R.
@@ -157,45 +127,18 @@ Lemma forced_D_dini t du : 0 <= t -> rderiv (fun r => U r - U' r) t du ->
   dini_le D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2).
 Proof.
   intros Ht HU e He.
-  pose proof (friction_monotone _ _ _ _ _ _ _ _ _ _ t H H' Ht) as FM.
-  pose proof (little_minus _ _ (f_x _ _ _ _ _ H t Ht) (f_x _ _ _ _ _ H' t Ht)) as X.
-  pose proof (little_plus _ _ (little_minus _ _ (f_v1 _ _ _ _ _ H t Ht) (f_v1 _ _ _ _ _ H' t Ht)) HU) as V.
-    simpl in X, V.
-  pose proof (big_minus _ _ (big_s _ _ _ _ _ t H Ht) (big_s _ _ _ _ _ t H' Ht)) as S. simpl in S.
-  set (X0 := x t - x' t). set (P0 := v1 t - v1' t). set (Q0 := v2 t - v2' t).
-  match type of X with little ?f => set (ex := f) in * end. match type of V with little ?f => set (ev := f) in * end.
-  set (ds := fun h => s (t + h) - s t - (s' (t + h) - s' t)) in *.
-  set (dX := fun h => ex h + P0 * h).
-  set (dV := fun h => / m1 * (ev h + (du - (a2 * X0 + a1 * P0)) * h - b * ds h)).
-  set (dW := fun h => b / m2 * ds h).
-  assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BV : big dV). { apply big_scal, big_minus; [|apply big_scal; auto].
-    apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BW : big dW). { apply big_scal; auto. }
-  set (rest := fun h => a2 * X0 * ex h + P0 * ev h + a2 / 2 * (dX h * dX h) + m1 / 2 * (dV h * dV h) + m2 / 2 *
-    (dW h * dW h)).
-  assert (LR : little rest).
-  { unfold rest. repeat apply little_plus; apply little_scal; auto; apply big_mult; auto. }
-  destruct (LR (e / 2)) as (d1 & Hd1 & K1); [lra|].
-  destruct (FM (e / (2 * b))) as (d2 & Hd2 & K2); [apply Rdiv_lt_0_compat; lra|].
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh.
-  pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
-  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1.
-  assert (EX : x (t + h) - x' (t + h) = X0 + dX h) by (unfold dX, X0, ex, P0; ring).
-  assert (EV : v1 (t + h) - v1' (t + h) = P0 + dV h) by (unfold dV, X0, P0, ev, ds; field; lra).
-  assert (EW : v2 (t + h) - v2' (t + h) = Q0 + dW h).
-  { pose proof (forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)).
-    pose proof (forced_v2 _ _ _ _ _ t (t + h) H' Ht ltac:(lra)).
-    unfold dW, Q0, ds. lra. }
-  assert (ID : D (t + h) - D t = rest h + (du * P0 - a1 * P0 ^ 2) * h - b * (ds h * (P0 - Q0))).
-  { unfold D. rewrite EX, EV, EW. fold X0 P0 Q0. unfold energy, Pair.energy, rest.
-    unfold dX at 1 2, dV at 1 2, dW at 1 2.
-    unfold dX, dV, dW. field. split; lra. }
-  rewrite ID.
-  assert (K3 : - (e / 2) * h <= b * (ds h * (P0 - Q0))).
-  { replace (- (e / 2) * h) with (b * (- (e / (2 * b)) * h)) by (field; lra). apply Rmult_le_compat_l; [lra|].
-    replace (P0 - Q0) with (v1 t - v2 t - (v1' t - v2' t)) by (unfold P0, Q0; ring). exact K2. }
-  lra.
+  assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t (du - (a2 * (x t - x' t) + a1 * (v1 t - v1'
+    t)))).
+  { eapply little_ext; [|exact (little_plus _ _ (little_minus _ _ (f_v1 _ _ _ _ _ H t Ht) (f_v1 _ _ _ _ _ H' t Ht))
+    HU)].
+    intros h; simpl; ring. }
+  destruct (distance_dini m1 m2 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ (f_x _ _ _ _ _ H t Ht) (f_x _ _ _ _ _ H' t Ht) V
+    (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H' Ht
+      ltac:(lra))
+    (forced_pushes _ _ _ _ _ t H Ht) (forced_pushes _ _ _ _ _ t H' Ht) e He) as (d & Hd & K).
+  exists d; split; auto. intros h Hh. specialize (K h Hh). unfold D, energy.
+  replace (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2) with
+    ((du - (a2 * (x t - x' t) + a1 * (v1 t - v1' t)) + a2 * (x t - x' t)) * (v1 t - v1' t)) by ring. exact K.
 Qed.
 
 (** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
@@ -328,37 +271,14 @@ Qed.
 Theorem forced_energy_rate U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rderiv U t u ->
   rderiv (fun t => energy (x t) (v1 t) (v2 t)) t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
 Proof.
-  intros H Ht HU.
-  assert (F : little (fun h => (s (t + h) - s t) * (v1 t - v2 t) - Rabs (v1 t - v2 t) * h)).
-  { destruct (Rtotal_order (v1 t) (v2 t)) as [Lt|[Eq|Gt]].
-    - eapply little_ext; [|exact (little_scal (v1 t - v2 t) _ (f_neg _ _ _ _ _ H t Ht Lt))].
-      intros h; simpl. rewrite Rabs_left by lra. ring.
-    - eapply little_ext; [|exact little_0]. intros h; simpl. replace (v1 t - v2 t) with 0 by lra. rewrite Rabs_R0; ring.
-    - eapply little_ext; [|exact (little_scal (v1 t - v2 t) _ (f_pos _ _ _ _ _ H t Ht ltac:(lra)))].
-      intros h; simpl. rewrite Rabs_pos_eq by lra. ring. }
-  pose proof (f_x _ _ _ _ _ H t Ht) as X. pose proof (little_plus _ _ (f_v1 _ _ _ _ _ H t Ht) HU) as V. simpl in V.
-  pose proof (big_s _ _ _ _ _ t H Ht) as S. unfold rderiv in X.
-  match type of X with little ?f => set (ex := f) in * end. match type of V with little ?f => set (ev := f) in * end.
-  set (ds := fun h => s (t + h) - s t) in *.
-  set (dX := fun h => ex h + v1 t * h).
-  set (dV := fun h => / m1 * (ev h + (u - (a2 * x t + a1 * v1 t)) * h - b * ds h)).
-  set (dW := fun h => b / m2 * ds h).
-  assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BV : big dV). { apply big_scal, big_minus; [|apply big_scal; auto].
-    apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BW : big dW). { apply big_scal; auto. }
-  set (rest := fun h => a2 * x t * ex h + v1 t * ev h + a2 / 2 * (dX h * dX h) + m1 / 2 * (dV h * dV h) + m2 / 2 *
-    (dW h * dW h)
-     + (- b) * (ds h * (v1 t - v2 t) - Rabs (v1 t - v2 t) * h)).
-  assert (LR : little rest).
-  { unfold rest. repeat apply little_plus; apply little_scal; auto; apply big_mult; auto. }
-  intros e He. destruct (LR e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-  match goal with |- Rabs ?y <= _ => replace y with (rest h); auto end.
-  assert (EX : x (t + h) = x t + dX h) by (unfold dX, ex; ring).
-  assert (EV : v1 (t + h) = v1 t + dV h) by (unfold dV, ev, ds; field; lra).
-  assert (EW : v2 (t + h) = v2 t + dW h).
-  { pose proof (forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)). unfold dW, ds. lra. }
-  rewrite EX, EV, EW. unfold energy, Pair.energy, rest, dX, dV, dW. field. split; lra.
+  intros H Ht HU. pose proof (forced_pushes _ _ _ _ _ t H Ht) as S.
+  assert (V : rderiv (fun r => m1 * v1 r + b * s r) t (u - (a2 * x t + a1 * v1 t))).
+  { eapply little_ext; [|exact (little_plus _ _ (f_v1 _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
+  eapply little_ext; [|exact (little_minus _ _ (energy_increment m1 m2 a2 b Hm1 Hm2 x v1 v2 s t _ (f_x _ _ _ _ _ H t
+    Ht) V
+    (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) (pushes_big _ _ _ S)) (little_scal b _
+      (friction_power _ _ _ S)))].
+  intros h. unfold energy. cbv beta. ring.
 Qed.
 
 (** *** What body 2 can follow *)

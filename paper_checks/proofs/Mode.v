@@ -5,7 +5,7 @@
     from t0 on, for a while, and be continuous from the right at t0: a jump at t0 decides with its later value. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced Response Bounded Arcs.
+From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded Arcs.
 Local Open Scope R_scope.
 
 Section Mode.
@@ -122,24 +122,10 @@ Proof.
   intros Hk G. destruct (load_near (b - k * load t0)) as (d & Hd & K); [lra|].
   set (c := Rmin d d0). assert (c <= d) by apply Rmin_l. assert (c <= d0) by apply Rmin_r.
   assert (Cp : 0 < c) by (apply Rmin_glb_lt; auto). exists c. split; [lra|].
-  intros t Ht. set (W := fun h => k * w (t0 + Rmin h (t - t0))).
-  assert (CW : cont W).
-  { apply cont_scal. apply (cont_path (fun h => w (t0 + h)) (fun h => Rmin h (t - t0))).
-    - intros h Hh. apply Rmin_glb; lra.
-    - intros p q. unfold Rmin. repeat destruct Rle_dec; apply Rabs_le; unfold Rabs; destruct Rcase_abs; lra.
-    - apply (cont_shift w); auto. apply cont_w. }
-  assert (Wt : W (t - t0) <= 0).
-  { apply le_epsilon. intros e He. rewrite Rplus_0_l. apply (barrier W e CW); [|intros h Hh Wh|lra].
-    - unfold W. rewrite Rmin_left, Rplus_0_r by lra. unfold w. rewrite Meet. lra.
-    - destruct (Rlt_dec h (t - t0)) as [l|l].
-      + unfold W in Wh. rewrite Rmin_left in Wh by lra. intros p Hp.
-        specialize (K h ltac:(lra)). apply Rabs_inv in K.
-        destruct (held (t0 + h) k ltac:(lra) Hk ltac:(destruct Hk; subst k; lra) ltac:(lra) p Hp) as (q & Hq & Q).
-        exists (Rmin q (t - t0 - h)). pose proof (Rmin_l q (t - t0 - h)). pose proof (Rmin_r q (t - t0 - h)).
-        split; [apply Rmin_glb_lt; lra|]. intros z Hz. specialize (Q z ltac:(lra)). unfold W.
-        rewrite !Rmin_left by lra. replace (t0 + (h + z)) with (t0 + h + z) by ring. exact Q.
-      + intros p Hp. exists 1. split; [lra|]. intros z Hz. unfold W. rewrite !Rmin_right by lra. nra. }
-  unfold W in Wt. rewrite Rmin_left in Wt by lra. replace (t0 + (t - t0)) with t in Wt by ring. exact Wt.
+  intros t Ht. change (k * w t <= 0). apply le_epsilon. intros e He. rewrite Rplus_0_l.
+  apply (barrier_until (fun r => k * w r) e t0 t); [apply cont_scal, cont_w|lra|unfold w; rewrite Meet; lra|].
+  intros r Hr Wr. specialize (K (r - t0) ltac:(lra)). replace (t0 + (r - t0)) with r in K by ring. apply Rabs_inv in K.
+  apply held; [lra|auto|destruct Hk; subst k; lra|lra].
 Qed.
 
 (** a load within b: stick *)
@@ -296,34 +282,18 @@ Lemma rise_le k r c : k = 1 \/ k = -1 -> 0 <= r -> 0 < c <= d0 ->
   (forall t, t0 <= t < t0 + c -> 0 < k * w t -> kap * (k * load t - b) <= r) ->
   forall t, t0 <= t < t0 + c -> k * w t <= r * (t - t0).
 Proof.
-  intros Hk Hr Hc G t Ht. set (W := fun h => k * w (t0 + Rmin h (t - t0)) - r * Rmin h (t - t0)).
-  assert (Pm : forall h, 0 <= h -> 0 <= Rmin h (t - t0)) by (intros h Hh; apply Rmin_glb; lra).
-  assert (Lm : forall p q, Rabs (Rmin q (t - t0) - Rmin p (t - t0)) <= Rabs (q - p)).
-  { intros p q. unfold Rmin. repeat destruct Rle_dec; apply Rabs_le; unfold Rabs; destruct Rcase_abs; lra. }
-  assert (CW : cont W).
-  { apply cont_minus; [apply cont_scal|].
-    - apply (cont_path (fun h => w (t0 + h)) (fun h => Rmin h (t - t0))); auto. apply (cont_shift w); auto.
-      apply cont_w.
-    - apply cont_scal. apply (cont_path (fun h => h) (fun h => Rmin h (t - t0))); auto.
-      apply cont_of_derive with (fun _ => 1). intros; auto_derive; auto. }
-  assert (Wt : W (t - t0) <= 0).
-  { apply le_epsilon. intros e He. rewrite Rplus_0_l. apply (barrier W e CW); [|intros h Hh Wh|lra].
-    - unfold W. rewrite Rmin_left, Rplus_0_r by lra. unfold w. rewrite Meet. lra.
-    - destruct (Rlt_dec h (t - t0)) as [l|l].
-      + unfold W in Wh. rewrite Rmin_left in Wh by lra. assert (0 <= r * h) by (apply Rmult_le_pos; lra).
-        assert (Wp : 0 < k * w (t0 + h)) by lra. specialize (G (t0 + h) ltac:(lra) Wp). unfold w in Wp.
-        assert (S : rderiv s (t0 + h) k).
-        { destruct Hk; subst k; [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _ _ _ _ H)]; lra. }
-        intros p Hp. destruct (little_minus _ _ (rate_w (t0 + h) ltac:(lra)) (little_scal (b * kap) _ S) p Hp) as (q &
-          Hq & Q).
-        exists (Rmin q (t - t0 - h)). pose proof (Rmin_l q (t - t0 - h)). pose proof (Rmin_r q (t - t0 - h)).
-        split; [apply Rmin_glb_lt; lra|]. intros z Hz. specialize (Q z ltac:(lra)). cbv beta in Q.
-          apply Rabs_inv in Q. unfold W.
-        rewrite !Rmin_left by lra. replace (t0 + (h + z)) with (t0 + h + z) by ring.
-        assert (kap * (k * load (t0 + h) - b) * z <= r * z) by (apply Rmult_le_compat_r; lra).
-        destruct Hk; subst k; lra.
-      + intros p Hp. exists 1. split; [lra|]. intros z Hz. unfold W. rewrite !Rmin_right by lra. nra. }
-  unfold W in Wt. rewrite Rmin_left in Wt by lra. replace (t0 + (t - t0)) with t in Wt by ring. lra.
+  intros Hk Hr Hc G t Ht. apply le_epsilon. intros e He.
+  assert (Q : k * w t - r * (t - t0) <= e); [|lra].
+  apply (barrier_until (fun z => k * w z - r * (z - t0)) e t0 t); [|lra|unfold w; rewrite Meet; lra|].
+  - apply cont_minus; [apply cont_scal, cont_w|]. apply cont_of_derive with (fun _ => r).
+    intros; auto_derive; auto; ring.
+  - intros z Hz Wz. assert (Up : 0 <= r * (z - t0)) by (apply Rmult_le_pos; lra). assert (Wp : 0 < k * w z) by lra.
+    specialize (G z ltac:(lra) Wp). unfold w in Wp. assert (S : rderiv s z k).
+    { destruct Hk; subst k; [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _ _ _ _ H)]; lra. }
+    intros e' He'. destruct (little_minus _ _ (rate_w z ltac:(lra)) (little_scal (b * kap) _ S) e' He') as (q & Hq &
+      Near).
+    exists q. split; auto. intros h Hh. specialize (Near h Hh). cbv beta in Near. apply Rabs_inv in Near.
+    assert (kap * (k * load z - b) * h <= r * h) by (apply Rmult_le_compat_r; lra). destruct Hk; subst k; lra.
 Qed.
 
 (** where the force asks ever less than b right after, the pair sticks: what the spring and the damper give back is
@@ -482,7 +452,8 @@ Proof.
       t0))) + a2 * 0)) / m1) with 0
         by (field; lra). lra.
     - pose proof (Low r ltac:(lra)). pose proof (Mono t0 r ltac:(lra) ltac:(lra)).
-      assert (beyond k r + f r <= 0) by lra. assert (0 < / m1) by (apply Rinv_0_lt_compat; auto). unfold Rdiv. nra. }
+      assert (beyond k r + f r <= 0) by lra. assert (0 < / m1) by (apply Rinv_0_lt_compat; auto).
+      apply Rmult_le_0_r; lra. }
   pose proof (Wn t Ht). unfold W, w in *. destruct Hk; subst k; lra.
 Qed.
 

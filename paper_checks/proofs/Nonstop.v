@@ -11,7 +11,7 @@
     asks at least so much of the other. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Limit Existence Forced ForcedExistence Response Bounded Arcs.
+From InertialPair Require Import Dini Pair Stick Limit Chase Forced ForcedExistence Response Bounded Arcs.
 Local Open Scope R_scope.
 
 (** the impulse of F sin (om t + phi) *)

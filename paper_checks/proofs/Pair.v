@@ -1,8 +1,59 @@
-(** The friction pair: what a solution is; two solutions never move apart in the energy norm, so they are unique; the rate of
+(** The friction pair: what a solution is; two solutions never move apart in the energy norm, so they are unique;
+  the rate of
     the energy; and how long a stay off S can last. With damping a1 >= 0 throughout. *)
 From Coq Require Import Reals Lra Psatz.
 From InertialPair Require Import Dini.
 Local Open Scope R_scope.
+
+(** *** What friction and inertia do in a short time *)
+
+(** s is at the time t the impulse of the set-valued sign of w *)
+Definition pushes (s : R -> R) (w t : R) :=
+  (forall h, 0 < h -> - h <= s (t + h) - s t <= h) /\ (0 < w -> rderiv s t 1) /\ (w < 0 -> rderiv s t (-1)).
+
+(** a 1-Lipschitz impulse moves by O(h) *)
+Lemma pushes_big s w t : pushes s w t -> big (fun h => s (t + h) - s t).
+Proof. intros (L & _). exists 1, 1; repeat split; try lra. intros h Hh. apply Rabs_le. specialize (L h). lra. Qed.
+
+(** if w' < w then s rises at least as fast as s': either w > 0 and s rises with slope 1, or w' < 0 and s' falls with
+  slope -1 *)
+Lemma friction_order s s' w w' t : pushes s w t -> pushes s' w' t -> w' < w ->
+  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d -> - e * h <= (s (t + h) - s t) - (s' (t + h) - s' t).
+Proof.
+  intros (L & P & _) (L' & _ & N') W e He. destruct (Rlt_dec 0 w) as [Pos|].
+  - destruct (P Pos e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
+    specialize (L' h ltac:(lra)). apply Rabs_inv in K. lra.
+  - destruct (N' ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
+    specialize (L h ltac:(lra)). apply Rabs_inv in K. lra.
+Qed.
+
+(** friction is monotone: the increments of two impulses against the relative velocities *)
+Lemma friction_monotone s s' w w' t : pushes s w t -> pushes s' w' t ->
+  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d ->
+  - e * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * (w - w').
+Proof.
+  intros H H' e He. set (q := w - w'). pose proof (Rabs_pos q).
+  assert (He1 : 0 < e / (Rabs q + 1)) by (apply Rdiv_lt_0_compat; lra).
+  assert (Q : e / (Rabs q + 1) * Rabs q <= e).
+  { replace e with (e / (Rabs q + 1) * (Rabs q + 1)) at 2 by (field; lra). apply Rmult_le_compat_l; lra. }
+  destruct (Rtotal_order q 0) as [Lt|[Eq|Gt]].
+  - destruct (friction_order s' s w' w t H' H ltac:(unfold q in Lt; lra) _ He1) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_left in * by auto.
+    set (e1 := e / (- q + 1)) in *. nra.
+  - exists 1; split; [lra|]. intros h Hh. rewrite Eq. nra.
+  - destruct (friction_order s s' w w' t H H' ltac:(unfold q in Gt; lra) _ He1) as (d & Hd & K).
+    exists d; split; auto. intros h Hh. specialize (K h Hh). rewrite Rabs_pos_eq in * by lra.
+    set (e1 := e / (q + 1)) in *. nra.
+Qed.
+
+(** the power of friction *)
+Lemma friction_power s w t : pushes s w t -> little (fun h => (s (t + h) - s t) * w - Rabs w * h).
+Proof.
+  intros (_ & P & N). destruct (Rtotal_order w 0) as [Lt|[->|Gt]].
+  - eapply little_ext; [|exact (little_scal w _ (N Lt))]. intros h; simpl. rewrite Rabs_left by lra. ring.
+  - eapply little_ext; [|exact little_0]. intros h; simpl. rewrite Rabs_R0; ring.
+  - eapply little_ext; [|exact (little_scal w _ (P Gt))]. intros h; simpl. rewrite Rabs_pos_eq by lra. ring.
+Qed.
 
 Section Pair.
 Variables m1 m2 a1 a2 b : R.
@@ -23,6 +74,60 @@ Record solution (x v1 v2 s : R -> R) : Prop := {
 (** the energy E of the pair *)
 Definition energy (x v1 v2 : R) := a2 * x ^ 2 / 2 + m1 * v1 ^ 2 / 2 + m2 * v2 ^ 2 / 2.
 
+(** how the energy changes when body 1 has the force l beside friction, and body 2 friction alone *)
+Lemma energy_increment x v1 v2 s t l : rderiv x t (v1 t) -> rderiv (fun r => m1 * v1 r + b * s r) t l ->
+  (forall h, 0 < h -> v2 (t + h) - v2 t = b / m2 * (s (t + h) - s t)) -> big (fun h => s (t + h) - s t) ->
+  little (fun h => energy (x (t + h)) (v1 (t + h)) (v2 (t + h)) - energy (x t) (v1 t) (v2 t)
+    - (l + a2 * x t) * v1 t * h + b * ((s (t + h) - s t) * (v1 t - v2 t))).
+Proof.
+  intros X V W S. unfold rderiv in X, V.
+  set (ex := fun h => x (t + h) - x t - v1 t * h) in *.
+  set (ev := fun h => m1 * v1 (t + h) + b * s (t + h) - (m1 * v1 t + b * s t) - l * h) in *.
+  set (ds := fun h => s (t + h) - s t) in *.
+  set (dx := fun h => ex h + v1 t * h). set (dv := fun h => / m1 * (ev h + l * h - b * ds h)).
+  set (dw := fun h => b / m2 * ds h).
+  assert (BX : big dx) by (apply big_plus; [apply little_big; auto|apply big_scal, big_id]).
+  assert (BV : big dv).
+  { apply big_scal, big_minus; [|apply big_scal; auto]. apply big_plus; [apply little_big;
+    auto|apply big_scal, big_id]. }
+  assert (BW : big dw) by (apply big_scal; auto).
+  set (rest := fun h => a2 * x t * ex h + v1 t * ev h + a2 / 2 * (dx h * dx h) + m1 / 2 * (dv h * dv h)
+    + m2 / 2 * (dw h * dw h)).
+  assert (LR : little rest) by (unfold rest; repeat apply little_plus; apply little_scal; auto; apply big_mult; auto).
+  intros e He. destruct (LR e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
+  match goal with |- Rabs ?y <= _ => replace y with (rest h); auto end.
+  replace (x (t + h)) with (x t + dx h) by (unfold dx, ex; ring).
+  replace (v1 (t + h)) with (v1 t + dv h) by (unfold dv, ev, ds; field; lra).
+  replace (v2 (t + h)) with (v2 t + dw h) by (specialize (W h ltac:(lra)); unfold dw, ds; lra).
+  unfold energy, rest. fold (ds h). unfold dx at 1 2, dv at 1 2, dw at 1 2. unfold dx, dv, dw. field. split; lra.
+Qed.
+
+(** the energy distance of two motions: the elastic terms cancel, friction only takes away *)
+Lemma distance_dini x v1 v2 s x' v1' v2' s' t l : rderiv x t (v1 t) -> rderiv x' t (v1' t) ->
+  rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t l ->
+  (forall h, 0 < h -> v2 (t + h) - v2 t = b / m2 * (s (t + h) - s t)) ->
+  (forall h, 0 < h -> v2' (t + h) - v2' t = b / m2 * (s' (t + h) - s' t)) ->
+  pushes s (v1 t - v2 t) t -> pushes s' (v1' t - v2' t) t ->
+  dini_le (fun r => energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r)) t ((l + a2 * (x t - x' t)) * (v1 t - v1' t)).
+Proof.
+  intros X X' V W W' S S' e He.
+  destruct (energy_increment (fun r => x r - x' r) (fun r => v1 r - v1' r) (fun r => v2 r - v2' r) (fun r => s r - s' r)
+    t l) with (eps := e / 2) as (d1 & Hd1 & K1); try lra.
+  - apply rderiv_minus; auto.
+  - exact V.
+  - intros h Hh. specialize (W h Hh). specialize (W' h Hh). lra.
+  - eapply big_ext; [|exact (big_minus _ _ (pushes_big _ _ _ S) (pushes_big _ _ _ S'))]. intros h; simpl; ring.
+  - destruct (friction_monotone s s' _ _ t S S' (e / (2 * b))) as (d2 & Hd2 & K2); [apply Rdiv_lt_0_compat; lra|].
+    exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2).
+    pose proof (Rmin_r d1 d2).
+    specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). cbv beta in K1. apply Rabs_inv in K1.
+    apply Rmult_le_compat_l with (r := b) in K2; [|lra].
+    replace (b * (- (e / (2 * b)) * h)) with (- (e / 2) * h) in K2 by (field; lra).
+    match type of K1 with _ <= _ + b * ?f <= _ => match type of K2 with _ <= b * ?g => replace f with g in K1 by ring
+      end end.
+    lra.
+Qed.
+
 (** the impulse is continuous *)
 Lemma cont_s x v1 v2 s : solution x v1 v2 s -> cont s.
 Proof. intros H. apply (lip_cont s 1); [lra|]. intros. rewrite Rmult_1_l. apply (s_lip _ _ _ _ H); auto. Qed.
@@ -34,6 +139,21 @@ Proof.
   { intros u Hu. pose proof (s_v2 _ _ _ _ H u Hu). apply Rmult_eq_reg_l with m2; [|lra].
     replace (m2 * (v2 0 - b / m2 * s 0 + b / m2 * s u)) with ((m2 * v2 0 - b * s 0) + b * s u) by (field; lra). lra. }
   apply cont_plus; [apply cont_const|]. apply cont_scal. apply (cont_s _ _ _ _ H).
+Qed.
+
+(** body 2 is moved by friction alone *)
+Lemma driven_v2 x v1 v2 s t : solution x v1 v2 s -> 0 <= t -> forall h, 0 < h -> v2 (t + h) - v2 t = b / m2 * (s (t +
+  h) - s t).
+Proof.
+  intros H Ht h Hh. pose proof (s_v2 _ _ _ _ H (t + h) ltac:(lra)). pose proof (s_v2 _ _ _ _ H t Ht).
+  apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * (s (t + h) - s t))) with (b * (s (t + h) - s t)) by
+    (field; lra). lra.
+Qed.
+(** friction, as it pushes it *)
+Lemma solution_pushes x v1 v2 s t : solution x v1 v2 s -> 0 <= t -> pushes s (v1 t - v2 t) t.
+Proof.
+  intros H Ht. split; [|split; intros W; [apply (s_pos _ _ _ _ H)|apply (s_neg _ _ _ _ H)]; lra].
+  intros h Hh. apply Rabs_inv. replace h with (t + h - t) at 2 by ring. apply (s_lip _ _ _ _ H). lra.
 Qed.
 
 (** a solution from a later time on is a solution *)
@@ -73,117 +193,18 @@ Proof.
   repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
 Qed.
 
-(** friction is monotone: the increments of both impulses against the relative velocity *)
-Lemma friction_monotone t : 0 <= t ->
-  forall eps, 0 < eps -> exists d, 0 < d /\ forall h, 0 < h < d ->
-  - eps * h <= ((s (t + h) - s t) - (s' (t + h) - s' t)) * ((v1 t - v2 t) - (v1' t - v2' t)).
-Proof.
-  intros Ht e He. destruct H as [L P N _ _ _ _ _], H' as [L' P' N' _ _ _ _ _].
-  set (w := v1 t - v2 t) in *. set (w' := v1' t - v2' t) in *.
-  assert (K : exists d, 0 < d /\ forall h, 0 < h < d ->
-     (w' < w -> - (e / (Rabs (w - w') + 1)) * h <= (s (t + h) - s t) - (s' (t + h) - s' t)) /\
-     (w < w' -> (s (t + h) - s t) - (s' (t + h) - s' t) <= (e / (Rabs (w - w') + 1)) * h)).
-  { pose proof (Rabs_pos (w - w')). assert (He1 : 0 < e / (Rabs (w - w') + 1)) by (apply Rdiv_lt_0_compat; lra).
-    set (e1 := e / (Rabs (w - w') + 1)) in *.
-    assert (LL : forall h, 0 < h -> - h <= s (t + h) - s t <= h /\ - h <= s' (t + h) - s' t <= h).
-    { intros h Hh. split; apply Rabs_inv.
-      - replace h with (t + h - t) at 2 by ring. apply L; lra.
-      - replace h with (t + h - t) at 2 by ring. apply L'; lra. }
-    destruct (Rlt_dec 0 w) as [Wp|Wp].
-    { destruct (P t Ht ltac:(unfold w in Wp; lra) e1 He1) as (d1 & ? & K1).
-      destruct (Rlt_dec 0 w') as [Wp'|Wp'].
-      { destruct (P' t Ht ltac:(unfold w' in Wp'; lra) e1 He1) as (d2 & ? & K2).
-        exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh.
-        pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2). destruct (LL h) as (A & B); [lra|].
-        specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1. apply Rabs_inv in K2.
-        split; intros; lra. }
-      exists d1; split; auto. intros h Hh. destruct (LL h) as (A & B); [lra|]. specialize (K1 h Hh).
-        apply Rabs_inv in K1. split; intros; lra. }
-    destruct (Rlt_dec w 0) as [Wn|Wn].
-    { destruct (N t Ht ltac:(unfold w in Wn; lra) e1 He1) as (d1 & ? & K1).
-      destruct (Rlt_dec w' 0) as [Wn'|Wn'].
-      { destruct (N' t Ht ltac:(unfold w' in Wn'; lra) e1 He1) as (d2 & ? & K2).
-        exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh.
-        pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2). destruct (LL h) as (A & B); [lra|].
-        specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1. apply Rabs_inv in K2.
-        split; intros; lra. }
-      exists d1; split; auto. intros h Hh. destruct (LL h) as (A & B); [lra|]. specialize (K1 h Hh).
-        apply Rabs_inv in K1. split; intros; lra. }
-    destruct (Rlt_dec 0 w') as [Wp'|Wp'].
-    { destruct (P' t Ht ltac:(unfold w' in Wp'; lra) e1 He1) as (d2 & ? & K2).
-      exists d2; split; auto. intros h Hh. destruct (LL h) as (A & B); [lra|]. specialize (K2 h Hh).
-        apply Rabs_inv in K2. split; intros; lra. }
-    destruct (Rlt_dec w' 0) as [Wn'|Wn'].
-    { destruct (N' t Ht ltac:(unfold w' in Wn'; lra) e1 He1) as (d2 & ? & K2).
-      exists d2; split; auto. intros h Hh. destruct (LL h) as (A & B); [lra|]. specialize (K2 h Hh).
-        apply Rabs_inv in K2. split; intros; lra. }
-    exists 1; split; [lra|]. intros; split; intros; lra. }
-  destruct K as (d & Hd & K). exists d; split; auto. intros h Hh. destruct (K h Hh) as (K1 & K2).
-  pose proof (Rabs_pos (w - w')).
-  assert (Q : e / (Rabs (w - w') + 1) * Rabs (w - w') <= e).
-  { replace e with (e / (Rabs (w - w') + 1) * (Rabs (w - w') + 1)) at 2 by (field; lra).
-    apply Rmult_le_compat_l; [|lra]. apply Rlt_le, Rdiv_lt_0_compat; lra. }
-  set (e1 := e / (Rabs (w - w') + 1)) in *. set (ds := s (t + h) - s t - (s' (t + h) - s' t)) in *.
-  destruct (Rtotal_order w w') as [Lt|[Eq|Gt]].
-  - rewrite Rabs_left in * by lra. specialize (K2 Lt).
-    assert (ds * (w' - w) <= e1 * h * (w' - w)) by (apply Rmult_le_compat_r; lra). nra.
-  - rewrite Eq. nra.
-  - rewrite Rabs_pos_eq in * by lra. specialize (K1 Gt).
-    assert (- e1 * h * (w - w') <= ds * (w - w')) by (apply Rmult_le_compat_r; lra). nra.
-Qed.
-
-(** increments of a 1-Lipschitz function are O(h) *)
-Lemma big_lip f : (forall r t, 0 <= r <= t -> Rabs (f t - f r) <= t - r) -> forall t, 0 <= t ->
-  big (fun h => f (t + h) - f t).
-Proof. intros L t Ht. exists 1, 1; repeat split; try lra. intros h Hh. replace (1 * h) with (t + h - t) by ring.
-  apply L; lra. Qed.
-
 (** its upper right derivative is at most 0: the elastic terms cancel, damping and friction only take away *)
 Lemma D_dini t : 0 <= t -> dini_le D t 0.
 Proof.
   intros Ht e He.
-  pose proof (friction_monotone t Ht) as FM.
-  pose proof (little_minus _ _ (s_x _ _ _ _ H t Ht) (s_x _ _ _ _ H' t Ht)) as X.
-  pose proof (little_minus _ _ (s_v1 _ _ _ _ H t Ht) (s_v1 _ _ _ _ H' t Ht)) as V. simpl in X, V.
-  pose proof (big_minus _ _ (big_lip _ (s_lip _ _ _ _ H) t Ht) (big_lip _ (s_lip _ _ _ _ H') t Ht)) as S. simpl in S.
-  pose proof (s_v2 _ _ _ _ H) as W. pose proof (s_v2 _ _ _ _ H') as W'.
-  set (X0 := x t - x' t). set (P0 := v1 t - v1' t). set (Q0 := v2 t - v2' t).
-  set (ex := fun h => x (t + h) - x t - v1 t * h - (x' (t + h) - x' t - v1' t * h)) in *.
-  set (ev := fun h => m1 * v1 (t + h) + b * s (t + h) - (m1 * v1 t + b * s t) - - (a2 * x t + a1 * v1 t) * h -
-        (m1 * v1' (t + h) + b * s' (t + h) - (m1 * v1' t + b * s' t) - - (a2 * x' t + a1 * v1' t) * h)) in *.
-  set (ds := fun h => s (t + h) - s t - (s' (t + h) - s' t)) in *.
-  set (dX := fun h => ex h + P0 * h).
-  set (dV := fun h => / m1 * (ev h + (- (a2 * X0 + a1 * P0)) * h - b * ds h)).
-  set (dW := fun h => b / m2 * ds h).
-  assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BV : big dV). { apply big_scal, big_minus; [|apply big_scal; auto].
-    apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BW : big dW). { apply big_scal; auto. }
-  set (rest := fun h => a2 * X0 * ex h + P0 * ev h + a2 / 2 * (dX h * dX h) + m1 / 2 * (dV h * dV h) + m2 / 2 *
-    (dW h * dW h)).
-  assert (LR : little rest).
-  { unfold rest. repeat apply little_plus; apply little_scal; auto; apply big_mult; auto. }
-  destruct (LR (e / 2)) as (d1 & Hd1 & K1); [lra|].
-  destruct (FM (e / (2 * b))) as (d2 & Hd2 & K2); [apply Rdiv_lt_0_compat; lra|].
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh.
-  pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
-  specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1.
-  assert (EX : x (t + h) - x' (t + h) = X0 + dX h) by (unfold dX, X0, ex, P0; ring).
-  assert (EV : v1 (t + h) - v1' (t + h) = P0 + dV h) by (unfold dV, X0, P0, ev, ds; field; lra).
-  assert (EW : v2 (t + h) - v2' (t + h) = Q0 + dW h).
-  { pose proof (W (t + h) ltac:(lra)). pose proof (W t Ht). pose proof (W' (t + h) ltac:(lra)). pose proof (W' t Ht).
-    apply Rmult_eq_reg_l with m2; [|lra]. unfold dW, Q0, ds.
-    replace (m2 * (v2 t - v2' t + b / m2 * (s (t + h) - s t - (s' (t + h) - s' t)))) with
-      (m2 * v2 t - m2 * v2' t + b * (s (t + h) - s t - (s' (t + h) - s' t))) by (field; lra). lra. }
-  assert (ID : D (t + h) - D t = rest h - a1 * P0 ^ 2 * h - b * (ds h * (P0 - Q0))).
-  { unfold D. rewrite EX, EV, EW. fold X0 P0 Q0. unfold energy, rest. unfold dX at 1 2, dV at 1 2, dW at 1 2.
-    unfold dX, dV, dW. field. split; lra. }
-  rewrite ID.
-  assert (K3 : - (e / 2) * h <= b * (ds h * (P0 - Q0))).
-  { replace (- (e / 2) * h) with (b * (- (e / (2 * b)) * h)) by (field; lra). apply Rmult_le_compat_l; [lra|].
-    replace (P0 - Q0) with (v1 t - v2 t - (v1' t - v2' t)) by (unfold P0, Q0; ring). exact K2. }
-  assert (0 <= a1 * P0 ^ 2 * h). { apply Rmult_le_pos; [apply Rmult_le_pos; [auto|apply pow2_ge_0]|lra]. }
-  lra.
+  assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t (- (a2 * (x t - x' t) + a1 * (v1 t - v1' t)))).
+  { eapply little_ext; [|exact (little_minus _ _ (s_v1 _ _ _ _ H t Ht) (s_v1 _ _ _ _ H' t Ht))].
+    intros h; simpl; ring. }
+  destruct (distance_dini _ _ _ _ _ _ _ _ _ _ (s_x _ _ _ _ H t Ht) (s_x _ _ _ _ H' t Ht) V (driven_v2 _ _ _ _ t H Ht)
+    (driven_v2 _ _ _ _ t H' Ht) (solution_pushes _ _ _ _ t H Ht) (solution_pushes _ _ _ _ t H' Ht) e He) as (d & Hd &
+      K).
+  exists d; split; auto. intros h Hh. specialize (K h Hh). unfold D. pose proof (pow2_ge_0 (v1 t - v1' t)).
+  assert (0 <= a1 * (v1 t - v1' t) ^ 2 * h) by (apply Rmult_le_pos; [apply Rmult_le_pos; auto|lra]). lra.
 Qed.
 
 (** so it never grows *)
@@ -224,40 +245,11 @@ Let E t := energy (x t) (v1 t) (v2 t).
 (** the work of friction, and of the damper *)
 Theorem energy_rate t : 0 <= t -> rderiv E t (- b * Rabs (v1 t - v2 t) - a1 * v1 t ^ 2).
 Proof.
-  intros Ht.
-  assert (F : little (fun h => (s (t + h) - s t) * (v1 t - v2 t) - Rabs (v1 t - v2 t) * h)).
-  { destruct (Rtotal_order (v1 t) (v2 t)) as [Lt|[Eq|Gt]].
-    - eapply little_ext; [|exact (little_scal (v1 t - v2 t) _ (s_neg _ _ _ _ H t Ht Lt))].
-      intros h; simpl. rewrite Rabs_left by lra. ring.
-    - eapply little_ext; [|exact little_0]. intros h; simpl. replace (v1 t - v2 t) with 0 by lra. rewrite Rabs_R0; ring.
-    - eapply little_ext; [|exact (little_scal (v1 t - v2 t) _ (s_pos _ _ _ _ H t Ht ltac:(lra)))].
-      intros h; simpl. rewrite Rabs_pos_eq by lra. ring. }
-  pose proof (s_x _ _ _ _ H t Ht) as X. pose proof (s_v1 _ _ _ _ H t Ht) as V.
-  pose proof (big_lip _ (s_lip _ _ _ _ H) t Ht) as S. pose proof (s_v2 _ _ _ _ H) as W.
-  unfold rderiv in X, V.
-  set (ex := fun h => x (t + h) - x t - v1 t * h) in *.
-  set (ev := fun h => m1 * v1 (t + h) + b * s (t + h) - (m1 * v1 t + b * s t) - - (a2 * x t + a1 * v1 t) * h) in *.
-  set (ds := fun h => s (t + h) - s t) in *.
-  set (dX := fun h => ex h + v1 t * h).
-  set (dV := fun h => / m1 * (ev h + (- (a2 * x t + a1 * v1 t)) * h - b * ds h)).
-  set (dW := fun h => b / m2 * ds h).
-  assert (BX : big dX). { apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BV : big dV). { apply big_scal, big_minus; [|apply big_scal; auto].
-    apply big_plus; [apply little_big; auto|apply big_scal, big_id]. }
-  assert (BW : big dW). { apply big_scal; auto. }
-  set (rest := fun h => a2 * x t * ex h + v1 t * ev h + a2 / 2 * (dX h * dX h) + m1 / 2 * (dV h * dV h) + m2 / 2 *
-    (dW h * dW h)
-     + (- b) * (ds h * (v1 t - v2 t) - Rabs (v1 t - v2 t) * h)).
-  assert (LR : little rest).
-  { unfold rest. repeat apply little_plus; apply little_scal; auto; apply big_mult; auto. }
-  intros e He. destruct (LR e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-  replace (E (t + h) - E t - (- b * Rabs (v1 t - v2 t) - a1 * v1 t ^ 2) * h) with (rest h); auto.
-  assert (EX : x (t + h) = x t + dX h) by (unfold dX, ex; ring).
-  assert (EV : v1 (t + h) = v1 t + dV h) by (unfold dV, ev, ds; field; lra).
-  assert (EW : v2 (t + h) = v2 t + dW h).
-  { pose proof (W (t + h) ltac:(lra)). pose proof (W t Ht). apply Rmult_eq_reg_l with m2; [|lra]. unfold dW, ds.
-    replace (m2 * (v2 t + b / m2 * (s (t + h) - s t))) with (m2 * v2 t + b * (s (t + h) - s t)) by (field; lra). lra. }
-  unfold E. rewrite EX, EV, EW. unfold energy, rest, dX, dV, dW. field. split; lra.
+  intros Ht. pose proof (solution_pushes _ _ _ _ t H Ht) as S. eapply little_ext; [|exact (little_minus _ _
+    (energy_increment x v1 v2 s t _ (s_x _ _ _ _ H t Ht) (s_v1 _ _ _ _ H t Ht) (driven_v2 _ _ _ _ t H Ht) (pushes_big
+      _ _ _ S))
+    (little_scal b _ (friction_power _ _ _ S)))].
+  intros h. unfold E. cbv beta. ring.
 Qed.
 
 (** the energy is continuous *)

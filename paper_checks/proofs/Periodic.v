@@ -5,7 +5,7 @@
     period map does not increase distances: so it fixes z. *)
 From Coq Require Import Reals Lra Lia Psatz ConstructiveEpsilon.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Response Bounded Arcs.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs.
 Local Open Scope R_scope.
 
 (** a bounded sequence converges along some phi with n <= phi n *)

@@ -1,7 +1,7 @@
 (** For all parameters there is a solution that sticks and slips in turn for ever: start on S0 slightly above E_cr. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Excursion Rate Slip Cycle Orbit Sharp Law Paper.
+From InertialPair Require Import Dini Pair Stick Chase Excursion Rate Slip Cycle Orbit Sharp Law Paper Existence.
 Local Open Scope R_scope.
 
 (** Entries te and exits tau: it sticks from te n to tau n, and slips from tau n to te (n + 1). *)

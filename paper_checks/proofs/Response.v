@@ -9,7 +9,7 @@
     and then one body 2 is pulled to one side for ever. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced.
+From InertialPair Require Import Dini Pair Stick Chase Forced.
 Local Open Scope R_scope.
 
 (** from squares to absolute values *)

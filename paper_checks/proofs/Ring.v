@@ -3,7 +3,7 @@
     time for the other and is never left; in it the relative velocities differ by a bounded amount. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced Response Bounded.
+From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded.
 Local Open Scope R_scope.
 
 (** a continuous function that never grows and comes down to e: from one time on it is there, and before it is not *)

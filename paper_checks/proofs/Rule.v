@@ -3,7 +3,7 @@
     force. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Response Bounded Arcs Entrain Mode
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Entrain Mode
   Analytic Before.
 Local Open Scope R_scope.
 

@@ -2,7 +2,7 @@
     image of a solution is one. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Arcs.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs.
 Local Open Scope R_scope.
 
 Section Arc.
@@ -23,9 +23,11 @@ Theorem follow x v1 v2 s X V1 V2 g T t0 : solution m1 m2 0 a2 b x v1 v2 s -> arc
 Proof.
   intros H [AX AV AW Law] Ht E0 E1 E2 u Hu. apply free_case in H.
   assert (A : forced_arc m1 m2 0 a2 b T (fun _ => 0) X V1 V2 g).
-  { constructor; auto. intros t. replace ((0 - a2 * X t - 0 * V1 t - b * g t) / m1) with (- (a2 * X t + b * g t) / m1) by (field; lra).
+  { constructor; auto. intros t. replace ((0 - a2 * X t - 0 * V1 t - b * g t) / m1) with (- (a2 * X t + b * g t) /
+    m1) by (field; lra).
     apply AV. }
-  apply (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb (fun _ => 0) (fun _ => 0) x v1 v2 s X V1 V2 g T t0); auto; [lra|].
+  apply (follow_arc m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb (fun _ => 0) (fun _ => 0) x v1 v2 s X V1 V2 g T t0);
+    auto; [lra|].
   intros t _. apply rderiv_const.
 Qed.
 

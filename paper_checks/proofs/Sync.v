@@ -4,7 +4,7 @@
       response. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced Limit Entrain Response Bounded.
+From InertialPair Require Import Dini Pair Stick Chase Forced Limit Entrain Response Bounded.
 Local Open Scope R_scope.
 
 Section Catch.

@@ -3,7 +3,7 @@
     needs, stuck, and if the bodies may slip (a1 = 0). *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Arcs Nonstop Undamped.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Nonstop Undamped.
 Local Open Scope R_scope.
 
 (** a sum of an upper right derivative and a right derivative *)

@@ -7,7 +7,7 @@
     within b in the stick. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Entrain Arcs Nonstop.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Entrain Arcs Nonstop.
 Local Open Scope R_scope.
 
 Section TwoStop.

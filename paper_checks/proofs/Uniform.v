@@ -5,7 +5,7 @@
     that come to S0 within a fixed time as close to E_cr as one likes, and never merge. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Slip Cycle Sharp Law Return Existence Forced
+From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Slip Cycle Sharp Law Return Chase Forced
   ForcedExistence Arcs.
 Local Open Scope R_scope.
 

@@ -5,7 +5,7 @@
     apart in the energy norm. *)
 From Coq Require Import Reals Lra Psatz List.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced ForcedExistence Arcs.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs.
 Local Open Scope R_scope.
 
 Section Varying.

@@ -88,7 +88,7 @@ Proof.
   apply rderiv_dini with 0; [lra|].
   assert (B : big (fun h => w (t + h) - w t)).
   { pose proof (rderiv_big _ _ _ (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)) as B1.
-    pose proof (big_lip s (s_lip _ _ _ _ _ _ _ _ _ H) t Ht) as B2.
+    pose proof (pushes_big s _ t (solution_pushes m1 m2 _ a2 b x v1 v2 s t H Ht)) as B2.
     destruct (big_minus _ _ (big_scal (/ m1) _ B1) (big_scal (b / m1 + b / m2) _ B2)) as (C0 & d & HC & Hd & B).
     exists C0, d; repeat split; auto. intros h Hh. specialize (B h Hh). simpl in B.
     rewrite <- !(split_w t) by lra. eapply Rle_trans; [|exact B]. right. f_equal. ring. }

@@ -5,8 +5,7 @@
     any time, too, by `Before.v`. *)
 From Coq Require Import Reals Lra Psatz List.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Existence Forced Response Bounded Arcs Varying Mode Analytic Modes
-  Before.
+From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded Arcs Varying Mode Analytic Modes Before.
 Local Open Scope R_scope.
 
 Section Zeno.
