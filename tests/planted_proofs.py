@@ -194,6 +194,7 @@ CONTROL = [
         "(x' 0 - z' 0) /\\ v1'",
         "a displacement that is drawn somewhere",
     ),
+    ("Rule", "/ (m2 * v1 t0) < a1 ->", "/ (2 * m2 * v1 t0) < a1 ->", "half the damper that breaks adhesion"),
     ("Rule", "(load t - k * b)).", "(load t + k * b)).", "friction that drives the slip"),
     ("Rule", "Rabs (load t) <= b. Proof", "Rabs (load t) < b. Proof", "no stick at the edge"),
     (

@@ -154,6 +154,7 @@ DAMPING = theorem(
         strong=Formula(
             a1, ">", b * MASS / (m2 * v1), condition(lambda: sp.Gt(a1, forced.breaking_damping())), sharp=True
         ),
+        kernel=("damper-breaks",),
     ),
     clause(
         "heavy",

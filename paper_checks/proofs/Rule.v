@@ -127,3 +127,23 @@ Proof.
   split; [apply (f_cv _ _ _ _ _ _ _ _ _ _ H)|exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H)].
 Qed.
 End Rule.
+
+(** a free pair, stuck at x1 = 0 with the velocity v1 > 0, slips at once if the damper is strong *)
+Theorem damper_breaks m1 m2 a1 a2 b x v1 v2 s t0 : 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
+  solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= t0 -> x t0 = 0 -> v1 t0 = v2 t0 -> 0 < v1 t0 ->
+  b * (m1 + m2) / (m2 * v1 t0) < a1 -> exists d, 0 < d /\ forall t, t0 < t < t0 + d -> v1 t < v2 t.
+Proof.
+  intros Hm1 Hm2 Ha2 Hb H Ht0 X0 Meet Vp Strong.
+  assert (Push : b * (m1 + m2) < a1 * (m2 * v1 t0)).
+  { apply Rmult_lt_reg_r with (/ (m2 * v1 t0)); [apply Rinv_0_lt_compat, Rmult_lt_0_compat; auto|].
+    replace (a1 * (m2 * v1 t0) * / (m2 * v1 t0)) with a1 by (field; lra). exact Strong. }
+  assert (Ap : 0 < b * (m1 + m2) / (m2 * v1 t0)) by (apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; lra).
+  destruct (slips_at m1 m2 a1 a2 b Hm1 Hm2 ltac:(lra) Ha2 Hb (fun _ => 0) (fun _ => 0) x v1 v2 s t0 1
+    (proj2 (free_case m1 m2 a1 a2 b x v1 v2 s) H) Ht0 Rlt_0_1 (fun t _ => rderiv_const 0 t)) with (k := -1)
+    as (d & Hd & Slip); auto.
+  - intros e He. exists 1. split; [lra|]. intros h Hh. rewrite Rminus_diag_eq, Rabs_R0; lra.
+  - unfold load. rewrite X0. apply Rmult_lt_reg_r with (m1 + m2); [lra|].
+    replace (-1 * (m2 * (0 - a2 * 0 - a1 * v1 t0) / (m1 + m2)) * (m1 + m2)) with (a1 * (m2 * v1 t0)) by (field; lra).
+    exact Push.
+  - exists d. split; auto. intros t Ht. specialize (Slip t Ht). lra.
+Qed.

@@ -59,6 +59,10 @@ FORCED: dict[str, tuple[str, str]] = {
         "Rule.jump_moves_strip",
         "The state is continuous whatever the force does; a jump of it moves the strip |load| <= b.",
     ),
+    "damper-breaks": (
+        "Rule.damper_breaks",
+        "A free pair, stuck at x1 = 0 with v1 > 0, slips at once if a1 > b (m1 + m2)/(m2 v1).",
+    ),
     "no-zeno": (
         "Zeno.no_zeno",
         "Under a force that is analytic by pieces every bounded time holds finitely many changes of mode.",
