@@ -23,7 +23,7 @@ def draw_ring(found: Ring) -> Figure:
     y = solve(longer).sol(t)
     z, w = y[0] - y[2] - float(found.centre), y[1] - y[3]
     inside = t >= entry
-    figure = Figure(figsize=(10.5, 4.6), layout="constrained")
+    figure = Figure(figsize=(10.5, 5.2), layout="constrained")
     plane, time = figure.subplots(1, 2)
     for part, colour, width, label in ((~inside, ORANGE, 0.9, "before"), (inside, BLUE, 1.6, "inside for good")):
         plane.plot(np.where(part, z, np.nan), np.where(part, w, np.nan), color=colour, lw=width, label=label)
@@ -32,7 +32,8 @@ def draw_ring(found: Ring) -> Figure:
     plane.plot(z[at], w[at], "o", color="black", ms=5, label=f"t = {entry:.6g} s")
     plane.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
     plane.locator_params(axis="x", nbins=5)
-    plane.legend(fontsize=9, loc="best")
+    # the motion fills the plane: the legend stands under it
+    plane.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2)
     distance = np.hypot(z, w / rate)
     time.semilogy(t, np.where(distance > 0, distance, np.nan), color=BLUE, lw=0.9)
     time.axhline(radius, color="black", ls="--", lw=0.9)

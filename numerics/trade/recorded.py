@@ -1,10 +1,12 @@
 """A trade that was measured before, as the report and the notebook read it: what they say must not depend on the hour.
 
-The one that is shipped was made, on an idle machine with the extra `comparisons`, by
+Two are shipped, on free scenes and on those under a force, each with the machine that it was measured on. With the
+extra `comparisons` they are made by
 
     python -m numerics trade --size default --json > trade.json && mv trade.json numerics/trade/recorded.json
+    python -m numerics trade --only forced --json > trade.json && mv trade.json numerics/trade/recorded_forced.json
 
-and any other output of `python -m numerics trade --json` can take its place.
+and any other output of `python -m numerics trade --json` can take the place of either, or of both.
 """
 
 from __future__ import annotations
@@ -23,6 +25,7 @@ from numerics.trade.scenes import FORCED
 
 Kind = TypeVar("Kind", Growth, Wait)
 SHIPPED = Path(__file__).with_name("recorded.json")
+SHIPPED_FORCED = Path(__file__).with_name("recorded_forced.json")
 HOW_TO = "python -m numerics trade --json"
 
 
@@ -109,9 +112,12 @@ class RecordedTrade:
 
 
 def divided(trade: RecordedTrade) -> tuple[RecordedTrade, RecordedTrade]:
-    """Return a trade on free scenes, the shipped one's if it has none, and on those under a force, perhaps none."""
+    """Return a trade on free scenes and on those under a force; the shipped one's where it has none."""
     free, forced = (trade.part(forced=one) for one in (False, True))
-    return free if free.scenes else recorded().part(forced=False), forced
+    return (
+        free if free.scenes else recorded().part(forced=False),
+        forced if forced.scenes else recorded(SHIPPED_FORCED).part(forced=True),
+    )
 
 
 def recorded(path: Path | None = None) -> RecordedTrade:

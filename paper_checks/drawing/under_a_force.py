@@ -56,7 +56,7 @@ def thresholds_over_frequency() -> Figure:
 
 def resonance() -> Figure:
     """Draw v1 at the resonance of body 1, a1 = 0: bounded below U = 4b/pi, growing above it by (U - 4b/pi) t/(2 m1)."""
-    figure = new_figure(9.4, 3.6)
+    figure = new_figure(9.4, 3.9)
     pair = Pair(1, 1, 100, "0.5")
     edge = 4 * float(pair.b) / np.pi
     for ax, amplitude in zip(figure.subplots(1, 2), ("0.6", "0.7"), strict=True):
@@ -70,7 +70,7 @@ def resonance() -> Figure:
                 label = r"$(U-4b/\pi)\,t/(2m_1)$" if side > 0 else None
                 ax.plot(t, side * rate * t, color="black", lw=0.8, ls=":", label=label)
         ax.set(xlabel="$t$ (s)", ylabel="velocity (m/s)", title=f"$U={amplitude}$ N, $4b/\\pi={edge:.4f}$ N")
-        ax.legend(loc="upper left")
+        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.18), ncols=3)
     return figure
 
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from numerics.trade.front import Lead, leads
+from numerics.trade.ours import PARTS
 from numerics.trade.recorded import Participant, RecordedScene, RecordedTrade
 from paper_checks.report.blocks import Block, Paragraph, Points, Table
-from paper_checks.speed.peers import losses, our_sequences
-from paper_checks.speed.wording import digits, factor_text, time_text
+from paper_checks.speed.peers import beaten, our_sequences
+from paper_checks.speed.wording import digits, factor_text, listed, time_text
 
 
 def under_a_force(trade: RecordedTrade) -> Iterator[Block]:
@@ -20,16 +22,27 @@ def under_a_force(trade: RecordedTrade) -> Iterator[Block]:
     )
     yield Points(tuple(f"{scene.name}: {scene.why}." for scene in trade.scenes))
     yield Paragraph(our_sequences(trade))
-    rows = tuple((one.label, *(_cell(trade, one, scene) for scene in trade.scenes)) for one in trade.contenders)
+    called = [one for one in trade.contenders if one.label not in PARTS]
+    rows = tuple((one.label, *(_cell(trade, one, scene) for scene in trade.scenes)) for one in called)
     yield Table(
         ("who", *(scene.name for scene in trade.scenes)),
         rows,
         "Scenes under a force: settings with the right events, of those measured; the most right digits of these; and the time of that run, of a "
         "peer as a multiple of our fastest call that is as accurate (- if none is). Wrong: no setting has the events, the digits are those of the best",
     )
-    if lost := [text for scene in trade.scenes for text in losses(trade, scene)]:
-        yield Points(tuple(lost))
+    yield Paragraph(_beaten(trade))
     yield Paragraph(_machine(trade))
+
+
+def _beaten(trade: RecordedTrade) -> str:
+    """Return which peers with the right events are faster or more accurate than ours, and on how many scenes."""
+    where = Counter(
+        peer for scene in trade.scenes for peer in sorted({one.peer.contender for one in beaten(trade, scene)})
+    )
+    if not where:
+        return "No peer with the right events beats ours at equal or better accuracy."
+    each = listed([f"{peer} on {count}" for peer, count in where.items()])
+    return f"At some setting with the right events these beat ours at equal or better accuracy, of {len(trade.scenes)} scenes: {each}."
 
 
 def _cell(trade: RecordedTrade, who: Participant, scene: RecordedScene) -> str:
@@ -58,6 +71,6 @@ def _machine(trade: RecordedTrade) -> str:
     if (of.get("load") or 0) > of["cores"] / 2:
         text += (
             f", at a load of {of['load']:g}: it did other work, so a time alone is good for its order of magnitude, and "
-            "so is a ratio, whose two times are of one run but not of one moment"
+            "so is a ratio, whose two times are not of one moment"
         )
     return f"{text}."

@@ -99,10 +99,9 @@ def curves(trade: RecordedTrade) -> Iterator[Block]:
 
 
 def forced_part(trade: RecordedTrade) -> Iterator[Block]:
-    """Yield who is right under a force and how fast, hand-written friction among them; nothing if nobody was asked."""
-    if trade.scenes:
-        yield Heading("Under a force")
-        yield from under_a_force(trade)
+    """Yield who is right under a force and how fast, hand-written friction among them."""
+    yield Heading("Under a force")
+    yield from under_a_force(trade)
 
 
 def euler_advice() -> Iterator[Block]:

@@ -13,7 +13,7 @@ from numerics.trade.figure import draw_growth, draw_trade, families
 from numerics.trade.front import best_front
 from numerics.trade.interface import Wait
 from numerics.trade.plan import trade
-from numerics.trade.recorded import SHIPPED, UnreadableTrade, divided, recorded
+from numerics.trade.recorded import SHIPPED, SHIPPED_FORCED, UnreadableTrade, divided, recorded
 from numerics.trade.table import as_record
 
 
@@ -39,8 +39,9 @@ def test_no_panel_has_more_than_six_marks_each_with_its_name():
             assert len(names) == len(set(names)) >= len(marks)
 
 
-def test_the_shipped_trade_names_no_place_and_no_day():
-    text = SHIPPED.read_text("utf-8")
+@pytest.mark.parametrize("file", [SHIPPED, SHIPPED_FORCED])
+def test_the_shipped_trade_names_no_place_and_no_day(file):
+    text = file.read_text("utf-8")
     assert not re.search(r"(?<![\w.])/(home|root|tmp|opt|usr|work|var|nix|Users)/|[A-Z]:\\\\", text)
     assert not re.search(r"\b20\d\d-\d\d-\d\d\b", text)
     named = {"processor", "cores", "system", "python", "packages"}
@@ -56,7 +57,7 @@ def test_free_scenes_and_those_under_a_force_are_told_apart(tmp_path):
     assert free.growth == both.growth
     assert not forced.growth
     assert divided(forced) == (recorded(), forced)
-    assert not divided(free)[1].scenes
+    assert divided(free)[1] == recorded(SHIPPED_FORCED)
 
 
 @pytest.mark.slow

@@ -40,7 +40,7 @@ class TestSection:
 
     def test_every_part_has_its_heading_and_every_figure_is_drawn(self, whole, plain_trade):
         headings = [one.text for one in whole.blocks if isinstance(one, Heading)]
-        assert len(headings) == len(set(headings)) == 10
+        assert len(headings) == len(set(headings)) == 11
         assert set(whole.pictures) == set(section.figures(plain_trade))
         for draw in section.figures(plain_trade).values():
             assert draw().axes
@@ -88,11 +88,18 @@ class TestUnderAForce:
         assert "| slow, u(t) | 1/1: 11, 20× |" in text
         assert "| fine, u(t) | 1/1: 90, - |" in text
         assert "| hung, u(t) | stopped |" in text
-        assert "On forced-touch heyoka, u(t) (12 digits, 100 µs) beats ours: it is 20 times as fast as ball." in text
-        assert "no run of ours is as accurate as fine, u(t) (90 digits, 40 ms)" in text
+        assert "these beat ours at equal or better accuracy, of 1 scenes: " in text
+        assert "heyoka, u(t) on 1" in text
+        assert "fine, u(t) on 1" in text
+        assert "slow, u(t) on" not in text
 
-    def test_without_such_scenes_nothing_is_said(self, plain_trade):
-        assert list(section.forced_part(plain_trade.part(forced=True))) == []
+    def test_without_such_scenes_the_shipped_ones_are_told(self, plain_trade, monkeypatch):
+        monkeypatch.setattr(section, "euler_figures", lambda: (EULER_FIGURE,))
+        monkeypatch.setattr(section, "stick_energies", lambda: (StickEnergy(1e-2, 5.0, 2.0, 2.0, None, 5),))
+        _, _, after = markdown(section.section(plain_trade)).partition("Under a force")
+        assert "forced-stick-slip" in after
+        assert "| Karnopp's dead zone, u(t) |" in after
+        assert "| SciPy DOP853, u(t) |" in after
 
     @pytest.mark.parametrize(("load", "said_so"), [(0.2, False), (8.0, True), (None, False)])
     def test_a_busy_machine_is_confessed(self, tmp_path, load, said_so):
