@@ -78,6 +78,12 @@ def test_a_wrong_formula_turns_the_row():
     assert "$E=m_{2}$" in (turned.finding.missing or "")
 
 
+@pytest.mark.parametrize("relation", ["!=", "<", "<=", ">", ">="])
+def test_what_derives_an_equality_passes_no_other_relation(relation):
+    m1 = sp.Symbol("m1", positive=True)
+    assert Formula("E", relation, m1, equals(lambda: m1)).evidence().passed is not True
+
+
 def proved(name, holds, *ties):
     return Proved(name, "Law.sharp_law", "It is so.", "forall x, x = x", {}, (), ties, (), holds)
 
