@@ -9,6 +9,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
 import numerics
 from numerics import Pair, Scene, Solver, State, sensitivities, solve, solve_many
@@ -17,17 +18,7 @@ from numerics.motion.modes import Mode
 from numerics.scene.file import parse_scene
 from numerics.trajectory.status import Status
 
-PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
-DAMPED = Scene(Pair(1, 1, 200, "0.5", a1=4), State(v1="0.45"), until=3)
-STUCK = Scene(PAPER.pair, State(x1="0.001"), until=3)
-HOW = [
-    {},
-    {"arithmetic": "double-double"},
-    {"arithmetic": "mpmath"},
-    {"arithmetic": "ball", "digits": 20},
-    {"digits": 12},
-    {"max_events": 3},
-]
+HOW = [*ARITHMETICS, {"digits": 12}, {"max_events": 3}]
 
 
 def runs(scene=PAPER):

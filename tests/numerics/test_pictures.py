@@ -11,8 +11,9 @@ from hypothesis import example, given, settings
 from matplotlib import pyplot as plt
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from strategies import forces, frictions
+from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
-from numerics import Force, Friction, Pair, Scene, State, solve
+from numerics import Force, Friction, Scene, State, solve
 from numerics.faces.plot import COMMON, overview
 from numerics.motion.forced_pieces import pieces_of
 from numerics.motion.modes import Mode
@@ -22,16 +23,7 @@ from numerics.trajectory.curve import force_of, sampled
 
 mpl.use("Agg")
 
-PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
-DAMPED = Scene(Pair(1, 1, 200, "0.5", a1=4), State(v1="0.45"), until=3)
-STUCK = Scene(PAPER.pair, State(x1="0.001"), until=3)
-HOW = [
-    {},
-    {"arithmetic": "double-double"},
-    {"arithmetic": "mpmath"},
-    {"arithmetic": "ball", "digits": 20},
-    {"max_events": 3},
-]
+HOW = [*ARITHMETICS, {"max_events": 3}]
 
 
 @pytest.mark.parametrize("kind", ["velocities", "positions", "load", "force", "phase", "excess", "energy"])
