@@ -18,10 +18,13 @@ from numerics.contact.calm import calm
 from numerics.flows.forced_jet import guard_at, slip_jet, stick_jets
 from numerics.flows.forced_records import Drive, Jet, Pair, Start
 
-NONE, ROOT, DOUBT, NEVER, AHEAD = 0, 1, 2, 3, 4
+NONE, ROOT, DOUBT, NEVER, AHEAD, ENDLESS = 0, 1, 2, 3, 4, 5
 """No root up to the end of the piece; one, isolated; not settled by these numbers; none in stick, however long the
-piece is; not seen yet."""
-_MOST_STEPS, _MOST_TRIALS, _MARGIN, _LONG = 2_000_000, 300, 1e-12, 20.0
+piece is; not seen yet; at this pace the piece would take more steps than anybody waits for."""
+_MOST_STEPS, _FEWER, _PATIENCE = 2_000_000, 200_000, 2_000
+"""Steps through a piece, in floats and in numbers that take a hundred times as long; after how many of them it is asked
+whether they will do."""
+_MOST_TRIALS, _MARGIN, _LONG = 300, 1e-12, 20.0
 
 
 class Bracket(NamedTuple):
@@ -85,10 +88,13 @@ def isolate(pair: Pair, drive: Drive, start: Start, limit: Number) -> Bracket:
     shortest, fastest = 4.0 * UNIT * step, fastest_of(pair, drive, start.piece)
     if positive(start.quiet - start.local):
         order, tau = 0, middle(start.quiet - start.local)
-    for _ in range(_MOST_STEPS):
+    most = _MOST_STEPS if UNIT > 0.0 else _FEWER
+    for n in range(most):
         left = rough(limit - tau)
         if left <= 0.0:
             return Bracket(NONE, 0, limit, limit)
+        if n >= _PATIENCE and rough(tau) * most < rough(limit) * n:
+            break
         one, two = jets_at(pair, drive, start, tau)
         found = ahead(pair, drive, start, order, tau, limit, one, two)
         if found.how != AHEAD:
@@ -104,7 +110,7 @@ def isolate(pair: Pair, drive: Drive, start: Start, limit: Number) -> Bracket:
         if step == 0.0:
             return Bracket(DOUBT, 0, tau, limit)
         order, tau = 0, limit if step >= left else middle(tau + step)
-    return Bracket(DOUBT, 0, tau, limit)
+    return Bracket(ENDLESS, 0, tau, limit)
 
 
 @text

@@ -14,12 +14,13 @@ from typing import NamedTuple
 from numerics.arithmetic.float64 import UNIT, ZERO, middle, positive, rough, size, spread
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.telling import text, text_apart
-from numerics.contact.forced import NEVER, NONE, ROOT, isolate, refine
+from numerics.contact.forced import ENDLESS, NEVER, NONE, ROOT, isolate, refine
 from numerics.flows.forced_jet import load_at, load_error, push_at, state_at
 from numerics.flows.forced_records import ROUNDINGS, Drive, Moved, Pair, Push, Start
 
-GUARD, JUMP, SEAM, DOUBTFUL, CALM = 0, 1, 2, 3, 4
-"""What a knot is: a root of a guard, a jump of u or b, a seam; or that it is in doubt; or stick for the whole piece."""
+GUARD, JUMP, SEAM, DOUBTFUL, CALM, TOO_FAR = 0, 1, 2, 3, 4, 5
+"""What a knot is: a root of a guard, a jump of u or b, a seam; or that it is in doubt; or stick for the whole piece; or
+that it is too many steps away."""
 
 
 class Knot(NamedTuple):
@@ -61,6 +62,8 @@ def locate(pair: Pair, drive: Drive, start: Start) -> Knot:
         return Knot(CALM, 0, limit, window, ZERO)
     if found.how == NONE:
         return Knot(kind, 0, limit, window, ZERO)
+    if found.how == ENDLESS:
+        return Knot(TOO_FAR, 0, found.low, window, ZERO)
     if found.how != ROOT:
         return Knot(DOUBTFUL, found.side, found.low, window, ZERO)
     root = refine(pair, drive, start, found)

@@ -19,7 +19,7 @@ from numerics.motion.codes import EVENT_LIMIT, MOVING, OUT_OF_RANGE
 from numerics.motion.forced_exact import ExactKnot, exact_knots
 from numerics.motion.forced_pair import pair_of
 from numerics.motion.forced_pieces import ExactPieces, drive_of, has_seams, pieces_of
-from numerics.run.forced_loop import OPEN, at_horizon, record, rounded_start, run_forced
+from numerics.run.forced_loop import OPEN, TOO_FAST, at_horizon, record, rounded_start, run_forced
 from numerics.scene import Scene
 from numerics.trajectory.forced import ForcedTrajectory
 from numerics.trajectory.forced_record import ForcedRecord, row_length
@@ -49,6 +49,8 @@ def run_forced_scene(
     unit = unit_of_time(scene)
     try:
         record = _recorded(scene if unit == 1 else in_unit(scene, unit), arithmetic, max_events, progress)
+    except OutOfRange:
+        raise
     except (ZeroDivisionError, OverflowError):
         raise OutOfRange(
             "rates of this scene lie so far apart that floats cannot choose steps; bring a1/m1, sqrt(a2/m1), omega and "
@@ -170,9 +172,14 @@ def _require_answer(how: int, told: _Told, last: Start) -> None:
     name, digits = told.arithmetic.name, told.arithmetic.digits
     if how == OUT_OF_RANGE:
         raise OutOfRange(f'a number of this scene left the range of {name} on the way; use arithmetic="ball"')
+    at = told.drive.numbers[told.drive.places[last.piece][0]] + last.local
+    shown = f"{told.telling.words['rough'](at):.6g}" if name != "float64" else f"{at:.6g}"
+    if how == TOO_FAST:
+        raise OutOfRange(
+            f"the force is so fast that the mode at t = {shown} s would take more than a million steps; shorten the "
+            "horizon, or leave the fast sine out"
+        )
     if how == OPEN:
-        at = told.drive.numbers[told.drive.places[last.piece][0]] + last.local
-        shown = f"{told.telling.words['rough'](at):.6g}" if name != "float64" else f"{at:.6g}"
         raise EventUndecided(
             "which event comes next under this force, or does its guard only touch?", f"after t = {shown} s", digits
         )

@@ -16,6 +16,7 @@ from numerics.motion.forced import (
     CALM,
     DOUBTFUL,
     GUARD,
+    TOO_FAR,
     Knot,
     Seen,
     after_jump,
@@ -30,8 +31,8 @@ from numerics.motion.forced import (
     with_window,
 )
 
-OPEN = 5
-"""How a run ended: in front of something that these numbers do not decide."""
+OPEN, TOO_FAST = 5, 6
+"""How a run ended: in front of something that these numbers do not decide, or that is too many steps away."""
 
 
 @text
@@ -46,8 +47,8 @@ def run_forced(
     count, keep, last = 0, len(rows), len(drive.places) - 1
     while True:
         knot = locate(pair, drive, start)
-        if knot.kind == DOUBTFUL:
-            return OPEN, count, events, start, at_horizon(pair, start)
+        if knot.kind in (DOUBTFUL, TOO_FAR):
+            return (OPEN if knot.kind == DOUBTFUL else TOO_FAST), count, events, start, at_horizon(pair, start)
         if knot.kind == GUARD and events == most:
             return EVENT_LIMIT, count, events, start, at_horizon(pair, start)
         how, is_event, at, errors = step(pair, drive, start, knot, last)

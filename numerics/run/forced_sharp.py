@@ -31,25 +31,33 @@ def run_forced_sharply(scene: Scene, max_events: int, progress: Progress | None 
     Next to a tie, or where a slip is so short that its end is lost in rounding, binary64 leaves the events open or few
     digits right. Then the scene is solved in balls, and what they enclose is rounded; `tried` says so.
     """
-    found, why = None, "float64 leaves the sequence of events open"
+    found, undecided, why = None, None, "float64 leaves the sequence of events open"
     try:
         found = run_forced_scene(scene, _FLOAT64, max_events, progress)
     except OutOfRange:
         why = "a number leaves the range of float64 on the way"
-    except EventUndecided:
-        pass
+    except EventUndecided as error:
+        undecided = error
     if found is not None:
         if len(found.knots) > _FEW_EVENTS or (digits := found.right_digits) >= _ENOUGH:
             return found
         why = f"float64 has {digits} right digits by its error bounds"
+    most = min(max_events, _FEW_EVENTS)
     for working in _WORKING:
         try:
-            rounded = rounded_to_float64(run_forced_scene(scene, Seamed(working), max_events, progress))
+            rounded = rounded_to_float64(run_forced_scene(scene, Seamed(working), most, progress))
+            if most < max_events and not rounded.reached:
+                break
         except EventUndecided:
             if found is None and working == _WORKING[-1]:
                 raise
             continue
+        except OutOfRange:
+            if found is None:
+                raise
+            break
         if rounded.right_digits >= _ENOUGH or (found is None and working == _WORKING[-1]):
             return rounded.but(tried=f"{why}; balls with {working} working digits, rounded")
-    assert found is not None  # else the last round has returned or raised
+    if found is None:
+        raise undecided or OutOfRange(f'{why}, and there are more than {_FEW_EVENTS} events; use arithmetic="ball"')
     return found

@@ -5,7 +5,7 @@ import pickle
 import pytest
 from forced.regenerate import HERE
 
-from numerics import solve
+from numerics import Force, Pair, Scene, State, solve
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.run.forced import run_forced_scene
 from numerics.run.forced_sharp import Seamed, run_forced_sharply
@@ -61,3 +61,11 @@ def test_what_is_beyond_the_range_is_refused_in_one_line():
         row[6] = row[6] * 10**400
     with pytest.raises(OutOfRange, match="range of float64"):
         rounded_to_float64(balls)
+
+
+@pytest.mark.parametrize("way", ["float64", "ball"])
+def test_a_force_too_fast_to_be_followed_is_refused_at_once(way):
+    """@example of a found fault: a sine of 10^9 rad/s on a load next to the edge was followed without an end."""
+    scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="4.5e-3", v2="4.5e-3"), 10, force=Force.sine("0.02", "1e9"))
+    with pytest.raises(OutOfRange, match="more than a million steps; shorten the horizon"):
+        solve(scene, arithmetic=way)
