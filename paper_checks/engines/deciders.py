@@ -10,7 +10,7 @@ import sympy as sp
 
 from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import Point, exhibit
-from paper_checks.evidence.clause import Formula
+from paper_checks.evidence.clause import Formula, decimal_places
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.solvers.polynomial import cleared
 from paper_checks.solvers.smt import prove
@@ -77,7 +77,7 @@ def decimal(value: Callable[[], arb]) -> Decide:
         from paper_checks.engines.enclosure import exact  # with it come numerics, which the list of claims does without
 
         digits, found = sp.Rational(formula.right), value()
-        low, high = exact(digits), exact(digits + sp.Rational(1, digits.q))
+        low, high = exact(digits), exact(digits + sp.Rational(1, 10 ** decimal_places(digits)))
         inside, outside = found > low and found < high, found < low or found > high
         passed = True if inside else False if outside else None
         return Evidence(EvidenceKind.ENCLOSURE, "python-flint", shown(formula), passed, 1, str(found.str(20)))

@@ -31,6 +31,11 @@ NEGATIONS = {"=": "!=", "!=": "=", "<": ">=", ">=": "<", "<=": ">", ">": "<="}
 _SLOT = re.compile("«([a-z0-9_]+)»")
 
 
+def decimal_places(value: sp.Rational) -> int:
+    """Return how many decimal places a decimal fraction has; its reduced denominator may lack factors of 10^places."""
+    return max(sp.multiplicity(prime, value.q) for prime in (2, 5))
+
+
 @dataclass(frozen=True)
 class Formula:
     """`left relation right`, and how it is decided.
@@ -61,8 +66,7 @@ class Formula:
         if self.relation != "=...":
             return latex(self.right)
         value = sp.Rational(self.right)
-        places = sp.multiplicity(10, value.q) if value.q > 1 else 0
-        places = max(places, *(sp.multiplicity(prime, value.q) for prime in (2, 5)))
+        places = decimal_places(value)
         digits = str(abs(value.p) * 10**places // value.q).rjust(places + 1, "0")
         sign = "-" if value < 0 else ""
         return rf"{sign}{digits[: len(digits) - places]}.{digits[len(digits) - places :]}\ldots"
