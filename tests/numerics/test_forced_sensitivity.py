@@ -108,8 +108,8 @@ def test_differences_by_each_number(name):
     for one in names[:: 1 + len(names) // 12]:
         found = deviation(base, {one: Fraction(1)}, digits, step)
         # from v1 = v2 differences on both sides have different second derivatives; a start has one side, or a tie
-        sides = one in {"v1", "v2"} or is_first_start(base.scene, one)
-        assert found.size < (1e-9 if sides else 1e-20), (one, found)
+        slow = one in {"v1", "v2"} or is_first_start(base.scene, one) or not found.events_compared
+        assert found.size < (1e-7 if slow else 1e-20), (one, found)
 
 
 @pytest.mark.parametrize("name", CORNERS)
