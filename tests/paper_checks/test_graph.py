@@ -2,8 +2,9 @@
 
 import pytest
 import sympy as sp
+from flint import arb
 
-from paper_checks.engines import kernel
+from paper_checks.engines import deciders, kernel
 from paper_checks.engines.deciders import equals
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument, closure, weakest
@@ -137,3 +138,14 @@ def test_a_theorem_about_something_else_than_the_theory_proves_nothing(monkeypat
 
 def test_a_finding_that_is_open_is_not_established():
     assert of(Finding(Verdict.UNDECIDED, "r", (EXACT,), missing="a proof")).established_by is None
+
+
+def test_what_is_not_settled_at_a_point_does_not_fail_there(monkeypatch):
+    monkeypatch.setattr(deciders, "holds_at", lambda *_: lambda _: SILENT)
+    assert Formula("E", "=", 1, deciders.fails_at({}), false=True).evidence().passed is None
+
+
+@pytest.mark.parametrize(("relation", "passed"), [("=", True), ("!=", False)])
+def test_a_false_value_is_one_that_an_equation_states(relation, passed):
+    assert Formula("E", relation, 1, deciders.false_value(lambda: arb(2)), false=True).evidence().passed is passed
+    assert Formula("E", relation, 2, deciders.false_value(lambda: arb(2)), false=True).evidence().passed is None
