@@ -48,7 +48,7 @@ def test_the_guard_on_the_way(slip):
 def landed(slip, landing, end):
     """(gap, push, change of the excess) by the closed forms minus those of the slip by hand."""
     x, _, v2 = slip.state(end)
-    known = {"q": slip.q, "d": slip.d, "u": slip.u, "theta": end}
+    known = {"q": slip.q, "d": slip.d, "nu": slip.u, "theta": end}
     return (
         at(landing.gap, **known) - (x - 1) / slip.q,
         at(landing.push, **known) - v2 / slip.root,
@@ -90,7 +90,7 @@ def test_both_terms_of_the_contact_slope_are_its_derivative_and_positive():
     first, second = return_map.contact_slope()
     for slip in SLIPS:
         for angle in map(mpmath.mpf, ("0.01", "1", "3", "5", "6.28")):
-            known = {"d": slip.d, "u": slip.u, "theta": angle}
+            known = {"d": slip.d, "nu": slip.u, "theta": angle}
             terms = at(first, **known), at(second, **known)
             assert terms[0] > 0
             assert terms[1] >= 0
