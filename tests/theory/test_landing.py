@@ -33,15 +33,15 @@ def test_the_slip_by_hand_solves_its_equations():
 def test_a_slip_ends_where_the_contact_condition_vanishes(slip):
     end = slip.end()
     assert 0 < end < 2 * mpmath.pi
-    assert abs(at(return_map.contact_condition(), d=slip.d, u=slip.u, theta=end)) < TOLERANCE
+    assert abs(at(return_map.contact_condition(), d=slip.d, nu=slip.u, theta=end)) < TOLERANCE
     wrong = return_map.contact_condition() + 2 * return_map.gap * cot(theta / 2)
-    assert slip.d == 0 or abs(at(wrong, d=slip.d, u=slip.u, theta=end)) > 1e-6
+    assert slip.d == 0 or abs(at(wrong, d=slip.d, nu=slip.u, theta=end)) > 1e-6
 
 
 @pytest.mark.parametrize("slip", SLIPS)
 def test_the_guard_on_the_way(slip):
     for angle in (mpmath.mpf(1) / 7, mpmath.mpf(2), slip.end()):
-        found = at(return_map.reduced_guard(), q=slip.q, d=slip.d, u=slip.u, theta=angle)
+        found = at(return_map.reduced_guard(), q=slip.q, d=slip.d, nu=slip.u, theta=angle)
         assert abs(found - slip.guard(angle)) < TOLERANCE
 
 
