@@ -11,19 +11,18 @@ from time import process_time
 
 import pytest
 from flint import arb, ctx
-from forced.regenerate import ANSWERS, HERE
+from forced.catalogue import ANSWER, SIGNS, UNDECIDABLE
+from forced.catalogue import scene as scene_of
 from forced_reference import Reference
 from hypothesis import given
 from strategies import driven_scenes
 
 from numerics import Force, Friction, Pair, Piece, Scene, Sine, State
 from numerics.errors import EventUndecided, NumericsError
-from numerics.scene.file import load_scene
 from numerics.scene.writing import scene_text
 from numerics.solver.solve import solve
 from numerics.solver.truth import record as as_record
 
-ANSWER = json.loads(ANSWERS.read_text("utf-8"))
 WAYS = {
     "ball": {"arithmetic": "ball", "digits": 40},
     "mpmath": {"arithmetic": "mpmath", "digits": 40},
@@ -32,10 +31,8 @@ WAYS = {
 DIGITS = {"ball": 38, "mpmath": 30, "float64": 9}
 EVENTS = {"ball": 151, "mpmath": 51, "float64": 10_000}
 """Under which caps: of the scenes with very many events the first ones will do."""
-SIGNS = {"stick": "0", "slip+": "+", "slip-": "-"}
 NAMES = ("t", "x1", "v1", "x2", "v2")
 SECONDS = 30
-UNDECIDABLE = "touches-at-irrational-times"
 # a touch that only exact numbers tell from a crossing
 TOUCHES = {UNDECIDABLE, "load-touches-the-edge", "load-touches-to-fourth-order"}
 BEYOND = {"ball": {UNDECIDABLE}, "mpmath": TOUCHES, "float64": {UNDECIDABLE}}
@@ -50,7 +47,7 @@ def outcome(name, way):
 
 
 def solved(name, way):
-    found = solve(load_scene(HERE / "scenes" / f"{name}.toml"), max_events=EVENTS[way], **WAYS[way])
+    found = solve(scene_of(name), max_events=EVENTS[way], **WAYS[way])
     return found, as_record(found)
 
 
@@ -150,7 +147,7 @@ def in_other_seconds(scene, factor):
 )
 def test_the_unit_of_time_does_not_matter(name, exponent):
     """@example of found faults: a time below 1e-15 s was rounded to 0 at a tie; tau^20 left the range of floats."""
-    scene, factor = load_scene(HERE / "scenes" / f"{name}.toml"), Fraction(10) ** exponent
+    scene, factor = scene_of(name), Fraction(10) ** exponent
     one = solve(scene, arithmetic="ball", digits=25)
     two = solve(in_other_seconds(scene, factor), arithmetic="ball", digits=25)
     assert one.modes == two.modes
@@ -164,7 +161,7 @@ def test_the_unit_of_time_does_not_matter(name, exponent):
 @pytest.mark.parametrize("name", ["triangular-wave", "polynomial-of-degree-8", "sine-stick-slip", "damping-heavy"])
 def test_the_unit_of_time_does_not_matter_in_floats(name, exponent):
     """Events, states between them, bounds and ledger. @example of found faults: refusals, a bare ZeroDivisionError."""
-    scene, factor = load_scene(HERE / "scenes" / f"{name}.toml"), Fraction(10) ** exponent
+    scene, factor = scene_of(name), Fraction(10) ** exponent
     one, two = solve(scene), solve(in_other_seconds(scene, factor))
     assert one.modes == two.modes
     assert two.event_times / float(factor) == pytest.approx(one.event_times, rel=1e-14)

@@ -1,23 +1,20 @@
 """The peers under a force: each installed one gets scenes right that an independent reference has solved."""
 
-import json
 import math
 from functools import cache
 from itertools import pairwise
 
 import numpy as np
 import pytest
-from forced.regenerate import ANSWERS, HERE
+from forced.catalogue import ANSWER, scene
 
 from numerics.scene import Force, Friction, Law, Pair, Scene, State
-from numerics.scene.file import load_scene
 from numerics.trade.comparisons.forced_pair import ForcedPair, spans_of
 from numerics.trade.comparisons.hand_written import HandWrittenPeer
 from numerics.trade.comparisons.peer import Unsupported
 from numerics.trade.comparisons.registry import all_peers, forced_peers
 from numerics.trade.contender import peer_outcome
 
-ANSWER = json.loads(ANSWERS.read_text("utf-8"))
 LETTERS = {"0": "n", "+": "x", "-": "x"}
 # name: a setting, and the error of the final state that it may have there, in L and L Omega
 FINE = {
@@ -35,10 +32,6 @@ ONE_SCENE = {
     "diffrax Dopri8",  # compiles for seconds
     "tanh smoothing",  # never at rest, it reads a reversal as a short stick
 }
-
-
-def scene(name):
-    return load_scene(HERE / "scenes" / f"{name}.toml")
 
 
 def kinds(modes):

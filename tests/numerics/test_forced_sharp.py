@@ -3,18 +3,13 @@
 import pickle
 
 import pytest
-from forced.regenerate import HERE
+from forced.catalogue import scene as scene_of
 
 from numerics import Force, Pair, Scene, State, solve
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.run.forced import run_forced_scene
 from numerics.run.forced_sharp import Seamed, run_forced_sharply
-from numerics.scene.file import load_scene
 from numerics.trajectory.forced_rounded import rounded_to_float64
-
-
-def scene_of(name):
-    return load_scene(HERE / "scenes" / f"{name}.toml")
 
 
 @pytest.mark.parametrize("name", ["sine-barely-above-threshold", "jump-just-before-contact", "mass-ratio-1e-6"])
