@@ -23,7 +23,7 @@ NONE, ROOT, DOUBT, NEVER, AHEAD, ENDLESS = 0, 1, 2, 3, 4, 5
 piece is; not seen yet; at this pace the piece would take more steps than anybody waits for."""
 _MOST_STEPS, _FEWER, _PATIENCE = 2_000_000, 200_000, 2_000
 """Steps through a piece, in floats and in numbers that take a hundred times as long; after how many of them it is asked
-whether they will do."""
+again whether they will do: at their mean pace, or because the time reached has grown (next to a tie steps do)."""
 _MOST_TRIALS, _MARGIN, _LONG = 300, 1e-12, 20.0
 
 
@@ -88,13 +88,15 @@ def isolate(pair: Pair, drive: Drive, start: Start, limit: Number) -> Bracket:
     shortest, fastest = 4.0 * UNIT * step, fastest_of(pair, drive, start.piece)
     if positive(start.quiet - start.local):
         order, tau = 0, middle(start.quiet - start.local)
-    most = _MOST_STEPS if UNIT > 0.0 else _FEWER
+    most, before = (_MOST_STEPS if UNIT > 0.0 else _FEWER), 0.0
     for n in range(most):
         left = rough(limit - tau)
         if left <= 0.0:
             return Bracket(NONE, 0, limit, limit)
-        if n >= _PATIENCE and rough(tau) * most < rough(limit) * n:
-            break
+        if n % _PATIENCE == 0:
+            if rough(tau) < 1.25 * before and rough(tau) * most < rough(limit) * n:
+                break
+            before = rough(tau)
         one, two = jets_at(pair, drive, start, tau)
         found = ahead(pair, drive, start, order, tau, limit, one, two)
         if found.how != AHEAD:

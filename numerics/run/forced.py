@@ -176,8 +176,8 @@ def _require_answer(how: int, told: _Told, last: Start) -> None:
     shown = f"{told.telling.words['rough'](at):.6g}" if name != "float64" else f"{at:.6g}"
     if how == TOO_FAST:
         raise OutOfRange(
-            f"the force is so fast that the mode at t = {shown} s would take more than a million steps; shorten the "
-            "horizon, or leave the fast sine out"
+            f"the mode at t = {shown} s would take more than a million steps; shorten the horizon, leave a fast sine "
+            "out, or begin on the tie that it begins next to"
         )
     if how == OPEN:
         raise EventUndecided(

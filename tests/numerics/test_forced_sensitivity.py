@@ -67,8 +67,12 @@ NEAREST = {
     "sine-barely-above-threshold": Fraction(1, 10**70),
 }
 """Scenes so near to a tie that only nearer neighbours have the same events."""
-LONG = {"load-touches-to-fourth-order", "tie-at-the-start-fourth-derivative-sticks", "touches-at-irrational-times"}
-"""Differences tend to the derivative like the fourth root of the step; and a scene that no digits decide."""
+LONG = {
+    *("load-touches-to-fourth-order", "tie-at-the-start-fourth-derivative-slips"),
+    *("tie-at-the-start-fourth-derivative-sticks", "touches-at-irrational-times"),
+}
+"""Differences tend to the derivative like the fourth root of the step, and neighbours so near to a tie take too many
+steps; and a scene that no digits decide."""
 
 
 def named(name):

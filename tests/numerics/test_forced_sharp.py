@@ -1,11 +1,12 @@
 """Under a force, binary64 whose own bounds leave too little is made up for by balls that are rounded to it."""
 
 import pickle
+from fractions import Fraction
 
 import pytest
 from forced.catalogue import scene as scene_of
 
-from numerics import Force, Pair, Scene, State, solve
+from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.run.forced import run_forced_scene
 from numerics.run.forced_sharp import Seamed, run_forced_sharply
@@ -64,3 +65,12 @@ def test_a_force_too_fast_to_be_followed_is_refused_at_once(way):
     scene = Scene(Pair(1, 1, 200, "0.05"), State(v1="4.5e-3", v2="4.5e-3"), 10, force=Force.sine("0.02", "1e9"))
     with pytest.raises(OutOfRange, match="more than a million steps; shorten the horizon"):
         solve(scene, arithmetic=way)
+
+
+@pytest.mark.parametrize("off", ["1e-18", "-1e-18"])
+def test_next_to_a_tie_of_high_order_steps_grow(off):
+    """@example of a found fault: u = 0.1 + 5 t^2 + t^4, a tie, with 5 + off was refused as too fast."""
+    force = Force((Piece(0, ("0.1", 0, 5 + Fraction(off), 0, 1)),))
+    found = solve(Scene(Pair(1, 1, 200, "0.05"), State(), 1, force=force), arithmetic="ball")
+    modes = {"1e-18": ["slip+"], "-1e-18": ["stick", "slip+"]}
+    assert [mode.value for mode in found.modes] == modes[off]
