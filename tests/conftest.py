@@ -16,6 +16,7 @@ _COMMON = {
     "phases": [Phase.explicit, Phase.reuse, Phase.generate, Phase.shrink],
 }
 settings.register_profile("dev", max_examples=15, **_COMMON)
+settings.register_profile("landing", max_examples=15, derandomize=True, database=None, **_COMMON)
 settings.register_profile("ci", max_examples=1000, derandomize=True, database=None, **_COMMON)
 settings.register_profile("nightly", max_examples=5000, **_COMMON)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "dev"))
