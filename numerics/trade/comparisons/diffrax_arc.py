@@ -58,9 +58,35 @@ class Arc:
 
         `unpack` reads the array, of `width` numbers. Its arc starts at time 0.
         """
+        import diffrax
         import jax
+        import jax.numpy as jnp
+        import optimistix
 
-        arc = _arc_function(method, tolerance, sizes, field, guard, unpack)
+        event = diffrax.Event(guard, optimistix.Bisection(1e-15, 1e-14), direction=False)
+        controller = diffrax.PIDController(rtol=tolerance, atol=tolerance * jnp.array(sizes))
+        solver = getattr(diffrax, method)()
+
+        def arc(packed: Extra) -> Extra:
+            """Return the length, 1 if met, steps, 1 if it got there, and the end."""
+            asked = unpack(packed)
+            out = diffrax.diffeqsolve(
+                diffrax.ODETerm(field),
+                solver,
+                0.0,
+                asked.left,
+                asked.first,
+                asked.start,
+                args=asked.args,
+                stepsize_controller=controller,
+                event=event,
+                max_steps=MAX_STEPS,
+                throw=False,
+            )
+            stopped = out.result == diffrax.RESULTS.event_occurred
+            good = stopped | (out.result == diffrax.RESULTS.successful)
+            return jnp.concatenate([jnp.stack([out.ts[-1], stopped, out.stats["num_steps"], good]), out.ys[-1]])
+
         self._compiled = jax.jit(arc).lower(np.zeros(width)).compile()
 
     def __call__(self, packed: Extra) -> tuple[bool, float, int, list[float]]:
@@ -69,42 +95,3 @@ class Arc:
         if not good:
             raise PeerFailed(f"diffrax: no end of the arc after {steps:.0f} steps")
         return met == 1, length, int(steps), end
-
-
-def _arc_function(
-    method: str,
-    tolerance: float,
-    sizes: Extra,
-    field: Callable[..., Extra],
-    guard: Callable[..., Extra],
-    unpack: Callable[[Extra], Asked],
-) -> Callable[[Extra], Extra]:
-    """Return the arc, which answers an array with one: length, 1 if met, steps, 1 if it got there, the end."""
-    import diffrax
-    import jax.numpy as jnp
-    import optimistix
-
-    event = diffrax.Event(guard, optimistix.Bisection(1e-15, 1e-14), direction=False)
-    controller = diffrax.PIDController(rtol=tolerance, atol=tolerance * jnp.array(sizes))
-    solver = getattr(diffrax, method)()
-
-    def arc(packed: Extra) -> Extra:
-        asked = unpack(packed)
-        out = diffrax.diffeqsolve(
-            diffrax.ODETerm(field),
-            solver,
-            0.0,
-            asked.left,
-            asked.first,
-            asked.start,
-            args=asked.args,
-            stepsize_controller=controller,
-            event=event,
-            max_steps=MAX_STEPS,
-            throw=False,
-        )
-        stopped = out.result == diffrax.RESULTS.event_occurred
-        good = stopped | (out.result == diffrax.RESULTS.successful)
-        return jnp.concatenate([jnp.stack([out.ts[-1], stopped, out.stats["num_steps"], good]), out.ys[-1]])
-
-    return arc
