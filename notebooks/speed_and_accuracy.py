@@ -31,8 +31,8 @@ from numerics.trade.recorded import recorded
 from numerics.trade.reference import POINT_DIGITS, proved
 from numerics.trade.scenes import HEADLINE
 from numerics.trade.table import error_text, seconds_text
-from paper_checks.report.blocks import Section
-from paper_checks.report.markdown import markdown
+from paper_checks.report.content.blocks import Section
+from paper_checks.report.formats.markdown import markdown
 from paper_checks.speed import section
 
 # %% [markdown]

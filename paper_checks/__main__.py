@@ -120,11 +120,11 @@ def _run(options: argparse.Namespace) -> int:
         return USAGE
     rows = _rows(claims, options)
     if options.json:
-        from paper_checks.report import json
+        from paper_checks.report.formats import json
 
         sys.stdout.write(json.render(rows))
     else:
-        from paper_checks.report.terminal import print_rows
+        from paper_checks.report.formats.terminal import print_rows
 
         print_rows(_console(), rows, times=options.times)
     return exit_code(rows)
@@ -137,11 +137,11 @@ def _list(options: argparse.Namespace) -> int:
 
     found = rows.kept(CLAIMS, Kept(seed=0)) if options.program else {}
     if options.json:
-        from paper_checks.report import json
+        from paper_checks.report.formats import json
 
         sys.stdout.write(json.render_claims(CLAIMS, found))
     else:
-        from paper_checks.report.terminal import print_claims
+        from paper_checks.report.formats.terminal import print_claims
 
         print_claims(_console(), CLAIMS, found)
     return 0
@@ -203,7 +203,7 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
     """Come by the rows, with progress on stderr where that is a terminal."""
     from paper_checks.checks.registry import Context
-    from paper_checks.report.progress import progress
+    from paper_checks.report.formats.progress import progress
     from paper_checks.running import rows
     from paper_checks.running.kept import Kept
     from paper_checks.running.workers import cores

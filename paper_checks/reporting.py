@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from numerics.trade.recorded import RecordedTrade
     from paper_checks.ledger import Claim
-    from paper_checks.report.document import Document
-    from paper_checks.report.files import Pictures
-    from paper_checks.report.finished import Finished
+    from paper_checks.report.content.document import Document
+    from paper_checks.report.output.files import Pictures
+    from paper_checks.report.output.finished import Finished
     from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used.
@@ -59,7 +59,7 @@ def report(
     """Write the report on these claims, which `run` decides, and return the exit code."""
     from numerics.trade.recorded import UnreadableTrade, recorded
     from paper_checks.errors import ToolMissingError
-    from paper_checks.report import pdf
+    from paper_checks.report.formats import pdf
     from paper_checks.running.runner import exit_code
 
     try:
@@ -90,7 +90,7 @@ def _written(
     options: argparse.Namespace, rows: Sequence[Row], trade: RecordedTrade, complaints: list[str]
 ) -> list[Path]:
     """Write each form, as it was made before or anew, and return the main files. Raises OSError, ToolMissingError."""
-    from paper_checks.report.finished import Finished, name_of, placed
+    from paper_checks.report.output.finished import Finished, name_of, placed
 
     kept = Finished(options.trade) if options.program else None
     names = {form: name_of(rows, form, (options.summary, options.steps)) for form in options.format}
@@ -99,7 +99,7 @@ def _written(
     for form, name in names.items():
         files = before.get(form)
         if files is None:
-            from paper_checks.report import files as writing  # with it comes matplotlib
+            from paper_checks.report.output import files as writing  # with it comes matplotlib
 
             found = found or _drawable(options, rows, trade, complaints, kept)
             files = writing.made(form, *found, "summary" if options.summary else "report", options.steps)
@@ -117,8 +117,8 @@ def _drawable(
     """Return the report and its figures; what cannot be drawn is added to the complaints."""
     from paper_checks.drawing.figures import FIGURES
     from paper_checks.ledger import CLAIMS
-    from paper_checks.report import document, under_a_force
-    from paper_checks.report.files import Pictures
+    from paper_checks.report.content import document, under_a_force
+    from paper_checks.report.output.files import Pictures
     from paper_checks.speed import section
 
     chapters = [under_a_force.section(), section.section(trade)] if len(rows) == len(CLAIMS) else []

@@ -41,4 +41,4 @@ FIGURES: Figures = {
         ("uniform-rate", uniform_rate_figure),
     )
 }
-"""The drawings by name; each is drawn in the house style, and saved by `paper_checks.report.vector`."""
+"""The drawings by name; each is drawn in the house style, and saved by `paper_checks.report.formats.vector`."""

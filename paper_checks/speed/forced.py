@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from numerics.trade.front import Lead, leads
 from numerics.trade.ours import PARTS
 from numerics.trade.recorded import Participant, RecordedScene, RecordedTrade
-from paper_checks.report.blocks import Block, Paragraph, Points, Table
+from paper_checks.report.content.blocks import Block, Paragraph, Points, Table
 from paper_checks.speed.peers import beaten, our_sequences
 from paper_checks.speed.wording import digits, factor_text, listed, time_text
 

@@ -7,7 +7,7 @@ from itertools import groupby
 
 from numerics.trade.euler import EulerFigure, StickEnergy
 from numerics.trade.recorded import RecordedTrade
-from paper_checks.report.blocks import Block, Points
+from paper_checks.report.content.blocks import Block, Points
 from paper_checks.speed.needs import NEEDS, cheapest
 from paper_checks.speed.peers import beaten, closest_peer
 from paper_checks.speed.waiting import waiting_in_short

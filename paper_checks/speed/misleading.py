@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from numerics.trade.euler import NUDGE, EulerFigure, StickEnergy
 from numerics.trade.table import error_text
-from paper_checks.report.blocks import Block, Paragraph, Table
+from paper_checks.report.content.blocks import Block, Paragraph, Table
 from paper_checks.speed.wording import listed, step_text
 
 

@@ -14,7 +14,7 @@ from numerics.trade.growth import Growth
 from numerics.trade.ours import BALL, COMPILED, MPMATH, PARTS, PLAIN, READ
 from numerics.trade.recorded import RecordedScene, RecordedTrade
 from numerics.trade.scenes import Benchmark, benchmarks
-from paper_checks.report.blocks import Block, Paragraph, Table
+from paper_checks.report.content.blocks import Block, Paragraph, Table
 from paper_checks.speed.wording import asked, digits, factor_text, groups, headline, listed, spread, time_text
 
 NEEDS = (*range(1, 16), 20, 25, 30, 50, 100, 300, 1000, 3000, 10_000)

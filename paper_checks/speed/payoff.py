@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from numerics.trade.growth import Growth
 from numerics.trade.ours import COMPILED, PLAIN, READ
 from numerics.trade.recorded import RecordedRun, RecordedTrade
-from paper_checks.report.blocks import Block, Points, Table
+from paper_checks.report.content.blocks import Block, Points, Table
 from paper_checks.speed.wording import counted, factor_text, headline, time_text
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from numerics.trade.front import Lead
 from numerics.trade.recorded import RecordedRun, RecordedScene, RecordedTrade
-from paper_checks.report.blocks import Block, Paragraph, Points, Table
+from paper_checks.report.content.blocks import Block, Paragraph, Points, Table
 from paper_checks.speed.wording import asked, counted, digits, factor_text, listed, spread, time_text
 
 

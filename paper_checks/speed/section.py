@@ -13,7 +13,7 @@ from numerics.trade.euler import stick_energies
 from numerics.trade.figure import draw_growth, draw_trade
 from numerics.trade.recorded import RecordedTrade, divided
 from paper_checks.drawing.style import Figures, house_style
-from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Section
+from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Section
 from paper_checks.speed.euler_figures import euler_figures
 from paper_checks.speed.forced import under_a_force
 from paper_checks.speed.in_short import in_short

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from numerics.trade.interface import RUN, SOLVE, Wait
 from numerics.trade.ours import COMPILED, READ
 from numerics.trade.recorded import RecordedTrade
-from paper_checks.report.blocks import Block, Paragraph, Table
+from paper_checks.report.content.blocks import Block, Paragraph, Table
 from paper_checks.speed.wording import factor_text, headline, time_text
 
 

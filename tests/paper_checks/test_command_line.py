@@ -14,8 +14,9 @@ import paper_checks.ledger as ledger_module
 from paper_checks.__main__ import main
 from paper_checks.checks import registry as registry_module
 from paper_checks.ledger import CLAIMS
-from paper_checks.report import pdf, under_a_force
-from paper_checks.report.blocks import Section
+from paper_checks.report.content import under_a_force
+from paper_checks.report.content.blocks import Section
+from paper_checks.report.formats import pdf
 from paper_checks.speed import section as section_module
 
 

@@ -14,7 +14,7 @@ from paper_checks import checks
 from paper_checks.drawing.captions import CAPTIONS, caption
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.drawing.style import MARKERS, MODE_COLOURS
-from paper_checks.report import vector
+from paper_checks.report.formats import vector
 
 PAPER = (
     "start-at-6mm",

@@ -8,8 +8,8 @@ import pytest
 
 from paper_checks import reporting
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report import files, finished
-from paper_checks.report.finished import Finished, name_of
+from paper_checks.report.output import files, finished
+from paper_checks.report.output.finished import Finished, name_of
 from paper_checks.running.graph import proofs
 
 

@@ -7,10 +7,11 @@ from html.parser import HTMLParser
 
 import pytest
 
-from paper_checks.report import html, notation, vector
-from paper_checks.report.document import document, summary
-from paper_checks.report.files import write
-from paper_checks.report.summary import place
+from paper_checks.report.content import notation
+from paper_checks.report.content.document import document, summary
+from paper_checks.report.content.phrases import place
+from paper_checks.report.formats import html, vector
+from paper_checks.report.output.files import write
 
 VOID = {"meta", "br", "wbr", "link", "img", "input", "hr"}
 

@@ -6,9 +6,9 @@ import subprocess
 
 import pytest
 
-from paper_checks.report import latex
-from paper_checks.report.document import document
-from paper_checks.report.files import write
+from paper_checks.report.content.document import document
+from paper_checks.report.formats import latex
+from paper_checks.report.output.files import write
 
 
 @pytest.fixture

@@ -9,9 +9,10 @@ import pytest
 
 import paper_checks
 from paper_checks.ledger import CLAIMS
-from paper_checks.report import mathml as mathml_module
-from paper_checks.report import unicode_mathematics
-from paper_checks.report.mathematics import (
+from paper_checks.report.mathematics import mathml as mathml_module
+from paper_checks.report.mathematics import unicode
+from paper_checks.report.mathematics.mathml import objection_to, tree
+from paper_checks.report.mathematics.prose import (
     Piece,
     UnreadableMathematicsError,
     html,
@@ -20,8 +21,7 @@ from paper_checks.report.mathematics import (
     pieces,
     plain,
 )
-from paper_checks.report.mathml import objection_to, tree
-from paper_checks.report.unicode_mathematics import spoken
+from paper_checks.report.mathematics.unicode import spoken
 
 ARRANGED = {
     *("left", "right", "bigl", "bigr", "Bigl", "Bigr", "Big", "displaystyle", "limits", "begin", "end"),
@@ -55,7 +55,7 @@ def test_a_terminal_reads_it(mathematics, line):
     assert spoken(mathematics) == line
 
 
-COMMANDS = sorted({*unicode_mathematics._WORDS, *unicode_mathematics._FUNCTIONS.split("|")})
+COMMANDS = sorted({*unicode._WORDS, *unicode._FUNCTIONS.split("|")})
 
 
 @pytest.mark.parametrize("first", COMMANDS)
@@ -68,7 +68,7 @@ def test_no_name_of_a_command_is_left_whatever_follows_it(first):
 def test_the_terminal_knows_every_command_that_a_row_is_written_with():
     """So no row's text can show the name of one: all words of the rooms in which the rows are written."""
     root = Path(paper_checks.__file__).parent
-    known = {*COMMANDS, *unicode_mathematics._ACCENTS, *ARRANGED}
+    known = {*COMMANDS, *unicode._ACCENTS, *ARRANGED}
     unknown = {
         (path.name, name)
         for room in ("checks", "ledger", "steps")

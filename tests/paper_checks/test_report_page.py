@@ -7,13 +7,15 @@ import pytest
 from fontTools.ttLib import TTFont
 
 from paper_checks.ledger import CLAIMS, source
-from paper_checks.report import colours, font, html, notation, opening, trust
-from paper_checks.report.blocks import Graph, Table
-from paper_checks.report.document import document
-from paper_checks.report.highlights import HIGHLIGHTS
-from paper_checks.report.html_graph import graph
-from paper_checks.report.mathematics import Piece, pieces
-from paper_checks.report.mathml import tree
+from paper_checks.report.content import notation, opening, trust
+from paper_checks.report.content.blocks import Graph, Table
+from paper_checks.report.content.document import document
+from paper_checks.report.content.highlights import HIGHLIGHTS
+from paper_checks.report.formats import colours, html
+from paper_checks.report.formats.html_graph import graph
+from paper_checks.report.mathematics import font
+from paper_checks.report.mathematics.mathml import tree
+from paper_checks.report.mathematics.prose import Piece, pieces
 
 
 @pytest.fixture(scope="module")

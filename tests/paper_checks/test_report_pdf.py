@@ -7,10 +7,10 @@ import pytest
 
 from paper_checks.errors import ToolMissingError
 from paper_checks.ledger import CLAIMS
-from paper_checks.report import pdf, vector
-from paper_checks.report.document import document, summary
-from paper_checks.report.typst_blocks import escaped
-from paper_checks.report.typst_mathematics import typst
+from paper_checks.report.content.document import document, summary
+from paper_checks.report.formats import pdf, vector
+from paper_checks.report.formats.typst_blocks import escaped
+from paper_checks.report.mathematics.typst import typst
 
 
 @pytest.mark.parametrize(
@@ -56,7 +56,7 @@ def test_it_compiles_with_every_statement_of_the_ledger(rows, figures):
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
 def test_no_mathematics_of_the_ledger_is_lost(claim):
-    from paper_checks.report.typst_blocks import TypstWriter
+    from paper_checks.report.formats.typst_blocks import TypstWriter
 
     written = TypstWriter({}).text(f"{claim.statement} {claim.where}")
     assert "#raw" not in written

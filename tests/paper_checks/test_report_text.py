@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from paper_checks.report import json as json_report
-from paper_checks.report.summary import first_sentence, kind
-from paper_checks.report.terminal import print_claims, print_rows
+from paper_checks.report.content.phrases import first_sentence, kind
+from paper_checks.report.formats import json as json_report
+from paper_checks.report.formats.terminal import print_claims, print_rows
 
 
 def printed(rows, width=80, **options):

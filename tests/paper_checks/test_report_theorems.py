@@ -11,10 +11,11 @@ from rich.console import Console
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger import Claim, Kind
-from paper_checks.report import html, latex, opening
-from paper_checks.report import json as json_report
-from paper_checks.report.document import document
-from paper_checks.report.terminal import print_rows
+from paper_checks.report.content import opening
+from paper_checks.report.content.document import document
+from paper_checks.report.formats import html, latex
+from paper_checks.report.formats import json as json_report
+from paper_checks.report.formats.terminal import print_rows
 from paper_checks.running.graph import proofs
 from paper_checks.running.runner import Row
 

@@ -15,8 +15,8 @@ from numerics.trade.comparisons.switching import SwitchedPair
 from numerics.trade.euler import EulerFigure, StickEnergy
 from numerics.trade.interface import Wait
 from numerics.trade.ours import TWELVE
-from paper_checks.report.blocks import Section, Table
-from paper_checks.report.markdown import markdown
+from paper_checks.report.content.blocks import Section, Table
+from paper_checks.report.formats.markdown import markdown
 from paper_checks.speed import euler_figures, in_short, misleading, needs, payoff, peers, section
 
 

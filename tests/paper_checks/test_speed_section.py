@@ -8,10 +8,10 @@ import pytest
 from planted_trades import EULER_FIGURE, planted, run, with_forced
 
 from numerics.trade.euler import StickEnergy
-from paper_checks.report.blocks import Heading, Paragraph, Picture, Points, Section, Table
-from paper_checks.report.html_blocks import HtmlWriter
-from paper_checks.report.latex_blocks import LatexWriter
-from paper_checks.report.markdown import markdown
+from paper_checks.report.content.blocks import Heading, Paragraph, Picture, Points, Section, Table
+from paper_checks.report.formats.html_blocks import HtmlWriter
+from paper_checks.report.formats.latex_blocks import LatexWriter
+from paper_checks.report.formats.markdown import markdown
 from paper_checks.speed import section
 from paper_checks.speed.forced import under_a_force
 

@@ -7,8 +7,9 @@ import pytest
 
 from paper_checks.drawing.captions import CAPTIONS
 from paper_checks.ledger import CLAIMS
-from paper_checks.report import mathematics, under_a_force
-from paper_checks.report.blocks import Paragraph, Picture, Points, Table
+from paper_checks.report.content import under_a_force
+from paper_checks.report.content.blocks import Paragraph, Picture, Points, Table
+from paper_checks.report.mathematics import prose
 
 chapter = cache(under_a_force.section)
 
@@ -28,7 +29,7 @@ def test_it_names_rows_that_exist():
 
 def test_its_mathematics_can_be_set():
     for text in texts():
-        assert "<code>" not in mathematics.html(re.sub("`[^`]+`", "", text))
+        assert "<code>" not in prose.html(re.sub("`[^`]+`", "", text))
         assert text.count("$") % 2 == 0
 
 

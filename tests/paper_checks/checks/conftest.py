@@ -12,7 +12,7 @@ import pytest
 from paper_checks.checks.registry import Check, Context, load_checks
 from paper_checks.evidence.finding import Finding
 from paper_checks.ledger import CLAIMS
-from paper_checks.report import mathematics
+from paper_checks.report.mathematics import prose
 from paper_checks.solvers import smt
 
 STEPS = ("paper_checks.steps.",)
@@ -85,7 +85,7 @@ def unreadable(finding: Finding) -> list[str]:
     """Return the texts of a finding whose mathematics the report could not set."""
     evidence = [text for item in finding.evidence for text in (item.statement, item.value, *item.assumptions)]
     texts = [finding.reason, finding.corrected or "", finding.counterexample or "", *finding.derivation, *evidence]
-    return [text for text in texts if "<code>" in mathematics.html(text) or text.count("$") % 2]
+    return [text for text in texts if "<code>" in prose.html(text) or text.count("$") % 2]
 
 
 # Faults: each takes the original and returns the replacement.

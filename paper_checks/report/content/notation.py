@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from paper_checks.report.blocks import Section, Table
+from paper_checks.report.content.blocks import Section, Table
 
 ID, TITLE = "notation", "Notation"
 

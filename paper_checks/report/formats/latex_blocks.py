@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from paper_checks.report import blocks, mathematics, notation
-from paper_checks.report.writer import Writer, shares
+from paper_checks.report.content import blocks, notation
+from paper_checks.report.formats.writer import Writer, shares
+from paper_checks.report.mathematics import prose
 
 SIZE = r"width=\textwidth,height=0.42\textheight,keepaspectratio"
 
@@ -23,11 +24,11 @@ class LatexWriter(Writer):
         return "\n\n".join(filter(None, map(self._block, some)))
 
     def _prose(self, text: str) -> str:
-        return mathematics.latex(text)
+        return prose.latex(text)
 
     def _code(self, code: str) -> str:
         """Return code in typewriter, that may be broken at its hyphens; two of them must not join to a dash."""
-        shown = mathematics.latex(code).replace("--", "-{-}")
+        shown = prose.latex(code).replace("--", "-{-}")
         shown = rf"\texttt{{{shown if ' ' in code else shown.replace('-', '-' + chr(92) + 'allowbreak{}')}}}"
         target = self._target(code)
         return rf"\hyperref[{target}]{{{shown}}}" if target else shown
@@ -40,7 +41,7 @@ class LatexWriter(Writer):
             case blocks.Paragraph(text):
                 return self.text(text)
             case blocks.Labelled(label, text):
-                return rf"\textbf{{{mathematics.latex(label)}.}} {self.text(text)}"
+                return rf"\textbf{{{prose.latex(label)}.}} {self.text(text)}"
             case blocks.Points(items):
                 return self._list("itemize", items)
             case blocks.Numbered(items):
@@ -67,7 +68,7 @@ class LatexWriter(Writer):
 
     def _picture(self, picture: blocks.Picture) -> str:
         if picture.name not in self._figures:
-            return f"The figure {mathematics.latex(picture.name)} was not drawn."
+            return f"The figure {prose.latex(picture.name)} was not drawn."
         title = rf"\textbf{{{self.text(picture.title)}.}} " if picture.title else ""
         return (
             rf"\begin{{center}}\includegraphics[{SIZE}]{{{self._figures[picture.name]}}}"

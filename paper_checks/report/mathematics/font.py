@@ -2,7 +2,7 @@
 
 It is embedded in the page, so that every browser shows the same.
 
-`python -m paper_checks.report.font STIXMath-Regular.otf` cuts the subset anew from the whole font (STIX fonts 1.1.1,
+`python -m paper_checks.report.mathematics.font STIXMath-Regular.otf` cuts the subset anew from the whole font (STIX fonts 1.1.1,
 https://www.stixfonts.org), for instance after `CHARACTERS` has grown; it needs fontTools, which matplotlib brings along.
 """
 

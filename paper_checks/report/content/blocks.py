@@ -76,7 +76,7 @@ class Command:
 
 @dataclass(frozen=True)
 class Symbols:
-    """Links to the meaning of symbols, by their ids in `paper_checks.report.notation`."""
+    """Links to the meaning of symbols, by their ids in `paper_checks.report.content.notation`."""
 
     ids: tuple[str, ...]
 

@@ -9,11 +9,11 @@ from paper_checks.engines import kernel
 from paper_checks.engines.exhibit import ENGINE as EXHIBITED
 from paper_checks.engines.kernel import PROVED
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
-from paper_checks.report import notation, under_a_force
-from paper_checks.report.blocks import Block, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
-from paper_checks.report.mathematics import in_letters
-from paper_checks.report.summary import OUTCOMES
-from paper_checks.report.trust import PROVENANCE
+from paper_checks.report.content import notation, under_a_force
+from paper_checks.report.content.blocks import Block, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
+from paper_checks.report.content.phrases import OUTCOMES
+from paper_checks.report.content.trust import PROVENANCE
+from paper_checks.report.mathematics.prose import in_letters
 from paper_checks.running.graph import Proof, numbered
 from paper_checks.running.runner import Row
 

@@ -16,7 +16,7 @@ from paper_checks.drawing.captions import caption
 from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.drawing.sharp_rate import LAST, limit_of
 from paper_checks.engines.exhibit import value_at
-from paper_checks.report.blocks import Picture, Result
+from paper_checks.report.content.blocks import Picture, Result
 
 
 def _start_at_6mm() -> Result:

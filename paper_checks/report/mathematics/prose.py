@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from enum import Enum
 from html import escape
 
-from paper_checks.report.mathml import UnreadableMathematicsError
-from paper_checks.report.typesetting import mathml
-from paper_checks.report.unicode_mathematics import spoken
+from paper_checks.report.mathematics.mathml import UnreadableMathematicsError
+from paper_checks.report.mathematics.typesetting import mathml
+from paper_checks.report.mathematics.unicode import spoken
 
 _PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)
 _OPENING, _CLOSING = re.compile(r"[(\[]+$"), re.compile(r"^[.,:;!?)\]]+")

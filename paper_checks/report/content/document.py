@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from paper_checks.ledger import source
-from paper_checks.report import blocks, notation, opening, trust
-from paper_checks.report.blocks import Block, Paragraph, Section
-from paper_checks.report.story import story
+from paper_checks.report.content import blocks, notation, opening, trust
+from paper_checks.report.content.blocks import Block, Paragraph, Section
+from paper_checks.report.content.story import story
 from paper_checks.running.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"

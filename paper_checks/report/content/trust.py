@@ -10,9 +10,9 @@ from paper_checks.engines import kernel
 from paper_checks.engines.kernel import PROVED
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
 from paper_checks.ledger import source
-from paper_checks.report.blocks import Block, Command, Folded, Graph, Node, Paragraph, Points, Section, Table
-from paper_checks.report.mathematics import in_letters
-from paper_checks.report.summary import kind
+from paper_checks.report.content.blocks import Block, Command, Folded, Graph, Node, Paragraph, Points, Section, Table
+from paper_checks.report.content.phrases import kind
+from paper_checks.report.mathematics.prose import in_letters
 from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 

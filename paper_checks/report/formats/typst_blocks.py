@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from paper_checks.report import blocks, mathematics
-from paper_checks.report.mathematics import Piece, pieces
-from paper_checks.report.mathml import UnreadableMathematicsError
-from paper_checks.report.typst_mathematics import typst
-from paper_checks.report.writer import Writer, shares
+from paper_checks.report.content import blocks
+from paper_checks.report.formats.writer import Writer, shares
+from paper_checks.report.mathematics import prose
+from paper_checks.report.mathematics.mathml import UnreadableMathematicsError
+from paper_checks.report.mathematics.prose import Piece, pieces
+from paper_checks.report.mathematics.typst import typst
 
 _SPECIAL = re.compile(r"[\\#$*_`<>@\[\]~=/+\-'\"]")
 
@@ -72,7 +73,7 @@ class TypstWriter(Writer):
         if picture.name not in self._figures:
             return f"The figure {escaped(picture.name)} was not drawn."
         title = f"#strong[{self.text(picture.title)}.] " if picture.title else ""
-        alt = mathematics.plain(f"{picture.title}. {picture.caption}").replace("\\", "").replace('"', "'")
+        alt = prose.plain(f"{picture.title}. {picture.caption}").replace("\\", "").replace('"', "'")
         return f'#picture("{self._figures[picture.name]}", "{alt}")[{title}{self.text(picture.caption)}]'
 
     def _result(self, result: blocks.Result) -> str:

@@ -14,8 +14,8 @@ from rich.text import Text
 from paper_checks.evidence.evidence import Evidence, Subject
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import Claim
-from paper_checks.report.mathematics import plain
-from paper_checks.report.summary import OUTCOMES, first_sentence, is_new_theorem, kind, speaker
+from paper_checks.report.content.phrases import OUTCOMES, first_sentence, is_new_theorem, kind, speaker
+from paper_checks.report.mathematics.prose import plain
 from paper_checks.running.runner import Row
 
 STYLES = {

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from paper_checks.errors import ToolMissingError
 from paper_checks.ledger import Kind
-from paper_checks.report.document import ROWS, ROWS_TITLE, Document
-from paper_checks.report.summary import kind, place
-from paper_checks.report.typst_blocks import TypstWriter, escaped
+from paper_checks.report.content.document import ROWS, ROWS_TITLE, Document
+from paper_checks.report.content.phrases import kind, place
+from paper_checks.report.formats.typst_blocks import TypstWriter, escaped
 from paper_checks.running.runner import Row
 
 REMEDY = "a PDF needs typst; install it with: pip install 'inertial-pair[pdf]'"

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from paper_checks.ledger import Claim
-from paper_checks.report.terminal import STYLES
+from paper_checks.report.formats.terminal import STYLES
 from paper_checks.running.rows import Progress
 from paper_checks.running.runner import Row
 

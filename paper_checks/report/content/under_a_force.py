@@ -22,7 +22,7 @@ from paper_checks.drawing.captions import caption
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.engines.enclosure import rounded
 from paper_checks.ledger import claim_named
-from paper_checks.report.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
+from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
 from theory.forced import breaking_damping
 from theory.forced_response import harmonic_amplitude, multiple, resonant_amplitude
 from theory.symbols import b, m1, m2, v1

@@ -7,10 +7,11 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from paper_checks.report import blocks, mathematics, notation
-from paper_checks.report.colours import themed
-from paper_checks.report.html_graph import graph
-from paper_checks.report.writer import Writer
+from paper_checks.report.content import blocks, notation
+from paper_checks.report.formats.colours import themed
+from paper_checks.report.formats.html_graph import graph
+from paper_checks.report.formats.writer import Writer
+from paper_checks.report.mathematics import prose
 
 
 class HtmlWriter(Writer):
@@ -28,7 +29,7 @@ class HtmlWriter(Writer):
         return "\n".join(self._block(block, prefix) for block in some)
 
     def _prose(self, text: str) -> str:
-        return mathematics.html(text)
+        return prose.html(text)
 
     def _code(self, code: str) -> str:
         shown = f"<code>{_breakable(code)}</code>"
@@ -73,7 +74,7 @@ class HtmlWriter(Writer):
         titles = "".join(f'<th scope="col">{self.text(text)}</th>' for text in table.head)
         ids = table.ids or ("",) * len(table.rows)
         lines = "\n".join(self._line(table.head, row, anchor) for row, anchor in zip(table.rows, ids, strict=True))
-        name = escape(mathematics.plain(table.caption).replace("`", ""))
+        name = escape(prose.plain(table.caption).replace("`", ""))
         return (
             f'<div class="wide" role="group" aria-label="{name}"><table>\n'
             f"<caption>{self.text(table.caption)}</caption>\n<thead><tr>{titles}</tr></thead>\n<tbody>\n{lines}\n</tbody>\n"
@@ -81,7 +82,7 @@ class HtmlWriter(Writer):
         )
 
     def _line(self, head: Sequence[str], row: Sequence[str], anchor: str) -> str:
-        names = [escape(mathematics.plain(text).replace("`", "")) for text in head]
+        names = [escape(prose.plain(text).replace("`", "")) for text in head]
         cells = "".join(
             f'<td data-name="{name}">{self._cell(cell)}</td>' for name, cell in zip(names[1:], row[1:], strict=True)
         )
@@ -97,7 +98,7 @@ class HtmlWriter(Writer):
         if picture.name not in self._figures:
             return f"<p>The figure {escape(picture.name)} was not drawn.</p>"
         title = f"<strong>{self.text(picture.title)}.</strong> " if picture.title else ""
-        said = mathematics.plain(f"{picture.title}. {picture.caption}" if picture.title else picture.caption)
+        said = prose.plain(f"{picture.title}. {picture.caption}" if picture.title else picture.caption)
         name = escape(said.replace("`", ""))
         drawing = element(self._figures[picture.name], f"{prefix}--{picture.name}", name)
         return (
@@ -117,8 +118,8 @@ class HtmlWriter(Writer):
 
 def _symbol(name: str) -> str:
     symbol = notation.SYMBOLS[name]
-    meaning = escape(mathematics.plain(symbol.meaning))
-    return f'<a href="#{notation.anchor(name)}" title="{meaning}">{mathematics.html(f"${symbol.latex}$")}</a>'
+    meaning = escape(prose.plain(symbol.meaning))
+    return f'<a href="#{notation.anchor(name)}" title="{meaning}">{prose.html(f"${symbol.latex}$")}</a>'
 
 
 def _breakable(code: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from paper_checks.report.mathml import ARITY, FUNCTIONS, Element, tree
+from paper_checks.report.mathematics.mathml import ARITY, FUNCTIONS, Element, tree
 
 _ACCENTS = {
     "˙": "dot",

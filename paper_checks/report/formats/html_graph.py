@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from html import escape
 
-from paper_checks.report.blocks import Graph, Node
+from paper_checks.report.content.blocks import Graph, Node
 
 _LINE, _TOP, _LEFT, _RIGHT, _WIDTH = 17, 14, 300, 640, 920
 """Height of a line, margin above, ends of the curves, width (user units of the drawing)."""

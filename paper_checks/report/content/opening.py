@@ -9,10 +9,10 @@ from paper_checks.drawing.captions import caption
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import Kind
-from paper_checks.report import notation
-from paper_checks.report.blocks import Block, Paragraph, Picture, Section, Table
-from paper_checks.report.highlights import HIGHLIGHTS
-from paper_checks.report.summary import first_sentence, is_new_theorem
+from paper_checks.report.content import notation
+from paper_checks.report.content.blocks import Block, Paragraph, Picture, Section, Table
+from paper_checks.report.content.highlights import HIGHLIGHTS
+from paper_checks.report.content.phrases import first_sentence, is_new_theorem
 from paper_checks.running.runner import Row
 
 ID, TITLE = "found", "What was found"

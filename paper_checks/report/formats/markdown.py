@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from paper_checks.report.blocks import (
+from paper_checks.report.content.blocks import (
     Block,
     Command,
     Folded,

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from xml.etree import ElementTree
 
-from paper_checks.report.mathml import CLOSING, NAMESPACE, ROWS, THIN, Element, is_function, tree
+from paper_checks.report.mathematics.mathml import CLOSING, NAMESPACE, ROWS, THIN, Element, is_function, tree
 
 _TALL = {"mfrac", "msqrt", "mroot", "mtable", "munder", "munderover"}
 """Elements that are higher than a letter, so that the fences around them have to grow."""

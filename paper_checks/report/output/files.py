@@ -8,9 +8,9 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from paper_checks.drawing.style import Figures
-from paper_checks.report import html, latex, pdf, vector
-from paper_checks.report.document import Document
-from paper_checks.report.finished import Files, Finished, placed
+from paper_checks.report.content.document import Document
+from paper_checks.report.formats import html, latex, pdf, vector
+from paper_checks.report.output.finished import Files, Finished, placed
 
 _SAVED: Mapping[str, Callable[[Figure], bytes]] = {"svg": lambda one: vector.svg(one).encode(), "pdf": vector.pdf}
 

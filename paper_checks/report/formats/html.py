@@ -9,10 +9,11 @@ from pathlib import Path
 from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import page
 from paper_checks.ledger import Kind
-from paper_checks.report import colours, font
-from paper_checks.report.document import ROWS, ROWS_TITLE, Document
-from paper_checks.report.html_blocks import HtmlWriter
-from paper_checks.report.summary import first_sentence, kind, place, section_title, sections
+from paper_checks.report.content.document import ROWS, ROWS_TITLE, Document
+from paper_checks.report.content.phrases import first_sentence, kind, place, section_title, sections
+from paper_checks.report.formats import colours
+from paper_checks.report.formats.html_blocks import HtmlWriter
+from paper_checks.report.mathematics import font
 from paper_checks.running.runner import Row
 
 

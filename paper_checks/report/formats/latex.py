@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from paper_checks.report.document import ROWS, ROWS_TITLE, Document
-from paper_checks.report.latex_blocks import LatexWriter
-from paper_checks.report.mathematics import latex
-from paper_checks.report.summary import kind, speaker
+from paper_checks.report.content.document import ROWS, ROWS_TITLE, Document
+from paper_checks.report.content.phrases import kind, speaker
+from paper_checks.report.formats.latex_blocks import LatexWriter
+from paper_checks.report.mathematics.prose import latex
 from paper_checks.running.runner import Row
 
 PREAMBLE = r"""\documentclass[10pt]{article}

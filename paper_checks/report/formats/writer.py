@@ -6,7 +6,7 @@ import re
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping
 
-from paper_checks.report.blocks import Table
+from paper_checks.report.content.blocks import Table
 
 _CODE = re.compile(r"`([^`]+)`")
 
