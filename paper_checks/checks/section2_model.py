@@ -9,7 +9,7 @@ from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import exhibit, value_at
 from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
-from paper_checks.evidence.formula import equation
+from paper_checks.evidence.formula import equation, latex
 from paper_checks.ledger import claim_named
 from paper_checks.ledger.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.steps.solutions import (
@@ -93,8 +93,8 @@ def modes_from_closed_form(_: Context) -> Finding:
         f"start of Fig. 4 (a): (3), (4) give $\\ddot x_1={value_at(broken.acceleration1, START_AT_6MM)}$ and "
         f"$\\ddot x_2={value_at(broken.acceleration2, START_AT_6MM)}$, neither mode (i) nor mode (ii).",
         derivation=tuple(
-            f"Branch {one.name}: $$\\ddot{{x}}_1={sp.latex(one.acceleration1)},\\qquad "
-            f"\\ddot{{x}}_2={sp.latex(one.acceleration2)}$$"
+            f"Branch {one.name}: $$\\ddot{{x}}_1={latex(one.acceleration1)},\\qquad "
+            f"\\ddot{{x}}_2={latex(one.acceleration2)}$$"
             for one in branches()
         ),
     )
@@ -144,7 +144,7 @@ def stiction_bracket(_: Context) -> Finding:
         f"$\\ddot x_2={value_at(branch_named('half adhesion').acceleration2, EDGE)}=\\ddot x_1/2$.",
         derivation=(
             equation("0", driven_equation()),
-            f"At $\\dot z=0$, for $|\\ddot x_1|<,\\,=,\\,>b/m_2$: $${sp.latex(sp.Matrix(list(at_zero.values())).T)}$$",
+            f"At $\\dot z=0$, for $|\\ddot x_1|<,\\,=,\\,>b/m_2$: $${latex(sp.Matrix(list(at_zero.values())).T)}$$",
             equation(r"\ddot{x}_1|_{\dot{z}=0}", stuck.acceleration1),
         ),
     )
@@ -206,8 +206,8 @@ def interface_force_balance(_: Context) -> Finding:
             equation("0", driving_equation()),
             equation("0", driven_equation()),
             *(
-                f"Branch {one.name}: $$f_1={sp.latex(one.force_on_first)},\\qquad "
-                f"f_2={sp.latex(one.force_on_second)},\\qquad f_1+f_2={sp.latex(one.force_imbalance)}$$"
+                f"Branch {one.name}: $$f_1={latex(one.force_on_first)},\\qquad "
+                f"f_2={latex(one.force_on_second)},\\qquad f_1+f_2={latex(one.force_imbalance)}$$"
                 for one in branches()
             ),
         ),

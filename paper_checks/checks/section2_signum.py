@@ -12,7 +12,7 @@ from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import exhibit, value_at
 from paper_checks.evidence.evidence import Evidence
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
-from paper_checks.evidence.formula import equation
+from paper_checks.evidence.formula import equation, latex
 from paper_checks.ledger import claim_named
 from paper_checks.ledger.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.steps import solutions
@@ -117,7 +117,7 @@ def sgn_three_valued(_: Context) -> Finding:
             "$\\dot z\\geqslant 0$, $x_1=t^2/4$ (a linear equation with zero data for the difference). Then $\\dot z$ cannot "
             "grow, as $\\ddot z=0$ where $\\dot z>0$; and it cannot stay 0, as $\\ddot z=1/4$ where $\\dot z=0$.",
             "Both solutions of (11)–(12): with $\\dot z=0$ and with $\\dot z<0$ they read "
-            f"$${sp.latex(sp.Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
+            f"$${latex(sp.Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
             f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], START_AT_6MM)}"
             "<0$.",
         ),

@@ -8,6 +8,7 @@ from paper_checks.checks.registry import Context, check
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import latex
 from paper_checks.solvers.polynomial import cleared
 from paper_checks.solvers.smt import prove
 from theory.energy import energy, sigma, slip_rate, stick_rate
@@ -63,8 +64,8 @@ def energy_rate(context: Context) -> Finding:
             ),
         ),
         derivation=(
-            f"$$E={sp.latex(energy())}$$",
-            f"$$\\dot E={sp.latex(sp.factor(derivative_along(undamped(free_system(sigma)), energy())))}$$",
+            f"$$E={latex(energy())}$$",
+            f"$$\\dot E={latex(sp.factor(derivative_along(undamped(free_system(sigma)), energy())))}$$",
         ),
     )
 

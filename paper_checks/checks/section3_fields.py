@@ -8,6 +8,7 @@ from paper_checks.checks.registry import Context, check
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import latex
 from paper_checks.ledger import claim_named
 from paper_checks.solvers.polynomial import cleared
 from paper_checks.solvers.smt import prove
@@ -47,7 +48,7 @@ def vector_fields(context: Context, printed=printed_field) -> Finding:  # type: 
         "printed components; they jump across the switching surface.",
         carried("fields", *evidence),
         carried("jump", jump),
-        derivation=tuple(f"$$\\Phi_{name}={sp.latex(phi(sign).T)}$$" for name, sign in (("-", -1), ("+", 1))),
+        derivation=tuple(f"$$\\Phi_{name}={latex(phi(sign).T)}$$" for name, sign in (("-", -1), ("+", 1))),
     )
 
 
@@ -102,7 +103,7 @@ def filippov_equivalence(context: Context) -> Finding:
         derivation=(
             "A solution of (3)–(4) spends almost every instant of $\\{t:\\dot z=0\\}$ with $\\ddot z=0$, so only a branch "
             "with $\\ddot x_1=\\ddot x_2$ can last: adhesion, which is Filippov's sliding field.",
-            f"$$\\text{{sliding field}}={sp.latex(sliding_field().T)}$$",
+            f"$$\\text{{sliding field}}={latex(sliding_field().T)}$$",
             "Conversely the Filippov solution slides only in $S_0$, and at $|x_1|=L$ only at isolated times, where "
             "$v_1\\neq 0$ or $\\ddot x_1\\neq 0$.",
         ),
@@ -113,7 +114,7 @@ def _leaves_surface(branch, context: Context) -> Evidence:  # type: ignore[no-un
     """Return that a spurious branch has x1'' - x2'' a nonzero multiple of x1'': it cannot last on S."""
     share = {"half adhesion": sp.Rational(1, 2), "broken adhesion": sp.Integer(1)}[branch.name]
     return identity(
-        f"in the branch with {branch.name}, $\\ddot x_1-\\ddot x_2={sp.latex(share)}\\,\\ddot x_1$",
+        f"in the branch with {branch.name}, $\\ddot x_1-\\ddot x_2={latex(share)}\\,\\ddot x_1$",
         branch.acceleration1 - branch.acceleration2,
         share * branch.acceleration1,
         seed=context.seed,
@@ -180,5 +181,5 @@ def viscous_no_direct_effect(context: Context) -> Finding:
         corrected=claim_named("viscous-no-direct-effect").corrected,
         counterexample="$m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1=0.006$, $v_1=v_2=-0.3$: $a_2x_1=1.2>1$ slips without the "
         "damper; with $a_1=1$ the load is $1.2-0.3=0.9<1$ and the pair sticks.",
-        derivation=(f"$$f_{{\\text{{adhesion}}}}={sp.latex(force)}$$",),
+        derivation=(f"$$f_{{\\text{{adhesion}}}}={latex(force)}$$",),
     )

@@ -9,6 +9,7 @@ from paper_checks.checks.section3_surface import beyond, product, within
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import latex
 from paper_checks.solvers.polynomial import cleared
 from paper_checks.solvers.smt import prove
 from paper_checks.steps import capture
@@ -58,8 +59,8 @@ def critical_energy_claim(context: Context, printed: sp.Expr = b**2 * (m1 + m2) 
             seed=context.seed,
         ),
         derivation=(
-            f"$$\\text{{semi-axis}}={sp.latex(level_semi_axis())},\\qquad L={sp.latex(half_width())}$$",
-            f"$$E_{{cr}}={sp.latex(critical_energy())}$$",
+            f"$$\\text{{semi-axis}}={latex(level_semi_axis())},\\qquad L={latex(half_width())}$$",
+            f"$$E_{{cr}}={latex(critical_energy())}$$",
         ),
     )
 
@@ -100,7 +101,7 @@ def supercritical_arcs(context: Context) -> Finding:
         prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], sp.Lt(product(1), 0, evaluate=False)),
         capture.mirror_image(),
         derivation=(
-            f"$$\\ddot g|_{{\\ell_+}}={sp.latex(contact.second)}$$",
-            f"$$v_1^2|_{{|x_1|=L}}={sp.latex(edge_speed_squared())}$$",
+            f"$$\\ddot g|_{{\\ell_+}}={latex(contact.second)}$$",
+            f"$$v_1^2|_{{|x_1|=L}}={latex(edge_speed_squared())}$$",
         ),
     )

@@ -14,6 +14,7 @@ from paper_checks.engines.enclosure import solved, within
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import latex
 from paper_checks.ledger import claim_named
 from paper_checks.solvers.smt import prove
 from paper_checks.steps.creeping import EVENTUALLY, creeps_for_ever, sharp_limit, two_sided
@@ -37,7 +38,7 @@ from theory.symbols import a2, b, epsilon, m1, m2
 
 
 def _series(name: str, expression: sp.Expr) -> str:
-    return f"$${name}={sp.latex(expression)}+\\cdots,\\qquad \\varepsilon=\\sqrt w$$"
+    return f"$${name}={latex(expression)}+\\cdots,\\qquad \\varepsilon=\\sqrt w$$"
 
 
 @check("stick-durations")
@@ -229,7 +230,7 @@ def rate_one_over_t(context: Context) -> Finding:  # noqa: ARG001
         "$E(t)-E_{cr}\\geqslant 2(E(0)-E_{cr})$, but energy never increases.",
         derivation=(
             _series("w'", sp.series(cycle().next_excess, epsilon, 0, 7).removeO()),
-            f"$$\\lim_{{t\\to\\infty}}t\\,(E-E_{{cr}})={sp.latex(rate_constant())}$$",
+            f"$$\\lim_{{t\\to\\infty}}t\\,(E-E_{{cr}})={latex(rate_constant())}$$",
             "Between two exits $w$ lies between $w_{k+1}$ and $w_k$, whose ratio tends to 1, as does $t_{k+1}/t_k$: the limit "
             "along the exits is the limit in $t$.",
         ),

@@ -8,6 +8,7 @@ from paper_checks.checks.registry import Context, check
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import latex
 from paper_checks.ledger import claim_named
 from paper_checks.solvers.polynomial import cleared
 from paper_checks.solvers.smt import prove
@@ -68,7 +69,7 @@ def strip_proofs() -> list[Evidence]:
 
 
 def _products() -> tuple[str, ...]:
-    return tuple(f"$$\\Phi_{name}\\cdot n_S={sp.latex(transversality(sign))}$$" for name, sign in HALF_SPACES)
+    return tuple(f"$$\\Phi_{name}\\cdot n_S={latex(transversality(sign))}$$" for name, sign in HALF_SPACES)
 
 
 @check("transversality-outside")
@@ -88,7 +89,7 @@ def transversality_outside(context: Context) -> Finding:
                 seed=context.seed,
             ),
         ),
-        derivation=(*_products(), f"$$L={sp.latex(half_width())}$$"),
+        derivation=(*_products(), f"$$L={latex(half_width())}$$"),
     )
 
 
@@ -151,8 +152,8 @@ def sliding_region(context: Context) -> Finding:
             seed=context.seed,
         ),
         derivation=(
-            f"$$\\alpha={sp.latex(weight)}$$",
-            f"$$\\dot{{({sp.latex(STATE.T)})}}={sp.latex(sliding_field().T)}$$",
+            f"$$\\alpha={latex(weight)}$$",
+            f"$$\\dot{{({latex(STATE.T)})}}={latex(sliding_field().T)}$$",
         ),
     )
 

@@ -10,6 +10,7 @@ from paper_checks.engines.enclosure import solved
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
+from paper_checks.evidence.formula import latex
 from paper_checks.ledger import claim_named
 from paper_checks.solvers.polynomial import cleared
 from paper_checks.solvers.smt import prove
@@ -46,7 +47,7 @@ def viscous_energy_rate(context: Context) -> Finding:
                 identity(r"on $S_0$, $\dot E=-a_1v_1^2$", stick_rate(), -a1 * v1**2, seed=context.seed),
             ),
         ),
-        derivation=(f"$$\\dot E|_{{S_0}}={sp.latex(stick_rate())}$$",),
+        derivation=(f"$$\\dot E|_{{S_0}}={latex(stick_rate())}$$",),
     )
 
 
@@ -97,6 +98,6 @@ def viscous_origin_stable(context: Context) -> Finding:
         derivation=(
             *dissipation.SYNCHRONISATION,
             *dissipation.REST,
-            f"$$\\dot{{\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}}}={sp.latex(matrix)}\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}$$",
+            f"$$\\dot{{\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}}}={latex(matrix)}\\begin{{pmatrix}}x_1\\\\v_1\\end{{pmatrix}}$$",
         ),
     )

@@ -8,7 +8,7 @@ from paper_checks.checks.registry import Context, check
 from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import exhibit, value_at
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
-from paper_checks.evidence.formula import equation
+from paper_checks.evidence.formula import equation, latex
 from paper_checks.ledger.points import START_AT_6MM
 from paper_checks.solvers.smt import prove
 from paper_checks.steps.solutions import bracket_is_off_in_slip
@@ -74,7 +74,7 @@ def example_eigenfrequency(_: Context, printed: int = 10) -> Finding:
         ),
         derivation=(
             equation(r"\ddot{x}_1", case_study_mode(0)[0]),
-            f"$$\\omega={sp.latex(rates('stick', Regime.UNDAMPED)[rate])}={sp.latex(case_study_eigenfrequency())}$$",
+            f"$$\\omega={latex(rates('stick', Regime.UNDAMPED)[rate])}={latex(case_study_eigenfrequency())}$$",
         ),
     )
 
@@ -163,9 +163,9 @@ def example_two_modes(_: Context) -> Finding:
             identity("undamped: $\\dot E=0$", undamped(stick_rate()), 0),
         ),
         derivation=(
-            f"(13): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={sp.latex(case_study_mode(0))}$$",
+            f"(13): $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={latex(case_study_mode(0))}$$",
             *(
-                f"(14), $\\mathrm{{sgn}}(\\dot z)={sign}$: $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={sp.latex(case_study_mode(sign))}$$"
+                f"(14), $\\mathrm{{sgn}}(\\dot z)={sign}$: $$(\\ddot{{x}}_1,\\ddot{{x}}_2)={latex(case_study_mode(sign))}$$"
                 for sign in (1, -1)
             ),
             equation("x_1(t)", together.x1),

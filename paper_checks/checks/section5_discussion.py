@@ -14,7 +14,7 @@ from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import exhibit, value_at
 from paper_checks.evidence.evidence import Evidence
 from paper_checks.evidence.finding import Finding, Verdict, conclude
-from paper_checks.evidence.formula import equation
+from paper_checks.evidence.formula import equation, latex
 from paper_checks.ledger import claim_named
 from paper_checks.ledger.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.solvers.smt import prove
@@ -157,6 +157,6 @@ def acceleration_bound(_: Context) -> Finding:
             equation(r"\ddot{x}_2|_{\dot{z}>0}", branch_named("slip+").acceleration2),
             equation(r"\ddot{x}_2|_{\dot{z}<0}", branch_named("slip-").acceleration2),
             equation(r"\ddot{x}_2|_{\mathrm{stick}}", sliding_field(damped=True)[2]),
-            f"On $S_0$: $$|{sp.latex(load(damped=True))}|\\leqslant {sp.latex(load_threshold())}$$",
+            f"On $S_0$: $$|{latex(load(damped=True))}|\\leqslant {latex(load_threshold())}$$",
         ),
     )

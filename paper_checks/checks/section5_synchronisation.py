@@ -20,7 +20,7 @@ from paper_checks.engines.exact import identity
 from paper_checks.engines.samples import random_pair, random_state
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
-from paper_checks.evidence.formula import equation
+from paper_checks.evidence.formula import equation, latex
 from paper_checks.ledger import claim_named
 from paper_checks.ledger.points import EXAMPLE_PAIR, scene_at
 from paper_checks.steps import dissipation, perpetual_slips
@@ -131,7 +131,7 @@ def viscous_accelerates(_: Context) -> Finding:
         derivation=(
             *dissipation.SYNCHRONISATION,
             *dissipation.REST,
-            f"The sliding region: ${sp.latex(tilted)}$.",
+            f"The sliding region: ${latex(tilted)}$.",
             equation(r"E_{\mathrm{captive}}", captive_energy()),
         ),
     )

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import sympy as sp
-
 from paper_checks.checks.registry import Context, check
 from paper_checks.evidence.finding import Finding, Verdict, conclude
+from paper_checks.evidence.formula import latex
 from paper_checks.steps.monotone_slips import depth_grows, landings, rise_is_convex
 from paper_checks.steps.return_map import ORDER, coefficients, cycle_time, remainder
 from theory.return_map import depth_series
@@ -15,8 +14,7 @@ from theory.return_map import depth_series
 def return_map_expansion(context: Context) -> Finding:  # noqa: ARG001
     """c as one power series in y; the mass ratio enters as a factor only."""
     terms = [
-        f"{'+' if c > 0 and n > 1 else ''}{sp.latex(c)}y^{{{n}}}"
-        for n, c in enumerate(depth_series(ORDER - 1), start=1)
+        f"{'+' if c > 0 and n > 1 else ''}{latex(c)}y^{{{n}}}" for n, c in enumerate(depth_series(ORDER - 1), start=1)
     ]
     return conclude(
         Verdict.HOLDS,

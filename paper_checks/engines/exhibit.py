@@ -8,6 +8,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.formula import latex
 
 Point = Mapping[sp.Symbol, "sp.Rational | int"]
 """Exact values of symbols, SI units; anything but a rational is refused."""
@@ -42,7 +43,7 @@ def exhibit(statement: str, point: Point, *relations: Relation) -> Evidence:
         sides = [sp.simplify(sp.sympify(side).subs(values)) for side in (left, right)]
         rational = all(side.is_Rational for side in sides)
         answers.append(bool(function(*sides)) if rational else None)
-        texts.append(f"${sp.latex(sides[0])}{sign}{sp.latex(sides[1])}$")
+        texts.append(f"${latex(sides[0])}{sign}{latex(sides[1])}$")
     passed = False if False in answers else None if None in answers or not answers else True
     return Evidence(EvidenceKind.EXACT, ENGINE, statement, passed, len(relations), ", ".join(texts))
 

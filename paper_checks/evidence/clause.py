@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from paper_checks.errors import LedgerError
+from paper_checks.evidence import formula
 from paper_checks.evidence.evidence import Evidence
 from theory.symbols import a2
 
@@ -111,4 +112,4 @@ def latex(expression: sp.Basic | str | int) -> str:
         return expression
     if isinstance(expression, sp.MatrixBase):
         return r"\bigl(" + r",\,".join(latex(entry) for entry in expression) + r"\bigr)"
-    return str(sp.latex(expression, symbol_names={a2: "a"}, fold_short_frac=False))
+    return formula.latex(expression, {a2: "a"})

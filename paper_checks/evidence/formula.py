@@ -1,12 +1,43 @@
-"""Formulas of a derivation, set from the expressions that were checked."""
+"""Formulas in LaTeX, set from the expressions that were checked."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import sympy as sp
+from sympy.printing.latex import LatexPrinter
 
 from paper_checks.evidence.evidence import Evidence
+
+_BARE = (sp.sin, sp.cos, sp.tan, sp.cot, sp.log)
+"""Functions that a single letter follows without brackets."""
+
+
+class _Printer(LatexPrinter):
+    """As people write: a sum does not begin with a minus if it need not, and sin x has no brackets."""
+
+    def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
+        terms = list(super()._as_ordered_terms(expr, order=order))
+        if not terms[0].could_extract_minus_sign():
+            return terms
+        return sorted(terms, key=lambda term: term.could_extract_minus_sign())
+
+    def _print_Function(self, expr: sp.Function, exp: str | None = None) -> str:
+        bare = isinstance(expr, _BARE) and isinstance(expr.args[0], sp.Symbol)
+        self._settings["fold_func_brackets"] = bare
+        return str(super()._print_Function(expr, exp))
+
+
+def latex(expression: sp.Basic | int, names: Mapping[sp.Symbol, str] | None = None) -> str:
+    r"""Return LaTeX of an expression; `names` are other letters for some of its symbols.
+
+    >>> x, theta = sp.symbols("x theta")
+    >>> latex(-x * sp.cos(theta) + sp.sin(theta))
+    '\\sin {\\theta} - x \\cos {\\theta}'
+    """
+    settings = {"symbol_names": dict(names or {}), "fold_short_frac": False}
+    return str(_Printer(settings).doprint(sp.sympify(expression)))
 
 
 def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
@@ -15,7 +46,7 @@ def equation(left: str, right: sp.Basic | int, *, relation: str = "=") -> str:
     >>> equation("E", sp.Symbol("m_1") ** 2)
     '$$E=m_{1}^{2}$$'
     """
-    return f"$${left}{relation}{sp.latex(right)}$$"
+    return f"$${left}{relation}{latex(right)}$$"
 
 
 def stating(evidence: Evidence, *forms: str) -> Evidence:

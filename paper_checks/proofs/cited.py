@@ -17,35 +17,36 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "contraction": ("Pair.contraction", "The energy distance of two solutions never grows, with damping or without."),
     "uniqueness": ("Pair.unique", "Two solutions that meet are the same from there on, with damping or without."),
-    "energy-rate": ("Pair.energy_rate", "dE/dt = -b |v1 - v2| - a1 v1^2 at every time, from the right."),
+    "energy-rate": ("Pair.energy_rate", r"$\dot E=-b|v_1-v_2|-a_1v_1^2$ at every time, from the right."),
     "energy-decreases": ("Pair.energy_decreases", "The energy never increases, with damping or without."),
-    "bounded-stay": ("Pair.dwell", "A stay off S lasts at most 2 sqrt(2 E m2)/b."),
+    "bounded-stay": ("Pair.dwell", r"A stay off $S$ lasts at most $2\sqrt{2Em_2}/b$."),
     "contact": (
         "Stick.contact",
-        "Every solution meets S in every time window of length 2 sqrt(2 E m2)/b, so infinitely often.",
+        r"Every solution meets $S$ in every time window of length $2\sqrt{2Em_2}/b$, so infinitely often.",
     ),
     "ellipse-solution": (
         "Stick.ellipse_solution",
-        "Every ellipse on S with energy up to E_cr is a solution: the stuck pair.",
+        "Every ellipse on $S$ with energy up to $E_{cr}$ is a solution: the stuck pair.",
     ),
-    "capture": ("Stick.capture", "A solution on S with energy up to E_cr moves along its ellipse for ever."),
+    "capture": ("Stick.capture", "A solution on $S$ with energy up to $E_{cr}$ moves along its ellipse for ever."),
     "merging": (
         "Stick.merging",
-        "Once its energy is at most E_cr, a solution merges with an ellipse within a bounded time.",
+        "Once its energy is at most $E_{cr}$, a solution merges with an ellipse within a bounded time.",
     ),
     "ellipse-stable": ("Stick.ellipse_stable", "The energy distance of a solution to a stuck motion never grows."),
-    "energy-limit": ("Limit.limit_not_above", "The limit of the energy is at most E_cr."),
+    "energy-limit": ("Limit.limit_not_above", "The limit of the energy is at most $E_{cr}$."),
     "convergence": ("Dichotomy.convergence", "Every solution tends to one stuck motion."),
     "dichotomy": (
         "Dichotomy.dichotomy",
-        "Every solution merges in finite time with an ellipse, or stays above E_cr and tends to one motion on the critical one.",
+        "Every solution merges in finite time with an ellipse, or stays above $E_{cr}$ and tends to one motion on "
+        "the critical one.",
     ),
     "displacement-paid": (
         "Corollaries.displacement_paid",
-        "The path of the relative displacement costs b times its length in energy.",
+        "The path of the relative displacement costs $b$ times its length in energy.",
     ),
-    "displacement-limit": ("Corollaries.displacement_limit", "The relative displacement x1 - x2 has a limit."),
-    "sticks-iff": ("Cross.sticks_iff", "On S the pair sticks for ever exactly if its energy is at most E_cr."),
+    "displacement-limit": ("Corollaries.displacement_limit", "The relative displacement $x_1-x_2$ has a limit."),
+    "sticks-iff": ("Cross.sticks_iff", "On $S$ the pair sticks for ever exactly if its energy is at most $E_{cr}$."),
     # one slip, one stick
     "follow": ("Slip.follow", "A solution that meets the start of an explicit arc that obeys the law runs along it."),
     "slip-arc": (
@@ -54,59 +55,74 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "stick-arc": (
         "Cycle.stick",
-        "On S0 above E_cr, moving inwards, every solution sticks until it reaches the opposite ray.",
+        "On $S_0$ above $E_{cr}$, moving inwards, every solution sticks until it reaches the opposite ray.",
     ),
-    "cycle": ("Orbit.cycle", "From ray to ray: one slip and one stick, with the return map y' = h^2 - r c^2."),
+    "cycle": ("Orbit.cycle", r"From ray to ray: one slip and one stick, with the return map $y'=h^2-r\,c^2$."),
     "exits": ("Orbit.exits", "The exits of a solution follow the orbit of the return map."),
-    "exit-energy": ("Orbit.exit_energy", "The energy at each exit is E_cr (1 + q y) along that orbit."),
-    "cycle-time": ("Orbit.cycle_time", "The time of a cycle differs from pi/Omega by at most 6 sqrt(w)/Omega."),
+    "exit-energy": ("Orbit.exit_energy", r"The energy at each exit is $E_{cr}(1+q\,y)$ along that orbit."),
+    "cycle-time": ("Orbit.cycle_time", r"The time of a cycle differs from $\pi/\Omega$ by at most $6\sqrt w/\Omega$."),
     "cycle-time-sharp": (
         "Time.cycle_time_sharp",
-        "The time of a cycle differs from pi/Omega by at most (27/2) sqrt q u^3/Omega where u <= 2/3: by a constant times w^(3/2).",
+        r"The time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt q\,h^3/\Omega$ where "
+        r"$h=\sqrt{w/q}\leqslant\tfrac{2}{3}$: by a constant times $w^{3/2}$.",
     ),
-    "h-increases": ("Excursion.h_increases", "h increases on (0, 2 pi): each push has one slip angle."),
-    "depth-upper": ("Rate.depth_upper", "The depth of an excursion is at most (3/2) h^2."),
-    "depth-lower": ("Rate.depth_lower", "The depth of an excursion is at least (3/2) (sin phi/phi)^6 h^2."),
-    "return-map-rate": ("Rate.sharp", "Along the return map n y_n tends to 4/(9 r)."),
+    "h-increases": ("Excursion.h_increases", r"$h$ increases on $(0,2\pi)$: each push has one slip angle."),
+    "depth-upper": ("Rate.depth_upper", r"The depth of an excursion is at most $\tfrac{3}{2}h^2$."),
+    "depth-lower": (
+        "Rate.depth_lower",
+        r"The depth of an excursion is at least $\tfrac{3}{2}(\sin\varphi/\varphi)^6h^2$.",
+    ),
+    "return-map-rate": ("Rate.sharp", r"Along the return map $n\,y_n\to 4/(9r)$."),
     # slowly to E_cr
-    "never-merges": ("Sharp.never_merges", "From an exit ray at a small level the energy stays above E_cr for ever."),
+    "never-merges": (
+        "Sharp.never_merges",
+        "From an exit ray at a small level the energy stays above $E_{cr}$ for ever.",
+    ),
     "no-merging-from-S0": (
         "Law.no_merging_from_S0",
-        "From S0 at a small level above E_cr: never merging, one critical motion as the limit, and the sharp law.",
+        "From $S_0$ at a small level above $E_{cr}$: never merging, one critical motion as the limit, and the "
+        "sharp law.",
     ),
     "sharp-law": (
         "Law.sharp_law",
-        "t (E - E_cr) tends to E_cr (4 pi/9)(m1/m2) sqrt(M/a2) for every solution that never merges.",
+        r"$t\,(E-E_{cr})\to E_{cr}\tfrac{4\pi}{9}\tfrac{m_1}{m_2}\sqrt{M/a_2}$ for every solution that never "
+        "merges.",
     ),
     "trichotomy": (
         "Law.trichotomy",
         "Every solution merges in finite time, or tends to one critical motion by the sharp law.",
     ),
-    "two-sided-rate": ("Law.two_sided", "Two explicit bounds of 1/w along a solution from S0 with 0 < w0 <= 4 q/9."),
+    "two-sided-rate": (
+        "Law.two_sided",
+        r"Two explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$.",
+    ),
     "one-over-t": (
         "Paper.one_over_t",
-        "c1/t <= E/E_cr - 1 <= c2/t with explicit constants, from S0 slightly above E_cr.",
+        r"$c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ with explicit constants, from $S_0$ slightly above $E_{cr}$.",
     ),
     "settling-time": (
         "Uniform.settles",
-        "For each level above E_cr there is one time after which every solution from below another level is below it.",
+        "For each level above $E_{cr}$ there is one time after which every solution from below another level is "
+        "below it.",
     ),
     "uniform-upper-rate": (
         "Uniform.uniform_upper",
-        "E/E_cr - 1 <= c/t with one c for all solutions that start below a level and never merge.",
+        r"$E/E_{cr}-1\leqslant c/t$ with one $c$ for all solutions that start below a level and never merge.",
     ),
     "no-uniform-lower-rate": (
         "Uniform.no_lower_constant",
-        "Of every energy above E_cr there are solutions that never merge and are as close to E_cr as one likes from the time "
-        "sqrt(2 E(0) m2)/b on.",
+        "Of every energy above $E_{cr}$ there are solutions that never merge and are as close to $E_{cr}$ as one "
+        r"likes from the time $\sqrt{2E(0)m_2}/b$ on.",
     ),
     "exit-and-entry-times": (
         "Paper.times",
-        "For every solution that never merges: entries and exits alternate; stays on S0 tend to pi/Omega, slips to 0.",
+        r"For every solution that never merges: entries and exits alternate; stays on $S_0$ tend to $\pi/\Omega$, "
+        "slips to 0.",
     ),
     "exits-near-endpoints": (
         "Ends.exits_near_endpoints",
-        "A solution that never merges leaves S0 exactly at its ends, enters it ever closer to them, and ever more slowly.",
+        "A solution that never merges leaves $S_0$ exactly at its ends, enters it ever closer to them, and ever "
+        "more slowly.",
     ),
     "slower-than-exponential": (
         "Consequences.slower_than_exponential",
@@ -114,43 +130,49 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "stick-slip-for-ever": (
         "Perpetual.stick_slip_for_ever",
-        "For all m1, m2, a2, b > 0 there is a solution that sticks and slips in turn for ever.",
+        "For all $m_1,m_2,a_2,b>0$ there is a solution that sticks and slips in turn for ever.",
     ),
     # who merges
-    "merges-iff": ("Merge.merges_iff", "From S0 with slip angle up to pi: E > E_cr for ever exactly if r c^2 < h^2."),
-    "turning-point": ("Turning.root", "The turning function has one zero phi* in (0, pi]."),
+    "merges-iff": (
+        "Merge.merges_iff",
+        r"From $S_0$ with slip angle up to $\pi$: $E>E_{cr}$ for ever exactly if $r\,c^2<h^2$.",
+    ),
+    "turning-point": ("Turning.root", r"The turning function has one zero $\varphi^*$ in $(0,\pi]$."),
     "merging-threshold": (
         "Turning.threshold",
-        "Every excursion from a ray ends above E_cr exactly if m1/m2 > -cos 2 phi*.",
+        r"Every excursion from a ray ends above $E_{cr}$ exactly if $m_1/m_2>-\cos 2\varphi^*$.",
     ),
-    "critical-mass-ratio-digits": ("Critical.decimals", "14 decimals of the critical mass ratio -cos 2 phi*."),
-    "gap-slip": ("Gap.gap_slip", "Every slip from S with a gap and a push, in closed form up to its one end."),
-    "crossing": ("Gap.crossing", "A slip that ends beyond the other end of S0 is followed by one of the other sign."),
+    "critical-mass-ratio-digits": ("Critical.decimals", r"14 decimals of the critical mass ratio $-\cos 2\varphi^*$."),
+    "gap-slip": ("Gap.gap_slip", "Every slip from $S$ with a gap and a push, in closed form up to its one end."),
+    "crossing": (
+        "Gap.crossing",
+        "A slip that ends beyond the other end of $S_0$ is followed by one of the other sign.",
+    ),
     "re-entry": (
         "Cross.reentry",
-        "A slip that lands in S0 sticks there for ever exactly if its level is not above E_cr.",
+        "A slip that lands in $S_0$ sticks there for ever exactly if its level is not above $E_{cr}$.",
     ),
     "first-slip": (
         "Cross.first_slip",
-        "From S0 above E_cr: stick, one slip, and merging there exactly if h^2 <= r c^2.",
+        r"From $S_0$ above $E_{cr}$: stick, one slip, and merging there exactly if $h^2\leqslant r\,c^2$.",
     ),
     "ray-crossing": (
         "Cross.ray_crossing",
-        "From a ray with depth above 2/q the pair crosses S and slips on with the other sign.",
+        "From a ray with depth above $2/q$ the pair crosses $S$ and slips on with the other sign.",
     ),
     "merging-set-first-slip": (
         "Cross.merging_set_S0",
-        "The energies on S0 that merge after the first slip are exactly one interval.",
+        "The energies on $S_0$ that merge after the first slip are exactly one interval.",
     ),
     "no-first-merging": (
         "Alternation.no_first_merging",
-        "If m1/m2 > -cos 2 phi* nothing on S0 merges after its first slip.",
+        r"If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ merges after its first slip.",
     ),
     "alternation": ("Alternation.alternation", "After a crossing long and short slips alternate."),
     "margin": ("Margin.margin", "The one numerical inequality of the merging set, enclosed in balls by the kernel."),
     "kappa-large": (
         "Kappa.kappa_large",
-        "Where merging is possible, the longest slip that lands in S0 is longer than 4 pi/3.",
+        r"Where merging is possible, the longest slip that lands in $S_0$ is longer than the angle $4\pi/3$.",
     ),
     "merging-set-at-re-entry": (
         "Equivalence.merging_set",
@@ -158,80 +180,98 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "first-re-entry": (
         "Return.returns",
-        "From beyond S0, or from an exit ray, a solution comes back to S0 after finitely many slips, for every mass ratio.",
+        "From beyond $S_0$, or from an exit ray, a solution comes back to $S_0$ after finitely many slips, for "
+        "every mass ratio.",
     ),
     "merging-set": (
         "Merging.merging_set_energies",
-        "For m1/m2 <= -cos 2 phi*: the energies on S0 that merge at the first re-entry, which exists, are exactly one interval.",
+        r"For $m_1/m_2\leqslant-\cos 2\varphi^*$: the energies on $S_0$ that merge at the first re-entry, which "
+        "exists, are exactly one interval.",
     ),
     "no-low-level": (
         "Levels.no_low_level",
-        "For m1/m2 > -cos 2 phi*: no slip from S, whatever its gap and push, ends at or below E_cr.",
+        r"For $m_1/m_2>-\cos 2\varphi^*$: no slip from $S$, whatever its gap and push, ends at or below $E_{cr}$.",
     ),
     "heavy-never-merges": (
         "Heavy.heavy_never_merges",
-        "For m1/m2 > -cos 2 phi*: no solution that has touched S above E_cr ever merges, after whatever number of slips.",
+        r"For $m_1/m_2>-\cos 2\varphi^*$: no solution that has touched $S$ above $E_{cr}$ ever merges, after "
+        "whatever number of slips.",
     ),
     # the surface, the sliding region and the case study, for solutions
-    "rate-above": ("Surface.rate_above", "While v1 > v2 the relative velocity has the rate Phi+ . n_S."),
-    "rate-below": ("Surface.rate_below", "While v1 < v2 the relative velocity has the rate Phi- . n_S."),
-    "transversal-beyond": ("Surface.transversal_beyond", "On S beyond S0 both rates have the sign of -x."),
-    "transversal-inside": ("Surface.transversal_inside", "Each field points back to S exactly in the interior of S0."),
+    "rate-above": ("Surface.rate_above", r"While $v_1>v_2$ the relative velocity has the rate $\Phi_+\cdot n_S$."),
+    "rate-below": ("Surface.rate_below", r"While $v_1<v_2$ the relative velocity has the rate $\Phi_-\cdot n_S$."),
+    "transversal-beyond": ("Surface.transversal_beyond", "On $S$ beyond $S_0$ both rates have the sign of $-x_1$."),
+    "transversal-inside": (
+        "Surface.transversal_inside",
+        "Each field points back to $S$ exactly in the interior of $S_0$.",
+    ),
     "slips-beyond": (
         "Surface.slips_beyond",
-        "At a contact beyond S0 every solution slips at once, with the sign of -x.",
+        "At a contact beyond $S_0$ every solution slips at once, with the sign of $-x_1$.",
     ),
     "slips-on-ray": (
         "Surface.slips_on_ray",
-        "On an edge of S0, moving outwards, every solution slips at once, inwards.",
+        "On an edge of $S_0$, moving outwards, every solution slips at once, inwards.",
     ),
-    "sticks-inside": ("Surface.sticks_inside", "On S0, but for the exit rays, every solution sticks for a while."),
-    "arc-to-ray": ("Cross.to_ray", "On S0 above E_cr every solution sticks until it reaches one of the two exit rays."),
+    "sticks-inside": ("Surface.sticks_inside", "On $S_0$, but for the exit rays, every solution sticks for a while."),
+    "arc-to-ray": (
+        "Cross.to_ray",
+        "On $S_0$ above $E_{cr}$ every solution sticks until it reaches one of the two exit rays.",
+    ),
     "arc-to-left-ray": (
         "Cross.to_ray_left",
-        "On S0 above E_cr and moving to the left every solution sticks until it reaches the left exit ray, at the same level.",
+        "On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit ray, "
+        "at the same level.",
     ),
-    "ellipse-iff": ("Surface.ellipse_iff", "An ellipse on S is a solution exactly if its energy is at most E_cr."),
+    "ellipse-iff": (
+        "Surface.ellipse_iff",
+        "An ellipse on $S$ is a solution exactly if its energy is at most $E_{cr}$.",
+    ),
     "return-alternatives": (
         "Consequences.return_alternatives",
-        "From v1 < v2 every solution comes into S0, or to S beyond the left end, whence it goes on into v1 > v2 at once.",
+        "From $v_1<v_2$ every solution comes into $S_0$, or to $S$ beyond the left end, whence it goes on into "
+        "$v_1>v_2$ at once.",
     ),
     "return-alternatives-mirror": (
         "Consequences.return_alternatives_mirror",
-        "From v1 > v2 every solution comes into S0, or to S beyond the right end, whence it goes on into v1 < v2 at once.",
+        "From $v_1>v_2$ every solution comes into $S_0$, or to $S$ beyond the right end, whence it goes on into "
+        "$v_1<v_2$ at once.",
     ),
     "synchronisation": (
         "Consequences.relative_velocity_vanishes",
-        "v1 - v2 tends to 0 for all m1, m2, a2, b > 0, a1 >= 0 and from every start.",
+        r"$v_1-v_2\to 0$ for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$ and from every start.",
     ),
     "driven-acceleration": (
         "Forced.only_gentle",
-        "Body 2 changes its velocity by at most b/m2 times the time, whatever the force.",
+        "Body 2 changes its velocity by at most $b/m_2$ times the time, whatever the force.",
     ),
     "slips-from-rest": (
         "Example.slips_from_rest",
-        "Case study, b = 0.5: released at rest beyond 5 mm every solution slips at once.",
+        "Case study, $b=0.5$: released at rest beyond 5 mm every solution slips at once.",
     ),
     "slips-from-6-mm": (
         "Example.six_millimetres",
-        "Case study, b = 0.5: released at rest at 6 mm every solution slips at once.",
+        "Case study, $b=0.5$: released at rest at 6 mm every solution slips at once.",
     ),
-    "sticks-from-rest": ("Example.rest_inside", "Released at rest inside S0 every solution sticks for ever."),
+    "sticks-from-rest": ("Example.rest_inside", "Released at rest inside $S_0$ every solution sticks for ever."),
     "sticks-from-5-mm": (
         "Example.five_millimetres",
-        "Case study, b = 0.5: released at rest up to 5 mm every solution sticks for ever.",
+        "Case study, $b=0.5$: released at rest up to 5 mm every solution sticks for ever.",
     ),
     # damping
-    "captive-sticks": ("Viscous.captive_sticks", "On S below the captive level the pair sticks for ever."),
+    "captive-sticks": ("Viscous.captive_sticks", "On $S$ below the captive level the pair sticks for ever."),
     "captive-merges": (
         "Viscous.captive_merges",
         "Once its energy is below the captive level, a solution sticks for ever within a bounded time.",
     ),
     "one-body": ("Viscous.one_body", "While stuck the pair moves as one damped body."),
-    "viscous-decay": ("Viscous.decay", "With a1 > 0: E(t) <= 3 E(0) exp(-k t), one k for all starts below a level."),
+    "viscous-decay": (
+        "Viscous.decay",
+        r"With $a_1>0$: $E(t)\leqslant 3E(0)\,e^{-kt}$, one $k>0$ for all starts below a level.",
+    ),
     "viscous-rest": (
         "Viscous.rest",
-        "With a1 > 0: one time after which every solution from below a level sticks for ever.",
+        "With $a_1>0$: one time after which every solution from below a level sticks for ever.",
     ),
 }
 

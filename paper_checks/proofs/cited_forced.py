@@ -33,35 +33,37 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "mode-stick": (
         "Mode.sticks_at",
-        "At a contact with the load within b the pair sticks for a while, whatever the force does later.",
+        r"At a contact with $|\Lambda|<b$ the pair sticks for a while, whatever the force does later.",
     ),
     "mode-slip": (
         "Mode.slips_at",
-        "At a contact with the load beyond b it slips at once, with the sign of the load.",
+        r"At a contact with $|\Lambda|>b$ it slips at once, with the sign of the load $\Lambda$.",
     ),
     "mode-tie": (
         "Mode.tie_rule",
-        "At a contact with the load b or -b the first derivative that is not 0 of what the force asks beyond b decides.",
+        r"At a contact with $\Lambda=\pm b$ the first derivative that is not 0 of what the force asks beyond $\pm "
+        "b$ decides.",
     ),
     "mode-marginal": (
         "Rule.marginal",
-        "Where all these derivatives are 0 and the force is analytic, the pair sticks at the load b, with the acceleration of the slip.",
+        r"Where all these derivatives are 0 and the force is analytic, the pair sticks at the load $\pm b$, with "
+        "the acceleration of the slip.",
     ),
     "slip-rate": (
         "Rule.slip_rate",
-        "In slip the relative velocity has the rate that the load beyond b gives it.",
+        "In slip the relative velocity has the rate that the load beyond $b$ gives it.",
     ),
     "stuck-load": (
         "Rule.stuck_load",
-        "While stuck body 2 has the acceleration load/m2, and the load is within b.",
+        r"While stuck body 2 has the acceleration $\Lambda/m_2$, and $|\Lambda|\leqslant b$.",
     ),
     "jump-moves-strip": (
         "Rule.jump_moves_strip",
-        "The state is continuous whatever the force does; a jump of it moves the strip |load| <= b.",
+        r"The state is continuous whatever the force does; a jump of it moves the strip $|\Lambda|\leqslant b$.",
     ),
     "damper-breaks": (
         "Rule.damper_breaks",
-        "A free pair, stuck at x1 = 0 with v1 > 0, slips at once if a1 > b (m1 + m2)/(m2 v1).",
+        "A free pair, stuck at $x_1=0$ with $v_1>0$, slips at once if $a_1>b(m_1+m_2)/(m_2v_1)$.",
     ),
     "no-zeno": (
         "Zeno.no_zeno",
@@ -75,49 +77,61 @@ FORCED: dict[str, tuple[str, str]] = {
         "Analytic.scenes_are_analytic",
         "Polynomials plus sinusoids by pieces are analytic by pieces.",
     ),
-    "forced-energy-rate": ("Forced.forced_energy_rate", "dE/dt = u v1 - a1 v1^2 - b |v1 - v2|."),
+    "forced-energy-rate": ("Forced.forced_energy_rate", r"$\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$."),
     "input-to-state": (
         "Forced.input_to_state_integral",
-        "The energy distance grows at most by the integral of the forces' difference over sqrt m1.",
+        r"The energy distance grows at most by the integral of the forces' difference over $\sqrt{m_1}$.",
     ),
-    "must-stick": ("Forced.must_stick", "Where body 2 accelerates by less than b/m2 the pair sticks."),
+    "must-stick": ("Forced.must_stick", "Where body 2 accelerates by less than $b/m_2$ the pair sticks."),
     "trackable": (
         "Forced.trackable_iff",
-        "From some start of body 1, some force makes body 2 follow a velocity exactly if that is b/m2-Lipschitz.",
+        "From some start of body 1, some force makes body 2 follow a velocity exactly if that is $b/m_2$-Lipschitz.",
     ),
     "reach": ("Forced.reach", "Where body 2 can be at a time, whatever the force."),
-    "least-time": ("Forced.least_time", "From rest to rest over D takes at least 2 sqrt(m2 D/b), whatever the force."),
+    "least-time": (
+        "Forced.least_time",
+        r"From rest to rest over $D$ takes at least $2\sqrt{m_2D/b}$, whatever the force.",
+    ),
     "least-time-attained": (
         "Forced.least_time_attained",
-        "The least time 2 sqrt(m2 D/b) from rest to rest over D is attained.",
+        r"The least time $2\sqrt{m_2D/b}$ from rest to rest over $D$ is attained.",
     ),
     "entrained-iff": (
         "Entrain.entrained_iff",
-        "The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most U*.",
+        "The stuck response to a sinusoidal force is a solution exactly if its amplitude is at most $U_*$.",
     ),
     "stuck-iff": (
         "Entrain.stuck_iff",
-        "With a1 > 0 some solution sticks for ever under a sinusoidal force exactly if its amplitude is at most U*.",
+        "With $a_1>0$ some solution sticks for ever under a sinusoidal force exactly if its amplitude is at most "
+        "$U_*$.",
     ),
-    "third-harmonic": ("Entrain.third_harmonic", "With a1 = 0 and Omega = 3 omega a stuck motion exists above U*."),
-    "forced-bounded": ("Bounded.bounded", "With a1 > 0 every motion under a bounded force is bounded."),
-    "forced-approach": ("Bounded.approach", "With a1 > 0 any two motions under one bounded force approach each other."),
+    "third-harmonic": (
+        "Entrain.third_harmonic",
+        r"With $a_1=0$ and $\Omega=3\omega$ a stuck motion exists above $U_*$.",
+    ),
+    "forced-bounded": ("Bounded.bounded", "With $a_1>0$ every motion under a bounded force is bounded."),
+    "forced-approach": (
+        "Bounded.approach",
+        "With $a_1>0$ any two motions under one bounded force approach each other.",
+    ),
     "periodic-response": (
         "Periodic.response",
-        "With a1 > 0 a periodic bounded force has exactly one periodic motion, and it attracts all.",
+        "With $a_1>0$ a periodic bounded force has exactly one periodic motion, and it attracts all.",
     ),
     "drift": ("Drift.drift", "The place of body 2 changes by the integral of its velocity."),
     "no-drift": (
         "Drift.no_drift",
-        "With a1 > 0, if the force changes its sign after half a period, so does the periodic response, and body 2 comes back.",
+        "With $a_1>0$, if the force changes its sign after half a period, so does the periodic response, and body "
+        "2 comes back.",
     ),
     "entrains": (
         "Sync.entrains",
-        "With a1 > 0 every motion tends to the stuck response to a sinusoidal force of amplitude up to U*.",
+        "With $a_1>0$ every motion tends to the stuck response to a sinusoidal force of amplitude up to $U_*$.",
     ),
     "synchronises": (
         "Sync.synchronises",
-        "With a1 > 0 every motion under a sinusoidal force of amplitude below U* sticks for ever after a finite time.",
+        "With $a_1>0$ every motion under a sinusoidal force of amplitude below $U_*$ sticks for ever after a "
+        "finite time.",
     ),
     "arc-begins": (
         "Arcs.arc_begins",
@@ -133,50 +147,52 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "nonstop-iff": (
         "Nonstop.nonstop_iff",
-        "a1 >= 0: a motion that slips one way for half a period and then the other way exists exactly from U** on, if its "
-        "relative velocity keeps its sign at U**.",
+        r"$a_1\geqslant 0$: a motion that slips one way for half a period and then the other way exists exactly "
+        "from $U_{**}$ on, if its relative velocity keeps its sign at $U_{**}$.",
     ),
     "nonstop-undamped": (
         "Undamped.undamped_iff",
-        "a1 = 0: the same with U** in closed form, off the resonances of body 1.",
+        "$a_1=0$: the same with $U_{**}$ in closed form, off the resonances of body 1.",
     ),
     "nonstop-above-resonance": (
         "Undamped.above_resonance",
-        "a1 = 0 and omega above body 1's own frequency: that motion exists exactly from U** on, without a condition.",
+        r"$a_1=0$ and $\omega$ above body 1's own frequency: that motion exists exactly from $U_{**}$ on, without a "
+        "condition.",
     ),
     "nonstop-damped": (
         "Damped.damped_iff",
-        "a1 > 0, a1^2 < 4 m1 a2: the same with U** in closed form.",
+        "$a_1>0$, $a_1^2<4m_1a_2$: the same with $U_{**}$ in closed form.",
     ),
     "nonstop-attracts": (
         "Damped.nonstop_attracts",
-        "With a1 > 0 a motion that slips for ever attracts every motion under its force.",
+        "With $a_1>0$ a motion that slips for ever attracts every motion under its force.",
     ),
     "two-stop-exists": (
         "TwoStop.two_stop_exists",
-        "A slip and a stick whose ends meet, and meet with the opposite sign after half a period, are a periodic motion if "
-        "v1 > v2 in the slip and the load stays within b in the stick.",
+        "A slip and a stick whose ends meet, and meet with the opposite sign after half a period, are a periodic "
+        r"motion if $v_1>v_2$ in the slip and $|\Lambda|\leqslant b$ in the stick.",
     ),
     "two-stop-needs": (
         "TwoStop.two_stop_needs",
-        "A motion that slips and sticks once in each half period leaves contact at the load b, and is such a pair of arcs.",
+        r"A motion that slips and sticks once in each half period leaves stick at the load $\Lambda=b$, and is such "
+        "a pair of arcs.",
     ),
     "stuck-transfer-amplitude": (
         "Transfer.stuck_amplitude",
-        "The amplitude of the force of the fastest stuck transfer over D.",
+        "The amplitude of the force of the fastest stuck transfer over $D$.",
     ),
     "arrival-needs": (
         "Transfer.arrival_needs",
-        "To bring body 2 to rest at D in the least time a force needs b + beta tau/g(tau), g body 1's impulse response, "
-        "g' >= 0 up to tau.",
+        r"To bring body 2 to rest at $D$ in the least time a force needs $b+\beta\tau/g(\tau)$, where $g$ is body "
+        r"1's impulse response and $g'\geqslant 0$ up to $\tau$.",
     ),
     "least-amplitude": (
         "Arrival.least_amplitude",
-        "That takes exactly b + beta tau/g(tau), g' >= 0 up to tau.",
+        r"That takes exactly $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$.",
     ),
     "least-amplitude-undamped": (
         "Arrival.least_amplitude_undamped",
-        "a1 = 0, theta = omega1 tau <= pi/2: exactly b + m1 beta theta/sin theta.",
+        r"$a_1=0$, $\theta=\omega_1\tau\leqslant\pi/2$: exactly $b+m_1\beta\,\theta/\sin\theta$.",
     ),
     "rest-to-rest": (
         "Arrival.rest_to_rest",
@@ -184,7 +200,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "ring-factor": (
         "Relative.ring_factor",
-        "|v1 - v2| <= sqrt kappa N, kappa = (m1 + m2)/(m1 m2), and no smaller factor will do.",
+        r"$|v_1-v_2|\leqslant\sqrt\kappa\,N$, $\kappa=(m_1+m_2)/(m_1m_2)$, and no smaller factor will do.",
     ),
     "displacement-unseen": (
         "Relative.displacement_unseen",
@@ -192,7 +208,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "tolerance-ring": (
         "Ring.ring",
-        "With a1 > 0 a tube around a motion has one entry time for every other motion, and its ring of relative velocities "
-        "is not left after it.",
+        "With $a_1>0$ a tube around a motion has one entry time for every other motion, and its ring of relative "
+        "velocities is not left after it.",
     ),
 }

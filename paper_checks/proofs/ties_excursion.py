@@ -25,7 +25,7 @@ def _excursion() -> Iterator[Tie]:
     sine = "pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)); "
     yield Tie(
         "tie_h",
-        "h: the push whose slip has the angle u.",
+        r"$h$: the push whose slip has the angle $\theta$.",
         equal("u", "1 - cos u <> 0 -> ", "h u", excursion.h()),
         "intros; unfold h; field; lra.",
     )
@@ -44,7 +44,7 @@ def _excursion() -> Iterator[Tie]:
     contact = return_map.contact_condition().subs(return_map.push, 0).subs(half)
     yield Tie(
         "tie_push",
-        "The push whose slip from the gap d has the half angle p.",
+        r"The push whose slip from the gap $d$ has the half angle $\varphi$.",
         equal("d p", inside, "push d p", contact),
         f"intros; {sine}unfold push, ct; rewrite tie_half_angle_h by auto; field; rewrite ?cos_2a_sin; split; nra.",
     )
@@ -61,7 +61,7 @@ def _excursion() -> Iterator[Tie]:
     landed = merging.over_q(start[return_map.gap], contact).subs(merging.share, 1 - q) + change
     yield Tie(
         "tie_level",
-        "The energy level at the end of a slip from the gap d.",
+        "The energy level at the end of a slip from the gap $d$.",
         equal("m1 m2 p d", f"0 < m1 -> 0 < m2 -> {inside}", "level m1 m2 p d", landed.subs(q, share)),
         """intros m1 m2 p d H1 H2 Hp. pose proof (half_depth p Hp) as Id. pose proof (tie_depth p Hp) as Ed.
   pose proof (tie_half_angle_h p Hp) as Eh. unfold level. unfold ct in *. cbv zeta. rewrite <- Eh.
@@ -111,13 +111,13 @@ def _merging() -> Iterator[Tie]:
     """The turning function, and the share and the mass ratio at its zero."""
     yield Tie(
         "tie_turning_function",
-        "The function whose zero is where h/c turns.",
+        "The function whose zero is where $h/c$ turns.",
         equal("p", "", "K p", sp.expand(merging.turning_function())),
         "intros; unfold K; ring.",
     )
     yield Tie(
         "tie_ratio",
-        "h/c in the half angle.",
+        "$h/c$ in the half angle.",
         equal("p", "0 < p < PI -> ", "ratio p", merging.ratio()),
         """intros; pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)). pose proof (g_pos p ltac:(lra)).
   assert (1 - p * (cos p / sin p) = (sin p - p * cos p) / sin p) by (field; lra).

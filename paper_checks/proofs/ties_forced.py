@@ -70,7 +70,7 @@ def _thresholds() -> Iterator[Tie]:
     """U*, and the parts of U**."""
     yield Tie(
         "tie_entrained_amplitude",
-        "U*, the amplitude up to which the stuck response is a motion.",
+        "$U_*$, the amplitude up to which the stuck response is a motion.",
         equal("m1 m2 a1 a2 b om", SINE, "Fstar m1 m2 a1 a2 b om", response.entrained_amplitude(), LETTERS),
         """intros; unfold Fstar, Z. match goal with |- _ * sqrt ?x / _ = _ => match goal with |- context [sqrt ?y] =>
     lazymatch y with x => fail | _ => replace y with x by ring end end end. field; lra.""",
@@ -90,7 +90,7 @@ def _thresholds() -> Iterator[Tie]:
     )
     yield Tie(
         "tie_non_stop_amplitude",
-        "U**, the amplitude that slip without a stop needs, by the response to the square wave.",
+        "$U_{**}$, the amplitude that slip without a stop needs, by the response to the square wave.",
         f"forall m1 m2 a1 a2 b om h h' : R, {SINE}Fslip m1 m2 a1 a2 b om h h' = "
         f"sqrt {term(response.non_stop_amplitude_squared(), LETTERS)}",
         "intros; unfold Fslip, Z1, turn, leave; f_equal; field; lra.",

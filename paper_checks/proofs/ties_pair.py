@@ -60,7 +60,7 @@ def _law() -> Iterator[Tie]:
     )
     yield Tie(
         "tie_dwell_time",
-        "The longest stay off S.",
+        "The longest stay off $S$.",
         equal("m2 b e", "0 < m2 -> 0 < b -> 0 <= e -> ", "2 * sqrt (2 * e * m2) / b", energy.dwell_time_bound()),
         "intros; rewrite !sqrt_mult by nra; field; lra.",
     )
@@ -70,7 +70,7 @@ def _surface() -> Iterator[Tie]:
     """The sliding region, the critical energy, and the level below which a damped pair stays stuck."""
     yield Tie(
         "tie_half_width",
-        "The half width L of the sliding region.",
+        "The half width $L$ of the sliding region.",
         equal("m1 m2 a2 b", PAIR, "L m1 m2 a2 b", filippov.half_width()),
         "intros; unfold L; field; lra.",
     )
@@ -83,7 +83,7 @@ def _surface() -> Iterator[Tie]:
     for sign, name in ((1, "above"), (-1, "below")):
         yield Tie(
             f"tie_rate_{name}",
-            f"The rate of the relative velocity {name} S: the field's normal component.",
+            f"The rate of the relative velocity {name} $S$: the field's normal component.",
             equal("m1 m2 a2 b x", PAIR, f"normal_rate m1 m2 a2 b ({sign}) x", filippov.transversality(sign)),
             "intros; unfold normal_rate; field; lra.",
         )
@@ -129,7 +129,7 @@ def _motions() -> Iterator[Tie]:
     unit = scaling.half_width() * scaling.stick_frequency() * sp.sqrt(m1 / (m1 + m2))
     yield Tie(
         "tie_ray",
-        "The speed on an exit ray: u, in units of sqrt q, of length and of frequency.",
+        r"The speed on an exit ray: $h$, in units of $L\Omega\sqrt q$.",
         equal("m1 m2 a2 b u", PAIR, "ray m1 m2 a2 b u", unit * return_map.push),
         """intros; unfold ray, o1; rewrite sqrt_div_alt by lra. root m1. root a2.
   replace m1 with (w * w) by auto. field. lra.""",
@@ -152,7 +152,7 @@ def _slip(name: str, mine: str, theirs: sp.Expr, gap: str) -> Tie:
     names = NAMES | {rate: "(o1 m1 a2)", x1_0: place, v1_0: speed, v2_0: speed}
     return Tie(
         name,
-        f"Slip from {'the ray' if gap == '0' else 'S at the gap d'}: {name.rsplit('_', maxsplit=1)[1]} (driven: of body 2).",
+        f"Slip from {'the ray' if gap == '0' else '$S$ at the gap $d$'}: {name.rsplit('_', maxsplit=1)[1]} (driven: of body 2).",
         equal("m1 m2 a2 b d u t", PAIR, mine, theirs, names),
         f"""intros; unfold {mine.split(maxsplit=1)[0]}, ray, L; pose proof (o1_pos m1 a2 ltac:(lra) ltac:(lra)).
   assert (Q : a2 = m1 * (o1 m1 a2 * o1 m1 a2)) by (apply o1_sq; lra). set (o := o1 m1 a2) in *. clearbody o. subst a2.

@@ -15,6 +15,7 @@ import sympy as sp
 
 from paper_checks.errors import NotPolynomialError, ToolMissingError
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.formula import latex
 from paper_checks.solvers.process import answer
 from paper_checks.solvers.text import script
 
@@ -56,7 +57,7 @@ def prove(
     control = script(given, also=conclusion.free_symbols)
     negation = script([*given, sp.Not(conclusion, evaluate=False)])
     passed, value = _judge([ask(solver, control, negation, seconds) for solver in SOLVERS])
-    texts = tuple(f"${sp.latex(assumption)}$" for assumption in given)
+    texts = tuple(f"${latex(assumption)}$" for assumption in given)
     return Evidence(EvidenceKind.SMT, ENGINE, statement, passed, 1, value, texts)
 
 

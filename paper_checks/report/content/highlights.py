@@ -16,6 +16,7 @@ from paper_checks.drawing.captions import caption
 from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.drawing.sharp_rate import LAST, limit_of
 from paper_checks.engines.exhibit import value_at
+from paper_checks.evidence.formula import latex
 from paper_checks.report.content.blocks import Picture, Result
 
 
@@ -69,7 +70,7 @@ def _rate() -> Result:
         f"limit below as $c_1$, it does up to {1000 * until:.3g} ms. Later more is true: unless "
         "the pair merges with a periodic orbit, $t\\,(E-E_{cr})$ has "
         "a limit, and it does not depend on $E(0)$ at all: "
-        f"$\\lim_{{t\\to\\infty}} t\\,(E-E_{{cr}})={sp.latex(_rate_in_words())}$.",
+        f"$\\lim_{{t\\to\\infty}} t\\,(E-E_{{cr}})={latex(_rate_in_words())}$.",
         f"{1000 * float(limit):.4g} mJ s",
         f"is that limit for the pair of Fig. 4 (b); the picture follows it to $10^{{{LAST}}}$ s.",
         _picture("sharp-rate"),

@@ -13,7 +13,6 @@ from paper_checks.report.content import notation, under_a_force
 from paper_checks.report.content.blocks import Block, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
 from paper_checks.report.content.phrases import OUTCOMES
 from paper_checks.report.content.trust import PROVENANCE
-from paper_checks.report.mathematics.prose import in_letters
 from paper_checks.running.graph import Proof, numbered
 from paper_checks.running.runner import Row
 
@@ -101,7 +100,7 @@ def _told(step: Evidence) -> str:
 
 def _theorem(step: Evidence) -> str:
     """Return what a theorem of the kernel says, its name as a link."""
-    return f"Theorem `{kernel.name_of(step)}`: {in_letters(step.statement.partition('): ')[2]).rstrip('.')}"
+    return f"Theorem `{kernel.name_of(step)}`: {step.statement.partition('): ')[2].rstrip('.')}"
 
 
 def _folded(row: Row) -> Iterator[Block]:

@@ -12,7 +12,6 @@ from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
 from paper_checks.ledger import source
 from paper_checks.report.content.blocks import Block, Command, Folded, Graph, Node, Paragraph, Points, Section, Table
 from paper_checks.report.content.phrases import kind
-from paper_checks.report.mathematics.prose import in_letters
 from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 
@@ -179,7 +178,7 @@ def _theorems(rows: Sequence[Row], theorems: dict[str, Evidence]) -> Table:
     lines = tuple(
         (
             f"`{name}`",
-            in_letters(step.statement.partition("): ")[2] or step.statement),
+            step.statement.partition("): ")[2] or step.statement,
             ", ".join(users.get(name, [])) or "–",
         )
         for name, step in theorems.items()

@@ -37,23 +37,6 @@ LONG = 36
 """Characters from which on an inline formula may be wider than its column, so that it has to be scrolled."""
 
 
-_TYPED_WORDS = {
-    "E_cr": "E_{cr}",
-    "phi*": r"\varphi^*",
-    "phi": r"\varphi",
-    "pi": r"\pi",
-    "Omega": r"\Omega",
-    "theta": r"\theta",
-    "U*": "U_*",
-    "Phi+ . n_S": r"\Phi_+\cdot n_S",
-    "Phi- . n_S": r"\Phi_-\cdot n_S",
-}
-_TYPED = re.compile(
-    r"(?<![\w*^])(?:(?P<word>E_cr|phi\*|phi|pi|Omega|theta|U\*|Phi[+-] \. n_S)|(?P<name>[SxvmacwU])(?P<digit>[0-2])(?P<power>\^\d)?"
-    r"|(?P<square>[a-zA-Z])(?P<exponent>\^\d))(?![\w*])"
-)
-
-
 class Piece(Enum):
     """What a stretch of a text is."""
 
@@ -73,24 +56,6 @@ def pieces(text: str) -> Iterator[tuple[Piece, str]]:
         end = match.end()
     if end < len(text):
         yield Piece.PROSE, text[end:].replace(r"\$", "$")
-
-
-def in_letters(text: str) -> str:
-    r"""Return prose whose formulas are typed, as in a program, with its letters as mathematics.
-
-    >>> in_letters("On S0 above E_cr: dE/dt = -a1 v1^2, within pi/Omega")
-    'On $S_0$ above $E_{cr}$: dE/dt = -$a_1$ $v_1^2$, within $\\pi$/$\\Omega$'
-    """
-    return _TYPED.sub(_letter, text.replace("<=", "≤").replace(">=", "≥"))
-
-
-def _letter(match: re.Match[str]) -> str:
-    name, digit, word, power = match["name"] or "", match["digit"] or "", match["word"], match["power"] or ""
-    if word:
-        name = _TYPED_WORDS[word]
-    if match["square"]:
-        name, power = match["square"], match["exponent"]
-    return f"${name}{f'_{digit}' if digit else ''}{power}$"
 
 
 def html(text: str) -> str:
