@@ -87,10 +87,10 @@ TRANSFER = theorem(
         "slip",
         r"With slip less will do to arrive. Let «half», and let $g$, the place of body 1 on its spring and damper after a unit "
         r"impulse, not fall on $[0,t_{1/2}]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2t_{1/2}$ under some $|u|\leqslant U$ exactly if "
-        r"$U\geqslant U_{min}$, «least» with $g=g(t_{1/2})$. Body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
+        r"$U\geqslant U_{\min}$, «least» with $g=g(t_{1/2})$. Body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
         half=Formula(HALF, "=", sp.sqrt(m2 * path / b), equals(lambda: control.least_time() / 2)),
         least=Formula(
-            "U_{min}",
+            r"U_{\min}",
             "=",
             b + b * HALF / (m2 * RESPONSE),
             equals(control.slipping_amplitude, lambda: {HALF: control.half_time}),
@@ -104,7 +104,7 @@ TRANSFER = theorem(
             angle, "<=", sp.pi / 2, condition(lambda: sp.Le(angle, control.response_peak(), evaluate=False)), sharp=True
         ),
         undamped=Formula(
-            "U_{min}", "=", b + b * m1 / m2 * angle / sp.sin(angle), equals(control.undamped_slipping_amplitude)
+            r"U_{\min}", "=", b + b * m1 / m2 * angle / sp.sin(angle), equals(control.undamped_slipping_amplitude)
         ),
         kernel=("least-amplitude-undamped",),
     ),

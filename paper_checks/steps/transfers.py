@@ -157,13 +157,13 @@ def slipping_amplitude() -> Evidence:
     g = sp.Symbol("g", positive=True)
     reached = (control.slipping_amplitude() - b) * g
     return argument(
-        r"To arrive at $2t_{1/2}$ friction is $b$ up to $t_{1/2}$, then $-b$: so $\dot z\geqslant 0$, then $\dot z\leqslant 0$, and $v_1(t_{1/2})=bt_{1/2}/m_2$. As $v_1(t_{1/2})=\int_0^{t_{1/2}} g'(t_{1/2}-s)(u-b)\,ds\leqslant(U-b)\,g(t_{1/2})$, $U\geqslant U_{min}$. With $u=U\geqslant U_{min}$ up to $t_{1/2}$ at "
-        r"$U_{min}$: $g$ is concave where $g'\geqslant 0$, so $v_1=(U-b)g(t)\geqslant bt/m_2$. Then $u=-U$: $v_1=(U-b)(g(t_{1/2}+s)-2g(s))$ at the time $t_{1/2}+s$. As $m_1g'+a_1g=1-a_2\int g\leqslant 1$ and "
+        r"To arrive at $2t_{1/2}$ friction is $b$ up to $t_{1/2}$, then $-b$: so $\dot z\geqslant 0$, then $\dot z\leqslant 0$, and $v_1(t_{1/2})=bt_{1/2}/m_2$. As $v_1(t_{1/2})=\int_0^{t_{1/2}} g'(t_{1/2}-s)(u-b)\,ds\leqslant(U-b)\,g(t_{1/2})$, $U\geqslant U_{\min}$. With $u=U\geqslant U_{\min}$ up to $t_{1/2}$ at "
+        r"$U_{\min}$: $g$ is concave where $g'\geqslant 0$, so $v_1=(U-b)g(t)\geqslant bt/m_2$. Then $u=-U$: $v_1=(U-b)(g(t_{1/2}+s)-2g(s))$ at the time $t_{1/2}+s$. As $m_1g'+a_1g=1-a_2\int g\leqslant 1$ and "
         r"$g(s)\geqslant g(t_{1/2})s/t_{1/2}$, $\dot z\leqslant 0$ up to $2t_{1/2}$. A larger bound of the force allows the same control. A pair that sticks at the limit from $t_{1/2}$ on has $v_1=v_2=b(2t_{1/2}-t)/m_2$, which is $0$ at $2t_{1/2}$.",
         gentle(),
         addition(),
         contact_margin(),
-        identity(r"$(U_{min}-b)\,g(t_{1/2})=bt_{1/2}/m_2$", reached, b * half_time / m2),
+        identity(r"$(U_{\min}-b)\,g(t_{1/2})=bt_{1/2}/m_2$", reached, b * half_time / m2),
     )
 
 
@@ -171,7 +171,7 @@ def slipping_amplitude() -> Evidence:
 def undamped_slipping_amplitude() -> Evidence:
     """g = sin(omega_1 t)/(m1 omega_1)."""
     return identity(
-        r"for $a_1=0$, $g(t_{1/2})=\sin\theta/(m_1\omega_1)$ and $U_{min}=b+\frac{m_1}{m_2}b\,\theta/\sin\theta$; $g'\geqslant 0$ up to $\theta=\pi/2$",
+        r"for $a_1=0$, $g(t_{1/2})=\sin\theta/(m_1\omega_1)$ and $U_{\min}=b+\frac{m_1}{m_2}b\,\theta/\sin\theta$; $g'\geqslant 0$ up to $\theta=\pi/2$",
         control.undamped_slipping_amplitude(),
         b + b * m1 / m2 * angle / sp.sin(angle),
     )

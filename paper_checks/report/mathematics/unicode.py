@@ -29,11 +29,11 @@ def spoken(latex: str) -> str:
     r"""Return LaTeX mathematics as Unicode text.
 
     >>> spoken(r"\ddot{x}_1 \leqslant \tfrac{b}{m_1+m_2}\sqrt{a}")
-    'ẍ₁ ≤b/(m₁+m₂) √(a)'
+    'ẍ₁ ≤ b/(m₁+m₂) √a'
     """
     text = re.sub(r"\\(?:left|right|[bB]ig[lr]?|[bB]igg[lr]?|displaystyle|limits)(?![A-Za-z])\s*\.?", "", latex)
     text = re.sub(r"\\([{}|\\])", lambda match: {"{": "\ue000", "}": "\ue001", "|": "‖", "\\": "; "}[match[1]], text)
-    text = re.sub(r"\\([A-Za-z]+)\s*", lambda match: _WORDS.get(match[1], match[0]), text)
+    text = re.sub(r"\\([A-Za-z]+)(\s(?=[-+=<>]))?\s*", _word, text)
     text = re.sub(rf"\\(?:({_FUNCTIONS})(?![A-Za-z])|operatorname\s*{_GROUP})\s*", _function, text)
     text = re.sub(r"\\[td]?frac\s*([^\W_])\s*([^\W_])", r"\\frac{\1}{\2}", text)
     text = re.sub(r"\\[td]?frac\s*([^\W_])\s*\{", r"\\frac{\1}{", text)
@@ -50,12 +50,17 @@ def spoken(latex: str) -> str:
     text = re.sub(r"\ue004(?=[\w√(])|\ue005(?=[^\W²³¹⁰-₎]|√)", " ", text).replace("\ue004", "").replace("\ue005", "")
     for private, visible in (("\ue000", "{"), ("\ue001", "}"), ("\ue002", "_"), ("\ue003", "^")):
         text = text.replace(private, visible)
-    return " ".join(text.split())
+    return re.sub(r" ([≤≥≠≈→])(?=\S)", r" \1 ", " ".join(text.split()))
+
+
+def _word(match: re.Match[str]) -> str:
+    """Return what a command stands for, and the space between it and a sign."""
+    return _WORDS[match[1]] + (match[2] or "") if match[1] in _WORDS else match[0]
 
 
 def _without_innermost_groups(text: str) -> str:
     text = re.sub(rf"\\[td]?frac\s*{_GROUP}\s*{_GROUP}", lambda m: f"{_whole(m[1])}/{_alone(m[2])}\ue004", text)
-    text = re.sub(rf"\\sqrt\s*{_GROUP}", r"√(\1)", text)
+    text = re.sub(rf"\\sqrt\s*{_GROUP}", lambda match: f"√{_alone(match[1])}", text)
     text = re.sub(rf"\\(dot|ddot|dddot|bar|hat|tilde)(?![A-Za-z])\s*(?:{_GROUP}|([^\W\d_]))", _accented, text)
     text = re.sub(
         rf"\\(?:mathrm|mathbf|mathbb|mathcal|mathit|text|operatorname)\s*(?:{_GROUP}|([A-Za-z]))", _named, text
@@ -82,7 +87,7 @@ def _whole(text: str) -> str:
 
 
 def _alone(text: str) -> str:
-    """Put a denominator in parentheses, but for a number or one letter with its index."""
+    """Put a denominator, or what is under a root, in parentheses, but for a number or one letter with its index."""
     return text if re.fullmatch(r"\d+|[^\W\d](?:_?\w)?", text) else f"({text})"
 
 
@@ -95,7 +100,7 @@ def _accented(match: re.Match[str]) -> str:
 
 
 def _raised_or_lowered(match: re.Match[str]) -> str:
-    content = match[2] if match[2] is not None else match[3]
+    content = (match[2] if match[2] is not None else match[3]).strip("\ue005\ue006")
     if re.fullmatch(r"[0-9+-]+", content):
         return content.translate(_SUBSCRIPTS if match[1] == "_" else _SUPERSCRIPTS)
     if content and not content.strip("*"):
