@@ -7,6 +7,7 @@ import pytest
 
 from paper_checks.errors import ToolMissingError
 from paper_checks.ledger import CLAIMS
+from paper_checks.report.content.blocks import pictures
 from paper_checks.report.content.document import document, summary
 from paper_checks.report.formats import pdf, vector
 from paper_checks.report.formats.typst_blocks import escaped
@@ -45,6 +46,15 @@ def test_on_paper_steps_are_left_out_with_a_word_on_where_they_are(rows):
     assert pdf.source(whole, {}).count("Steps, each above those it rests on") == len(rows) - 1
     assert "HTML form" in pdf.source(paper, {})
     assert set(paper.anchors) <= {*whole.anchors, "steps"}
+
+
+def test_on_paper_a_picture_of_several_rows_stands_at_the_first_and_the_others_lead_to_it(rows):
+    whole, paper = document(rows), document(rows).on_paper()
+    first, second = [row.claim.id for row in rows if row.finding.figure == "sine"][:2]
+    assert [[one.name for one in pictures(whole.stories[row])] for row in (first, second)] == [["sine"], ["sine"]]
+    assert [[one.name for one in pictures(paper.stories[row])] for row in (first, second)] == [["sine"], []]
+    assert f"drawn under `{first}`" in str(paper.stories[second])
+    assert paper.pictures == whole.pictures
 
 
 def test_it_compiles_with_every_statement_of_the_ledger(rows, figures):

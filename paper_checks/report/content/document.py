@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from paper_checks.ledger import source
 from paper_checks.report.content import blocks, notation, opening, trust
-from paper_checks.report.content.blocks import Block, Paragraph, Section
+from paper_checks.report.content.blocks import Block, Labelled, Paragraph, Picture, Section
 from paper_checks.report.content.story import story
 from paper_checks.running.runner import Row
 
@@ -36,7 +36,7 @@ class Document:
         return bool(self.rows)
 
     def on_paper(self) -> Document:
-        """Return it without what a page folds, and with a sentence on where that is."""
+        """Return it without what a page folds, with a sentence on where that is, and each row's picture once."""
         note = Section("steps", "The steps", (Paragraph(STEPS),)) if self.rows else None
         return replace(
             self,
@@ -44,7 +44,7 @@ class Document:
             after=tuple(
                 replace(one, blocks=blocks.unfolded(one.blocks)) for one in (*self.after, *filter(None, [note]))
             ),
-            stories={name: blocks.unfolded(story) for name, story in self.stories.items()},
+            stories=_each_picture_once({name: blocks.unfolded(story) for name, story in self.stories.items()}),
         )
 
     @property
@@ -65,6 +65,18 @@ class Document:
         everything = [self.model, *(section.blocks for section in self.before), *self.stories.values()]
         everything += [section.blocks for section in self.after]
         return tuple(dict.fromkeys(picture.name for some in everything for picture in blocks.pictures(some)))
+
+
+def _each_picture_once(stories: Mapping[str, tuple[Block, ...]]) -> Mapping[str, tuple[Block, ...]]:
+    """Return stories in which a picture of an earlier one is a link to that."""
+    shown: dict[str, str] = {}
+
+    def once(row: str, block: Block) -> Block:
+        if not isinstance(block, Picture) or shown.setdefault(block.name, row) == row:
+            return block
+        return Labelled("Picture", f"{block.title}, drawn under `{shown[block.name]}`.")
+
+    return {row: tuple(once(row, block) for block in story) for row, story in stories.items()}
 
 
 def document(rows: Sequence[Row], chapters: Sequence[Section] = ()) -> Document:
