@@ -43,7 +43,8 @@ def exhibit(statement: str, point: Point, *relations: Relation) -> Evidence:
         sides = [sp.simplify(sp.sympify(side).subs(values)) for side in (left, right)]
         rational = all(side.is_Rational for side in sides)
         answers.append(bool(function(*sides)) if rational else None)
-        texts.append(f"${latex(sides[0])}{sign}{latex(sides[1])}$")
+        shown = [_decimal(side) if side.is_Rational else latex(side) for side in sides]
+        texts.append(f"${shown[0]}{sign} {shown[1]}$")
     passed = False if False in answers else None if None in answers or not answers else True
     return Evidence(EvidenceKind.EXACT, ENGINE, statement, passed, len(relations), ", ".join(texts))
 
@@ -56,6 +57,11 @@ def value_at(expression: sp.Expr, point: Point) -> str:
     value = sp.simplify(expression.subs(dict(point)))
     if not value.is_Rational:
         raise ValueError(f"{expression} has no rational value at the point: {value}")
+    return _decimal(value)
+
+
+def _decimal(value: sp.Rational) -> str:
+    """Return a rational number as a decimal, or as a fraction where no decimal ends."""
     rest = sp.factorint(value.q)
     decimals = max(rest.get(2, 0), rest.get(5, 0))
     if set(rest) - {2, 5}:

@@ -144,8 +144,8 @@ SECTION_2 = (
         correction=(
             clause(
                 "balanced",
-                r"The forces that (3), (4) put on the two bodies add up to «sum» in both modes of the text, for $\dot z\neq 0$ and for "
-                r"$\dot z=0$, $|\ddot x_1|<b/m_2$;",
+                r"The forces that (3), (4) put on the two bodies add up to nothing in the modes of the text: in stick, where "
+                r"$|\ddot x_1|<b/m_2$, and in slip with $\dot z>0$ and with $\dot z<0$ these sums are «sum»;",
                 sum=Formula(
                     "f_1+f_2",
                     "=",
