@@ -238,3 +238,25 @@ def trigonometric_quotients(draw):
     top = sum(n * theta**a * sin(theta) ** b * cos(theta) ** c * sqrt(q) ** d for n, a, b, c, d in terms)
     unit = draw(st.integers(1, 3)) + draw(st.sampled_from([0, 1, sqrt(q), q])) * sin(theta)
     return top * theta ** (2 * zeros) / ((1 - cos(theta)) ** zeros * unit)
+
+
+@st.composite
+def elementary_expressions(draw, depth: int = 3):
+    """Sums, products and whole powers of two positive symbols, rationals, square roots, sines and cosines; no pole."""
+    from sympy import Rational, cos, sin, sqrt, symbols
+
+    x, y = symbols("x y", positive=True)
+    if depth == 0:
+        return draw(st.sampled_from([x, y, x + 2 * y, sin(x), cos(2 * x), sin(x + y), sqrt(x), sqrt(x + y)]))
+    smaller = elementary_expressions(depth=depth - 1)
+    kind = draw(st.sampled_from(["sum", "product", "square", "inverse", "scaled"]))
+    one = draw(smaller)
+    if kind == "sum":
+        return one + draw(smaller)
+    if kind == "product":
+        return one * draw(smaller)
+    if kind == "square":
+        return one**2
+    if kind == "inverse":
+        return 1 / (1 + one**2)
+    return Rational(draw(st.integers(-9, 9)), draw(st.integers(1, 9))) * one

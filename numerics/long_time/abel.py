@@ -22,7 +22,7 @@ from fractions import Fraction
 from functools import cached_property
 
 import flint
-from flint import acb, arb, fmpq, fmpq_series
+from flint import acb, acb_poly, arb, fmpq, fmpq_series
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.ball_words import precision
@@ -136,24 +136,24 @@ class AbelFunctions:
         """Return an enclosure of alpha(y) for 0 < y <= largest_argument; raises ArithmeticError beyond."""
         if not y <= Ball.number(self.largest_argument):
             raise ArithmeticError(f"y = {y.str(6)} is beyond the certified {float(self.largest_argument):g}")
-        value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + polynomial(self.alpha_coefficients, y)
+        value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + polynomial(self.alpha_coefficients)(y)
         return value + arb(0, self._missed(y, self._alpha_rim, self.alpha_zero_order).upper())
 
     def beta(self, y: arb) -> arb:
         """Return an enclosure of beta(y), the reduced time that iteration adds up."""
         epsilon = (y * Ball.number(self.q)).sqrt()
-        value = arb.pi() * self.alpha(y) + polynomial(self.beta_coefficients, epsilon)
+        value = arb.pi() * self.alpha(y) + polynomial(self.beta_coefficients)(epsilon)
         return value + arb(0, self._missed(y, self._beta_rim, self.beta_zero_order).upper())
 
     def slide(self, y: arb) -> arb:
         """Return an enclosure of (y - y_1) - (y_1 - y_2) + (y_2 - y_3) - ..., y_k the iterates of y."""
-        value = polynomial(self.slide_coefficients, y)
+        value = polynomial(self.slide_coefficients)(y)
         return value + arb(0, self._missed(y, self._slide_rim, self.slide_zero_order).upper())
 
     def slope(self, y: arb) -> arb:
         """Return alpha'(y) of the truncated series: what Newton's method steers by."""
         a, b = arb(self.a), arb(self.log_coefficient)
-        derivative = polynomial([k * c for k, c in enumerate(self.alpha_coefficients, start=1)], y) / y
+        derivative = polynomial([k * c for k, c in enumerate(self.alpha_coefficients, start=1)])(y) / y
         return -1 / (a * y * y) + b / y + derivative
 
     def alpha_inverse(self, value: arb, start: arb) -> arb:
@@ -209,6 +209,10 @@ class AbelFunctions:
         """
         q, sqrt_q, alpha_sup, beta_sup = acb(Ball.number(self.q)), acb(Ball.number(self.q)).sqrt(), arb(0), arb(0)
         slide_sup = arb(0)
+        of_alpha, of_beta, of_slide = (
+            acb_poly(polynomial(one))
+            for one in (self.alpha_coefficients, self.beta_coefficients, self.slide_coefficients)
+        )
         for theta in _arcs(radius):
             height, deep = _height_and_depth(theta)
             y, falls = height * height, acb(Ball.number(self.r)) * (deep / height) ** 2
@@ -218,13 +222,10 @@ class AbelFunctions:
             if not all(abs(one) < arb(1) for one in (falls, q * deep, epsilon * root, landed)):
                 return None
             alpha = falls / (acb(self.a) * y * (1 - falls)) - 1 + acb(self.log_coefficient) * (1 - falls).log()
-            alpha += polynomial(self.alpha_coefficients, y * (1 - falls))
-            alpha -= polynomial(self.alpha_coefficients, y)
-            beta = polynomial(self.beta_coefficients, epsilon * root)
-            beta -= polynomial(self.beta_coefficients, epsilon)
+            alpha += of_alpha(y * (1 - falls)) - of_alpha(y)
+            beta = of_beta(epsilon * root) - of_beta(epsilon)
             beta -= sqrt_q * theta - (epsilon * root).atan() - landed.atan()
-            slide = polynomial(self.slide_coefficients, y) + polynomial(self.slide_coefficients, y * (1 - falls))
-            slide -= y * falls
+            slide = of_slide(y) + of_slide(y * (1 - falls)) - y * falls
             alpha_sup, beta_sup = alpha_sup.max(abs(alpha).upper()), beta_sup.max(abs(beta).upper())
             slide_sup = slide_sup.max(abs(slide).upper())
         found = alpha_sup, beta_sup, slide_sup

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any
 
 import flint
-from flint import arb, fmpq, fmpq_series
+from flint import arb_poly, fmpq, fmpq_series
 
 
 def angle_and_depth() -> tuple[fmpq_series, fmpq_series]:
@@ -34,12 +33,9 @@ def shifted(series: fmpq_series, by: int) -> fmpq_series:
     return fmpq_series([series[k] for k in range(-by, series.length())])
 
 
-def polynomial(coefficients: list[fmpq], x: Any) -> Any:
-    """Return c_1 x + c_2 x^2 + ... of a ball, real or complex."""
-    total = 0 * x
-    for coefficient in reversed(coefficients):
-        total = (total + arb(coefficient)) * x
-    return total
+def polynomial(coefficients: list[fmpq]) -> arb_poly:
+    """Return c_1 x + c_2 x^2 + ..., a function of balls, with coefficients at the precision that is set."""
+    return arb_poly([0, *coefficients])
 
 
 @contextmanager

@@ -1,22 +1,24 @@
 """Evidence for symbolic identities: the difference simplifies to 0, and vanishes at random rational points.
 
-The points are the check of the simplifier: they do not use it.
+The points are the check of the simplifier: they use neither the normal form nor sympy's rewriting.
 """
 
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
+from flint import acb, arb, fmpq
 from sympy.core.function import AppliedUndef
 
+from paper_checks.engines.at_point import NotEvaluatedError, Value, at_point
+from paper_checks.engines.balls import precision
+from paper_checks.engines.normal_form import is_zero
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
-DIGITS = 60
-"""Decimal digits at which a difference that is not rational at a point is evaluated."""
-NEGLIGIBLE = sp.Float(10) ** (-DIGITS + 15)
-"""Bound, dimensionless, below which such a difference counts as zero."""
+DIGITS = 45
+"""Digits after the point to which a difference that is not rational at a point is enclosed."""
 
 
 def identity(
@@ -36,25 +38,31 @@ def identity(
     """
     differences = list(_entries(left, right))
     randomness = random.Random(seed)
-    tried, inexact = 0, 0
+    tried, inexact, unseen = 0, 0, 0
     for difference in differences:
+        before = tried
         for point, value in _samples(difference, randomness, points):
             tried += 1
-            inexact += not value.is_Rational
+            inexact += not isinstance(value, fmpq)
             if not _vanishes(value):
                 where = ", ".join(f"{symbol} = {point[symbol]}" for symbol in sorted(point, key=str))
-                text = f"difference {sp.N(value, 8)} at {where or 'no symbols'}"
+                text = f"difference {_shown(value)} at {where or 'no symbols'}"
                 return _evidence(statement, False, tried, text, assumptions)
+        unseen += tried == before
+    if unseen:
+        return _evidence(statement, None, tried, f"{unseen} of the differences could be evaluated nowhere", assumptions)
     zero = all(simplifies_to_zero(difference) for difference in differences)
     text = f"difference simplifies to 0; zero at {tried} rational points" if zero else "the simplifier does not reach 0"
     if zero and inexact:
-        text += f" (to {DIGITS - 15} digits at {inexact} of them)"
+        text += f" (to {DIGITS} digits at {inexact} of them)"
     return _evidence(statement, True if zero else None, tried, text, assumptions)
 
 
 def simplifies_to_zero(expression: sp.Expr) -> bool:
-    """Say whether one of sympy's rewritings, cheapest first, turns the expression into 0."""
-    for rewriting in (sp.expand, sp.cancel, sp.trigsimp, sp.simplify):
+    """Say whether the expression is 0 by its normal form, or one of sympy's rewritings, cheapest first, makes it 0."""
+    if is_zero(expression):
+        return True
+    for rewriting in (sp.cancel, sp.trigsimp, sp.simplify):
         try:
             if rewriting(expression) == 0:
                 return True
@@ -76,18 +84,19 @@ def _entries(left: sp.Basic | int, right: sp.Basic | int) -> Iterator[sp.Expr]:
 
 def _samples(
     expression: sp.Expr, randomness: random.Random, points: int
-) -> Iterable[tuple[dict[sp.Symbol, sp.Rational], sp.Expr]]:
-    """Yield up to `points` rational points, with the expression's finite values there.
+) -> Iterable[tuple[dict[sp.Symbol, sp.Rational], Value]]:
+    """Yield up to `points` rational points, with the expression's finite values there: exact, or in balls.
 
     A function that is only named is stood in for by a known one: what differs for one function is no identity.
     """
-    expression = expression.replace(lambda part: isinstance(part, AppliedUndef), _stand_in)
+    if expression.has(AppliedUndef):
+        expression = expression.replace(lambda part: isinstance(part, AppliedUndef), _stand_in)
     symbols = sorted(expression.free_symbols, key=str)
     found = 0
     for _ in range(10 * points):
         point = {symbol: _rational(symbol, randomness) for symbol in symbols}
-        value = expression.subs(point)
-        if value.is_finite is False or value.has(sp.nan, sp.zoo, sp.oo):
+        value = _value(expression, point)
+        if value is None:
             continue  # a pole of the expression
         yield point, value
         found += 1
@@ -112,7 +121,29 @@ def _rational(symbol: sp.Symbol, randomness: random.Random) -> sp.Rational:
     return size * randomness.choice((-1, 1))
 
 
-def _vanishes(value: sp.Expr) -> bool:
-    if value.is_Rational:
-        return bool(value == 0)
-    return bool(abs(value.evalf(DIGITS)) < NEGLIGIBLE)
+def _value(expression: sp.Expr, point: Mapping[sp.Symbol, sp.Rational]) -> Value | None:
+    """Return the value at a point, exact or enclosed to `DIGITS`; None at a pole, or where it is not known so well."""
+    for digits in (DIGITS, 10 * DIGITS):
+        try:
+            with precision(digits):
+                value = at_point(expression, point)
+        except (ZeroDivisionError, NotEvaluatedError):
+            return None
+        if isinstance(value, fmpq) or _radius(value) < arb(10) ** -DIGITS:
+            return value
+    return None
+
+
+def _radius(value: arb | acb) -> arb:
+    return value.real.rad() + value.imag.rad()
+
+
+def _vanishes(value: Value) -> bool:
+    """Say whether a value is 0 or may be: a ball without 0 in it is proved not to be."""
+    return bool(value == 0) if isinstance(value, fmpq) else bool(value.contains(0))
+
+
+def _shown(value: Value) -> str:
+    if isinstance(value, fmpq):
+        return str(sp.N(sp.Rational(int(value.p), int(value.q)), 8))
+    return str(value.str(8, radius=False))

@@ -8,12 +8,14 @@ they are Taylor polynomials with a remainder by Cauchy's estimate on a rim, beyo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
 
-from flint import acb, acb_poly, arb, arb_poly, arb_series, fmpq
+import flint
+from flint import acb, arb, arb_poly, arb_series
 
 from paper_checks.engines.balls import point, precision, terms
 
@@ -26,7 +28,11 @@ NEAR, WIDE, LONG = 200, 64, 64
 """Boxes of p near 0, and of p and of the angle beyond."""
 TERMS = 60
 """Terms of ln(1 - x)/x."""
-COEFFICIENTS = [fmpq(-1, n) for n in range(1, TERMS + 1)]
+DENOMINATOR = math.lcm(*range(1, TERMS + 1))
+COEFFICIENTS = [-DENOMINATOR // n for n in range(1, TERMS + 1)]
+"""Those of its series, over one denominator, so that they are exact at every precision."""
+SERIES = arb_poly(COEFFICIENTS)
+SLOPE = SERIES.derivative()
 
 
 def logarithm(x: Any) -> Any:
@@ -37,7 +43,7 @@ def logarithm(x: Any) -> Any:
     size = abs(x[0] if isinstance(x, arb_series) else x).upper()
     if not size < point(Fraction(4, 5)):
         raise ArithmeticError(f"the series of the logarithm is not proved to converge: |x| = {size.str(5)}")
-    total = _by_horner(x)
+    total = _first_terms(x) / DENOMINATOR
     # what is left out is at most |x|^N/(N (1 - |x|)), its derivative at most |x|^(N-1)/(1 - |x|)
     tail, slope = (arb(0, (5 * size ** (TERMS - less)).upper()) for less in (0, 1))
     if isinstance(x, arb_series):
@@ -45,12 +51,12 @@ def logarithm(x: Any) -> Any:
     return total + (acb(tail, tail) if isinstance(x, acb) else tail)
 
 
-def _by_horner(x: Any) -> Any:
-    """Return the first terms of the series, in flint's own loop where it has one."""
-    if isinstance(x, acb):
-        return acb_poly(COEFFICIENTS)(x)
-    if isinstance(x, arb):
-        return arb_poly(COEFFICIENTS)(x)
+def _first_terms(x: Any) -> Any:
+    """Return the first terms over their denominator, in flint's own loop for numbers, and for value and slope."""
+    if isinstance(x, acb | arb):
+        return SERIES(x)
+    if flint.ctx.cap == 2:
+        return arb_series([SERIES(x[0]), SLOPE(x[0]) * x[1]])
     total = x * 0 + COEFFICIENTS[-1]
     for one in reversed(COEFFICIENTS[:-1]):
         total = total * x + one
@@ -104,15 +110,28 @@ def on_rim(theta: acb) -> Slip:
     return Slip(theta, centre.height + slope * off, centre.depth + rough.height * off)
 
 
-def near_zero(quotient: Quotient, p: arb) -> arb:
+class Near(NamedTuple):
+    """The slips near theta = 0, whatever the mass ratio: as a power series, and on the boxes of the rim."""
+
+    series: Slip
+    rim: tuple[Slip, ...]
+
+
+def near() -> Near:
+    """Return them, at the precision that is set."""
+    with terms(ORDER + 12):
+        return Near(plain(arb_series([0, 1])), tuple(on_rim(theta) for theta in _rim()))
+
+
+def near_zero(quotient: Quotient, slips: Near, p: arb) -> arb:
     """Enclose a quotient for slip angles up to SPLIT: Taylor polynomial, and the rest by Cauchy's estimate on the rim."""
     with terms(ORDER + 12):
-        above, below = quotient(plain(arb_series([0, 1])), arb_series([p]))
+        above, below = quotient(slips.series, arb_series([p]))
         series = _shifted(above, ZEROS[quotient]) / _shifted(below, ZEROS[quotient])
         coefficients = [series[n] for n in range(0, ORDER, 2)]
     top = arb(0)
-    for theta in _rim():
-        over, under = quotient(on_rim(theta), acb(p))
+    for slip in slips.rim:
+        over, under = quotient(slip, acb(p))
         top = top.max(abs(over / under).upper())
     share = (point(SPLIT) / point(RIM)) ** 2
     rest = top * share ** (ORDER // 2) / (1 - share)
@@ -123,15 +142,30 @@ def near_zero(quotient: Quotient, p: arb) -> arb:
     return value + arb(0, rest.upper())
 
 
-def beyond(quotient: Quotient, theta: arb, p: arb) -> arb:
-    """Enclose a quotient on a box by its value in the middle and its slopes on the box."""
-    middle, centre = theta.mid(), p.mid()
+class Beyond(NamedTuple):
+    """The slips on a box of angles, whatever the mass ratio: with their slopes, without, and in the middle."""
+
+    theta: arb
+    along: Slip
+    fixed: Slip
+    middle: Slip
+
+
+def slips_on(theta: arb) -> Beyond:
+    """Return them, at the precision that is set."""
     with terms(2):
-        slip = on_box(theta)
-        along = _ratio(quotient(slip, arb_series([p])))[1]
-        fixed = Slip(*(arb_series([one[0]]) for one in slip))
-        across = _ratio(quotient(fixed, arb_series([p, 1])))[1]
-    return _ratio(quotient(plain(middle), centre)) + along * (theta - middle) + across * (p - centre)
+        along = on_box(theta)
+        return Beyond(theta, along, Slip(*(arb_series([one[0]]) for one in along)), plain(theta.mid()))
+
+
+def beyond(quotient: Quotient, slips: Beyond, p: arb) -> arb:
+    """Enclose a quotient on a box by its value in the middle and its slopes on the box."""
+    centre = p.mid()
+    with terms(2):
+        along = _ratio(quotient(slips.along, arb_series([p])))[1]
+        across = _ratio(quotient(slips.fixed, arb_series([p, 1])))[1]
+    value = _ratio(quotient(slips.middle, centre))
+    return value + along * (slips.theta - slips.middle.theta) + across * (p - centre)
 
 
 def _ratio(pair: tuple[Any, Any]) -> Any:
@@ -166,22 +200,26 @@ def ranges() -> tuple[tuple[arb, arb], tuple[arb, arb]]:
 
 
 def _values(quotient: Quotient) -> Iterator[arb]:
+    slips = near()
     for p in _pieces(arb(0), arb(1), NEAR):
-        yield near_zero(quotient, p)
-    for p in _pieces(arb(0), arb(1), WIDE):
-        for theta in _pieces(point(SPLIT), arb.pi() / 2, LONG):
-            yield from _refined(quotient, theta, p, 3)
+        yield near_zero(quotient, slips, p)
+    for theta in _pieces(point(SPLIT), arb.pi() / 2, LONG):
+        yield from _refined(quotient, theta, list(_pieces(arb(0), arb(1), WIDE)), 3)
 
 
-def _refined(quotient: Quotient, theta: arb, p: arb, times: int) -> Iterator[arb]:
-    """Enclose a quotient on a box, cut in four as long as it is not within what is looked for."""
-    value, (low, high) = beyond(quotient, theta, p), TARGETS[quotient]
-    if not times or (value > point(low) and value < point(high)):
-        yield value
-        return
-    for part in _pieces(theta.lower(), theta.upper(), 2):
-        for other in _pieces(p.lower(), p.upper(), 2):
-            yield from _refined(quotient, part, other, times - 1)
+def _refined(quotient: Quotient, theta: arb, ratios: Sequence[arb], times: int) -> Iterator[arb]:
+    """Enclose a quotient on boxes, each cut in four as long as it is not within what is looked for."""
+    slips, (low, high) = slips_on(theta), (point(end) for end in TARGETS[quotient])
+    open_still: list[arb] = []
+    for p in ratios:
+        value = beyond(quotient, slips, p)
+        if not times or (value > low and value < high):
+            yield value
+        else:
+            open_still += _pieces(p.lower(), p.upper(), 2)
+    if open_still:
+        for part in _pieces(theta.lower(), theta.upper(), 2):
+            yield from _refined(quotient, part, open_still, times - 1)
 
 
 def _pieces(low: arb, high: arb, number: int) -> Iterator[arb]:

@@ -68,6 +68,27 @@ def test_no_point_is_no_pass():
     assert evidence.passed is None
 
 
+@pytest.mark.parametrize("nowhere", [1 / (sp.sin(x) ** 2 + sp.cos(x) ** 2 - 1), sp.floor(x)], ids=str)
+def test_a_simplifier_without_a_point_is_no_pass(nowhere, monkeypatch):
+    monkeypatch.setattr(exact, "simplifies_to_zero", lambda difference: True)
+    evidence = identity("matrix", sp.Matrix([x, nowhere]), sp.Matrix([x, 0]))
+    assert evidence.passed is None
+    assert evidence.value == "1 of the differences could be evaluated nowhere"
+
+
+@pytest.mark.parametrize(
+    ("left", "right"), [(sp.sqrt(m**2 + 2 * m + 1), m + 1), (sp.atan(m) + sp.atan(1 / m), sp.pi / 2)]
+)
+def test_what_neither_normal_form_nor_sympy_decides_is_undecided(left, right):
+    evidence = identity("true", left, right)
+    assert evidence.passed is None
+    assert evidence.value == "the simplifier does not reach 0"
+
+
+def test_a_ball_without_0_refutes_however_small_it_is():
+    assert identity("nearly", sp.sin(x) * (1 + sp.Rational(1, 10**70)), sp.sin(x)).passed is False
+
+
 def test_the_same_seed_gives_the_same_evidence():
     assert identity("s", x, y, seed=3) == identity("s", x, y, seed=3)
     assert identity("s", x, y, seed=3) != identity("s", x, y, seed=4)

@@ -1,0 +1,178 @@
+"""Whether an expression is 0, by a normal form: a fraction of polynomials in letters, reduced by their relations.
+
+A letter stands for a symbol, a square root, the sine or cosine of an angle, or for anything else as a whole. All that is
+used are the rules of a field, sqrt(x)^2 = x, sin^2 + cos^2 = 1, and sine and cosine of sums and multiples of angles.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import sympy as sp
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+_CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot)
+
+
+def is_zero(expression: sp.Expr) -> bool:
+    """Say whether the normal form is 0: then so is the expression, wherever it is defined. False decides nothing."""
+    form = _Form(expression)
+    try:
+        return form.vanishes(form.value(expression).top, len(form.squares))
+    except ZeroDivisionError:
+        return False
+
+
+class Fraction(NamedTuple):
+    """A fraction of two polynomials."""
+
+    top: fmpq_mpoly
+    bottom: fmpq_mpoly
+
+    def __add__(self, other: Any) -> Fraction:
+        """Return the sum over the least common denominator."""
+        mine, theirs = _lowest(self.bottom, other.bottom)
+        return Fraction(self.top * theirs + other.top * mine, self.bottom * theirs)
+
+    def __mul__(self, other: Any) -> Fraction:
+        """Return the product; what one has above and the other below is left out."""
+        left, right = _lowest(self.top, other.bottom), _lowest(other.top, self.bottom)
+        return Fraction(left.top * right.top, left.bottom * right.bottom)
+
+    def __neg__(self) -> Fraction:
+        """Return the fraction with its sign turned."""
+        return Fraction(-self.top, self.bottom)
+
+    def __pow__(self, exponent: int) -> Fraction:
+        """Return a whole power. Raises ZeroDivisionError where the fraction is 0 and the exponent negative."""
+        if exponent >= 0:
+            return Fraction(self.top**exponent, self.bottom**exponent)
+        if self.top == 0:
+            raise ZeroDivisionError("0 has no inverse")
+        return Fraction(self.bottom**-exponent, self.top**-exponent)
+
+
+def _lowest(top: fmpq_mpoly, bottom: fmpq_mpoly) -> Fraction:
+    common = top.gcd(bottom)
+    return Fraction(top / common, bottom / common)
+
+
+class _Form:
+    """The letters of an expression, and its value in them."""
+
+    def __init__(self, expression: sp.Expr) -> None:
+        """Find the letters; those that a square root is made of come before it."""
+        self.units = _units(expression)
+        names = list(dict.fromkeys(self._letters(expression)))
+        self.context = fmpq_mpoly_ctx.get([f"l{n}" for n in range(max(1, len(names)))])
+        self.one = self._constant(fmpq(1))
+        self.place = {name: n for n, name in enumerate(names)}
+        self.squares: list[tuple[int, Fraction]] = []
+        """Letters, by their places, whose squares are fractions of the letters before them."""
+        for kind, part in names:
+            if kind == "root":
+                self.squares.append((self.place[kind, part], self.value(part)))
+            elif kind == "sine":
+                cosine = self._letter("cosine", part)
+                self.squares.append((self.place[kind, part], self.one + -(cosine * cosine)))
+
+    def value(self, part: sp.Expr) -> Fraction:
+        """Return an expression as a fraction. Raises ZeroDivisionError where it divides by 0."""
+        if part.is_Rational:
+            return self._constant(fmpq(int(part.p), int(part.q)))
+        if part.is_Add or part.is_Mul:
+            total, *others = (self.value(one) for one in part.args)
+            for other in others:
+                total = total + other if part.is_Add else total * other
+            return total
+        if part.is_Pow and part.exp.is_Integer:
+            return self.value(part.base) ** int(part.exp)
+        if _is_root(part):
+            return self._letter("root", part.base) ** int(part.exp.p)
+        if isinstance(part, _CIRCULAR):
+            cosine, sine = self._turned(part.args[0])
+            quotients = {
+                sp.sin: (sine, self.one),
+                sp.cos: (cosine, self.one),
+                sp.tan: (sine, cosine),
+                sp.cot: (cosine, sine),
+            }
+            top, bottom = quotients[part.func]
+            return top * bottom**-1
+        return self._letter("whole", part)
+
+    def vanishes(self, polynomial: fmpq_mpoly, relations: int) -> bool:
+        """Say whether a polynomial is 0 by the first of the relations; the last letter's even and odd powers part."""
+        if polynomial == 0 or not relations:
+            return bool(polynomial == 0)
+        place, square = self.squares[relations - 1]
+        powers: tuple[dict[int, Any], dict[int, Any]] = (defaultdict(dict), defaultdict(dict))
+        for exponents, coefficient in polynomial.to_dict().items():
+            half, odd = divmod(exponents[place], 2)
+            powers[odd][half][(*exponents[:place], 0, *exponents[place + 1 :])] = coefficient
+        for of_one_parity in powers:
+            highest = max(of_one_parity, default=0)
+            total = self.context.constant(0)
+            for half, terms in of_one_parity.items():
+                total += self.context.from_dict(terms) * square.top**half * square.bottom ** (highest - half)
+            if not self.vanishes(total, relations - 1):
+                return False
+        return True
+
+    def _letters(self, part: sp.Expr) -> Iterator[tuple[str, sp.Expr]]:
+        if part.is_Rational:
+            return
+        if part.is_Add or part.is_Mul or (part.is_Pow and part.exp.is_Integer):
+            for one in part.args:
+                yield from self._letters(one)
+        elif _is_root(part):
+            yield from self._letters(part.base)
+            yield "root", part.base
+        elif isinstance(part, _CIRCULAR):
+            for _, rest in _terms(part.args[0]):
+                yield "cosine", rest
+                yield "sine", rest
+        else:
+            yield "whole", part
+
+    def _turned(self, angle: sp.Expr) -> tuple[Fraction, Fraction]:
+        """Return cosine and sine of an angle, a sum of whole multiples of units."""
+        cosine, sine = self.one, self._constant(fmpq(0))
+        for factor, rest in _terms(angle):
+            times = factor / self.units[rest]
+            along, across = self._letter("cosine", rest), self._letter("sine", rest)
+            across = across if times > 0 else -across
+            for _ in range(abs(int(times))):
+                cosine, sine = cosine * along + -(sine * across), cosine * across + sine * along
+        return cosine, sine
+
+    def _letter(self, kind: str, part: sp.Expr) -> Fraction:
+        return Fraction(self.context.gen(self.place[kind, part]), self.context.constant(1))
+
+    def _constant(self, value: fmpq) -> Fraction:
+        return Fraction(self.context.constant(value), self.context.constant(1))
+
+
+def _is_root(part: sp.Expr) -> bool:
+    return bool(part.is_Pow and part.exp.is_Rational and part.exp.q == 2)
+
+
+def _terms(angle: sp.Expr) -> list[tuple[sp.Rational, sp.Expr]]:
+    """Return an angle as a sum of rational multiples."""
+    return [one.as_coeff_Mul(rational=True) for one in sp.Add.make_args(angle)]
+
+
+def _units(expression: sp.Expr) -> dict[sp.Expr, sp.Rational]:
+    """Return by angle the largest rational of which all its factors in the expression are whole multiples."""
+    factors = defaultdict(list)
+    for function in expression.atoms(TrigonometricFunction):
+        for factor, rest in _terms(function.args[0]):
+            factors[rest].append(factor)
+    return {
+        rest: sp.Rational(math.gcd(*(int(one.p) for one in all)), math.lcm(*(int(one.q) for one in all)))
+        for rest, all in factors.items()
+    }
