@@ -7,8 +7,8 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion Rate Turning Orbit Gap.
 Local Open Scope R_scope.
 
-(** derivatives in p: h' = c (1 + k^2), k' = -(1 + k^2), c' = 2 h;
-  so (h + 2 k/q)' = (c - 2/q)(1 + k^2) (twice the one in theta) *)
+(** derivatives in p: h' = c (1 + k^2), k' = -(1 + k^2), c' = 2 h; so (h + 2 k/q)' = (c - 2/q)(1 + k^2) (twice the one
+    in theta) *)
 Lemma inv_sin2 p : 0 < p < PI -> 1 + ct p ^ 2 = / sin p ^ 2.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.

@@ -1,5 +1,5 @@
-(** Long and short slips alternate, for solutions;
-  a short slip that ends in S0 stays above E_cr if 1 - 2 h k < q h^2. *)
+(** Long and short slips alternate, for solutions; a short slip that ends in S0 stays above E_cr if 1 - 2 h k < q
+    h^2. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit MergeSet Gap Alternate Cross.

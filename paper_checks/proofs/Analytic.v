@@ -1,12 +1,11 @@
-(** Analytic functions of time, as far as events need them: next to any time such a function is constant, or it
-  rises, or it
-    falls. Polynomials, sinusoids and their sums are analytic. *)
+(** Analytic functions of time, as far as events need them: next to any time such a function is constant, or it rises,
+    or it falls. Polynomials, sinusoids and their sums are analytic. *)
 From Coq Require Import Reals Lra Lia Psatz Classical List Wf_nat.
 From Coquelicot Require Import Coquelicot.
 Local Open Scope R_scope.
 
-(** f is analytic at t: near t it has derivatives P 0 = f, P 1, P 2, ...
-that grow no faster than those of a power series *)
+(** f is analytic at t: near t it has derivatives P 0 = f, P 1, P 2, ... that grow no faster than those of a power
+    series *)
 Definition analytic_at (f : R -> R) (t : R) := exists (P : nat -> R -> R) d C K, 0 < d /\ 0 < C /\ 0 < K /\
   (forall r, Rabs (r - t) < d -> P 0%nat r = f r) /\
   forall i r, Rabs (r - t) < d -> is_derive (P i) r (P (S i) r) /\ Rabs (P i r) <= C * K ^ i * INR (fact i).

@@ -1,6 +1,5 @@
 (** Motions under a force, put together from arcs: what starts on a smooth arc that obeys the law of friction runs
-  along it;
-    the mirror image of a motion; motions that repeat with the opposite sign. *)
+    along it; the mirror image of a motion; motions that repeat with the opposite sign. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence.

@@ -1,10 +1,8 @@
 (** The bound on an arrival in the least time is sharp, whatever the damping: the least amplitude is b + beta
-  tau/g(tau), g body 1's
-    response to a unit impulse, if g does not fall on [0, tau]; without damping b + m1 beta theta/sin theta,
-      theta = om1 tau <= pi/2.
-    The force is F until tau: body 1 runs ahead with the speed beta tau g(t)/g(tau), and is met at tau.
-      From then on the force may be
-    -F, and body 1 falls behind; or, where F allows it, the pair sticks at the limit, and both bodies come to rest. *)
+    tau/g(tau), g body 1's response to a unit impulse, if g does not fall on [0, tau]; without damping b + m1 beta
+    theta/sin theta, theta = om1 tau <= pi/2. The force is F until tau: body 1 runs ahead with the speed beta tau
+    g(t)/g(tau), and is met at tau. From then on the force may be -F, and body 1 falls behind; or, where F allows it,
+    the pair sticks at the limit, and both bodies come to rest. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Nonstop Undamped Transfer.

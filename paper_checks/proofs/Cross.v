@@ -1,6 +1,5 @@
 (** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and the exact set of energies that
-  merge
-    after the first slip. *)
+    merge after the first slip. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap MergeSet.
@@ -145,9 +144,8 @@ Proof.
     + exists k', t2. repeat (split; [auto; fail|]). intros t Hu. apply A4; auto.
 Qed.
 
-(** From a ray, every p in (0, PI): the first contact is at t1,
-  and it sticks for ever from there exactly if hh^2 <= r depth^2;
-    that implies depth <= 2/q, that is, a landing inside S0. *)
+(** From a ray, every p in (0, PI): the first contact is at t1, and it sticks for ever from there exactly if hh^2 <= r
+    depth^2; that implies depth <= 2/q, that is, a landing inside S0. *)
 Theorem merges_at_first_landing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI ->
   on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
   let t1 := t0 + 2 * p / o1 in

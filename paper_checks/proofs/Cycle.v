@@ -219,8 +219,8 @@ Lemma amp_ge y : 0 <= y -> 1 <= amp y.
 Proof. intros. pose proof q_pos. unfold amp. rewrite <- sqrt_1 at 1. apply sqrt_le_1_alt.
   assert (0 <= q * y) by (apply Rmult_le_pos; lra). lra. Qed.
 
-(** the data of the stick from (L z, v), v < 0,
-  at the level y = u^2: it starts there and ends on the ray x = -L with speed ray u *)
+(** the data of the stick from (L z, v), v < 0, at the level y = u^2: it starts there and ends on the ray x = -L with
+    speed ray u *)
 Lemma stick_ends z v u : 0 < u -> -1 <= z <= 1 -> v < 0 -> energy m1 m2 a2 (L * z) v v = Ecr * (1 + q * u ^ 2) ->
   let rho := amp (u ^ 2) in let al := acos (z / rho) in let T := (acos (- / rho) - al) / om in
   1 < rho /\ 0 < al < PI /\ rho * cos al = z /\ al + om * T = acos (- / rho) /\ cos (acos (- / rho)) = - / rho /\
@@ -274,8 +274,8 @@ Proof.
     replace (rho * rho * (1 - / rho * / rho)) with (rho * rho - 1) by (field; lra). rewrite R2, <- Mo. field.
 Qed.
 
-(** Every solution that is on S inside the strip, at the level y > 0 and moving to the left,
-  sticks until the ray x = -L. *)
+(** Every solution that is on S inside the strip, at the level y > 0 and moving to the left, sticks until the ray x =
+    -L. *)
 Theorem stick x v1 v2 s t0 z u : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < u ->
   x t0 = L * z -> -1 <= z <= 1 -> v1 t0 < 0 -> v2 t0 = v1 t0 ->
   energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * u ^ 2) ->

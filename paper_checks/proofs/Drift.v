@@ -1,6 +1,5 @@
 (** What a periodic response moves body 2 on by in one period: the integral of its velocity, and nothing where the
-  force repeats
-    with the opposite sign after half a period. *)
+    force repeats with the opposite sign after half a period. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Periodic.

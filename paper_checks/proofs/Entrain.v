@@ -130,9 +130,9 @@ Lemma rV_period n t : rV (t + INR n * (2 * PI / om)) = rV t.
 Proof. unfold rV. replace (om * (t + INR n * (2 * PI / om))) with (om * t + 2 * INR n * PI) by (field; lra).
   rewrite cos_period, sin_period. auto. Qed.
 
-(** a1 > 0: under F > F* nothing sticks for ever.
-  A scaled difference of a stuck motion and the stuck response is a stuck
-    motion of the free pair, which comes to rest; so the response inherits the Lipschitz constant b/m2 of the motion. *)
+(** a1 > 0: under F > F* nothing sticks for ever. A scaled difference of a stuck motion and the stuck response is a
+    stuck motion of the free pair, which comes to rest; so the response inherits the Lipschitz constant b/m2 of the
+    motion. *)
 Theorem stuck_for_ever x v1 v2 s : 0 < a1 -> forced m1 m2 a1 a2 b drive x v1 v2 s -> (forall t, 0 <= t ->
   v1 t = v2 t) -> F <= Fstar.
 Proof.

@@ -304,8 +304,8 @@ Proof.
   - rewrite (V _ (f_pos _ _ _ _ _ H t Ht ltac:(lra))) in B. rewrite Rabs_pos_eq in B; lra.
 Qed.
 
-(** every r with |r''| <= b/m2 (r' Lipschitz) is followed, stuck,
-  under the impulse of M r'' + a1 r' + a2 (x0 + r - r(0)) *)
+(** every r with |r''| <= b/m2 (r' Lipschitz) is followed, stuck, under the impulse of M r'' + a1 r' + a2 (x0 + r -
+    r(0)) *)
 Theorem trackable x0 r r' : cont r -> (forall t, 0 <= t -> rderiv r t (r' t)) ->
   (forall p q, 0 <= p <= q -> Rabs (r' q - r' p) <= b / m2 * (q - p)) ->
   forced (fun t => M * r' t + a1 * r t + a2 * integral (fun u => x0 + r u - r 0) t)
@@ -434,8 +434,8 @@ Proof.
   apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat|]; auto.
 Qed.
 
-(** the bang-bang motion with its kinks at 0, tau, 2 tau: y |y| / 2 has the derivative |y|,
-  and |y| the right derivative +-1 *)
+(** the bang-bang motion with its kinks at 0, tau, 2 tau: y |y| / 2 has the derivative |y|, and |y| the right
+    derivative +-1 *)
 Definition side y := if Rle_dec 0 y then 1 else -1.
 (** the right derivative of |t - c| *)
 Lemma rderiv_Rabs c t : rderiv (fun u => Rabs (u - c)) t (side (t - c)).

@@ -1,10 +1,8 @@
 (** Existence: from every start there is a motion. No time steps: v2 = v2(0) + (b/m2) s and m1 v1 + b s = P, so the
-  inclusion
-    says that s chases c = (P/m1 - v2(0)) / (b/m1 + b/m2) with speed at most 1;
-      the chaser moves no more than c when c is
-    changed, and P is then the fixed point of a Picard iteration.
-    The impulse U of the force cancels in the difference of two
-    iterates, and enters the first step only: so the constant C grows with t, and each bound is taken until t. *)
+    inclusion says that s chases c = (P/m1 - v2(0)) / (b/m1 + b/m2) with speed at most 1; the chaser moves no more
+    than c when c is changed, and P is then the fixed point of a Picard iteration. The impulse U of the force cancels
+    in the difference of two iterates, and enters the first step only: so the constant C grows with t, and each bound
+    is taken until t. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced.

@@ -1,5 +1,5 @@
-(** Any slip that starts on S at or beyond the end of the strip: gap d >= 0, push u;
-  it ends where hh p - d cot p = u. *)
+(** Any slip that starts on S at or beyond the end of the strip: gap d >= 0, push u; it ends where hh p - d cot p =
+    u. *)
 From Coq Require Import Reals Lra Psatz Nsatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit.
@@ -237,8 +237,8 @@ Proof.
   destruct Hk; subst k; lra.
 Qed.
 
-(** Crossing: D > 2/q. It meets S beyond the other end, with gap D - 2/q and push h + k D,
-  and slips on with the other sign. *)
+(** Crossing: D > 2/q. It meets S beyond the other end, with gap D - 2/q and push h + k D, and slips on with the other
+    sign. *)
 Theorem crossing k x v1 v2 s t0 d p : k = 1 \/ k = -1 -> solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 <= d ->
   0 < p < PI ->
   at_gap k d (push d p) x v1 v2 t0 -> 2 / q < depth p + d ->

@@ -1,5 +1,5 @@
-(** Where merging at the first landing is possible (m1/m2 <= - cos (2 phi* )),
-  kappa_c >= 1/sqrt 3: so long and short slips alternate there. *)
+(** Where merging at the first landing is possible (m1/m2 <= - cos (2 phi* )), kappa_c >= 1/sqrt 3: so long and short
+    slips alternate there. *)
 From Coq Require Import Reals Lra Psatz.
 From Interval Require Import Tactic.
 From Coquelicot Require Import Coquelicot.

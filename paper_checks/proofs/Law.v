@@ -229,8 +229,8 @@ Proof.
 Qed.
 
 (** *** Every solution that never merges comes back to S0 slightly above E_cr *)
-(** Near the middle of the critical ellipse the speed of the stuck pair is stationary,
-  that of a slipping body is not: contact. *)
+(** Near the middle of the critical ellipse the speed of the stuck pair is stationary, that of a slipping body is not:
+    contact. *)
 Lemma strip x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s -> (forall t, 0 <= t -> Ecr < en (x t) (v1 t) (v2 t)) ->
   forall e, 0 < e -> exists t, 0 <= t /\ v1 t = v2 t /\ - L <= x t <= L /\ en (x t) (v1 t) (v2 t) <= Ecr + e.
 Proof.

@@ -1,7 +1,6 @@
-(** The energy tends to a limit of at most E_cr. The state is turned back by the angle Omega t: its coordinates A,
-  B move only
-    by slip, and slip costs energy, so they are paid for and converge; above E_cr each turn would cost a fixed amount.
-      *)
+(** The energy tends to a limit of at most E_cr. The state is turned back by the angle Omega t: its coordinates A, B
+    move only by slip, and slip costs energy, so they are paid for and converge; above E_cr each turn would cost a
+    fixed amount. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.

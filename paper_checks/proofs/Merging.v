@@ -1,16 +1,14 @@
-(** Who merges from S0 at the first re-entry,
-  without a hypothesis that there is one: for m1/m2 <= - cos (2 phi* ) exactly
-    the energies of one closed interval above E_cr. *)
+(** Who merges from S0 at the first re-entry, without a hypothesis that there is one: for m1/m2 <= - cos (2 phi* )
+    exactly the energies of one closed interval above E_cr. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp Cross Return Heavy
   Equivalence.
 Local Open Scope R_scope.
 
-(** Up to the critical mass ratio the energies on S0 that merge at the first re-entry,
-  after any number of crossings, are exactly one
-    closed interval: each solution from S0 above E_cr sticks up to an exit ray at te, and re-enters S0 at t,
-      for ever or not. *)
+(** Up to the critical mass ratio the energies on S0 that merge at the first re-entry, after any number of crossings,
+    are exactly one closed interval: each solution from S0 above E_cr sticks up to an exit ray at te, and re-enters S0
+    at t, for ever or not. *)
 Theorem merging_set_energies : exists ps, 0 < ps < PI /\ K ps = 0 /\
   forall m1 m2 a2 b, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b -> m1 / m2 <= - cos (2 * ps) ->
   exists El Eu, Ecr m1 m2 a2 b < El <= Eu /\ (m1 / m2 < - cos (2 * ps) -> El < Eu) /\

@@ -1,8 +1,7 @@
-(** Which mode follows at a contact v1 = v2, right after t0: with the load m2 (u - a2 x - a1 v1)/M,
-  the friction that sticking
-    needs, the pair sticks if the load is within b, and slips with the load's sign if it is beyond b.
-      The force need only be known
-    from t0 on, for a while, and be continuous from the right at t0: a jump at t0 decides with its later value. *)
+(** Which mode follows at a contact v1 = v2, right after t0: with the load m2 (u - a2 x - a1 v1)/M, the friction that
+    sticking needs, the pair sticks if the load is within b, and slips with the load's sign if it is beyond b. The
+    force need only be known from t0 on, for a while, and be continuous from the right at t0: a jump at t0 decides
+    with its later value. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded Arcs.
@@ -138,8 +137,8 @@ Proof.
   specialize (K t ltac:(lra)). specialize (K' t ltac:(lra)). lra.
 Qed.
 
-(** *** A load at the edge: k load = b. Beside the motion with the constant acceleration k beta,
-  in which both modes agree, *)
+(** *** A load at the edge: k load = b. Beside the motion with the constant acceleration k beta, in which both modes
+    agree, *)
 (** what the force asks beyond b: its first derivative that is not 0 decides *)
 Definition beyond k t := k * u t - a2 * (k * x t0 + k * v1 t0 * (t - t0) + b / m2 * (t - t0) ^ 2 / 2)
   - a1 * (k * v1 t0 + b / m2 * (t - t0)) - (m1 + m2) * (b / m2).
@@ -163,8 +162,7 @@ Proof.
 Qed.
 
 (** where the force asks more than b right after, the pair slips: body 1 gains on body 2 what the force asks beyond b,
-  less what
-    the spring and the damper take of that gain, which is less at first *)
+    less what the spring and the damper take of that gain, which is less at first *)
 Theorem slips_at_edge k : k = 1 \/ k = -1 -> k * load t0 = b -> (forall t, t0 < t < t0 + d0 -> 0 < beyond k t) ->
   exists d, 0 < d /\ forall t, t0 < t < t0 + d -> 0 < k * (v1 t - v2 t).
 Proof.

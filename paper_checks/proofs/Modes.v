@@ -1,6 +1,5 @@
 (** Modes: stick, slip forwards, slip backwards. A motion changes its mode finitely often in bounded time if one mode
-  lasts
-    for a while after every time and before every time. *)
+    lasts for a while after every time and before every time. *)
 From Coq Require Import Reals Lra Lia Psatz Classical.
 From InertialPair Require Import Dini Pair Stick.
 Local Open Scope R_scope.

@@ -109,8 +109,7 @@ Proof.
 Qed.
 
 (** An oscillator without damping under a constant push f, whose state changes sign over T: tested with the cosine and
-  the
-    sine about the middle. *)
+    the sine about the middle. *)
 Lemma sign_change m a f y y' T : 0 < m -> 0 < a -> 0 < T -> cont y -> cont y' ->
   (forall t, 0 <= t < T -> rderiv y t (y' t)) -> (forall t, 0 <= t < T -> rderiv (fun u => m * y' u) t (f - a * y t)) ->
   y T = - y 0 -> y' T = - y' 0 -> let o := sqrt (a / m) in

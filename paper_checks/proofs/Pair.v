@@ -1,6 +1,5 @@
-(** The friction pair: what a solution is; two solutions never move apart in the energy norm, so they are unique;
-  the rate of
-    the energy; and how long a stay off S can last. With damping a1 >= 0 throughout. *)
+(** The friction pair: what a solution is; two solutions never move apart in the energy norm, so they are unique; the
+    rate of the energy; and how long a stay off S can last. With damping a1 >= 0 throughout. *)
 From Coq Require Import Reals Lra Psatz.
 From InertialPair Require Import Dini.
 Local Open Scope R_scope.

@@ -1,5 +1,5 @@
-(** After a crossing: every short slip that ends in S0 stays above E_cr;
-  so does the first re-entry after any number of crossings. *)
+(** After a crossing: every short slip that ends in S0 stays above E_cr; so does the first re-entry after any number
+    of crossings. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Gap Alternate Cross
@@ -61,8 +61,8 @@ Proof.
   split; [destruct Hk; [right|left]; lra|]. auto.
 Qed.
 
-(** after a crossing the next contact is either again a crossing, or in S0 above E_cr,
-  whence it sticks up to a ray: no merging there *)
+(** after a crossing the next contact is either again a crossing, or in S0 above E_cr, whence it sticks up to a ray:
+    no merging there *)
 Theorem next_contact t0 p : 0 <= t0 -> crossed m1 m2 a2 b pc x v1 v2 t0 p -> let t1 := t0 + 2 * p / o1 m1 a2 in
   v1 t1 = v2 t1 /\ (forall t, t0 < t < t1 -> v1 t <> v2 t) /\
   ((exists p', crossed m1 m2 a2 b pc x v1 v2 t1 p' /\ (pc <= p -> p' <= PI - pc) /\ (p <= PI - pc -> pc <= p')) \/

@@ -1,6 +1,5 @@
 (** The relative motion of the bodies in a tube of the energy distance: how far the relative velocities differ, and
-  that the
-    displacement is not seen. *)
+    that the displacement is not seen. *)
 From Coq Require Import Reals Lra Psatz.
 From InertialPair Require Import Dini Pair Forced Drift.
 Local Open Scope R_scope.

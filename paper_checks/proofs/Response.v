@@ -1,12 +1,8 @@
-(** a1 > 0: two bounded solutions under the same Lipschitz impulse (bounded force) approach each other in the
-  energy norm.
-    Their distance D falls to a limit l.
-      Damping makes dv1 -> 0, then dx -> 0 (else the momentum runs away), so dv2 tends to
-    +-c with c^2 = 2 l / m2. If c > 0, the relative velocity of one pair stays c above the other's;
-      each time that it crosses
-    0 both friction forces are at opposite limits for a while,
-      and this costs a fixed part of dv2: so it crosses a last time,
-    and then one body 2 is pulled to one side for ever. *)
+(** a1 > 0: two bounded solutions under the same Lipschitz impulse (bounded force) approach each other in the energy
+    norm. Their distance D falls to a limit l. Damping makes dv1 -> 0, then dx -> 0 (else the momentum runs away), so
+    dv2 tends to +-c with c^2 = 2 l / m2. If c > 0, the relative velocity of one pair stays c above the other's; each
+    time that it crosses 0 both friction forces are at opposite limits for a while, and this costs a fixed part of
+    dv2: so it crosses a last time, and then one body 2 is pulled to one side for ever. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced.

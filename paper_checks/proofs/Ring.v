@@ -1,6 +1,5 @@
-(** The tolerance ring under a force: the energy distance of two motions never grows,
-  so a tube around one of them has one entry
-    time for the other and is never left; in it the relative velocities differ by a bounded amount. *)
+(** The tolerance ring under a force: the energy distance of two motions never grows, so a tube around one of them has
+    one entry time for the other and is never left; in it the relative velocities differ by a bounded amount. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced Response Bounded.
@@ -44,8 +43,7 @@ Proof.
 Qed.
 
 (** with damping, under a bounded force: every tube around a motion is entered by every other one at one time and for
-  good, and
-    with it the ring of relative velocities |w - w'| <= sqrt (2 kappa e) is never left again *)
+    good, and with it the ring of relative velocities |w - w'| <= sqrt (2 kappa e) is never left again *)
 Theorem ring U x v1 v2 s x' v1' v2' s' G e : forced m1 m2 a1 a2 b U x v1 v2 s -> forced m1 m2 a1 a2 b U x' v1' v2' s' ->
   0 <= G -> (forall r t, 0 <= r <= t -> Rabs (U t - U r) <= G * (t - r)) -> 0 < e ->
   exists T, 0 <= T /\

@@ -1,6 +1,5 @@
 (** The rest of the rule of modes: how slip and stick move under the load; the tie in which every derivative is 0;
-  jumps of the
-    force. *)
+    jumps of the force. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Entrain Mode

@@ -1,8 +1,6 @@
-(** Contacts and stuck motions (a1 = 0 from the second section on): every solution meets S in bounded time;
-  the ellipses on
-    S up to E_cr are solutions; on S at such a level a solution moves along its ellipse for ever, and the energy
-      distance
-    to it never grows. *)
+(** Contacts and stuck motions (a1 = 0 from the second section on): every solution meets S in bounded time; the
+    ellipses on S up to E_cr are solutions; on S at such a level a solution moves along its ellipse for ever, and the
+    energy distance to it never grows. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair.

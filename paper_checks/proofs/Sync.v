@@ -1,7 +1,6 @@
-(** Capture under a force: once the friction that sticking needs stays below b by a margin,
-  the pair sticks after a bounded
-    time and for ever. Then: a1 > 0, F < F*: every motion under F sin (om t) sticks for ever and tends to the
-      response. *)
+(** Capture under a force: once the friction that sticking needs stays below b by a margin, the pair sticks after a
+    bounded time and for ever. Then: a1 > 0, F < F*: every motion under F sin (om t) sticks for ever and tends to the
+    response. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced Limit Entrain Response Bounded.

@@ -1,6 +1,5 @@
-(** The fastest transfer of body 2 over D, from rest to rest in 2 tau,
-  tau = sqrt (m2 D/b): which amplitude of the force it
-    needs, stuck, and if the bodies may slip (a1 = 0). *)
+(** The fastest transfer of body 2 over D, from rest to rest in 2 tau, tau = sqrt (m2 D/b): which amplitude of the
+    force it needs, stuck, and if the bodies may slip (a1 = 0). *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Arcs Nonstop Undamped.
@@ -88,8 +87,8 @@ Proof.
     (Rminus_0_r 0), Rabs_R0 by lra. field.
 Qed.
 
-(** its amplitude: the push just before the middle, the hold, and, with little damping,
-  the largest push while it brakes *)
+(** its amplitude: the push just before the middle, the hold, and, with little damping, the largest push while it
+    brakes *)
 Theorem stuck_amplitude F : (forall t, 0 <= t -> Rabs (stuck_force t) <= F) <->
   (m1 + m2) * (b / m2) + a1 * sqrt (b / m2 * D) + a2 * D / 2 <= F /\ a2 * D <= F /\
   (a1 ^ 2 * (b / m2) <= a2 ^ 2 * D -> a2 * D + a1 ^ 2 * (b / m2) / (2 * a2) - (m1 + m2) * (b / m2) <= F).
@@ -176,10 +175,9 @@ Proof.
     Rmult_lt_0_compat; lra). lra.
 Qed.
 
-(** In the first half body 1 must gain the velocity beta tau against the friction b.
-  Tested with the speed g' of body 1's
-    response to a unit impulse, run backwards in time: while g' >= 0 no force of size F gives more than (F - b)
-      g(tau). *)
+(** In the first half body 1 must gain the velocity beta tau against the friction b. Tested with the speed g' of body
+    1's response to a unit impulse, run backwards in time: while g' >= 0 no force of size F gives more than (F - b)
+    g(tau). *)
 Theorem arrival_needs (g g' : R -> R) U x v1 v2 s x2 F : (forall t, is_derive g t (g' t)) ->
   (forall t, is_derive g' t (- (a2 * g t + a1 * g' t) / m1)) -> g 0 = 0 -> g' 0 = / m1 ->
   (forall t, 0 <= t <= tau -> 0 <= g' t) -> 0 < g tau ->

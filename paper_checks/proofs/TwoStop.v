@@ -1,10 +1,7 @@
-(** A sinusoidal force between U* and U**: motions that slip and stick once in each half period.
-  The state at the exit and the
-    two parts of the force solve a linear system: the load is b at the exit, v1 = v2 again at the end of the slip,
-      and the state
-    has changed sign after half a period. A solution of it is such a motion exactly if v1 > v2 in the slip and the
-      load stays
-    within b in the stick. *)
+(** A sinusoidal force between U* and U**: motions that slip and stick once in each half period. The state at the exit
+    and the two parts of the force solve a linear system: the load is b at the exit, v1 = v2 again at the end of the
+    slip, and the state has changed sign after half a period. A solution of it is such a motion exactly if v1 > v2 in
+    the slip and the load stays within b in the stick. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Entrain Arcs Nonstop.
@@ -18,8 +15,8 @@ Let T := PI / om.
 Let M := m1 + m2.
 Let u t := F * sin (om * t + phi).
 
-(** a motion under F sin (om t + phi) that slips forwards in (0, ts),
-  sticks until pi/om and repeats with the opposite sign *)
+(** a motion under F sin (om t + phi) that slips forwards in (0, ts), sticks until pi/om and repeats with the opposite
+    sign *)
 Definition two_stop x v1 v2 s := forced m1 m2 a1 a2 b (wave F om phi) x v1 v2 s /\
   (forall t, 0 < t < ts -> v2 t < v1 t) /\ (forall t, ts <= t <= PI / om -> v1 t = v2 t) /\
   forall t, 0 <= t -> x (PI / om + t) = - x t /\ v1 (PI / om + t) = - v1 t /\ v2 (PI / om + t) = - v2 t.

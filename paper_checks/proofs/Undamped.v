@@ -1,6 +1,5 @@
-(** U** without damping. The motion that slips for ever has a closed threshold,
-  and above body 1's resonance the relative
-    velocity keeps its sign by itself, so that the threshold decides alone. *)
+(** U** without damping. The motion that slips for ever has a closed threshold, and above body 1's resonance the
+    relative velocity keeps its sign by itself, so that the threshold decides alone. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Forced Nonstop.

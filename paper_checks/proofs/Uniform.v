@@ -1,8 +1,6 @@
-(** What the law E - E_cr ~ 1/t owes to the energy at the start.
-  The upper constant depends on it alone: E - E_cr <= c/t, one c for
-    all motions that start below a level and never merge. The lower one does not: of every energy above E_cr there are
-      motions
-    that come to S0 within a fixed time as close to E_cr as one likes, and never merge. *)
+(** What the law E - E_cr ~ 1/t owes to the energy at the start. The upper constant depends on it alone: E - E_cr <=
+    c/t, one c for all motions that start below a level and never merge. The lower one does not: of every energy above
+    E_cr there are motions that come to S0 within a fixed time as close to E_cr as one likes, and never merge. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Slip Cycle Sharp Law Return Chase Forced
@@ -18,9 +16,8 @@ Let o1 := o1 m1 a2.
 Let be := b / m2.
 Let energy := energy m1 m2 a2.
 
-(** A slip that ends at x = b/a2, where body 1 alone would rest, with the speed v: traced back,
-  body 1 swings about that place
-    and is never faster than v, while body 2 was faster by beta at each unit of time. *)
+(** A slip that ends at x = b/a2, where body 1 alone would rest, with the speed v: traced back, body 1 swings about
+    that place and is never faster than v, while body 2 was faster by beta at each unit of time. *)
 Lemma traced_back v T : 0 < v -> 0 <= T -> exists x v1 v2 s, solution m1 m2 0 a2 b x v1 v2 s /\
   x 0 = b / a2 - v / o1 * sin (o1 * T) /\ v1 0 = v * cos (o1 * T) /\ v2 0 = v + be * T /\ x T = b / a2 /\ v1 T = v /\
     v2 T = v.

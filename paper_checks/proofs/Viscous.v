@@ -1,5 +1,5 @@
-(** Captive level and, with a1 > 0, the way to rest: E decays exponentially,
-  and the pair sticks for ever in finite time. *)
+(** Captive level and, with a1 > 0, the way to rest: E decays exponentially, and the pair sticks for ever in finite
+    time. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
