@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, OneLineParser, refuse
+from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, OneLineParser, drop_output, refuse
 from numerics.faces import commands, maps, solving
 from numerics.faces.asking import add_control, add_map_roads
 from numerics.faces.flags import in_flags, natural, positive
@@ -157,21 +156,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except NumericsError as error:
         return refuse(in_flags(str(error)), FAILED)
     except BrokenPipeError:
-        _drop_output()  # the reader left; nothing more can be said
+        drop_output()  # the reader left; nothing more can be said
         return OK
     except OSError as error:
         file = error.filename2 or error.filename
         if file is None:
-            _drop_output()
+            drop_output()
         code = FAILED if file is None else USAGE
         return refuse(f"cannot write {file or 'the output'}: {error.strerror}", code)
     except KeyboardInterrupt:
         return refuse("interrupted; nothing was written", INTERRUPTED)
-
-
-def _drop_output() -> None:
-    """Send what is still buffered for stdout nowhere, so that the interpreter's last flush does not fail again."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from pathlib import Path
 from typing import NoReturn
@@ -19,10 +20,17 @@ def refuse(message: str, code: int) -> int:
     return code
 
 
+def drop_output() -> None:
+    """Send what is still buffered for stdout nowhere, so that the interpreter's last flush does not fail again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 def wrong_path(path: Path | None, figure_flag: str = "") -> str | None:
     """Return what is wrong with a path to write to, or None; a figure is named by the flag that asked for it."""
     if path is None:
         return None
+    if path.is_dir():
+        return f"{str(path)!r} is a folder; name a file in it"
     if not path.parent.is_dir():
         return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
     if figure_flag and path.suffix not in FIGURES:

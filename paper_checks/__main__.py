@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from numerics.exits import OneLineParser
+from numerics.exits import OneLineParser, drop_output
 from paper_checks import reporting
 
 if TYPE_CHECKING:
@@ -50,9 +50,13 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
         _complain("interrupted")
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader has gone; what is still buffered must not raise again at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        drop_output()  # the reader has gone
         return 0
+    except OSError as error:
+        if error.filename is None:
+            drop_output()
+        _complain(f"cannot read or write {error.filename or 'the output'}: {error.strerror or error}")
+        return USAGE
     return code
 
 
@@ -180,7 +184,7 @@ def _explore(options: argparse.Namespace) -> int:
     try:
         atomic.write(options.out, page())
     except OSError as error:
-        _complain(f"the page cannot be written: {error}")
+        _complain(f"the page cannot be written: {error.filename}: {error.strerror}; choose another file with --out")
         return USAGE
     print(options.out)
     return 0
@@ -202,13 +206,13 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
     """Come by the rows, with progress on stderr where that is a terminal."""
+    from numerics.batch.parallel import available_cores
     from paper_checks.checks.registry import Context
     from paper_checks.report.formats.progress import progress
     from paper_checks.running import rows
     from paper_checks.running.kept import Kept
-    from paper_checks.running.workers import cores
 
-    manner = rows.Manner(options.jobs or (cores() if options.program else 1))
+    manner = rows.Manner(options.jobs or (available_cores() if options.program else 1))
     if options.program:
         manner = rows.Manner(manner.jobs, Kept(options.seed), options.fresh)
     with progress(len(claims)) as shown:

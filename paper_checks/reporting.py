@@ -75,7 +75,7 @@ def report(
     try:
         paths = _written(options, rows, trade, complaints)
     except OSError as error:
-        complain(f"the report cannot be written: {error}; choose another folder with --out")
+        complain(f"the report cannot be written: {error.filename}: {error.strerror}; choose another folder with --out")
         return USAGE
     except ToolMissingError as error:
         complain(str(error))

@@ -1,6 +1,7 @@
 """What a process that decides rows may do wrong; importable by it, wherever it is started."""
 
 import os
+import signal
 from multiprocessing.connection import Connection
 
 from paper_checks.checks.registry import Context, load_checks
@@ -14,3 +15,9 @@ def dies_of_energy_rate(connection: Connection, context: Context) -> None:
     while (name := connection.recv()) != "energy-rate":
         connection.send(plain(run([claim_named(name)], load_checks(), context)[0]))
     os._exit(7)
+
+
+def tells_what_ctrl_c_does(connection: Connection, context: Context) -> None:
+    """Answer each row with whether Ctrl-C was ignored before anything of ours ran in this process."""
+    while connection.recv():
+        connection.send(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)

@@ -64,7 +64,7 @@ def within(module: str, package: str) -> bool:
 
 FLOORS = {
     "numerics": (
-        ("errors", "exits"),
+        ("errors", "exits", "files"),
         ("scene",),
         ("arithmetic",),
         ("flows",),

@@ -6,12 +6,13 @@ numba itself would not notice that a text has changed which a compiled one calls
 from __future__ import annotations
 
 import hashlib
-import os
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager, suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
+
+from numerics.files import cache_folder
 
 try:
     import fcntl
@@ -58,7 +59,10 @@ def _one_process_at_a_time(compile_for: Callable[..., Any], path: Path) -> Calla
                 file = stack.enter_context(path.open("w"))
                 if fcntl is not None:
                     fcntl.flock(file, fcntl.LOCK_EX)  # closing the file ends it
-            return compile_for(types)
+            try:
+                return compile_for(types)
+            except OSError:  # compiled, but a full disk has not kept it: numba has it now, and finds it
+                return compile_for(types)
 
     return compiled
 
@@ -66,8 +70,8 @@ def _one_process_at_a_time(compile_for: Callable[..., Any], path: Path) -> Calla
 @contextmanager
 def _cache_folder(config: Any) -> Iterator[None]:
     before = config.CACHE_DIR
-    base = Path(before or os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    config.CACHE_DIR = str(base / "inertial-pair" / _digest_of_sources())
+    folder = Path(before) / "inertial-pair" if before else cache_folder()
+    config.CACHE_DIR = str(folder / _digest_of_sources())
     try:
         yield
     finally:

@@ -26,11 +26,15 @@ def _flag(found: re.Match[str]) -> str:
 
 def natural(text: str) -> int:
     """Return a whole number >= 0 of a flag."""
-    return 0 if text == "0" else positive(text)
+    return _whole(text, 0)
 
 
 def positive(text: str) -> int:
     """Return a whole number > 0 of a flag."""
-    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) > 0):
-        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from 1 to 999999999")
+    return _whole(text, 1)
+
+
+def _whole(text: str, least: int) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) >= least):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from {least} to 999999999")
     return int(text)

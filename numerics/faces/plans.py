@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from numerics.exits import FAILED, OK, USAGE, refuse, wrong_path
 from numerics.faces.printing import numbers, print_numbers, told_steps, write_figure
+from numerics.files import whole_file
 
 if TYPE_CHECKING:
     from numerics.control.transfer import Transfer
@@ -117,7 +118,8 @@ def _hand_over(scene: Scene | None, options: argparse.Namespace, otherwise: str)
     if scene is None:
         return refuse(otherwise, FAILED)
     if options.out is not None:
-        options.out.write_text(scene_text(scene), "utf-8")
+        with whole_file(options.out) as file:
+            file.write(scene_text(scene).encode())
     elif not options.json:
         print(scene_text(scene), end="")
     return OK

@@ -6,9 +6,9 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from numerics.files import whole_file
 from numerics.scene import Law, Scene
 from numerics.trajectory.curve import sampled
-from numerics.trajectory.export import whole_file
 from numerics.trajectory.figures import draw
 from numerics.trajectory.trajectory import Trajectory
 

@@ -39,7 +39,7 @@ def print_numbers(told: dict[str, str], units: dict[str, str], sentences: dict[s
 
 def write_figure(figure: Any, path: Path) -> None:
     """Write a matplotlib figure to a .svg, .pdf or .png file."""
-    from numerics.trajectory.export import whole_file
+    from numerics.files import whole_file
 
     with whole_file(path) as file:
         figure.savefig(file, format=path.suffix[1:], dpi=200)

@@ -25,7 +25,7 @@ from numerics.motion.frame import Frame
 from numerics.motion.modes import Mode
 from numerics.motion.records import ReducedState
 from numerics.scene import Scene
-from numerics.scene.decimals import Exact, exact_decimal
+from numerics.scene.decimals import Exact, exact_decimal, short
 from numerics.trajectory.digits import digits_within
 
 MAX_STEPS = 200_000
@@ -79,7 +79,7 @@ def energy_at(
     """
     at = exact_decimal(t, "t")
     if at <= 0:
-        raise InvalidScene("t must be > 0; give the time in seconds")
+        raise InvalidScene(f"t = {short(at)} must be > 0; give the time in seconds")
     rate_squared = scene.pair.a2 / scene.pair.mass * at * at
     size = max(0, math.ceil((rate_squared.numerator.bit_length() - rate_squared.denominator.bit_length()) * 0.1506))
     working = digits + size + _SPARE_DIGITS

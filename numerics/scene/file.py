@@ -71,7 +71,7 @@ def _text_of(path: Path, what: str, remedy: str) -> str:
     if len(data) > most:
         raise InvalidScene(f"{what} file {str(path)!r} is larger than {most} bytes; a {what} needs a dozen lines")
     try:
-        return data.decode("utf-8")
+        return data.decode("utf-8-sig")  # some editors on Windows begin a file with a byte order mark
     except UnicodeDecodeError:
         raise InvalidScene(f"{what} file {str(path)!r} is not UTF-8 text; save it as UTF-8") from None
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any, Protocol
 
+from numerics.files import whole_file
 from numerics.trade.front import Point, best_front
 from numerics.trade.growth import Growth
 from numerics.trade.ours import BALL, COMPILED, DOUBLE, MANY, MPMATH, READ
-from numerics.trajectory.export import whole_file
 
 COLOURS = ("#D55E00", "#0072B2", "#009E73", "#CC79A7", "#000000", "#8C6D00")
 """Told apart by those who do not see all colours, with `MARKERS` also without colour (after Okabe and Ito)."""

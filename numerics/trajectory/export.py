@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-import os
-import tempfile
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +14,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.errors import MissingTool
+from numerics.files import whole_file
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
 from numerics.trajectory.digits import rounding_of
 from numerics.trajectory.rendering import ball_text, right_digits_text
@@ -203,17 +201,3 @@ def dataframe(trajectory: Any) -> Any:
         {"t": found["t"], "mode": [mode.value for mode in modes], **state}
         | {name: found[name] for name in ("energy", "energy_excess")}
     )
-
-
-@contextmanager
-def whole_file(path: Path) -> Iterator[Any]:
-    """Open a binary file that takes its name only when the block ends well; otherwise nothing is left behind."""
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            yield file
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except BaseException:
-        os.unlink(temporary)
-        raise

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+from numerics import files
 from paper_checks.proofs.sources import LIBRARY, Source, all_required, in_order, keys
 
 try:
@@ -47,6 +48,18 @@ def why_not(search_path: str | None) -> str:
     return f"kernel not run: {' and '.join(missing)} not installed (Debian: {PACKAGES})" if missing else ""
 
 
+def cannot_keep(store: Path) -> str:
+    """Why nothing that is compiled can be kept in a store, in one line; empty if it can."""
+    try:
+        store.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=store) as file:
+            file.write(b"a full disk refuses this")
+    except OSError as error:  # the folder itself is not named: a report says the same everywhere
+        remedy = "set XDG_CACHE_HOME to a folder that can"
+        return f"kernel not run: the user's cache cannot be written ({error.strerror}); {remedy}"
+    return ""
+
+
 @cache
 def version(search_path: str | None) -> str:
     """What the compiler calls itself: two numbers, its own and OCaml's."""
@@ -56,17 +69,14 @@ def version(search_path: str | None) -> str:
 
 def cache_folder() -> Path:
     """Where compiled proofs are kept: `inertial-pair/proofs` in the user's cache."""
-    if named := os.environ.get("XDG_CACHE_HOME"):
-        return Path(named) / "inertial-pair" / "proofs"
-    local = os.environ.get("LOCALAPPDATA")
-    return (Path(local) if local else Path.home() / ".cache") / "inertial-pair" / "proofs"
+    return files.cache_folder() / "proofs"
 
 
 @contextmanager
 def locked(store: Path) -> Iterator[None]:
     """Let one process at a time compile into a store, where the system can: a second one then finds all done."""
     store.mkdir(parents=True, exist_ok=True)
-    with (store / "lock").open("w") as file:
+    with (store / "lock").open("w", encoding="utf-8") as file:
         if fcntl is not None:
             fcntl.flock(file, fcntl.LOCK_EX)
         yield

@@ -85,9 +85,9 @@ def build(progress: Progress | None = None, jobs: int = 2, store: Path | None = 
     problems, by name; nothing is raised for them.
     """
     pins = pinned()
-    if reason := kernel.why_not(os.environ.get("PATH")):
-        return _not_run(reason, pins)
     store = kernel.cache_folder() if store is None else store
+    if reason := kernel.why_not(os.environ.get("PATH")) or kernel.cannot_keep(store):
+        return _not_run(reason, pins)
     with kernel.locked(store):
         sources = _sources(folder, store)
         compiled, untied = tied.compiled(sources, progress, jobs, store)

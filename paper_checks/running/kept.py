@@ -37,7 +37,7 @@ def state(seed: int) -> str:
 def tools() -> tuple[str, ...]:
     """Return the versions of the kernel, or why it was not run, and of Python, and the machine's kind."""
     search_path = os.environ.get("PATH")
-    missing = kernel.why_not(search_path)
+    missing = kernel.why_not(search_path) or kernel.cannot_keep(kernel.cache_folder())
     return missing or kernel.version(search_path), platform.python_version(), platform.machine()
 
 

@@ -8,8 +8,8 @@ import shutil
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from numerics.files import cache_folder
 from paper_checks import atomic
-from paper_checks.proofs import kernel
 
 ROOT = Path(__file__).parents[2]
 PACKAGES = ("theory", "numerics", "paper_checks")
@@ -49,7 +49,7 @@ class Store:
     def __init__(self, kind: str, state: str, folder: Path | None = None) -> None:
         """Find the folder; `folder` instead of the one of this kind in the user's cache."""
         self._state = state
-        self._folder = (folder or kernel.cache_folder().parent / kind) / state
+        self._folder = (folder or cache_folder() / kind) / state
 
     def get(self, name: str) -> bytes | None:
         """Return what was put under a name; None where nothing was, or the file is not as it was written."""

@@ -6,11 +6,12 @@ A process that ends without an answer costs its own row only, which is undecided
 from __future__ import annotations
 
 import multiprocessing
-import os
 import pkgutil
 import signal
+import threading
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
@@ -34,11 +35,6 @@ SHARING = (
 """Checks that derive the same long series, which a process then has: they stand together, at the front."""
 
 
-def cores() -> int:
-    """Return how many processes can run at the same time here."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
 def method() -> Any:
     """Return how processes are started: from one that has loaded the checks, where the system can; else each anew."""
     if "forkserver" not in multiprocessing.get_all_start_methods():
@@ -54,7 +50,24 @@ def begin() -> None:
     if method().get_start_method() == "forkserver":
         from multiprocessing.forkserver import ensure_running  # there is none on Windows
 
-        ensure_running()
+        with _deaf():
+            ensure_running()
+
+
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """Let a process that is started here ignore Ctrl-C from its first moment: while it loads the checks, it has no word.
+
+    It inherits that from this one, which ends it; so this one does not hear Ctrl-C for the milliseconds that starting takes.
+    """
+    if threading.current_thread() is not threading.main_thread():  # another one may not say what a signal does
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before or signal.SIG_DFL)
 
 
 def found(
@@ -105,7 +118,12 @@ class _Process:
         started = method()
         self.connection, theirs = started.Pipe()
         self._process = started.Process(target=serve, args=(theirs, context), daemon=True)
-        self._process.start()
+        if started.get_start_method() == "forkserver":
+            begin()  # what is forked off it does not hear Ctrl-C either
+            self._process.start()
+        else:
+            with _deaf():
+                self._process.start()
         theirs.close()
 
     def end(self) -> int:

@@ -16,7 +16,7 @@ from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.solver.truth import record
 from numerics.trajectory.comparison import SequenceDiffers
-from numerics.trajectory.export import as_record, whole_file
+from numerics.trajectory.export import as_record
 
 SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[initial]\nv1 = 0.15\n[run]\nuntil = 2\n"
 STATE = ("x1", "v1", "x2", "v2")
@@ -116,16 +116,6 @@ def test_plots(capsys, scene_file, tmp_path, suffix):
     assert target.stat().st_size > 1000
 
 
-def test_a_file_appears_whole_or_not_at_all(tmp_path):
-    target = tmp_path / "result"
-    target.write_bytes(b"before")
-    with pytest.raises(RuntimeError), whole_file(target) as file:  # noqa: PT012
-        file.write(b"half of it")
-        raise RuntimeError
-    assert target.read_bytes() == b"before"
-    assert list(tmp_path.iterdir()) == [target]
-
-
 def test_the_table_and_the_list(capsys):
     code, out, err = run(capsys, "solve", "velocities")
     assert (code, err) == (0, "")
@@ -199,7 +189,6 @@ BAD_FILES = {
     "bomb": (SCENE + "law = " + "[" * 20000 + "]" * 20000).encode(),
     "not utf-8": b"\xff\xfe" + SCENE.encode("utf-16-le"),
     "empty": b"",
-    "mark": b"\xef\xbb\xbf" + SCENE.encode(),
 }
 
 

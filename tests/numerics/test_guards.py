@@ -138,9 +138,9 @@ def test_ctrl_c_while_reporting_leaves_nothing(tmp_path, module):
 
 
 HALF_WRITTEN = {
-    "npz": "from numerics.trajectory.export import whole_file\n"
+    "npz": "from numerics.files import whole_file\n"
     "with whole_file(Path('result')) as file:\n    file.write(b'x' * 10**6); file.flush(); wait()",
-    "renamed": "os.replace = lambda *_: wait()\nfrom numerics.trajectory.export import whole_file\n"
+    "renamed": "Path.replace = lambda *_: wait()\nfrom numerics.files import whole_file\n"
     "with whole_file(Path('result')) as file:\n    file.write(b'x' * 10**6)",
     "report": "Path.replace = lambda *_: wait()\nfrom paper_checks import atomic\n"
     "atomic.write(Path('result'), 'x' * 10**6)",

@@ -4,6 +4,7 @@ import json
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from planted_trades import planted
@@ -166,6 +167,15 @@ def test_a_closed_pipe_is_no_error():
     result = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
     assert result.stderr == ""
     assert result.stdout.startswith("claim")
+
+
+def test_an_output_that_takes_nothing_is_told_in_one_line():
+    with Path("/dev/full").open("w", encoding="utf-8") as full:
+        result = subprocess.run(
+            [sys.executable, "-m", "paper_checks", "list"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert result.returncode == 2
+    assert result.stderr == "paper_checks: cannot read or write the output: No space left on device\n"
 
 
 def test_ctrl_c_ends_the_process_cleanly():

@@ -3,6 +3,7 @@
 import ast
 import json
 import re
+import signal
 import subprocess
 import sys
 import tomllib
@@ -10,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from dying_process import dies_of_energy_rate
+from dying_process import dies_of_energy_rate, tells_what_ctrl_c_does
 from interruption import interrupted
 
 from paper_checks.__main__ import main
@@ -189,6 +190,22 @@ def test_the_bytes_are_the_same_from_one_process_from_two_and_from_the_cache(tmp
 def test_ctrl_c_ends_all_processes_and_says_one_word(tmp_path):
     code, _, errors = interrupted("paper_checks", ["--fresh", "--jobs", "2"], "paper_checks.running.workers", tmp_path)
     assert (code, errors) == (130, "paper_checks: interrupted\n")
+
+
+@pytest.fixture(params=["as here", "as on Windows"])
+def started(request, monkeypatch):
+    """Start processes as this system can, and each anew."""
+    if request.param == "as on Windows":
+        monkeypatch.setattr(workers.multiprocessing, "get_all_start_methods", lambda: ["spawn"])
+    return workers.method().get_start_method()
+
+
+def test_ctrl_c_is_ignored_by_a_process_that_still_loads_the_checks(started):
+    claims = [claim_named(name) for name in QUICK[:2]]
+    before = signal.getsignal(signal.SIGINT)
+    assert list(workers.found(claims, Context(), 1, tells_what_ctrl_c_does)) == [True, True]
+    assert signal.getsignal(signal.SIGINT) is before
+    assert started in {"forkserver", "spawn"}
 
 
 def test_what_fails_prints_its_traceback_where_that_is_asked_for(capsys):

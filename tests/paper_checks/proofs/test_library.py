@@ -1,6 +1,8 @@
 """The shipped theorems: all proved as pinned, and every kind of fault turns one by its name."""
 
 import dataclasses
+import errno
+import os
 import re
 import shutil
 import subprocess
@@ -33,6 +35,28 @@ def planted(monkeypatch):
 @pytest.fixture
 def without_kernel(monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", str(tmp_path))
+
+
+def test_where_nothing_can_be_kept_the_kernel_is_not_run(monkeypatch, tmp_path):
+    (tmp_path / "no folder").touch()
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "no folder"))
+    monkeypatch.setattr(kernel, "why_not", lambda _: "")
+    found = build()
+    assert (found.ran, {one.holds for one in found.theorems.values()}) == (False, {None})
+    assert re.fullmatch(
+        r"kernel not run: the user's cache cannot be written \(.+\); set XDG_CACHE_HOME .+", found.kernel
+    )
+    assert str(tmp_path) not in found.kernel  # the report says it, and is the same everywhere
+
+
+def test_a_full_disk_keeps_nothing(monkeypatch, tmp_path):
+    def full(**_):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    assert kernel.cannot_keep(tmp_path) == ""
+    monkeypatch.setattr(kernel.tempfile, "TemporaryFile", full)
+    assert os.strerror(errno.ENOSPC) in kernel.cannot_keep(tmp_path)
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.slow
