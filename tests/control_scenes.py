@@ -1,4 +1,4 @@
-"""Scenes and answers of numerics/control handed to the independent reference, which shares no code with it."""
+"""Scenes and answers of numerics/control; both handed to the independent reference, which shares no code with it."""
 
 import tomllib
 from fractions import Fraction
@@ -8,8 +8,15 @@ from forced_reference import Reference
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Orbit
 from numerics.control.rounding import rounded
-from numerics.scene import Force, Piece, Scene, Sine, State
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.writing import scene_text
+
+FREE, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 3)
+
+
+def under(pair: Pair, amplitude: object, omega: object = 12, **more: object) -> Scene:
+    """The pair at rest under one sine."""
+    return Scene(pair, State(), until=1, force=Force.sine(amplitude, omega), **more)
 
 
 def referred(scene: Scene, digits: int = 36) -> Reference:

@@ -200,7 +200,7 @@ def driven_scenes(draw) -> Scene:
     rates = st.sampled_from([stick / 3, stick, slip, slip * (1 + Fraction(1, 10**9)), 2 * slip, 3 * stick])
     times = st.integers(0, 99).map(lambda n: until * n / 100)
     pieces = []
-    for start in sorted(draw(st.sets(times, max_size=4))):
+    for start in sorted(draw(st.sets(times, min_size=1, max_size=4))):
         powers = draw(st.lists(sizes, max_size=3))
         waves = draw(
             st.lists(st.builds(Sine, sizes.map(lambda a: a * held), rates, signed(decimals(-1, 0, 1))), max_size=2)

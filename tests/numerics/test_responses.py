@@ -2,34 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from control_scenes import one_period, referred
-from flint import arb, arb_mat
-from hypothesis import example, given, settings
+from control_scenes import DAMPED, FREE, one_period, referred, under
+from flint import arb
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
-from strategies import decimals, signed, sine_scenes
+from strategies import decimals, sine_scenes
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.again import orbit_again
-from numerics.control.cyclic import Link, newton_step
 from numerics.control.figures import draw_response
-from numerics.control.linear import LinearMode, W
-from numerics.control.orbit import Drive, Leg, Orbit, _eigenvalues_of_two, _proved, prove_modes, solve_orbit
+from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
 from numerics.control.stuck import flattened_state, stuck_state
-from numerics.errors import EventUndecided, InvalidScene, NotSettled
+from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
-
-PAIR, FREE = Pair(1, 1, 200, "0.5", 3), Pair(1, 1, 200, "0.5")
-
-
-def under(pair: Pair, amplitude: object, omega: object = 12, **more: object) -> Scene:
-    return Scene(pair, State(), until=1, force=Force.sine(amplitude, omega), **more)
 
 
 def returned(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fraction(0),) * 3) -> np.ndarray:
@@ -61,7 +51,7 @@ def test_a_periodic_motion_comes_back_by_the_reference(case):
             assert abs(end - Ball.number(at)) < size * arb(10) ** -18
 
 
-@pytest.mark.parametrize(("pair", "amplitude"), [(PAIR, "0.5"), (PAIR, "1.5"), (FREE, "0.4"), (FREE, "0.6")])
+@pytest.mark.parametrize(("pair", "amplitude"), [(DAMPED, "0.5"), (DAMPED, "1.5"), (FREE, "0.4"), (FREE, "0.6")])
 def test_multipliers_are_those_of_the_reference(pair, amplitude):
     """Central differences of the period map; only those tangent to stick if the motion starts in a stick phase."""
     found = response(under(pair, amplitude))
@@ -78,11 +68,11 @@ def test_a_two_sided_force_makes_body_2_drift():
     """Continued from one sine, the second harmonic added in steps; the mirrored force drifts back as fast."""
     drifts = []
     for side in (1, -1):
-        legs = response(under(PAIR, "0.5")).orbit.legs
+        legs = response(under(DAMPED, "0.5")).orbit.legs
         for k in range(1, 5):
             piece = Piece(0, (), [Sine("0.5", 12), Sine(Fraction(side * k, 20), 24)])
             with Ball(30).context():
-                orbit = solve_orbit(Orbit(Drive(PAIR, PAIR.b, piece, Fraction(12)), legs))
+                orbit = solve_orbit(Orbit(Drive(DAMPED, DAMPED.b, piece, Fraction(12)), legs))
             legs = orbit.legs
         drifts.append(float((orbit.travel / orbit.drive.period).mid()))
         run = referred(one_period(orbit))
@@ -92,8 +82,8 @@ def test_a_two_sided_force_makes_body_2_drift():
 
 
 def test_a_constant_force_only_shifts_the_motion():
-    plain = response(under(PAIR, "0.5"))
-    shifted = response(Scene(PAIR, State(), 1, force=Force((Piece(0, ["0.3"], [Sine("0.5", 12)]),))))
+    plain = response(under(DAMPED, "0.5"))
+    shifted = response(Scene(DAMPED, State(), 1, force=Force((Piece(0, ["0.3"], [Sine("0.5", 12)]),))))
     for one, two in zip(plain.orbit.legs, shifted.orbit.legs, strict=True):
         assert (two.x - one.x).overlaps(Ball.number(Fraction(3, 2000)))
         assert two.v.overlaps(one.v)
@@ -103,7 +93,7 @@ def test_the_last_piece_and_the_last_friction_decide():
     late = Force((Piece(0, ["7", "1"]), Piece(2, (), [Sine("0.5", 12)])))
     scene = Scene(Pair(1, 1, 200, 9, 3), State(), 5, force=late, friction=Friction([(1, "0.5")]))
     assert steady_drive(scene).b == Fraction(1, 2)
-    assert response(scene).orbit.legs[0].x.overlaps(response(under(PAIR, "0.5")).orbit.legs[0].x)
+    assert response(scene).orbit.legs[0].x.overlaps(response(under(DAMPED, "0.5")).orbit.legs[0].x)
 
 
 def test_resonance_of_body_1_grows_above_4b_over_pi():
@@ -125,29 +115,11 @@ def test_on_the_threshold_the_load_touches_and_has_no_multipliers():
     assert response(under(exact, "1.8750000000001", 4)).regime is Regime.STICK_SLIP
 
 
-@pytest.mark.parametrize("planted", ["side", "late"])
-def test_a_false_mode_is_not_proved(planted):
-    orbit = response(under(PAIR, "0.5")).orbit
-    legs = list(orbit.legs)
-    legs[0] = replace(legs[0], side=-1) if planted == "side" else replace(legs[0], t=legs[1].t + 1)
-    with pytest.raises(EventUndecided), Ball(20).context():
-        prove_modes(Orbit(orbit.drive, tuple(legs)))
-
-
-@pytest.mark.parametrize("amplitude", ["0.2", "5"])
-def test_events_that_no_motion_has_are_not_proved(amplitude):
-    """Those of a stick-slip motion, under a force for which there is none of the kind."""
-    legs = [Leg(leg.side, leg.t.mid(), leg.x.mid(), leg.v.mid()) for leg in response(under(PAIR, "0.5")).orbit.legs]
-    drive = steady_drive(under(PAIR, amplitude))
-    with Ball(20).context(), pytest.raises(EventUndecided):
-        _proved(Orbit(drive, tuple(legs)))
-
-
 @pytest.mark.parametrize("amplitude", ["0.22", "0.24"])
 def test_a_force_and_its_opposite_have_the_same_regime(amplitude):
     """Their loads have other largest than smallest values: both edges count."""
     force = Force.sine(amplitude, 12, "1.5708") + Force.sine("0.3", 24, "1.2")
-    assert len({response(Scene(PAIR, State(), 1, force=one)).regime for one in (force, -force)}) == 1
+    assert len({response(Scene(DAMPED, State(), 1, force=one)).regime for one in (force, -force)}) == 1
 
 
 def test_sines_of_one_frequency_may_cancel_at_resonance():
@@ -155,35 +127,22 @@ def test_sines_of_one_frequency_may_cancel_at_resonance():
     assert response(Scene(Pair(1, 1, 100, "0.5"), State(), 1, force=force)).regime is not Regime.GROWS
 
 
-@given(*[signed(decimals(-3, 3))] * 4)
-def test_the_larger_multiplier_comes_first(a, b, c, d):
-    with Ball(20).context():
-        numbers = [Ball.number(one) for one in (a, b, c, d)]
-        try:
-            large, small = _eigenvalues_of_two(*numbers)
-        except EventUndecided:
-            return
-        assert not abs(large) < abs(small)
-        assert (large + small - numbers[0] - numbers[3]).contains(0)
-        assert (large * small - numbers[0] * numbers[3] + numbers[1] * numbers[2]).contains(0)
-
-
 def test_what_is_no_periodic_force_is_refused():
     for force in (Force.step(0, 1), Force.ramp(0, 1, 1)):
         with pytest.raises(InvalidScene, match="periodic"):
-            response(Scene(PAIR, State(), 1, force=force))
+            response(Scene(DAMPED, State(), 1, force=force))
     with pytest.raises(InvalidScene, match="law"):
-        response(under(PAIR, 1, law="three-valued-sgn"))
+        response(under(DAMPED, 1, law="three-valued-sgn"))
     two = Force.sine(1, 3) + Force.sine(1, 5)
     with pytest.raises(InvalidScene, match="one sine"):
-        response(Scene(PAIR, State(), 1, force=two), amplitude=1)
+        response(Scene(DAMPED, State(), 1, force=two), amplitude=1)
     with pytest.raises(InvalidScene, match="amplitude"):
-        response(under(PAIR, 1), amplitude=0)
+        response(under(DAMPED, 1), amplitude=0)
 
 
 def test_a_scene_without_a_force_takes_the_sine_that_is_given():
-    scene = Scene(PAIR, State(), 1)
-    one, two = response(scene, amplitude="0.2", omega=12), response(under(PAIR, "0.2"))
+    scene = Scene(DAMPED, State(), 1)
+    one, two = response(scene, amplitude="0.2", omega=12), response(under(DAMPED, "0.2"))
     assert (one.drive, one.regime) == (two.drive, two.regime)
     for half in ({}, {"amplitude": 1}, {"omega": 1}):
         with pytest.raises(InvalidScene, match="the scene has no force"):
@@ -195,7 +154,7 @@ def test_a_scene_without_a_force_takes_the_sine_that_is_given():
 
 @pytest.mark.parametrize("amplitude", ["0.2", "0.5", "2"])
 def test_pictures_are_drawn(amplitude):
-    found = response(under(PAIR, amplitude))
+    found = response(under(DAMPED, amplitude))
     figure = draw_response(found)
     figure.draw_without_rendering()
     assert len(figure.axes) == 3
@@ -209,80 +168,9 @@ def test_pictures_are_drawn(amplitude):
 @settings(max_examples=3)
 def test_overrides_are_the_scene_with_that_sine(k):
     amplitude = Fraction(k, 4)
-    assert response(under(PAIR, 1, 9), amplitude=amplitude, omega=12).multipliers is not None
-    one, two = response(under(PAIR, 1, 9), amplitude=amplitude, omega=12), response(under(PAIR, amplitude))
+    assert response(under(DAMPED, 1, 9), amplitude=amplitude, omega=12).multipliers is not None
+    one, two = response(under(DAMPED, 1, 9), amplitude=amplitude, omega=12), response(under(DAMPED, amplitude))
     assert one.regime is two.regime
-
-
-# long periods, light bodies, and an end in bounded time
-
-
-@given(st.integers(1, 9), st.integers(1, 10**6))
-@settings(max_examples=8)
-def test_a_step_around_the_ring_of_events_is_that_of_the_whole_matrix(count, seed):
-    draw = np.random.default_rng(seed).uniform(-1, 1, (count, 3, 7)) + 2 * np.eye(3, 7, 4)
-    links = [
-        Link(arb_mat(one[:, :1].tolist()), arb_mat(one[:, 1:4].tolist()), arb_mat(one[:, 4:].tolist())) for one in draw
-    ]
-    steps = np.array([[float(x) for x in step.entries()] for step in newton_step(links)]).ravel()
-    whole, missed = np.zeros((3 * count, 3 * count)), draw[:, :, 0].ravel()
-    for k, one in enumerate(draw):
-        rows, after = slice(3 * k, 3 * k + 3), (k + 1) % count
-        whole[rows, 3 * k : 3 * k + 3] += one[:, 1:4]
-        whole[rows, 3 * after : 3 * after + 3] += one[:, 4:]
-    assert steps == pytest.approx(-np.linalg.solve(whole, missed), rel=1e-6, abs=1e-6)
-
-
-def test_many_events_in_a_period_are_solved_together():
-    """5 and 5.5 rad/s: some 30 events in 4 pi seconds, solved as one ring of equations."""
-    pair = Pair(1, 1, 200, "0.05", 1)
-    found = response(Scene(pair, State(), 1, force=Force.sine("0.3", 5) + Force.sine("0.3", "5.5")))
-    assert len(found.orbit.legs) > 30
-    assert orbit_again(found.orbit, 15).final_mode.sign == found.orbit.legs[0].side
-
-
-def test_a_light_body_1_takes_no_finer_parts_for_ever():
-    """Its own rates are 10^6/s and 200/s; the slip is 0.2 s long."""
-    found = response(under(Pair("1e-6", 1, 200, "0.05", 1), "0.6", 5))
-    assert found.regime is Regime.STICK_SLIP
-    assert orbit_again(found.orbit, 15).final_mode is not None
-
-
-@pytest.mark.parametrize(
-    ("omega", "max_events", "said"), [("7.000000001", 500, "500 events, 2 periods"), ("15", 27, "a fifth")]
-)
-def test_what_does_not_settle_within_the_cap_is_said_at_once(omega, max_events, said):
-    scene = Scene(Pair(1, 1, 200, "0.05", 1), State(), 1, force=Force.sine("0.3", 5) + Force.sine("0.3", omega))
-    with pytest.raises(NotSettled, match=said):
-        response(scene, max_events=max_events)
-
-
-def test_who_waits_hears_what_is_done():
-    heard: list[str] = []
-    response(under(PAIR, "0.5"), tell=heard.append)
-    assert any("solving a periodic motion of 4 events" in one for one in heard)
-    assert any("proving the modes" in one for one in heard)
-
-
-def test_many_digits_are_solved_again_to_as_many():
-    found = response(under(PAIR, "0.5"), digits=120)
-    assert orbit_again(found.orbit, 120).final_mode is not None
-
-
-@given(decimals(-6, 6, 2), decimals(-2, 2, 2), st.sampled_from([0, 1, -1]), decimals(-3, 0, 2))
-@example(Fraction(1, 10**6), Fraction(1), 1, Fraction(1, 10))
-@settings(max_examples=25)
-def test_a_range_over_times_holds_the_values_at_them(m1, a1, side, length):
-    """Also where body 1 is so light that the bound by energy is the one that counts."""
-    mode = LinearMode(Pair(m1, 1, 200, "0.5", a1), Fraction(1, 2), side, Piece(0, ["0.1", 1, -2], [Sine("0.3", 7)]))
-    with Ball(30).context():
-        v1 = arb("0.2")
-        motion = mode.motion((arb("0.01"), v1, arb(0), v1 if side == 0 else arb(0)), arb("0.3"))
-        begin, end = Ball.number(length), Ball.number(2 * length)
-        for row, order in ((W, 0), (W, 1), (mode.load, 0), (mode.load, 1), (mode.load, 2)):
-            wide = motion.range(row, begin.union(end), order)
-            for k in range(5):
-                assert wide.overlaps(motion.range(row, begin + (end - begin) * k / 4, order))
 
 
 @pytest.mark.parametrize(("amplitude", "sticks"), [("8.5", True), ("-9.2", True), ("9.3", False)])
@@ -318,7 +206,7 @@ def test_the_stuck_response_is_a_motion_of_the_stuck_pair(a1, tenths):
 
 def test_a_drift_of_exactly_zero_is_said_only_where_no_other_motion_can_be():
     """Without a damper and without a stop nothing proves that the motion is the only one, odd as the force is."""
-    damped, free = (response(under(pair, "2")) for pair in (PAIR, FREE))
+    damped, free = (response(under(pair, "2")) for pair in (DAMPED, FREE))
     assert damped.regime is free.regime is Regime.NON_STOP
     assert damped.drift.is_zero()
     assert free.drift.contains(0)

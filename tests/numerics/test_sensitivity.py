@@ -1,8 +1,7 @@
-"""Sensitivities against differences of solves, against balls of other precision, and against exact identities."""
+"""Sensitivities against differences of solves, and against other arithmetics."""
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
 
 import numpy as np
@@ -12,11 +11,9 @@ from flint import arb
 from hypothesis import given, settings
 from strategies import near_critical, scenes
 
-from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.errors import EventUndecided, NumericsError
-from numerics.motion.modes import Mode
 from numerics.run.one import run_scene
 from numerics.scene import Law, Pair, Scene, State
 from numerics.sensitivity import duals, gradients
@@ -27,9 +24,17 @@ from numerics.trajectory.comparison import as_fraction
 from numerics.trajectory.record import NUMBERS
 
 PAPER = Pair(1, 1, 200, "0.5")
+
+
 LIGHT = Pair("0.1", 1, 200, "0.5")
+
+
 STUCK = State("0.002", "0.15", 0, "0.15")
+
+
 FAR = State("0.7", -4, 0, 1)
+
+
 SMOOTH = {
     "slip": Scene(PAPER, State(v1="0.15"), 5),
     "crossings": Scene(LIGHT, State("0.1", "0.3", 0, -1), 3),
@@ -49,6 +54,8 @@ SMOOTH = {
     "overdamped, long slip": Scene(Pair(1, 2, 1, "0.1", 3), State(1, -4, 0, 30), 900),
     "underdamped, long slip": Scene(Pair(1, 2, 1, "0.1", "0.05"), State(1, -4, 0, 30), 900),
 }
+
+
 NEAR = {
     "from a ray": Scene(PAPER, State("0.005", "5e-5", 0, "5e-5"), 3),
     "from inside": Scene(PAPER, State("0.003", "0.0400000625", 0, "0.0400000625"), 3),
@@ -185,64 +192,6 @@ def test_values_are_those_of_the_solver(name, arithmetic):
         assert str(plain.record.end(number)) == str(double.record.end(number).value)
 
 
-@given(scenes(damped=None, periods=(1, 2)))
-def test_identities(scene):
-    """Euler's identity for the three scaling groups, translations of x2, and the energy of the final state."""
-    trajectory = solve(scene, digits=20, arithmetic="ball")
-    found, pair, at = sensitivities(trajectory), scene.pair, scene.initial
-    with trajectory.arithmetic.context():
-        weigh = Weights(pair, at)
-        final, energy = trajectory.frame.si_state(trajectory.final), trajectory.frame.energy(trajectory.final)
-        for t, y, event in zip(found.t, found.y, trajectory.events, strict=True):
-            row = [t, *y]
-            assert all(weigh(one, m1=1, m2=1, a2=1, b=1, a1=1).contains(0) for one in row)
-            lengths = [weigh(one, x1=1, v1=1, x2=1, v2=1, b=1) for one in row]
-            assert all(one.overlaps(value) for one, value in zip(lengths, (arb(0), *event.y), strict=True))
-            times = [weigh(one, v1=-1, v2=-1, a2=-2, b=-2, a1=-1) for one in row]
-            true = (event.t, arb(0), -event.y[1], arb(0), -event.y[3])
-            assert all(one.overlaps(value) for one, value in zip(times, true, strict=True))
-            assert [float(one[WRT.index("x2")]) for one in row] == [0, 0, 0, 1, 0]
-        assert all(weigh(one, m1=1, m2=1, a2=1, b=1, a1=1).contains(0) for one in found.final)
-        assert weigh(found.energy, m1=1, m2=1, a2=1, b=1, a1=1).overlaps(energy)
-        lengths = [weigh(one, x1=1, v1=1, x2=1, v2=1, b=1) for one in found.final]
-        assert all(one.overlaps(value) for one, value in zip(lengths, final, strict=True))
-        assert weigh(found.energy, x1=1, v1=1, x2=1, v2=1, b=1).overlaps(2 * energy)
-        assert all(
-            one.overlaps(two) for one, two in zip(found.energy, energy_by_hand(scene, found, final), strict=True)
-        )
-
-
-class Weights:
-    """Sums of derivatives, each times its quantity and a whole number."""
-
-    def __init__(self, pair, at):
-        self.values = [ball(getattr(at if name in {"x1", "v1", "x2", "v2"} else pair, name)) for name in WRT]
-
-    def __call__(self, row, **weights):
-        return sum((row[k] * self.values[k] * weights[name] for k, name in enumerate(WRT) if name in weights), arb(0))
-
-
-def energy_by_hand(scene, found, final):
-    """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 differentiated with the state's derivatives."""
-    pair, (x1, v1, _, v2) = scene.pair, final
-    explicit = {"a2": x1 * x1 / 2, "m1": v1 * v1 / 2, "m2": v2 * v2 / 2}
-    moving = ball(pair.a2) * x1 * found.final[0] + found.final[1] * (ball(pair.m1) * v1)
-    return moving + found.final[3] * (ball(pair.m2) * v2) + np.array([explicit.get(name, arb(0)) for name in WRT])
-
-
-@given(scenes(damped=None, periods=(1, 4)))
-def test_neighbours_never_move_apart(scene):
-    """In the energy norm of (x1, v1, v2) the flow contracts: friction and viscosity are monotone."""
-    trajectory = solve(scene, arithmetic="ball", digits=15)
-    weights = np.sqrt([float(scene.pair.a2), float(scene.pair.m1), float(scene.pair.m2)])
-    rows, columns = [0, 1, 3], [WRT.index(name) for name in ("x1", "v1", "v2")]
-    final = sensitivities(trajectory).final
-    jacobian = np.array([[float(final[i, j].mid()) for j in columns] for i in rows])
-    assert np.linalg.norm(weights[:, None] * jacobian / weights, 2) <= 1 + 1e-9
-    if trajectory.final_mode is Mode.STICK:
-        assert all(abs(one - two) < 1e-9 * (1 + abs(one)) for one, two in zip(final[1], final[3], strict=True))
-
-
 @given(near_critical(exponents=(3, 12)))
 def test_near_critical_sensitivities_are_enclosed_and_close(scene):
     balls, floats = sensitivities(solve(scene, digits=20, arithmetic="ball")), sensitivities(solve(scene))
@@ -269,56 +218,3 @@ def test_an_event_on_the_horizon_has_no_derivative_there():
     assert len(trajectory.events) == 1
     with pytest.raises(EventUndecided, match="horizon"):
         sensitivities(trajectory)
-
-
-def scene_file(tmp_path):
-    path = tmp_path / "scene.toml"
-    path.write_text("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[initial]\nv1 = 0.15\n[run]\nuntil = 1\n")
-    return str(path)
-
-
-@pytest.mark.parametrize("arithmetic", ["ball", "mpmath", "float64"])
-def test_json_carries_them(arithmetic, tmp_path, capsys):
-    assert main(["solve", scene_file(tmp_path), "--json", "--sensitivity", "--arithmetic", arithmetic]) == 0
-    record = json.loads(capsys.readouterr().out)
-    truth = sensitivities(solve(Scene(PAPER, State(v1="0.15"), 1), digits=60, arithmetic="ball"))
-    for event, t, y in zip(record["events"], truth.t, truth.y, strict=True):
-        assert set(event["sensitivity"]) == {"t", "x1", "v1", "x2", "v2"}
-        for row, true in zip(event["sensitivity"].values(), (t, *y), strict=True):
-            check_row(row, true, arithmetic)
-    for row, true in zip(record["final"]["sensitivity"].values(), (*truth.final, truth.energy), strict=True):
-        check_row(row, true, arithmetic)
-
-
-def check_row(row, true, arithmetic):
-    with Ball(70).context():
-        for name, value in zip(WRT, true, strict=True):
-            exact = row[name] in {"0", "1"}
-            place = row[f"{name}_radius"] if arithmetic == "ball" else "0" if exact else f"1e{exponent(row[name])}"
-            assert arb(row[name], arb(place)).overlaps(value), (name, row[name])
-            assert arb(place) <= arb("1e-10") * (1 + abs(value))
-
-
-def exponent(text):
-    digits, _, power = text.lower().partition("e")
-    return int(power or 0) - len(digits.partition(".")[2])
-
-
-def test_the_archive_and_the_table_carry_them(tmp_path, capsys):
-    path = tmp_path / "out.npz"
-    assert main(["solve", scene_file(tmp_path), "--npz", str(path), "--sensitivity", "--digits", "20"]) == 0
-    found = sensitivities(solve(Scene(PAPER, State(v1="0.15"), 1)))
-    with np.load(path) as archive:
-        assert tuple(archive["sensitivity_wrt"]) == WRT
-        for name in ("t", "y", "final", "energy"):
-            assert np.allclose(archive[f"sensitivity_{name}"], getattr(found, name), rtol=1e-9, atol=1e-12)
-    assert main(["solve", scene_file(tmp_path), "--sensitivity"]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    last = next(line for line in lines if line.startswith("by b ")).split()
-    assert float(last[2]) == pytest.approx(found.t[-1, WRT.index("b")], rel=1e-5)
-
-
-@pytest.mark.parametrize("output", ["--csv", "--plot=x.svg"])
-def test_outputs_without_room_for_them_refuse(output, tmp_path, capsys):
-    assert main(["solve", scene_file(tmp_path), output, "--sensitivity"]) == 2
-    assert "--sensitivity" in capsys.readouterr().err
