@@ -34,7 +34,7 @@ class Line:
         root = mpmath.sqrt(mpmath.mpc(discriminant))
         self.one, self.two = (-a1 + root) / (2 * mass), (-a1 - root) / (2 * mass)
         y = x - self.rest
-        self.double = self.one == self.two
+        self.double, self.turns = self.one == self.two, discriminant < 0
         if self.double:
             self.c1, self.c2 = mpmath.mpc(y), v - self.one * y
         else:
@@ -43,11 +43,15 @@ class Line:
 
     def position(self, t):
         e1 = mpmath.exp(self.one * t)
+        if self.turns:  # the other exponential is the conjugate of this one, and so is its coefficient
+            return 2 * (self.c1 * e1).real + self.rest
         value = (self.c1 + self.c2 * t) * e1 if self.double else self.c1 * e1 + self.c2 * mpmath.exp(self.two * t)
         return value.real + self.rest
 
     def speed(self, t):
         e1 = mpmath.exp(self.one * t)
+        if self.turns:
+            return 2 * (self.c1 * self.one * e1).real
         if self.double:
             return (((self.c1 + self.c2 * t) * self.one + self.c2) * e1).real
         return (self.c1 * self.one * e1 + self.c2 * self.two * mpmath.exp(self.two * t)).real

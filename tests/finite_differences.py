@@ -9,7 +9,7 @@ from flint import arb, fmpq
 from strategies import scaled_speed
 
 from numerics.scene import Pair, Scene, State
-from numerics.sensitivity.sensitivity import WRT, sensitivities
+from numerics.sensitivity.sensitivity import WRT, Sensitivity, sensitivities
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
@@ -61,16 +61,16 @@ def numbers(trajectory: Trajectory, base: Trajectory, events: int) -> list[arb]:
     return found
 
 
-def derivatives(base: Trajectory, name: str, events: int) -> list[arb]:
+def derivatives(base: Trajectory, found: Sensitivity, name: str, events: int) -> list[arb]:
     """The derivatives of `numbers`, from the sensitivities."""
-    found, units, index = sensitivities(base), _units(base), WRT.index(name)
+    units, index = _units(base), WRT.index(name)
     rows = [value / unit for value, unit in zip(found.final[:, index], units, strict=True)]
     for t, y in list(zip(found.t[:, index], found.y[:, :, index], strict=True))[len(found.t) - events :]:
         rows += [t * base.frame.rate, *(value / unit for value, unit in zip(y, units, strict=True))]
     return rows
 
 
-def deviation(scene: Scene, base: Trajectory, name: str) -> Deviation:
+def deviation(scene: Scene, base: Trajectory, found: Sensitivity, name: str) -> Deviation:
     """Compare one column of the sensitivities with differences of neighbours.
 
     Where only one side has the same itinerary the difference is one-sided. Neighbours that both start with one short
@@ -87,7 +87,7 @@ def deviation(scene: Scene, base: Trajectory, name: str) -> Deviation:
         if len(ends) == 1:
             ends.append((Fraction(0), numbers(base, base, events)))
         (one, upper), (two, lower) = ends
-        ours = [value * ball(scale) for value in derivatives(base, name, events)]
+        ours = [value * ball(scale) for value in derivatives(base, found, name, events)]
         gaps = [abs((up - low) / ball(one - two) - value) for up, low, value in zip(upper, lower, ours, strict=True)]
         largest = max(float(abs(value).upper()) for value in ours)
         size = max(float(gap.upper()) for gap in gaps) / max(largest, SMALLEST)
@@ -102,4 +102,5 @@ def ball(value: Fraction) -> arb:
 def deviations(scene: Scene) -> list[Deviation]:
     """All columns."""
     base = solve(scene, digits=DIGITS, arithmetic="ball")
-    return [deviation(scene, base, name) for name in WRT]
+    found = sensitivities(base)
+    return [deviation(scene, base, found, name) for name in WRT]

@@ -10,6 +10,7 @@ from numerics.trade.euler import EulerFigure, EulerOutcome
 from numerics.trade.ours import COMPILED, PLAIN, READ
 from numerics.trade.recorded import RecordedTrade, recorded
 
+MACHINE = {"processor": "Abacus", "cores": 2, "system": "Linux", "python": "3.11", "packages": {"numpy": "2"}}
 SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
 
 
@@ -50,9 +51,8 @@ def growth() -> list[dict[str, Any]]:
 
 def record(runs: list[dict[str, Any]] | None = None, **more: Any) -> dict[str, Any]:
     """Return the record of a trade."""
-    machine = {"processor": "Abacus", "cores": 2, "system": "Linux", "python": "3.11", "packages": {"numpy": "2"}}
     scenes = [{"scene": name, "why": "planted"} for name in SCENES]
-    found = {"size": "small", "machine": machine, "left_out": [], "scenes": scenes, "references": [], "front": []}
+    found = {"size": "small", "machine": MACHINE, "left_out": [], "scenes": scenes, "references": [], "front": []}
     return found | {"leads": [], "runs": our_runs() if runs is None else runs, "growth": growth()} | more
 
 

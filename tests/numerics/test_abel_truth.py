@@ -1,6 +1,7 @@
 """The Abel functions' error bounds against the truth, and jumps against stepping in state and side."""
 
 from fractions import Fraction
+from functools import cache
 from itertools import islice
 
 import pytest
@@ -15,6 +16,8 @@ from numerics.motion.frame import Frame
 
 FAR = 400
 """Excursions after which a function of any order is known to many more digits than at the start."""
+in_200_digits = cache(AbelFunctions)
+"""The functions of a share and an order, made in the precision of the one test that uses them."""
 
 
 @pytest.mark.parametrize("share", [Fraction(1, 5), Fraction(1, 2), Fraction(9, 10)])
@@ -27,7 +30,7 @@ def test_low_orders_enclose_the_truth(share, order, part):
     """
     arithmetic = Ball(200)
     with arithmetic.context():
-        functions, exact = AbelFunctions(share, order), AbelFunctions(share, 24)
+        functions, exact = in_200_digits(share, order), in_200_digits(share, 24)
         y = arithmetic.number(functions.largest_argument * part)
         frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
         time, after = arb(0), frame.q * y

@@ -165,11 +165,11 @@ def test_balls_contain_the_derivatives(name):
     low, high = (solve(ALL[name], arithmetic="ball", digits=digits) for digits in (15, 120))
     points = solve(ALL[name], arithmetic="mpmath", digits=80)
     with high.arithmetic.context():
-        for wide, narrow, point in zip(*(every(sensitivities(one)) for one in (low, high, points)), strict=True):
-            assert wide.overlaps(narrow)
-            assert abs(narrow - ball(as_fraction(point))) < arb("1e-50") * (1 + abs(narrow))
-        largest = max(abs(one) for one in every(sensitivities(high)))
-        assert max(one.rad() for one in every(sensitivities(low))) < arb("1e-15") * largest
+        wide, narrow, middle = (every(sensitivities(one)) for one in (low, high, points))
+        for one, two, point in zip(wide, narrow, middle, strict=True):
+            assert one.overlaps(two)
+            assert abs(two - ball(as_fraction(point))) < arb("1e-50") * (1 + abs(two))
+        assert max(one.rad() for one in wide) < arb("1e-15") * max(abs(one) for one in narrow)
 
 
 @pytest.mark.parametrize("name", ALL)

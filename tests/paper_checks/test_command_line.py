@@ -7,11 +7,13 @@ import sys
 from pathlib import Path
 
 import pytest
-from planted_trades import planted
+from planted_trades import MACHINE, planted
 
+import numerics.trade.recorded as recorded_module
 import paper_checks.__main__ as command_line
 import paper_checks.drawing.figures as figures_module
 import paper_checks.ledger as ledger_module
+from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
 from paper_checks.checks import registry as registry_module
 from paper_checks.ledger import CLAIMS
@@ -22,8 +24,11 @@ from paper_checks.speed import section as section_module
 
 
 @pytest.fixture
-def small(monkeypatch, rows, registry, figures):
-    """The small ledger in the place of the real one; no chapter on its rows; speed without forward Euler's runs."""
+def small(monkeypatch, tmp_path_factory, rows, registry, figures):
+    """The small ledger in the place of the real one, and a small trade; no chapter on its rows, no runs of Euler's."""
+    machine = MACHINE | {"processor": "Slide rule"}
+    shipped = planted(tmp_path_factory.mktemp("shipped"), machine=machine, growth=[])
+    monkeypatch.setattr(recorded_module, "recorded", lambda path=None: recorded(path) if path else shipped)
     monkeypatch.setattr(under_a_force, "section", lambda: Section("under-a-force", "Under a force", ()))
     monkeypatch.setattr(under_a_force, "figures", dict)
     monkeypatch.setattr(section_module, "euler_figures", tuple)
@@ -121,6 +126,7 @@ def test_the_report_takes_another_trade_and_is_the_same_on_every_run(small, caps
     pages = [(folder / "report.html").read_bytes() for folder in folders]
     assert pages[0] == pages[1]
     assert b"Measured once: Abacus" in pages[0]
+    assert b"Slide rule" not in pages[0]
 
 
 def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatch, capsys, tmp_path):

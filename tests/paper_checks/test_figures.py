@@ -76,8 +76,8 @@ def test_axes_have_labels_with_units_and_a_legend(name):
     assert texts(figure) or name in DIRECT
 
 
-QUICK = sorted(FIGURES)[:3]
-"""Drawn twice by the default run; the `long` tests draw all of them twice."""
+QUICK = ("force-needed", "long-time", "start-with-speed")
+"""Drawn twice by the default run, as they take little; the `long` tests draw all of them twice."""
 
 
 @pytest.mark.parametrize(

@@ -28,7 +28,7 @@ def _remembered(ask, answers={}):  # noqa: B006  on purpose: one memory for all 
     return once
 
 
-LENGTHY = {"uniform-rate", "forced-no-zeno"}
+LENGTHY = {"uniform-rate", "forced-no-zeno", "entrainment-threshold"}
 """Rows with many faults, each slow to decide; the `long` tests plant them."""
 
 

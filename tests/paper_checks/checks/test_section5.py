@@ -13,7 +13,7 @@ from paper_checks.ledger.points import INSIDE
 from paper_checks.steps import dissipation
 from theory.symbols import a1, b, m1, v2
 
-from .conftest import CHECKS, doubled, finding_of, negated, squared
+from .conftest import CHECKS, doubled, finding_of, negated, squared, two_of_each
 
 SYNCHRONISATION = "paper_checks.checks.section5_synchronisation."
 DISCUSSION = "paper_checks.checks.section5_discussion."
@@ -64,7 +64,7 @@ STEP_FAULTS = [
 ]
 
 
-@pytest.mark.parametrize(("claim_id", "target", "fault"), STEP_FAULTS)
+@pytest.mark.parametrize(("claim_id", "target", "fault"), two_of_each(STEP_FAULTS))
 def test_a_fault_in_a_step_or_a_point_turns_the_claim(plant, claim_id, target, fault):
     plant(target, fault)
     assert finding_of(CHECKS[claim_id]).verdict is Verdict.UNDECIDED

@@ -10,7 +10,7 @@ from paper_checks.running.runner import decide
 from paper_checks.steps import entrainment, tolerance, transfers
 from theory.symbols import a1, b, u, v1
 
-from .conftest import CHECKS, doubled, finding_of, misread, negated, plus
+from .conftest import CHECKS, doubled, finding_of, misread, negated, plus, two_of_each
 
 FORCED, RESPONSE, CONTROL = "theory.forced.", "theory.forced_response.", "theory.forced_control."
 RULE, DISTANCE = "paper_checks.steps.forced_rule.", "paper_checks.steps.forced_distance."
@@ -62,7 +62,7 @@ STEP_FAULTS = [
 ]
 
 
-@pytest.mark.parametrize(("claim_id", "target", "fault"), STEP_FAULTS)
+@pytest.mark.parametrize(("claim_id", "target", "fault"), two_of_each(STEP_FAULTS))
 def test_a_fault_in_a_step_turns_the_theorem(plant, claim_id, target, fault):
     plant(target, fault)
     assert decide([CHECKS[claim_id]], Context()).verdict is Verdict.UNDECIDED
