@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from numerics.trade.recorded import RecordedTrade
     from paper_checks.ledger import Claim
+    from paper_checks.report.content.blocks import Section
     from paper_checks.report.content.document import Document
-    from paper_checks.report.output.files import Pictures
-    from paper_checks.report.output.finished import Finished
+    from paper_checks.report.output.finished import Files, Finished
+    from paper_checks.report.output.pictures import Pictures
     from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used.
@@ -94,37 +95,78 @@ def _written(
 
     kept = Finished(options.trade) if options.program else None
     names = {form: name_of(rows, form, (options.summary, options.steps)) for form in options.format}
-    before = {form: kept.files(name) for form, name in names.items()} if kept and not options.fresh else {}
-    found, paths = None, []
-    for form, name in names.items():
-        files = before.get(form)
-        if files is None:
-            from paper_checks.report.output import files as writing  # with it comes matplotlib
+    files: dict[str, Files] = {}
+    if kept and not options.fresh:
+        files = {form: found for form, name in names.items() if (found := kept.files(name)) is not None}
+    wanted = [form for form in names if form not in files]
+    if wanted:
+        from paper_checks.report.output import files as writing  # with it comes matplotlib
 
-            found = found or _drawable(options, rows, trade, complaints, kept)
-            files = writing.made(form, *found, "summary" if options.summary else "report", options.steps)
+        report, pictures = _drawable(options, rows, trade, wanted, complaints, kept)
+        for form in wanted:
+            made = writing.made(form, report, pictures, "summary" if options.summary else "report", options.steps)
+            files[form] = made
             if kept and not complaints:
-                kept.keep_files(name, files)
-        paths.append(placed(options.out, files))
+                kept.keep_files(names[form], made)
     if kept:
         kept.forget_old()
-    return paths
+    return [placed(options.out, files[form]) for form in names]
 
 
 def _drawable(
-    options: argparse.Namespace, rows: Sequence[Row], trade: RecordedTrade, complaints: list[str], kept: Finished | None
+    options: argparse.Namespace,
+    rows: Sequence[Row],
+    trade: RecordedTrade,
+    wanted: Sequence[str],
+    complaints: list[str],
+    kept: Finished | None,
 ) -> tuple[Document, Pictures]:
-    """Return the report and its figures; what cannot be drawn is added to the complaints."""
-    from paper_checks.drawing.figures import FIGURES
+    """Return the report, and its figures for the forms that are wanted; what cannot be drawn is added to the complaints."""
+    from paper_checks import parts
     from paper_checks.ledger import CLAIMS
-    from paper_checks.report.content import document, under_a_force
-    from paper_checks.report.output.files import Pictures
-    from paper_checks.speed import section
+    from paper_checks.report.content import document
+    from paper_checks.report.output.pictures import Pictures
 
-    chapters = [under_a_force.section(), section.section(trade)] if len(rows) == len(CLAIMS) else []
-    found = document.summary(rows) if options.summary else document.document(rows, chapters)
-    figures = {**FIGURES, **under_a_force.figures(), **section.figures(trade)}
-    return found, Pictures(found.pictures, figures, complaints.append, kept, options.fresh)
+    whole = len(rows) == len(CLAIMS) and not options.summary
+    figures, chapters = parts.figures(trade), list(parts.chapters(trade)) if whole else []
+    report = document.summary(rows) if options.summary else None if whole else document.document(rows)
+    pictures = Pictures(report.pictures if report else list(figures), figures, complaints.append, kept, options.fresh)
+    sections = _sections_and_pictures(options, trade, wanted, chapters, pictures)
+    report = report or document.document(rows, [sections[name] for name in chapters])
+    pictures.names = report.pictures
+    return report, pictures
+
+
+def _sections_and_pictures(
+    options: argparse.Namespace,
+    trade: RecordedTrade,
+    wanted: Sequence[str],
+    chapters: Sequence[str],
+    pictures: Pictures,
+) -> dict[str, Section]:
+    """Make the chapters, which are returned by name, and all figures that are missing for the forms that are wanted."""
+    from numerics.batch.parallel import available_cores
+    from paper_checks import parts
+    from paper_checks.report.content.blocks import Section
+    from paper_checks.report.formats import progress
+    from paper_checks.report.output.files import FIGURES_OF
+
+    forms: dict[str, list[str]] = {}
+    for form in dict.fromkeys(FIGURES_OF[one] for one in wanted):
+        for name in pictures.missing(form):
+            forms.setdefault(name, []).append(form)
+    todo: list[parts.Part] = [parts.Chapter(name) for name in chapters]
+    todo += [parts.Drawing(name, tuple(some)) for name, some in forms.items()]
+    sections: dict[str, Section] = {}
+    with progress.parts(len(todo)) as told:
+        for part, found in parts.made(todo, trade, options.jobs or (available_cores() if options.program else 1)):
+            told(part.name)
+            if isinstance(found, Section):
+                sections[part.name] = found
+            else:
+                for form, content in found.items():
+                    pictures.take(part.name, form, content)
+    return sections
 
 
 def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:

@@ -1,9 +1,11 @@
-"""What a process that decides rows may do wrong; importable by it, wherever it is started."""
+"""What a process that decides rows or draws figures may do wrong; importable by it, wherever it is started."""
 
 import os
 import signal
 from multiprocessing.connection import Connection
 
+from numerics.trade.recorded import RecordedTrade
+from paper_checks import parts
 from paper_checks.checks.registry import Context, load_checks
 from paper_checks.ledger import claim_named
 from paper_checks.running.plain import plain
@@ -21,3 +23,10 @@ def tells_what_ctrl_c_does(connection: Connection, context: Context) -> None:
     """Answer each row with whether Ctrl-C was ignored before anything of ours ran in this process."""
     while connection.recv():
         connection.send(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)
+
+
+def dies_of_two_bodies(connection: Connection, trade: RecordedTrade) -> None:
+    """Draw figures, and end without a word when asked for the figure `two-bodies`."""
+    while (part := connection.recv()).name != "two-bodies":
+        connection.send(dict(parts.made([part], trade))[part])
+    os._exit(7)

@@ -93,6 +93,7 @@ FLOORS = {
         ("drawing", "explore"),
         ("report",),
         ("speed",),
+        ("parts",),
         ("reporting",),
         ("__main__",),
     ),

@@ -13,7 +13,8 @@ from numerics.long_time.energy import energy_at
 from numerics.scene import Pair
 from numerics.scene.file import load_scene
 from paper_checks.drawing.style import new_figure
-from theory.near_critical import rate_constant
+from paper_checks.ledger.section3_convergence import ECR, RATE
+from theory.energy import critical_energy
 from theory.symbols import a2, b, m1, m2
 
 LAST = 100
@@ -40,9 +41,9 @@ def approach(name: str) -> tuple[tuple[int, float, float], ...]:
 
 
 def limit_of(pair: Pair) -> sp.Expr:
-    """Return the limit of t (E - E_cr) for a pair, J s, exactly."""
+    """Return the limit of t (E - E_cr) for a pair, J s, exactly: what the row `sharp-rate-constant` states and decides."""
     values = {m1: pair.m1, m2: pair.m2, a2: pair.a2, b: pair.b}
-    return rate_constant().subs(
+    return RATE.subs(ECR, critical_energy()).subs(
         {symbol: sp.Rational(value.numerator, value.denominator) for symbol, value in values.items()}
     )
 

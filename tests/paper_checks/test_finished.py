@@ -9,6 +9,7 @@ import pytest
 from paper_checks import reporting
 from paper_checks.evidence.finding import Verdict
 from paper_checks.report.output import files, finished
+from paper_checks.report.output import pictures as pictures_of_a_report
 from paper_checks.report.output.finished import Finished, name_of
 from paper_checks.running.graph import proofs
 
@@ -28,7 +29,7 @@ def drawable(rows):
 
 
 def pictures(figures, kept, complaints, *, fresh=False):
-    return files.Pictures(["sine", "lost"], figures, complaints.append, kept, fresh)
+    return pictures_of_a_report.Pictures(["sine", "lost"], figures, complaints.append, kept, fresh)
 
 
 def test_a_figure_is_drawn_once_for_each_form(figures, tmp_path):
@@ -56,7 +57,7 @@ def test_a_figure_that_fails_is_told_once_and_not_kept(tmp_path):
         raise RuntimeError("no trajectory")
 
     complaints = []
-    found = files.Pictures(["sine"], {"sine": broken}, complaints.append, Finished(folder=tmp_path))
+    found = pictures_of_a_report.Pictures(["sine"], {"sine": broken}, complaints.append, Finished(folder=tmp_path))
     assert found.saved("svg") == found.saved("pdf") == {}
     assert complaints == ["the figure sine was not drawn: RuntimeError: no trajectory"]
     assert not [path for path in tmp_path.rglob("*") if path.is_file()]
@@ -111,7 +112,7 @@ def test_a_damaged_form_is_not_read(tmp_path):
 
 def reported(rows, out, *, fresh=False, program=True, form=("html",)):
     options = argparse.Namespace(
-        trade=None, format=form, program=program, summary=False, steps=False, fresh=fresh, out=out
+        trade=None, format=form, program=program, summary=False, steps=False, fresh=fresh, out=out, jobs=1
     )
     complaints = []
     code = reporting.report(options, rows, lambda claims: rows, complaints.append)

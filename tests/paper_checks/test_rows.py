@@ -19,7 +19,7 @@ from paper_checks.checks.registry import Context
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import claim_named
-from paper_checks.running import kept, plain, workers
+from paper_checks.running import kept, plain, processes, workers
 from paper_checks.running.kept import Kept
 from paper_checks.running.runner import decide
 
@@ -196,8 +196,8 @@ def test_ctrl_c_ends_all_processes_and_says_one_word(tmp_path):
 def started(request, monkeypatch):
     """Start processes as this system can, and each anew."""
     if request.param == "as on Windows":
-        monkeypatch.setattr(workers.multiprocessing, "get_all_start_methods", lambda: ["spawn"])
-    return workers.method().get_start_method()
+        monkeypatch.setattr(processes.multiprocessing, "get_all_start_methods", lambda: ["spawn"])
+    return processes.method().get_start_method()
 
 
 def test_ctrl_c_is_ignored_by_a_process_that_still_loads_the_checks(started):

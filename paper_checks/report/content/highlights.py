@@ -17,6 +17,7 @@ from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.drawing.sharp_rate import LAST, limit_of
 from paper_checks.engines.exhibit import value_at
 from paper_checks.evidence.formula import latex
+from paper_checks.ledger.section3_convergence import ECR, RATE
 from paper_checks.report.content.blocks import Picture, Result
 
 
@@ -100,11 +101,9 @@ def _decimal(value: Fraction) -> str:
 
 
 def _rate_in_words() -> sp.Expr:
-    """Return the limit in E_cr, the masses and a."""
-    from theory.energy import critical_energy
-    from theory.near_critical import rate_constant
+    """Return the limit in E_cr, the masses and a_2, its factors in the order of the paper's letters."""
     from theory.symbols import a2, m1, m2
 
-    critical, stiffness, share = sp.Symbol("E_{cr}", positive=True), sp.Symbol("a_{2}", positive=True), m1 + m2
-    factor = sp.simplify(rate_constant() / critical_energy() * sp.sqrt(a2) / sp.sqrt(share) * m2 / m1)
-    return sp.Mul(factor, sp.Mul(m1, 1 / m2), sp.sqrt(share / stiffness), critical, evaluate=False)
+    share = m1 + m2
+    factor = sp.simplify(RATE / ECR * sp.sqrt(a2) / sp.sqrt(share) * m2 / m1)
+    return sp.Mul(factor, sp.Mul(m1, 1 / m2), sp.sqrt(share / a2), ECR, evaluate=False)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -41,10 +41,29 @@ def progress(total: int) -> Iterator[Progress]:
     if not sys.stderr.isatty():
         yield Progress()
         return
+    with _bar() as shown:
+        yield OnTerminal(shown, total)
+
+
+@contextmanager
+def parts(total: int) -> Iterator[Callable[[str], None]]:
+    """Show a bar for `total` chapters and figures, where stderr is a terminal; what is yielded tells that one is made."""
+    if not (total and sys.stderr.isatty()):
+        yield _told_to_nobody
+        return
+    with _bar() as shown:
+        bar = shown.add_task("drawing", total=total)
+        yield lambda name: shown.update(bar, advance=1, description=name)
+
+
+def _told_to_nobody(name: str) -> None:
+    """Take the name of what is made."""
+
+
+def _bar() -> Any:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
     from rich.progress import Progress as Bar
 
     columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TextColumn("{task.description}"))
-    with Bar(*columns, console=Console(stderr=True), transient=True) as shown:
-        yield OnTerminal(shown, total)
+    return Bar(*columns, console=Console(stderr=True), transient=True)

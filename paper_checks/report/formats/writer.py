@@ -18,10 +18,11 @@ class Writer(ABC):
         """Take the figures, and the anchors of the document: code in a text that names one links to it."""
         self._figures = figures
         self._anchors = frozenset(anchors)
+        self._mention = _mention_of(self._anchors)
 
     def text(self, text: str) -> str:
         """Return a text in this form; code stands between backticks, and every mention of an anchor is a link."""
-        pieces = _CODE.split(_with_links(text, self._anchors))
+        pieces = _CODE.split(self._with_links(text))
         return "".join(self._code(piece) if index % 2 else self._prose(piece) for index, piece in enumerate(pieces))
 
     @abstractmethod
@@ -36,14 +37,17 @@ class Writer(ABC):
         """Return the anchor that code names: a row's id, or a theorem's."""
         return next((one for one in (code, f"theorem-{code}") if one in self._anchors), None)
 
+    def _with_links(self, text: str) -> str:
+        """Return a text in which every mention of an anchor stands between backticks."""
+        if self._mention is None:
+            return text
+        return self._mention.sub(lambda match: f"`{match[1]}`" if match[1] else match[0], text)
 
-def _with_links(text: str, anchors: Iterable[str]) -> str:
-    """Return a text in which every mention of an anchor, an id of words joined by hyphens, stands between backticks."""
-    names = sorted((name for name in anchors if "-" in name), key=len, reverse=True)
-    if not names:
-        return text
-    mention = re.compile(rf"`[^`]*`|(?<![\w-])({'|'.join(map(re.escape, names))})(?![\w-])")
-    return mention.sub(lambda match: f"`{match[1]}`" if match[1] else match[0], text)
+
+def _mention_of(anchors: Iterable[str]) -> re.Pattern[str] | None:
+    """Return what finds anchors outside code, those that are words joined by hyphens; None where there are none."""
+    names = sorted((name for name in anchors if "-" in name), key=lambda name: (-len(name), name))
+    return re.compile(rf"`[^`]*`|(?<![\w-])({'|'.join(map(re.escape, names))})(?![\w-])") if names else None
 
 
 def shares(table: Table) -> list[float]:

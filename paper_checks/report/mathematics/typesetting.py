@@ -6,6 +6,7 @@ The tree for the PDF stays as it is: typst sets these by itself.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from xml.etree import ElementTree
 
 from paper_checks.report.mathematics.mathml import CLOSING, NAMESPACE, ROWS, THIN, Element, is_function, tree
@@ -17,6 +18,7 @@ _PRIMES = "′″"
 _CLOSE = {"lspace": "0", "rspace": "0"}
 
 
+@cache
 def mathml(latex: str, *, display: bool = False) -> str:
     """Return LaTeX mathematics as the text of a MathML element; raises UnreadableMathematicsError."""
     element = tree(latex, display=display)

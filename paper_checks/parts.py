@@ -1,0 +1,88 @@
+"""What takes long in a report, its chapters and its figures: made one after the other, or in several processes.
+
+Both ways give the same; a figure that cannot be drawn is `Undrawn`, and costs the reader that figure only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+
+from numerics.trade.recorded import RecordedTrade
+from paper_checks.drawing.figures import FIGURES
+from paper_checks.drawing.style import Figures
+from paper_checks.report.content import under_a_force
+from paper_checks.report.content.blocks import Section
+from paper_checks.report.output.pictures import Undrawn, drawn
+from paper_checks.running import processes
+from paper_checks.speed import section
+
+LONGEST = ("merging-map", "euler-convergence", "growth-of-cost", "work-precision")
+"""Figures that take longest, the longest first: it stands at the end, as processes begin at both ends."""
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A chapter, by its anchor."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure by its name, and the forms in which it is wanted, of `svg` and `pdf`."""
+
+    name: str
+    forms: tuple[str, ...]
+
+
+Part = Chapter | Drawing
+Made = Section | Mapping[str, bytes | Undrawn]
+"""A chapter, or the files of a figure by form."""
+
+
+def chapters(trade: RecordedTrade) -> dict[str, Callable[[], Section]]:
+    """Return how the chapters after the rows are made, by anchor, in their order."""
+    return {under_a_force.ID: under_a_force.section, section.ID: lambda: section.section(trade)}
+
+
+def figures(trade: RecordedTrade) -> Figures:
+    """Return how every figure is drawn, by name."""
+    return {**FIGURES, **under_a_force.figures(), **section.figures(trade)}
+
+
+def made(parts: Sequence[Part], trade: RecordedTrade, jobs: int = 1) -> Iterator[tuple[Part, Made]]:
+    """Yield each part as soon as it is made, in any order; with one job they are made in this process."""
+    if min(jobs, len(parts)) < 2:
+        yield from ((part, _made(part, trade)) for part in parts)
+        return
+    processes.begin([__name__])
+    for part, answer in processes.answers(sorted(parts, key=_place), jobs, _serve, trade):
+        yield part, _here(part, trade, answer) if isinstance(answer, processes.Ended) else answer
+
+
+def _place(part: Part) -> int:
+    """Return where a part stands among those that wait: chapters first."""
+    if isinstance(part, Chapter):
+        return -1
+    return len(LONGEST) - LONGEST.index(part.name) if part.name in LONGEST else 0
+
+
+def _made(part: Part, trade: RecordedTrade) -> Made:
+    if isinstance(part, Chapter):
+        return chapters(trade)[part.name]()
+    return {form: drawn(figures(trade), part.name, form) for form in part.forms}
+
+
+def _here(part: Part, trade: RecordedTrade, ended: processes.Ended) -> Made:
+    """Return what stands for a part whose process ended: a chapter made here, which then says what is wrong with it."""
+    if isinstance(part, Chapter):
+        return _made(part, trade)
+    why = f"the figure {part.name} was not drawn: its process ended with exit code {ended.exit_code}"
+    return dict.fromkeys(part.forms, Undrawn(why))
+
+
+def _serve(connection: Connection, trade: RecordedTrade) -> None:
+    """Make the parts that come by the connection, until it is closed."""
+    processes.serve_each(connection, lambda part: _made(part, trade))
