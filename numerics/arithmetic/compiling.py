@@ -56,7 +56,7 @@ def _one_process_at_a_time(compile_for: Callable[..., Any], path: Path) -> Calla
         with ExitStack() as stack:
             with suppress(OSError):  # a folder that cannot be written keeps no compiled code either
                 path.parent.mkdir(parents=True, exist_ok=True)
-                file = stack.enter_context(path.open("w"))
+                file = stack.enter_context(path.open("wb"))
                 if fcntl is not None:
                     fcntl.flock(file, fcntl.LOCK_EX)  # closing the file ends it
             try:

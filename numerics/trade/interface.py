@@ -137,7 +137,7 @@ def first_compilation() -> float:
             [sys.executable, "-c", _COMPILE],
             env={**os.environ, "NUMBA_CACHE_DIR": folder},
             stdout=subprocess.PIPE,
-            text=True,
+            encoding="utf-8",
             check=True,
         )
     return float(done.stdout)

@@ -87,15 +87,19 @@ def _requests() -> queue.Queue[dict[str, Any]]:
     def read() -> None:
         for line in sys.stdin:
             waiting.put(json.loads(line))
-        os.killpg(os.getpgid(0), signal.SIGKILL)
+        if hasattr(os, "killpg"):
+            os.killpg(os.getpgid(0), signal.SIGKILL)
+        os._exit(1)  # Windows knows no groups
 
     threading.Thread(target=read, daemon=True).start()
     return waiting
 
 
 def _limit_memory() -> None:
-    import resource
-
+    try:
+        import resource
+    except ImportError:  # Windows sets no such limits
+        return
     whole = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     with contextlib.suppress(ValueError, OSError):
         resource.setrlimit(resource.RLIMIT_DATA, (int(MEMORY_SHARE * whole), resource.RLIM_INFINITY))

@@ -40,7 +40,7 @@ def why_not(search_path: str | None) -> str:
     coqc = shutil.which("coqc", path=search_path)
     if coqc is None:
         return f"kernel not run: coqc is not installed (Debian: {PACKAGES})"
-    asked = subprocess.run([coqc, "-where"], capture_output=True, text=True, check=False)
+    asked = subprocess.run([coqc, "-where"], capture_output=True, encoding="utf-8", check=False)
     if asked.returncode:
         return f"kernel not run: coqc -where fails: {asked.stderr.strip()[:200]}"
     folders = [Path(asked.stdout.strip()) / "user-contrib" / name for name in _LIBRARIES]
@@ -64,7 +64,7 @@ def cannot_keep(store: Path) -> str:
 def version(search_path: str | None) -> str:
     """What the compiler calls itself: two numbers, its own and OCaml's."""
     coqc = shutil.which("coqc", path=search_path) or "coqc"
-    return subprocess.run([coqc, "--print-version"], capture_output=True, text=True, check=True).stdout.strip()
+    return subprocess.run([coqc, "--print-version"], capture_output=True, encoding="utf-8", check=True).stdout.strip()
 
 
 def cache_folder() -> Path:
@@ -76,7 +76,7 @@ def cache_folder() -> Path:
 def locked(store: Path) -> Iterator[None]:
     """Let one process at a time compile into a store, where the system can: a second one then finds all done."""
     store.mkdir(parents=True, exist_ok=True)
-    with (store / "lock").open("w", encoding="utf-8") as file:
+    with (store / "lock").open("wb") as file:
         if fcntl is not None:
             fcntl.flock(file, fcntl.LOCK_EX)
         yield

@@ -91,7 +91,7 @@ def _run(compiled: Compiled, lines: Sequence[str]) -> dict[str, str]:
         text = _HEADER % " ".join(compiled.folders) + "\n".join(lines)
         Path(folder, "Questions.v").write_text(text, "utf-8")
         command = ["coqc", "-q", "-w", "none", *compiled.arguments(), "Questions.v"]
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        done = subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", check=False)
     if done.returncode:
         raise RuntimeError(f"the kernel does not answer: {' '.join(done.stderr.split())[-300:]}")
     pieces = _MARK.split(done.stdout)[1:]

@@ -75,7 +75,7 @@ def ask(request: dict[str, object]) -> dict[str, Any]:
     """Return the answer of siconos_child.py. Raises PeerFailed."""
     command = [str(_interpreter()), "-I", str(CHILD)]
     done = subprocess.run(
-        command, input=json.dumps(request), capture_output=True, text=True, check=False, timeout=TIME_LIMIT
+        command, input=json.dumps(request), capture_output=True, encoding="utf-8", check=False, timeout=TIME_LIMIT
     )
     if done.returncode:
         raise PeerFailed(f"Siconos: {done.stderr.strip()[-300:]}")
