@@ -82,6 +82,15 @@ def test_the_terminal_tells_them_too(rows, theorem):
     assert "Theorem, past the paper: x=1 for all q." in printed([theorem])
 
 
+def test_the_terminal_says_why_the_kernel_was_not_run_and_what_to_do(theorem):
+    reason = "kernel not run: it is not here (Debian: coq)"
+    wanted = Evidence(EvidenceKind.KERNEL, "Coq", "the theorem one", None, value=f"kernel not run: one: {reason}")
+    (proof,) = proofs(theorem.claim, theorem.finding)
+    asked = replace(theorem, proofs=(replace(proof, kernel=(wanted,)),))
+    assert printed([asked, theorem]).count(reason) == printed([asked]).splitlines().count(reason) == 1
+    assert "Debian" not in printed([theorem])
+
+
 def test_programs_see_the_kind_and_the_value(rows, theorem):
     *claims, last = json.loads(json_report.render([*rows, theorem]))
     assert {one["kind"] for one in claims} == {"claim"}

@@ -42,8 +42,17 @@ def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) ->
         if not row.as_recorded:
             found, recorded = row.finding.verdict.value, row.claim.recorded.value
             _say(console, f"differs from the record: {row.claim.id} is {found}, recorded {recorded}")
+    if why := _no_kernel(rows):
+        _say(console, why)
     counts = Counter(row.finding.verdict for row in rows)
     _say(console, ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict]))
+
+
+def _no_kernel(rows: Sequence[Row]) -> str:
+    """Return why the kernel was not run, and what to do, as the first step that wanted it says; empty if it was."""
+    steps = (step for row in rows for proof in row.proofs for step in proof.kernel if step.passed is None)
+    said, mark, why = next((step.value or "" for step in steps), "").rpartition("kernel not run: ")
+    return mark + why if said else ""
 
 
 def print_claims(console: Console, claims: Sequence[Claim], found: Mapping[str, Row]) -> None:
