@@ -13,8 +13,8 @@ from paper_checks.running.runner import Row
 
 TITLE = f"{source.TITLE}: its claims, checked"
 STEPS = (
-    "Every row rests on checked steps, which are not printed here: the HTML form of this report unfolds them, and `--steps` "
-    "prints them."
+    "Every row rests on checked steps, which are not printed here: the HTML form of this report unfolds them, and draws which "
+    "rows rest on which; `--steps` prints them."
 )
 ROWS, ROWS_TITLE = "rows", "The paper's claims, one by one"
 

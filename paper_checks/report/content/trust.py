@@ -97,13 +97,7 @@ def _guards(rows: Sequence[Row]) -> Iterable[str]:
 def graph(rows: Sequence[Row]) -> Section:
     """Return what rests on what: the graph, the theorems of the kernel with their axioms, and each row's clauses."""
     theorems = kernel_theorems(rows)
-    blocks: list[Block] = [
-        Paragraph(
-            "Each row on the left rests on the theorems of the proof kernel on the right that its curves lead to. The colour of a "
-            "row is the weakest kind of step that it needs. Every name is a link."
-        ),
-        _graph(rows, theorems),
-    ]
+    blocks: list[Block] = [_graph(rows, theorems)]
     if theorems:
         blocks += [
             Paragraph(_axioms(theorems)),
@@ -150,7 +144,8 @@ def _graph(rows: Sequence[Row], theorems: dict[str, Evidence]) -> Graph:
         nodes,
         steps,
         kinds,
-        "Rows on the left, theorems of the proof kernel on the right; hover over a row to see its own",
+        "Each row on the left rests on the theorems of the proof kernel on the right that its curves lead to; hover over a row "
+        "to see its own. The colour of a row is the weakest kind of step that it needs. Every name is a link.",
     )
 
 
