@@ -79,7 +79,13 @@ def _parser() -> argparse.ArgumentParser:
     reporting.add_arguments(report)
     report.set_defaults(command=_report)
     explore = commands.add_parser("explore", help="write a page on which you can play with the pair")
-    explore.add_argument("--out", type=Path, default=Path("explore.html"), metavar="F", help="default: %(default)s")
+    explore.add_argument(
+        "--out",
+        type=Path,
+        default=Path("explore.html"),
+        metavar="F",
+        help="default: %(default)s; its folder is made, if need be",
+    )
     explore.set_defaults(command=_explore)
     plant = commands.add_parser(
         "plant", help="plant faults in every formula of every clause, and count the rows that notice"

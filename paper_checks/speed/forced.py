@@ -28,7 +28,7 @@ def under_a_force(trade: RecordedTrade) -> Iterator[Block]:
         ("who", *(scene.name for scene in trade.scenes)),
         rows,
         "Scenes under a force: settings with the right events, of those measured; the most right digits of these; and the time of that run, of a "
-        "peer as a multiple of our fastest call that is as accurate (- if none is). Wrong: no setting has the events, the digits are those of the best",
+        "peer as a multiple of our fastest call that is as accurate (– if none is). Wrong: no setting has the events, the digits are those of the best",
     )
     yield Paragraph(_beaten(trade))
     yield Paragraph(_machine(trade))
@@ -50,7 +50,7 @@ def _cell(trade: RecordedTrade, who: Participant, scene: RecordedScene) -> str:
     runs = [one for one in trade.runs if (one.contender, one.scene) == (who.label, scene.name)]
     judged = [one for one in runs if one.right is not None]
     if not judged:
-        return next((one.status for one in runs if one.status != "measured"), "-")
+        return next((one.status for one in runs if one.status != "measured"), "–")
     right = sum(bool(one.right) for one in judged)
     candidates = [one for one in trade.points(scene) if one.contender == who.label and one.right == (right > 0)]
     if not candidates:
@@ -60,17 +60,20 @@ def _cell(trade: RecordedTrade, who: Participant, scene: RecordedScene) -> str:
         took = time_text(best.seconds)
     else:
         lead: Lead = next(one for one in leads(trade.points(scene)) if one.peer == best)
-        took = "-" if lead.ratio is None else f"{factor_text(lead.ratio)}×"
+        took = "–" if lead.ratio is None else f"{factor_text(lead.ratio)}×"
     events = f"{right}/{len(judged)}" if right else "wrong"
     return f"{events}: {digits(best.error):,}, {took}"
 
 
 def _machine(trade: RecordedTrade) -> str:
     of = trade.machine
+    load = of.get("load")
     text = f"Measured on {of['processor']}, {of['cores']} cores"
-    if (of.get("load") or 0) > of["cores"] / 2:
+    if load is not None:
+        text += f", at a load of {load:g} (0 is idle)"
+    if (load or 0) > of["cores"] / 2:
         text += (
-            f", at a load of {of['load']:g}: it did other work, so a time alone is good for its order of magnitude, and "
-            "so is a ratio, whose two times are not of one moment"
+            ": the machine did other work, so a time alone is good for its order of magnitude, and so is a ratio, whose two "
+            "times are not of one moment"
         )
     return f"{text}."

@@ -115,4 +115,4 @@ def _grows(figure: EulerFigure) -> bool:
 
 def _count(figure: EulerFigure, step: float) -> str:
     one = next((one for one in figure.outcomes if one.step == step), None)
-    return "-" if one is None else f"{one.chatter:,}" + ("" if one.right else " ×")
+    return "–" if one is None else f"{one.chatter:,}" + ("" if one.right else " ×")

@@ -191,10 +191,10 @@ def _each(seconds: float) -> str:
 
 def _price_row(here: Sequence[Growth], names: Sequence[str]) -> Iterator[str]:
     sine = next((one.sine_cosine_seconds for one in here if one.sine_cosine_seconds), None)
-    yield "-" if sine is None else time_text(sine)
+    yield "–" if sine is None else time_text(sine)
     for name in names:
         each = next((one.seconds_per_event for one in here if one.contender == name), None)
         if each is None:
-            yield "-"
+            yield "–"
         else:
             yield time_text(each) + (f" ({factor_text(each / sine)})" if sine else "")

@@ -77,7 +77,7 @@ def _growth(trade: RecordedTrade) -> Iterator[Table]:
     events, masses = dict(_curves(trade, "events")), dict(_curves(trade, "m1/m2"))
     rows = []
     for name in dict.fromkeys([*events, *masses]):
-        few, many, spread = "-", "-", "-"
+        few, many, spread = "–", "–", "–"
         if name in events:
             few, many = (
                 f"{time_text(_each(one))} ({one.x:,.0f} events)" for one in (events[name][0], events[name][-1])

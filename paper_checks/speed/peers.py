@@ -65,13 +65,13 @@ def _loss(trade: RecordedTrade, scene: RecordedScene, one: Lead) -> str:
 
 def _lead_row(trade: RecordedTrade, scene: RecordedScene, one: Lead | None) -> tuple[str, ...]:
     if one is None:
-        return scene.name, "none is right", "-", "-", "-", "-", "-"
+        return scene.name, "none is right", "–", "–", "–", "–", "–"
     peer = f"{digits(one.peer.error)}, {time_text(one.peer.seconds)}"
     ratios = [lead.ratio for lead in trade.leads(scene) if lead.ratio is not None]
-    factors = spread(factor_text(min(ratios)), factor_text(max(ratios))) if ratios else "-"
-    inside = "-" if one.ratio_inside is None else factor_text(one.ratio_inside)
+    factors = spread(factor_text(min(ratios)), factor_text(max(ratios))) if ratios else "–"
+    inside = "–" if one.ratio_inside is None else factor_text(one.ratio_inside)
     if one.ours is None or one.ratio is None:
-        return scene.name, asked(trade, one.peer), peer, "none", "-", inside, factors
+        return scene.name, asked(trade, one.peer), peer, "none", "–", inside, factors
     ours = f"{asked(trade, one.ours)}: {time_text(one.ours.seconds)}"
     return scene.name, asked(trade, one.peer), peer, ours, factor_text(one.ratio), inside, factors
 
@@ -97,7 +97,7 @@ def _runs(trade: RecordedTrade, contender: str, scene: str) -> list[RecordedRun]
 def _cell(runs: list[RecordedRun]) -> str:
     judged = [one for one in runs if one.right is not None]
     if not judged:
-        return next((one.status for one in runs if one.status != "measured"), "-")
+        return next((one.status for one in runs if one.status != "measured"), "–")
     right = [one.error for one in judged if one.right and one.error is not None]
     return f"{len(right)}/{len(judged)}" + (f": {digits(min(right)):,}" if right else "")
 

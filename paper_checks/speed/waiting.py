@@ -33,11 +33,11 @@ def waiting_in_short(trade: RecordedTrade) -> Iterator[str]:
 
 
 def _compared(one: Wait) -> str:
-    return "-" if one.ratio is None else f"{factor_text(one.ratio)} times {one.by}"
+    return "–" if one.ratio is None else f"{factor_text(one.ratio)} times {one.by}"
 
 
 def _asked(one: Wait) -> str:
     if one.most is None:
-        return "-"
+        return "–"
     most = f"at most {factor_text(one.most)} times" if one.ratio is not None else f"at most {time_text(one.most)}"
     return f"{most}: {'kept' if one.kept else 'missed'}"

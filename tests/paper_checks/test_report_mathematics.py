@@ -206,3 +206,15 @@ def test_prose_is_escaped():
 )
 def test_plain_text(source, text):
     assert plain(f"${source}$") == text
+
+
+@pytest.mark.parametrize(
+    ("typed", "set_as"),
+    [
+        ("put to -1 and to (-1)", "put to −1 and to (−1)"),
+        ("1e-25, pages 5-8, Fig. 5-b, --at -1", "1e-25, pages 5-8, Fig. 5-b, --at −1"),
+        ("a -b", "a -b"),
+    ],
+)
+def test_a_hyphen_before_a_number_is_a_minus_in_prose(typed, set_as):
+    assert plain(typed) == html(typed) == set_as

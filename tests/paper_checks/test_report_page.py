@@ -1,13 +1,17 @@
 """What the page is made of: its font, its colours in the dark, its graph, its notation, its provenance."""
 
 import re
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
+import sympy as sp
 from fontTools.ttLib import TTFont
 
+from numerics.scene.file import load_scene
+from paper_checks.drawing.sharp_rate import limit_of
 from paper_checks.ledger import CLAIMS, source
-from paper_checks.report.content import notation, opening, trust
+from paper_checks.report.content import highlights, notation, opening, trust
 from paper_checks.report.content.blocks import Graph, Table
 from paper_checks.report.content.document import document
 from paper_checks.report.content.highlights import HIGHLIGHTS
@@ -16,6 +20,8 @@ from paper_checks.report.formats.html_graph import graph
 from paper_checks.report.mathematics import font
 from paper_checks.report.mathematics.mathml import tree
 from paper_checks.report.mathematics.prose import Piece, pieces
+from theory.near_critical import rate_constant
+from theory.symbols import a2, b, m1, m2
 
 
 @pytest.fixture(scope="module")
@@ -112,3 +118,13 @@ def test_a_file_is_the_source_or_it_is_not(tmp_path):
     assert re.fullmatch("[0-9a-f]{64}", source.SHA256)
     citation = Path(__file__).parents[2] / "CITATION.cff"
     assert all(text in citation.read_text(encoding="utf-8") for text in (source.SHA256, source.TITLE))
+
+
+def test_the_limit_of_the_first_screen_is_that_of_its_row():
+    assert highlights._rate_in_words() == (
+        r"\frac{4 \pi}{9}\,\frac{m_{1}}{m_{2}}\,\sqrt{\frac{m_1+m_2}{a_{2}}}\,E_{cr}"
+    )
+    pair = load_scene("start-with-speed").pair
+    value = rate_constant().subs({m1: 1, m2: 1, a2: 200, b: sp.Rational(1, 2)})
+    assert (pair.m1, pair.m2, pair.a2, pair.b) == (1, 1, 200, Fraction(1, 2))
+    assert sp.simplify(limit_of(pair) - value) == 0

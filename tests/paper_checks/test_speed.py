@@ -131,8 +131,8 @@ class TestPeers:
         half += [run("Half", "velocities", 1e-4, -1.0, setting=1e-2, right=False, difference="1 event, not 24")]
         hung = run("Hung", "velocities", None)
         text = said(peers.sequences(planted(tmp_path, *half, hung)))
-        assert "| Half | 1/2: 3 | - | - |" in text
-        assert "| Hung | stopped | - | - |" in text
+        assert "| Half | 1/2: 3 | – | – |" in text
+        assert "| Hung | stopped | – | – |" in text
         assert "Ours have the right event sequence in all 18 runs." in text
 
     def test_a_wrong_sequence_of_ours_is_confessed(self, tmp_path):

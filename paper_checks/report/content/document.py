@@ -37,13 +37,11 @@ class Document:
 
     def on_paper(self) -> Document:
         """Return it without what a page folds, with a sentence on where that is, and each row's picture once."""
-        note = Section("steps", "The steps", (Paragraph(STEPS),)) if self.rows else None
+        note = (Section("steps", "The steps", (Paragraph(STEPS),)),) if self.rows else ()
         return replace(
             self,
-            before=tuple(replace(one, blocks=blocks.unfolded(one.blocks)) for one in self.before),
-            after=tuple(
-                replace(one, blocks=blocks.unfolded(one.blocks)) for one in (*self.after, *filter(None, [note]))
-            ),
+            before=tuple(replace(one, blocks=blocks.unfolded(one.blocks)) for one in (*self.before, *note)),
+            after=tuple(replace(one, blocks=blocks.unfolded(one.blocks)) for one in self.after),
             stories=_each_picture_once({name: blocks.unfolded(story) for name, story in self.stories.items()}),
         )
 

@@ -19,6 +19,7 @@ from paper_checks.engines.exhibit import value_at
 from paper_checks.evidence.formula import latex
 from paper_checks.ledger.section3_convergence import ECR, RATE
 from paper_checks.report.content.blocks import Picture, Result
+from theory.symbols import a2, m1, m2
 
 
 def _start_at_6mm() -> Result:
@@ -71,7 +72,7 @@ def _rate() -> Result:
         f"limit below as $c_1$, it does up to {1000 * until:.3g} ms. Later more is true: unless "
         "the pair merges with a periodic orbit, $t\\,(E-E_{cr})$ has "
         "a limit, and it does not depend on $E(0)$ at all: "
-        f"$\\lim_{{t\\to\\infty}} t\\,(E-E_{{cr}})={latex(_rate_in_words())}$.",
+        f"$\\lim_{{t\\to\\infty}} t\\,(E-E_{{cr}})={_rate_in_words()}$.",
         f"{1000 * float(limit):.4g} mJ s",
         f"is that limit for the pair of Fig. 4 (b); the picture follows it to $10^{{{LAST}}}$ s.",
         _picture("sharp-rate"),
@@ -100,10 +101,9 @@ def _decimal(value: Fraction) -> str:
     return value_at(sp.Rational(value.numerator, value.denominator), {})
 
 
-def _rate_in_words() -> sp.Expr:
-    """Return the limit in E_cr, the masses and a_2, its factors in the order of the paper's letters."""
-    from theory.symbols import a2, m1, m2
-
-    share = m1 + m2
-    factor = sp.simplify(RATE / ECR * sp.sqrt(a2) / sp.sqrt(share) * m2 / m1)
-    return sp.Mul(factor, sp.Mul(m1, 1 / m2), sp.sqrt(share / a2), ECR, evaluate=False)
+def _rate_in_words() -> str:
+    """Return LaTeX of the limit, its factors as a reader expects them: a number, masses, a time, E_cr."""
+    masses, total, stiffness = m1 / m2, sp.Symbol("M"), sp.Symbol("a_2")
+    number = sp.simplify(RATE / ECR / masses / sp.sqrt((m1 + m2) / a2))
+    time = latex(sp.sqrt(total / stiffness)).replace("M", "m_1+m_2")
+    return r"\,".join((latex(number), latex(masses), time, latex(ECR)))

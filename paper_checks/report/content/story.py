@@ -94,7 +94,7 @@ def _told(step: Evidence) -> str:
     if step.kind is EvidenceKind.KERNEL:
         statement = _theorem(step)
     shown = step.engine == EXHIBITED or (step.kind is EvidenceKind.ENCLOSURE and len(step.value) < SHORT)
-    value = f": {step.value}" if shown and step.value else ""
+    value = f": {step.value}" if shown and any(map(str.isdigit, step.value)) else ""
     return f"{statement}{value} ({step.kind.value}: {step.engine}{cases})."
 
 

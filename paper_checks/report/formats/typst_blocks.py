@@ -99,7 +99,7 @@ class TypstWriter(Writer):
             ", ".join(self._cell(cell, anchor if n == 0 else "") for n, cell in enumerate(row))
             for row, anchor in zip(table.rows, ids, strict=True)
         )
-        return f"#emph[{self.text(table.caption)}]\n#table(columns: ({widths},), table.header({head}),\n{lines})"
+        return f"#block(sticky: true)[#emph[{self.text(table.caption)}]]\n#table(columns: ({widths},), table.header({head}),\n{lines})"
 
     def _cell(self, text: str, anchor: str) -> str:
         first, *remarks = text.split("\n")

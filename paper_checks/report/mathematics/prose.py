@@ -15,6 +15,7 @@ from paper_checks.report.mathematics.typesetting import mathml
 from paper_checks.report.mathematics.unicode import spoken
 
 _PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)
+_MINUS = re.compile(r"(?<![\w.,)\]-])-(?=\d)")
 _OPENING, _CLOSING = re.compile(r"[(\[]+$"), re.compile(r"^[.,:;!?)\]]+")
 _LONG_NUMBER = re.compile(r"\d{24,}")
 _TEX_SPECIAL = re.compile(r"[&%#_{}~^\\$<>|]")
@@ -50,12 +51,17 @@ def pieces(text: str) -> Iterator[tuple[Piece, str]]:
     end = 0
     for match in _PIECES.finditer(text):
         if match.start() > end:
-            yield Piece.PROSE, text[end : match.start()].replace(r"\$", "$")
+            yield Piece.PROSE, _prose(text[end : match.start()])
         kind = Piece.DISPLAY if match["display"] else Piece.INLINE
         yield kind, (match["display"] or match["inline"]).strip()
         end = match.end()
     if end < len(text):
-        yield Piece.PROSE, text[end:].replace(r"\$", "$")
+        yield Piece.PROSE, _prose(text[end:])
+
+
+def _prose(text: str) -> str:
+    """Return a stretch of prose with literal dollars, and with a minus before a number where a hyphen was typed."""
+    return _MINUS.sub("\N{MINUS SIGN}", text.replace(r"\$", "$"))
 
 
 def html(text: str) -> str:
