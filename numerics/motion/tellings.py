@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cache
 from types import ModuleType
 from typing import Any
+
+from flint import fmpq
 
 from numerics.arithmetic.float64 import FLOAT64
 from numerics.arithmetic.protocol import Arithmetic
@@ -54,7 +57,10 @@ def start_telling(arithmetic: Arithmetic) -> Telling:
 
 @cache
 def _start_telling(base: Telling, number: Any) -> Telling:
-    return base.but("exact", {narrow: number, wide_sign: _exact_sign, sure: _always})
+    def narrowed(x: Any) -> Any:
+        return number(Fraction(int(x.p), int(x.q)) if isinstance(x, fmpq) else x)
+
+    return base.but("exact", {narrow: narrowed, wide_sign: _exact_sign, sure: _always})
 
 
 @cache

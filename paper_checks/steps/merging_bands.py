@@ -20,7 +20,7 @@ MERGES, CREEPS = "merges", "creeps"
 SPEEDS = tuple(Fraction(n, 20) for n in range(21, 421))
 """Speeds on S0 at x1 = 0, in units of L Omega, that are looked through: w = V^2 - 1."""
 UNTIL = 150
-STAGES = (25, 200)
+STAGES = (35, 200)
 """Horizons of the runs that decide in float64: the second one where the first leaves it open."""
 
 
@@ -49,7 +49,8 @@ def decided(pair: Pair, at: State) -> str:
         run = solve(Scene(pair, at, until))
         if run.status is Status.STUCK_FOR_EVER:
             return MERGES
-        if any(event.kind is EventKind.EXIT and 0 < event.reduced.w < level for event in reversed(run.events)):
+        excess = run.record.numbers("w")
+        if any(kind is EventKind.EXIT and 0 < w < level for kind, w in zip(run.event_kinds, excess, strict=True)):
             return CREEPS
     return ""
 
