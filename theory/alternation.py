@@ -6,7 +6,9 @@ if D > 2/q, and the next one starts with the gap e = D - 2/q. theta_c has c = 2/
 2 pi - theta_c is where short slips end. All expressions are exact and dimensionless; each residual is 0.
 """
 
-from sympy import Expr, Integer, Symbol, cos, cot, diff, expand, pi, sin
+from functools import cache
+
+from sympy import Expr, Integer, Symbol, cancel, cos, cot, diff, expand, pi, sin
 
 from theory.excursion import h
 from theory.return_map import depth, landing, push
@@ -19,11 +21,12 @@ critical_angle = Symbol("theta_c", positive=True)
 supplement = Symbol("psi", positive=True)  # pi - theta_c/2, so that kappa = cot(psi)
 
 
+@cache
 def in_cotangent(expression: Expr) -> Expr:
     """An expression in theta, sin, cos and cot(theta/2) as a polynomial in theta and k, where it is one."""
     k = half_cotangent
     circle = {sin(theta): 2 * k / (1 + k**2), cos(theta): (k**2 - 1) / (1 + k**2), cot(theta / 2): k}
-    return expand(expression.subs(circle, simultaneous=True).simplify())
+    return expand(cancel(expression.subs(circle, simultaneous=True)))
 
 
 def rise() -> Expr:

@@ -14,14 +14,17 @@ from sympy import (
     Expr,
     Integer,
     Symbol,
+    cancel,
     cos,
     diff,
     expand,
     expand_trig,
     factor,
+    fraction,
     integrate,
     limit,
     pi,
+    rem,
     simplify,
     sin,
     solve,
@@ -45,6 +48,15 @@ def half_tangent_form(expression: Expr) -> Expr:
     k = half_tangent
     circle = {sin(theta): 2 * k / (1 + k**2), cos(theta): (1 - k**2) / (1 + k**2)}
     return factor(expand_trig(expression).subs(circle, simultaneous=True))
+
+
+def on_circle(expression: Expr) -> Expr:
+    """An expression in theta, sin theta, cos theta as one fraction without powers of the sine above the first."""
+    c, s = Symbol("c"), Symbol("s")
+    parts = fraction(cancel(expression.subs({cos(theta): c, sin(theta): s}, simultaneous=True)))
+    above, below = (rem(part, s**2 + c**2 - 1, s) for part in parts)
+    top, bottom = fraction(cancel(above / below))
+    return (top / factor(bottom)).subs({c: cos(theta), s: sin(theta)}, simultaneous=True)
 
 
 @dataclass(frozen=True)
@@ -91,8 +103,7 @@ def h() -> Expr:
 
     Solved from the guard: h is the value of u for which it vanishes.
     """
-    vanishing = solve(slip_from_ray().guard, epsilon)[0] / sqrt(q)
-    return simplify(vanishing)
+    return solve(slip_from_ray().guard, epsilon)[0] / sqrt(q)
 
 
 @cache
@@ -105,7 +116,7 @@ def guard_factors() -> tuple[Expr, Expr]:
 @cache
 def h_slope() -> Expr:
     """h'(theta) = (2(1 - cos theta) - theta sin theta)/(1 - cos theta)^2 in combined form."""
-    return factor(simplify(diff(h(), theta)))
+    return factor(on_circle(diff(h(), theta)))
 
 
 @cache
@@ -146,7 +157,7 @@ class Excursion:
 def displacement_of_angle() -> Expr:
     """D(theta): the relative displacement of an excursion over q, from the integral of the guard."""
     path = integrate(-slip_from_ray().guard * sqrt(q), (theta, 0, theta))
-    return simplify(expand(path / q).subs(epsilon, sqrt(q) * h()))
+    return on_circle(expand(path / q).subs(epsilon, sqrt(q) * h()))
 
 
 @cache
@@ -164,10 +175,10 @@ def excursion() -> Excursion:
     return Excursion(
         start_velocity=start,
         duration=sqrt(q) * theta,
-        position=simplify(position),
-        velocity=sqrt(q) * simplify(velocity / sqrt(q)),
+        position=on_circle(position),
+        velocity=sqrt(q) * on_circle(velocity / sqrt(q)),
         displacement=q * displacement_of_angle(),
-        excess=simplify(before),
+        excess=factor(before),
         next_excess=after,
     )
 

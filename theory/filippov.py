@@ -20,7 +20,6 @@ from sympy import (
     Symbol,
     diff,
     factor,
-    simplify,
     solve,
 )
 
@@ -153,7 +152,7 @@ def sliding_field(damped: bool = False) -> ImmutableMatrix:
     """Filippov's field on S0: the convex combination with the weight put in, on v2 = v1."""
     alpha = sliding_weight(damped)
     mixed = alpha * phi(1, damped) + (1 - alpha) * phi(-1, damped)
-    return ImmutableMatrix(mixed.subs(v2, v1).applyfunc(lambda entry: factor(simplify(entry))))
+    return ImmutableMatrix(mixed.subs(v2, v1).applyfunc(factor))
 
 
 def at_edge(quantity: Expr, side: int, damped: bool = False) -> Expr:

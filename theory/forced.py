@@ -5,7 +5,7 @@ Everything follows from the branches of (3), (4) with u kept; b(t) in the place 
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Integer, Symbol, cancel, diff, factor, factorial, simplify, sin, solve, symbols
+from sympy import Expr, ImmutableMatrix, Integer, Symbol, cancel, diff, factor, factorial, sin, solve, symbols
 
 from theory.energy import energy, inner_product, other, sigma
 from theory.filippov import STATE, derivative_along
@@ -70,7 +70,7 @@ def deviation_force(mode: str, sign: int) -> Expr:
     acceleration = found.subs(along, simultaneous=True) - diff(place, t, 2)
     inertia = total_mass() if mode == "stick" else m1
     spring = -diff(found, x1) * inertia
-    return simplify((inertia * acceleration + a1 * gap_rate + spring * gap).expand())
+    return cancel(inertia * acceleration + a1 * gap_rate + spring * gap).expand()
 
 
 def excess_load(sign: int) -> Expr:
@@ -89,7 +89,7 @@ def forced_system(sign: Expr, force: Expr = u) -> ImmutableMatrix:
 @cache
 def energy_rate() -> Expr:
     """dE/dt under a force, W, for a value sigma of sign(v1 - v2)."""
-    return simplify(derivative_along(forced_system(sigma), energy()))
+    return derivative_along(forced_system(sigma), energy()).expand()
 
 
 @cache
@@ -102,7 +102,7 @@ def contraction_rate() -> Expr:
 def distance_rate() -> Expr:
     """The same where the second solution has a force of its own, W."""
     first, second = forced_system(sigma), other(forced_system(sigma, u_other))
-    return simplify(inner_product(STATE - other(STATE), first - second).expand())
+    return inner_product(STATE - other(STATE), first - second).expand()
 
 
 b_other = Symbol(r"\tilde{b}", positive=True)  # the friction at the place of the second solution, N
@@ -112,7 +112,7 @@ def place_dependent_rate(sign: int) -> Expr:
     """The rate of half the squared distance of two slips of one sign with frictions b and b~, a1 = 0, W."""
     second = other(forced_system(sigma, u)).subs({other(sigma): sign, b: b_other}, simultaneous=True)
     difference = forced_system(sigma).subs(sigma, sign) - second
-    return simplify(inner_product(STATE - other(STATE), difference).expand().subs(a1, 0))
+    return inner_product(STATE - other(STATE), difference).expand().subs(a1, 0)
 
 
 def distance_squared() -> Expr:
@@ -131,7 +131,7 @@ def undamped_difference() -> tuple[Expr, Expr]:
     force = (first - other(first).subs(other(sigma), sigma)).subs(a2, m1 * frequency**2)
     place = velocity_gap / frequency * sin(frequency * t)
     left = diff(place, t, 2) - force.subs({x1: place, x1_other: 0}, simultaneous=True)
-    if simplify(left) != 0:
+    if left.expand() != 0:
         raise ArithmeticError(f"the difference of two slips leaves {left}")
     return place, diff(place, t) - velocity_gap
 

@@ -11,12 +11,14 @@ from sympy import (
     cos,
     diff,
     exp,
+    expand,
     factor,
     integrate,
     simplify,
     sin,
     solve,
     sqrt,
+    together,
 )
 
 from theory.energy import metric, slip_rate
@@ -91,13 +93,13 @@ def nearest() -> Expr:
 
 def middle() -> Expr:
     """Half way between both, m."""
-    return simplify((farthest() + nearest()) / 2)
+    return expand((farthest() + nearest()) / 2)
 
 
 @cache
 def spread() -> Expr:
     """How far the place of body 2 at T can be from the middle, m."""
-    return factor(simplify((farthest() - nearest()) / 2))
+    return factor((farthest() - nearest()) / 2)
 
 
 @cache
@@ -128,7 +130,7 @@ def stuck_amplitudes() -> tuple[Expr, Expr, Expr]:
     The third one counts where its time a1/a2 before the end lies in the second half, `late_peak`.
     """
     turn = least_time() / 2
-    at_turn = simplify(transfer_force(True).subs(t, turn)).expand()
+    at_turn = transfer_force(True).subs(t, turn).expand()
     at_rest = stuck_force().subs({r_place: path, r_speed: 0, r_acceleration: 0})
     late = transfer_force(False)
     return at_turn, at_rest, late.subs(t, solve(diff(late, t), t)[0]).expand()
@@ -157,7 +159,7 @@ def response_residual() -> Expr:
     """What g leaves in m1 g'' + a1 g' + a2 g, N: zero."""
     g = impulse_response()
     known = {u: 0, b: 0, x1: g, v1: diff(g, t), a1: 2 * m1 * decline, a2: m1 * (decline**2 + swing**2)}
-    return simplify(m1 * (diff(g, t, 2) - slip(1).acceleration1.subs(known, simultaneous=True)))
+    return cancel(m1 * (diff(g, t, 2) - slip(1).acceleration1.subs(known, simultaneous=True)))
 
 
 def addition_residual() -> Expr:
@@ -192,7 +194,7 @@ def switching() -> tuple[Expr, Expr]:
     """
     place = Symbol("X", real=True)
     meets = solve((1 - (place - 1) ** 2) - ((1 + reduced) ** 2 - (place + 1) ** 2), place)[0]
-    return acos((1 - meets).expand()), acos(simplify((meets + 1) / (1 + reduced)))
+    return acos((1 - meets).expand()), acos(together((meets + 1) / (1 + reduced)))
 
 
 def weak_time() -> Expr:

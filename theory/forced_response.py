@@ -15,6 +15,7 @@ from sympy import (
     cos,
     diff,
     exp,
+    expand,
     fraction,
     integrate,
     limit,
@@ -54,8 +55,8 @@ def rates() -> tuple[Expr, Expr]:
     root = Symbol("rho")
     acceleration = slip(1).acceleration1.subs({x1: 1, v1: root, u: 0, b: 0}, simultaneous=True)
     first, second = solve(root**2 - acceleration, root)
-    half = simplify((first + second) / 2)
-    return -half, sqrt(simplify(first * second) - half**2)
+    half = expand((first + second) / 2)
+    return -half, sqrt(expand(first * second) - half**2)
 
 
 def left_after_half() -> Expr:
@@ -202,7 +203,7 @@ def short_slip() -> tuple[Expr, Expr]:
     rate = (slip(1).acceleration1 - slip(1).acceleration2).subs(
         x1, solve(load() - b - load_rate * t, x1)[0], simultaneous=True
     )
-    return simplify(rate.subs(t, 0)), simplify(diff(rate, t))
+    return expand(rate.subs(t, 0)), expand(diff(rate, t))
 
 
 # Resonance of the slip without a damper: u has the Fourier amplitude U at omega_1.
@@ -238,4 +239,4 @@ def path_beside(offset: Expr) -> Expr:
     """The integral of |cos(s) - offset| over a period, for an offset between 0 and 1, dimensionless."""
     turn = pi / 2 - asin(offset)
     inside = 2 * integrate(cos(t) - offset, (t, 0, turn))
-    return simplify(inside + 2 * integrate(offset - cos(t), (t, turn, pi)))
+    return expand(inside + 2 * integrate(offset - cos(t), (t, turn, pi)))

@@ -8,21 +8,7 @@ epsilon^order on are dropped.
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import (
-    Expr,
-    Integer,
-    Symbol,
-    asin,
-    atan2,
-    cancel,
-    cos,
-    expand,
-    limit,
-    simplify,
-    sin,
-    solve,
-    sqrt,
-)
+from sympy import Expr, Integer, Symbol, asin, atan2, cancel, cos, expand, factor, limit, simplify, sin, solve, sqrt
 
 from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
@@ -92,7 +78,7 @@ def stick_rotation() -> tuple[Expr, Expr]:
     unit = {rate: rates("stick", Regime.UNDAMPED)[rate].subs(canonical_pair(), simultaneous=True)}
     cosine, sine = Symbol("c"), Symbol("s")
     motion = [found.x1.subs(unit) + 1, found.v1.subs(unit) + epsilon]
-    motion = [simplify(entry).subs({cos(t): cosine, sin(t): sine}) for entry in motion]
+    motion = [entry.subs({cos(t): cosine, sin(t): sine}) for entry in motion]
     angles = solve(motion, [cosine, sine], dict=True)[0]
     return angles[cosine], angles[sine]
 
@@ -192,7 +178,7 @@ def reduced_rate_constant() -> Expr:
 @cache
 def rate_constant() -> Expr:
     """lim t (E - E_cr) in SI, J s, for every trajectory that never merges; independent of E(0)."""
-    return simplify(critical_energy() * to_si(reduced_rate_constant()) / stick_frequency())
+    return factor(critical_energy() * to_si(reduced_rate_constant()) / stick_frequency())
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ For a1 = 0 one parameter is left, the mass fraction q = m1/M; with a1 > 0 the da
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, simplify, solve, sqrt
+from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, simplify, solve, sqrt, together
 
 from theory.energy import critical_energy, energy, slip_rate
 from theory.filippov import load, load_threshold, phi, sliding_field
@@ -31,7 +31,7 @@ def stick_frequency() -> Expr:
 def damping_ratio() -> Expr:
     """zeta, dimensionless: the damping of stick relative to the critical one."""
     rate = -diff(sliding_field(damped=True)[1], v1)
-    return simplify(rate / (2 * stick_frequency()))
+    return rate / (2 * stick_frequency())
 
 
 @cache
@@ -41,7 +41,7 @@ def parameters() -> dict[Symbol, Expr]:
     stiffness = solve(stick_frequency() - Omega, a2)[0].subs(masses)
     force = solve((half_width() - L).subs(masses), b)[0].subs(a2, stiffness)
     viscosity = solve(damping_ratio() - zeta, a1)[0].subs(masses).subs(a2, stiffness)
-    return {**masses, a2: simplify(stiffness), b: simplify(force), a1: simplify(viscosity)}
+    return {**masses, a2: together(stiffness), b: together(force), a1: together(viscosity)}
 
 
 def to_reduced(expression: Expr) -> Expr:

@@ -166,7 +166,7 @@ def undamped_non_stop() -> Evidence:
     turn = sp.tan(sp.pi * swing / (2 * omega))
     return identity(
         r"for $a_1=0$ ($\lambda=0$, $\delta=1$, $\omega_d=\omega_1$): $k=0$ and $k'=-\tan(\pi\omega_1/2\omega)/(m_1\omega_1)$",
-        sp.Matrix([place, sp.simplify(speed.rewrite(sp.tan) + turn / (m1 * swing))]),
+        sp.Matrix([place, sp.cancel(speed.rewrite(sp.tan) + turn / (m1 * swing))]),
         sp.zeros(2, 1),
     )
 

@@ -104,7 +104,7 @@ def largest_excess() -> Evidence:
 def largest_relative_speed() -> Evidence:
     """The extremum of the guard of an excursion and its value."""
     at = {theta: 2 * sp.atan(h_value)}
-    rational = [sp.simplify(sp.expand_trig(one.subs(at))) for one in (sp.diff(guard_of_u(), theta), guard_of_u())]
+    rational = [sp.cancel(sp.expand_trig(one.subs(at))) for one in (sp.diff(guard_of_u(), theta), guard_of_u())]
     return identity(
         r"$(V_1-V_2)/\sqrt q$ is stationary at $\theta=2\arctan\nu$, with the value $-2(\nu-\arctan\nu)$",
         sp.Matrix(rational),
