@@ -13,9 +13,10 @@ y = h^2 and y' = h^2 - r c^2: the mass ratio enters as a factor only. All expres
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import Expr, Integer, Rational, Symbol, cos, cot, diff, expand, series, sin, sqrt
+from sympy import Expr, Integer, Rational, Symbol, cos, cot, diff, expand, sin, sqrt
 
 from theory.excursion import excursion, h, half_tangent_form, slip_from_outside
+from theory.power_series import taylor
 from theory.scaling import excess
 from theory.symbols import V1, V2, X, epsilon, overshoot, q, r, theta
 
@@ -136,8 +137,7 @@ def depth_series(order: int) -> tuple[Rational, ...]:
     c'(theta) = h gives dc/dy = 1/(2 h'); both sides are even in theta, and y(theta) is inverted term by term.
     """
     terms = 2 * order + 2
-    squared = expand(series(h() ** 2, theta, 0, terms).removeO())
-    deep = expand(series(in_trigonometry(depth()), theta, 0, terms).removeO())
+    squared, deep = (taylor(one, theta, terms) for one in (h() ** 2, in_trigonometry(depth())))
     remainder, coefficients = deep, []
     power = Integer(1)
     for n in range(1, order + 1):
