@@ -41,6 +41,8 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
     if program:
         # some thousand short scenes: Python solves them, to the same bits, before numba has come or compiled anything
         os.environ.setdefault("NUMBA_DISABLE_JIT", "1")
+        # sympy remembers a thousand answers of each of its functions; with more, rows take a tenth less
+        os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
     if hasattr(sys.stdout, "reconfigure"):
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
@@ -123,6 +125,7 @@ def _seed(text: str) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
+    _begin(options)
     from paper_checks.running.runner import exit_code
 
     claims = _chosen(options.ids)
@@ -173,6 +176,7 @@ def _plant(options: argparse.Namespace) -> int:
 
 
 def _report(options: argparse.Namespace) -> int:
+    _begin(options)
     claims = _chosen(options.ids)
     if claims is None:
         return USAGE
@@ -208,6 +212,17 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
             _complain(f"unknown claim {name!r}; {hint}")
             return None
     return tuple(claim for claim in CLAIMS if not ids or claim.id in ids)
+
+
+def _begin(options: argparse.Namespace) -> None:
+    """Let another process load the checks as early as can be, where all rows will be decided in several."""
+    if options.program and not options.ids and options.jobs != 1:
+        from numerics.batch.parallel import available_cores
+        from paper_checks.running import early
+        from paper_checks.running.kept import Kept
+
+        if (options.jobs or available_cores()) > 1 and (options.fresh or Kept(options.seed).is_empty()):
+            early.begin()
 
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:

@@ -11,10 +11,13 @@ import pickle
 import platform
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from paper_checks.proofs import kernel
-from paper_checks.running.plain import Plain
 from paper_checks.running.store import ROOT, Store, all_sources, digest, version
+
+if TYPE_CHECKING:
+    from paper_checks.running.plain import Plain
 
 SHOWING = ("report", "drawing", "explore", "speed", "parts.py", "reporting.py", "__main__.py")
 """Rooms of `paper_checks` that no check imports: they show rows. A test holds this."""
@@ -48,6 +51,10 @@ class Kept:
         """Find the folder; `folder` instead of the one in the user's cache."""
         self._store = Store("rows", state(seed), folder)
         self.forget_old = self._store.forget_old
+
+    def is_empty(self) -> bool:
+        """Return whether no row is kept."""
+        return self._store.is_empty()
 
     def row(self, name: str) -> Plain | None:
         """Return the row of a claim; None where it is not kept, or not as it was written."""

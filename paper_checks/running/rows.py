@@ -9,7 +9,7 @@ from paper_checks.checks import registry
 from paper_checks.checks.registry import Context
 from paper_checks.ledger import Claim
 from paper_checks.proofs.library import build
-from paper_checks.running import plain, runner, workers
+from paper_checks.running import early, plain, runner, workers
 from paper_checks.running.kept import Kept
 
 
@@ -76,7 +76,7 @@ def _decided(claims: Sequence[Claim], context: Context, jobs: int, progress: Pro
             progress.begun(claim)
             yield runner.run([claim], registry.load_checks(), context)[0]
         return
-    workers.begin()
+    early.begin()
     build(progress.compiled, jobs)  # once, before the processes ask for it
     named = {claim.id: claim for claim in claims}
     for one in workers.found(claims, context, jobs):

@@ -51,6 +51,10 @@ class Store:
         self._state = state
         self._folder = (folder or cache_folder() / kind) / state
 
+    def is_empty(self) -> bool:
+        """Return whether nothing was put there."""
+        return not self._folder.is_dir()
+
     def get(self, name: str) -> bytes | None:
         """Return what was put under a name; None where nothing was, or the file is not as it was written."""
         try:

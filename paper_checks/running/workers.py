@@ -5,14 +5,13 @@ A process that ends without an answer costs its own row only, which is undecided
 
 from __future__ import annotations
 
-import pkgutil
+import gc
 from collections.abc import Iterator, Sequence
 from multiprocessing.connection import Connection
 
-from paper_checks import checks
 from paper_checks.checks.registry import Context, load_checks
 from paper_checks.ledger import Claim, claim_named
-from paper_checks.running import processes
+from paper_checks.running import early, processes
 from paper_checks.running.plain import Plain, plain
 from paper_checks.running.runner import Row, failed, run
 
@@ -30,11 +29,6 @@ SHARING = (
 """Checks that derive the same long series, which a process then has: they stand together, at the front."""
 
 
-def begin() -> None:
-    """Let the process that the others are started from load the checks, while this one does something else."""
-    processes.begin([f"{checks.__name__}.{one.name}" for one in pkgutil.iter_modules(checks.__path__)])
-
-
 def found(
     claims: Sequence[Claim], context: Context, jobs: int, serve: processes.Serve | None = None
 ) -> Iterator[Row | Plain]:
@@ -42,7 +36,7 @@ def found(
 
     `serve` is what runs in each of them.
     """
-    begin()
+    early.begin()
     named = {claim.id: claim for claim in sorted(claims, key=_place)}
     for name, answer in processes.answers(list(named), jobs, serve or _serve, context):
         if isinstance(answer, processes.Ended):
@@ -60,4 +54,7 @@ def _place(claim: Claim) -> int:
 def _serve(connection: Connection, context: Context) -> None:
     """Decide the claims that come by the connection, until it is closed."""
     registry = load_checks()
+    # what is loaded stays; of the expressions that are made most go by themselves, and looking for the others takes 3 %
+    gc.freeze()
+    gc.set_threshold(100_000, 20, 20)
     processes.serve_each(connection, lambda name: plain(run([claim_named(name)], registry, context)[0]))
