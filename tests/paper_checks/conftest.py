@@ -62,7 +62,7 @@ def claim(name, recorded=Verdict.HOLDS, section="III", where="after (8)", statem
     return Claim(name, section, where, statement, recorded)
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def rows():
     corrected = r"$|\ddot{x}_1|\leqslant b\,m_2^{-1}$ on $S_0$ with $|x_1|\leqslant \frac{b(m_1+m_2)}{a_2m_2}$."
     counter = r"$x_1(0)=0.006$, $b=0.5$: $\ddot{x}_1=-0.6$."
@@ -111,6 +111,6 @@ def _sine():
     return figure
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def figures():
     return {"two-bodies": _sine, "sine": _sine}

@@ -49,12 +49,12 @@ class Page(HTMLParser):
         assert self.open.pop() == tag
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def text(rows, figures):
     return html.render(document(rows), {name: vector.svg(draw()) for name, draw in figures.items()})
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def page(text):
     return Page(text)
 

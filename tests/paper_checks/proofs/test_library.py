@@ -10,6 +10,7 @@ import subprocess
 import pytest
 
 from paper_checks.proofs import cited, graph, kernel, library, pins, questions, tied
+from paper_checks.proofs.__main__ import main
 from paper_checks.proofs.library import build
 
 MACHINERY = {"Dini.cont", "Dini.little", "Dini.rderiv"}
@@ -66,6 +67,31 @@ def test_every_cited_theorem_is_proved_as_pinned(built):
     assert [one.id for one in built.theorems.values() if one.holds is not True] == []
     assert set(built.theorems) >= set(cited.CITED)
     assert len(built.theorems) > 90
+
+
+@pytest.fixture
+def command(monkeypatch, capsys):
+    """What `python -m paper_checks.proofs` answers and prints."""
+
+    def run():
+        monkeypatch.setattr("sys.argv", ["paper_checks.proofs"])
+        return main(), *capsys.readouterr()
+
+    return run
+
+
+@pytest.mark.usefixtures("needs_kernel")
+def test_the_command_says_that_all_is_proved_or_what_is_not(command, planted, built):
+    code, out, err = command()
+    assert (code, err) == (0, "")
+    assert f"{len(built.theorems)} of {len(built.theorems)} theorems proved as pinned, 0 files compiled" in out
+    planted(lambda facts: dataclasses.replace(facts, axioms=facts.axioms | {"Pair.contraction": ["Pair.easy"]}))
+    code, _, err = command()
+    assert (code, err) == (1, "Pair.contraction rests on Pair.easy, which nobody has proved\n")
+
+
+def test_the_command_without_the_kernel_has_an_exit_code_of_its_own(command, without_kernel):
+    assert command()[:2] == (3, "")
 
 
 @pytest.mark.usefixtures("needs_kernel")

@@ -1,6 +1,5 @@
-"""Every planted false statement, and every tie with a planted factor, breaks a proof; a few unless PLANT=all."""
+"""Every planted false statement, and every tie with a planted factor, breaks a proof; the long tests try most."""
 
-import os
 import re
 
 import pytest
@@ -9,7 +8,6 @@ from planted_proofs import PLANTED, QUICK
 from paper_checks.proofs import kernel, library
 from paper_checks.proofs.sources import Source, all_required, in_order
 
-EVERYTHING = os.environ.get("PLANT") == "all"
 TIES = ["tie_critical_energy", "tie_level", "tie_non_stop_damped", "tie_least_amplitude_undamped"]
 THEOREM = re.compile(r"^Theorem .*? Qed\.\n", re.MULTILINE | re.DOTALL)
 
@@ -56,7 +54,7 @@ def fault(sources, file, true, false):
 
 @pytest.mark.parametrize(
     ("file", "true", "false"),
-    [pytest.param(*one[:3], id=one[3]) for one in PLANTED if EVERYTHING or one[3] in QUICK],
+    [pytest.param(*one[:3], id=one[3], marks=() if one[3] in QUICK else pytest.mark.long) for one in PLANTED],
 )
 def test_a_false_statement_is_not_proved(compiled, store, file, true, false):
     sources, _ = compiled
@@ -72,7 +70,7 @@ def test_a_tie_to_a_wrong_expression_is_not_proved(compiled, store, name):
     check_wrong_tie(compiled, store, name)
 
 
-@pytest.mark.skipif(not EVERYTHING, reason="PLANT=all tries every tie")
+@pytest.mark.long
 def test_no_tie_to_a_wrong_expression_is_proved(compiled, store):
     names = set(tie_names(compiled[0][library.TIES].text)) - {"tie_solution", "tie_captive", "tie_stick_rotation"}
     assert len(names) > 20
