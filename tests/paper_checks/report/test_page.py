@@ -104,7 +104,7 @@ def test_the_numbers_of_the_first_screen_are_computed(name):
 
 
 def test_the_provenance_says_how_to_install_as_the_readme_does(rows):
-    readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    readme = (Path(__file__).parents[3] / "README.md").read_text(encoding="utf-8")
     assert readme.partition("```sh\n")[2].partition("\n```")[0] == trust.INSTALL
     text = html.render(document(rows), {})
     assert f"{trust.SOFTWARE}, version " in text
@@ -116,7 +116,7 @@ def test_a_file_is_the_source_or_it_is_not(tmp_path):
     other.write_text("\\title{Another paper}")
     assert not source.is_the_source(other)
     assert re.fullmatch("[0-9a-f]{64}", source.SHA256)
-    citation = Path(__file__).parents[2] / "CITATION.cff"
+    citation = Path(__file__).parents[3] / "CITATION.cff"
     assert all(text in citation.read_text(encoding="utf-8") for text in (source.SHA256, source.TITLE))
 
 
