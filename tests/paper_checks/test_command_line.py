@@ -11,8 +11,8 @@ from planted_trades import MACHINE, planted
 
 import numerics.trade.recorded as recorded_module
 import paper_checks.__main__ as command_line
-import paper_checks.drawing.figures as figures_module
 import paper_checks.ledger as ledger_module
+import paper_checks.parts as parts_module
 from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
 from paper_checks.checks import registry as registry_module
@@ -35,7 +35,7 @@ def small(monkeypatch, tmp_path_factory, rows, registry, figures):
     monkeypatch.setattr(section_module, "stick_energies", tuple)
     monkeypatch.setattr(ledger_module, "CLAIMS", tuple(row.claim for row in rows))
     monkeypatch.setattr(registry_module, "load_checks", lambda: registry)
-    monkeypatch.setattr(figures_module, "FIGURES", figures)
+    monkeypatch.setattr(parts_module, "FIGURES", figures)
 
 
 @pytest.mark.parametrize(
