@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import importlib.metadata
+import os
 import shutil
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -26,11 +27,11 @@ def all_sources() -> Iterator[Path]:
 
 
 def digest(files: Iterable[Path], words: Iterable[str]) -> str:
-    """Return the hash of the files' names and contents and of the words."""
+    """Return the hash of the files' places and contents and of the words."""
     found = hashlib.sha256()
     for path in files:
         content = path.read_bytes()
-        found.update(f"{path.name} {len(content)}\n".encode() + content)
+        found.update(f"{os.path.relpath(path, ROOT)} {len(content)}\n".encode() + content)
     found.update("\n".join(words).encode())
     return found.hexdigest()[:32]
 

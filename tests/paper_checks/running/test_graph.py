@@ -1,5 +1,7 @@
 """A row is as strong as the weakest step that it needs; a theorem of the kernel carries a clause, or turns its row."""
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 from flint import arb
@@ -7,10 +9,11 @@ from flint import arb
 from paper_checks.engines import deciders, kernel
 from paper_checks.engines.deciders import equals
 from paper_checks.evidence.clause import Formula, clause
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument, closure, weakest
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, weakest
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import Claim
 from paper_checks.proofs.library import Proved
+from paper_checks.running.graph import Proof, established_by
 from paper_checks.running.runner import row
 
 SMT = Evidence(EvidenceKind.SMT, "z3", "a < b", True)
@@ -149,3 +152,27 @@ def test_what_is_not_settled_at_a_point_does_not_fail_there(monkeypatch):
 def test_a_false_value_is_one_that_an_equation_states(relation, passed):
     assert Formula("E", relation, 1, deciders.false_value(lambda: arb(2)), false=True).evidence().passed is passed
     assert Formula("E", relation, 2, deciders.false_value(lambda: arb(2)), false=True).evidence().passed is None
+
+
+def test_one_theorem_of_two_does_not_carry_a_clause():
+    """What is proved without the other is not the whole: the clause's other steps carry it."""
+    one, other = (Evidence(EvidenceKind.KERNEL, "Coq", name, passed) for name, passed in (("a", True), ("b", None)))
+    whole = Proof(clause("c", "All."), Subject.CLAIM, (SMT,), (one, other), ())
+    assert not whole.by_kernel
+    assert (whole.established_by, whole.kernel_status) == (EvidenceKind.SMT, kernel.NOT_RUN)
+    assert replace(whole, kernel=(one, one)).established_by is EvidenceKind.KERNEL
+    assert replace(whole, kernel=(one, other), steps=(FAILED,)).established_by is None
+
+
+@pytest.mark.parametrize("binding", [FAILED, SILENT])
+def test_a_clause_whose_formula_does_not_pass_is_not_established(binding):
+    open_clause = Proof(clause("c", "All."), Subject.CLAIM, (SMT,), (), (binding,))
+    assert open_clause.established_by is None
+    assert established_by([open_clause, replace(open_clause, bindings=())]) is None
+    assert established_by([replace(open_clause, bindings=())]) is EvidenceKind.SMT
+
+
+def test_a_formula_that_is_not_decided_turns_the_row_too():
+    silent = Formula("E", "=", sp.Symbol("m2"), lambda _: SILENT)
+    turned = of(conclude(Verdict.HOLDS, "r", EXACT), clause("c", "«e».", e=silent))
+    assert (turned.finding.verdict, turned.finding.missing) == (Verdict.UNDECIDED, SILENT.statement)

@@ -20,8 +20,10 @@ from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger import claim_named
 from paper_checks.running import kept, plain, processes, workers
+from paper_checks.running import rows as running
 from paper_checks.running.kept import Kept
 from paper_checks.running.runner import decide
+from paper_checks.running.store import digest as hashed
 
 QUICK = ("energy-rate", "stiction-bracket", "vector-fields", "two-descriptions")
 ROOT = Path(kept.__file__).parents[2]
@@ -61,6 +63,30 @@ def test_a_solver_without_an_answer_is_asked_again(settled, store, tmp_path):
     finding = replace(settled[-1].finding, evidence=(*settled[-1].finding.evidence, silent))
     store.keep(plain.plain(replace(settled[-1], finding=finding)))
     assert entries(tmp_path) == []
+
+
+def test_so_is_one_whose_clause_a_solver_left_open(settled, store, tmp_path):
+    silent = Evidence(EvidenceKind.SMT, "z3 and cvc5", "hard", None)
+    row = plain.plain(settled[0])
+    store.keep(replace(row, proofs=(*row.proofs, ((), (), (silent,)))))
+    assert entries(tmp_path) == []
+
+
+def test_a_row_of_other_clauses_is_refused(settled):
+    row = plain.plain(settled[0])
+    for proofs in (row.proofs * 2, row.proofs[:-1] or row.proofs * 3):
+        with pytest.raises(ValueError, match="zip"):
+            plain.row(settled[0].claim, replace(row, proofs=proofs))
+
+
+@pytest.mark.parametrize("fresh", [False, True])
+def test_fresh_rows_are_decided_though_others_are_kept(store, fresh):
+    claim = claim_named("vector-fields")  # without a theorem of the kernel, which would be built
+    (row,) = running.rows([claim], Context(), running.Manner(store=store), running.Progress())
+    store.keep(replace(plain.plain(row), seconds=-1.0))
+    (again,) = running.rows([claim], Context(), running.Manner(store=store, fresh=fresh), running.Progress())
+    assert (again.seconds == -1.0) is not fresh
+    assert again.finding == row.finding
 
 
 @pytest.mark.parametrize("place", [0, 30, 70, 200, -1])
@@ -119,10 +145,31 @@ def test_the_state_knows_seed_kernel_versions_and_sources(monkeypatch, tmp_path)
     states.append(kept.state(0))
     monkeypatch.setattr(kept, "version", lambda name: "0.0")
     states.append(kept.state(0))
+    for kernel in ("1 of a kind", "2 of a kind"):
+        monkeypatch.setattr(kept.kernel, "why_not", lambda _: "")
+        monkeypatch.setattr(kept.kernel, "version", lambda _, kernel=kernel: kernel)
+        states.append(kept.state(0))
+    for name in ("python_version", "machine"):
+        monkeypatch.setattr(kept.platform, name, lambda: "another")
+        states.append(kept.state(0))
     monkeypatch.setattr(kept.kernel, "why_not", lambda _: "kernel not run: gone")
     states.append(kept.state(0))
-    assert len(set(states)) == 5
+    assert len(set(states)) == 9
     assert kept.state(0) == states[-1]
+
+
+def test_the_hash_of_files_tells_what_stands_where(tmp_path):
+    """@example of a found fault: a file that moves to another folder, its name kept, left the hash as it was."""
+
+    def digest(**texts):
+        for name, text in texts.items():
+            (tmp_path / name).parent.mkdir(exist_ok=True)
+            (tmp_path / name).write_text(text)
+        return hashed([tmp_path / name for name in texts], [])
+
+    found = [digest(a="12", b="3"), digest(a="1", b="23"), digest(a="12", c="3"), digest(b="12", a="3")]
+    found += [digest(**{"one/a": "12", "b": "3"}), digest(**{"two/a": "12", "b": "3"})]
+    assert len(set(found)) == len(found)
 
 
 def test_what_rows_can_depend_on_is_in_the_state():

@@ -5,7 +5,7 @@ import pytest
 from paper_checks.checks.registry import Context, Registry
 from paper_checks.errors import ToolMissingError
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
-from paper_checks.evidence.finding import Finding, Verdict
+from paper_checks.evidence.finding import Finding, Verdict, carried
 from paper_checks.ledger import Claim
 from paper_checks.running.runner import Row, decide, exit_code, joined, run
 
@@ -77,6 +77,11 @@ def test_findings_that_agree_are_joined():
     assert finding.verdict is Verdict.HOLDS
     assert finding.reason == "So it is. Again."
     assert (len(finding.evidence), finding.derivation, finding.figure) == (2, ("step", "more"), "f")
+
+
+def test_what_each_check_carries_is_carried():
+    one, two = (Finding(Verdict.HOLDS, "r", (PASSED,), carried=(carried(name, PASSED),)) for name in ("one", "two"))
+    assert [part.clause for part in joined([one, two]).carried] == ["one", "two"]
 
 
 def test_findings_that_differ_are_undecided():

@@ -1,0 +1,51 @@
+"""Maps of proved cells: a cell is where its place says, and what is not exactly a tree is no checkpoint."""
+
+from enum import Enum
+from fractions import Fraction
+
+import pytest
+
+from numerics.errors import InvalidMap
+from numerics.quadtree.tree import Verdicts, _decode, leaves_of, raster, shares
+
+WINDOW = ((Fraction(1), Fraction(16)), (Fraction(1), Fraction(256)))
+
+
+class Letter(Enum):
+    LEFT = "l"
+    RIGHT = "r"
+    OPEN = "u"
+
+
+def left_or_right(sides):
+    """By the first quantity alone, with a border at 4: half of the window's logarithmic width."""
+    (low, high), _ = sides
+    return Letter.LEFT if high <= 4 else Letter.RIGHT if low >= 4 else Letter.OPEN
+
+
+VERDICTS = Verdicts(left_or_right, Letter, Letter.OPEN)
+
+
+def test_a_raster_has_the_first_quantity_to_the_right_and_the_second_upwards():
+    leaves = leaves_of(WINDOW, 4, VERDICTS, {})
+    grid = raster(leaves, 4, list(Letter))
+    assert (grid[:, :8] == 0).all()
+    assert (grid[:, 8:] == 1).all()
+    assert len(leaves) == 64  # no block is cut further
+    assert shares(leaves, Letter) == {Letter.LEFT: 0.5, Letter.RIGHT: 0.5, Letter.OPEN: 0.0}
+
+
+def test_a_cell_lies_where_its_column_and_row_say():
+    for cell in leaves_of(WINDOW, 4, VERDICTS, {}):
+        for (low, high), place, (first, last) in zip(cell.sides, (cell.column, cell.row), WINDOW, strict=True):
+            cut = float(last / first) ** (1 / 2**cell.level)
+            assert float(low) == pytest.approx(float(first) * cut**place, rel=1e-12)
+            assert float(high) == pytest.approx(float(first) * cut ** (place + 1), rel=1e-12)
+
+
+@pytest.mark.parametrize("tree", ["", "+lr", "+lrlrl", "ll", "x", "+lr+lrl", "+lr+lr+lrlrll"])
+def test_a_text_that_is_not_one_tree_is_refused(tree):
+    (block,) = leaves_of(WINDOW, 1, Verdicts(lambda _: Letter.OPEN, Letter, Letter.OPEN), {})[:1]
+    with pytest.raises(InvalidMap, match="damaged block"):
+        _decode(tree, block, 3, VERDICTS)
+    assert len(_decode("+lr+lrlrl", block, 3, VERDICTS)) == 7
