@@ -23,10 +23,11 @@ SHARING = (
     "theorems_rate",
     "theorems_uniform",
     "theorems_excursion",
-    "theorems_share",
     "theorems_merging",
 )
 """Checks that derive the same long series, which a process then has: they stand together, at the front."""
+ALONE = ("section4_euler", "theorems_share")
+"""Checks that take long and share little: they stand at the back, the longest at the end, where the other processes begin."""
 
 
 def found(
@@ -48,7 +49,8 @@ def found(
 def _place(claim: Claim) -> int:
     """Return where a claim stands among those that wait; claims in the same place keep the ledger's order."""
     modules = [check.__module__.rpartition(".")[2] for check in load_checks().of(claim.id)]
-    return next((SHARING.index(module) for module in modules if module in SHARING), len(SHARING))
+    order = (*SHARING, "", *ALONE)
+    return next((order.index(module) for module in modules if module in order), order.index(""))
 
 
 def _serve(connection: Connection, context: Context) -> None:

@@ -27,6 +27,7 @@ from theory.excursion import (
     half_tangent_form,
     next_excess,
 )
+from theory.power_series import taylor
 from theory.symbols import h_value, q, r, theta
 
 LARGEST = sp.pi**2 / 4
@@ -53,7 +54,7 @@ def excess_after() -> Evidence:
     slope = 2 * q * h() * sp.diff(h(), theta) * (1 - r * (1 - sp.cos(theta)))
     return identity(
         r"$w'=0$ at $\theta=0$ and $\frac{dw'}{d\theta}=2q\,h\,h'\,\bigl(1-r(1-\cos\theta)\bigr)$, $r=m_2/(m_1+m_2)$",
-        sp.Matrix([sp.limit(next_excess(), theta, 0), half_tangent_form(sp.diff(next_excess(), theta))]),
+        sp.Matrix([taylor(next_excess(), theta, 1), half_tangent_form(sp.diff(next_excess(), theta))]),
         sp.Matrix([0, half_tangent_form(slope)]),
     )
 

@@ -204,8 +204,8 @@ def test_what_shows_rows_is_reached_from_no_check():
     assert [path for path in reached if path.relative_to(package).parts[0] in kept.SHOWING] == []
 
 
-def test_the_checks_that_share_derivations_are_there():
-    assert all((ROOT / "paper_checks" / "checks" / f"{name}.py").exists() for name in workers.SHARING)
+def test_the_checks_that_have_a_place_are_there():
+    assert all((ROOT / "paper_checks" / "checks" / f"{name}.py").exists() for name in workers.SHARING + workers.ALONE)
 
 
 def test_a_process_that_ends_costs_its_own_row_only():
