@@ -102,9 +102,11 @@ def _parser() -> argparse.ArgumentParser:
             "--seed", type=_seed, default=0, metavar="N", help="seed of the random cases; default: %(default)s"
         )
         command.add_argument(
-            "--jobs", type=_number, metavar="N", help="processes that decide rows; default: one a core"
+            "--jobs", type=_number, metavar="N", help="processes that decide rows and draw figures; default: one a core"
         )
-        command.add_argument("--fresh", action="store_true", help="decide every row anew; take none from the cache")
+        command.add_argument(
+            "--fresh", action="store_true", help="decide every row and draw every figure anew; take none from the cache"
+        )
         command.add_argument("--debug", action="store_true", help="print the traceback of what fails")
     return parser
 

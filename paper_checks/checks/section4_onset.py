@@ -45,7 +45,7 @@ def example_stiction_never_violated(_: Context) -> Finding:
     return conclude(
         Verdict.REFUTED,
         "The paper's own start of Fig. 4 (a) violates the inequality: $\\dot z=0$ and "
-        f"$|\\ddot x_1|={value_at(abs(literal), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$. Nothing in (11), (12) bounds "
+        f"$|\\ddot x_1|={value_at(abs(literal), START_AT_6MM)}$ m/s², more than $b/m_2={value_at(b / m2, START_AT_6MM)}$ m/s². Nothing in (11), (12) bounds "
         "$|\\ddot x_1|$, so the dropped switching would act there; (12) makes the pair stick all the same. In slip the bound "
         "fails as well, already at the start of Fig. 4 (b), but there the first bracket of (4) is 0 and nothing follows. What "
         "is true: up to the critical energy $|\\ddot x_1|\\leqslant b/m_2$ whenever $\\dot z=0$.",

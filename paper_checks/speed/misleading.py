@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import isinf
 
 from numerics.trade.euler import NUDGE, EulerFigure, StickEnergy
 from numerics.trade.table import error_text
@@ -71,12 +72,17 @@ def _steps(figures: Sequence[EulerFigure]) -> Iterator[Block]:
             "none tried" if one.right_from is None else step_text(one.right_from),
             _need(one.step_for(1e-2)),
             _need(one.step_for(1e-3)),
-            error_text(one.outcomes[-1].error),
+            _error(one.outcomes[-1].error),
         )
         for one in figures
     )
     head = ("figure", "events", "right events from", "error of 1 %", "error of $10^{-3}$", "error at the finest")
     yield Table(head, rows, "The step (s) that forward Euler needs")
+
+
+def _error(log10: float) -> str:
+    """Return an error from its decimal logarithm, to one digit."""
+    return error_text(log10) if isinf(log10) else step_text(float(error_text(log10)))
 
 
 def _need(found: tuple[float | None, bool]) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 
+from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import page
 from paper_checks.ledger import Kind
@@ -83,27 +84,38 @@ def _rows(rows: Sequence[Row], report: Document, writer: HtmlWriter) -> str:
 def _filters(rows: Sequence[Row]) -> str:
     """Return the filters, which stay hidden where there is no JavaScript."""
     verdicts = [verdict.value for verdict in Verdict if any(row.finding.verdict is verdict for row in rows)]
+    steps = dict.fromkeys(map(_weakest, sorted(rows, key=_strength)))
     return (
         '<form id="filters" hidden>\n'
-        + _select("section", [(name, section_title(name)) for name in sections(rows)])
-        + _select("verdict", [(name, name) for name in verdicts])
+        + _select("section", "Section", [(name, section_title(name)) for name in sections(rows)])
+        + _select("verdict", "Verdict", [(name, name) for name in verdicts])
+        + _select("step", "Weakest step", [(name, name) for name in steps])
         + '<button type="button" id="open-all">Open all</button>\n'
-        + '<output id="shown" for="filter-section filter-verdict"></output>\n</form>'
+        + '<output id="shown" for="filter-section filter-verdict filter-step"></output>\n</form>'
     )
 
 
-def _select(name: str, options: Iterable[tuple[str, str]]) -> str:
+def _weakest(row: Row) -> str:
+    """Return the kind of the weakest step that a row needs."""
+    return row.established_by.value if row.established_by else "none"
+
+
+def _strength(row: Row) -> int:
+    """Return a place that is lower for a stronger kind of step, and highest where there is none."""
+    order = list(EvidenceKind)
+    return order.index(row.established_by) if row.established_by else len(order)
+
+
+def _select(name: str, title: str, options: Iterable[tuple[str, str]]) -> str:
     choices = "".join(f'<option value="{escape(value)}">{escape(text)}</option>' for value, text in options)
-    return (
-        f'<label>{name.capitalize()} <select id="filter-{name}"><option value="">all</option>{choices}'
-        "</select></label>\n"
-    )
+    return f'<label>{title} <select id="filter-{name}"><option value="">all</option>{choices}</select></label>\n'
 
 
 def _row(row: Row, report: Document, writer: HtmlWriter) -> str:
     claim, finding = row.claim, row.finding
     return (
-        f'<tbody id="{claim.id}" data-section="{escape(claim.section)}" data-verdict="{finding.verdict.value}">\n'
+        f'<tbody id="{claim.id}" data-section="{escape(claim.section)}" data-verdict="{finding.verdict.value}" '
+        f'data-step="{_weakest(row)}">\n'
         f'<tr><th scope="row">{writer.text(claim.statement)} <small>{writer.text(place(claim))}</small></th>'
         f"<td>{badge(finding.verdict)}<br><small>{kind(row)}</small></td>"
         f"<td>{writer.text(first_sentence(finding.reason))}</td></tr>\n"

@@ -1,12 +1,10 @@
 const claims = [...document.querySelectorAll(".claims > tbody")];
-const section = document.getElementById("filter-section");
-const verdict = document.getElementById("filter-verdict");
+const filters = ["section", "verdict", "step"].map((name) => [name, document.getElementById(`filter-${name}`)]);
 const behind = (claim) => claim.querySelector("details");
 
 function filter() {
   for (const claim of claims) {
-    claim.hidden = (section.value && claim.dataset.section !== section.value)
-      || (verdict.value && claim.dataset.verdict !== verdict.value);
+    claim.hidden = filters.some(([name, chosen]) => chosen.value && claim.dataset[name] !== chosen.value);
   }
   for (const table of document.querySelectorAll(".claims")) {
     table.hidden = [...table.tBodies].every((claim) => claim.hidden);
@@ -18,7 +16,7 @@ function filter() {
 function openTarget() {
   const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
   if (!target) return;
-  if (target.hidden) { section.value = verdict.value = ""; filter(); }
+  if (target.hidden) { for (const [, chosen] of filters) chosen.value = ""; filter(); }
   if (claims.includes(target)) behind(target).open = true;
   for (let around = target; around; around = around.parentElement) {
     if (around.tagName === "DETAILS") around.open = true;
@@ -27,8 +25,7 @@ function openTarget() {
 }
 
 document.getElementById("filters").hidden = false;
-section.addEventListener("change", filter);
-verdict.addEventListener("change", filter);
+for (const [, chosen] of filters) chosen.addEventListener("change", filter);
 document.getElementById("open-all").addEventListener("click", () => {
   const all = claims.filter((claim) => !claim.hidden).map(behind);
   const open = all.some((details) => !details.open);

@@ -13,7 +13,7 @@ function markScrollable() {
 }
 
 function planMarking() {
-  if (!planned) { planned = true; requestAnimationFrame(markScrollable); }
+  if (!planned) { planned = true; setTimeout(markScrollable); } // a frame may be long in coming, where nobody looks
 }
 
 addEventListener("resize", planMarking);

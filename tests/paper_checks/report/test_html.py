@@ -7,6 +7,7 @@ from html.parser import HTMLParser
 
 import pytest
 
+from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.report.content import notation
 from paper_checks.report.content.document import document, summary
 from paper_checks.report.content.phrases import place
@@ -159,6 +160,15 @@ def test_the_page_has_a_language_and_filters_for_what_occurs(page, text):
     assert ("lang", "en") in page.attributes
     for value in ("II", "III", "IV", "V", "refuted", "undecided"):
         assert f'<option value="{value}">' in text
+
+
+def test_the_filter_by_the_weakest_step_has_the_kinds_that_occur_from_the_strongest_on(text, rows):
+    chosen = re.search(r'<select id="filter-step">(.*?)</select>', text).group(1)
+    kinds = [kind.value for kind in EvidenceKind if any(row.established_by is kind for row in rows)]
+    open_ones = ["none"] if any(row.established_by is None for row in rows) else []
+    assert re.findall(r'value="(\w[^"]*)"', chosen) == [*kinds, *open_ones]
+    found = sorted(re.findall(r'data-step="(\w+)"', text))
+    assert found == sorted(row.established_by.value if row.established_by else "none" for row in rows)
 
 
 def test_two_runs_give_the_same_bytes_and_no_date(rows, figures, tmp_path):
