@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from numerics.exits import OneLineParser, drop_output
 from paper_checks import reporting
+from paper_checks.running import early
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -127,7 +128,7 @@ def _seed(text: str) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    _begin(options)
+    early.begin_for(options)
     from paper_checks.running.runner import exit_code
 
     claims = _chosen(options.ids)
@@ -178,7 +179,7 @@ def _plant(options: argparse.Namespace) -> int:
 
 
 def _report(options: argparse.Namespace) -> int:
-    _begin(options)
+    early.begin_for(options)
     claims = _chosen(options.ids)
     if claims is None:
         return USAGE
@@ -214,17 +215,6 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
             _complain(f"unknown claim {name!r}; {hint}")
             return None
     return tuple(claim for claim in CLAIMS if not ids or claim.id in ids)
-
-
-def _begin(options: argparse.Namespace) -> None:
-    """Let another process load the checks as early as can be, where all rows will be decided in several."""
-    if options.program and not options.ids and options.jobs != 1:
-        from numerics.batch.parallel import available_cores
-        from paper_checks.running import early
-        from paper_checks.running.kept import Kept
-
-        if (options.jobs or available_cores()) > 1 and (options.fresh or Kept(options.seed).is_empty()):
-            early.begin()
 
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:

@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+import argparse
 import pkgutil
 
-from paper_checks import checks
-from paper_checks.running import processes
+
+def begin_for(options: argparse.Namespace) -> None:
+    """Let another process load the checks as early as can be, where all rows will be decided in several."""
+    if options.program and not options.ids and options.jobs != 1:
+        from numerics.batch.parallel import available_cores
+        from paper_checks.running.kept import Kept
+
+        if (options.jobs or available_cores()) > 1 and (options.fresh or Kept(options.seed).is_empty()):
+            begin()
 
 
 def begin() -> None:
     """Let that process load the checks, and what sympy loads when it first simplifies, while this one does something else."""
+    from paper_checks import checks
+    from paper_checks.running import processes
+
     names = (f"{checks.__name__}.{one.name}" for one in pkgutil.iter_modules(checks.__path__))
     processes.begin([*names, "sympy.physics.units"])
