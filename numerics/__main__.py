@@ -9,7 +9,7 @@ from pathlib import Path
 
 from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, OneLineParser, drop_output, refuse
 from numerics.faces import commands, maps, solving
-from numerics.faces.asking import add_control, add_map_roads
+from numerics.faces.control_commands import add_control, add_map_roads
 from numerics.faces.flags import in_flags, natural, positive
 
 _EPILOG = """exit codes: 0 solved; 1 undecided or out of reach (the message says what to do); 2 usage, or invalid scene

@@ -60,6 +60,9 @@ def section(rows: Sequence[Row], *, short: bool = False) -> Section:
         if one.decisive or not short
     )
     guards = (
+        Paragraph(
+            "To see which rows those are, choose a kind under “Weakest step”, above the claims of the HTML page."
+        ),
         Paragraph("What guards the report against its own errors:"),
         Points(tuple(_guards(rows))),
         Paragraph("To check everything again:"),
