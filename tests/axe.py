@@ -15,6 +15,8 @@ from chromium import asked
 SCHEMES = {"dark": "--blink-settings=preferredColorScheme=0", "light": "--blink-settings=preferredColorScheme=1"}
 WIDTHS = (1400, 500)
 """Pixels; headless Chromium has no narrower window, and the page turns narrow below 736."""
+APPEARANCES = [("light", WIDTHS[0], True), *itertools.product(SCHEMES, WIDTHS, [False])]
+"""Colours, width, and whether the page is folded: what is open shows all that a folded one does."""
 QUESTION = """
 if (document.readyState !== "complete") await new Promise((done) => addEventListener("load", done));
 await document.fonts.ready;
@@ -45,8 +47,8 @@ def complaints(axe: str, page: Path) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         question = Path(folder) / "question.js"
         question.write_text(QUESTION, encoding="utf-8")
-        for (scheme, flag), width, folded in itertools.product(SCHEMES.items(), WIDTHS, (True, False)):
-            flags = (flag, f"--window-size={width},900")
+        for scheme, width, folded in APPEARANCES:
+            flags = (SCHEMES[scheme], f"--window-size={width},900")
             answer = asked(text, question, Path(folder), *flags, seconds=900, open=not folded)
             if not isinstance(answer, list):
                 raise RuntimeError(f"{page.name}: {answer}")
