@@ -86,6 +86,7 @@ _FUNCTIONS: dict[Any, Callable[..., Value]] = {
     sp.exp: lambda one: _ball(one).exp(),
     sp.log: lambda one: _ball(one).log(),
     sp.Abs: abs,
+    sp.floor: lambda one: fmpq(one.floor()) if isinstance(one, fmpq) else one.floor(),
     sp.ceiling: lambda one: fmpq(one.ceil()) if isinstance(one, fmpq) else one.ceil(),
     sp.Min: lambda *all: reduce(_least, all),
     sp.Max: lambda *all: -reduce(_least, (-one for one in all)),

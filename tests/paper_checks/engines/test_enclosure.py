@@ -45,6 +45,7 @@ def test_an_itinerary_has_to_be_the_proved_one():
     trajectory = solved(load_scene("start-at-6mm"))
     assert itinerary("right", trajectory, [Mode.SLIP_MINUS, Mode.STICK]).passed is True
     assert itinerary("wrong", trajectory, [Mode.STICK]).passed is False
+    assert itinerary("the other way round", trajectory, [Mode.STICK, Mode.SLIP_MINUS]).passed is False
     assert itinerary("nothing", trajectory, []).passed is None
     assert stuck_for_ever("not yet", trajectory).passed is False
     assert stuck_for_ever("read literally", solved(load_scene("start-at-6mm-literal"))).passed is True

@@ -93,7 +93,8 @@ def test_a_value_is_exact_while_it_can_be():
     with pytest.raises(ZeroDivisionError):
         at_point(1 / (x - sp.Rational(9, 4)), point)
     with pytest.raises(NotEvaluatedError):
-        at_point(sp.floor(x / 3), point)
+        at_point(sp.erf(x / 3), point)
+    assert at_point(sp.floor(-x / 3) + sp.ceiling(sp.sqrt(y)), point) == 1
 
 
 def test_a_root_of_a_negative_number_is_complex():

@@ -1,12 +1,16 @@
 """Every formula of every clause: a changed sign, factor, exponent or relation turns its row."""
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 
 from paper_checks.engines.deciders import condition, decimal, equals, fails_at, holds_at, implied
 from paper_checks.errors import LedgerError
 from paper_checks.evidence.clause import Formula, clause
-from paper_checks.ledger import CLAIMS
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.finding import Verdict
+from paper_checks.ledger import CLAIMS, Claim
 from paper_checks.running.planting import faults, places, planted
 from paper_checks.solvers import smt
 from theory.symbols import b, m1, m2, v1
@@ -47,6 +51,20 @@ def test_every_formula_has_a_fault():
     assert all(any(True for _ in faults(formula)) for *_, formula in places(CLAIMS))
 
 
+def test_a_formula_that_nothing_turns_is_reported_wherever_it_stands():
+    """As decided by nobody: each planted fault in the claim, and in its correction, passes."""
+    passes = Evidence(EvidenceKind.EXACT, "sympy", "all", True)
+    for decided, turned in ((lambda _: passes, False), (lambda _: replace(passes, passed=None), True), (raises, True)):
+        said, corrected = (clause(name, "«e».", e=Formula("E", "=", b, decided)) for name in ("said", "corrected"))
+        found = list(planted([Claim("a-claim", "III", "(8)", (said,), Verdict.REFUTED, correction=(corrected,))]))
+        assert {one.clause for one in found} == {"said", "corrected"}
+        assert {one.turned for one in found} == {turned}
+
+
+def raises(formula):
+    raise ArithmeticError("not decided")
+
+
 def kinds(formula):
     return {kind for kind, _ in faults(formula)}
 
@@ -70,6 +88,12 @@ def test_a_sharp_inequality_is_the_one_derived():
     right = Formula(b, "<=", m1, condition(derived), sharp=True)
     assert right.evidence().passed
     assert all(wrong.evidence().passed is not True for _, wrong in faults(right))
+
+
+def test_each_side_of_a_sharp_inequality_counts():
+    for left, right in ((b, m2), (m2, m1)):
+        wrong = Formula(left, "<=", right, condition(lambda: sp.Le(b, m1, evaluate=False)), sharp=True)
+        assert wrong.evidence().passed is False
 
 
 def test_a_false_formula_fails_at_a_point_and_its_negation_does_not():

@@ -8,6 +8,7 @@ import sympy as sp
 from paper_checks.errors import NotPolynomialError, ToolMissingError
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.solvers import smt
+from paper_checks.solvers.polynomial import cleared
 from paper_checks.solvers.smt import Answers, prove
 from paper_checks.solvers.text import script
 
@@ -27,6 +28,16 @@ def test_what_sympy_assumes_of_a_symbol_is_an_assumption():
     assert prove("means", [], (m + n) ** 2 >= 4 * m * n).passed is True
     assert prove("only for positive", [sp.Eq(y, m * x**2)], y >= 0).passed is True
     assert prove("not for all", [sp.Eq(y, z * x**2)], y >= 0).passed is False
+
+
+def test_a_sign_that_sympy_leaves_open_is_left_open():
+    """At 0 a number that is only not negative is not positive; one that is not 0 has a positive square."""
+    k, w = sp.Symbol("k", nonnegative=True), sp.Symbol("w", real=True, nonzero=True)
+    assert prove("beyond 0", [], k + k**2 > 0).passed is False
+    assert prove("a square", [], sp.Gt(w**2, 0, evaluate=False)).passed is True
+    with pytest.raises(ValueError, match="not manifestly positive"):
+        cleared(x / w)
+    assert cleared(x / w**2) == x
 
 
 @pytest.mark.parametrize(
@@ -112,6 +123,13 @@ def test_one_solver_alone_proves_nothing(monkeypatch, solver, negation):
 
 def test_a_control_without_answer_proves_nothing(monkeypatch):
     monkeypatch.setattr(smt, "ask", lambda *_: Answers("unknown", "unsat"))
+    assert prove("a square", [x > 1], x**2 > 1).passed is None
+
+
+def test_a_solver_that_is_ended_for_its_time_proves_nothing(monkeypatch):
+    monkeypatch.setattr(smt, "answer", lambda *_: None)
+    assert prove("a square", [x > 1], x**2 > 1).passed is None
+    monkeypatch.setattr(smt, "SOLVERS", ("z3",))
     assert prove("a square", [x > 1], x**2 > 1).passed is None
 
 
