@@ -39,5 +39,5 @@ def _compared(one: Wait) -> str:
 def _asked(one: Wait) -> str:
     if one.most is None:
         return "–"
-    most = f"at most {factor_text(one.most)} times" if one.ratio is not None else f"at most {time_text(one.most)}"
-    return f"{most}: {'kept' if one.kept else 'missed'}"
+    most = f"{factor_text(one.most)} ×" if one.ratio is not None else time_text(one.most)
+    return f"≤ {most}: {'kept' if one.kept else 'missed'}"

@@ -31,7 +31,7 @@ SYMBOLS = {
     "states": Symbol("x_i,\\,v_i", "position and velocity of body $i$; $\\dot x_i=v_i$. The spring is relaxed at $x_1=0$", "m, m/s", _letter(r"[xv]_\{?[12i]\}?")),
     "z": Symbol("z", "$x_1-x_2$; $\\dot z=v_1-v_2$ is the relative velocity", "m, m/s", _letter("z")),
     "spring": Symbol("a_1,\\,a_2", "damping and stiffness of body 1 against the ground; Section III writes $a$ for $a_2$", "N s/m, N/m", _letter(r"a_\{?[12]\}?|a(?!['_])")),
-    "b": Symbol("b", "largest force of the friction between the bodies: Coulomb's", "N", _letter("b")),
+    "b": Symbol("b", "largest friction force between the bodies (Coulomb's law)", "N", _letter("b")),
     "force": Symbol("u", "force on body 1 from outside; 0 in the free system", "N", _letter("u(?!')")),
     "sgn": Symbol("\\mathrm{sgn}", "the three-valued signum of eq. (1); in Filippov's reading the value at 0 is the whole interval $[-1,1]$", "–", r"sgn|sign"),
     "S": Symbol("S", "the switching surface $v_1=v_2$; $\\Omega_\\pm$ is where $v_1-v_2$ has this sign", "–", _letter("S(?!_)") + r"|\\Omega_"),
