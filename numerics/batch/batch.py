@@ -65,8 +65,7 @@ def solve_many(
     such as "1/3" are numbers too, at the price of Python's time for every scene. `jobs`: threads of compiled code
     (default: all cores); without numba one thread does it all. `progress(done, all)` is called now and then.
 
-    `force` and `friction`: a Force, a Friction, or sequences of them that broadcast with the numbers. What friction
-    took is nan under a force: ask one trajectory's ledger.
+    `force` and `friction`: a Force, a Friction, or sequences of them that broadcast with the numbers.
 
     Raises InvalidScene, naming the first number that is out of bounds, ValueError (arrays that do not broadcast, bad
     arguments).

@@ -4,6 +4,7 @@ import pytest
 
 from paper_checks.checks.registry import Context, Registry
 from paper_checks.errors import ToolMissingError
+from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict, carried
 from paper_checks.ledger import Claim
@@ -51,6 +52,18 @@ def test_an_exception_is_undecided_and_isolated():
     assert first.finding.verdict is Verdict.UNDECIDED
     assert r"ZeroDivisionError: by \$0\$" in first.finding.reason
     assert second.finding is HOLDS
+
+
+def test_a_formula_whose_decision_raises_makes_its_row_undecided():
+    def decided(formula):
+        raise ZeroDivisionError("no inverse")
+
+    said = (clause("whole", "«it».", it=Formula("E", "=", 0, decided)),)
+    registry = Registry(["a"])
+    registry.check("a")(lambda context: HOLDS)
+    (row,) = run([Claim("a", "II", "w", said, Verdict.HOLDS)], registry, Context())
+    assert row.finding.verdict is Verdict.UNDECIDED
+    assert "no inverse" in row.finding.reason
 
 
 @pytest.mark.parametrize("answer", [None, True, "holds", PASSED])

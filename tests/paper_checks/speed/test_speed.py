@@ -187,9 +187,7 @@ class TestInShort:
         waits = [Wait("the run inside", 5e-6), Wait("solve(scene)", 2e-5, "the run inside", 4.0, 6.0)]
         trade = planted(tmp_path, interface=[one.as_record() for one in waits])
         assert "`solve(scene)` takes 20 µs, with times, states and itinerary read 500 µs;" in self.short(trade)
-        assert "| `solve(scene)` | 20 µs | 4 times the run inside | ≤ 6 ×: kept |" in said(
-            section.waiting(trade)
-        )
+        assert "| `solve(scene)` | 20 µs | 4 times the run inside | ≤ 6 ×: kept |" in said(section.waiting(trade))
 
     def test_a_lead_counts_only_scenes_where_nobody_beats_ours(self, tmp_path):
         winner, loser = run("A", "velocities", 1e-3, -16.0), run("B", "relative-motion-b05", 1e-3, -12.0)
