@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from numerics.exits import OneLineParser, drop_output
-from paper_checks import reporting
+from paper_checks.reporting import command_line
 from paper_checks.running import early
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ def _parser() -> argparse.ArgumentParser:
     claims.add_argument("--json", action="store_true", help="print a JSON list")
     claims.set_defaults(command=_list)
     report = commands.add_parser("report", help="write the report", epilog=EPILOGUE)
-    reporting.add_arguments(report)
+    command_line.add_arguments(report)
     report.set_defaults(command=_report)
     explore = commands.add_parser("explore", help="write a page on which you can play with the pair")
     explore.add_argument(
@@ -183,11 +183,11 @@ def _report(options: argparse.Namespace) -> int:
     claims = _chosen(options.ids)
     if claims is None:
         return USAGE
-    return reporting.report(options, claims, lambda some: _rows(some, options), _complain)
+    return command_line.report(options, claims, lambda some: _rows(some, options), _complain)
 
 
 def _source(options: argparse.Namespace) -> int:
-    return reporting.is_the_source(options, _complain)
+    return command_line.is_the_source(options, _complain)
 
 
 def _explore(options: argparse.Namespace) -> int:

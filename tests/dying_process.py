@@ -5,9 +5,9 @@ import signal
 from multiprocessing.connection import Connection
 
 from numerics.trade.recorded import RecordedTrade
-from paper_checks import parts
 from paper_checks.checks.registry import Context, load_checks
 from paper_checks.ledger import claim_named
+from paper_checks.reporting import parts
 from paper_checks.running.plain import plain
 from paper_checks.running.runner import run
 

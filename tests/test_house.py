@@ -93,7 +93,6 @@ FLOORS = {
         ("drawing", "explore"),
         ("report",),
         ("speed",),
-        ("parts",),
         ("reporting",),
         ("__main__",),
     ),

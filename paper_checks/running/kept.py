@@ -19,7 +19,7 @@ from paper_checks.running.store import ROOT, Store, all_sources, digest, version
 if TYPE_CHECKING:
     from paper_checks.running.plain import Plain
 
-SHOWING = ("report", "drawing", "explore", "speed", "parts.py", "reporting.py", "__main__.py")
+SHOWING = ("report", "drawing", "explore", "speed", "reporting", "__main__.py")
 """Rooms of `paper_checks` that no check imports: they show rows. A test holds this."""
 DEPENDENCIES = ("sympy", "mpmath", "numpy", "python-flint", "z3-solver", "cvc5", "scipy", "numba")
 

@@ -12,7 +12,7 @@ from planted_trades import MACHINE, planted
 import numerics.trade.recorded as recorded_module
 import paper_checks.__main__ as command_line
 import paper_checks.ledger as ledger_module
-import paper_checks.parts as parts_module
+import paper_checks.reporting.parts as parts_module
 from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
 from paper_checks.checks import registry as registry_module

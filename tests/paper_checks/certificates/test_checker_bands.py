@@ -3,20 +3,12 @@
 import json
 from fractions import Fraction
 
-import flint
 import pytest
 from flint import arb
 
 from paper_checks.certificates import checker
 
 TEXT = checker.CERTIFICATE.read_text("utf-8")
-
-
-@pytest.fixture(autouse=True)
-def precision():
-    before, flint.ctx.prec = flint.ctx.prec, 400
-    yield
-    flint.ctx.prec = before
 
 
 def objections(change):

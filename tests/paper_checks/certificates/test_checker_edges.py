@@ -4,7 +4,6 @@ import json
 from fractions import Fraction
 from itertools import pairwise
 
-import flint
 import pytest
 from flint import arb
 from hypothesis import given
@@ -13,13 +12,6 @@ from hypothesis import strategies as st
 from paper_checks.certificates import checker
 
 TEXT = checker.CERTIFICATE.read_text("utf-8")
-
-
-@pytest.fixture(autouse=True)
-def precision():
-    before, flint.ctx.prec = flint.ctx.prec, 400
-    yield
-    flint.ctx.prec = before
 
 
 def refused(change):

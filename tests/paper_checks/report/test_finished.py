@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from paper_checks import reporting
 from paper_checks.evidence.finding import Verdict
 from paper_checks.report.output import files, finished
 from paper_checks.report.output import pictures as pictures_of_a_report
 from paper_checks.report.output.finished import Finished, name_of
+from paper_checks.reporting import command_line
 from paper_checks.running.graph import proofs
 
 
@@ -115,7 +115,7 @@ def reported(rows, out, *, fresh=False, program=True, form=("html",)):
         trade=None, format=form, program=program, summary=False, steps=False, fresh=fresh, out=out, jobs=1
     )
     complaints = []
-    code = reporting.report(options, rows, lambda claims: rows, complaints.append)
+    code = command_line.report(options, rows, lambda claims: rows, complaints.append)
     assert complaints == []
     return code, {path.name: path.read_bytes() for path in Path(out).iterdir()}
 

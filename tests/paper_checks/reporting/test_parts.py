@@ -4,8 +4,8 @@ import pytest
 from dying_process import dies_of_two_bodies
 
 from numerics.trade.recorded import recorded
-from paper_checks import parts
 from paper_checks.report.output.pictures import Undrawn
+from paper_checks.reporting import parts
 
 DRAWINGS = [parts.Drawing(name, ("svg", "pdf")) for name in ("two-bodies", "force-needed", "start-at-6mm")]
 

@@ -122,10 +122,10 @@ def _drawable(
     kept: Finished | None,
 ) -> tuple[Document, Pictures]:
     """Return the report, and its figures for the forms that are wanted; what cannot be drawn is added to the complaints."""
-    from paper_checks import parts
     from paper_checks.ledger import CLAIMS
     from paper_checks.report.content import document
     from paper_checks.report.output.pictures import Pictures
+    from paper_checks.reporting import parts
 
     whole = len(rows) == len(CLAIMS) and not options.summary
     figures, chapters = parts.figures(trade), list(parts.chapters(trade)) if whole else []
@@ -146,10 +146,10 @@ def _sections_and_pictures(
 ) -> dict[str, Section]:
     """Make the chapters, which are returned by name, and all figures that are missing for the forms that are wanted."""
     from numerics.batch.parallel import available_cores
-    from paper_checks import parts
     from paper_checks.report.content.blocks import Section
     from paper_checks.report.formats import progress
     from paper_checks.report.output.files import FIGURES_OF
+    from paper_checks.reporting import parts
 
     forms: dict[str, list[str]] = {}
     for form in dict.fromkeys(FIGURES_OF[one] for one in wanted):
