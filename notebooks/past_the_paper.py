@@ -28,10 +28,9 @@ from IPython.display import Latex, display
 from sympy import lambdify
 
 from numerics import Pair, Scene, State
-from numerics.long_time.energy import energy_at
-from numerics.merging.cell import CRITICAL_SHARE, Verdict
-from numerics.merging.figure import draw_map
-from numerics.merging.map import Window, merging_cells
+from numerics.free.energy import energy_at
+from numerics.free.merging import CRITICAL_SHARE, Verdict
+from numerics.free.merging_map import Window, draw_map, merging_cells
 from paper_checks.evidence.formula import equation
 from theory import excursion, near_critical, return_map
 from theory.symbols import q, theta

@@ -13,78 +13,66 @@
 # %% [markdown]
 # # Speed and accuracy
 #
-# How fast is how exact? First a measurement that was made once and is shipped; then a small one here and now; then
-# how to ask for an accuracy instead of a method; last the advice that follows from the measurement.
+# How fast is how exact? First a measurement that was made once and is shipped, and what follows from it; then a small
+# one here and now; then how to ask for an accuracy instead of a method.
 
 # %%
 # %matplotlib inline
 # %config InlineBackend.figure_formats = ["svg"]
 import matplotlib.pyplot as plt
 import numpy as np
-from IPython.display import Markdown, display
+from IPython.display import Markdown
 
 from numerics import Scene, Solver, State, load_scene, solve, solve_many
-from numerics.trade.clock import timed
-from numerics.trade.contender import all_contenders
-from numerics.trade.judge import judge
+from numerics.trade.command import seconds_text
+from numerics.trade.contenders import CONTENDERS, answer_of
+from numerics.trade.fresh import total_time
+from numerics.trade.judge import judge, proved
 from numerics.trade.recorded import recorded
-from numerics.trade.reference import POINT_DIGITS, proved
 from numerics.trade.scenes import HEADLINE
-from numerics.trade.table import error_text, seconds_text
-from paper_checks.report.content.blocks import Section
+from paper_checks.report.content.blocks import Picture, Section
 from paper_checks.report.formats.markdown import markdown
 from paper_checks.speed import section
 
 # %% [markdown]
 # ## The recorded measurement
+#
+# First what follows from it, computed from its numbers; then the figure. Each panel is a scene, each mark a run. Filled
+# marks have the event sequence right, hollow ones have it wrong.
 
 # %%
 trade = recorded()
-drawn = section.figures(trade)
-Markdown(markdown(Section("measured", "On what it was measured", tuple(section.provenance(trade)))))
-
-# %% [markdown]
-# Each panel is a scene, each mark a method at one setting. Filled marks have the event sequence right, hollow ones have
-# it wrong; the black line is the front, the right runs that no other right run beats in both time and digits.
+chapter = section.section(trade)
+Markdown(markdown(Section("measured", "What follows", tuple(b for b in chapter.blocks if not isinstance(b, Picture)))))
 
 # %%
-drawn[section.WORK_PRECISION]()
-
-# %% [markdown]
-# How our own cost grows: with digits, beside one sine and cosine at so many digits; with the events; with the mass
-# ratio; and for batches with their size.
-
-# %%
-display(*(draw() for name, draw in drawn.items() if name != section.WORK_PRECISION))
+section.figures(trade)[section.WORK_PRECISION]()
 
 # %% [markdown]
 # ## A small one, here and now
 #
-# The paper's scene with $b=0.5$ N, 5 s. What a user calls (`solve`, `Solver`, `solve_many`, `ball`) stands beside the
-# runs inside (`float64`, `double-double`). What is not installed is named.
+# The paper's scene with $b=0.5$ N, 5 s, each call once and warm. What is not installed is named;
+# `python -m numerics trade` measures the same in fresh processes.
 
 # %%
 scene = load_scene(HEADLINE)
 truth = proved(scene)
-wanted = ("float64", "double-double", "solve", "Solver", "ball", "SciPy DOP853", "heyoka (edge coordinates)")
 rows = []
-for one in all_contenders():
-    if one.takes(scene) and one.label.startswith(wanted):
-        if one.missing():
-            rows.append(f"| {one.label} | | not installed: needs {one.missing()} | | |")
-            continue
-        for setting in dict.fromkeys((one.settings[0], 100.0 if one.knob == "digits" else one.settings[-1])):
-            call = one.prepare(scene, setting)
-            took = timed(call, budget=0.2).seconds
-            found = judge(one.outcome(call()), truth, POINT_DIGITS, scene)
-            word = "right" if found.right else f"wrong: {found.difference}"
-            rows.append(f"| {one.label} | {setting:g} | {seconds_text(took)} | {error_text(found.error)} | {word} |")
-head = "| method | setting | warm time | error | events |\n|---|---|---|---|---|\n"
+for one in CONTENDERS:
+    if one.missing():
+        rows.append(f"| {one.label} | | not installed: needs {one.missing()} | | |")
+        continue
+    setting = one.settings[1]
+    call = one.prepare(scene, setting)
+    found = judge(answer_of(call()), truth, scene)
+    took = seconds_text(total_time(call, 3) / 3)
+    rows.append(f"| {one.label} | {setting:g} | {took} | {found.digits:.1f} | {found.difference or 'right'} |")
+head = "| method | setting | warm time | digits | events |\n|---|---|---|---|---|\n"
 Markdown(head + "\n".join(rows))
 
 # %% [markdown]
-# The error is the largest of that of the final state, the last event's time and the dissipated energy. It is bounded by
-# a reference of 40 digits: errors of balls below that cannot be told from 0 here.
+# The digits are those of the worst error: of the final state, of the events' times, of the dissipated energy. It is
+# bounded by a reference of 40 digits: errors of balls below that cannot be told from 0 here.
 
 # %% [markdown]
 # ## Ask for digits, not for a method
@@ -151,9 +139,3 @@ worst = int(np.argmin(many.digits))
 print(f"fewest digits: {many.digits[worst]}, from v1(0) = {speeds[worst]:.6f} m/s with {many.events[worst]} events")
 again = solve(Scene(pair, State(v1=speeds[worst]), until=5), digits=12)
 print(f"asked for 12: {again.arithmetic.name}; tried: {again.tried}")
-
-# %% [markdown]
-# ## What follows
-
-# %%
-Markdown(markdown(section.advice_alone(trade)))

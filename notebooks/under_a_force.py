@@ -38,9 +38,8 @@ from numerics import (
     thresholds,
     track,
 )
-from numerics.control.again import orbit_again, tracking_again, transfer_again
-from numerics.control.figures import draw_response
-from numerics.control.response_map_figure import draw_response_map
+from numerics.control.answers import solved_again
+from numerics.control.pictures import draw_response, draw_response_map
 from numerics.scene.decimals import exact_decimal
 from paper_checks.drawing import under_a_force
 from paper_checks.drawing.style import house_style
@@ -73,7 +72,7 @@ print("U** =", known.non_stop.str(30, radius=False), "N")
 
 # %%
 shaken = response(Scene(pair, State(), until=4, force=Force.sine("0.5", 12)))
-again = orbit_again(shaken.orbit, 15)
+again = solved_again(shaken)
 print(shaken.regime.value)
 print("multipliers", [abs(one).str(15, radius=False) for one in shaken.multipliers])
 print("modes of a period, solved by events:", [mode.value for mode in again.modes])
@@ -115,7 +114,7 @@ figure
 # %%
 rest = load_scene("at-rest")
 followed = track(rest, load_reference("s-curve"))
-print("asks at most", followed.share.str(12), "of the friction;", tracking_again(followed).modes)
+print("asks at most", followed.share.str(12), "of the friction;", solved_again(followed).modes)
 print("too-fast:", track(rest, load_reference("too-fast")).share.str(12), "of the friction, so that no force can do it")
 with house_style():
     figure = under_a_force.tracked_reference()
@@ -131,7 +130,7 @@ figure
 # %%
 for amplitude in (None, "1.05", "0.5"):
     found = fastest_transfer(rest, "0.001", amplitude=amplitude)
-    end = transfer_again(found).final_state[2]
+    end = solved_again(found).final_state[2]
     print(f"U = {amplitude}: {found.time.str(15)} s, bound {found.bound.str(15)} s, arrives at {end.str(12)} m")
     print("   ", found.fastest)
 with house_style():

@@ -6,7 +6,6 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from numerics.batch.batch import solve_many, solve_scenes
     from numerics.control.response import response
     from numerics.control.response_map import response_map
     from numerics.control.ring import ring_entry
@@ -16,9 +15,10 @@ if TYPE_CHECKING:
     from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
     from numerics.scene.file import load_reference, load_scene
     from numerics.scene.writing import scene_text
-    from numerics.sensitivity.sensitivity import sensitivities
+    from numerics.solver.many import solve_many, solve_scenes
     from numerics.solver.prepared import Solver
     from numerics.solver.solve import solve
+    from numerics.trajectory.sensitivity import sensitivities
 
 __all__ = [
     "Force",
@@ -47,9 +47,9 @@ __all__ = [
 _HOMES = {
     "Solver": "numerics.solver.prepared",
     "solve": "numerics.solver.solve",
-    "sensitivities": "numerics.sensitivity.sensitivity",
-    "solve_many": "numerics.batch.batch",
-    "solve_scenes": "numerics.batch.batch",
+    "sensitivities": "numerics.trajectory.sensitivity",
+    "solve_many": "numerics.solver.many",
+    "solve_scenes": "numerics.solver.many",
     "fastest_transfer": "numerics.control.transfer",
     "load_reference": "numerics.scene.file",
     "load_scene": "numerics.scene.file",

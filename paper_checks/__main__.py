@@ -219,7 +219,7 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
     """Come by the rows, with progress on stderr where that is a terminal."""
-    from numerics.batch.parallel import available_cores
+    from numerics.tasks import available_cores
     from paper_checks.checks.registry import Context
     from paper_checks.report.formats.progress import progress
     from paper_checks.running import rows

@@ -6,8 +6,8 @@ from fractions import Fraction
 from forced_reference import Reference
 
 from numerics.arithmetic.ball import Ball
+from numerics.control.answers import rounded
 from numerics.control.orbit import Orbit
-from numerics.control.rounding import rounded
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.writing import scene_text
 

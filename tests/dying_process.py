@@ -4,7 +4,7 @@ import os
 import signal
 from multiprocessing.connection import Connection
 
-from numerics.trade.recorded import RecordedTrade
+from numerics.trade.recorded import Trade
 from paper_checks.checks.registry import Context, load_checks
 from paper_checks.ledger import claim_named
 from paper_checks.reporting import parts
@@ -25,7 +25,7 @@ def tells_what_ctrl_c_does(connection: Connection, context: Context) -> None:
         connection.send(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)
 
 
-def dies_of_two_bodies(connection: Connection, trade: RecordedTrade) -> None:
+def dies_of_two_bodies(connection: Connection, trade: Trade) -> None:
     """Draw figures, and end without a word when asked for the figure `two-bodies`."""
     while (part := connection.recv()).name != "two-bodies":
         connection.send(dict(parts.made([part], trade))[part])

@@ -9,8 +9,9 @@ from flint import arb, fmpq
 from strategies import scaled_speed
 
 from numerics.scene import Pair, Scene, State
-from numerics.sensitivity.sensitivity import WRT, Sensitivity, sensitivities
 from numerics.solver.solve import solve
+from numerics.trajectory.derivatives import WRT, Sensitivity
+from numerics.trajectory.sensitivity import sensitivities
 from numerics.trajectory.trajectory import Trajectory
 
 DIGITS = 70

@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from numerics.errors import InvalidScene
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
-from numerics.sensitivity.forced_parameters import parameters
-from numerics.sensitivity.sensitivity import sensitivities
 from numerics.solver.solve import solve
+from numerics.trajectory.derivatives import parameters
+from numerics.trajectory.sensitivity import sensitivities
 
 SMALLEST = 1e-9
 """Derivatives that are all smaller, in the scene's own units, are compared absolutely: they may be 0."""

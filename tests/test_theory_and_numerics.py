@@ -7,7 +7,7 @@ import sympy as sp
 from flint import arb
 
 from numerics import Pair, Scene, State, solve
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from theory.closed_forms import Regime, rate, rates, solution
 from theory.closed_forms import decay as decay_rate
 from theory.excursion import h

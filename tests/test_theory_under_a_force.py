@@ -10,12 +10,12 @@ from strategies import MODERATE, decimals, pairs
 
 from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball
+from numerics.control.guesses import exit_state
 from numerics.control.orbit import Drive
 from numerics.control.thresholds import square_wave_response, thresholds
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
-from numerics.control.two_stop import exit_state
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene import Force, Piece, Sine
 from theory import forced
 from theory import forced_control as control
@@ -81,7 +81,7 @@ def test_at_resonance_both_have_four_b_over_pi():
 
 def test_the_two_stop_motion_meets_theorys_conditions():
     omega = Fraction(5, 2)
-    drive = Drive(HEAVY, HEAVY.b, Piece(0, (), [Sine(1, omega)]), omega)
+    drive = Drive(HEAVY, Piece(0, (), [Sine(1, omega)]))
     with Ball(30).context():
         for part in (Fraction(1, 100), Fraction(1, 2), Fraction(99, 100)):
             length = arb.pi() / (arb(5) / 2) * arb(part.numerator) / part.denominator
@@ -94,7 +94,7 @@ def test_the_two_stop_motion_meets_theorys_conditions():
 
 def test_the_stuck_response_is_where_the_two_stops_begin():
     omega = Fraction(5, 2)
-    drive = Drive(HEAVY, HEAVY.b, Piece(0, (), [Sine(1, omega)]), omega)
+    drive = Drive(HEAVY, Piece(0, (), [Sine(1, omega)]))
     limits = thresholds(HEAVY, omega)
     with Ball(40).context():
         half = arb.pi() / (arb(5) / 2)

@@ -1,25 +1,202 @@
-"""python-flint balls: the rigorous arithmetic, seen from Python."""
+"""python-flint balls: the rigorous arithmetic. Every number encloses the true one; comparisons mean "proven"."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from fractions import Fraction
 
 import flint
 from flint import arb
 
-from numerics.arithmetic import ball_words
-from numerics.arithmetic.ball_words import BALL, BITS_PER_DIGIT, GUARD_BITS, precision
 from numerics.arithmetic.protocol import Sign
+from numerics.arithmetic.questions import QUESTIONS
+from numerics.errors import EventUndecided
+
+BITS_PER_DIGIT = math.log2(10)
+GUARD_BITS = 8
+EXACT = 10**9
+"""Stands for "all digits": the number is exact."""
+sin, atan2, sine_cosine, finite = arb.sin, arb.atan2, arb.sin_cos, arb.is_finite
+resolved = finite
+"""Of every finite angle: a phase that is lost shows in the radius."""
+
+
+class precision:  # noqa: N801 - read as a verb, like the context managers of contextlib, at a third of their cost
+    """Set flint's process-wide precision, and restore it whatever happens."""
+
+    __slots__ = ("before", "bits")
+
+    def __init__(self, bits: int) -> None:
+        """Keep the precision that is to be set."""
+        self.bits = bits
+
+    def __enter__(self) -> None:
+        """Set it."""
+        self.before = flint.ctx.prec
+        flint.ctx.prec = self.bits
+
+    def __exit__(self, *_: object) -> None:
+        """Restore what was set before."""
+        flint.ctx.prec = self.before
+
+
+def working_digits() -> int:
+    """Return the decimal digits of flint's present precision."""
+    return math.floor((flint.ctx.prec - GUARD_BITS) / BITS_PER_DIGIT)
+
+
+def like(x: arb, value: float) -> arb:  # noqa: ARG001
+    """Return a float, exactly, as a ball."""
+    return arb(value)
+
+
+def as_float(x: arb) -> float:
+    """Return the binary64 number nearest to the midpoint of x."""
+    return float(x.mid())
+
+
+def two_pi(x: arb) -> arb:  # noqa: ARG001
+    """Return an enclosure of 2 pi."""
+    return 2 * arb.pi()
+
+
+def tolerance(x: arb) -> arb:  # noqa: ARG001
+    """Return the relative step at which a search among midpoints ends."""
+    return arb(2) ** (24 - flint.ctx.prec)
+
+
+def sqrt(x: arb) -> arb:
+    """Return an enclosure of the square root of the points of x that are >= 0."""
+    if x > 0 or x.is_zero() or not x.is_finite():
+        return x.sqrt()
+    # the ball max(x, 0) may dip below zero by its own rounding, where sqrt answers nan
+    return arb(0).union(x.upper().max(arb(0)).sqrt())
+
+
+def versine(x: arb) -> arb:
+    """Return an enclosure of 1 - cos x = 2 sin^2(x/2)."""
+    half = (x / 2).sin()
+    return 2 * half * half
+
+
+def sine_deficit(x: arb) -> arb:
+    """Return an enclosure of x - sin x that is tight relative to its value (mean value form)."""
+    return mean_value(lambda p: p - p.sin(), versine, x, cancelled=2)
+
+
+def cosine_deficit(x: arb) -> arb:
+    """Return an enclosure of x^2/2 - 1 + cos x that is tight relative to its value (mean value form)."""
+    return mean_value(lambda p: p * p / 2 - 1 + p.cos(), sine_deficit, x, cancelled=4)
+
+
+def depth_and_cotangent(x: arb) -> tuple[arb, arb]:
+    """Return enclosures of c = 2 - x cot(x/2) and cot(x/2), for 0 < x < 2 pi; c' = (x - sin x)/(1 - cos x)."""
+    middle, bits = x.mid(), flint.ctx.prec
+    try:
+        flint.ctx.prec = bits + 2 * max(0, -magnitude_bits(middle)) + 16
+        sine, cosine = (middle / 2).sin_cos()
+        cotangent = cosine / sine
+        value = 2 - middle * cotangent
+    finally:
+        flint.ctx.prec = bits
+    radius = x.rad()
+    if radius.is_zero():
+        return value, cotangent
+    value = value + arb(0, (radius * abs(sine_deficit(x) / versine(x))).upper())
+    return value, (x / 2).cot()
+
+
+def mean_value(function: Callable[[arb], arb], slope: Callable[[arb], arb], x: arb, cancelled: int = 0) -> arb:
+    """Return function(mid x) +- rad(x) max|slope(x)|, an enclosure of function(x) for a differentiable function.
+
+    The first with the bits added that cancel near 0, `cancelled` for each one that |x| is below 1. Direct evaluation of
+    x - sin x on a ball would double its radius; the true variation is only rad * (1 - cos x).
+    """
+    if not x.is_finite():
+        return function(x)
+    middle = x.mid()
+    missing = cancelled * max(0, -magnitude_bits(middle))
+    if missing > 64 * cancelled * flint.ctx.prec:  # far below the working precision: the plain ball is honest and cheap
+        return function(x)
+    with precision(flint.ctx.prec + missing + (16 if cancelled else 0)):
+        value = function(middle)
+    radius = x.rad()
+    return +value if radius.is_zero() else +value + arb(0, (radius * abs(slope(x))).upper())
+
+
+def magnitude_bits(x: arb) -> int:
+    """Return e with |x| < 2^e and |x| >= 2^(e-3), for an exact finite x; 0 for zero."""
+    near = float(x)
+    if near and near - near == 0.0:  # neither below nor above the range of binary64
+        return math.frexp(near)[1] + 1
+    if x.is_zero():
+        return 0
+    mantissa, exponent = x.man_exp()
+    return int(abs(mantissa)).bit_length() + int(exponent)
+
+
+def sign(x: arb, question: int) -> int:
+    """Return the proven sign of x, 0 only for the exact zero; raises EventUndecided if x straddles it."""
+    if x.is_finite():
+        if x > 0:
+            return 1
+        if x < 0:
+            return -1
+        if x.is_zero():
+            return 0
+    raise EventUndecided(QUESTIONS[question], str(x.str(6)), working_digits())
+
+
+def ceiling(x: arb, question: int) -> int:
+    """Return the least whole number >= every point of x, 0 for x <= 0; raises EventUndecided if they do not agree."""
+    if x <= 0:
+        return 0
+    value = x.ceil().unique_fmpz() if x.is_finite() else None
+    if value is None:
+        raise EventUndecided(QUESTIONS[question], str(x.str(6)), working_digits())
+    return max(0, int(value))
+
+
+def digits_within(error: arb, value: arb, scale: arb) -> int:
+    """Return how many leading digits an error leaves right, relative to |value|.
+
+    A value that may be 0 has none, unless it is below 10^(-4 n) of its `scale`: then it counts as 0 to n digits.
+    """
+    if error.is_zero():
+        return EXACT
+    if not (error.is_finite() and value.is_finite()):
+        return 0
+    size = scale if value.contains(0) else abs(value)
+    ratio = error.upper() / size.lower()
+    if not ratio > 0 or not ratio.is_finite():
+        return 0
+    # log10 through exponent and mantissa: the ratio itself may be far below the range of a float
+    digits = max(0, math.floor(-float((ratio.log() / arb(10).log()).mid())))
+    return digits // 4 if value.contains(0) else digits
+
+
+def nonnegative(x: arb) -> arb:
+    """Return an enclosure of max(x, 0)."""
+    return x.max(arb(0))
+
+
+def widened(x: arb, by: arb) -> arb:
+    """Return a ball that holds all points within `by` of those of x."""
+    return x + arb(0, abs(by).upper())
+
+
+def clock(total: arb, rest: arb, term: arb) -> tuple[arb, arb]:
+    """Return the sum; its rounding is small enough."""
+    return total + term, rest
 
 
 class Ball:
-    """flint.arb balls with `digits` working decimal digits, seen from Python."""
+    """flint.arb balls with `digits` working decimal digits."""
 
     name = "ball"
-    telling = BALL
-    sqrt = staticmethod(ball_words.sqrt)
+    sqrt = staticmethod(sqrt)
 
     def __init__(self, digits: int) -> None:
         """Fix the working precision in decimal digits."""

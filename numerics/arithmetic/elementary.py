@@ -1,4 +1,4 @@
-"""Functions that would cancel next to 0, in binary64: each to a few units in the last place (ulp).
+"""The functions of binary64 numbers (functions.py): each to a few units in the last place (ulp).
 
 The bounds count u = 2^-53 for each rounding, 1.1 u for a sine or cosine of the C library (0.55 ulp); an error of e u
 before the last rounding is at most e ulp of the result, and the last rounding adds 0.5 ulp.
@@ -9,6 +9,13 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
+from numerics.arithmetic.compiled import compilable
+
+UNIT = 2.0**-53
+"""What errors are counted in, relative to the result."""
+LONGEST, SHORTEST = 1e12, 1e-97
+"""Angles that binary64 resolves: beyond the first no phase is left, below the second the cube has no digits."""
+sqrt, sin, atan2, finite = math.sqrt, math.sin, math.atan2, math.isfinite
 _SERIES_BELOW = 1.2
 """From 1.2 on x - sin x and sin x - x cos x lose less than two bits, and the subtraction itself next to nothing."""
 _COSINE_SERIES_BELOW = 2.0
@@ -49,6 +56,7 @@ _DEPTH_EVEN_BELOW_1, _DEPTH_ODD_BELOW_1 = _halves(_DEPTH_TERMS[-14:])
 _RISE_EVEN_BELOW_1, _RISE_ODD_BELOW_1 = _halves(_RISE_TERMS[-14:])
 
 
+@compilable
 def horner(coefficients: tuple[float, ...], x: float) -> float:
     """Return the polynomial with these coefficients, the highest power first."""
     total = 0.0
@@ -57,6 +65,7 @@ def horner(coefficients: tuple[float, ...], x: float) -> float:
     return total
 
 
+@compilable
 def two_horners(even: tuple[float, ...], odd: tuple[float, ...], x: float) -> float:
     """Return the polynomial with these even and odd coefficients: two chains that a processor runs side by side."""
     square, total_even, total_odd = x * x, 0.0, 0.0
@@ -67,6 +76,7 @@ def two_horners(even: tuple[float, ...], odd: tuple[float, ...], x: float) -> fl
     return total_even + x * total_odd
 
 
+@compilable
 def versine(x: float) -> float:
     """Return 1 - cos x as 2 sin^2(x/2), which does not cancel.
 
@@ -76,6 +86,7 @@ def versine(x: float) -> float:
     return 2.0 * half * half
 
 
+@compilable
 def sine_deficit(x: float) -> float:
     """Return x - sin x; by its series x^3 (1 - x^2/20 + ...)/6 for |x| < 1.2. Normal from |x| = 1e-102 on.
 
@@ -89,6 +100,7 @@ def sine_deficit(x: float) -> float:
     return (cube - cube * (square * horner(_SINE_TERMS, square))) / 6.0
 
 
+@compilable
 def cosine_deficit(x: float) -> float:
     """Return x^2/2 - 1 + cos x; by its series x^4 (1 - x^2/30 + ...)/24 for |x| < 2. Normal from |x| = 1e-76 on.
 
@@ -103,6 +115,7 @@ def cosine_deficit(x: float) -> float:
     return (fourth - (fourth * lower - 2.0 * square * rounding_of_square(x, square))) / 24.0
 
 
+@compilable
 def lag(x: float) -> float:
     """Return sin x - x cos x for |x| <= pi (it vanishes at 4.49); by x^3 (1 - x^2/10 + ...)/3 for |x| < 1.2.
 
@@ -116,6 +129,7 @@ def lag(x: float) -> float:
     return (cube - cube * (square * horner(_LAG_TERMS, square))) / 3.0
 
 
+@compilable
 def rise(x: float) -> float:
     """Return (x - sin x)/(1 - cos x); by its series x (1/3 + x^2/90 + ...) for x < 3. All its terms are > 0.
 
@@ -132,6 +146,7 @@ def rise(x: float) -> float:
     return (x - math.sin(x)) / versine(x)
 
 
+@compilable
 def depth(x: float) -> float:
     """Return 2 - x cot(x/2); by its series x^2/6 + x^4/360 + ... for x < 3. All its terms are > 0.
 
@@ -148,12 +163,14 @@ def depth(x: float) -> float:
     return 2.0 * lag(0.5 * x) / math.sin(0.5 * x)
 
 
+@compilable
 def depth_and_cotangent(x: float) -> tuple[float, float]:
     """Return 2 - x cot(x/2) and cot(x/2), for 0 < x <= 2 pi - 1."""
     value = depth(x)
     return value, (2.0 - value) / x
 
 
+@compilable
 def rounding_of_square(x: float, square: float) -> float:
     """Return x^2 - square for square = x * x rounded: exact, by Dekker's product of 26-bit halves."""
     scaled = 134217729.0 * x
@@ -162,9 +179,70 @@ def rounding_of_square(x: float, square: float) -> float:
     return ((high * high - square) + 2.0 * high * low) + low * low
 
 
+@compilable
 def clock(total: float, rest: float, term: float) -> tuple[float, float]:
     """Return total + rest + term, rounded, and what the rounding left out (Knuth's two-sum)."""
     term = term + rest
     new = total + term
     back = new - total
     return new, (total - (new - back)) + (term - back)
+
+
+@compilable
+def like(x: float, value: float) -> float:  # noqa: ARG001
+    """Return a float as a number."""
+    return value
+
+
+@compilable
+def as_float(x: float) -> float:
+    """Return x."""
+    return x
+
+
+@compilable
+def rounding(x: float) -> float:  # noqa: ARG001
+    """Return the unit of errors."""
+    return UNIT
+
+
+@compilable
+def two_pi(x: float) -> float:  # noqa: ARG001
+    """Return 2 pi."""
+    return 2.0 * math.pi
+
+
+@compilable
+def sine_cosine(x: float) -> tuple[float, float]:
+    """Return (sin x, cos x)."""
+    return math.sin(x), math.cos(x)
+
+
+@compilable
+def sign(x: float, question: int) -> int:  # noqa: ARG001
+    """Return the sign of x; 0 for nan."""
+    return 1 if x > 0.0 else (-1 if x < 0.0 else 0)
+
+
+@compilable
+def resolved(angle: float) -> bool:
+    """Return whether 53 bits keep the phase of an angle > 0, and its cube has digits; False for nan."""
+    return SHORTEST <= angle <= LONGEST
+
+
+@compilable
+def ceiling(x: float, question: int) -> int:  # noqa: ARG001
+    """Return the least whole number >= x, 0 for x <= 0."""
+    return math.ceil(x) if x > 0.0 else 0
+
+
+@compilable
+def nonnegative(x: float) -> float:
+    """Return max(x, 0)."""
+    return max(x, 0.0)
+
+
+@compilable
+def tolerance(x: float) -> float:  # noqa: ARG001
+    """Return the relative step at which a search ends."""
+    return UNIT

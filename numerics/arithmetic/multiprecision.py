@@ -2,49 +2,35 @@
 
 from __future__ import annotations
 
-import operator
-import sys
 from contextlib import AbstractContextManager
 from fractions import Fraction
 from typing import Any
 
 import mpmath
 
-from numerics.arithmetic import float64
 from numerics.arithmetic.protocol import Number, Sign
-from numerics.arithmetic.telling import Telling
-from numerics.arithmetic.words import words_of
 
-sqrt, exp, expm1, log, log1p = mpmath.sqrt, mpmath.exp, mpmath.expm1, mpmath.log, mpmath.log1p
-sin, atan2, signed, positive = mpmath.sin, mpmath.atan2, float64.signed, float64.positive
-leading = part = middle = operator.pos
-put = float64.put
-ZERO, UNIT, WIDTH = mpmath.mpf(0), 0.0, 1
+sqrt, sin, atan2 = mpmath.sqrt, mpmath.sin, mpmath.atan2
 
 
-def exactly(n: float) -> Number:
-    """Return a small whole number, or a power of 2, as a number."""
-    return mpmath.mpf(n)
+def rounding(x: Number) -> float:  # noqa: ARG001
+    """Return 0: nobody counts errors in mpmath."""
+    return 0.0
 
 
-def undefined() -> Number:
-    """Return what stands for a number that left the range."""
-    return mpmath.nan
+def like(x: Number, value: float) -> Number:  # noqa: ARG001
+    """Return a float, exactly, as a number of mpmath."""
+    return mpmath.mpf(value)
 
 
-def infinite() -> Number:
-    """Return infinity."""
-    return mpmath.inf
+def as_float(x: Number) -> float:
+    """Return the binary64 number nearest to x."""
+    return float(x)
 
 
-def turn() -> Number:
+def two_pi(x: Number) -> Number:  # noqa: ARG001
     """Return 2 pi."""
     return 2 * mpmath.pi
-
-
-def half_turn() -> Number:
-    """Return pi at the working precision."""
-    return +mpmath.pi
 
 
 def sine_cosine(x: Number) -> tuple[Number, Number]:
@@ -90,29 +76,9 @@ def sign(x: Number, question: int) -> int:  # noqa: ARG001
     return (x > 0) - (x < 0)
 
 
-def below(x: Number, y: Number) -> bool:
-    """Return whether x < y."""
-    return bool(x < y)
-
-
-def rough(x: Number) -> float:
-    """Return the binary64 number nearest to x."""
-    return float(x)
-
-
-def size(x: Number) -> Number:
-    """Return |x|."""
-    return abs(x)
-
-
-def tolerance() -> Number:
-    """Return the relative step at which a search ends."""
-    return mpmath.ldexp(1, 1 - mpmath.mp.prec)
-
-
-def settled() -> Number:
-    """Return the relative step after which Newton's next one is the last."""
-    return mpmath.sqrt(tolerance()) / 4
+def ceiling(x: Number, question: int) -> int:  # noqa: ARG001
+    """Return the least whole number >= x, 0 for x <= 0."""
+    return int(mpmath.ceil(x)) if x > 0 else 0
 
 
 def finite(x: Number) -> bool:
@@ -120,34 +86,19 @@ def finite(x: Number) -> bool:
     return bool(mpmath.isfinite(x))
 
 
-def fading() -> float:
-    """Return after how many decay times an oscillation has died away below the last digit."""
-    return 2.5 * float(mpmath.mp.dps)
-
-
 def resolved(angle: Number) -> bool:
     """Return whether the digits keep the phase of an angle > 0."""
     return bool(0 < angle <= mpmath.mpf(10) ** (mpmath.mp.dps - 3))
 
 
-def ceiling(x: Number, question: int) -> int:  # noqa: ARG001
-    """Return the least whole number >= x, 0 for x <= 0."""
-    return int(mpmath.ceil(x)) if x > 0 else 0
-
-
 def nonnegative(x: Number) -> Number:
     """Return max(x, 0)."""
-    return max(x, ZERO)
+    return max(x, mpmath.mpf(0))
 
 
-def spread(x: Number) -> Number:  # noqa: ARG001
-    """Return 0: points know no radius."""
-    return ZERO
-
-
-def widened(x: Number, by: Number) -> Number:  # noqa: ARG001
-    """Return x: points know no radius."""
-    return x
+def tolerance(x: Number) -> Number:  # noqa: ARG001
+    """Return the relative step at which a search ends."""
+    return mpmath.ldexp(1, 1 - mpmath.mp.prec)
 
 
 def clock(total: Number, rest: Number, term: Number) -> tuple[Number, Number]:
@@ -155,14 +106,10 @@ def clock(total: Number, rest: Number, term: Number) -> tuple[Number, Number]:
     return total + term, rest
 
 
-MPMATH = Telling("mpmath", words_of(sys.modules[__name__]), words_of(float64))
-
-
 class Multiprecision:
     """mpmath numbers with `digits` working decimal digits, seen from Python."""
 
     name = "mpmath"
-    telling = MPMATH
     sqrt = staticmethod(sqrt)
 
     def __init__(self, digits: int) -> None:

@@ -1,4 +1,4 @@
-"""What an arithmetic is, seen from Python: how its numbers are read and written, and how it tells the texts."""
+"""What an arithmetic is, seen from Python: how its numbers are read, decided and written."""
 
 from __future__ import annotations
 
@@ -7,11 +7,10 @@ from enum import Enum
 from fractions import Fraction
 from typing import Any, Protocol
 
-from numerics.arithmetic.telling import Telling
 from numerics.errors import EventUndecided
 
 Number = Any
-"""float, Double, mpmath.mpf, flint.arb or DualNumber: what an arithmetic computes with."""
+"""float, Pair (double-double), mpmath.mpf or flint.arb: what an arithmetic computes with."""
 
 
 class Sign(Enum):
@@ -26,12 +25,11 @@ class Sign(Enum):
 class Arithmetic(Protocol):
     """Numbers at a fixed working precision, with + - * / and unary minus among themselves and with int.
 
-    The functions that the texts need are the words of its telling (words.py).
+    Their functions go by the type of a number (functions.py).
     """
 
     name: str
     digits: int
-    telling: Telling
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context manager under which numbers of this arithmetic may be computed with."""

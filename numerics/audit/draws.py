@@ -7,7 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from random import Random
 
-from numerics.scene import Pair, Scene, State
+from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
 
 _PERIODS = Fraction(25, 4)
 
@@ -23,97 +23,94 @@ def signed(random: Random, low: float, high: float) -> Fraction:
     return random.choice((-1, 1)) * decimal(random, low, high)
 
 
-def rate(pair: Pair) -> Fraction:
-    """Return a rational near Omega = sqrt(a2/(m1+m2)), 1/s, to 12 digits: the exact one is irrational."""
-    squared = pair.a2 / pair.mass
+def rate(stiffness: Fraction, mass: Fraction) -> Fraction:
+    """Return a rational near sqrt(stiffness/mass), 1/s, to 12 digits: the exact one is irrational."""
+    squared = stiffness / mass
     shift = 40 + max(0, squared.denominator.bit_length() - squared.numerator.bit_length())
     return Fraction(math.isqrt(squared.numerator * 4**shift // squared.denominator), 2**shift)
 
 
+def _pair(random: Random, **given: Fraction) -> Pair:
+    return Pair(**({name: decimal(random, -1, 2) for name in ("m1", "m2", "a2", "b")} | given))
+
+
 def _scene(random: Random, pair: Pair, size: float = 1) -> Scene:
     """Return a scene of some periods whose reduced coordinates are of order 10^+-size."""
-    width, speed = pair.half_width, pair.half_width * rate(pair)
-    v1, v2 = (signed(random, -size, size) * speed for _ in range(2))
+    width, omega = pair.half_width, rate(pair.a2, pair.mass)
     x1, x2 = (signed(random, -size, size) * width for _ in range(2))
-    kind = random.choice(("generic", "generic", "on the surface", "at rest", "edge"))
+    v1, v2 = (signed(random, -size, size) * width * omega for _ in range(2))
+    kind = random.choice(("any", "any", "on the surface", "at rest", "edge"))
     if kind == "at rest":
         v1 = v2 = Fraction(0)
-    elif kind == "on the surface":
+    elif kind != "any":
         v2 = v1
-    elif kind == "edge":
-        x1, v2 = (1 if x1 > 0 else -1) * width, v1
-    return Scene(pair, State(x1, v1, x2, v2), _PERIODS * random.randint(1, 4) / rate(pair))
-
-
-def _pair(random: Random, **given: Fraction) -> Pair:
-    parameters = {name: decimal(random, -1, 2) for name in ("m1", "m2", "a2", "b")} | given
-    return Pair(**parameters)
-
-
-def masses(random: Random) -> Scene:
-    """Return a scene whose mass ratio is 1e-12 to 1e12."""
-    return _scene(random, _pair(random, m1=decimal(random, -6, 6), m2=decimal(random, -6, 6)))
-
-
-def stiffness(random: Random) -> Scene:
-    """Return a scene with a2 from 1e-30 to 1e30 N/m."""
-    return _scene(random, _pair(random, a2=decimal(random, -30, 30)))
-
-
-def friction(random: Random) -> Scene:
-    """Return a scene with b from 1e-30 to 1e30 N, and motions up to 100 times the sliding region."""
-    return _scene(random, _pair(random, b=decimal(random, -30, 30)), size=2)
-
-
-def light_driver(random: Random) -> Scene:
-    """Return a scene with m1/m2 from 1e-12 to 1e-3: slips through the same ray again and again."""
-    return _scene(random, _pair(random, m1=decimal(random, -11, -3)))
+    if kind == "edge":
+        x1 = (1 if x1 > 0 else -1) * width - pair.a1 * v1 / pair.a2
+    return Scene(pair, State(x1, v1, x2, v2), _PERIODS * random.randint(1, 4) / omega)
 
 
 def damping(random: Random) -> Scene:
     """Return a scene with a1 from 1e-12 to 1e6 of critical damping, next to the critical cases, or on them exactly."""
-    pair = _pair(random)
-    kind = random.choice(("any", "any", "near", "nearer", "exact"))
-    if kind in {"nearer", "exact"}:
-        # a1^2 = 4 a2 m is met by a rational a1 if a2 = k^2 m
-        moved, k = random.choice((pair.m1, pair.mass)), decimal(random, -1, 1)
-        apart = signed(random, -60, -9) if kind == "nearer" else 0
-        return _scene(random, Pair(pair.m1, pair.m2, k * k * moved, pair.b, 2 * k * moved * (1 + apart)))
-    critical = 2 * rate(pair) * pair.mass
-    if random.random() < 0.5:
-        critical = 2 * rate(Pair(pair.m1 / 2, pair.m1 / 2, pair.a2, pair.b)) * pair.m1
-    factor = decimal(random, -12, 6) if kind == "any" else 1 + signed(random, -9, -1)
-    return _scene(random, Pair(pair.m1, pair.m2, pair.a2, pair.b, critical * factor))
+    pair = _pair(random, m1=decimal(random, random.choice((-6, -1)), 2))
+    moved, k = random.choice((pair.m1, pair.mass)), decimal(random, -1, 1)
+    # a1^2 = 4 a2 m is met by a rational a1 if a2 = k^2 m
+    apart = random.choice((Fraction(0), signed(random, -60, -1)))
+    factor = random.choice((1 + apart, decimal(random, -12, 6)))
+    return _scene(random, Pair(pair.m1, pair.m2, k * k * moved, pair.b, 2 * k * moved * factor))
 
 
 def near_critical(random: Random) -> Scene:
     """Return a pair on an exit ray, or at rest beside it, with energy excess from 1e-300 to 1e-3."""
-    pair = _pair(random, m1=decimal(random, -3, 3))
-    side, width = random.choice((-1, 1)), pair.half_width
+    pair, side = _pair(random, m1=decimal(random, -3, 3)), random.choice((-1, 1))
+    width, omega, least = pair.half_width, rate(pair.a2, pair.mass), random.choice((-300, -20, -8))
     if random.random() < 0.5:
-        at = State(x1=side * width * (1 + decimal(random, -300, -3)))
+        at = State(x1=side * width * (1 + decimal(random, least, -3)))
     else:
-        v = side * width * rate(pair) * decimal(random, -150, -2)
+        v = side * width * omega * decimal(random, least / 2, -2)
         at = State(side * width, v, 0, v)
-    return Scene(pair, at, _PERIODS * random.randint(1, 3) / rate(pair))
+    return Scene(pair, at, _PERIODS * random.randint(1, 3) / omega)
 
 
 def long_slip(random: Random) -> Scene:
     """Return a pair whose body 2 is so fast that one slip lasts 1 to 1e9 spring cycles."""
     pair = _pair(random)
-    width, speed = pair.half_width, pair.half_width * rate(pair)
-    fast = signed(random, 0, 9) * 6 * speed
-    lasts = abs(fast) * pair.m2 / pair.b
-    at = State(signed(random, -1, 1) * width, signed(random, -1, 1) * speed, 0, fast)
-    return Scene(pair, at, 2 * lasts + 1 / rate(pair))
+    width, omega = pair.half_width, rate(pair.a2, pair.mass)
+    fast = signed(random, 0, 9) * 6 * width * omega
+    at = State(signed(random, -1, 1) * width, signed(random, -1, 1) * width * omega, 0, fast)
+    return Scene(pair, at, 2 * abs(fast) * pair.m2 / pair.b + 1 / omega)
+
+
+def driven(random: Random, sines: int = 0, friction: bool = False) -> Scene:
+    """Return a scene under one to four pieces of force, polynomials and at most so many sines, and b by pieces."""
+    scene = damping(random) if random.random() < 0.5 else _scene(random, _pair(random))
+    pair, until = scene.pair, scene.until / 4
+    held, omegas = pair.a2 * pair.half_width, [rate(pair.a2, mass) for mass in (pair.m1, pair.mass)]
+    starts = sorted({Fraction(random.randint(0, 99), 100) * until for _ in range(random.randint(1, 4))})
+    pieces = []
+    for start in starts:
+        powers = [signed(random, -2, 1) * held * omegas[1] ** k for k in range(random.randint(0, 3))]
+        waves = [_sine(random, held, random.choice(omegas)) for _ in range(random.randint(min(1, sines), sines))]
+        pieces.append(Piece(start, powers, waves))
+    jumps = [(start, pair.b * decimal(random, -1, 1)) for start in starts] if friction else []
+    at = random.choice((State(), scene.initial))
+    return Scene(pair, at, until, force=Force(pieces), friction=Friction(jumps))
+
+
+def _sine(random: Random, held: Fraction, omega: Fraction) -> Sine:
+    """Return a sine at resonance, next to it, or of any frequency."""
+    factor = random.choice((Fraction(1), 1 + signed(random, -12, -2), decimal(random, -1, 1)))
+    return Sine(signed(random, -1, 1) * held, factor * omega, random.choice((Fraction(0), signed(random, -1, 1))))
 
 
 KINDS: dict[str, Callable[[Random], Scene]] = {
-    "masses": masses,
-    "stiffness": stiffness,
-    "friction": friction,
-    "light driver": light_driver,
+    "masses": lambda random: _scene(random, _pair(random, m1=decimal(random, -6, 6), m2=decimal(random, -6, 6))),
+    "stiffness": lambda random: _scene(random, _pair(random, a2=decimal(random, -30, 30))),
+    "friction": lambda random: _scene(random, _pair(random, b=decimal(random, -30, 30)), size=2),
+    "light driver": lambda random: _scene(random, _pair(random, m1=decimal(random, -11, -3))),
     "damping": damping,
     "near critical": near_critical,
     "long slip": long_slip,
+    "force": driven,
+    "sines": lambda random: driven(random, sines=3),
+    "force and friction": lambda random: driven(random, sines=1, friction=True),
 }

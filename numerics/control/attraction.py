@@ -9,136 +9,121 @@ bounds how much a period shrinks distances; N never grows in between. If k perio
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import working_digits
-from numerics.control.linear import V1, X1, Motion, Row, W
-from numerics.control.modes_proved import QUICK, is_positive_inside, require_slip, require_stick
-from numerics.control.orbit import Orbit
-from numerics.control.variation import across, part
-from numerics.errors import EventUndecided
+from numerics.control.answers import number, undecided
+from numerics.control.orbit import QUICK, Leg, Orbit, across, guard, require_mode, state_part
+from numerics.linear.system import Motion
 from numerics.scene import Pair
 
 _DOUBLINGS = 10
 """The period map is taken up to 2^n times in a row until it shrinks all distances."""
 
 
-@dataclass(frozen=True)
-class Place:
-    """Where a periodic motion is at a time: its leg by number, the time since that leg began, and (x1, v1, x2, v2).
+class Passage(NamedTuple):
+    """A leg of a periodic motion as it passes: its number, begin and end (s), motion, and x2 where it begins (m).
 
-    x2 counts from where it was at the first event of the orbit.
+    The motion counts its x2 from there; x2 is 0 at the first event of the orbit.
     """
 
     leg: int
-    since: arb
-    state: tuple[arb, arb, arb, arb]
+    begin: arb
+    end: arb
+    motion: Motion
+    x2: arb
+
+    def state(self, t: arb) -> tuple[arb, arb, arb, arb]:
+        """Return (x1, v1, x2, v2) at a time, s."""
+        x1, v1, moved, v2 = self.motion.state(t - self.begin)
+        return x1, v1, self.x2 + moved, v2
 
 
-def place_at(orbit: Orbit, t: arb) -> Place:
-    """Return where the orbit is at a time t (s) that is no event of it. Raises EventUndecided."""
-    period, first = orbit.drive.period, orbit.legs[0].t
-    turns = ((t - first) / period).floor().unique_fmpz()
-    if turns is None:
-        raise EventUndecided("in which period is this time?", t.str(6), working_digits())
-    phase, x2 = t - int(turns) * period, int(turns) * orbit.travel
-    for number, (leg, after) in enumerate(orbit.turns):
-        motion = orbit.motion(leg)
-        if phase < after.t:
-            x1, v1, moved, v2 = motion.state(phase - leg.t)
-            return Place(number, phase - leg.t, (x1, v1, x2 + moved, v2))
-        if not phase > after.t:
-            break
-        x2 += motion.state(after.t - leg.t)[2]
-    raise EventUndecided("in which leg is this time?", t.str(6), working_digits())
+def passages(orbit: Orbit, start: arb, end: arb) -> Iterator[Passage]:
+    """Yield the legs of a periodic motion that meet [start, end], in order, and perhaps one at either edge."""
+    period = orbit.drive.period
+    count = math.floor(float((start - orbit.legs[0].t) / period)) - 1
+    while True:
+        for k, (leg, after) in enumerate(orbit.turns):
+            begin, until = leg.t + count * period, after.t + count * period
+            if begin > end:
+                return
+            if until > start:
+                yield Passage(k, begin, until, orbit.motion(leg), orbit.places[k] + count * orbit.travel)
+        count += 1
+
+
+def passage_at(orbit: Orbit, t: arb) -> Passage:
+    """Return the leg in which the orbit is at a time t (s) that is no event of it. Raises EventUndecided."""
+    found = list(passages(orbit, t, t))
+    if len(found) != 1 or not found[0].begin <= t:
+        raise undecided("in which leg is this time?", t)
+    return found[0]
 
 
 def distance(pair: Pair, one: Sequence[arb], two: Sequence[arb]) -> arb:
     """Return N of the difference of two states (x1, v1, x2, v2): sqrt(a2 dx1^2 + m1 dv1^2 + m2 dv2^2)."""
-    number, total = Ball.number, arb(0)
-    for weight, place in ((pair.a2, 0), (pair.m1, 1), (pair.m2, 3)):
-        off = abs(one[place] - two[place]).upper()
-        total += number(weight) * off * off
-    return total.sqrt().upper()
+    parts = ((pair.a2, 0), (pair.m1, 1), (pair.m2, 3))
+    return sum((number(weight) * abs(one[k] - two[k]).upper() ** 2 for weight, k in parts), arb(0)).sqrt().upper()
 
 
-def slide_left(orbit: Orbit, place: Place, reach: arb) -> arb:
-    """Return a bound of int |w - w*| dt for all motions in the mode of `place` within `reach` of it. EventUndecided."""
-    drive = orbit.drive
-    slopes, powers = _period_slopes(orbit, place, reach), 1
-    for _ in range(_DOUBLINGS):
-        shrunk = _norm(drive.pair, slopes)
+def slide_left(orbit: Orbit, t: arb, reach: arb) -> arb:
+    """Return a bound of int |w - w*| dt from a time on, for all motions in the mode of the orbit within `reach` of it.
+
+    Raises EventUndecided.
+    """
+    pair, slopes = orbit.drive.pair, _period_slopes(orbit, t, reach)
+    for doubling in range(_DOUBLINGS):
+        shrunk = _norm(pair, slopes)
         if shrunk < arb("0.9"):
-            kappa = Ball.number(drive.pair.mass / (drive.pair.m1 * drive.pair.m2)).sqrt()
-            return (kappa * powers * drive.period * reach / (1 - shrunk)).upper()
-        slopes, powers = slopes * slopes, 2 * powers
-    raise EventUndecided("does the period map shrink distances?", _norm(drive.pair, slopes).str(6), working_digits())
+            kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
+            return (kappa * 2**doubling * orbit.drive.period * reach / (1 - shrunk)).upper()
+        slopes = slopes * slopes
+    raise undecided("does the period map shrink distances?", _norm(pair, slopes))
 
 
 def _norm(pair: Pair, slopes: arb_mat) -> arb:
     """Return an upper bound of the norm of a linear map of (x1, v1, v2) that belongs to N (Frobenius)."""
-    weights, total = [Ball.number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2)], arb(0)
-    for row in range(3):
-        for column in range(3):
-            entry = abs(weights[row] * slopes[row, column] / weights[column]).upper()
-            total += entry * entry
-    return total.sqrt()
+    weights = [number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2)]
+    places = [(row, column) for row in range(3) for column in range(3)]
+    parts = [abs(weights[row] * slopes[row, column] / weights[column]).upper() for row, column in places]
+    return sum((one * one for one in parts), arb(0)).sqrt()
 
 
-def _period_slopes(orbit: Orbit, place: Place, reach: arb) -> arb_mat:
-    """Return the derivative of (x1, v1, v2) after a period by that before, over the box around a place."""
-    drive, order = orbit.drive, [*orbit.turns[place.leg :], *orbit.turns[: place.leg]]
-    number, pair = Ball.number, drive.pair
-    leg, _ = order[0]
-    sizes = [(reach / number(one).sqrt()).upper() for one in (pair.a2, pair.m1, pair.m2)]
-    x1, v1, _, v2 = place.state
-    x, speed, other = (one + arb(0, size) for one, size in zip((x1, v1, v2), sizes, strict=True))
-    if leg.side == 0:
-        other = speed
-    motion = drive.mode(leg.side).motion((x, speed, arb(0), other), leg.t + place.since)
-    total, here = _unit(leg.side), leg.t + place.since
-    for number_of, (leg, after) in enumerate(order):
+def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:
+    """Return the derivative of (x1, v1, v2) after a period by that before, over the box within `reach` of the orbit."""
+    drive, start = orbit.drive, passage_at(orbit, t)
+    legs, since = [*orbit.turns[start.leg :], *orbit.turns[: start.leg]], t - start.begin
+    side, here = legs[0][0].side, legs[0][0].t + since
+    x1, v1, _, v2 = start.state(t)
+    x, v, other = (
+        one + arb(0, (reach / number(weight).sqrt()).upper())
+        for one, weight in ((x1, drive.pair.a2), (v1, drive.pair.m1), (v2, drive.pair.m2))
+    )
+    motion, zeros = drive.mode(side).motion((x, v, arb(0), other if side else v), here), 0
+    total = arb_mat([[1, 0, 0], [0, 1, 0], [0, int(side == 0), int(side != 0)]])
+    for leg, after in legs:
         nominal = after.t if after.t > here else after.t + drive.period
-        end = _event_time(motion, nominal - here, after.side)
-        if leg.side == 0:
-            require_stick(motion, end, after.side, QUICK)
-        elif number_of:
-            require_slip(motion, end, from_stick=order[number_of - 1][0].side == 0, effort=QUICK)
-        else:
-            _require_apart(motion, end)
-        z = motion.at(end)
-        begun = drive.mode(after.side).motion((z[X1, 0], z[V1, 0], arb(0), z[V1, 0]), here + end)
+        end = _event_time(motion, nominal - here, after)
+        require_mode(motion, end, zeros, after.side, QUICK)
+        x, v, *_ = motion.state(end)
+        begun, zeros = drive.mode(after.side).motion((x, v, arb(0), v), here + end), 1 if leg.side else 2
         total = across(motion, end, begun) * total
         motion, here = begun, here + end
-    return part(motion.flow(place.since)) * total
+    return state_part(motion.flow(since)) * total
 
 
-def _require_apart(motion: Motion, end: arb) -> None:
-    """Raise EventUndecided unless s w > 0 is proved from inside a slip to its end."""
-    row = tuple((place, motion.mode.side * one) for place, one in W)
-    if not is_positive_inside(motion, row, end, 0, 1, QUICK):
-        raise EventUndecided("do the bodies of the whole box slip?", "w near 0", working_digits())
-
-
-def _unit(side: int) -> arb_mat:
-    return arb_mat([[1, 0, 0], [0, 1, 0], [0, int(side == 0), int(side != 0)]])
-
-
-def _event_time(motion: Motion, near: arb, side: int) -> arb:
+def _event_time(motion: Motion, near: arb, after: Leg) -> arb:
     """Return an enclosure of when each state of a box meets its next event, by an interval Newton step."""
-    mode = motion.mode
-    row: Row = W if mode.side else mode.load
-    level = arb(0) if mode.side else side * Ball.number(mode.b)
-    middle = near.mid()
-    miss = motion.range(row, middle) - level
+    row, middle = guard(motion.mode, after.side), near.mid()
+    miss = motion.range(row, middle)
     width = abs(miss / motion.range(row, middle, 1)).upper()
     for factor in (2, 8, 32):
         region = middle + arb(0, (factor * width).upper())
         step = middle - miss / motion.range(row, region, 1)
         if region.contains_interior(step):
             return step
-    raise EventUndecided("do all motions of the box meet this event?", miss.str(6), working_digits())
+    raise undecided("do all motions of the box meet this event?", miss)

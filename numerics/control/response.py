@@ -10,20 +10,29 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
+from functools import partial
 
 from flint import acb, arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import working_digits
-from numerics.control.asked import Tell, most_digits, silent, to_digits
-from numerics.control.given_sine import given_sine
+from numerics.control.answers import (
+    KEPT_DIGITS,
+    Claim,
+    Tell,
+    most_digits,
+    not_negative,
+    number,
+    silent,
+    to_digits,
+    undecided,
+)
+from numerics.control.guesses import MAX_EVENTS, find_orbit
 from numerics.control.orbit import Drive, Orbit
-from numerics.control.search import MAX_EVENTS, Search
-from numerics.control.stuck import entrained, others_stick, stuck_multipliers
-from numerics.control.thresholds import Thresholds, load_margin, thresholds
-from numerics.errors import EventUndecided, InvalidScene
+from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, stiffness, thresholds
+from numerics.errors import InvalidScene
+from numerics.linear.system import ONE, is_positive_on
 from numerics.scene import Force, Law, Pair, Piece, Scene, Sine
-from numerics.scene.decimals import Exact
+from numerics.scene.decimals import Exact, exact_decimal, short
 
 
 class Regime(Enum):
@@ -54,6 +63,21 @@ class Response:
     attraction: str
     digits: int
 
+    def claim(self) -> Claim | None:
+        """Return that its periodic motion comes back after a period, None without events."""
+        return self.orbit.claim(self.digits) if self.orbit is not None else None
+
+    def one_period(self) -> Scene | None:
+        """Return a period of its motion as a scene, in decimals; None if it has none."""
+        claim = self.claim()
+        if claim is not None:
+            return claim.scene
+        with Ball(KEPT_DIGITS).context():
+            state = stuck_state(self.drive, arb(0)) if self.regime is Regime.ENTRAINED else None
+            if state is not None and not entrained(self.drive):
+                state = flattened_state(self.drive, arb(0))
+            return None if state is None else self.drive.one_period(Fraction(0), state, KEPT_DIGITS)
+
 
 def response(
     scene: Scene,
@@ -74,21 +98,48 @@ def response(
     default 16 times as many as are asked for), NotSettled (no motion was found within max_events),
     PrecisionExhausted.
     """
-    asked = given_sine(amplitude, omega)
+    drive = _drive_under(scene, amplitude, omega)
+    known, orbit = None, None
+    if len(drive.piece.sines) == 1:
+        known = thresholds(drive.pair, drive.piece.sines[0].omega, digits=digits, max_digits=max_digits)
+
+    def attempt(_: Ball) -> tuple[Response, list[arb]]:
+        nonlocal orbit
+        growth = resonant_growth(drive)
+        if growth > 0:
+            found = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
+            return found, [growth]
+        if entrained(drive) or others_stick(drive, known):
+            found = _entrained(drive, known, digits)
+            return found, [abs(one) for one in found.multipliers or () if drive.pair.a1 > 0]
+        orbit = find_orbit(drive, orbit, max_events, tell)
+        found = _of_orbit(orbit, known, digits)
+        events = [one for leg in orbit.legs for one in (leg.t, leg.x, leg.v)]
+        return found, [found.drift or arb(0), *(abs(one) for one in found.multipliers or ()), *events]
+
+    return to_digits(attempt, digits, most_digits(digits, max_digits))
+
+
+def _drive_under(scene: Scene, amplitude: Exact | None, omega: Exact | None) -> Drive:
+    """Return what acts in the long run, its one sine as it is given. Raises InvalidScene for what no sine can have."""
+    given = {"amplitude": amplitude, "omega": omega}
+    asked = {name: exact_decimal(one, name) for name, one in given.items() if one is not None}
+    if asked.get("omega", Fraction(1)) <= 0:
+        raise InvalidScene(f"omega = {short(asked['omega'])} must be > 0; give a frequency in rad/s")
+    if asked.get("amplitude") == 0:
+        raise InvalidScene("amplitude = 0 must not be 0; without a force there is no response")
     if not scene.force.pieces:
-        if amplitude is None or omega is None:
+        if len(asked) < 2:
             raise InvalidScene("the scene has no force; add [[force]] with one sine, or give amplitude and omega")
-        scene = replace(scene, force=Force.sine(amplitude, omega))
+        scene = replace(scene, force=Force.sine(**asked))
     drive = steady_drive(scene)
-    if asked:
-        drive = _replaced(drive, asked)
-    sines = drive.piece.sines
-    known = None
-    if len(sines) == 1:
-        known = thresholds(drive.pair, sines[0].omega, digits=digits, max_digits=max_digits)
-    most = most_digits(digits, max_digits)
-    search = Search(max_events, tell)
-    return to_digits(lambda _: _attempt(drive, known, digits, search), digits, most)
+    if not asked:
+        return drive
+    if len(drive.piece.sines) != 1:
+        raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
+    one = drive.piece.sines[0]
+    sine = Sine(asked.get("amplitude", one.amplitude), asked.get("omega", one.omega), one.phase)
+    return Drive(drive.pair, Piece(0, drive.piece.polynomial, [sine]))
 
 
 def steady_drive(scene: Scene) -> Drive:
@@ -108,29 +159,8 @@ def last_drive(scene: Scene) -> Drive | None:
     last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
     if len(last.polynomial) > 1:
         return None
-    steady = Force((Piece(0, last.polynomial, last.sines),))
-    frequency = steady.frequency or Fraction(0)  # rational frequencies are commensurable
-    b = scene.friction.pieces[-1][1] if scene.friction.pieces else scene.pair.b
-    pair = scene.pair
-    return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), b, steady.pieces[0], frequency)
-
-
-def _replaced(drive: Drive, asked: dict[str, Fraction]) -> Drive:
-    if len(drive.piece.sines) != 1:
-        raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
-    one = drive.piece.sines[0]
-    sine = Sine(asked.get("amplitude", one.amplitude), asked.get("omega", one.omega), one.phase)
-    return replace(drive, piece=Piece(0, drive.piece.polynomial, [sine]), frequency=sine.omega)
-
-
-def _attempt(drive: Drive, known: Thresholds | None, digits: int, search: Search) -> tuple[Response, list[arb]]:
-    growth = resonant_growth(drive)
-    if growth > 0:
-        found = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
-        return found, [growth]
-    if entrained(drive) or others_stick(drive, known):
-        return _entrained(drive, known, digits)
-    return _of_orbit(search.orbit(drive), known, digits)
+    pair, b = scene.pair, scene.friction.pieces[-1][1] if scene.friction.pieces else scene.pair.b
+    return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), Piece(0, last.polynomial, last.sines))
 
 
 def resonant_growth(drive: Drive) -> arb:
@@ -139,51 +169,106 @@ def resonant_growth(drive: Drive) -> arb:
     resonant = [one for one in drive.piece.sines if one.omega**2 * pair.m1 == pair.a2]
     if pair.a1 != 0 or not resonant:
         return arb(0)
-    total = sum((acb.exp(acb(0, Ball.number(one.phase))) * Ball.number(one.amplitude) for one in resonant), acb(0))
-    over = abs(total) - 4 * Ball.number(drive.b) / arb.pi()
-    if over.contains(0):
-        raise EventUndecided(
-            "does the force bring more than friction takes at resonance?", over.str(6), working_digits()
-        )
-    return over / (2 * Ball.number(pair.m1)) if over > 0 else arb(0)
+    total = sum((acb.exp(acb(0, number(one.phase))) * number(one.amplitude) for one in resonant), acb(0))
+    over = abs(total) - 4 * number(pair.b) / arb.pi()
+    grows = not_negative(over, "does the force bring more than friction takes at resonance?")
+    return over / (2 * number(pair.m1)) if grows else arb(0)
 
 
-_FLATTENED = (
-    "not all motions do; the response breaks, but with a free oscillation that flattens the load's peaks they stick"
-)
+# stuck for ever
 
 
-def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:
+def entrained(drive: Drive) -> bool:
+    """Return whether the stuck response exists: |Lambda| <= b along it. Raises EventUndecided."""
+    sines = drive.piece.sines
+    if len(sines) == 1:
+        return load_margin(drive.pair, sines[0].amplitude, sines[0].omega) >= 0
+    state = stuck_state(drive, arb(0))
+    if state is None:
+        return False
+    motion = drive.mode(0).motion(state, arb(0))
+    rows = [(*((place, -side * c) for place, c in motion.mode.load), (ONE, drive.pair.b)) for side in (1, -1)]
+    held = [is_positive_on(partial(motion.range, row), arb(0), drive.period) for row in rows]
+    if None in held and False not in held:
+        raise undecided("does friction hold the pair in its stuck response?", "load near b")
+    return all(held)
+
+
+def stuck_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb] | None:
+    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0."""
     pair = drive.pair
+    x, v = number(drive.rest), arb(0)
+    for one in drive.piece.sines:
+        if stiffness(pair, pair.mass, one.omega).is_zero():
+            return None
+        below = acb(number(pair.a2 - pair.mass * one.omega**2), number(pair.a1 * one.omega))
+        turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase)))
+        moved = turned * number(one.amplitude) / below
+        x, v = x + moved.imag, v + number(one.omega) * moved.real
+    return x, v, arb(0), v
+
+
+def others_stick(drive: Drive, known: Thresholds | None) -> bool:
+    """Return whether motions other than the response stick for ever (`Thresholds.exception`). Raises EventUndecided."""
+    if known is None or known.exception is None:
+        return False
+    under = known.exception - number(abs(drive.piece.sines[0].amplitude))
+    return not_negative(under, "does a free oscillation let the pair stick?")
+
+
+def flattened_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb]:
+    """Return (x1, v1, 0, v1) of the stuck motion under one sine whose load has the lowest peaks, where others stick.
+
+    The response A sin p, p = omega t + phase, and with Omega = n omega the free A c/n^2 sin(n p), where c =
+    -(-1)^((n - 1)/2) sin(pi/(2 n))/n: the acceleration is then cos(pi/(2 n)) of that of the response at most.
+    """
+    pair, sine = drive.pair, drive.piece.sines[0]
+    odd, state = odd_ratio(pair, pair.mass, sine.omega), stuck_state(drive, t)
+    assert odd is not None
+    assert state is not None
+    share = (1 if odd % 4 == 3 else -1) * (arb.pi() / (2 * odd)).sin() / odd**2
+    free = share * number(sine.amplitude / (pair.a2 - pair.mass * sine.omega**2))
+    turn, turned = (odd * (number(sine.omega) * t + number(sine.phase))).sin_cos()
+    v = state[1] + free * number(sine.omega) * turned
+    return state[0] + free / odd * turn, v, arb(0), v
+
+
+def stuck_multipliers(drive: Drive) -> tuple[acb, ...]:
+    """Return exp(lambda T) of the stuck pair's two rates, and 0: w dies in a finite time."""
+    pair = drive.pair
+    half = pair.a1 / (2 * pair.mass)
+    rest = acb(number(half**2 - pair.a2 / pair.mass)).sqrt()
+    return (*(acb.exp((one - number(half)) * drive.period) for one in (rest, -rest)), acb(0))
+
+
+def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
+    pair, sines = drive.pair, drive.piece.sines
+    multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
+    why = "every motion tends to it, and sticks after a finite time"
     if pair.a1 == 0:
         why = "not all motions tend to it: a free oscillation of the stuck pair stays"
         if known is not None and known.exception is not None:
             up_to = f"up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
-            why = f"{why}; others stick {up_to}" if entrained(drive) else f"{_FLATTENED} {up_to}"
-        pairs = stuck_multipliers(drive)
-        return Response(drive, Regime.ENTRAINED, known, None, pairs, arb(0), arb(0), why, digits), []
-    multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
-    sine = drive.piece.sines[0]
-    touches = len(drive.piece.sines) == 1 and load_margin(pair, sine.amplitude, sine.omega) == 0
-    why = "every motion tends to it, and sticks after a finite time"
-    if touches:
+            breaks = (
+                "not all motions do; the response breaks, but with a free oscillation that flattens the load's peaks"
+            )
+            why = f"{why}; others stick {up_to}" if entrained(drive) else f"{breaks} they stick {up_to}"
+    elif len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0:
         multipliers, why = None, "every motion tends to it; its load touches the limit"
-    found = Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
-    return found, [abs(one) for one in multipliers or ()]
+    return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
 
 
-def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> tuple[Response, list[arb]]:
+# with events
+
+
+def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> Response:
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
     multipliers = tuple(orbit.multipliers())
     is_only_one, attraction = _attraction(orbit)
     # the only periodic motion of an odd force is odd itself, but for the constant part of x1
     drift = arb(0) if drive.is_odd and is_only_one else orbit.travel / drive.period
-    found = Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
-    numbers = [abs(one) for one in multipliers] + [drift]
-    for leg in orbit.legs:
-        numbers += [leg.t, leg.x, leg.v]
-    return found, numbers
+    return Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
 
 
 def _attraction(orbit: Orbit) -> tuple[bool, str]:
@@ -191,7 +276,7 @@ def _attraction(orbit: Orbit) -> tuple[bool, str]:
     pair = orbit.drive.pair
     if pair.a1 > 0:
         return True, "every motion tends to it"
-    rate = Ball.number(pair.a2 / pair.m1).sqrt()
+    rate = number(pair.a2 / pair.m1).sqrt()
     for before, (leg, after) in zip((orbit.legs[-1], *orbit.legs[:-1]), orbit.turns, strict=True):
         turns = rate * (after.t - leg.t) / (2 * arb.pi())
         if before.side == 0 and leg.side != 0 and turns.ceil().unique_fmpz() is not None:

@@ -22,10 +22,9 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.non_stop import keeps_slipping
-from numerics.control.thresholds import entrainment_threshold, flattest_peak, non_stop_over
+from numerics.control.thresholds import NonStop, entrainment_threshold, flattest_peak
 from numerics.errors import InvalidMap
-from numerics.quadtree.tree import Leaf, Progress, Side, Sides, Verdicts, leaves_of, shares
+from numerics.free.quadtree import Leaf, Progress, Side, Sides, Verdicts, leaves_of, shares
 from numerics.scene import Pair
 from numerics.scene.decimals import decimal_text
 
@@ -132,9 +131,9 @@ def _decide_slice(pair: Pair, omega: arb, low: arb, high: arb) -> Regimes:
     stuck = entrainment_threshold(pair, omega)
     if high <= stuck:
         return Regimes.ENTRAINED
-    slipping = non_stop_over(pair, omega)
-    if low > stuck * _flattening(pair, omega) and high < slipping:
+    slipping = NonStop(pair, omega)
+    if low > stuck * _flattening(pair, omega) and high < slipping.threshold:
         return Regimes.BETWEEN
-    if low > slipping and keeps_slipping(pair, low, omega):
+    if low > slipping.threshold and slipping.keeps_slipping(low):
         return Regimes.NON_STOP
     return Regimes.UNDECIDED

@@ -3,32 +3,47 @@
 The ring is (z - z*)^2 + (w/rate)^2 <= R^2. Where the bodies end up together, or creep, its centre is the limit z* of z
 (the energy norm N sees w, but not z), at w = 0; around a periodic motion it goes along with that: z and w less those of
 it. The entry is the last time at which the motion is on the ring. Before a late time each stretch is searched backwards
-in balls for it; after that time the motion is inside by what is proved of all later times (settled.py).
+in balls for it; after that time the motion is inside by what is proved of all later times:
+
+    stuck for ever  under a constant and sines the motion is the stuck response and a free part (e, e') whose energy
+                    a2 e^2 + M e'^2 never grows. The load of the free part is at most (m2/M) (sqrt(a2) + a1/sqrt(M))
+                    times the root of it, that of the response at most the sum of m2 omega^2 |A|/Z(M): once both are
+                    below b together, the pair never slips
+    creeping        a1 = 0 and no sine: all slips to come are bounded (`creeping_place`)
+    closing in      on a periodic motion: the period map shrinks distances (`attraction`)
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
+import flint
 from flint import arb
 
-from numerics.arithmetic.ball import Ball
-from numerics.control.asked import Tell, most_digits, silent, to_digits
+from numerics.arithmetic.ball import Ball, precision, sqrt, working_digits
+from numerics.control.answers import Tell, most_digits, not_negative, number, silent, to_digits, undecided
+from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
 from numerics.control.orbit import Drive, Orbit
-from numerics.control.response import last_drive, response
-from numerics.control.ring_crossing import last_on_ring
-from numerics.control.settled import Settled, creeping_settled, free_settled, periodic_settled, stuck_settled
-from numerics.errors import InvalidScene, NotSettled
-from numerics.run.one import run_scene
+from numerics.control.response import last_drive, response, stuck_state
+from numerics.control.thresholds import stiffness
+from numerics.errors import EventUndecided, InvalidScene, NotSettled
+from numerics.free.resting_place import creeping_place
+from numerics.linear.modes import Mode
+from numerics.linear.system import X1, X2, LinearMode, Motion, Row, W
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.trajectory.run import run_scene
+from numerics.trajectory.status import Status
+from numerics.trajectory.trajectory import Trajectory
 
-_DOUBLINGS = 24
-"""So often the horizon is doubled until the motion is known for ever."""
-_MAX_EVENTS = 100_000
-_FORCED_DOUBLINGS, _MAX_FORCED_EVENTS = 7, 2_000
+Z: Row = ((X1, Fraction(1)), (X2, Fraction(-1)))
+"""The relative place z = x1 - x2."""
+_FREE, _FORCED = (24, 100_000), (7, 2_000)
+"""So often the horizon is doubled until the motion is known for ever, and the cap on events."""
+_SEARCH_BITS = 96
 
 
 @dataclass(frozen=True)
@@ -67,71 +82,268 @@ def ring_entry(
     for name, one in (("radius", size), ("rate", per)):
         if one <= 0:
             raise InvalidScene(f"{name} = {short(one)} must be > 0; give a positive {name}")
+    drive = last_drive(scene)
+    if drive is None:
+        raise InvalidScene("the force grows for ever: its last piece must be a constant and sines for a ring")
 
     def attempt(arithmetic: Ball) -> tuple[Ring, list[arb]]:
-        trajectory, known = _settled(scene, arithmetic, (size, per), tell)
-        entry = last_on_ring(trajectory, known, size, per)
-        found = Ring(scene, size, per, known.limit, entry, known.orbit, known.why, digits)
-        return found, [found.centre, found.entry]
+        orbit = _orbit(scene, drive, arithmetic, tell)
+        trajectory, known = _settled(scene, drive, orbit, (size, per), (arithmetic.digits, tell))
+        entry = _last_on_ring(trajectory, known, size, per)
+        return Ring(scene, size, per, known.limit, entry, orbit, known.why, digits), [known.limit, entry]
 
     return to_digits(attempt, digits, most_digits(digits, max_digits))
 
 
-def _settled(scene: Scene, arithmetic: Ball, ring: tuple[Fraction, Fraction], tell: Tell) -> tuple[Any, Settled]:
-    """Return a trajectory that is long enough to know the limit, and what is known; `ring`: its radius and rate."""
-    radius, rate = ring
-    until, near = scene.until, float(radius) * min(1.0, float(rate)) / 2
-    drive = _drive(scene) if scene.is_forced else None
-    orbit = _orbit(scene, drive, arithmetic, tell)
-    doublings, most = (_DOUBLINGS, _MAX_EVENTS) if drive is None else (_FORCED_DOUBLINGS, _MAX_FORCED_EVENTS)
-    if drive is not None:
-        until = max(until, *(at + 1 for at in (*scene.force.starts, *scene.friction.starts)))
-    for _ in range(doublings):
-        longer = Scene(scene.pair, scene.initial, until, scene.law, scene.force, scene.friction)
-        tell(f"following the motion to t = {float(until):.6g} s in {arithmetic.digits} digits")
-        trajectory = run_scene(longer, arithmetic, most)
-        found = _known(trajectory, drive, orbit, near)
-        if found is not None and found.is_sharp:
-            return trajectory, found
-        if not trajectory.reached:
-            break
-        until *= 2
-    raise NotSettled(
-        f"the motion is not known to settle to within a radius of {short(radius)} m by t = "
-        f"{short(trajectory.scene.until)} s or {most} events; {_remedy(drive, orbit)}"
-    )
-
-
-def _remedy(drive: Drive | None, orbit: Orbit | None) -> str:
-    """Return whether a larger radius can help where nothing was proved of all later times."""
-    if orbit is not None:
-        return "no proof was found that it closes in on the periodic motion; a larger radius may not help either"
-    if drive is not None and drive.piece.sines:
-        return "a larger radius does not help: the pair is not proved to stick for ever"
-    return "give a larger radius"
-
-
-def _known(trajectory: Any, drive: Drive | None, orbit: Orbit | None, near: float) -> Settled | None:
-    """Return what is known for ever of a trajectory, by the road that its force leaves."""
-    if drive is None:
-        return free_settled(trajectory, near)
-    if orbit is not None:
-        return periodic_settled(trajectory, orbit, near)
-    return stuck_settled(trajectory, drive) or creeping_settled(trajectory, drive, near)
-
-
-def _drive(scene: Scene) -> Drive:
-    drive = last_drive(scene)
-    if drive is None:
-        raise InvalidScene("the force grows for ever: its last piece must be a constant and sines for a ring")
-    return drive
-
-
-def _orbit(scene: Scene, drive: Drive | None, arithmetic: Ball, tell: Tell) -> Orbit | None:
+def _orbit(scene: Scene, drive: Drive, arithmetic: Ball, tell: Tell) -> Orbit | None:
     """Return the periodic motion that a scene tends to, None if it ends stuck."""
-    if drive is None or not drive.piece.sines:
+    if not drive.piece.sines:
         return None
     found = response(scene, digits=arithmetic.digits, tell=tell)
     if found.growth > 0:
         raise InvalidScene(f"{found.regime.value}; no ring is entered for good")
     return found.orbit
+
+
+# what is known of all later times
+
+
+@dataclass(frozen=True)
+class Settled:
+    """The limit of z (m), less the z of a periodic motion; near it from `since` (s) on; why."""
+
+    limit: arb
+    since: arb
+    why: str
+    orbit: Orbit | None = None
+
+
+def _settled(
+    scene: Scene, drive: Drive, orbit: Orbit | None, ring: tuple[Fraction, Fraction], work: tuple[int, Tell]
+) -> tuple[Trajectory, Settled]:
+    """Return a trajectory that is long enough to know the limit, and what is known; `ring`: its radius and rate."""
+    (digits, tell), (doublings, most) = work, _FORCED if scene.is_forced else _FREE
+    # so near the limit, in m and in m/s for w, the motion is inside its ring
+    near = float(ring[0]) * min(1.0, float(ring[1])) / 2
+    starts = (*scene.force.starts, *scene.friction.starts)
+    until = max([scene.until, *(at + 1 for at in starts)])
+    for _ in range(doublings):
+        tell(f"following the motion to t = {float(until):.6g} s in {digits} digits")
+        longer = replace(scene, until=until)
+        trajectory = run_scene(longer, Ball(digits), most)
+        if orbit is not None:
+            found = periodic_settled(trajectory, orbit, near)
+        else:
+            found = stuck_settled(trajectory, drive) or _creeping_settled(trajectory, drive, near)
+        if found is not None:
+            return trajectory, found
+        if not trajectory.reached:
+            break
+        until *= 2
+    remedy = "give a larger radius"
+    if orbit is not None:
+        remedy = "no proof was found that it closes in on the periodic motion; a larger radius may not help either"
+    elif drive.piece.sines:
+        remedy = "a larger radius does not help: the pair is not proved to stick for ever"
+    raise NotSettled(
+        f"the motion is not known to settle to within a radius of {short(ring[0])} m by t = {short(longer.until)} s "
+        f"or {most} events; {remedy}"
+    )
+
+
+def stuck_settled(trajectory: Trajectory, drive: Drive) -> Settled | None:
+    """Return where a trajectory in balls sticks for ever from its last event on; None if that is not proved yet.
+
+    `drive` acts at the horizon and after it. In the arithmetic's context.
+    """
+    if not trajectory.reached:
+        return None
+    x1, v1, x2, _ = trajectory.final_state
+    pair = drive.pair
+    if trajectory.status is not Status.STUCK_FOR_EVER:
+        response_there = stuck_state(drive, number(trajectory.scene.until))
+        if trajectory.final_mode is not Mode.STICK or response_there is None:
+            return None
+        place, speed = x1 - response_there[0], v1 - response_there[1]
+        energy = number(pair.a2) * place * place + number(pair.mass) * speed * speed
+        root = number(pair.a2).sqrt() + number(pair.a1) / number(pair.mass).sqrt()
+        load = number(pair.m2 / pair.mass) * root * sqrt(energy)
+        for one in drive.piece.sines:
+            load += number(pair.m2 * abs(one.amplitude) * one.omega**2) / stiffness(pair, pair.mass, one.omega)
+        if not load < number(pair.b):
+            return None
+    since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
+    return Settled(x1 - x2, since, "the pair has stuck for ever")
+
+
+def _creeping_settled(trajectory: Trajectory, drive: Drive, near: float) -> Settled | None:
+    """Return what is known of a pair under a force that ends as a constant, a1 = 0; None if that is too early."""
+    scene = trajectory.scene
+    last = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0))
+    found = None if drive.piece.sines else creeping_place(trajectory, drive.pair, near, last)
+    if found is None:
+        return None
+    why = f"all slips after event {found.index + 1} are bounded, to one side and the other in turn"
+    return Settled(found.limit, trajectory.events[found.index].t, why)
+
+
+def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settled | None:
+    """Return how a trajectory closes in on a periodic motion; None if its horizon comes before that is proved.
+
+    At its end it gives the limit, up to what can still slide; the earliest time, whole periods before, from which on
+    the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
+    sharp and the balls of both motions are apart, a later horizon is sharper: None.
+    """
+    parts, pair, period = list(stretches(trajectory)), orbit.drive.pair, orbit.drive.period
+    end, kappa = number(trajectory.scene.until), number(pair.mass / (pair.m1 * pair.m2))
+    limit, since = None, None
+    for back in range(int(float(end / period)) if trajectory.reached else 0):
+        t = end - back * period
+        try:
+            there = passage_at(orbit, t)
+            here = next((one for one in parts if one.begin <= t and not t > one.begin + one.length), None)
+            if here is None or here.motion.mode.side != there.motion.mode.side:
+                break
+            state, other = here.motion.state(t - here.begin), there.state(t)
+            reach = distance(pair, state, other)
+            left = slide_left(orbit, t, reach)
+        except EventUndecided:
+            break
+        if limit is None:
+            limit = state[0] - state[2] - (other[0] - other[2])
+            if not left <= limit.rad() and not all(state[k].overlaps(other[k]) for k in (0, 1, 3)):
+                return None
+            limit += arb(0, left)
+        if not left.max(kappa.sqrt() * reach) < near:
+            break
+        since = t
+    if limit is None or since is None:
+        return None
+    return Settled(limit, since, "it closes in on the periodic motion: the period map shrinks distances", orbit)
+
+
+# the last time on the ring
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """One motion from the time `begin` (s) for `length` (s): one mode under one piece of force and one friction."""
+
+    begin: arb
+    length: arb
+    motion: Motion
+
+
+def stretches(trajectory: Trajectory) -> Iterator[Stretch]:
+    """Yield the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
+    scene, at = trajectory.scene, trajectory.scene.initial
+    starts = scene.friction.starts
+    jumps = sorted({one for one in (*scene.force.starts, *starts) if 0 < one < scene.until}, reverse=True)
+    state: Sequence[arb] = [number(one) for one in (at.x1, at.v1, at.x2, at.v2)]
+    now, since = arb(0), Fraction(0)
+    ends = [(event.t, event.y) for event in trajectory.events] + [(number(scene.until), None)]
+    for mode, (end, known) in zip(trajectory.modes, ends, strict=False):
+        is_inside = True
+        while is_inside:
+            jump = number(jumps[-1]) if jumps else arb.pos_inf()
+            is_inside, held = bool(jump < end), bisect_right(starts, since)
+            b = scene.friction.pieces[held - 1][1] if held else scene.pair.b
+            until = jump if is_inside else end
+            motion = LinearMode(scene.pair, b, mode.sign, scene.force.piece_at(since)).motion(state, now)
+            yield Stretch(now, until - now, motion)
+            state, now = motion.state(until - now) if is_inside or known is None else known, until
+            if not jump > end:  # an event may be the jump itself
+                since = jumps.pop()
+
+
+def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
+    """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
+    squared, weight = number(radius**2), number(1 / rate**2)
+    for one in reversed(list(stretches(trajectory))):
+        if one.begin < known.since:
+            for begin, length, off in reversed(list(_distances(one, known))):
+                found = _last_in(off, length, squared, weight)
+                if found is not None:
+                    return begin + found
+    return arb(0)
+
+
+Distance = Callable[[arb], list[arb]]
+"""z - z*, w - w* and their derivatives over a ball of times."""
+
+
+def _distances(one: Stretch, known: Settled) -> Iterator[tuple[arb, arb, Distance]]:
+    """Yield the parts of a stretch in which the periodic motion has one mode: begin, length, and the distance in it."""
+    end = one.begin + one.length
+    if known.orbit is None:
+        yield one.begin, one.length, _distance(one, one.begin, None, known.limit)
+        return
+    for there in passages(known.orbit, one.begin, end):
+        first, last = _later(there.begin, one.begin), -_later(-there.end, -end)
+        yield first, last - first, _distance(one, first, there, known.limit)
+
+
+def _distance(one: Stretch, first: arb, there: Passage | None, limit: arb) -> Distance:
+    """Return the distance of a motion from a limit of z, or from a periodic motion too, t from a time on."""
+
+    def distance_over(t: arb) -> list[arb]:
+        here = one.motion.over(first - one.begin + t)
+        found = [here.range(row, order) for order, row in _ROWS]
+        found[0] -= limit
+        if there is not None:
+            other = there.motion.over(first - there.begin + t)
+            found = [a - other.range(row, n) for a, (n, row) in zip(found, _ROWS, strict=True)]
+            found[0] += there.x2
+        return found
+
+    return distance_over
+
+
+_ROWS = ((0, Z), (0, W), (1, Z), (1, W))
+
+
+def _later(one: arb, two: arb) -> arb:
+    """Return the later of two times. Raises EventUndecided."""
+    return one if not_negative(one - two, "which of these two events is the later one?") else two
+
+
+def _last_in(apart: Distance, length: arb, squared: arb, weight: arb) -> arb | None:
+    """Return the last time in a stretch at which D = (z - z*)^2 + (w - w*)^2/rate^2 - R^2 is 0; None if D < 0."""
+
+    def over(t: arb) -> tuple[arb, arb]:
+        z, w, slide, change = apart(t)
+        return z * z + weight * w * w - squared, 2 * (z * slide + weight * w * change)
+
+    waiting = [(arb(0), length.upper())]
+    smallest = length.upper() * arb(2) ** (-working_digits())
+    while waiting:
+        low, high = waiting.pop()
+        # telling inside from outside needs few digits
+        with precision(min(flint.ctx.prec, _SEARCH_BITS)):
+            part, rate = over(low.union(high))
+            if part < 0:
+                continue
+            left, right = over(low)[0], over(high)[0]
+        if right > 0:
+            raise undecided("is the motion inside the ring here?", right)
+        if rate < 0 and left > 0:
+            return _crossing(over, low.union(high))
+        if not (rate < 0 or rate > 0) or left.contains(0):
+            if high - low < smallest:
+                raise undecided("does the motion touch the ring?", part)
+            middle = ((low + high) / 2).mid()
+            waiting += [(low, middle), (middle, high)]
+    return None
+
+
+def _crossing(over: Callable[[arb], tuple[arb, arb]], part: arb) -> arb:
+    """Return an enclosure of the one zero of a falling function in a ball of times, by Newton's interval step."""
+    while True:
+        middle = part.mid()
+        step = middle - over(middle)[0] / over(part)[1]
+        if not step.overlaps(part):
+            raise undecided("where is the motion on the ring?", part)
+        smaller = step.intersection(part)
+        if smaller.rad() > part.rad() * arb("0.9"):
+            return smaller
+        part = smaller

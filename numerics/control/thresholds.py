@@ -3,13 +3,17 @@
 With beta = b/m2, M = m1 + m2 and Z(m) = |a2 - m omega^2 + i a1 omega|:
 
     U*  = beta Z(M)/omega^2     the stuck response has the acceleration omega^2 U/Z(M), and friction gives body 2 beta
-    U** : the least for a motion that slips for ever and reverses twice a period; it is one if w keeps its sign between
-          the reversals, too (`non_stop`): from U** on for a1 = 0 and omega > omega1, else from some U on.
-          v1 = v2 = -beta T/4 where a slip of sign + starts,
-          the square wave of friction alone puts x1 = -b h, v1 = -b h' there, and U supplies the rest of the velocity,
-          b (pi/(2 m2 omega) - h'), and of the acceleration, which must be at least beta: (b/m1) (M/m2 - a2 h - a1 h').
+    U** = (Z(m1)/omega) hypot(V, A/omega)    the least for a motion that slips for ever and reverses twice a period
 
-U** = (Z(m1)/omega) hypot of the velocity and of the acceleration over omega. Both are enclosed in balls.
+v1 = v2 = -beta T/4 where a slip of sign + starts; the square wave of friction alone puts x1 = -b h, v1 = -b h' there,
+and U supplies the rest of the velocity, V = b (pi/(2 m2 omega) - h'), and of the acceleration, which must be at least
+beta: A = (b/m1) (M/m2 - a2 h - a1 h'). From there on
+
+    w = e^(-lambda t) (-b h' C(t) - k S(t)) - beta (t - T/4) - V cos(omega t) + R sin(omega t)
+
+with k = (b - a2 b h)/m1 - lambda b h', R^2 = (U omega/Z(m1))^2 - V^2, C(t) = cos(omegad t) and S(t) =
+sin(omegad t)/omegad. It is a motion exactly if U >= U** and w > 0 for 0 < t < T/2. There w rises with R, so the second
+condition, too, holds from some amplitude on: from U** on for a1 = 0 and omega > omega1.
 """
 
 from __future__ import annotations
@@ -20,12 +24,17 @@ from fractions import Fraction
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import sqrt
-from numerics.control.asked import to_digits
+from numerics.arithmetic.ball import Ball, sqrt
+from numerics.control.answers import number, to_digits
 from numerics.errors import InvalidScene
+from numerics.linear.system import is_positive_on
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, exact_decimal, short
+
+_PARTS = 64
+"""Into so many parts half a period is cut before w > 0 counts as undecided."""
+_TIMES = 96
+"""Times in half a period at which w is looked at where nothing is proved."""
 
 
 @dataclass(frozen=True)
@@ -60,11 +69,10 @@ def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int | 
 
     def attempt(_: Ball) -> tuple[Thresholds, list[arb]]:
         low, high = entrainment_threshold(pair, rate), non_stop_threshold(pair, rate)
-        odd = odd_ratio(pair.a2 / pair.mass, rate, pair)
+        odd = odd_ratio(pair, pair.mass, rate)
         flattened = None if odd is None else low / flattest_peak(odd)
-        found = Thresholds(rate, low, high, flattened, digits)
-        finite = [] if non_stop_is_infinite(pair, rate) else [high]
-        return found, [low, *finite, *([] if flattened is None else [flattened])]
+        numbers = [low, high if odd_ratio(pair, pair.m1, rate) is None else low, flattened or low]
+        return Thresholds(rate, low, high, flattened, digits), numbers
 
     return to_digits(attempt, digits, max_digits)
 
@@ -77,13 +85,12 @@ def load_margin(pair: Pair, amplitude: Fraction, omega: Fraction) -> Fraction:
 
 def entrainment_threshold(pair: Pair, omega: Fraction | arb) -> arb:
     """Return an enclosure of U*, N, at a frequency or over a ball of them; in the arithmetic's context."""
-    rate = omega if isinstance(omega, arb) else Ball.number(omega)
-    return Ball.number(pair.b / pair.m2) * stiffness(pair, pair.mass, omega) / (rate * rate)
+    rate = _ball(omega)
+    return number(pair.b / pair.m2) * stiffness(pair, pair.mass, omega) / (rate * rate)
 
 
 def stiffness(pair: Pair, mass: Fraction, omega: Fraction | arb) -> arb:
     """Return an enclosure of Z(mass) = |a2 - mass omega^2 + i a1 omega|, N/m; exactly 0 at an exact resonance."""
-    number = Ball.number
     if isinstance(omega, arb):
         return hypot(number(pair.a2) - number(mass) * omega * omega, number(pair.a1) * omega)
     return hypot(number(pair.a2 - mass * omega**2), number(pair.a1 * omega))
@@ -91,38 +98,96 @@ def stiffness(pair: Pair, mass: Fraction, omega: Fraction | arb) -> arb:
 
 def non_stop_threshold(pair: Pair, omega: Fraction) -> arb:
     """Return an enclosure of U**, N; infinite where no such motion exists; in the arithmetic's context."""
-    if non_stop_is_infinite(pair, omega):
+    if odd_ratio(pair, pair.m1, omega) is not None:
         return arb.pos_inf()
     if pair.a1 == 0 and pair.a2 == pair.m1 * omega**2:
         # at omega1 itself the sine must make up for what friction takes in a cycle, 4 b times the amplitude
-        return 4 * Ball.number(pair.b) / arb.pi()
-    return non_stop_over(pair, omega)
+        return 4 * number(pair.b) / arb.pi()
+    return NonStop(pair, omega).threshold
 
 
-def non_stop_is_infinite(pair: Pair, omega: Fraction) -> bool:
-    """Return whether a1 = 0 and omega1/omega is an odd whole number >= 3: no U** then; exact."""
-    return odd_ratio(pair.a2 / pair.m1, omega, pair) is not None
+def odd_ratio(pair: Pair, mass: Fraction, omega: Fraction) -> int | None:
+    """Return n if a1 = 0 and a mass on the spring has the frequency n omega, n >= 3 an odd whole number; exact."""
+    ratio = pair.a2 / mass / omega**2
+    root = math.isqrt(ratio.numerator)
+    is_odd = pair.a1 == 0 and ratio.denominator == 1 and root**2 == ratio and root % 2 == 1 and root >= 3
+    return root if is_odd else None
 
 
-def non_stop_over(pair: Pair, omega: Fraction | arb) -> arb:
-    """Return an enclosure of U** where it is finite, at a frequency or over a ball of them."""
-    rate = omega if isinstance(omega, arb) else Ball.number(omega)
-    velocity, acceleration = reversal_demand(pair, rate)
-    return stiffness(pair, pair.m1, omega) / rate * hypot(velocity, acceleration / rate)
+def flattest_peak(odd: int) -> arb:
+    """Return the least max |sin t + c sin(n t + phase)| over c and phase for an odd n >= 3: cos(pi/(2 n))."""
+    return (arb.pi() / (2 * odd)).cos()
 
 
-def reversal_demand(pair: Pair, omega: arb) -> tuple[arb, arb]:
-    """Return what the response to U must give where slip + begins: minus a velocity, at least an acceleration."""
-    number = Ball.number
-    b, m1, m2 = number(pair.b), number(pair.m1), number(pair.m2)
-    place, speed = square_wave_response(pair, omega)
-    velocity = b * (arb.pi() / (2 * m2 * omega) - speed)
-    return velocity, b / m1 * (number(pair.mass) / m2 - number(pair.a2) * place - number(pair.a1) * speed)
+class NonStop:
+    """The motion that slips for ever and reverses twice a period, at a frequency (rad/s) or over a ball of them.
+
+    The names are those of the formulas above: `V` and `reach` = Z(m1)/omega, `least` = A/omega; SI units.
+    """
+
+    def __init__(self, pair: Pair, omega: Fraction | arb) -> None:
+        """Enclose what w consists of, in the arithmetic's context."""
+        half_rate = pair.a1 / (2 * pair.m1)
+        b, self.omega, self.decay = number(pair.b), _ball(omega), number(half_rate)
+        self.half, self.beta = arb.pi() / self.omega, number(pair.b / pair.m2)
+        self.squared, self.reach = pair.a2 / pair.m1 - half_rate**2, stiffness(pair, pair.m1, omega) / self.omega
+        place, speed = square_wave_response(pair, self.omega)
+        inner = (b - number(pair.a2) * b * place) / number(pair.m1)
+        self.V, self.square = self.beta * self.half / 2 - b * speed, -b * speed
+        self.swing = inner + self.decay * self.square
+        self.least = (inner + self.beta - 2 * self.decay * b * speed) / self.omega
+
+    @property
+    def threshold(self) -> arb:
+        """Return U**, N."""
+        return self.reach * hypot(self.V, self.least)
+
+    def relative(self, t: arb, R: arb) -> tuple[arb, arb]:
+        """Return w (m/s) and its rate (m/s^2) at a time since the reversal, s."""
+        C, S = cosine_and_sine(self.squared, t)
+        sine, cosine = (self.omega * t).sin_cos()
+        fading = (-self.decay * t).exp()
+        falls = self.square * (self.decay * C + number(self.squared) * S) + self.swing * (C - self.decay * S)
+        w = fading * (self.square * C - self.swing * S) - self.beta * (t - self.half / 2) - self.V * cosine + R * sine
+        return w, self.omega * (self.V * sine + R * cosine) - self.beta - fading * falls
+
+    def keeps_slipping(self, amplitude: arb) -> bool | None:
+        """Return whether w > 0 between the reversals under a force above U**, N; None where neither is proved."""
+        rest = (amplitude / self.reach) ** 2 - self.V * self.V
+        if not rest > 0:
+            return None
+        R = rest.sqrt()
+
+        def rising(part: arb) -> arb:
+            """Return w in the form that is the sharper: by its value in the middle and its rate over the part."""
+            middle, (plain, rate) = part.mid(), self.relative(part, R)
+            wide = self.relative(middle, R)[0] + (part - middle) * rate
+            return wide if wide.rad() < plain.rad() else plain
+
+        short_part, end = (self.half / 16).lower(), self.half.upper()
+        if (
+            is_positive_on(lambda t: self.relative(t, R)[1], arb(0), short_part, _PARTS)
+            and is_positive_on(lambda t: -self.relative(t, R)[1], self.half.lower() - short_part, end, _PARTS)
+            and is_positive_on(rising, short_part, end - short_part, _PARTS)
+        ):
+            return True
+        return False if any(self.relative(t, R)[0] < 0 for t in self._times()) else None
+
+    def edge(self) -> float:
+        """Return the least U >= U**, N, at which w keeps its sign, in binary64.
+
+        Approximate, for figures: w is looked at on a grid of times, not between them; the edge is never below U**, but
+        may lie a little too low. Not finite where U** is not.
+        """
+        least = [-self.relative(t, arb(0))[0] / (self.omega * t).sin() for t in self._times()]
+        return float(self.reach * hypot(self.V, max([self.least, *least], key=float)))
+
+    def _times(self) -> list[arb]:
+        return [(self.half * (2 * k + 1) / (2 * _TIMES)).mid() for k in range(_TIMES)]
 
 
 def square_wave_response(pair: Pair, omega: arb) -> tuple[arb, arb]:
     """Return h (m/N) and h' (m/(N s)): where a square wave of +-1 N has m1 x'' + a1 x' + a2 x when it turns to +1."""
-    number = Ball.number
     half = arb.pi() / omega
     decay = number(pair.a1 / (2 * pair.m1)) * half
     cosine, sine = cosine_and_sine(pair.a2 / pair.m1 - (pair.a1 / (2 * pair.m1)) ** 2, half / 2)
@@ -138,7 +203,7 @@ def cosine_and_sine(squared_rate: Fraction, time: arb) -> tuple[arb, arb]:
     """Return cos(rate t) and sin(rate t)/rate for rate^2 of any sign: light, critical and heavy damping."""
     if squared_rate == 0:
         return arb(1), time
-    rate = Ball.number(abs(squared_rate)).sqrt()
+    rate = number(abs(squared_rate)).sqrt()
     angle = rate * time
     if squared_rate > 0:
         return angle.cos(), angle.sin() / rate
@@ -152,14 +217,5 @@ def hypot(x: arb, y: arb) -> arb:
     return abs(y) if x.is_zero() else sqrt(x * x + y * y)
 
 
-def flattest_peak(odd: int) -> arb:
-    """Return the least max |sin t + c sin(n t + phase)| over c and phase for an odd n >= 3: cos(pi/(2 n))."""
-    return (arb.pi() / (2 * odd)).cos()
-
-
-def odd_ratio(squared_rate: Fraction, omega: Fraction, pair: Pair) -> int | None:
-    """Return rate/omega if a1 = 0 and that is an odd whole number >= 3, else None; exact."""
-    ratio = squared_rate / omega**2
-    root = math.isqrt(ratio.numerator)
-    is_odd = pair.a1 == 0 and ratio.denominator == 1 and root**2 == ratio and root % 2 == 1 and root >= 3
-    return root if is_odd else None
+def _ball(omega: Fraction | arb) -> arb:
+    return omega if isinstance(omega, arb) else number(omega)

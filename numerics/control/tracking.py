@@ -11,23 +11,23 @@ digits.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import pairwise
 
-from flint import arb
+from flint import arb, fmpq, fmpq_poly
 
 from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import working_digits
-from numerics.control.asked import to_digits
-from numerics.control.rounding import rounded
-from numerics.control.signals import Derivative, ends, largest_size
-from numerics.errors import EventUndecided, InvalidScene
-from numerics.scene import Force, Pair, Piece, Scene, Sine
+from numerics.control.answers import Claim, End, not_negative, rounded, to_digits, undecided
+from numerics.errors import InvalidScene
+from numerics.scene import Force, Piece, Scene, Sine
 from numerics.scene.decimals import short
 
 _PHASE_DIGITS = 60
+_MOST_PARTS = 20_000
 
 
 @dataclass(frozen=True)
@@ -66,6 +66,15 @@ class Tracking:
         """Return whether the reference is not proved to stay below the limit of friction."""
         return not all(one.force < Ball.number(one.b) for one in self.demands)
 
+    def claim(self) -> Claim | None:
+        """Return that the pair sticks and x2 = r at the horizon; at the limit rounded phases may let it slip."""
+        if self.scene is None:
+            return None
+        with Ball(self.digits + 20).context():
+            path = Derivative(self.reference[self.demands[-1].number - 1])(Ball.number(self.scene.until))
+            ends = (End("x2 at the horizon", 2, path, abs(path).max(arb(1)) * arb("1e-12")),)
+        return Claim(self.scene, ends, None if self.is_at_limit and self.force_error > 0 else (0,), self.digits)
+
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
     """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
@@ -74,7 +83,12 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     start), EventUndecided (an acceleration that touches the limit where that cannot be decided exactly).
     """
     _require(scene, reference)
-    demands = to_digits(lambda _: _demands(scene, reference, digits), digits, max_digits)
+
+    def attempt(_: Ball) -> tuple[tuple[Demand, ...], list[arb]]:
+        found = tuple(_demand(scene, *part, digits) for part in _parts(scene, reference))
+        return found, [one.force for one in found]
+
+    demands = to_digits(attempt, digits, max_digits)
     share = max((one.force / Ball.number(one.b) for one in demands), key=float)
     planned, error = None, 0.0
     if all(one.possible for one in demands):
@@ -92,71 +106,175 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")
     for order, name, body in ((0, "r", at.x2), (1, "r'", at.v2)):
-        if Derivative.of(reference[0], order).at(Fraction(0)) != ({Fraction(0): body} if body else {}):
-            value = float(Derivative.of(reference[0], order)(arb(0)).mid())
+        signals = [Derivative(one, order) for one in reference]
+        if signals[0].at(Fraction(0)) != ({Fraction(0): body} if body else {}):
+            value = float(signals[0](arb(0)).mid())
             raise InvalidScene(
                 f"{name}(0) = {value:g} must be exactly {('x2', 'v2')[order]}(0) = {short(body)}; change either"
             )
-        for number, (one, two) in enumerate(pairwise(reference), start=2):
-            before, after = Derivative.of(one, order), Derivative.of(two, order)
-            if before.at(two.start) != after.at(two.start):
-                values = [float(side(Ball.number(two.start)).mid()) for side in (before, after)]
+        for number, (before, after) in enumerate(pairwise(signals), start=2):
+            t = after.piece.start
+            if before.at(t) != after.at(t):
+                values = [float(side(Ball.number(t)).mid()) for side in (before, after)]
                 raise InvalidScene(
-                    f"{name} jumps from {values[0]:g} to {values[1]:g} at t = {short(two.start)}, where piece {number} "
-                    "of the reference begins; no force can follow that, make it continuous"
+                    f"{name} jumps from {values[0]:g} to {values[1]:g} at t = {short(t)}, where piece {number} of the "
+                    "reference begins; no force can follow that, make it continuous"
                 )
 
 
-def _demands(scene: Scene, reference: tuple[Piece, ...], digits: int) -> tuple[tuple[Demand, ...], list[arb]]:
-    found = []
-    for number, (piece, end) in enumerate(ends(reference, scene.until), start=1):
-        for start, stop, b in _at_one_friction(scene, piece.start, end):
-            found.append(_demand(scene.pair, number, piece.moved(start), stop, b, digits))
-    return tuple(found), [one.force for one in found]
+def _parts(scene: Scene, reference: tuple[Piece, ...]) -> Iterator[tuple[int, Piece, Fraction, Fraction]]:
+    """Yield the pieces up to the horizon, cut where b jumps: number, piece from there on, its end (s) and b (N)."""
+    starts, until = [one.start for one in reference], scene.until
+    cuts = sorted({*starts, *scene.friction.starts, until})
+    for start, end in pairwise(one for one in cuts if one <= until):
+        number, held = bisect_right(starts, start), [b for at, b in scene.friction.pieces if at <= start]
+        yield number, reference[number - 1].moved(start), end, held[-1] if held else scene.pair.b
 
 
-def _at_one_friction(scene: Scene, start: Fraction, end: Fraction) -> Iterator[tuple[Fraction, Fraction, Fraction]]:
-    """Yield the parts of an interval over which b is constant, with that b."""
-    inner = [at for at in scene.friction.starts if start < at < end]
-    for low, high in pairwise([start, *inner, end]):
-        held = [b for at, b in scene.friction.pieces if at <= low]
-        yield low, high, held[-1] if held else scene.pair.b
-
-
-def _demand(pair: Pair, number: int, piece: Piece, end: Fraction, b: Fraction, digits: int) -> Demand:
-    acceleration, limit = Derivative.of(piece, 2), b / pair.m2
+def _demand(scene: Scene, number: int, piece: Piece, end: Fraction, b: Fraction, digits: int) -> Demand:
+    acceleration, limit = Derivative(piece, 2), b / scene.pair.m2
     peak, where = largest_size(acceleration, piece.start, end, digits + 2)
     possible = acceleration.is_within(limit, end - piece.start)
     if possible is None:
-        over = peak - Ball.number(limit)
-        if over.contains(0) and not over.is_zero():
-            raise EventUndecided("is the acceleration within the limit of friction?", over.str(6), working_digits())
-        possible = bool(over <= 0)
-    return Demand(number, piece.start, end, b, Ball.number(pair.m2) * peak, where, possible)
+        possible = not_negative(Ball.number(limit) - peak, "is the acceleration within the limit of friction?")
+    return Demand(number, piece.start, end, b, Ball.number(scene.pair.m2) * peak, where, possible)
 
 
 def _force(scene: Scene, reference: tuple[Piece, ...]) -> tuple[Force, float]:
     """Return the force of the stuck motion, and a bound on the integral of what rounded phases change in it."""
-    pair = scene.pair
+    pair, error, pieces = scene.pair, 0.0, {}
     with Ball(_PHASE_DIGITS + 20).context():
         quarter = rounded(arb.pi() / 2, _PHASE_DIGITS)
-    pieces, error = [], 0.0
-    for piece, end in ends(reference, scene.until):
-        pieces.append(_force_piece(pair, piece, scene.initial.x1 - scene.initial.x2, quarter))
-        size = sum(abs(float(pair.a1 * one.amplitude * one.omega)) for one in piece.sines)
-        error += size * 10.0 ** (1 - _PHASE_DIGITS) * float(end - piece.start)
-    return Force(pieces), error
+    for number, _, end, _ in _parts(scene, reference):
+        piece = reference[number - 1]
+        parts = [Derivative(piece, order) for order in range(3)]
+        terms = [Fraction(0)] * max(len(piece.polynomial), 1)
+        for factor, part in zip((pair.a2, pair.a1, pair.mass), parts, strict=True):
+            for k, c in enumerate(part.polynomial):
+                terms[k] += factor * c
+        terms[0] += pair.a2 * (scene.initial.x1 - scene.initial.x2)
+        sines = []
+        for one in piece.sines:
+            sines.append(Sine((pair.a2 - pair.mass * one.omega**2) * one.amplitude, one.omega, one.phase))
+            sines.append(Sine(pair.a1 * one.omega * one.amplitude, one.omega, one.phase + quarter))
+            error += abs(float(sines[-1].amplitude)) * 10.0 ** (1 - _PHASE_DIGITS) * float(end - piece.start)
+        pieces[number] = Piece(piece.start, terms, sines)
+    return Force(pieces.values()), error
 
 
-def _force_piece(pair: Pair, piece: Piece, offset: Fraction, quarter: Fraction) -> Piece:
-    p = piece.polynomial
-    terms = [Fraction(0)] * max(len(p), 1)
-    for order, factor in enumerate((pair.a2, pair.a1, pair.mass)):
-        for k in range(order, len(p)):
-            terms[k - order] += factor * p[k] * math.perm(k, order)
-    terms[0] += pair.a2 * offset
-    sines = []
-    for one in piece.sines:
-        sines.append(Sine((pair.a2 - pair.mass * one.omega**2) * one.amplitude, one.omega, one.phase))
-        sines.append(Sine(pair.a1 * one.omega * one.amplitude, one.omega, one.phase + quarter))
-    return Piece(piece.start, terms, sines)
+@dataclass(frozen=True)
+class Derivative:
+    """A derivative of a piece: a polynomial in t - start, and sines A sin(omega t + phase + order pi/2); exact."""
+
+    piece: Piece
+    order: int = 0
+
+    @cached_property
+    def polynomial(self) -> tuple[Fraction, ...]:
+        """Return its coefficients."""
+        terms = enumerate(self.piece.polynomial)
+        return tuple(c * math.perm(k, self.order) for k, c in terms if k >= self.order)
+
+    @cached_property
+    def sines(self) -> tuple[tuple[Fraction, Fraction, Fraction], ...]:
+        """Return A, omega and phase of each."""
+        return tuple((one.amplitude * one.omega**self.order, one.omega, one.phase) for one in self.piece.sines)
+
+    def __call__(self, t: arb) -> arb:
+        """Return an enclosure over a ball of times (s)."""
+        since, total, number = t - Ball.number(self.piece.start), arb(0), Ball.number
+        for c in reversed(self.polynomial):
+            total = total * since + number(c)
+        for amplitude, omega, phase in self.sines:
+            sine, cosine = (number(omega) * t + number(phase)).sin_cos()
+            total += number(amplitude) * (sine, cosine, -sine, -cosine)[self.order % 4]
+        return total
+
+    def at(self, t: Fraction) -> dict[Fraction, Fraction]:
+        """Return the value at t as coefficients: of 1 under the key 0, else of the sine (or cosine) of a key > 0.
+
+        By Lindemann and Weierstrass 1 and the sines (the cosines) of distinct rationals > 0 are independent over the
+        rationals: two such values are equal exactly if their coefficients are.
+        """
+        terms = [
+            (Fraction(0), sum((c * (t - self.piece.start) ** k for k, c in enumerate(self.polynomial)), Fraction(0)))
+        ]
+        is_sine = self.order % 2 == 0
+        for amplitude, omega, phase in self.sines:
+            angle = omega * t + phase
+            signed = amplitude * (-1 if self.order % 4 > 1 else 1) * (-1 if is_sine and angle < 0 else 1)
+            terms.append((abs(angle), Fraction(0) if is_sine and angle == 0 else signed))
+        found: dict[Fraction, Fraction] = {}
+        for key, coefficient in terms:
+            found[key] = found.get(key, Fraction(0)) + coefficient
+        return {key: coefficient for key, coefficient in found.items() if coefficient}
+
+    def is_within(self, limit: Fraction, length: Fraction) -> bool | None:
+        """Return whether |f| <= limit over [start, start + length] as far as that is decided exactly, else None.
+
+        For a polynomial it always is; with sines only where sum |A| + max |polynomial| <= limit.
+        """
+        left = limit - sum((abs(amplitude) for amplitude, _, _ in self.sines), Fraction(0))
+        first, *others = self.polynomial or (Fraction(0),)
+        sides = ([left + first, *others], [left - first, *(-c for c in others)])
+        is_small = left >= 0 and all(is_never_negative(one, length) for one in sides)
+        return is_small if is_small or not self.sines else None
+
+
+def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: int) -> tuple[arb, arb]:
+    """Return an enclosure of max |f| over [start, end] to about `digits` digits, and a time of it.
+
+    The interval is halved; parts that cannot hold the largest value are dropped. Raises EventUndecided.
+    """
+    slope, bend = (Derivative(function.piece, function.order + k) for k in (1, 2))
+
+    def reach(low: arb, high: arb) -> arb:
+        """Return an upper bound of |f| on a part, by Taylor's theorem where that is the better one."""
+        part = low.union(high)
+        h = part - part.mid()
+        wide = function(part.mid()) + h * slope(part.mid()) + (h * h / 2) * bend(part)
+        return abs(function(part)).upper().min(abs(wide).upper())
+
+    parts, best, where = [(Ball.number(start).lower(), Ball.number(end).upper())], arb(-1), arb(0)
+    while 0 < len(parts) <= _MOST_PARTS and all(low < high for low, high in parts):
+        middles = [((low + high) / 2).mid() for low, high in parts]
+        for t in (*parts[0], *parts[-1], *middles):
+            if (here := abs(function(t)).lower()) > best:
+                best, where = here, t
+        halves = [half for (low, high), at in zip(parts, middles, strict=True) for half in ((low, at), (at, high))]
+        bounds = [reach(*half) for half in halves]
+        parts = [half for half, bound in zip(halves, bounds, strict=True) if bound > best]
+        most = max([best, *bounds])
+        if most - best <= most * arb(10) ** -digits:
+            return best.union(most), where
+    raise undecided("how large does the reference's acceleration get?", best)
+
+
+def is_never_negative(coefficients: Sequence[Fraction], length: Fraction) -> bool:
+    """Return whether sum c_k t^k >= 0 for all 0 <= t <= length, double zeros included; exact, by Sturm's theorem.
+
+    >>> is_never_negative([Fraction(1), Fraction(-2), Fraction(1)], Fraction(2))  # (1 - t)^2
+    True
+    >>> is_never_negative([Fraction(1), Fraction(-2), Fraction(999, 1000)], Fraction(2))
+    False
+    """
+    *terms, end = (fmpq(one.numerator, one.denominator) for one in (*coefficients, length))
+    polynomial = fmpq_poly(terms)
+    if polynomial.is_zero():
+        return True
+    _, factors = polynomial.factor_squarefree()
+    if any(power % 2 == 1 and _zeros_inside(factor, end) for factor, power in factors):
+        return False
+    # it keeps its sign inside, and one of so many points is no zero
+    many = polynomial.degree() + 2
+    return all(polynomial(end * k / many) >= 0 for k in range(1, many))
+
+
+def _zeros_inside(polynomial: fmpq_poly, end: fmpq) -> int:
+    """Return how many zeros a polynomial without double zeros has in 0 < t < end."""
+    chain = [polynomial, polynomial.derivative()]
+    while chain[-1].degree() > 0:
+        chain.append(-(chain[-2] % chain[-1]))
+    signs = [[value > 0 for one in chain if (value := one(at)) != 0] for at in (fmpq(0), end)]
+    changes = [sum(one != two for one, two in pairwise(some)) for some in signs]
+    return changes[0] - changes[1] - int(polynomial(end) == 0)

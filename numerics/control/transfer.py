@@ -21,16 +21,27 @@ from fractions import Fraction
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.amplitudes import least_amplitude, reaches, stuck_amplitude
-from numerics.control.asked import to_digits
-from numerics.control.rounding import KEPT_DIGITS, TIME_DIGITS, rounded, rounded_up
-from numerics.control.thresholds import cosine_and_sine
+from numerics.control.answers import (
+    KEPT_DIGITS,
+    TIME_DIGITS,
+    Claim,
+    End,
+    not_negative,
+    number,
+    rounded,
+    rounded_up,
+    to_digits,
+)
 from numerics.errors import InvalidScene
+from numerics.linear.system import V1, X1, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
 
 _MET = Fraction(1, 10**20)
 """By this part the slip transfer stays inside the limits, so that the bodies meet and stick beyond doubt."""
+
+
+_SUFFICES = "does the amplitude suffice?"
 
 
 class Road(Enum):
@@ -61,6 +72,23 @@ class Transfer:
     fastest: str
     scene: Scene | None
     digits: int
+
+    def claim(self) -> Claim | None:
+        """Return that body 2 rests at the distance in the end, and where it is so that the bodies stick all the way.
+
+        What the exact decimals of a scene leave of it is below 10^-18 of the distance.
+        """
+        if self.scene is None:
+            return None
+        with Ball(self.digits + 20).context():
+            near = abs(number(self.distance)) * arb("1e-12")
+            place = number(self.scene.initial.x2 + self.distance)
+            ends = [End("x2 at the end of the transfer", 2, place, near)]
+            ends += [End(f"{name} at the end of the transfer", k, arb(0), near / self.bound) for k, name in _AT_REST]
+        return Claim(self.scene, tuple(ends), None if self.road is Road.SLIP else (0,), self.digits)
+
+
+_AT_REST = ((1, "v1"), (3, "v2"))
 
 
 def fastest_transfer(
@@ -102,7 +130,7 @@ def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margi
 def _transfer(
     scene: Scene, by: Fraction, most: Fraction | None, margin: Fraction, digits: int
 ) -> tuple[Transfer, list[arb]]:
-    pair, far, number = scene.pair, abs(by), Ball.number
+    pair, far = scene.pair, abs(by)
     bound = 2 * number(pair.m2 * far / pair.b).sqrt()
     stuck, least = stuck_amplitude(pair, far, margin), least_amplitude(pair, far)
     road, time, fastest, force = _chosen(pair, far, most, margin, (bound, stuck, least))
@@ -122,9 +150,9 @@ def _chosen(
 ) -> Choice:
     """Return the road, its time, what is proved of it, and its force."""
     bound, stuck, least = known
-    if most is None or reaches(most, stuck):
+    if most is None or not_negative(number(most) - stuck, _SUFFICES):
         return _stuck(pair, far, margin)
-    if margin == 0 and least is not None and reaches(most, least):
+    if margin == 0 and least is not None and not_negative(number(most) - least, _SUFFICES):
         force = _slip_then_stick(pair, far, most, least)
         if force is not None:
             return Road.SLIP, bound, "no control is faster: friction is at its limit all the time", force
@@ -139,15 +167,43 @@ def _what_is_known(most: Fraction, stuck: arb, least: arb | None) -> str:
     needs = f"a stuck transfer at the limit needs {stuck.str(6, radius=False)} N"
     if least is None:
         return f"{needs}, and whether slipping meets the bound with less is open, too"
-    if reaches(most, least):
+    if not_negative(number(most) - least, _SUFFICES):
         return f"{needs}; with less body 2 can meet the bound, but whether both bodies can rest then is open"
     return f"{needs}, and no control meets the bound with less than {least.str(6, radius=False)} N"
+
+
+def stuck_amplitude(pair: Pair, far: Fraction, margin: Fraction) -> arb:
+    """Return the largest |u| of the transfer that sticks at (1 - margin) b, N; an enclosure."""
+    gain = (1 - margin) * pair.b / pair.m2
+    found = number(pair.mass * gain + pair.a2 * far / 2) + number(pair.a1) * number(gain * far).sqrt()
+    found = found.max(number(pair.a2 * far))
+    if pair.a1**2 * gain <= pair.a2**2 * far:
+        found = found.max(number(pair.a2 * far + pair.a1**2 * gain / (2 * pair.a2) - pair.mass * gain))
+    return found
+
+
+def least_amplitude(pair: Pair, far: Fraction) -> arb | None:
+    """Return U_min = b + beta tau/g(tau), N, an enclosure; None where g' < 0 somewhere on [0, tau]."""
+    decay = pair.a1 / (2 * pair.m1)
+    tau, squared = number(pair.m2 * far / pair.b).sqrt(), pair.a2 / pair.m1 - decay**2
+    if squared > 0 and number(squared).sqrt() * tau > arb.pi() / 2:
+        return None  # g' first vanishes at tan(omegad t) = omegad/decay, before a quarter turn
+    motion = _pushed(pair, pair.b + 1)  # by 1 N more than friction: g is the velocity
+    z = motion.at(tau)
+    if not not_negative(motion.rate(z)[V1, 0], "does body 1 still run ahead at half time?"):
+        return None
+    return number(pair.b) + number(pair.b / pair.m2) * tau / z[V1, 0]
+
+
+def _pushed(pair: Pair, push: Fraction) -> Motion:
+    """Return the motion from rest in which body 1 runs ahead under a constant force, N."""
+    return LinearMode(pair, pair.b, 1, Piece(0, (push,))).motion([arb(0)] * 4, arb(0))
 
 
 def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     """Return the transfer that sticks: its exact times are rounded up, its acceleration is exactly D/tau^2."""
     gain = (1 - margin) * pair.b / pair.m2
-    exact = Ball.number(far / gain).sqrt()
+    exact = number(far / gain).sqrt()
     tau = rounded_up(exact, TIME_DIGITS)
     gain = far / tau**2
     go = stuck_piece(pair, Fraction(0), (Fraction(0), Fraction(0), gain))
@@ -164,31 +220,23 @@ def stuck_piece(pair: Pair, start: Fraction, path: tuple[Fraction, Fraction, Fra
 
 
 def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:
-    """Return the force that lets body 1 run ahead; None if the second half, or holding the place, needs more than U."""
-    number, beta = Ball.number, pair.b / pair.m2
+    """Return the force that lets body 1 run ahead; None if holding the place needs more than U.
+
+    Braking never does. It begins with -M beta + a1 v + a2 x <= U - b - M beta, as g'(tau) >= 0, and never falls below
+    -M beta >= -U_min. It gets above the force that holds only if a1^2 > 2 a2 M, and then at a velocity a1 beta/a2 <=
+    beta tau; but g turns before a1/a2 if a1^2 >= 2 a2 m1.
+    """
+    beta = pair.b / pair.m2
     slow = (1 - _MET) * beta
     tau = rounded(number(2 * far * slow / (beta * (slow + beta))).sqrt(), TIME_DIGITS)
     push = min(most, rounded_up(least * number(1 + _MET), TIME_DIGITS))
-    ahead = _run_ahead(pair, number(push - pair.b), number(tau))
-    x, v = rounded(ahead), beta * tau
+    x, v = rounded(_pushed(pair, push).at(number(tau))[X1, 0]), beta * tau
     rest = tau + v / slow
     held = pair.a2 * (x + v**2 / (2 * slow))
     stop = stuck_piece(pair, tau, (x, v, -slow))
-    first, slope, bend = (*stop.polynomial, Fraction(0), Fraction(0))[:3]
-    peaks = [first, held, first + slope * (rest - tau) + bend * (rest - tau) ** 2]
-    if bend != 0 and 0 < -slope / (2 * bend) < rest - tau:
-        peaks.append(first - slope**2 / (4 * bend))
-    if max(abs(one) for one in peaks) > most:
+    if held > most:
         return None
     return Force((Piece(0, (push,)), stop, Piece(rest, (held,))))
-
-
-def _run_ahead(pair: Pair, push: arb, t: arb) -> arb:
-    """Return where a constant push takes body 1 from rest in a time, m: (push - m1 v' - a1 v)/a2, v = push g."""
-    number, decay = Ball.number, pair.a1 / (2 * pair.m1)
-    cosine, sine = cosine_and_sine(pair.a2 / pair.m1 - decay**2, t)
-    left = (-number(decay) * t).exp() * (cosine + number(decay) * sine)
-    return push * (1 - left) / number(pair.a2)
 
 
 def _bang_bang(pair: Pair, far: Fraction, most: Fraction, margin: Fraction) -> Choice | None:
@@ -197,7 +245,6 @@ def _bang_bang(pair: Pair, far: Fraction, most: Fraction, margin: Fraction) -> C
     held = (1 - margin) * pair.mass * pair.b / pair.m2
     if pair.a1 != 0 or d > 1 or most + pair.a2 * far > held:
         return None
-    number = Ball.number
     rate = number(pair.a2 / pair.mass).sqrt()
     go = number(1 - d / 2 - d**2 / 4).acos() / rate
     stop = number((1 + d / 2 + d**2 / 4) / (1 + d)).acos() / rate

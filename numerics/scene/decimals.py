@@ -21,6 +21,7 @@ Exact = int | float | str | Decimal | Rational
 
 MAX_EXPONENT = 1000
 MAX_CHARACTERS = 1000
+_TOO_LONG = 10 ** (MAX_EXPONENT + MAX_CHARACTERS)
 _DECIMAL = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE]([+-]?[0-9]+))?", re.ASCII)
 
 
@@ -121,8 +122,7 @@ def _from_text(text: str, name: str) -> Fraction:
 
 
 def _checked_size(value: Fraction, name: str) -> Fraction:
-    bits = int((MAX_EXPONENT + MAX_CHARACTERS) * 3.33)
-    if max(value.numerator.bit_length(), value.denominator.bit_length()) > bits:
+    if max(abs(value.numerator), value.denominator) >= _TOO_LONG:
         raise InvalidScene(
             f"{name} needs more than {MAX_EXPONENT + MAX_CHARACTERS} digits to write down; "
             "round it, or choose units that bring it into range"

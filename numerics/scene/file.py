@@ -56,7 +56,7 @@ def load_scene(name_or_path: str | Path) -> Scene:
     if name in shipped_scenes():
         return parse_scene(_shipped_text("shipped", name))
     known = ", ".join(shipped_scenes())
-    return parse_scene(_text_of(Path(name_or_path), "scene", f"give a TOML file or one of: {known}"))
+    return parse_scene(_text_of(Path(name_or_path), "scene", f"give a TOML file or one of: {known}"), name)
 
 
 def _text_of(path: Path, what: str, remedy: str) -> str:
@@ -85,12 +85,12 @@ def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
     if name in shipped_references():
         return parse_reference(_shipped_text("references", name))
     remedy = f"give a TOML file of [[reference]] tables or one of: {', '.join(shipped_references())}"
-    return parse_reference(_text_of(Path(name_or_path), "reference", remedy))
+    return parse_reference(_text_of(Path(name_or_path), "reference", remedy), name)
 
 
-def parse_reference(text: str) -> tuple[Piece, ...]:
+def parse_reference(text: str, file: str = "") -> tuple[Piece, ...]:
     """Return the pieces that TOML `text` of [[reference]] tables describes, exact. Raises InvalidScene."""
-    tables = _parsed(text, "reference")
+    tables = _parsed(text, "reference", file)
     for table in tables:
         if table != _REFERENCE:
             raise InvalidScene(f"unknown table or key [{table[:40]!r}]; a reference has [[{_REFERENCE}]] only")
@@ -98,18 +98,18 @@ def parse_reference(text: str) -> tuple[Piece, ...]:
     return tuple(_in_place(_force_piece, one, number, _REFERENCE) for number, one in enumerate(found, start=1))
 
 
-def _parsed(text: str, what: str) -> dict[str, Any]:
+def _parsed(text: str, what: str, file: str) -> dict[str, Any]:
     try:
         # floats stay text until decimals.py has checked them: 0.005 must be 1/200, 1e999999999 must cost nothing
         return tomllib.loads(text, parse_float=_float_text)
     except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
         reason = " ".join(str(error).split())[:200]
-        raise InvalidScene(f"not a TOML {what}: {reason}") from None
+        raise InvalidScene(f"{f'{file!r} is ' if file else ''}not a TOML {what}: {reason}") from None
 
 
-def parse_scene(text: str) -> Scene:
+def parse_scene(text: str, file: str = "") -> Scene:
     """Return the Scene that TOML `text` describes, numbers read as exact decimals. Raises InvalidScene."""
-    tables = _parsed(text, "scene")
+    tables = _parsed(text, "scene", file)
     _check_keys(tables)
     pair, initial, run = (tables.get(name, {}) for name in _KEYS)
     force, friction = (_pieces_of(tables, name) for name in _PIECES)

@@ -1,8 +1,9 @@
-"""Solve a scene: choose the arithmetic that the asked digits need, by the scene and the digits alone."""
+"""Solve a scene: the cheapest arithmetic that is sure of the events, or has the digits that are asked for."""
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from collections.abc import Sequence
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -10,22 +11,38 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
-from numerics.errors import EventUndecided, OutOfRange, PrecisionExhausted
-from numerics.run.forced_sharp import run_forced_sharply
-from numerics.run.one import MAX_EVENTS, Progress, run_scene
+from numerics.arithmetic.protocol import Arithmetic
+from numerics.errors import EventUndecided, NumericsError, OutOfRange, PrecisionExhausted
 from numerics.scene import Scene
 from numerics.scene.decimals import require_whole
 from numerics.trajectory.digits import proved_digits
+from numerics.trajectory.run import MAX_EVENTS, Progress, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
 
 ArithmeticName = Literal["float64", "double-double", "mpmath", "ball"]
 MAX_DIGITS = 20_000
 _GUARD_DIGITS = 12
 """Working digits beyond those asked for, where nothing is known of the scene."""
-_FLOAT64_DIGITS, _DOUBLE_DOUBLE_DIGITS, _SPARE_DIGITS = 16, 32, 4
-"""Digits that are there before a run; what it loses of them, and a few to spare, balls will need beyond those asked."""
-_IN_FLOAT64, _IN_DOUBLE_DOUBLE = 15, 28
-"""Digits up to which each is worth a try."""
+_SPARE_DIGITS = 4
+"""Digits that balls get beyond what a run before has shown that the scene costs."""
+_HAS = {"float64": 16, "double-double": 32}
+"""Digits that are there before a run."""
+_WORTH_A_TRY = {"float64": 15, "double-double": 30}
+"""Right digits up to which each is tried."""
+_MOST_IN_BALLS = 10_000
+"""With more events float64's open sequence stands: balls would take minutes."""
+_FLOAT64, _DOUBLE_DOUBLE = Float64(), DoubleDouble()
+_LADDER: tuple[Arithmetic, ...] = (_FLOAT64, _DOUBLE_DOUBLE, Ball(34), Ball(68), Ball(136), Ball(560))
+"""What decides a sequence, in the order in which they are tried."""
+
+
+class _Limits(NamedTuple):
+    events: int
+    digits: int
+    progress: Progress | None
+
+    def run(self, scene: Scene, arithmetic: Arithmetic) -> Trajectory:
+        return run_scene(scene, arithmetic, self.events, self.progress)
 
 
 def solve(
@@ -33,23 +50,27 @@ def solve(
     *,
     digits: int | None = None,
     arithmetic: ArithmeticName | None = None,
-    t_eval: Any = None,
+    t_eval: Sequence[Any] | None = None,
     max_events: int = MAX_EVENTS,
     max_digits: int = MAX_DIGITS,
     progress: Progress | None = None,
 ) -> Trajectory:
-    """Solve a scene and return its Trajectory.
+    """Solve a scene and return its Trajectory; `arithmetic.name` says what answered, `tried` what did not, and why.
 
-    With `digits` = N and no arithmetic, the cheapest one that delivers N right digits of every event time and state and
-    of the final state, relative to each value. (In balls a value that may be 0 counts as right if it is below
-    10^(-4 N) of its scale.) First float64, if its own error bounds (Trajectory.accuracy) leave so many; then
-    double-double (a1 = 0; 31 digits, some of them lost), if its bounds do; else balls, their precision raised until the
-    digits are proved. The choice depends on the scene and the digits alone; `tried` says what was chosen and why.
-    Without `digits`, float64 (under a force, where its bounds leave less than 10 digits of 1000 events or fewer, balls
-    that are rounded to it); mpmath works with `digits` or 30. `t_eval`: times (s) at which `t`, `y` and `energy` are
-    given, instead of at the events. `progress(events, fraction)` is called now and then.
+    Without `digits` and arithmetic: float64 with its own error bounds (Trajectory.accuracy). Only where these leave the
+    sequence of events open it climbs: to double-double, then to balls of 34, 68, 136 and 560 working digits.
 
-    A float in a scene is read as the decimal that it shows: 0.1 is 1/10. (`solve_many` reads arrays as binary numbers.)
+    With `digits` = N: the cheapest arithmetic that has N right digits of every event time and state, and of state,
+    energy and excess at the end: float64 (N <= 15), double-double (N <= 30), else balls, their precision raised until
+    the digits are proved. Times count relative to themselves, everything else relative to the largest such quantity
+    along the run (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest |velocity|.
+
+    With `arithmetic`: "float64" or "double-double" as they are, where the free pair's events may stay open
+    (Trajectory.certain); "mpmath" with `digits` or 30, no bounds; "ball" with `digits` or 15 proved digits.
+
+    `t_eval`: times (s), in order, at which `t`, `y` and `energy` are given, instead of at the events.
+    `progress(events, fraction)` is called now and then. A float in a scene is read as the decimal that it shows: 0.1 is
+    1/10. (`solve_many` reads arrays as binary numbers.)
 
     Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
     reached), OutOfRange (a number does not fit float64), TypeError (no scene), ValueError (bad arguments).
@@ -62,95 +83,105 @@ def solve(
         for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
             if value is not None:
                 require_whole(name, value, 1)
-    found = _solve(scene, digits, arithmetic, (max_events, max_digits, progress))
-    if t_eval is None:
-        return found
-    if np.ndim(t_eval) != 1:
+    if t_eval is not None and np.ndim(t_eval) != 1:
         raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
-    return found.but(t_eval=t_eval)
+    limits = _Limits(max_events, max_digits, progress)
+    found = _solve(scene, digits, arithmetic, limits)
+    return found if t_eval is None else found.but(t_eval=t_eval)
 
 
-def _solve(
-    scene: Scene, digits: int | None, arithmetic: str | None, limits: tuple[int, int, Progress | None]
-) -> Trajectory:
-    max_events, max_digits, progress = limits
-    if arithmetic is None and digits is not None:
-        return _solve_cheaply(scene, digits, limits)
-    if arithmetic in {None, "float64", "double-double"}:
+def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Limits) -> Trajectory:
+    if arithmetic is None:
+        return _solve_surely(scene, limits) if digits is None else _solve_cheaply(scene, digits, limits)
+    if arithmetic in _HAS:
         if digits is not None:
-            has = "53 bits" if arithmetic == "float64" else "31 digits"
-            raise ValueError(f"{arithmetic} works with {has}; leave digits out, or leave the choice of arithmetic out")
-        if scene.is_forced and arithmetic != "double-double":
-            return run_forced_sharply(scene, max_events, progress)
-        return run_scene(scene, _DOUBLE_DOUBLE if arithmetic == "double-double" else _FLOAT64, max_events, progress)
+            raise ValueError(f"{arithmetic} has the digits that it has; leave digits out, or the choice of arithmetic")
+        return limits.run(scene, _FLOAT64 if arithmetic == "float64" else _DOUBLE_DOUBLE)
     if arithmetic == "mpmath":
         working = (digits or 30) + _GUARD_DIGITS
-        _require_within_cap(working, digits or 30, max_digits)
-        return run_scene(scene, Multiprecision(working), max_events, progress)
+        _require_within_cap(working, digits or 30, limits)
+        return limits.run(scene, Multiprecision(working))
     if arithmetic == "ball":
         return _solve_to_digits(scene, digits or 15, _GUARD_DIGITS, limits)
     raise ValueError(f"arithmetic = {arithmetic!r} is not one of float64, double-double, mpmath, ball")
 
 
-_FLOAT64, _DOUBLE_DOUBLE = Float64(), DoubleDouble()
+def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
+    """Return a trajectory in float64; where its bounds leave the events open, in the next arithmetic that does not."""
+    first: Trajectory | None = None
+    refused: NumericsError = EventUndecided("which event comes next", "", 0)
+    tried: list[str] = []
+    for arithmetic in _LADDER:
+        if arithmetic.name == "ball" and first is not None and first.record.events > _MOST_IN_BALLS:
+            break
+        if arithmetic is _DOUBLE_DOUBLE and isinstance(refused, OutOfRange):
+            continue  # its range and its steps are those of float64
+        try:
+            found = limits.run(scene, arithmetic)
+        except (EventUndecided, OutOfRange) as error:
+            if isinstance(error, OutOfRange) and free_scene(scene):
+                raise
+            refused = error
+            tried.append(f"{arithmetic.name} with {arithmetic.digits} digits: {error}")
+            continue
+        if found.certain:
+            return found.but(tried="; ".join(tried)) if tried else found
+        first = first or found
+        tried.append(f"{arithmetic.name} leaves the sequence of events open")
+    if first is None:
+        raise refused
+    return first.but(tried="; ".join(tried))
 
 
-def _solve_cheaply(scene: Scene, digits: int, limits: tuple[int, int, Progress | None]) -> Trajectory:
+def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
     """Return a trajectory in float64, or double-double, if its error bounds leave enough digits, else a proved one.
 
     What one of them has lost of its digits is also what the next will lose.
     """
-    tried, guard = [], _GUARD_DIGITS
-    if digits <= _IN_FLOAT64:
-        found, reached, why = _attempt(scene, _FLOAT64, limits)
-        tried.append(why)
-        if found is not None and reached >= digits:
-            return found.but(digits=digits, tried=why)
-        guard = _FLOAT64_DIGITS + _SPARE_DIGITS - reached if reached else guard
-    if scene.pair.a1 == 0 and digits + guard - _SPARE_DIGITS <= _DOUBLE_DOUBLE_DIGITS and digits <= _IN_DOUBLE_DOUBLE:
-        found, reached, why = _attempt(scene, _DOUBLE_DOUBLE, limits)
-        tried.append(why)
-        if found is not None and reached >= digits:
+    tried: list[str] = []
+    guard = _GUARD_DIGITS
+    for arithmetic in (_FLOAT64, _DOUBLE_DOUBLE):
+        name, lost = arithmetic.name, 0 if guard == _GUARD_DIGITS else guard - _SPARE_DIGITS
+        if digits > _WORTH_A_TRY[name] or digits + lost > _HAS[name]:
+            continue
+        try:
+            found = limits.run(scene, arithmetic)
+        except (EventUndecided, OutOfRange) as error:
+            tried.append(f"{name} cannot: {error}")
+            continue
+        if not found.certain:
+            tried.append(f"{name} leaves the sequence of events open")
+            continue
+        reached = found.right_digits
+        tried.append(f"{name} has {reached} right digits by its error bounds")
+        if reached >= digits:
             return found.but(digits=digits, tried="; ".join(tried))
-        guard = _DOUBLE_DOUBLE_DIGITS + _SPARE_DIGITS - reached if reached else guard
+        if reached:
+            guard = _HAS[name] + _SPARE_DIGITS - reached
     balls = _solve_to_digits(scene, digits, guard, limits)
     return balls.but(tried="; ".join([*tried, f"{digits} are asked for"]))
 
 
-def _attempt(
-    scene: Scene, arithmetic: Any, limits: tuple[int, int, Progress | None]
-) -> tuple[Trajectory | None, int, str]:
-    """Return a trajectory that bounds its errors, the digits that they leave, and words on both."""
-    max_events, _, progress = limits
-    try:
-        found = run_scene(scene, arithmetic, max_events, progress)
-    except (EventUndecided, OutOfRange, ArithmeticError) as error:
-        return None, 0, f"{arithmetic.name} cannot: {error}"
-    if not found.certain:
-        return found, 0, f"{arithmetic.name} leaves the sequence of events open"
-    reached = found.right_digits
-    return found, reached, f"{arithmetic.name} has {reached} right digits by its error bounds"
+def _require_within_cap(working: int, digits: int, limits: _Limits) -> None:
+    if working > limits.digits:
+        raise PrecisionExhausted(
+            f"{digits} right digits need more than {limits.digits} working digits; raise the cap max_digits"
+        )
 
 
-def _require_within_cap(working: int, digits: int, max_digits: int) -> None:
-    if working > max_digits:
-        raise PrecisionExhausted(f"{digits} right digits need more than {max_digits} working digits; raise max_digits")
-
-
-def _solve_to_digits(scene: Scene, digits: int, guard: int, limits: tuple[int, int, Progress | None]) -> Trajectory:
+def _solve_to_digits(scene: Scene, digits: int, guard: int, limits: _Limits) -> Trajectory:
     """Raise the working precision until `digits` digits are right; the digits lost in one try are added in the next."""
-    max_events, max_digits, progress = limits
     working = digits + guard
     while True:
-        _require_within_cap(working, digits, max_digits)
-        undecided: EventUndecided | None = None
+        _require_within_cap(working, digits, limits)
+        undecided: NumericsError | None = None
         try:
-            trajectory = run_scene(scene, Ball(working), max_events, progress)
+            trajectory = limits.run(scene, Ball(working))
             reached = proved_digits(trajectory)
         except EventUndecided as error:
             undecided, reached = error, 0
         if undecided is None and reached >= digits:
             return trajectory.but(digits=digits)
-        if undecided is not None and working * 2 > max_digits:
+        if undecided is not None and working * 2 > limits.digits:
             raise undecided
         working = max(working + (digits - reached) + 5, working * 2 if undecided else 0)

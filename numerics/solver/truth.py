@@ -13,7 +13,7 @@ from numerics.trajectory.trajectory import Trajectory
 def proved(trajectory: Trajectory, digits: int) -> Trajectory:
     """Return a trajectory solved again in balls, to some digits more; raises SequenceDiffers if its events differ."""
     # one event more than were found shows a lost one; a run that was cut off is cut off at the same event
-    limit = len(trajectory.events) + (1 if trajectory.reached else 0)
+    limit = trajectory.record.events + (1 if trajectory.reached else 0)
     balls = solve(trajectory.scene, digits=digits + 3, arithmetic="ball", max_events=max(limit, 1))
     require_same_sequence(trajectory, balls)
     return balls

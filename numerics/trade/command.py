@@ -5,50 +5,90 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from statistics import median
+from typing import Any
 
 from numerics.exits import OK, USAGE, refuse, wrong_path
 
 
 def measure_trade(options: argparse.Namespace) -> int:
-    """Measure speed against accuracy, or the interface alone; print tables or JSON, write the figures."""
-    from numerics.trade.plan import NoSuchContender, trade
-    from numerics.trade.table import as_record, print_trade
+    """Measure speed against accuracy, or the public interface beside heyoka; print tables or JSON, write the figure."""
+    from rich.console import Console
+
+    from numerics.trade.figure import write_figure
+    from numerics.trade.interface import ratios
+    from numerics.trade.measure import NoSuchContender, trade
 
     if wrong := wrong_path(options.out, "--out"):
         return refuse(wrong, USAGE)
-    width = None if sys.stdout.isatty() else 200
+    console = Console(width=None if sys.stdout.isatty() else 200, highlight=False, markup=False)
     if options.interface:
-        return _tell_interface(options.json, width)
-    shown = sys.stderr.isatty()
+        found = list(ratios())
+        if options.json:
+            print(json.dumps([one._asdict() for one in found], indent=1))
+        else:
+            print_ratios(found, console)
+        return OK
     try:
-        found = trade(options.size, options.only, _told if shown else lambda _: None)
+        with Console(stderr=True).status("") as status:
+            measured = trade(options.size, options.only, status.update)
     except NoSuchContender as error:
         return refuse(str(error), USAGE)
-    finally:
-        if shown:
-            print("\r\033[K", end="", file=sys.stderr, flush=True)
     if options.out is not None:
-        from numerics.trade.figure import write_figures
-
-        write_figures(found, options.out)
+        write_figure(measured, options.out)
     if options.json:
-        print(json.dumps(as_record(found), indent=1))
+        print(measured.text(), end="")
     else:
-        print_trade(found, width)
+        print_trade(measured, console)
     return OK
 
 
-def _tell_interface(as_json: bool, width: int | None) -> int:
-    from numerics.trade.interface import interface
-    from numerics.trade.table import print_interface
+def print_ratios(found: Any, console: Any) -> None:
+    """Print the least and the median ratio of each comparison over its scenes, and what is not that simple."""
+    from rich.table import Table
 
-    found = interface(0.3, compilation=True)
-    if as_json:
-        print(json.dumps([one.as_record() for one in found], indent=1))
-    else:
-        print_interface(found, width)
-    return OK
+    table = Table("how many times as fast as heyoka", "scenes", "least", "median", "least on", box=None, pad_edge=False)
+    for what in dict.fromkeys(one.what for one in found):
+        known = sorted((one.ratio, one.scene) for one in found if one.what == what and one.ratio is not None)
+        cells = (f"{known[0][0]:.3g}", f"{median(ratio for ratio, _ in known):.3g}", known[0][1]) if known else ()
+        table.add_row(what, str(len(known)), *cells)
+    console.print(table)
+    for one in found:
+        console.print(f"{one.what}, {one.scene}: {one.ratio or 0:.3g} {one.note}")
 
 
-def _told(what: str) -> None:
-    print(f"\r\033[K{what}", end="", file=sys.stderr, flush=True)
+def print_trade(trade: Any, console: Any) -> None:
+    """Print a table a scene, the machine, and what was left out."""
+    from rich.table import Table
+
+    for scene, why in trade.scenes.items():
+        ahead = {one.peer: one for one in trade.leads(scene)}
+        head = ("", "setting", "time", "+-", "digits", "events", "ours faster")
+        table = Table(*head, box=None, pad_edge=False)
+        for one in trade.of(scene):
+            digits = "-" if one.digits is None else f"{one.digits:.1f}"
+            ratio = f"{ahead[one].ratio:.3g} x" if one in ahead and ahead[one].ours else ""
+            times = (seconds_text(one.seconds), seconds_text(one.deviation))
+            table.add_row(one.who, f"{one.setting:g}", *times, digits, "right" if one.right else one.note, ratio)
+        console.print(f"{scene}: {why}", table, "", sep="\n")
+    of = trade.machine
+    versions = ", ".join(f"{name} {version}" for name, version in of["packages"].items())
+    console.print(f"{of['processor']}, {of['cores']} cores, load {of['load']}; Python {of['python']}, {versions}")
+    console.print(
+        "Times are medians of warm calls in fresh processes. Digits are those of the worst error: of the state at the "
+        "horizon relative to L and L Omega, of the events' times and of the dissipated energy relative to themselves."
+    )
+    for name, missing in trade.left_out.items():
+        console.print(f"left out: {name}: needs {missing}")
+
+
+def seconds_text(seconds: float | None) -> str:
+    """Return a time with its unit.
+
+    >>> seconds_text(0.00123), seconds_text(4.5e-6), seconds_text(12.3), seconds_text(None)
+    ('1.23 ms', '4.5 us', '12.3 s', '-')
+    """
+    if seconds is None:
+        return "-"
+    unit, size = next((pair for pair in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)) if seconds >= pair[1]), ("ns", 1e-9))
+    return f"{seconds / size:.3g} {unit}"

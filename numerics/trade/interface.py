@@ -1,150 +1,107 @@
-"""What a user waits for at the public interface, beside the run inside and two peers: in one process, in turns.
+"""How many times as fast as heyoka ours is at the public interface: in one process, in turns, everything warm.
 
-`python -m numerics trade --interface` prints it. The clock decides nothing here: what is wished for stands beside what
-was found, and a reader compares.
+`python -m numerics trade --interface` prints it, the least and the median over the scenes. Answers are judged first;
+heyoka runs at the coarsest tolerance that is as accurate, or at its most accurate one where none is.
 """
 
 from __future__ import annotations
 
-import os
 import statistics
-import subprocess
-import sys
-import tempfile
 import time
-from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass
-from typing import Any
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any, NamedTuple
 
-from numerics.arithmetic.float64 import FLOAT64
-from numerics.arithmetic.telling import can_compile
+import numpy as np
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
 from numerics.scene import Scene, State
-from numerics.scene.file import load_scene
-from numerics.solver.prepared import Solver
-from numerics.solver.solve import solve
-from numerics.trade.clock import BATCH
-from numerics.trade.contender import all_contenders
-from numerics.trade.ours import batch_call, inside, looked_at
-from numerics.trade.scenes import HEADLINE
+from numerics.solver.many import solve_many
+from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
+from numerics.trade.comparisons.switched import SwitchedPair, run
+from numerics.trade.contenders import answer_of, contender
+from numerics.trade.fresh import total_time
+from numerics.trade.judge import judge, proved
+from numerics.trade.scenes import HEADLINE, LONG, NAMES, benchmark, kind
 
-RUN, SOLVE, READ = "the run inside", "solve(scene)", "t, y, modes, t_events of it, together"
-_PEERS = {"heyoka (edge coordinates)": 1e-15, "SciPy DOP853 (edge coordinates)": 1e-12, "SciPy LSODA": 1e-12}
-"""At settings with about as many right digits as float64 has."""
-_MANY = 1000
-SHARE = f"solve_many, a scene of {_MANY:,}"
-_COMPILE = "from numerics.trade.interface import compile_now; print(compile_now())"
-
-
-@dataclass(frozen=True)
-class Wait:
-    """How long a call takes (s), how many times as long as another one, and how long it should take at most."""
-
-    call: str
-    seconds: float
-    by: str = ""
-    """The call that it is compared with; "" for seconds by themselves."""
-    ratio: float | None = None
-    most: float | None = None
-    """Of the ratio, or of the seconds where there is none."""
-
-    @property
-    def kept(self) -> bool | None:
-        """Return whether it is as it should be; None where nothing is asked of it."""
-        return None if self.most is None else (self.seconds if self.ratio is None else self.ratio) <= self.most
-
-    def as_record(self) -> dict[str, Any]:
-        """Return it as the object that JSON carries."""
-        return asdict(self)
+Call = Callable[[], Any]
+SWEPT = ("velocities", "relative-motion-b02", HEADLINE, "forced-stick-slip", "forced-friction")
+DIGITS = 10_000
+BATCH = 0.002
+"""Calls are timed in batches that last at least so long, s."""
 
 
-def interface(budget: float, compilation: bool) -> list[Wait]:
-    """Measure the headline scene for about so many seconds a call; `compilation`: compile everything anew as well."""
-    scene = load_scene(HEADLINE)
-    enough = _digits_of_float64(scene)
-    took = in_turns(_our_calls(scene, enough) | _peer_calls(scene), budget)
-    took[READ] -= took[SOLVE]
-    took[SHARE] /= _MANY
-    run, call, answer = took[RUN], took[SOLVE], took[SOLVE] + took[READ]
-    asked = {
-        SOLVE: (RUN, run, 6.0),
-        READ: (SOLVE, call, 1.0),
-        "Scene(...), solve(scene)": (RUN, run, None),
-        "solver(state, until)": (RUN, run, 3.0),
-        "solver(State(...), until)": (RUN, run, None),
-        f"solve(scene, digits={enough})": (SOLVE, call, 2.0),
-        "solve(scene, digits=12)": (SOLVE, call, 2.0 if enough >= 12 else None),
-        "solve_many, one scene": ("", None, 60e-6),
-        SHARE: (RUN, run, None),
-    }
-    found = []
-    for name, seconds in took.items():
-        by, other, most = asked.get(name, (f"{SOLVE}, read", answer, None) if name in _PEERS else ("", None, None))
-        found.append(Wait(name, seconds, by, None if other is None else seconds / other, most))
-    if compilation and can_compile():
-        found.append(Wait("first compilation, float64", first_compilation(), most=12.0))
-    return found
+class Ratio(NamedTuple):
+    """A comparison on one scene: heyoka's time by ours, or what `what` says; `note`: the digits of both."""
+
+    what: str
+    scene: str
+    ratio: float | None
+    note: str = ""
 
 
-def _digits_of_float64(scene: Scene) -> int:
-    accuracy = solve(scene).accuracy
-    return accuracy.digits if accuracy is not None else 0
+def ratios(budget: float = 0.5, sweep: int = 200) -> Iterator[Ratio]:
+    """Yield every comparison, timed for about so many seconds each; `sweep` scenes are solved at once."""
+    solve_many(1, 1, 200, 0.5, v1=[0.15], until=1, jobs=1)  # brings up what is compiled
+    if missing := contender("heyoka").missing():
+        yield Ratio("beside heyoka", "all", None, f"left out: needs {missing}")
+    else:
+        for name in (one for one in NAMES if not one.startswith(LONG)):
+            yield from single(name, budget)
+        for name in SWEPT:
+            yield Ratio(
+                f"solve_many, {kind(name)}, one core each", name, in_turns(*swept(benchmark(name), sweep), budget)
+            )
+    call = contender("ball").prepare(benchmark(HEADLINE), DIGITS)
+    with Ball(DIGITS).context():
+        each = 1 / in_turns(call, arb(2).rsqrt().mid().sin_cos, budget) / len(answer_of(call()).times)
+    yield Ratio(f"sine-cosines for an event in balls of {DIGITS:,} digits", HEADLINE, each)
 
 
-def _our_calls(scene: Scene, enough: int) -> dict[str, Callable[[], object]]:
-    pair, at, until, law = scene.pair, scene.initial, scene.until, scene.law
-    solver = Solver(pair, law)
-    return {
-        RUN: inside(FLOAT64, compiled=True)(scene, 53.0),
-        SOLVE: lambda: solve(scene),
-        READ: lambda: looked_at(solve(scene)),
-        "Scene(...), solve(scene)": lambda: solve(Scene(pair, State(at.x1, at.v1, at.x2, at.v2), until, law)),
-        "solver(state, until)": lambda: solver(at, until),
-        "solver(State(...), until)": lambda: solver(State(at.x1, at.v1, at.x2, at.v2), until),
-        f"solve(scene, digits={enough})": lambda: solve(scene, digits=enough),
-        "solve(scene, digits=12)": lambda: solve(scene, digits=12),
-        "solve_many, one scene": batch_call(scene, 1, 1),
-        SHARE: batch_call(scene, _MANY, 1),
-    }
+def single(name: str, budget: float) -> Iterator[Ratio]:
+    """Yield the comparisons on one scene: float64 at the same accuracy, 12 and 20 digits beside long double."""
+    scene = benchmark(name)
+    truth = proved(scene)
+    for digits, peer in ((0, "heyoka"), (12, "heyoka long double"), (20, "heyoka long double")):
+        call = contender("solve").prepare(scene, digits)
+        own = judge(answer_of(call()), truth, scene)
+        other, reached = None, 0.0
+        for setting in contender(peer).settings:
+            tried = contender(peer).prepare(scene, setting)
+            found = judge(answer_of(tried()), truth, scene)
+            if found.difference is None and reached < (digits or own.digits or 0) and (found.digits or 0) > reached:
+                other, reached = tried, found.digits or 0.0
+        what = f"solve({f'digits={digits}' if digits else ''}).t .y .modes, {kind(name)}, beside {peer}"
+        note = f"digits {own.digits:.1f} and {reached:.1f} {own.difference or ''}"
+        yield Ratio(what, name, None if other is None else in_turns(call, other, budget), note.strip())
 
 
-def _peer_calls(scene: Scene) -> dict[str, Callable[[], object]]:
-    peers = {one.label: one for one in all_contenders() if one.label in _PEERS and one.missing() is None}
-    return {label: one.prepare(scene, _PEERS[label]) for label, one in peers.items()}
+def swept(scene: Scene, size: int) -> tuple[Call, Call]:
+    """Return the calls that solve a scene with so many amplitudes of its force, or speeds at its start."""
+    pair, at, scenes = scene.pair, scene.initial, []  # type: Any, State, list[Scene]
+    for factor in (Fraction(size + k, 2 * size) for k in range(1, size + 1)):
+        start = at if scene.is_forced else State(at.x1, factor * at.v1, at.x2, at.v2)
+        scenes.append(replace(scene, force=factor * scene.force, initial=start))
+    numbers: Any = {name: float(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
+    numbers |= {name: [float(getattr(one.initial, name)) for one in scenes] for name in ("x1", "v1", "x2", "v2")}
+    if scene.friction.pieces:  # jumps are no columns
+        numbers |= {"force": [one.force for one in scenes], "friction": scene.friction}
+    elif scene.is_forced:
+        waves = [[(s.amplitude, s.omega, s.phase) for s in one.force.pieces[0].sines] for one in scenes]
+        numbers["sines"] = np.array(waves, dtype=float).transpose(1, 2, 0)
+    pairs = [SwitchedPair(one) for one in scenes]
+    arc, until = heyoka_arcs(pairs[0], 1e-15), float(scene.until)
+    return lambda: solve_many(**numbers, until=until, jobs=1).y, lambda: [run(one, arc) for one in pairs]
 
 
-def in_turns(calls: Mapping[str, Callable[[], object]], budget: float) -> dict[str, float]:
-    """Return the median time of every warm call (s), in turn with the others, so that all share the noise."""
-    inner, taken = {}, {name: [] for name in calls}  # type: dict[str, int], dict[str, list[float]]
-    for name, call in calls.items():
-        call()
-        start = time.perf_counter()
-        call()
-        inner[name] = max(1, round(BATCH / (time.perf_counter() - start)))
-    end = time.perf_counter() + budget * len(calls)
-    while len(taken[next(iter(calls))]) < 3 or time.perf_counter() < end:
-        for name, call in calls.items():
-            start = time.perf_counter()
-            for _ in range(inner[name]):
-                call()
-            taken[name].append((time.perf_counter() - start) / inner[name])
-    return {name: statistics.median(some) for name, some in taken.items()}
-
-
-def first_compilation() -> float:
-    """Return how long the float64 run takes to be compiled (s) by a new process with an empty cache."""
-    with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run(
-            [sys.executable, "-c", _COMPILE],
-            env={**os.environ, "NUMBA_CACHE_DIR": folder},
-            stdout=subprocess.PIPE,
-            encoding="utf-8",
-            check=True,
-        )
-    return float(done.stdout)
-
-
-def compile_now() -> float:
-    """Return how long it takes this process to bring up the compiled run, numba's import included (s)."""
-    start = time.perf_counter()
-    inside(FLOAT64, compiled=True)(load_scene(HEADLINE), 53.0)
-    return time.perf_counter() - start
+def in_turns(ours: Call, theirs: Call, budget: float) -> float:
+    """Return the median time of one call by that of the other, both warm and in turn, so that they share the noise."""
+    taken, end = ([], []), time.perf_counter() + budget  # type: tuple[list[float], list[float]], float
+    loops = [max(1, round(BATCH / max(total_time(call, 2) / 2, 1e-9))) for call in (ours, theirs)]
+    while len(taken[0]) < 3 or time.perf_counter() < end:
+        for call, count, times in zip((ours, theirs), loops, taken, strict=True):
+            times.append(total_time(call, count) / count)
+    mine, other = map(statistics.median, taken)
+    return other / mine

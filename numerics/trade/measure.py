@@ -1,179 +1,97 @@
-"""Every setting of a contender on a scene, in a child process that is ended and replaced when it hangs or dies."""
+"""The whole trade at one of three sizes: every contender at its settings on every scene, each in a fresh process."""
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
-from enum import Enum
-from typing import Any
+import json
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from importlib.util import find_spec
+from typing import Any, NamedTuple
 
-from numerics.trade import reference
-from numerics.trade.child import Child, Deadline, Died, Hung
-from numerics.trade.contender import Contender
-from numerics.trade.judge import Verdict, finite, judge
-from numerics.trade.outcome import Outcome
-from numerics.trade.scenes import Benchmark, scene_as_record
-
-SOURCE = "numerics.trade.contender:all_contenders"
-
-
-class Status(Enum):
-    """How a measurement ended."""
-
-    MEASURED = "measured"
-    STOPPED = "stopped"
-    FAILED = "failed"
-    NOT_TRIED = "not tried"
+from numerics.errors import NumericsError
+from numerics.trade.contenders import CONTENDERS, Contender
+from numerics.trade.recorded import Run, Trade, machine
+from numerics.trade.scenes import FORCED, LONG, NAMES, kind, why
 
 
-@dataclass(frozen=True)
-class Limits:
-    """How long the parent waits for one setting, s."""
+class Size(NamedTuple):
+    """How much is measured."""
 
-    prepare: float
-    """building and compiling, and the start of the child"""
-    run: float
-    """the first run; also all repetitions together, beyond their budget"""
-    budget: float
-    """how long warm runs are repeated; 0: the first run is the number"""
+    scenes: Sequence[str]
+    settings: int
+    """Of each peer at most, the finest."""
+    limit: float
+    """How long one of them may take, s, compiling and repeating included."""
 
 
-@dataclass(frozen=True)
-class Ran:
-    """What a child told of one setting, not yet judged."""
-
-    status: Status
-    note: str
-    prepare_seconds: float | None = None
-    seconds: float | None = None
-    batches: int = 0
-    """of warm runs behind the median; 0: the number is the first run's"""
-    outcome: Outcome | None = None
+SIZES = {
+    "small": Size(("relative-motion-b05", "near-critical-1e-6", "forced-stick-slip"), 1, 60),
+    "default": Size(NAMES, 2, 120),
+    "large": Size(NAMES, 10, 900),
+}
 
 
-@dataclass(frozen=True)
-class Measurement:
-    """One contender at one setting on one scene: time, errors, and what else happened."""
-
-    contender: str
-    ours: bool
-    scene: str
-    knob: str
-    setting: float
-    ran: Ran
-    verdict: Verdict | None
-
-    def as_record(self) -> dict[str, Any]:
-        """Return it as the object that JSON carries; of the outcome only its size."""
-        record: dict[str, Any] = {
-            name: getattr(self, name) for name in ("contender", "ours", "scene", "knob", "setting")
-        }
-        ran = asdict(self.ran)
-        outcome = ran.pop("outcome")
-        record |= finite(ran) | {"status": self.ran.status.value}
-        if outcome is not None:
-            record |= {"events": len(outcome["kinds"]), "steps": outcome["steps"]}
-        if self.verdict is not None:
-            errors = self.verdict.as_record()
-            record |= {name: errors[name] for name in ("right", "difference")}
-            record |= {f"log10_{name}": errors[name] for name in ("state", "last_event", "energy", "error")}
-        return record
+class NoSuchContender(NumericsError):
+    """A name that fits no contender and no scene; the message lists them."""
 
 
-class References:
-    """The references of all scenes, each solved once for each number of digits, in a child with a limit."""
+def trade(size_name: str, only: Sequence[str] = (), progress: Callable[[str], None] = lambda _: None) -> Trade:
+    """Measure everybody on every scene; `only` keeps those whose names contain one of its words.
 
-    def __init__(self, child: Child, limit: float) -> None:
-        """Take the child to solve in."""
-        self._child, self._limit = child, limit
-        self.solved: dict[tuple[str, int], Ran] = {}
-
-    def get(self, scene: Benchmark, digits: int) -> Ran:
-        """Return the reference of a scene; its status says whether there is one."""
-        key = (scene.name, digits)
-        if key not in self.solved:
-            limits = Limits(prepare=60.0, run=self._limit, budget=0.0)
-            source = f"{reference.__name__}:contenders"
-            self.solved[key] = run(self._child, source, reference.NAME, scene, float(digits), limits)
-        return self.solved[key]
-
-    def as_records(self) -> list[dict[str, Any]]:
-        """Return what they took, as objects for JSON."""
-        rows = []
-        for (scene, digits), ran in self.solved.items():
-            events = len(ran.outcome.kinds) if ran.outcome else None
-            row = {"scene": scene, "digits": digits, "events": events, "seconds": ran.seconds}
-            rows.append(row | {"status": ran.status.value, "note": ran.note})
-        return rows
+    "free" and "forced" name the scenes without a force and with one. Raises NoSuchContender if a word fits no name.
+    """
+    size, of = SIZES[size_name], machine()
+    everyone, scenes = selected(only, size.scenes)
+    left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
+    if not find_spec("pyperf"):
+        left_out["all times"] = "pyperf (extra `comparisons`)"
+    runs: list[Run] = []
+    for scene in scenes:
+        for one in everyone:
+            progress(f"{scene}: {one.label}")
+            runs += [] if one.label in left_out else runs_of(one, scene, size)
+    return Trade(size_name, of, left_out, {name: why(name) for name in scenes}, tuple(runs))
 
 
-def run(child: Child, source: str, name: str, scene: Benchmark, setting: float, limits: Limits) -> Ran:
-    """Run one setting and return what came of it; never raises for what a contender does."""
-    request = {"source": source, "contender": name, "scene": scene_as_record(scene.scene), "setting": setting}
-    child.ask(request | {"budget": limits.budget})
-    told: dict[str, Any] = {}
-    what, limit, deadline = "preparing", limits.prepare, Deadline(limits.prepare)
-    last = "timed" if limits.budget > 0 else "ran"
-    try:
-        while last not in told:
-            answer = child.answer(deadline.left())
-            if answer["stage"] == "failed":
-                return _ended(Status.FAILED, answer["reason"], told)
-            told[answer["stage"]] = answer
-            what, limit = ("running", limits.run) if "ran" not in told else ("repeating", limits.run + limits.budget)
-            deadline = Deadline(limit)
-    except Hung:
-        return _ended(Status.STOPPED, f"stopped after {limit:g} s of {what}", told)
-    except Died as error:
-        return _ended(Status.FAILED, str(error), told)
-    return _ended(Status.MEASURED, "", told)
+def selected(only: Sequence[str], scenes: Sequence[str]) -> tuple[list[Contender], list[str]]:
+    """Return the contenders and the scenes that `only` names, all of a kind of which it names none."""
+    names = [one.label for one in CONTENDERS] + [f"{kind(name)}: {name}" for name in scenes]
+    kept: set[str] = set()
+    for word in only:
+        fits = {name for name in names if word.strip() and word.lower() in name.lower()}
+        if not fits:
+            raise NoSuchContender(f"--only {word[:40]!r} fits no contender and no scene; they are: {'; '.join(names)}")
+        kept |= fits
+    some = [one for one in CONTENDERS if one.label in kept] or list(CONTENDERS)
+    return some, [name for name in scenes if f"{kind(name)}: {name}" in kept] or list(scenes)
 
 
-def _ended(status: Status, note: str, told: dict[str, Any]) -> Ran:
-    """Return what was told before the end; a first run that ended is a number, even if its repetition did not."""
-    prepared, ran, timed = (told.get(stage) for stage in ("prepared", "ran", "timed"))
-    if ran is not None:
-        status = Status.MEASURED
-    return Ran(
-        status=status,
-        note=note,
-        prepare_seconds=prepared["seconds"] if prepared else None,
-        seconds=timed["seconds"] if timed else (ran["seconds"] if ran else None),
-        batches=timed["batches"] if timed else 0,
-        outcome=Outcome(**ran["outcome"]) if ran else None,
-    )
+def runs_of(one: Contender, scene: str, size: Size) -> Iterator[Run]:
+    """Yield a run at every setting of a contender, from coarse to fine; after one that was stopped none is tried."""
+    settings = [setting for setting in one.settings if setting <= 100 or not scene.startswith((FORCED, LONG))]
+    for setting in settings if one.ours else settings[-size.settings :]:
+        answer = answered([sys.executable, "-m", "numerics.trade.fresh", one.label, scene, str(setting)], size.limit)
+        note = answer.get("note") or answer.get("difference") or ""
+        numbers = (answer.get("seconds"), answer.get("deviation"), answer.get("digits"))
+        yield Run(scene, one.label, one.ours, setting, *numbers, None if "note" in answer else not note, note)
+        if note.startswith("stopped"):
+            return
 
 
-def not_tried(contender: Contender, scene: Benchmark, setting: float, note: str) -> Measurement:
-    """Return that a setting was not tried, and why."""
-    ran = Ran(Status.NOT_TRIED, note)
-    return Measurement(contender.label, contender.ours, scene.name, contender.knob, setting, ran, None)
-
-
-def measure(
-    child: Child,
-    references: References,
-    contender: Contender,
-    scene: Benchmark,
-    settings: tuple[float, ...],
-    limits: Limits,
-    source: str = SOURCE,
-) -> list[Measurement]:
-    """Return a measurement for every setting, from coarse to fine; after one that was stopped no finer one is tried."""
-    found: list[Measurement] = []
-    stopped: str | None = None
-    for setting in settings:
-        if stopped is not None:
-            found.append(not_tried(contender, scene, setting, f"a coarser setting was {stopped}"))
-            continue
-        ran = run(child, source, contender.label, scene, setting, limits)
-        stopped = ran.note if ran.status is Status.STOPPED else None
-        verdict = None
-        if ran.outcome is not None:
-            digits = reference.digits_for(contender.knob, setting)
-            proved = references.get(scene, digits)
-            if proved.outcome is not None:
-                verdict = judge(ran.outcome, proved.outcome, digits, scene.scene)
-            else:
-                ran = Ran(Status.FAILED, f"no reference to judge it by: {proved.note}", seconds=ran.seconds)
-        found.append(Measurement(contender.label, contender.ours, scene.name, contender.knob, setting, ran, verdict))
-    return found
+def answered(command: list[str], limit: float) -> dict[str, Any]:
+    """Run a command and return the JSON of its last line; after `limit` s it is ended with all it has started."""
+    pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "encoding": "utf-8"}
+    with subprocess.Popen(command, start_new_session=True, **pipes) as process:
+        try:
+            out, complaints = process.communicate(timeout=limit)
+            return dict(json.loads(out.splitlines()[-1]))
+        except subprocess.TimeoutExpired:
+            return {"note": f"stopped after {limit:g} s"}
+        except (IndexError, ValueError):
+            return {"note": f"ended with code {process.returncode}: {complaints.strip()[-200:]}"}
+        finally:
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL) if hasattr(os, "killpg") else process.kill()

@@ -1,180 +1,128 @@
-"""A trade that was measured before, as the report and the notebook read it: what they say must not depend on the hour.
+"""What a trade has found, as the tables, the report and the notebook read it: a small file of runs.
 
-Two are shipped, on free scenes and on those under a force, each with the machine that it was measured on. With the
-extra `comparisons` they are made by
+One is shipped, with the machine that it was measured on, since what the report says must not depend on the hour. With
+the extras `comparisons` and `compiled` it is made by
 
-    python -m numerics trade --size default --json > trade.json && mv trade.json numerics/trade/recorded.json
-    python -m numerics trade --only forced --json > trade.json && mv trade.json numerics/trade/recorded_forced.json
-
-and any other output of `python -m numerics trade --json` can take the place of either, or of both.
+    python -m numerics trade --json > trade.json && mv trade.json numerics/trade/recorded.json
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields, replace
+import math
+import os
+import platform
+import re
+from dataclasses import asdict, dataclass
+from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, NamedTuple
 
 from numerics.errors import NumericsError
-from numerics.trade.front import Lead, Point, leads
-from numerics.trade.growth import Growth
-from numerics.trade.interface import Wait
-from numerics.trade.scenes import FORCED
+from numerics.tasks import available_cores
+from numerics.trade.scenes import kind
 
-Kind = TypeVar("Kind", Growth, Wait)
 SHIPPED = Path(__file__).with_name("recorded.json")
-SHIPPED_FORCED = Path(__file__).with_name("recorded_forced.json")
-HOW_TO = "python -m numerics trade --json"
+PACKAGES = ("numpy", "python-flint", "numba", "pyperf", "scipy", "heyoka", "diffrax", "jax")
 
 
 class UnreadableTrade(NumericsError):
     """A file that holds no trade; the message says what is wrong with it and how to make one."""
 
 
-@dataclass(frozen=True)
-class RecordedScene:
-    """A scene by its name, and why it was measured."""
-
-    name: str
-    why: str
-
-
-@dataclass(frozen=True)
-class Participant:
-    """Who took part, and whether it is ours."""
-
-    label: str
-    ours: bool
-
-
-@dataclass(frozen=True)
-class RecordedRun:
+class Run(NamedTuple):
     """One contender at one setting on one scene."""
 
-    contender: str
-    ours: bool
     scene: str
-    knob: str
+    who: str
+    ours: bool
     setting: float
-    status: str
-    note: str
-    prepare_seconds: float | None
-    """building, compiling or loading, s"""
     seconds: float | None
-    """the warm median, s"""
+    """The median of warm calls in fresh processes; None where nothing was timed."""
+    deviation: float | None
+    """Their median absolute deviation, s; None where one call was timed."""
+    digits: float | None
+    """-log10 of the worst error; None where the run gave no number."""
     right: bool | None
-    """whether the event sequence is right; None without an outcome"""
-    difference: str | None
-    error: float | None
-    """log10 of the worst of final state, last event and dissipated energy; inf where it is no number"""
+    """Whether the events are; None where there is no answer."""
+    note: str
+    """Where the itinerary departs from the true one, or why there is no answer."""
+
+
+class Lead(NamedTuple):
+    """A peer's run and our fastest right one that is as accurate, None if none is."""
+
+    ratio: float
+    """The peer's time by ours; below 1 the peer is faster, 0 where none of ours is as accurate."""
+    peer: Run
+    ours: Run | None
 
 
 @dataclass(frozen=True)
-class RecordedTrade:
+class Trade:
     """Everything that one run of the trade wrote down."""
 
     size: str
-    machine: Mapping[str, Any]
-    left_out: Mapping[str, str]
-    """Contenders that were not installed, with what was missing."""
-    scenes: tuple[RecordedScene, ...]
-    runs: tuple[RecordedRun, ...]
-    growth: tuple[Growth, ...]
-    interface: tuple[Wait, ...] = ()
-    """What a user waits for at the public interface; older records do not say."""
+    machine: dict[str, Any]
+    left_out: dict[str, str]
+    """What was not installed, with what was missing."""
+    scenes: dict[str, str]
+    """Names, and why each is measured."""
+    runs: tuple[Run, ...]
 
-    @property
-    def contenders(self) -> list[Participant]:
-        """Return who took part, in the order of the record."""
-        return list(dict.fromkeys(Participant(one.contender, one.ours) for one in self.runs))
+    def of(self, scene: str, who: str | None = None) -> list[Run]:
+        """Return the runs on one scene, of all or of one contender."""
+        return [one for one in self.runs if one.scene == scene and who in (None, one.who)]
 
-    def part(self, *, forced: bool) -> RecordedTrade:
-        """Return the trade on the scenes with a force alone, or on the others; of the latter also growth and waits."""
-        scenes = tuple(one for one in self.scenes if one.name.startswith(FORCED) == forced)
-        names = {one.name for one in scenes}
-        runs = tuple(one for one in self.runs if one.scene in names)
-        kept = replace(self, scenes=scenes, runs=runs)
-        return replace(kept, growth=(), interface=()) if forced else kept
+    def names(self, *, forced: bool) -> list[str]:
+        """Return the scenes with a force, or those without."""
+        return [one for one in self.scenes if (kind(one) == "forced") == forced]
 
-    def points(self, scene: RecordedScene) -> list[Point]:
-        """Return the measured points of one scene."""
-        return [
-            Point(one.contender, one.ours, one.setting, one.seconds, one.error, bool(one.right))
-            for one in self.runs
-            if one.scene == scene.name and one.seconds is not None and one.error is not None
-        ]
+    def leads(self, scene: str) -> list[Lead]:
+        """Return our lead over every right run of a peer that has a time, the least first."""
+        known = [(one.seconds, one.digits, one) for one in self.of(scene) if one.right and one.seconds and one.digits]
+        found = []
+        for seconds, digits, peer in (one for one in known if not one[2].ours):
+            equal = [(own, one) for own, reached, one in known if one.ours and reached >= digits]
+            least, ours = min(equal, default=(math.inf, None))
+            found.append(Lead(seconds / least, peer, ours))
+        return sorted(found, key=lambda one: one.ratio)
 
-    def leads(self, scene: RecordedScene) -> list[Lead]:
-        """Return our lead over every point of a peer whose event sequence is right."""
-        return [one for one in leads(self.points(scene)) if one.peer.right]
+    def text(self) -> str:
+        """Return the trade as JSON, a line for each run."""
+        head = {key: value for key, value in asdict(self).items() if key != "runs"}
+        runs = ",\n".join(json.dumps(one) for one in self.runs)
+        return f'{json.dumps(head, indent=1)[:-2]},\n "columns": {json.dumps(Run._fields)},\n "runs": [\n{runs}\n]}}\n'
 
 
-def divided(trade: RecordedTrade) -> tuple[RecordedTrade, RecordedTrade]:
-    """Return a trade on free scenes and on those under a force; the shipped one's where it has none."""
-    free, forced = (trade.part(forced=one) for one in (False, True))
-    return (
-        free if free.scenes else recorded().part(forced=False),
-        forced if forced.scenes else recorded(SHIPPED_FORCED).part(forced=True),
-    )
-
-
-def recorded(path: Path | None = None) -> RecordedTrade:
+def recorded(file: Path | None = None) -> Trade:
     """Return the trade of a file, by default the shipped one. Raises UnreadableTrade."""
-    file = path or SHIPPED
+    path = file or SHIPPED
     try:
-        record = json.loads(file.read_text("utf-8"))
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "it is no text"
-        raise UnreadableTrade(f"{file.name} cannot be read: {reason}") from None
-    except json.JSONDecodeError as error:
-        raise UnreadableTrade(f"{file.name} is no JSON (line {error.lineno}); make one with `{HOW_TO}`") from None
-    try:
-        return _trade(record)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        record = json.loads(path.read_text("utf-8"))
+        columns = record.pop("columns")
+        runs = tuple(Run(**dict(zip(columns, one, strict=True))) for one in record.pop("runs"))
+        found = Trade(runs=runs, **record)
+        if not runs or any(key not in found.machine for key in ("processor", "cores", "python", "packages")):
+            raise ValueError("it has no runs or no machine")
+        [float(part or 0.0) for one in runs for part in (one.setting, one.seconds, one.digits)]
+    except OSError as error:
+        raise UnreadableTrade(f"{path.name} cannot be read: {error.strerror}") from None
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
         what = f"{error} is missing" if isinstance(error, KeyError) else str(error)
-        raise UnreadableTrade(f"{file.name} is no output of `{HOW_TO}`: {what}") from None
-
-
-def _trade(record: dict[str, Any]) -> RecordedTrade:
-    machine = record["machine"]
-    for part in ("processor", "cores", "python", "packages"):
-        machine[part]
-    found = RecordedTrade(
-        size=record["size"],
-        machine=machine,
-        left_out={one["contender"]: one["missing"] for one in record["left_out"]},
-        scenes=tuple(RecordedScene(one["scene"], one["why"]) for one in record["scenes"]),
-        runs=tuple(_run(one) for one in record["runs"]),
-        growth=tuple(_known(Growth, record["growth"])),
-        interface=tuple(_known(Wait, record.get("interface", []))),
-    )
-    if not found.scenes or not found.runs:
-        raise ValueError("it has no scenes or no runs")
+        raise UnreadableTrade(f"{path.name} is no output of `python -m numerics trade --json`: {what}") from None
     return found
 
 
-def _run(one: dict[str, Any]) -> RecordedRun:
-    seconds, error = one["seconds"], one.get("log10_error")
-    return RecordedRun(
-        contender=str(one["contender"]),
-        ours=bool(one["ours"]),
-        scene=str(one["scene"]),
-        knob=str(one["knob"]),
-        setting=float(one["setting"]),
-        status=str(one["status"]),
-        note=str(one["note"]),
-        prepare_seconds=None if one["prepare_seconds"] is None else float(one["prepare_seconds"]),
-        seconds=None if seconds is None else float(seconds),
-        right=one.get("right"),
-        difference=one.get("difference"),
-        error=None if error is None else float(error),
-    )
-
-
-def _known(kind: type[Kind], records: Iterable[dict[str, Any]]) -> Iterable[Kind]:
-    """Yield records of a kind by the fields that it has."""
-    known = {field.name for field in fields(kind)}
-    for one in records:
-        yield kind(**{name: value for name, value in one.items() if name in known})
+def machine() -> dict[str, Any]:
+    """Return on what is measured: processor, cores, load, versions; no paths and no dates."""
+    info = Path("/proc/cpuinfo")
+    models = re.findall(r"model name\s*: (.*)", info.read_text("utf-8")) if info.exists() else []
+    return {
+        "processor": (*models, platform.processor(), platform.machine())[0],
+        "cores": available_cores(),
+        "load": round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else None,
+        "python": platform.python_version(),
+        "packages": {name: version(name) for name in PACKAGES if find_spec(name.removeprefix("python-"))},
+    }

@@ -30,12 +30,12 @@ def require_same_sequence(points: Any, balls: Any) -> None:
         if (one.before, one.after) != (two.before, two.after):
             raise SequenceDiffers(
                 f"{points.arithmetic.name} goes to {one.after.value} at event {number}, the proved mode is "
-                f'{two.after.value} (t = {float(two.t.mid()):.17g} s); use arithmetic="ball"'
+                f"{two.after.value} (t = {float(two.t.mid()):.17g} s); use ball arithmetic"
             )
     if len(points.events) != len(balls.events):
         raise SequenceDiffers(
             f"{points.arithmetic.name} finds {len(points.events)} events, the proved number is "
-            f'{len(balls.events)}; use arithmetic="ball"'
+            f"{len(balls.events)}; use ball arithmetic"
         )
 
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.motion.forced_pieces import ExactPiece
-from numerics.motion.modes import Mode
+from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
-from numerics.trajectory.forced_segment import length_of
+from numerics.trajectory.dense import of_rows
+from numerics.trajectory.flow import Knots, losses, moved
+from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
 """So many segments at the beginning and at the end are always drawn as curves."""
@@ -44,82 +45,47 @@ class Curve(NamedTuple):
     def load(self, pair: Pair) -> NDArray[np.float64]:
         """Return the friction force on body 2 that sticking needs, m2 (u - a2 x1 - a1 v1)/M, N."""
         pull = self.u - float(pair.a2) * self.y[0] - float(pair.a1) * self.y[1]
-        return float(pair.m2 / pair.mass) * pull
+        return np.asarray(float(pair.m2 / pair.mass) * pull)
 
     def energy(self, pair: Pair) -> NDArray[np.float64]:
         """Return the energy of spring and bodies, J."""
         x1, v1, _, v2 = self.y
-        return (float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2
+        return np.asarray((float(pair.a2) * x1**2 + float(pair.m1) * v1**2 + float(pair.m2) * v2**2) / 2)
 
 
-def sampled(trajectory: Any) -> Curve:
-    """Return points that resolve every segment, however short; of thousands of segments the first and the last."""
-    return _forced(trajectory) if trajectory.scene.is_forced else _free(trajectory)
+def sampled(trajectory: Rows) -> Curve:
+    """Return points that resolve every segment, however short; of thousands of segments the first and the last.
 
-
-def _free(trajectory: Any) -> Curve:
-    number, pair = trajectory.arithmetic.to_float, trajectory.scene.pair
+    At a jump of u or b, as at an event, there are two points.
+    """
+    pair, number = trajectory.scene.pair, np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
     with trajectory.arithmetic.context():
-        length, rate, unit = (number(one) for one in trajectory.units)
-        radians = np.array([number(segment.length) for segment in trajectory.segments])
-        parts = _parts(radians)
-        rows, spent = [], np.zeros(2)
-        for segment, long, count in zip(trajectory.segments, radians, parts, strict=True):
-            start, lost = number(segment.start), np.zeros(2)
-            for part in range(count + 1):
-                since = segment.length * part / int(count)
-                state = [number(one) for one in segment.state(since)]
-                lost = np.array([number(one) for one in segment.losses(since)])
-                rows.append([start + long * part / count, *state, *(spent + lost)])
-            spent = spent + lost
-    tau, X, V1, V2, Z, w, friction, viscous = np.array(rows, dtype=float).reshape(-1, 8).T
-    speed, at = length * rate, np.repeat(np.arange(len(parts)), parts + 1)
-    y = np.stack([X * length, V1 * speed, (X - Z) * length, V2 * speed])
-    stick = np.array([mode is Mode.STICK for mode in trajectory.modes])[at]
-    taken, resolved = np.stack([friction, viscous]) * unit, (parts >= _FEWEST * radians)[at]
-    return Curve(tau / rate, y, w, taken, at, resolved, stick, 0 * tau, 0 * tau + float(pair.b))
-
-
-def _forced(trajectory: Any) -> Curve:
-    """Return the points of a run under a force, row by row: at a jump of u or b a row ends."""
-    number, scene, dense = trajectory.arithmetic.to_float, trajectory.scene, trajectory.dense
-    codes = trajectory.record.rows[: None if trajectory.reached else trajectory.knots[-1]]
-    with trajectory.arithmetic.context():
-        lengths = [length_of(trajectory, row) for row in range(len(codes))]
-        acting = [trajectory.pieces[int(code[3])] for code in codes]
-        fastest = [max([_fastest(scene.pair), *(float(one.omega) for one in piece.sines)]) for piece in acting]
-        radians = np.array([number(length) for length in lengths]) * fastest
-        parts = _parts(radians)
-        times, states, forces, frictions = [], [], [], []
-        for row, (length, piece, count) in enumerate(zip(lengths, acting, parts, strict=True)):
-            long = number(length)
-            t = (
-                number(trajectory.time_of(row) if row else trajectory.arithmetic.number(0))
-                + long * np.arange(count + 1) / count
-            )
-            times.append(t)
-            states += [[number(x) for x in dense.after(row, length * k / int(count))] for k in range(count + 1)]
-            forces.append(force_of(piece, t))
-            frictions.append(np.full(count + 1, float(piece.b)))
-    t, y, u, b = np.concatenate(times), np.array(states).T, np.concatenate(forces), np.concatenate(frictions)
-    of_row = np.repeat(np.arange(len(parts)), parts + 1)
-    segment = np.searchsorted(trajectory.knots, of_row, side="right")
-    stick = np.array([mode is Mode.STICK for mode in trajectory.modes])[segment]
-    curve = Curve(t, y, t, y[:2], segment, (parts >= _FEWEST * radians)[of_row], stick, u, b)
-    w = curve.energy(scene.pair) / float(scene.pair.critical_energy) - 1
-    return curve._replace(w=w, lost=_lost(curve, scene.pair))
-
-
-def _fastest(pair: Pair) -> float:
-    """Return the frequency of body 1 alone on its spring, rad/s."""
-    return float(pair.a2 / pair.m1) ** 0.5
-
-
-def _lost(curve: Curve, pair: Pair) -> NDArray[np.float64]:
-    """Return what friction and viscosity have taken up to each point, J; the second by the trapezoidal rule."""
-    slid = np.abs(np.diff(curve.y[0] - curve.y[2])) * curve.b[1:]
-    damped = float(pair.a1) * np.diff(curve.t) * (curve.y[1, 1:] ** 2 + curve.y[1, :-1] ** 2) / 2
-    return np.stack([np.concatenate([[0.0], np.cumsum(part)]) for part in (slid, damped)])
+        lengths = number(trajectory.row_lengths)
+        rows = np.arange(len(lengths))
+        starts, excess = number(trajectory.row_times)[rows], trajectory.columns.numbers("excess")[rows]
+        knots, pieces = of_rows(trajectory, rows), trajectory.row_pieces[rows]
+    fastest = [max([float(pair.a2 / pair.m1) ** 0.5, *(float(s.omega) for s in p.sines)]) for p in trajectory.pieces]
+    radians = lengths * np.array(fastest)[pieces]
+    parts = _parts(radians)
+    at = np.repeat(rows, parts + 1)
+    share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
+    since, knots = lengths[at] * share, Knots(*(part[..., at] for part in knots))
+    y, taken, u, b = knots.y.copy(), np.zeros((2, len(at))), np.zeros(len(at)), np.zeros(len(at))
+    for piece in np.unique(pieces):
+        chosen, acting = pieces[at] == piece, trajectory.pieces[piece]
+        begun = Knots(*(part[..., chosen] for part in knots))
+        y[:, chosen] += moved(pair, acting, begun, since[chosen])
+        taken[:, chosen] = losses(pair, acting, begun, since[chosen])[:2]
+        u[chosen], b[chosen] = force_of(acting, begun.local + since[chosen]), float(acting.b)
+    before = np.cumsum(taken[:, np.cumsum(parts + 1) - 1], axis=1)
+    lost = np.concatenate([np.zeros((2, 1)), before], axis=1)[:, at] + taken
+    segment, t = np.searchsorted(trajectory.event_rows, at, side="right"), starts[at] + since
+    curve = Curve(t, y, t, lost, segment, (parts >= _FEWEST * radians)[at], knots.sign == 0, u, b)
+    unit = float(pair.critical_energy)
+    w = curve.energy(pair) / unit - 1
+    if not trajectory.scene.is_forced and excess[0] is not None and excess[0] == excess[0]:
+        w = number(excess)[at] - taken.sum(axis=0) / unit  # keeps its digits where E/E_cr - 1 cancels
+    return curve._replace(w=w)
 
 
 def _parts(radians: NDArray[np.float64]) -> NDArray[np.int64]:
@@ -128,13 +94,13 @@ def _parts(radians: NDArray[np.float64]) -> NDArray[np.int64]:
     parts = 6 + np.minimum(_PER_RADIAN * radians, np.maximum(share, _LEAST)).astype(int)
     if len(parts) > 10 * RESOLVED:
         parts[RESOLVED:-RESOLVED] = 2  # speeds are largest about the middle of a stick phase
-    return parts
+    return np.asarray(parts)
 
 
 def force_of(piece: ExactPiece, t: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the force of one piece at times (s) of its own, N."""
-    coefficients = [float(one) for one in piece.polynomial] or [0.0]
-    found = np.polynomial.polynomial.polyval(t - float(piece.start), coefficients)
+    """Return the force of one piece at times (s) from its beginning, N."""
+    found = np.polynomial.polynomial.polyval(t, [float(one) for one in piece.polynomial] or [0.0])
     for sine in piece.sines:
-        found = found + float(sine.amplitude) * np.sin(float(sine.omega) * t + float(sine.phase))
+        phase = float(sine.omega * piece.start + sine.phase)
+        found = found + float(sine.amplitude) * np.sin(float(sine.omega) * t + phase)
     return np.asarray(found, dtype=float)

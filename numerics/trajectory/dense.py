@@ -1,17 +1,22 @@
-"""A trajectory at any time: which segment holds it, and that segment's closed form."""
+"""A trajectory at any time: which row's segment holds it, and the linear flow from that row's state."""
 
 from __future__ import annotations
 
-import bisect
 import operator
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, Literal
 
-from numerics.arithmetic.protocol import Number, Sign
-from numerics.motion.modes import Mode
-from numerics.motion.records import ReducedState
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.protocol import Number
+from numerics.linear.modes import MODES
+from numerics.trajectory.flow import Knots, losses, moved
+from numerics.trajectory.motions import Moving
+from numerics.trajectory.rows import Rows
 
 Side = Literal["left", "right"]
 
@@ -19,68 +24,167 @@ Side = Literal["left", "right"]
 class Dense:
     """The dense evaluation of one trajectory; to be used in its arithmetic's context."""
 
-    def __init__(self, trajectory: Any) -> None:
+    def __init__(self, trajectory: Rows) -> None:
         """Evaluate this trajectory."""
-        self._of, self._arithmetic = trajectory, trajectory.arithmetic
+        self.of, self.arithmetic = trajectory, trajectory.arithmetic
+        self.in_floats, self.is_ball = self.arithmetic.name == "float64", self.arithmetic.name == "ball"
+        self._motions: dict[int, Moving] = {}
 
-    def state(self, t: Any, side: Side) -> ReducedState:
-        """Return the reduced state at time t (s)."""
-        time = self.time(t)
-        tau = self._of.units[1] * time
-        segments = self._of.segments
-        states = [segments[i].state(tau - segments[i].start) for i in self._segments_at(time, tau, side)]
-        first, *rest = states
-        for other in rest:
-            first = ReducedState(*(one.union(two) for one, two in zip(first, other, strict=True)))
-        return first
-
-    def mode(self, t: Any, side: Side) -> Mode:
-        """Return the mode at time t (s); at an event the one on the given side."""
-        time = self.time(t)
-        found = self._segments_at(time, self._of.units[1] * time, side)
-        modes: tuple[Mode, ...] = self._of.modes
-        return modes[found[0 if side == "left" else -1]]
+    def times(self, t: Any) -> NDArray[Any]:
+        """Return times (s) as numbers of the arithmetic, in their shape. Raises ValueError outside [0, end]."""
+        given = np.asarray(t)
+        if self.in_floats and given.dtype.kind in "fiu":
+            given = given.astype(float)
+            end = self.of.end_time
+            wrong = given[~((given >= 0) & (given <= end))]
+            if wrong.size:
+                self._refuse(f"{wrong.flat[0]:g}")
+            return given
+        given = np.asarray(t, dtype=object)
+        found = np.empty(given.shape, dtype=float if self.in_floats else object)
+        for index in np.ndindex(given.shape):
+            found[index] = self.time(given[index])
+        return found
 
     def time(self, t: Any) -> Number:
-        """Return t as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
-        number, until = self._arithmetic.to_float, self._of.scene.until if self._of.reached else Fraction(0)
-        end, own = number(self._of.end_time), type(self._of.end_time)
-        if own is not float and isinstance(t, own):
-            if not 0 <= number(t) <= max(end, float(until)):
-                raise ValueError(f"t = {self._arithmetic.text(t)} s is outside the solved time [0, {end:g}] s")
+        """Return a time as a number of the arithmetic: exact from rationals and floats, its own numbers as they are."""
+        end, until = self.of.end_time, self.of.scene.until if self.of.reached else Fraction(0)
+        to_float = self.arithmetic.to_float
+        if not self.in_floats and isinstance(t, type(end)):
+            if not 0 <= to_float(t) <= max(to_float(end), float(until)):
+                self._refuse(self.arithmetic.text(t))
             return t
         exact = exact_time(t)
-        if not 0 <= exact <= max(until, Fraction(end)):
-            raise ValueError(f"t = {float(exact):g} s is outside the solved time [0, {end:g}] s; solve further")
-        return self._arithmetic.number(exact)
+        if not 0 <= exact <= max(until, Fraction(to_float(end))):
+            self._refuse(f"{float(exact):g}")
+        return self.arithmetic.number(exact)
+
+    def _refuse(self, t: str) -> None:
+        end = self.arithmetic.to_float(self.of.end_time)
+        raise ValueError(f"t = {t} s is outside the solved time [0, {end:g}] s")
+
+    def middle(self, x: Number) -> Number:
+        """Return x itself, or the midpoint of a ball: a float would not tell the ends of a short slip apart."""
+        return x.mid() if self.is_ball else x
 
     @cached_property
-    def _starts(self) -> list[Number]:
-        """Start times in s: as rounded as the times of the events, so that an event's own time finds its segments."""
-        times = self._of.event_times.tolist()
-        return [self._middle(time) for time in [self._arithmetic.number(0), *times][: len(self._of.segments)]]
+    def starts(self) -> NDArray[Any]:
+        """Return when each row's segment begins, s, as points: those of the events, so that each finds its segments."""
+        starts = self.of.row_times
+        return np.array([self.middle(one) for one in starts], dtype=object) if self.is_ball else starts
 
-    def _middle(self, x: Number) -> Number:
-        """Return x itself, or the midpoint of a ball: a float would not tell the ends of a short slip apart."""
-        return x.mid() if self._arithmetic.name == "ball" else x
+    def rows(self, times: NDArray[Any], side: Side) -> NDArray[np.int64]:
+        """Return the row whose segment holds each time; at an event that on the given side."""
+        points = np.array([self.middle(one) for one in times], dtype=object) if self.is_ball else times
+        return np.maximum(np.searchsorted(self.starts, points, side=side) - 1, 0)
 
-    def _segments_at(self, time: Number, tau: Number, side: Side) -> Sequence[int]:
-        """Return the index of the segment that holds a time (tau: the same, reduced), or all that balls leave open."""
-        find = bisect.bisect_right if side == "right" else bisect.bisect_left
-        first = last = max(0, find(self._starts, self._middle(time)) - 1)
-        if self._arithmetic.name == "ball":
-            while first > 0 and self._may_hold(first - 1, tau):
+    def states(self, t: Any, side: Side) -> NDArray[Any]:
+        """Return (x1, v1, x2, v2) at the times, shape (4, ...)."""
+        given = self.times(t)
+        times = given.ravel()
+        rows = self.rows(times, side)
+        if self.in_floats:
+            found = self.floats(rows, self.since(times, rows))
+        else:
+            found = np.empty((4, len(times)), dtype=object)
+            for at, (time, row) in enumerate(zip(times, rows.tolist(), strict=True)):
+                found[:, at] = _union([self.motion(one).after(since) for one, since in self._held(time, row)])
+        return found.reshape(4, *given.shape)
+
+    def excess(self, t: Any, side: Side) -> Number:
+        """Return E/E_cr - 1 at one time, accurate in itself, of a run that carries it; None where it does not.
+
+        What friction and viscosity took since the last event is subtracted from what it was there.
+        """
+        time = self.time(t)
+        row = int(self.rows(np.array([time], dtype=None if self.in_floats else object), side)[0])
+        carried, unit = self.of.columns.numbers("excess"), self.of.frame.critical_energy
+        if carried[row] is None or (self.of.bounded and carried[row] != carried[row]):  # nan
+            return None
+        if self.in_floats:
+            since = self.since(np.array([time]), np.array([row]))
+            knots = of_rows(self.of, np.array([row]))
+            return float(carried[row] - losses(self.of.scene.pair, self.of.pieces[0], knots, since)[:2].sum() / unit)
+        return _union(
+            [(carried[one] - sum(self.motion(one).losses(since)[:2]) / unit,) for one, since in self._held(time, row)]
+        )[0]
+
+    def since(self, times: NDArray[Any], rows: NDArray[np.int64]) -> NDArray[Any]:
+        """Return how long after the starts of their rows times are, s: the low halves keep short slips apart."""
+        starts = np.array([float(piece.start) for piece in self.of.pieces])
+        local, low = self.of.columns.halves("local")
+        return np.asarray(np.maximum((times - starts[self.of.row_pieces[rows]]) - local[rows] - low[rows], 0.0))
+
+    def _held(self, time: Number, row: int) -> list[tuple[int, Number]]:
+        """Return the rows that may hold a time (for balls all that are not excluded), and the time since each began."""
+        first = last = row
+        if self.is_ball:
+            while first > 0 and self._may_hold(first - 1, time):
                 first -= 1
-            while last < len(self._of.segments) - 1 and self._may_hold(last + 1, tau):
+            while last + 1 < len(self.starts) and self._may_hold(last + 1, time):
                 last += 1
-        return range(first, last + 1)
+        return [(one, time - self.of.row_times[one]) for one in range(first, last + 1)]
 
-    def _may_hold(self, index: int, tau: Number) -> bool:
-        """Return whether it is not excluded that segment `index` holds tau."""
-        segment, last = self._of.segments[index], index == len(self._of.segments) - 1
-        before = self._arithmetic.sign(tau - segment.start) is Sign.NEGATIVE
-        after = not last and self._arithmetic.sign(segment.end - tau) is Sign.NEGATIVE
-        return not before and not after
+    def _may_hold(self, row: int, time: Number) -> bool:
+        """Return whether it is not excluded that the segment of a row holds a time."""
+        starts, last = self.of.row_times, row == len(self.starts) - 1
+        return not time < starts[row] and (last or not starts[row + 1] < time)
+
+    def motion(self, row: int) -> Moving:
+        """Return the motion of a row's segment; not for binary64."""
+        if row not in self._motions:
+            of = self.of
+            start = of.row_times[row], of.row_states[:, row].tolist()
+            piece = of.pieces[of.row_pieces[row]]
+            self._motions[row] = Moving(self.arithmetic, of.scene.pair, piece, int(of.row_signs[row]), start)
+        return self._motions[row]
+
+    def floats(self, rows: NDArray[np.int64], since: NDArray[Any]) -> NDArray[np.float64]:
+        """Return the states at times after the starts of rows, in binary64, shape (4, n)."""
+        found, of = of_rows(self.of, rows), self.of
+        for piece in np.unique(of.row_pieces[rows]):
+            chosen = of.row_pieces[rows] == piece
+            knots = Knots(*(part[..., chosen] for part in found))
+            found.y[:, chosen] += moved(of.scene.pair, of.pieces[piece], knots, since[chosen])
+        return found.y
+
+    def after(self, rows: range, since: Number) -> tuple[Number, Number, Number, Number]:
+        """Return the state at `since` (s) after the start of a segment that consists of rows."""
+        row = rows[0]
+        for later in rows[1:]:  # pieces of force begin within
+            before = self.of.row_lengths[row]
+            if self.middle(since) <= self.middle(before):
+                break
+            row, since = later, since - before
+        if self.in_floats:
+            x1, v1, x2, v2 = self.floats(np.array([row]), np.array([since]))[:, 0].tolist()
+            return x1, v1, x2, v2
+        return self.motion(row).after(since)
+
+    def mode(self, t: Any, side: Side) -> Any:
+        """Return the modes at the times: a Mode, or an object array."""
+        given = self.times(t)
+        rows = self.rows(given.ravel(), side)
+        found = np.empty(len(rows), dtype=object)
+        found[:] = [MODES[self.of.row_signs[row]] for row in rows]
+        return found[0] if given.ndim == 0 else found.reshape(given.shape)
+
+
+def _union(found: list[tuple[Number, ...]]) -> tuple[Number, ...]:
+    """Return the unions of what several rows say, number by number; mostly there is one row."""
+    first, *rest = found
+    for other in rest:
+        first = tuple(one.union(two) for one, two in zip(first, other, strict=True))
+    return first
+
+
+def of_rows(trajectory: Rows, rows: NDArray[np.int64]) -> Knots:
+    """Return rows of any trajectory in binary64."""
+    number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+    local, y = trajectory.columns.numbers("local")[rows], trajectory.row_states[:, rows]
+    if local.dtype == object and len(rows):
+        local, y = number(local), number(y)
+    return Knots(trajectory.row_signs[rows].astype(float), local.astype(float), y.astype(float))
 
 
 def exact_time(t: Any) -> Fraction:
@@ -91,3 +195,15 @@ def exact_time(t: Any) -> Fraction:
         return Fraction(t if isinstance(t, str) else operator.index(t))
     except (TypeError, ValueError, OverflowError, ZeroDivisionError):
         raise ValueError(f"t = {str(t)[:40]!r} is not a time in seconds; give a finite number >= 0") from None
+
+
+def sorted_times(dense: Dense, t_eval: Sequence[Any]) -> NDArray[Any]:
+    """Return times that were asked for as numbers of the arithmetic. Raises ValueError unless they are in order."""
+    if np.ndim(t_eval) != 1:
+        raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
+    times = dense.times(t_eval)
+    points = [dense.middle(one) for one in times]
+    for k, (one, two) in enumerate(pairwise(points), start=1):
+        if two < one:
+            raise ValueError(f"t_eval[{k}] comes after a later time; put the times in order")
+    return times

@@ -16,8 +16,9 @@ from numerics.arithmetic.protocol import Number
 from numerics.errors import MissingTool
 from numerics.files import whole_file
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
-from numerics.trajectory.digits import rounding_of
+from numerics.trajectory.digits import MOST_DIGITS, ROUNDING
 from numerics.trajectory.rendering import ball_text, right_digits_text
+from numerics.trajectory.solution import Solution
 
 STATE_NAMES = ("x1", "v1", "x2", "v2")
 END_NAMES = (*STATE_NAMES, "energy", "energy_excess")
@@ -26,14 +27,14 @@ Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
 
 
-def knows_its_digits(trajectory: Any) -> bool:
+def knows_its_digits(trajectory: Solution) -> bool:
     """Return whether radii or error bounds say which digits of a trajectory are right."""
     if trajectory.arithmetic.name == "ball":
         return True
     return trajectory.accuracy is not None and trajectory.accuracy.bounded
 
 
-def as_record(trajectory: Any, truth: Any = None, events: Iterable[int] | None = None) -> dict[str, Any]:
+def as_record(trajectory: Solution, truth: Any = None, events: Iterable[int] | None = None) -> dict[str, Any]:
     """Return a trajectory as the JSON object of the interface: decimal strings of right digits, radii beside balls.
 
     `truth`, a solve of the same scene in balls, says which digits are right where no radius and no bound does. `events`
@@ -52,15 +53,15 @@ def as_record(trajectory: Any, truth: Any = None, events: Iterable[int] | None =
         }
 
 
-def right_digits(trajectory: Any) -> int:
+def right_digits(trajectory: Solution) -> int:
     """Return the right digits that were asked for, else those of the error bounds, else the arithmetic's."""
     if trajectory.digits is not None:
         return trajectory.digits
     return trajectory.arithmetic.digits if trajectory.accuracy is None else trajectory.accuracy.digits
 
 
-def _events(trajectory: Any, write: Writer, wanted: Iterable[int] | None) -> Iterator[Written]:
-    for index in range(len(trajectory.events)) if wanted is None else wanted:
+def _events(trajectory: Solution, write: Writer, wanted: Iterable[int] | None) -> Iterator[Written]:
+    for index in range(trajectory.record.events) if wanted is None else wanted:
         event = trajectory.events[index]
         row = write("t", event.t, index) | {"from": event.before.value, "to": event.after.value}
         if trajectory.scene.is_forced:
@@ -70,18 +71,18 @@ def _events(trajectory: Any, write: Writer, wanted: Iterable[int] | None) -> Ite
         yield row
 
 
-def _final(trajectory: Any, write: Writer) -> Written:
+def _final(trajectory: Solution, write: Writer) -> Written:
     row = write("t", trajectory.end_time, -1) | {"mode": trajectory.final_mode.value}
     for name, value in zip(END_NAMES, _end_values(trajectory), strict=True):
         row |= write(name, value, -1)
     return row
 
 
-def _end_values(trajectory: Any) -> tuple[Number, ...]:
+def _end_values(trajectory: Solution) -> tuple[Number, ...]:
     return *trajectory.final_state, trajectory.final_energy, trajectory.final.w
 
 
-def _writer(trajectory: Any, truth: Any) -> Writer:
+def _writer(trajectory: Solution, truth: Any) -> Writer:
     if trajectory.arithmetic.name == "ball":
         return _ball_writer(trajectory.digits or trajectory.arithmetic.digits)
     if truth is not None:
@@ -90,7 +91,7 @@ def _writer(trajectory: Any, truth: Any) -> Writer:
         return _bounded_writer(trajectory)
     raise ValueError(
         f"this trajectory in {trajectory.arithmetic.name} does not know which of its digits are right; "
-        'give truth=solve(scene, arithmetic="ball", digits=...)'
+        "give `truth`, a solve of the same scene in balls"
     )
 
 
@@ -102,9 +103,10 @@ def _ball_writer(digits: int) -> Writer:
     return write
 
 
-def _bounded_writer(trajectory: Any) -> Writer:
+def _bounded_writer(trajectory: Solution) -> Writer:
     """Return a writer that cuts each number by its error bound."""
-    accuracy, (rounding, most) = trajectory.accuracy, rounding_of(trajectory)
+    accuracy, name_of = trajectory.accuracy, trajectory.arithmetic.name
+    rounding, most = ROUNDING[name_of], MOST_DIGITS[name_of]
     assert accuracy is not None
     final = dict(zip(END_NAMES, (*accuracy.final, accuracy.energy, accuracy.energy_excess), strict=True))
 
@@ -121,7 +123,7 @@ def _bounded_writer(trajectory: Any) -> Writer:
     }
 
 
-def _compared_writer(trajectory: Any, truth: Any) -> Writer:
+def _compared_writer(trajectory: Solution, truth: Any) -> Writer:
     """Return a writer that cuts each number where it parts from the true one."""
     require_same_sequence(trajectory, truth)
     most = 17 if trajectory.arithmetic.name == "float64" else trajectory.arithmetic.digits
@@ -150,7 +152,7 @@ def as_csv(record: dict[str, Any]) -> str:
     return buffer.getvalue()
 
 
-def arrays(trajectory: Any) -> dict[str, NDArray[Any]]:
+def arrays(trajectory: Solution) -> dict[str, NDArray[Any]]:
     """Return t (m,), y (4, m), energy and energy_excess (m,), modes and event_kinds; numbers in binary64."""
     with trajectory.arithmetic.context():
         number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
@@ -164,25 +166,23 @@ def arrays(trajectory: Any) -> dict[str, NDArray[Any]]:
         }
 
 
-def _excess(trajectory: Any) -> NDArray[Any]:
+def _excess(trajectory: Solution) -> NDArray[Any]:
     """Return E/E_cr - 1 at `t`."""
     if trajectory.t_eval is not None:
-        found = [trajectory.reduced(one).w for one in trajectory.t_eval]
+        found = [trajectory.reduced(one).w for one in trajectory.t]
     else:
         end = [trajectory.final.w] if trajectory.reached else []
-        forced = trajectory.scene.is_forced  # whose record has no w
-        events = [one.reduced.w for one in trajectory.events] if forced else trajectory.record.numbers("w")
-        found = [trajectory.initial.w, *events, *end]
+        found = [trajectory.initial.w, *(event.reduced.w for event in trajectory.events), *end]
     return np.array(found, dtype=object)
 
 
-def write_npz(trajectory: Any, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
+def write_npz(trajectory: Solution, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
     """Write the `arrays` of a trajectory, and `extra` ones by their names, as a NumPy archive."""
     with whole_file(path) as file:
         np.savez(file, **(arrays(trajectory) | (extra or {})))  # type: ignore[arg-type]
 
 
-def dataframe(trajectory: Any) -> Any:
+def dataframe(trajectory: Solution) -> Any:
     """Return t, mode, x1, v1, x2, v2, energy and energy_excess at `t` as a pandas DataFrame, numbers in binary64.
 
     The mode at an event is the one after it. Raises MissingTool.

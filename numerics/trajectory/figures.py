@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from numerics.errors import MissingTool
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from numerics.trajectory.curve import Curve, sampled
+from numerics.trajectory.solution import Solution
 
 BLUE, ORANGE, GREEN, GRAY = "#0072B2", "#D55E00", "#009E73", "#999999"
 """Colours that are told apart without red and green."""
@@ -23,7 +24,7 @@ _MOST_SHADED = 1000
 """Stick phases beyond this number are narrower than a pixel: then none is shaded, and time is drawn logarithmically."""
 
 
-def draw(trajectory: Any, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
+def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = None) -> Any:
     """Draw into matplotlib axes, new ones if none are given, and return them.
 
     Kinds: "velocities" and "positions" of both bodies against time; "load", the friction that sticking needs, and what
@@ -62,7 +63,7 @@ def _new_axes() -> Any:
     return plt.subplots(layout="constrained")[1]
 
 
-def _against_time(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _against_time(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Label the time axis; of thousands of phases the first ones would be too narrow to see on a linear one."""
     ax.set_xlabel("t (s)")
     if trajectory.modes.count(Mode.STICK) > _MOST_SHADED:
@@ -72,14 +73,14 @@ def _against_time(trajectory: Any, curve: Curve, ax: Any) -> None:
         ax.set_xlim(curve.t[0], curve.t[-1])
 
 
-def _shade_stick(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _shade_stick(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Shade the times at which the bodies stick, over the whole height of the axes."""
     if curve.stick.any() and trajectory.modes.count(Mode.STICK) <= _MOST_SHADED:
         across = ax.get_xaxis_transform()
         ax.fill_between(curve.t, 0, 1, where=curve.stick, transform=across, color=GRAY, alpha=0.25, lw=0, label="stick")
 
 
-def _mark_events(trajectory: Any, ax: Any, across: int | None, up: int) -> None:
+def _mark_events(trajectory: Solution, ax: Any, across: int | None, up: int) -> None:
     """Mark the events at row `up` of y, against row `across` of it, or against time."""
     number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
     if len(trajectory.events) > _MOST_MARKED:
@@ -90,14 +91,14 @@ def _mark_events(trajectory: Any, ax: Any, across: int | None, up: int) -> None:
             ax.plot(x, number(y[:, up]), marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
-def _velocities(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _velocities(trajectory: Solution, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.y[1], **FIRST)
     ax.plot(curve.t, curve.y[3], **SECOND)
     _mark_events(trajectory, ax, None, 1)
     ax.set_ylabel("$v_1$, $v_2$ (m/s)")
 
 
-def _positions(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
     scene = trajectory.scene
     ax.plot(curve.t, curve.y[0], **FIRST)
     ax.plot(curve.t, curve.y[2], **SECOND)
@@ -109,13 +110,13 @@ def _positions(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.set_ylabel("$x_1$, $x_2$ (m)")
 
 
-def _load(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _load(trajectory: Solution, curve: Curve, ax: Any) -> None:
     ax.fill_between(curve.t, -curve.b, curve.b, color=GREEN, alpha=0.2, lw=0, label="friction can give this")
     ax.plot(curve.t, curve.load(trajectory.scene.pair), color="black", lw=1.2, label="sticking needs this")
     ax.set_ylabel("force on body 2 (N)")
 
 
-def _force(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _force(trajectory: Solution, curve: Curve, ax: Any) -> None:
     ax.plot(curve.t, curve.u, color=BLUE, lw=1.2)
     jumps = [event.t for event in trajectory.events if event.cause == "jump"]
     for number, t in enumerate(jumps if len(trajectory.events) <= _MOST_MARKED else ()):
@@ -124,7 +125,7 @@ def _force(trajectory: Any, curve: Curve, ax: Any) -> None:
     ax.set_ylabel("u (N)")
 
 
-def _phase(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw x1 against v1: on S, where v1 = v2, with a full line, in slip with a thin one."""
     for kept, color, width, dashes, label in (
         (~curve.stick, ORANGE, 0.8, "--", "slip"),
@@ -174,7 +175,7 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
     ax.set_ylabel(r"$|E/E_{cr} - 1|$")
 
 
-def _energy(trajectory: Any, curve: Curve, ax: Any) -> None:
+def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw the ledger: what is left, what friction took and what viscosity took, on top of each other."""
     pair = trajectory.scene.pair
     if trajectory.scene.is_forced:

@@ -30,7 +30,7 @@ class Status(IntEnum):
 _SENTENCES = {
     Status.REACHED_HORIZON: "reached the horizon",
     Status.STUCK_FOR_EVER: "reached the horizon; the pair has stuck for ever",
-    Status.EVENT_LIMIT: "stopped at the cap on events before the horizon; raise max_events",
-    Status.OUT_OF_RANGE: "left the range of float64; use solve(scene, digits=...)",
-    Status.SEQUENCE_OPEN: "the error bounds leave the sequence of events open; use solve(scene, digits=...)",
+    Status.EVENT_LIMIT: "stopped at the cap on events before the horizon; raise the cap max_events",
+    Status.OUT_OF_RANGE: "left the range of float64; ball arithmetic has none",
+    Status.SEQUENCE_OPEN: "the error bounds leave the sequence of events open; ask for digits, or for ball arithmetic",
 }

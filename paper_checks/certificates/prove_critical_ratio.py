@@ -14,9 +14,8 @@ from typing import Any
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import depth_and_cotangent, sine_deficit, versine
-from numerics.contact.enclosed import enclosed_contact
+from numerics.arithmetic.ball import Ball, depth_and_cotangent, sine_deficit, versine
+from numerics.free.contact import contact
 from paper_checks import atomic
 from paper_checks.engines.balls import point, precision
 from paper_checks.engines.roots import enclosed_root
@@ -130,7 +129,7 @@ def band(share: Fraction, excess: Fraction) -> dict[str, Any] | None:
 
 def _bracket(gap: arb, push: arb) -> tuple[Fraction, Fraction] | None:
     """Return two angles that the end of every slip in the box is proved to lie between."""
-    middle = Fraction(str(round(float(enclosed_contact(gap.mid().max(arb(0)), push.mid()).theta.mid()), 9)))
+    middle = Fraction(str(round(float(contact(gap.mid().max(arb(0)), push.mid())[0].mid()), 9)))
     for exponent in range(20, 4, -1):
         width = Fraction(1, 2**exponent).limit_denominator(10**7)
         low, high = middle - width, middle + width

@@ -124,8 +124,8 @@ def _leaves_surface(branch, context: Context) -> Evidence:  # type: ignore[no-un
 @check("viscous-no-direct-effect")
 def viscous_no_direct_effect(context: Context) -> Finding:
     """Show that the sliding region and the adhesion force depend on a1."""
-    from numerics.motion.begin import mode_at_start
-    from numerics.motion.modes import Mode
+    from numerics.linear.exact_start import mode_at_start
+    from numerics.linear.modes import Mode
     from numerics.scene import Pair, Scene, State
     from paper_checks.evidence.evidence import EvidenceKind
 

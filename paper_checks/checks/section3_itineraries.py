@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.trajectory.status import Status

@@ -7,7 +7,7 @@ from fractions import Fraction
 import sympy as sp
 from flint import arb
 
-from numerics.motion.modes import EventKind
+from numerics.linear.modes import EventKind
 from numerics.scene.file import load_scene
 from paper_checks.checks.registry import Context, check
 from paper_checks.engines.enclosure import solved, within
@@ -98,9 +98,9 @@ def slip_durations(context: Context) -> Finding:
 def _enclosed_durations(w: Fraction = Fraction(1, 10**12)) -> Evidence:
     """Enclose slip and stick at one small excess: slip within 1e-5 of 3 sqrt(w), stick within 1e-5 of pi."""
     from numerics.arithmetic.ball import Ball
-    from numerics.long_time.excursion_map import excursions
-    from numerics.motion.frame import Frame
+    from numerics.free.excursions import excursions
     from numerics.scene import Pair
+    from numerics.trajectory.reduced import Frame
 
     arithmetic = Ball(40)
     with arithmetic.context():

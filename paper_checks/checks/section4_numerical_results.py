@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import sympy as sp
 
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from numerics.scene import Law, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory

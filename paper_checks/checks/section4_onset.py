@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
 from paper_checks.checks.registry import Context, check
 from paper_checks.engines.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text

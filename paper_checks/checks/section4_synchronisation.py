@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from flint import arb
 
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.checks.registry import Context, check
 from paper_checks.checks.section4_velocities import first_contact, literal_reading

@@ -9,7 +9,7 @@ from itertools import pairwise
 import sympy as sp
 from flint import arb
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene import Law
 from paper_checks.checks.registry import Context, check
 from paper_checks.engines.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within

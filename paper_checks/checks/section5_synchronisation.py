@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sp
 from numpy.typing import NDArray
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene import Pair, Scene
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve

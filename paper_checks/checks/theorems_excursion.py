@@ -6,9 +6,9 @@ from fractions import Fraction
 from itertools import islice
 
 from numerics.arithmetic.ball import Ball
-from numerics.long_time.excursion_map import excursions
-from numerics.motion.frame import Frame
+from numerics.free.excursions import excursions
 from numerics.scene import Pair
+from numerics.trajectory.reduced import Frame
 from paper_checks.checks.registry import Context, check
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict, conclude

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from paper_checks.drawing.style import new_figure, solved
 from paper_checks.engines.euler_in_balls import STEPS, run
 

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sympy import lambdify
 
-from numerics.merging.cell import CRITICAL_SHARE
+from numerics.free.merging import CRITICAL_SHARE
 from paper_checks.drawing.style import new_figure
 from theory.excursion import h
 from theory.return_map import depth, depth_series

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.drawing.style import MM, MODE_COLOURS, marker_style, new_figure, segment_samples, solved
 

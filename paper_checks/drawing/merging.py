@@ -12,9 +12,8 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from numerics.merging.cell import CRITICAL_SHARE
-from numerics.merging.figure import COLOURS, LABELS, raster
-from numerics.merging.map import MergingMap, Window, merging_cells
+from numerics.free.merging import CRITICAL_SHARE
+from numerics.free.merging_map import COLOURS, LABELS, MergingMap, Window, merging_cells
 from paper_checks.drawing.style import new_figure
 from paper_checks.steps.merging_bands import MERGES, SPEEDS, decided, start
 from paper_checks.steps.merging_share import by_quadrature
@@ -31,7 +30,7 @@ def merging_map() -> Figure:
     axes = figure.subplots()
     (left, right), (low, high) = ((float(one) for one in side) for side in chart.window.rectangle)
     across, upwards = (np.geomspace(*ends, 2**DEPTH + 1) for ends in ((left, right), (low, high)))
-    cells = raster(chart)
+    cells = chart.raster()
     for index, colour in enumerate(COLOURS.values()):
         corners = [
             [(across[n], upwards[a]), (across[n + 1], upwards[a]), (across[n + 1], upwards[b]), (across[n], upwards[b])]

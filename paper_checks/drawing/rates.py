@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from sympy import lambdify
 
-from numerics.motion.modes import EventKind
+from numerics.linear.modes import EventKind
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from paper_checks.drawing.style import new_figure

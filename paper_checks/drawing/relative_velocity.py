@@ -7,7 +7,7 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.drawing.style import BODY_2, MM, SLIDING, STEP_TEXT, euler, new_figure, samples, solved
 

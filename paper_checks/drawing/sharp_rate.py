@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 from matplotlib.figure import Figure
 
-from numerics.long_time.energy import energy_at
+from numerics.free.energy import energy_at
 from numerics.scene import Pair
 from numerics.scene.file import load_scene
 from paper_checks.drawing.style import new_figure

@@ -15,7 +15,7 @@ from matplotlib import style as mpl_style
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve

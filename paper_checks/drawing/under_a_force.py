@@ -10,15 +10,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.again import transfer_again
-from numerics.control.figures import REGIME_COLOURS, draw_thresholds, draw_tracking, drift_of_orbits
+from numerics.control.answers import solved_again
 from numerics.control.orbit import Drive, Orbit, solve_orbit
+from numerics.control.pictures import REGIME_COLOURS, draw_ring, draw_thresholds, draw_tracking, draw_transfer
 from numerics.control.response import response, steady_drive
 from numerics.control.ring import ring_entry
-from numerics.control.ring_figure import draw_ring
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
-from numerics.control.transfer_figure import draw_transfer
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.file import load_reference, load_scene
 from numerics.solver.solve import solve
@@ -83,7 +81,7 @@ def tracked_reference() -> Figure:
 def transfer() -> Figure:
     """Draw the fastest transfer over 1 mm with a force of at most 1.08 N: body 1 runs ahead, and is met at half time."""
     found = fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08")
-    solved = transfer_again(found)
+    solved = solved_again(found)
     assert solved is not None
     return draw_transfer(found, solved)
 
@@ -100,7 +98,7 @@ def harmonics(shares: tuple[Fraction, ...] = SHARES) -> Iterator[Orbit]:
     for share in shares:
         first = drive.piece.sines[0]
         sines = [first, Sine(share * first.amplitude, 2 * first.omega, 1)]
-        changed = Drive(drive.pair, drive.b, Piece(0, (), sines), drive.frequency)
+        changed = Drive(drive.pair, Piece(0, (), sines))
         with Ball(20).context():
             found = solve_orbit(Orbit(changed, found.legs))
         yield found
@@ -111,7 +109,8 @@ def drift_against_asymmetry() -> Figure:
     figure = new_figure(6, 3.8)
     ax = figure.subplots()
     orbits = list(harmonics())
-    drift = 1000 * drift_of_orbits(orbits[0].drive, orbits)
+    with Ball(16).context():
+        drift = [1000 * float(one.travel / one.drive.period) for one in orbits]
     ax.plot([float(one) for one in SHARES], drift, "o-", color=BODY_2, ms=3, label="proved periodic motions")
     ax.axhline(0, color="#777777", lw=0.7)
     ax.legend()

@@ -8,7 +8,7 @@ from functools import lru_cache
 from flint import arb, fmpq
 from sympy import Expr, Rational
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene import Scene
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from numerics.trade.recorded import RecordedTrade
+    from numerics.trade.recorded import Trade
     from paper_checks.ledger import Claim
     from paper_checks.report.content.blocks import Section
     from paper_checks.report.content.document import Document
@@ -87,9 +87,7 @@ def report(
     return exit_code(rows) or (UNCHECKED if complaints else 0)
 
 
-def _written(
-    options: argparse.Namespace, rows: Sequence[Row], trade: RecordedTrade, complaints: list[str]
-) -> list[Path]:
+def _written(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, complaints: list[str]) -> list[Path]:
     """Write each form, as it was made before or anew, and return the main files. Raises OSError, ToolMissingError."""
     from paper_checks.report.output.finished import Finished, name_of, placed
 
@@ -116,7 +114,7 @@ def _written(
 def _drawable(
     options: argparse.Namespace,
     rows: Sequence[Row],
-    trade: RecordedTrade,
+    trade: Trade,
     wanted: Sequence[str],
     complaints: list[str],
     kept: Finished | None,
@@ -139,13 +137,13 @@ def _drawable(
 
 def _sections_and_pictures(
     options: argparse.Namespace,
-    trade: RecordedTrade,
+    trade: Trade,
     wanted: Sequence[str],
     chapters: Sequence[str],
     pictures: Pictures,
 ) -> dict[str, Section]:
     """Make the chapters, which are returned by name, and all figures that are missing for the forms that are wanted."""
-    from numerics.batch.parallel import available_cores
+    from numerics.tasks import available_cores
     from paper_checks.report.content.blocks import Section
     from paper_checks.report.formats import progress
     from paper_checks.report.output.files import FIGURES_OF

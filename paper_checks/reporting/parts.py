@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
 
-from numerics.trade.recorded import RecordedTrade
+from numerics.trade.recorded import Trade
 from paper_checks.drawing.figures import FIGURES
 from paper_checks.drawing.style import Figures
 from paper_checks.report.content import under_a_force
@@ -18,7 +18,7 @@ from paper_checks.report.output.pictures import Undrawn, drawn
 from paper_checks.running import processes
 from paper_checks.speed import section
 
-LONGEST = ("merging-map", "euler-convergence", "growth-of-cost", "work-precision")
+LONGEST = ("merging-map", "euler-convergence", "work-precision")
 """Figures that take longest, the longest first: it stands at the end, as processes begin at both ends."""
 
 
@@ -42,17 +42,17 @@ Made = Section | Mapping[str, bytes | Undrawn]
 """A chapter, or the files of a figure by form."""
 
 
-def chapters(trade: RecordedTrade) -> dict[str, Callable[[], Section]]:
+def chapters(trade: Trade) -> dict[str, Callable[[], Section]]:
     """Return how the chapters after the rows are made, by anchor, in their order."""
     return {under_a_force.ID: under_a_force.section, section.ID: lambda: section.section(trade)}
 
 
-def figures(trade: RecordedTrade) -> Figures:
+def figures(trade: Trade) -> Figures:
     """Return how every figure is drawn, by name."""
     return {**FIGURES, **under_a_force.figures(), **section.figures(trade)}
 
 
-def made(parts: Sequence[Part], trade: RecordedTrade, jobs: int = 1) -> Iterator[tuple[Part, Made]]:
+def made(parts: Sequence[Part], trade: Trade, jobs: int = 1) -> Iterator[tuple[Part, Made]]:
     """Yield each part as soon as it is made, in any order; with one job they are made in this process."""
     if min(jobs, len(parts)) < 2:
         yield from ((part, _made(part, trade)) for part in parts)
@@ -69,13 +69,13 @@ def _place(part: Part) -> int:
     return len(LONGEST) - LONGEST.index(part.name) if part.name in LONGEST else 0
 
 
-def _made(part: Part, trade: RecordedTrade) -> Made:
+def _made(part: Part, trade: Trade) -> Made:
     if isinstance(part, Chapter):
         return chapters(trade)[part.name]()
     return {form: drawn(figures(trade), part.name, form) for form in part.forms}
 
 
-def _here(part: Part, trade: RecordedTrade, ended: processes.Ended) -> Made:
+def _here(part: Part, trade: Trade, ended: processes.Ended) -> Made:
     """Return what stands for a part whose process ended: a chapter made here, which then says what is wrong with it."""
     if isinstance(part, Chapter):
         return _made(part, trade)
@@ -83,6 +83,6 @@ def _here(part: Part, trade: RecordedTrade, ended: processes.Ended) -> Made:
     return dict.fromkeys(part.forms, Undrawn(why))
 
 
-def _serve(connection: Connection, trade: RecordedTrade) -> None:
+def _serve(connection: Connection, trade: Trade) -> None:
     """Make the parts that come by the connection, until it is closed."""
     processes.serve_each(connection, lambda part: _made(part, trade))

@@ -9,7 +9,7 @@ import pkgutil
 def begin_for(options: argparse.Namespace) -> None:
     """Let another process load the checks as early as can be, where all rows will be decided in several."""
     if options.program and not options.ids and options.jobs != 1:
-        from numerics.batch.parallel import available_cores
+        from numerics.tasks import available_cores
         from paper_checks.running.kept import Kept
 
         if (options.jobs or available_cores()) > 1 and (options.fresh or Kept(options.seed).is_empty()):

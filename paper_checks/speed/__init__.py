@@ -1,1 +1,1 @@
-"""Speed and accuracy: a recorded trade read for advice, and what forward Euler makes of the paper's figures."""
+"""The report's chapter on speed and accuracy: written sentences, their numbers filled in from a recorded trade."""

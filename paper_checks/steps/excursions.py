@@ -10,9 +10,9 @@ import sympy as sp
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.long_time.excursion_map import excursions
-from numerics.motion.frame import Frame
+from numerics.free.excursions import excursions
 from numerics.scene import Pair
+from numerics.trajectory.reduced import Frame
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.solvers.smt import prove

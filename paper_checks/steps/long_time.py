@@ -9,8 +9,8 @@ import sympy as sp
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.long_time.energy import energy_at
-from numerics.motion.modes import Mode
+from numerics.free.energy import energy_at
+from numerics.linear.modes import Mode
 from numerics.scene import Pair, Scene, State
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
@@ -104,7 +104,7 @@ def constant_found_again(share: Fraction, speed: Fraction) -> Evidence:
         text = f"K = {last.str(20)}; less that at 1e6: {(early - last).str(5)}, at 1e12: {(late - last).str(5)}"
     return Evidence(
         EvidenceKind.ENCLOSURE,
-        "numerics.long_time.energy, balls",
+        "numerics.free.energy, balls",
         f"$q={share}$, from $x_1=0$ with $E/E_{{cr}}={speed**2}$: $K$ from the exits after $\\tau=10^6$, $10^{{12}}$, $10^{{100}}$ is the same number, with "
         "differences that fall as $\\tau^{-1/2}$",
         agree,

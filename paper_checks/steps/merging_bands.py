@@ -8,7 +8,7 @@ from itertools import groupby
 
 from flint import arb
 
-from numerics.motion.modes import EventKind
+from numerics.linear.modes import EventKind
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
@@ -49,8 +49,7 @@ def decided(pair: Pair, at: State) -> str:
         run = solve(Scene(pair, at, until))
         if run.status is Status.STUCK_FOR_EVER:
             return MERGES
-        excess = run.record.numbers("w")
-        if any(kind is EventKind.EXIT and 0 < w < level for kind, w in zip(run.event_kinds, excess, strict=True)):
+        if any(one.kind is EventKind.EXIT and 0 < one.reduced.w < level for one in run.events):
             return CREEPS
     return ""
 

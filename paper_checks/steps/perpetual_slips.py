@@ -10,8 +10,8 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
-from numerics.motion.modes import EventKind
-from numerics.trajectory.segment import Event
+from numerics.linear.modes import EventKind
+from numerics.trajectory.events import Event
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.engines.enclosure import ball, compare, exact
 from paper_checks.engines.exact import identity

@@ -9,12 +9,11 @@ from functools import cache
 import sympy as sp
 from flint import arb
 
-from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.ball_words import depth_and_cotangent, sine_deficit, versine
-from numerics.long_time.energy import energy_at
-from numerics.long_time.excursion_map import excursions
-from numerics.motion.frame import Frame
+from numerics.arithmetic.ball import Ball, depth_and_cotangent, sine_deficit, versine
+from numerics.free.energy import energy_at
+from numerics.free.excursions import excursions
 from numerics.scene import Pair, Scene, State
+from numerics.trajectory.reduced import Frame
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.formula import form, stating
@@ -73,7 +72,7 @@ def enclosed_limit(share: Fraction, speed: Fraction, time: str, tolerance: Fract
         near = abs(scaled - 1) < _number(tolerance)
     return Evidence(
         EvidenceKind.ENCLOSURE,
-        "numerics.long_time.energy, balls",
+        "numerics.free.energy, balls",
         f"$q={share}$, from $x_1=0$ with $E/E_{{cr}}={speed**2}$: at $\\Omega t={float(Fraction(time)):g}$ the ratio of $t\\,(E-E_{{cr}})$ to its limit "
         f"is within {float(tolerance):g} of 1",
         bool(near),

@@ -9,7 +9,7 @@ from functools import cache
 import sympy as sp
 from flint import acb, arb, fmpq, fmpq_series
 
-from numerics.long_time.abel import AbelFunctions
+from numerics.free.abel import AbelFunctions
 from paper_checks.engines.balls import point, precision, terms
 from paper_checks.engines.exact import identity
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
@@ -165,7 +165,7 @@ def cycle_time() -> tuple[Evidence, ...]:
         ),
         Evidence(
             EvidenceKind.EXACT,
-            "sympy and numerics.long_time.abel",
+            "sympy and numerics.free.abel",
             f"all coefficients up to $\\varepsilon^{highest}$ agree between two programs for $q={', '.join(map(str, SHARES))}$",
             agree and highest >= 5,
             tried,

@@ -8,10 +8,10 @@ from itertools import pairwise
 
 from flint import arb
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene import Pair, Scene
 from numerics.scene.file import load_scene
-from numerics.trajectory.segment import Segment
+from numerics.trajectory.events import Segment
 from numerics.trajectory.trajectory import Trajectory
 
 TEETH = 10
@@ -52,9 +52,7 @@ def _slips(trajectory: Trajectory) -> int:
 
 def _ends(trajectory: Trajectory, segment: Segment) -> tuple[tuple[arb, arb], tuple[arb, arb]]:
     """Return (x1, v1) at both ends of a segment, SI."""
-    frame = trajectory.frame
-    states = [segment.state(tau) for tau in (frame.arithmetic.number(0), segment.length)]
-    first, last = (frame.si_state(state)[:2] for state in states)
+    first, last = (segment.state(since)[:2] for since in (trajectory.arithmetic.number(0), segment.length))
     return first, last
 
 
@@ -65,7 +63,7 @@ def peak_after_adhesion(trajectory: Trajectory) -> arb:
         for segment in trajectory.segments[_slips(trajectory) + 1 :]:
             (x, v), (end, _) = _ends(trajectory, segment)
             if segment.mode is Mode.STICK and x < 0 < end and v > 0:
-                return frame.speed * (1 + segment.state(frame.arithmetic.number(0)).w).sqrt()
+                return frame.speed * (1 + trajectory.reduced(segment.start).w).sqrt()
     raise ValueError("no such stick phase in the solved time; solve further")
 
 

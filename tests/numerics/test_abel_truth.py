@@ -9,10 +9,10 @@ from flint import arb
 
 from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball
-from numerics.long_time.abel import AbelFunctions
-from numerics.long_time.energy import Road, energy_at
-from numerics.long_time.excursion_map import excursions
-from numerics.motion.frame import Frame
+from numerics.free.abel import AbelFunctions
+from numerics.free.energy import Road, energy_at
+from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
 
 FAR = 400
 """Excursions after which a function of any order is known to many more digits than at the start."""
@@ -26,21 +26,24 @@ in_200_digits = cache(AbelFunctions)
 def test_low_orders_enclose_the_truth(share, order, part):
     """From the rim of what is certified far inwards, where a bound with a zero of too high an order is too small.
 
-    The truth is that of order 24 after many excursions: alpha(y) = alpha(y_n) - n and beta(y) = beta(y_n) - time.
+    The truth is that of order 24 after many excursions: alpha(y) = alpha(y_n) - n, beta(y) = beta(y_n) - time, and
+    slide(y) = (y - y_1) - (y_1 - y_2) + ... + slide(y_n), n being even.
     """
     arithmetic = Ball(200)
     with arithmetic.context():
         functions, exact = in_200_digits(share, order), in_200_digits(share, 24)
         y = arithmetic.number(functions.largest_argument * part)
         frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
-        time, after = arb(0), frame.q * y
+        time, after, slid, side = arb(0), frame.q * y, arb(0), 1
         for one in islice(excursions(frame, after), FAR):
-            time, after = time + one.slip + one.stick, one.w_after
+            time, after, slid = time + one.slip + one.stick, one.w_after, slid + side * (one.w - one.w_after) / frame.q
+            side = -side
         last = after / frame.q
         alpha, beta = exact.alpha(last) - FAR, exact.beta(last) - time
         found = functions.alpha(y), functions.beta(y)
         assert found[0].contains(alpha.mid())
         assert found[1].contains(beta.mid())
+        assert functions.slide(y).contains((slid + exact.slide(last)).mid())
         # beta's part beyond pi alpha has a bound of its own
         epsilon, half = (frame.q * y).sqrt(), arb(0)
         for coefficient in reversed(functions.beta_coefficients):

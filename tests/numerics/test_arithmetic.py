@@ -12,16 +12,14 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import decimals
 
-from numerics.arithmetic import ball_words, float64, multiprecision
+from numerics.arithmetic import functions
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Sign, decide_sign
 from numerics.arithmetic.questions import GRAZES
-from numerics.arithmetic.telling import text
-from numerics.contact.root import root_of
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.motion.tellings import motion_telling
+from numerics.free.root import falling_root
 from numerics.trajectory.comparison import as_fraction
 
 DEFICITS = {
@@ -35,12 +33,6 @@ TRUTH_BITS = 8000
 
 def ball(value: Fraction) -> arb:
     return arb(fmpq(value.numerator, value.denominator))
-
-
-def said(arithmetic, name: str):
-    """A word as an arithmetic says it."""
-    modules = {"float64": float64, "mpmath": multiprecision, "ball": ball_words}
-    return getattr(modules[arithmetic.name], name)
 
 
 class Bits:
@@ -70,7 +62,7 @@ def angles(decade: int) -> Iterator[float]:
 @pytest.mark.parametrize("name", DEFICITS)
 @pytest.mark.parametrize("decades", [range(-75, -8), range(-8, 1), range(1, 22)], ids=["small", "middle", "large"])
 def test_float64_is_within_4_ulp(name, decades):
-    function, worst = said(Float64(), name), 0.0
+    function, worst = getattr(functions, name), 0.0
     for decade in decades:
         for x in angles(decade):
             if x >= SMALLEST[name]:
@@ -86,7 +78,7 @@ def test_float64_is_within_4_ulp_anywhere(name, x):
     with Bits():
         truth = DEFICITS[name](arb(x))
         assume(abs(truth) > 1e-290)
-    assert ulps(said(Float64(), name)(x), truth) <= 4
+    assert ulps(getattr(functions, name)(x), truth) <= 4
 
 
 @pytest.mark.parametrize("name", DEFICITS)
@@ -96,7 +88,7 @@ def test_balls_enclose_and_are_tight(name, x, digits):
     with Bits():
         truth = DEFICITS[name](ball(x))
     with arithmetic.context():
-        value = said(arithmetic, name)(arithmetic.number(x))
+        value = getattr(functions, name)(arithmetic.number(x))
     with Bits():
         assert value.contains(truth) or value.overlaps(truth)
         if x < 6:  # beyond, sines have zeros next to which a ball of x says less
@@ -112,7 +104,7 @@ def test_a_wide_ball_encloses_every_point_of_it(name, x, relative, part):
     with Bits():
         truth, wide = DEFICITS[name](ball(inside)), arb(ball(x).mid(), ball(radius).upper())
     with arithmetic.context():
-        value = said(arithmetic, name)(wide)
+        value = getattr(functions, name)(wide)
     with Bits():
         assert value.overlaps(truth)
         if relative > 5:  # x^4 moves four times as much as x, relatively
@@ -125,7 +117,7 @@ def test_mpmath_is_right_to_its_digits(name, x):
     arithmetic = Multiprecision(50)
     with arithmetic.context():
         number = arithmetic.number(x)
-        value, exact = said(arithmetic, name)(number), as_fraction(number)
+        value, exact = getattr(functions, name)(number), as_fraction(number)
     with Bits():
         truth = DEFICITS[name](ball(exact))
         assert abs(ball(as_fraction(value)) - truth) <= abs(truth) * arb(10) ** -45
@@ -135,9 +127,9 @@ def test_mpmath_is_right_to_its_digits(name, x):
 def test_deficits_at_zero_and_at_turns(name):
     for arithmetic in (Float64(), Multiprecision(30), Ball(30)):
         with arithmetic.context():
-            function = said(arithmetic, name)
-            assert arithmetic.to_float(function(arithmetic.number(0))) == 0
-            turn = function(said(arithmetic, "turn")())
+            function, zero = getattr(functions, name), arithmetic.number(0)
+            assert arithmetic.to_float(function(zero)) == 0
+            turn = function(functions.two_pi(zero))
             expected = {"versine": 0, "sine_deficit": 2 * math.pi, "cosine_deficit": 2 * math.pi**2}[name]
             assert arithmetic.to_float(turn) == pytest.approx(expected, abs=1e-15)
 
@@ -150,11 +142,11 @@ def test_balls_that_are_not_finite_decide_nothing():
             with pytest.raises(EventUndecided, match=r"which\?"):
                 decide_sign(arithmetic, x, "which?")
             with pytest.raises(EventUndecided, match="graze"):
-                ball_words.sign(x, GRAZES)
+                functions.sign(x, GRAZES)
         assert arithmetic.sign(arb(0)) is Sign.ZERO
         with pytest.raises(EventUndecided, match="graze"):
-            ball_words.ceiling(arb(0, 1), GRAZES)
-        assert ball_words.sign(arb(0), GRAZES) == 0
+            functions.ceiling(arb(0, 1), GRAZES)
+        assert functions.sign(arb(0), GRAZES) == 0
         assert arithmetic.sqrt(arb(0, 1e-30)).is_finite()
         assert arithmetic.sqrt(arb(0, 1e-30)).contains(arb(1e-15))
 
@@ -168,34 +160,25 @@ def test_float64_refuses_what_it_cannot_hold():
             Float64().sign(x)
 
 
-class Power(NamedTuple):
-    """c^p - x^p, which falls through its root c."""
+def power(p: int):
+    """c^p - x^p, which falls through its root c, and its slope."""
+    return lambda at, x: (at.c**p - x**p, -p * x ** (p - 1))
+
+
+class Target(NamedTuple):
+    """Where the root is."""
 
     c: Any
-    p: int
 
 
-@text
-def power_and_slope(at, x):
-    """Its value and its slope at x."""
-    return at.c**at.p - x**at.p, -at.p * x ** (at.p - 1)
-
-
-root_of_power = root_of(power_and_slope, "root_of_power")
-
-
-def told(arithmetic, function):
-    return motion_telling(arithmetic.telling, is_damped=False)(function)
-
-
-@given(target=decimals(-30, 6, 8), power=st.sampled_from([1, 3, 5]))
-def test_roots_of_monotone_functions(target, power):
+@given(target=decimals(-30, 6, 8), p=st.sampled_from([1, 3, 5]))
+def test_roots_of_monotone_functions(target, p):
     """Wide brackets and steep flanks included."""
     for arithmetic in (Float64(), Multiprecision(40), Ball(40)):
         with arithmetic.context():
             c = arithmetic.number(target)
             lower, upper = c / 1000, 1000 * c
-            root = told(arithmetic, root_of_power)(Power(c, power), lower, upper, (lower + upper) / 2)
+            root = falling_root(lower, upper, power(p), Target(c))
             if arithmetic.name == "ball":
                 assert root.overlaps(c)
                 assert root.rad() <= c * arb(10) ** -36
@@ -209,4 +192,4 @@ def test_a_ball_root_needs_proven_signs():
     with arithmetic.context():
         for lower, upper in ((2, 3), (-3, -2), (0, 1), (1, 2)):
             with pytest.raises(EventUndecided, match="bracket"):
-                told(arithmetic, root_of_power)(Power(arb(1), 1), arb(lower), arb(upper), arb(1))
+                falling_root(arb(lower), arb(upper), power(1), Target(arb(1)))

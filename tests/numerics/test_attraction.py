@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 from functools import cache
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -16,10 +17,9 @@ from strategies import decimals, signed
 
 from numerics.arithmetic.ball import Ball
 from numerics.control import attraction
-from numerics.control.attraction import Place, distance, place_at, slide_left
+from numerics.control.attraction import distance, passage_at, passages, slide_left
 from numerics.control.orbit import Orbit
 from numerics.control.response import response
-from numerics.control.ring_crossing import Z, timeline
 from numerics.errors import EventUndecided
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
@@ -33,10 +33,10 @@ def orbit_under(amplitude: str) -> Orbit:
     return response(Scene(UNEVEN, State(), 1, force=Force.sine(amplitude, 12))).orbit
 
 
-def in_leg(orbit: Orbit, number: int) -> Place:
+def in_leg(orbit: Orbit, number: int) -> arb:
     """The middle of a leg."""
     leg, after = orbit.turns[number]
-    return place_at(orbit, (leg.t + after.t) / 2)
+    return ((leg.t + after.t) / 2).mid()
 
 
 def norm(pair: Pair, vector: np.ndarray) -> float:
@@ -46,9 +46,10 @@ def norm(pair: Pair, vector: np.ndarray) -> float:
     )
 
 
-def after_a_period(orbit: Orbit, place: Place, t: Fraction, moved: np.ndarray) -> np.ndarray:
+def after_a_period(orbit: Orbit, t: Fraction, moved: np.ndarray) -> np.ndarray:
     """(x1, v1, v2) a period after a start beside the orbit at time t, by the independent reference."""
-    x1, v1, _, v2 = (Fraction(float(one.mid())) for one in place.state)
+    at = Ball.number(t)
+    x1, v1, _, v2 = (Fraction(float(one.mid())) for one in passage_at(orbit, at).state(at))
     piece, more = orbit.drive.piece, [Fraction(float(one)) for one in moved]
     sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * t) for one in piece.sines]
     start = State(x1=x1 + more[0], v1=v1 + more[1], v2=v2 + more[2])
@@ -101,16 +102,14 @@ def test_a_map_that_does_not_shrink_leaves_it_undecided():
 def test_the_slopes_of_a_period_hold_over_the_whole_box(amplitude, number, corner):
     """The difference of two runs beside the orbit is a slope in between times that of their starts (mean value)."""
     orbit, reach = orbit_under(amplitude), 2e-5
-    place = in_leg(orbit, number)
-    leg, after = orbit.turns[number]
-    t = Fraction(float(((leg.t + after.t) / 2).mid()))
+    t = Fraction(float(in_leg(orbit, number)))
     sizes = np.array([float(1 / math.sqrt(one)) for one in (UNEVEN.a2, UNEVEN.m1, UNEVEN.m2)]) * reach
     moved = np.array(corner) / 8 * sizes * 0.999
-    if leg.side == 0:
+    if orbit.legs[number].side == 0:
         moved[2] = moved[1]
-    found = after_a_period(orbit, place, t, moved) - after_a_period(orbit, place, t, np.zeros(3))
+    found = after_a_period(orbit, t, moved) - after_a_period(orbit, t, np.zeros(3))
     with Ball(20).context():
-        slopes = attraction._period_slopes(orbit, place, arb(reach))
+        slopes = attraction._period_slopes(orbit, Ball.number(t), arb(reach))
         bound = slopes * arb_mat([[one] for one in moved.tolist()])
         for row in range(3):
             assert (bound[row, 0] + arb(0, 1e-13)).contains(arb(found[row])), (row, bound[row, 0], found[row])
@@ -129,30 +128,29 @@ def test_a_box_that_reaches_out_of_its_mode_is_undecided(amplitude, number):
     orbit = orbit_under(amplitude)
     with Ball(20).context():
         _, after = orbit.turns[number]
-        place = place_at(orbit, after.t - arb("1e-5"))
-        near, wide = arb("1e-9"), arb("1e-4")
-        attraction._period_slopes(orbit, place, near)
+        t = after.t - arb("1e-5")
+        attraction._period_slopes(orbit, t, arb("1e-9"))
         with pytest.raises(EventUndecided):
-            attraction._period_slopes(orbit, place, wide)
+            attraction._period_slopes(orbit, t, arb("1e-4"))
 
 
 @given(st.integers(-300, 300))
 @settings(max_examples=10)
-def test_two_ways_to_follow_a_motion_that_drifts_agree(percent):
-    """Where the periodic motion is at a time, and its legs one after the other: the same x1 - x2, drift included."""
-    force = Force.sine("0.5", 12) + Force.sine("0.3", 24, 1)
-    orbit = drifting(force)
+def test_a_drifting_motion_goes_on_where_the_leg_before_ends(percent):
+    """x2 is carried from leg to leg, and from period to period by the drift."""
+    orbit = drifting_orbit()
     with Ball(20).context():
         t = orbit.drive.period * percent / 100 + arb("0.00123")
-        x1, _, x2, _ = place_at(orbit, t).state
-        legs = list(timeline(orbit, t - orbit.drive.period / 3, t + orbit.drive.period / 3))
-        inside = [one for one in legs if one[0] <= t < one[1]]
-        assert len(inside) == 1
-        begin, _, motion, moved = inside[0]
-        assert (motion.range(Z, t - begin) + moved - (x1 - x2)).contains(0)
+        legs = list(passages(orbit, t - orbit.drive.period / 3, t + orbit.drive.period / 3))
+        for before, after in pairwise(legs):
+            for one, two in zip(before.state(before.end), after.state(after.begin), strict=True):
+                assert (one - two).contains(0)
+        now, later = (passage_at(orbit, one).state(one) for one in (t, t + orbit.drive.period))
+        assert (later[2] - now[2] - orbit.travel).contains(0)
         assert abs(orbit.travel) > 1e-6
 
 
 @cache
-def drifting(force: Force) -> Orbit:
+def drifting_orbit() -> Orbit:
+    force = Force.sine("0.5", 12) + Force.sine("0.3", 24, 1)
     return response(Scene(Pair(1, 1, 200, "0.5", 3), State(), 1, force=force), digits=20).orbit

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from numerics.arithmetic.ball import Ball
-from numerics.merging.centred_form import Cell
+from numerics.free.centred_form import Cell
 
 sides = st.tuples(st.integers(1, 1000), st.integers(1, 100)).map(lambda s: (Fraction(s[0], 100), Fraction(sum(s), 100)))
 inside = st.fractions(0, 1, max_denominator=1000)

@@ -11,9 +11,9 @@ from strategies import decimals
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.float64 import Float64
-from numerics.long_time.excursion_map import excursions
-from numerics.motion.frame import Frame
-from numerics.motion.modes import EventKind
+from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
+from numerics.linear.modes import EventKind
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 

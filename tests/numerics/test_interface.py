@@ -14,7 +14,7 @@ from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 import numerics
 from numerics import Pair, Scene, Solver, State, sensitivities, solve, solve_many
 from numerics.errors import InvalidScene, MissingTool
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene.file import parse_scene
 from numerics.trajectory.status import Status
 
@@ -36,7 +36,7 @@ def test_everything_a_user_needs_is_in_one_place():
 
 def test_the_names_are_functions_whatever_was_imported_before():
     code = (
-        "import numerics.solver.solve, numerics.sensitivity.sensitivity, numerics.batch.batch\n"
+        "import numerics.solver.solve, numerics.trajectory.sensitivity, numerics.solver.many\n"
         "from numerics import Pair, Scene, Solver, State, sensitivities, solve, solve_many\n"
         "scene = Scene(Pair(1, 1, 200, 0.5), State(v1=0.15), 1)\n"
         "print(sensitivities(solve(scene)).energy.shape)"
@@ -127,19 +127,34 @@ def test_times_asked_for_survive_a_pickle_and_compare(how):
 
 @pytest.mark.parametrize("how", HOW[:4])
 def test_t_eval_gives_state_and_energy_at_those_times(how):
-    times = [0, 0.5, "1/3", 2]
+    times = [0, "1/3", 0.5, 2]
     run = solve(PAPER, **how, t_eval=times)
     assert run.t.shape == run.energy.shape == (4,)
     with run.arithmetic.context():
         number = run.arithmetic.to_float
-        assert [number(one) for one in run.t] == pytest.approx([0, 0.5, 1 / 3, 2])
+        assert [number(one) for one in run.t] == pytest.approx([0, 1 / 3, 0.5, 2])
         assert [str(one) for one in run.y.flat] == [str(one) for one in run.sol(times).flat]
     assert len(run.events) == len(solve(PAPER).events)
 
 
-def test_times_beyond_the_horizon_are_refused():
-    with pytest.raises(ValueError, match="outside the solved time"):
-        solve(PAPER, t_eval=[1, 4]).y  # noqa: B018
+@pytest.mark.parametrize("how", HOW[:4])
+@pytest.mark.parametrize(
+    ("times", "said"),
+    [([1, 4], "outside the solved time"), ([0.5, "nan"], "nan"), ([1, float("nan")], "nan"), ([1, 0.5], "in order")],
+)
+def test_times_that_cannot_be_answered_are_refused_when_they_are_given(how, times, said):
+    with pytest.raises(ValueError, match=said):
+        solve(PAPER, **how, t_eval=times)
+
+
+@pytest.mark.parametrize("how", HOW[:4])
+def test_sol_takes_arrays_of_any_shape(how):
+    run, times = solve(PAPER, **how), np.linspace(0, 3, 6).reshape(2, 3)
+    found = run.sol(times)
+    assert found.shape == (4, 2, 3)
+    assert run.mode_at(times).shape == (2, 3)
+    for place in np.ndindex(times.shape):
+        assert [str(one) for one in found[:, *place]] == [str(one) for one in run.sol(times[place])]
 
 
 @pytest.mark.parametrize("times", [1, "abc", [[1, 2]]])

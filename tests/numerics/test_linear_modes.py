@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from strategies import decimals, forces, pairs, signed
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.linear import LinearMode, W, is_positive_on
-from numerics.control.modes_proved import require_slip, require_stick
-from numerics.control.signals import Derivative
+from numerics.control.orbit import require_mode
+from numerics.control.tracking import Derivative
 from numerics.errors import EventUndecided
+from numerics.linear.system import LinearMode, W, is_positive_on
 from numerics.scene import Pair, Piece, Sine
 
 
@@ -51,9 +51,9 @@ def test_a_load_that_passes_the_other_edge_is_not_called_stuck(side):
         for t in (half, half + half / 5):
             for exit_side in (1, -1):
                 with pytest.raises(EventUndecided):
-                    require_stick(motion, t, exit_side)
+                    require_mode(motion, t, 0, exit_side)
         small, half = stuck(Sine(Fraction(side), 20))
-        require_stick(small, half, 0)
+        require_mode(small, half, 0, 0)
 
 
 def test_a_slip_that_turns_back_in_between_is_not_called_a_slip():
@@ -66,7 +66,7 @@ def test_a_slip_that_turns_back_in_between_is_not_called_a_slip():
         backwards = mode.motion([arb(0), arb("0.02"), arb(0), arb("0.06")], arb(0))
         assert not is_positive_on(lambda t: backwards.range(W, t), arb(0), period)
         with pytest.raises(EventUndecided):
-            require_slip(backwards, period, from_stick=False)
+            require_mode(backwards, period, 1, 0)
 
 
 @st.composite
@@ -96,7 +96,7 @@ def test_the_force_of_a_motion_is_that_of_its_piece(pair, piece, begin, later):
     with Ball(20).context():
         motion = LinearMode(pair, pair.b, 1, piece).motion([arb(0)] * 4, Ball.number(begin))
         for order in (0, 1):
-            exact = Derivative.of(piece, order)
+            exact = Derivative(piece, order)
             for t in (Fraction(0), later):
                 found = motion.range(motion.mode.force, Ball.number(t), order)
                 assert found.overlaps(exact(Ball.number(begin + t)))

@@ -15,10 +15,10 @@ from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
 
-from numerics.arithmetic import ball_words
+from numerics.arithmetic import ball as balls
 from numerics.arithmetic.ball import Ball
-from numerics.merging import cell as merging_cell
-from numerics.merging.cell import Rectangle, Verdict, verdict
+from numerics.free import merging as merging_cell
+from numerics.free.merging import Rectangle, Verdict, verdict
 
 PARTS = [0, Fraction(1, 3), 1]
 SLACK = 1e-12
@@ -63,7 +63,7 @@ def points(low, high):
 
 def mean_value_misses(low, high):
     """Points of sin on a ball that the mean value form leaves out."""
-    found = ball_words.mean_value(arb.sin, arb.cos, ball(low, high))
+    found = balls.mean_value(arb.sin, arb.cos, ball(low, high))
     return [x for x in points(low, high) if outside(found, mpmath.sin(x))]
 
 
@@ -74,7 +74,7 @@ def test_a_mean_value_form_holds_the_function_on_wide_balls(low, width):
 
 
 def test_the_slope_in_the_middle_is_not_enough(monkeypatch):
-    monkeypatch.setattr(ball_words, "mean_value", lambda f, slope, x: f(x.mid()) + slope(x.mid()) * (x - x.mid()))
+    monkeypatch.setattr(balls, "mean_value", lambda f, slope, x: f(x.mid()) + slope(x.mid()) * (x - x.mid()))
     with Ball(20).context():
         assert mean_value_misses(0.1, 3.04)
 

@@ -12,13 +12,12 @@ import pytest
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.long_time.excursion_map import excursions
-from numerics.merging import cell as merging_cell
-from numerics.merging import map as merging_map
-from numerics.merging.cell import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
-from numerics.merging.figure import COLOURS, raster
-from numerics.merging.map import Window, merging_cells
-from numerics.motion.frame import Frame
+from numerics.free import merging as merging_cell
+from numerics.free import merging_map
+from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
+from numerics.free.merging import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
+from numerics.free.merging_map import COLOURS, Window, merging_cells
 from numerics.scene import Pair
 from theory.excursion import h, half_tangent_form
 from theory.return_map import depth, gap, half_cotangent, in_trigonometry
@@ -69,7 +68,7 @@ def test_cells_agree_with_single_runs(chart):
 def test_the_cells_cover_the_window(chart):
     assert sum(cell.share for cell in chart.leaves) == 1
     assert abs(sum(chart.shares().values()) - 1) < 1e-12
-    grid = raster(chart)
+    grid = chart.raster()
     assert grid.shape == (64, 64)
     assert set(grid.ravel()) == set(range(len(COLOURS)))
     sides = {side for cell in chart.cells for side in cell.rectangle.ratio}
@@ -77,7 +76,7 @@ def test_the_cells_cover_the_window(chart):
 
 
 def test_a_finer_map_contradicts_no_coarser_one(chart):
-    coarse, fine = raster(merging_cells(Window(), 5)).repeat(2, axis=0).repeat(2, axis=1), raster(chart)
+    coarse, fine = merging_cells(Window(), 5).raster().repeat(2, axis=0).repeat(2, axis=1), chart.raster()
     undecided = list(COLOURS).index(Verdict.UNDECIDED)
     assert (fine[coarse != undecided] == coarse[coarse != undecided]).all()
     assert chart.shares()[Verdict.UNDECIDED] < 0.3

@@ -10,8 +10,8 @@ import pytest
 
 from numerics.__main__ import main
 from numerics.errors import InvalidMap, MissingTool
-from numerics.merging.map import Window, merging_cells
-from numerics.quadtree import tree
+from numerics.free import quadtree as tree
+from numerics.free.merging_map import Window, merging_cells
 
 
 @pytest.fixture(scope="module")

@@ -14,9 +14,9 @@ from strategies import forces, frictions
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
 from numerics import Force, Friction, Scene, State, solve
-from numerics.faces.plot import COMMON, overview
-from numerics.motion.forced_pieces import pieces_of
-from numerics.motion.modes import Mode
+from numerics.cli.plot import COMMON, overview
+from numerics.linear.modes import Mode
+from numerics.linear.pieces import pieces_of
 from numerics.scene import Law
 from numerics.scene.pieces import Piece
 from numerics.trajectory.curve import force_of, sampled
@@ -155,9 +155,11 @@ def test_what_is_drawn_under_a_force_is_the_trajectory(how):
 def test_force_and_friction_are_drawn_as_they_are(force, friction):
     scene = Scene(PAPER.pair, PAPER.initial, 3, force=force, friction=friction)
     for piece in pieces_of(scene):
-        t = float(piece.start) + float(piece.length) * np.linspace(0.1, 0.9, 5)
-        wanted = [float(force(Fraction(float(one)))) for one in t]
-        assert force_of(piece, t) == pytest.approx(wanted, rel=1e-9, abs=1e-9 * (1 + max(map(abs, wanted))))
+        since = [piece.length * Fraction(part, 10) for part in range(1, 10, 2)]
+        wanted = [float(force(piece.start + one)) for one in since]
+        assert force_of(piece, np.array(since, dtype=float)) == pytest.approx(
+            wanted, rel=1e-9, abs=1e-9 * (1 + max(map(abs, wanted)))
+        )
 
 
 def test_a_forced_overview_shows_the_force_and_its_work():

@@ -11,7 +11,7 @@ from reaching import LeftOut, reaching
 from strategies import MODERATE, horizon, near_critical, pairs, scenes, states
 
 from numerics.errors import OutOfRange
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from numerics.scene import Law, Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import distance, require_same_sequence
@@ -34,8 +34,8 @@ def solved(scene, **how):
 
 
 def dissipated(run):
-    """What each segment takes from E/E_cr: friction and viscosity."""
-    return [segment.losses(segment.length) for segment in run.segments]
+    """What each segment takes, J: friction and viscosity."""
+    return [segment.losses() for segment in run.segments]
 
 
 @given(scenes(damped=None))
@@ -46,8 +46,7 @@ def test_energy_never_grows_and_the_ledger_closes_in_balls(scene):
             assert not friction < 0
             assert not viscous < 0
             assert (friction.is_zero()) == (segment.mode is Mode.STICK)
-        energy = [run.frame.energy(run.segments[0].state(run.arithmetic.number(0))), *run.energy[1:]]
-        for before, after, segment in zip(energy, energy[1:], run.segments, strict=False):
+        for before, after, segment in zip(run.energy, run.energy[1:], run.segments, strict=False):
             assert not after > before
             if segment.mode is Mode.STICK and scene.pair.a1 == 0:
                 assert after.overlaps(before)
@@ -109,7 +108,7 @@ def test_transitions_are_legal(scene, law):
                 assert (load - side).contains(0)
                 assert side * (state.V1 - two_zeta * load) > 0  # out through the edge
                 if scene.pair.a1 == 0:
-                    assert (state.X - side).is_zero()
+                    assert event.y[0].overlaps(side * run.frame.length)
                     assert side * state.V1 > 0
             else:
                 assert event.after.sign == -event.before.sign
@@ -123,7 +122,7 @@ def test_the_sign_of_v1_minus_v2_is_that_of_the_mode(scene):
     with run.arithmetic.context():
         for segment in run.segments:
             for part in range(1, 8):
-                state = segment.state(segment.length * part / 8)
+                state = run.frame.reduced(segment.state(segment.length * part / 8))
                 relative = state.V1 - state.V2
                 if segment.mode is Mode.STICK:
                     assert relative == 0
@@ -141,12 +140,12 @@ def test_every_segment_solves_its_equation(scene):
         m1, m2, a1, a2, b = (run.arithmetic.number(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
         for segment in run.segments:
             sign = segment.mode.sign
-            length = run.frame.si_time(segment.length)
+            length = segment.length
             rate = 1 + a1 / min(m1, m2) + mpmath.sqrt(a2 / m1)
             step = min(length, 1 / rate) * mpmath.mpf(10) ** -12
 
             def at(t, segment=segment):
-                return run.frame.si_state(segment.state(run.frame.rate * t))
+                return segment.state(t)
 
             middle = length * 2 / 5
             states = [at(middle + k * step) for k in (-2, -1, 1, 2)]
@@ -189,6 +188,8 @@ def test_units_commute_with_solving_bit_for_bit(scene, length, mass, time):
     )
     one, two = solved(scene), solved(scaled)
     assert one.modes == two.modes
+    if one.arithmetic.name != "float64":  # solve has climbed next to a tie
+        return
     assert [t * float(s) for t in one.t] == list(two.t)
     units = [float(m), float(m / s), float(m), float(m / s)]
     for row, other, unit in zip(one.y, two.y, units, strict=True):
@@ -227,6 +228,8 @@ def test_float64_keeps_its_digits_where_the_scene_is_well_conditioned(scene):
     if scene.pair.a1 > 0 and any(abs(edge(balls, event) - 1) < 1e-3 for event in balls.events):
         raise LeftOut
     floats = solve(scene, max_events=4)
+    if floats.arithmetic.name == "ball":  # next to another sequence of events
+        raise LeftOut
     require_same_sequence(floats, balls)
     with balls.arithmetic.context():
         for event, truth in zip(floats.events, balls.events, strict=True):
@@ -242,9 +245,9 @@ def conditioning(run, event) -> float:
     """How far an event moves when the guard does: 1 over the rate at which it is crossed, in reduced time."""
     index = run.events.index(event)
     segment = run.segments[index]
-    tau = segment.length
+    tau = segment.length * run.frame.rate
     h = tau / 10**6
-    before = segment.state(tau - h)
+    before = run.frame.reduced(segment.state(segment.length * (1 - run.arithmetic.number(Fraction(1, 10**6)))))
     if event.before is Mode.STICK:
         return 100 / min(1.0, abs(float(event.reduced.V1.mid()) or 1e-9))
     return 100 * max(1.0, float((h / abs(before.V1 - before.V2)).mid()))

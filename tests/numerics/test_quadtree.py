@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 from numerics.errors import InvalidMap
-from numerics.quadtree.tree import Verdicts, _decode, leaves_of, raster, shares
+from numerics.free.quadtree import Verdicts, _decode, leaves_of, raster, shares
 
 WINDOW = ((Fraction(1), Fraction(16)), (Fraction(1), Fraction(256)))
 

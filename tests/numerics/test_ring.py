@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -13,10 +14,10 @@ from strategies import decimals
 
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
+from numerics.control.pictures import draw_ring
 from numerics.control.ring import ring_entry
-from numerics.control.ring_figure import draw_ring
 from numerics.errors import InvalidScene
-from numerics.long_time import resting_place as places
+from numerics.free import resting_place as places
 from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
@@ -49,6 +50,20 @@ def test_the_entry_is_the_last_sample_outside(name, radius, rate):
     assert 0 < entry - late[-1] < 2.1 * entry / 4_000
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("rate", ["20", "1/20"])
+def test_a_creeping_pair_is_inside_in_the_middle_of_every_slip_to_come(rate):
+    """Its slips get shorter and shorter: both what they add to w and what they slide must be small beside the ring."""
+    scene = load_scene("start-with-speed")
+    found = ring_entry(scene, "0.001", rate=rate, digits=8)
+    run = solve(replace(scene, until=Fraction(2 * float(found.entry) + 5)))
+    middles = [float(one.t + two.t) / 2 for one, two in pairwise(run.events)]
+    t = np.array([at for at in middles if at > float(found.entry)])
+    y = run.sol(t)
+    assert len(t) > 10
+    assert np.hypot(y[0] - y[2] - float(found.centre), (y[1] - y[3]) / float(found.rate)).max() < 0.001
+
+
 @given(decimals(-1, 1, 2), decimals(-1, 1, 2), st.integers(1, 3))
 @settings(max_examples=6)
 def test_a_damped_pair_is_inside_for_good_after_its_entry(a1, speed, power):
@@ -73,7 +88,7 @@ def test_the_limit_does_not_depend_on_the_ray_that_it_is_read_from():
     scene, arithmetic = load_scene("velocities"), Ball(30)
     with arithmetic.context():
         run = solve(Scene(scene.pair, scene.initial, 100), arithmetic="ball", digits=20)
-        found = [places.resting_place(run, near).limit for near in (1e-4, 1e-5)]
+        found = [places.creeping_place(run, scene.pair, near).limit for near in (1e-4, 1e-5)]
         assert abs(found[0] - found[1]) < 1e-18
         assert found[0].overlaps(found[1])
 

@@ -11,9 +11,9 @@ from control_scenes import DAMPED
 
 from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
-from numerics.control.attraction import place_at
+from numerics.control.attraction import passage_at
+from numerics.control.pictures import draw_ring
 from numerics.control.ring import ring_entry
-from numerics.control.ring_figure import draw_ring
 from numerics.errors import NotSettled
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.solver.solve import solve
@@ -39,9 +39,11 @@ def test_the_ring_around_a_periodic_motion(amplitude, radius):
     t = np.linspace(entry - 0.1, entry + 0.4, 101)
     y, distances = solve(replace(found.scene, until=Fraction(8))).sol(t), []
     for k, at in enumerate(t):
-        x1, v1, x2, v2 = (float(one.mid()) for one in place_at(found.orbit, Ball.number(Fraction(at))).state)
+        time = Ball.number(Fraction(at))
+        x1, v1, x2, v2 = (float(one.mid()) for one in passage_at(found.orbit, time).state(time))
         distances.append(np.hypot(y[0, k] - y[2, k] - x1 + x2 - float(found.centre), y[1, k] - y[3, k] - v1 + v2))
     outside = np.array(distances) > float(radius)
+    assert ring_entry(found.scene, radius, digits=5).centre.contains(found.centre)
     assert outside[:19].any()
     assert not outside[21:].any()
 
@@ -64,7 +66,7 @@ def test_a_motion_that_may_never_settle_is_refused():
 
 def test_a_motion_that_is_not_proved_to_close_in_on_the_periodic_one_is_refused(monkeypatch):
     monkeypatch.setattr(rings, "periodic_settled", lambda *_: None)
-    monkeypatch.setattr(rings, "_FORCED_DOUBLINGS", 1)
+    monkeypatch.setattr(rings, "_FORCED", (1, 2_000))
     with pytest.raises(NotSettled, match="closes in on the periodic motion; a larger radius may not help either"):
         ring_entry(Scene(DAMPED, State(v1=1), 1, force=Force.sine("0.5", 12)), "0.001")
 

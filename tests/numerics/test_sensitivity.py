@@ -11,17 +11,13 @@ from flint import arb
 from hypothesis import given, settings
 from strategies import near_critical, scenes
 
-from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.float64 import Float64
 from numerics.errors import EventUndecided, NumericsError
-from numerics.run.one import run_scene
 from numerics.scene import Law, Pair, Scene, State
-from numerics.sensitivity import duals, gradients
-from numerics.sensitivity.duals import dual
-from numerics.sensitivity.sensitivity import WRT, differentiable, sensitivities
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction
-from numerics.trajectory.record import NUMBERS
+from numerics.trajectory.derivatives import WRT
+from numerics.trajectory.sensitivity import sensitivities
+from numerics.trajectory.variation import Variation
 
 PAPER = Pair(1, 1, 200, "0.5")
 
@@ -128,29 +124,23 @@ def test_a_start_on_a_ray_and_its_neighbours_on_either_side():
         assert found.size < 1e-15, found
 
 
-def test_a_wrong_derivative_is_seen(monkeypatch):
-    """Without the slope by n^2 the critical oscillator would not feel its damping regime change."""
-    monkeypatch.setattr(duals, "_sine_by_square", lambda of, t, found, words: 0 * found[1])
+def test_a_wrong_derivative_is_found_out(monkeypatch):
+    """Without the rows of its numbers a motion moves with its start alone."""
+    honest = Variation._system
+    monkeypatch.setattr(Variation, "_system", lambda *given: (honest(*given)[0], 0 * honest(*given)[1]))
     assert max(found.size for found in deviations(SMOOTH["critical slip"])) > 1e-3
 
 
-def test_a_start_on_the_surface_needs_its_guard(monkeypatch):
-    """The text is told anew with a formula that forgets the guard."""
-    scene = SMOOTH["crossings from S"]
-    assert max(found.size for found in deviations(scene)) < 1e-15
+def test_an_event_needs_how_its_guard_moves(monkeypatch):
+    """An exit comes where the load is b: it moves with b, and not with the state alone."""
+    honest = Variation.guard
 
-    def forgetful(base):
-        honest = _dual_telling(base)
-        told = honest(gradients.slipped)
-        return honest.but("forgetful", {gradients.slipped: lambda *given: without_guard(told, *given)})
+    def forgetful(self, *given):
+        by_state, by_numbers, rate = honest(self, *given)
+        return by_state, 0 * by_numbers, rate
 
-    def without_guard(formula, pair, at, theta):
-        found = formula(pair, at, theta)
-        return found._replace(guard=found.guard - at.guard)
-
-    _dual_telling = duals._dual_telling
-    monkeypatch.setattr(duals, "_dual_telling", forgetful)
-    assert max(found.size for found in deviations(scene)) > 1e-3
+    monkeypatch.setattr(Variation, "guard", forgetful)
+    assert max(found.size for found in deviations(SMOOTH["stick"])) > 1e-3
 
 
 ALL = SMOOTH | NEAR
@@ -174,29 +164,23 @@ def test_balls_contain_the_derivatives(name):
 
 @pytest.mark.parametrize("name", ALL)
 def test_float64_is_close(name):
-    floats, balls = sensitivities(solve(ALL[name])), sensitivities(solve(ALL[name], digits=20, arithmetic="ball"))
-    ours, theirs = (every(one).reshape(-1, len(WRT)) for one in (floats, balls))
+    """Where float64 is in doubt solve climbs, up to balls: what may be 0 in those is enclosed, to no digit."""
+    trajectory = solve(ALL[name])
+    found, balls = sensitivities(trajectory), sensitivities(solve(ALL[name], digits=20, arithmetic="ball"))
+    ours, theirs = (every(one).reshape(-1, len(WRT)) for one in (found, balls))
+    if trajectory.arithmetic.name == "ball":
+        assert all(one.overlaps(two) for one, two in zip(ours.flat, theirs.flat, strict=True))
+        return
+    ours = np.vectorize(lambda one: float(getattr(one, "mid", lambda: one)()), otypes=[float])(ours)
     true = np.array([[float(one.mid()) for one in row] for row in theirs])
-    assert (np.abs(ours - true) <= 1e-11 * np.abs(true).max(axis=0) + 1e-12).all()
-
-
-@pytest.mark.parametrize("name", ALL)
-@pytest.mark.parametrize("arithmetic", [Float64(), Ball(40)], ids=["float64", "ball"])
-def test_values_are_those_of_the_solver(name, arithmetic):
-    plain, double = run_scene(ALL[name], arithmetic), run_scene(differentiable(ALL[name]), dual(arithmetic))
-    assert len(plain.record) == len(double.record)
-    for number in NUMBERS:
-        for ours, theirs in zip(plain.record.numbers(number), double.record.numbers(number), strict=True):
-            assert str(ours) == str(theirs.value)
-    for number in ("X", "V1", "V2", "Z", "w"):
-        assert str(plain.record.end(number)) == str(double.record.end(number).value)
+    assert (np.abs(ours - true) <= 4e-16 * np.abs(true).max(axis=0)).all()
 
 
 @given(near_critical(exponents=(3, 12)))
 def test_near_critical_sensitivities_are_enclosed_and_close(scene):
     balls, floats = sensitivities(solve(scene, digits=20, arithmetic="ball")), sensitivities(solve(scene))
     true = np.array([[float(one.mid()) for one in row] for row in balls.t])
-    assert (np.abs(floats.t - true) <= 1e-8 * np.abs(true).max(axis=0) + 1e-13).all()
+    assert (np.abs(floats.t - true) <= 4e-16 * np.abs(true).max(axis=0)).all()
 
 
 def test_shapes_and_cap():
@@ -211,10 +195,14 @@ def test_shapes_and_cap():
     assert (none.t.shape, none.y.shape, none.t.dtype) == ((0, 9), (0, 4, 9), object)
 
 
-def test_an_event_on_the_horizon_has_no_derivative_there():
+def test_an_event_next_to_the_horizon_is_before_it_or_after_it():
+    """In float64 it falls on the horizon; the truth is on one side, and if it is not that of float64, it is said."""
     pair = Pair("0.5", "0.5", 4, "0.5")  # Omega = 2: times are halved exactly
     first = solve(Scene(pair, State(v1="1.5"), 5)).events[0].t
-    trajectory = solve(Scene(pair, State(v1="1.5"), Fraction(*first.as_integer_ratio())))
-    assert len(trajectory.events) == 1
-    with pytest.raises(EventUndecided, match="horizon"):
-        sensitivities(trajectory)
+    scene = Scene(pair, State(v1="1.5"), Fraction(*first.as_integer_ratio()))
+    trajectory, true = solve(scene), solve(scene, arithmetic="ball")
+    if true.modes == trajectory.modes:
+        assert sensitivities(trajectory).t.shape == (len(true.events), 9)
+    else:
+        with pytest.raises(EventUndecided, match="those of the trajectory"):
+            sensitivities(trajectory)

@@ -8,9 +8,10 @@ from flint import arb
 from hypothesis import given
 from strategies import scenes
 
-from numerics.motion.modes import Mode
-from numerics.sensitivity.sensitivity import WRT, sensitivities
+from numerics.linear.modes import Mode
 from numerics.solver.solve import solve
+from numerics.trajectory.derivatives import WRT
+from numerics.trajectory.sensitivity import sensitivities
 
 
 @given(scenes(damped=None, periods=(1, 2)))

@@ -11,8 +11,9 @@ from flint import arb
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.scene import Pair, Scene, State
-from numerics.sensitivity.sensitivity import WRT, sensitivities
 from numerics.solver.solve import solve
+from numerics.trajectory.derivatives import WRT
+from numerics.trajectory.sensitivity import sensitivities
 
 PAPER = Pair(1, 1, 200, "0.5")
 

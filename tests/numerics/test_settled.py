@@ -16,18 +16,15 @@ from reaching import LeftOut, reaching
 from strategies import decimals, signed
 
 from numerics.arithmetic.ball import Ball
-from numerics.control import settled
-from numerics.control.attraction import distance, place_at
-from numerics.control.legs import stretches
+from numerics.control import ring as rings
+from numerics.control.attraction import distance, passage_at
 from numerics.control.orbit import Orbit
-from numerics.control.response import last_drive, response
-from numerics.control.ring import ring_entry
-from numerics.control.settled import Settled, periodic_settled, stuck_settled
-from numerics.control.stuck import stuck_state
+from numerics.control.response import last_drive, response, stuck_state
+from numerics.control.ring import Settled, periodic_settled, ring_entry, stretches, stuck_settled
 from numerics.errors import EventUndecided
-from numerics.run.one import run_scene
 from numerics.scene import Force, Pair, Piece, Scene, State
 from numerics.solver.solve import solve
+from numerics.trajectory.run import run_scene
 
 HEAVY = Pair(1, 1, 1, 1, 10)
 """Its velocity loads the interface much more than its place does."""
@@ -89,7 +86,7 @@ def test_a_free_part_that_lets_the_response_break_the_stick_is_not_said_to_be_se
 @cache
 def fast_orbit() -> tuple[Scene, Orbit]:
     scene = Scene(FAST, State(v1=1), Fraction(1, 10), force=Force.sine(5, 1200))
-    return scene, response(scene, digits=20).orbit
+    return scene, response(scene, digits=30).orbit
 
 
 def known(until: str, near: float) -> Settled | None:
@@ -99,14 +96,8 @@ def known(until: str, near: float) -> Settled | None:
         return periodic_settled(run_scene(replace(scene, until=Fraction(until)), arithmetic, 2_000), orbit, near)
 
 
-def test_the_limit_of_a_shorter_run_holds_that_of_a_longer_one():
-    early, late = known("0.25", 1e-4), known("0.3", 1e-4)
-    assert early.limit.contains(late.limit)
-    assert 0 < late.limit.rad() < early.limit.rad()
-
-
 def test_the_speed_counts_even_where_nothing_is_left_to_slide(monkeypatch):
-    monkeypatch.setattr(settled, "slide_left", lambda *_: arb(0))
+    monkeypatch.setattr(rings, "slide_left", lambda *_: arb(0))
     scene, orbit = fast_orbit()
     since, period = float(known("0.3", 1e-3).since), float(orbit.drive.period)
     assert since < 0.25
@@ -115,7 +106,8 @@ def test_the_speed_counts_even_where_nothing_is_left_to_slide(monkeypatch):
     with Ball(20).context():
         for k, at in enumerate(t):
             try:
-                _, v1, _, v2 = (float(one.mid()) for one in place_at(orbit, Ball.number(Fraction(at))).state)
+                time = Ball.number(Fraction(at))
+                _, v1, _, v2 = (float(one.mid()) for one in passage_at(orbit, time).state(time))
             except EventUndecided:  # next to an event of the orbit
                 continue
             assert abs(y[1, k] - y[3, k] - v1 + v2) < 1e-3
@@ -123,7 +115,7 @@ def test_the_speed_counts_even_where_nothing_is_left_to_slide(monkeypatch):
 
 def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monkeypatch):
     """One period earlier the speeds may be further apart; with 20 times the distance that would count as near, too."""
-    monkeypatch.setattr(settled, "slide_left", lambda *_: arb(0))
+    monkeypatch.setattr(rings, "slide_left", lambda *_: arb(0))
     scene, orbit = fast_orbit()
     pair, arithmetic, near = orbit.drive.pair, Ball(24), 1e-3
     since = known("0.3", near).since
@@ -133,9 +125,9 @@ def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monke
         apart = []
         for t in (since, since - orbit.drive.period):
             [state] = [
-                one.motion.state(t - one.start) for one in parts if 0 <= float(t - one.start) < float(one.length)
+                one.motion.state(t - one.begin) for one in parts if 0 <= float(t - one.begin) < float(one.length)
             ]
-            apart.append(float(kappa.sqrt() * distance(pair, state, place_at(orbit, t).state)))
+            apart.append(float(kappa.sqrt() * distance(pair, state, passage_at(orbit, t).state(t))))
     assert apart[0] < near <= apart[1]
 
 

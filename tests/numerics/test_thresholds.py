@@ -14,13 +14,12 @@ from hypothesis import strategies as st
 from strategies import decimals, pairs
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.asked import to_digits
-from numerics.control.figures import threshold_curves
-from numerics.control.non_stop import keeps_slipping, turns_back
+from numerics.control.answers import to_digits
+from numerics.control.guesses import exit_state
 from numerics.control.orbit import Drive
+from numerics.control.pictures import threshold_curves
 from numerics.control.response_map import Regimes, decide, response_map
-from numerics.control.thresholds import load_margin, thresholds
-from numerics.control.two_stop import exit_state
+from numerics.control.thresholds import NonStop, load_margin, thresholds
 from numerics.errors import InvalidMap, InvalidScene, PrecisionExhausted
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
@@ -128,7 +127,7 @@ def test_the_edge_of_entrainment_is_decided_exactly(k, side):
 
 def test_the_two_stop_branch_joins_both_thresholds():
     omega = Fraction(12)
-    drive = Drive(PAIR, PAIR.b, Piece(0, (), [Sine(1, omega)]), omega)
+    drive = Drive(PAIR, Piece(0, (), [Sine(1, omega)]))
     with Ball(60).context():
         known, half = thresholds(PAIR, omega, digits=40), drive.period / 2
         for ts, edge in ((half * arb(10) ** -12, known.entrainment), (half * (1 - arb(10) ** -12), known.non_stop)):
@@ -161,11 +160,11 @@ def test_the_edge_of_the_non_stop_regime_lies_where_the_sign_is_kept(omega, edge
     _, (needed,), (found,) = threshold_curves(pair, [float(omega)])
     assert found == pytest.approx(edge or needed, rel=1e-4)
     with Ball(20).context():
-        at = [(pair, Ball.number(Fraction(found) * Fraction(k, 1000)), Ball.number(omega)) for k in (998, 1002)]
-        assert not keeps_slipping(*at[0])
-        assert keeps_slipping(*at[1])
-        assert turns_back(*at[0]) is (edge is not None)
-        assert not turns_back(*at[1])
+        below, above = (
+            NonStop(pair, omega).keeps_slipping(Ball.number(Fraction(found) * Fraction(k, 1000))) for k in (998, 1002)
+        )
+        assert below is (None if edge is None else False)  # there is no such motion below U**
+        assert above is True
 
 
 def test_no_cell_between_the_necessary_threshold_and_the_edge_is_called_non_stop():

@@ -1,213 +1,276 @@
-"""Speed against accuracy: judging, the front, children that hang or die, and the command; no time is asserted."""
+"""Speed against accuracy: judging, timing by a planted clock, leads, processes that hang or die, and the command."""
 
 from __future__ import annotations
 
 import json
 import math
+import re
+import sys
 from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
-from trade_outcomes import SCENE, balls_of, floats_of, ours
+from flint import arb, fmpq
+from planted_trades import MACHINE, planted, run, trade_of
 
 from numerics.__main__ import main
+from numerics.arithmetic.ball import Ball
 from numerics.scene import Pair, Scene, State
-from numerics.trade import front, reference, scenes
-from numerics.trade.clock import median_time
-from numerics.trade.contender import all_contenders, labelled
-from numerics.trade.front import Point
-from numerics.trade.judge import judge
-from numerics.trade.ours import BALL, MPMATH, READ, Ours, solved
-from numerics.trade.outcome import Outcome, float_text
-from numerics.trade.plan import SIZES, NoSuchContender, selected, settings
+from numerics.trade import contenders, fresh, interface, measure, scenes
+from numerics.trade.comparisons.peer import PeerFailed, PeerRun
+from numerics.trade.contenders import CONTENDERS, answer_of, contender, looked_at
+from numerics.trade.figure import draw_trade
+from numerics.trade.judge import as_arb, judge, proved
+from numerics.trade.recorded import SHIPPED, UnreadableTrade, recorded
+
+SCENE = scenes.benchmark(scenes.HEADLINE)
 
 
 @pytest.fixture(scope="module")
-def proved() -> Outcome:
-    return reference.proved(SCENE.scene)
+def truth() -> PeerRun:
+    return proved(SCENE)
 
 
-@pytest.fixture(scope="module")
-def floats() -> Outcome:
-    return floats_of(SCENE.scene)
+@pytest.fixture
+def clock(monkeypatch):
+    """A clock that goes on only when it is told to."""
+
+    class Clock:
+        now = 0.0
+
+        def perf_counter(self):
+            return self.now
+
+        def call(self, *durations):
+            left = iter(durations)
+
+            def one():
+                self.now += next(left, durations[-1])
+
+            return one
+
+    planted_clock = Clock()
+    monkeypatch.setattr(fresh, "time", planted_clock)
+    monkeypatch.setattr(interface, "time", planted_clock)
+    return planted_clock
 
 
 class TestJudge:
-    def test_our_floats_are_right_to_float_accuracy(self, floats, proved):
-        found = judge(floats, proved, 40, SCENE.scene)
-        assert found.right
-        assert found.difference is None
-        assert found.error < -13
+    def test_our_floats_and_balls_have_the_digits_of_their_arithmetic(self, truth):
+        for label, setting, least in (("solve", 0, 13), ("ball", 500, 500)):
+            found = answer_of(contender(label).prepare(SCENE, setting)())
+            verdict = judge(found, proved(SCENE, setting), SCENE, setting)
+            assert verdict.difference is None
+            assert least < verdict.digits < least + 40
 
-    def test_a_missing_event_is_seen(self, floats, proved):
-        short = replace(floats, kinds=floats.kinds[:-1], times=floats.times[:-1])
-        found = judge(short, proved, 40, SCENE.scene)
-        assert not found.right
-        assert found.difference == f"{len(floats.kinds) - 1} events, not {len(floats.kinds)}"
+    def test_a_wrong_itinerary_is_named(self, truth):
+        count, modes, times = len(truth.times), truth.modes, truth.times
+        gap = min(times[4] - times[3], times[5] - times[4])
+        wrong = {
+            f"{count - 1} events, not {count}": replace(truth, modes=modes[:-1], times=times[:-1]),
+            f"segment 1 is slip-, not {'slip+' if modes[0] > 0 else 'stick'}": replace(truth, modes=(-1, *modes[1:])),
+            "its neighbour": replace(truth, times=(*times[:4], times[4] + gap * 0.51, *times[5:])),
+            " nan s off": replace(truth, times=(*times[:4], math.nan, *times[5:])),
+        }
+        for said, found in wrong.items():
+            assert said in judge(found, truth, SCENE).difference
+        late = replace(truth, times=(*times[:4], times[4] + gap * 0.49, *times[5:]))
+        assert judge(late, truth, SCENE).difference is None
 
-    def test_exchanged_kinds_are_seen(self, floats, proved):
-        at = floats.kinds.index("nx")
-        exchanged = floats.kinds[:at] + "xn" + floats.kinds[at + 2 :]
-        found = judge(replace(floats, kinds=exchanged), proved, 40, SCENE.scene)
-        assert found.difference == f"event {at + 1} is exit, not entry"
+    def test_errors_are_those_that_were_planted(self, truth):
+        length, last = SCENE.pair.half_width, truth.times[-1]
+        x1, v1, x2, v2 = truth.final
+        with Ball(60).context():
+            rows = (
+                (replace(truth, final=(x1 + arb(0.001 * float(length)), v1, x2, v2)), 3),
+                (replace(truth, final=(x1, v1, x2, v2 - arb(0.01 * float(length * 10)))), 2),
+                (replace(truth, times=(*truth.times[:-1], last * (1 - arb(1e-7)))), 7),
+                (replace(truth, lost=truth.lost * (1 + arb("1e-30"))), 30),
+            )
+        for found, digits in rows:
+            assert judge(found, truth, SCENE).digits == pytest.approx(digits, abs=1e-3)
 
-    def test_a_time_beyond_half_the_gap_is_seen(self, floats, proved):
-        gap = min(floats.times[4] - floats.times[3], floats.times[5] - floats.times[4])
-        for share, right in ((0.49, True), (0.51, False), (math.nan, False)):
-            moved = [*floats.times[:4], floats.times[4] + share * gap, *floats.times[5:]]
-            assert judge(replace(floats, times=moved), proved, 40, SCENE.scene).right is right
+    def test_the_radius_of_the_reference_is_part_of_the_error(self, truth):
+        wide = replace(truth, final=(truth.final[0] + arb("[0 +/- 5e-6]"), *truth.final[1:]))
+        assert judge(truth, wide, SCENE).digits == pytest.approx(3, abs=0.01)
 
-    def test_errors_are_those_that_were_planted(self, proved):
-        pair = SCENE.scene.pair
-        L, Omega = pair.half_width, 10
-        exact = balls_of(SCENE.scene, 40)
-        assert judge(exact, proved, 40, SCENE.scene).error < -40
-        x1, v1, x2, v2 = (Fraction(text) for text in exact.final)
-        moved = [x1 + L / 1000, v1, x2, v2 - 2 * L * Omega / 100]
-        found = judge(replace(exact, final=[_decimal(value) for value in moved]), proved, 40, SCENE.scene)
-        assert found.state == pytest.approx(math.log10(0.02))
-        lost = Fraction(exact.dissipated) * (1 + Fraction(1, 10**30))
-        found = judge(replace(exact, dissipated=_decimal(lost)), proved, 40, SCENE.scene)
-        assert found.energy == pytest.approx(-30)
-        late = Fraction(exact.last_event) * (1 - Fraction(1, 10**7))
-        assert judge(replace(exact, last_event=_decimal(late)), proved, 40, SCENE.scene).error == pytest.approx(-7)
-
-    def test_errors_far_below_the_range_of_a_float_are_numbers(self):
-        found = judge(balls_of(SCENE.scene, 500), reference.proved(SCENE.scene, 530), 530, SCENE.scene)
-        assert -530 < found.error < -500
-
-    def test_no_number_is_an_infinite_error_and_nothing_to_compare_is_none(self, floats, proved):
-        broken = replace(floats, final=[float_text(math.nan), *floats.final[1:]], last_event=None)
-        found = judge(broken, proved, 40, SCENE.scene)
-        assert (found.state, found.last_event, found.error) == (math.inf, math.inf, math.inf)
-        assert json.dumps(found.as_record(), allow_nan=False)
+    def test_no_number_has_no_digits_and_nothing_to_compare_is_no_error(self, truth):
+        assert judge(replace(truth, lost=math.inf), truth, SCENE).digits is None
         rest = Scene(Pair(1, 1, 200, "0.5"), State(x1="0.001"), until=1)
-        still = judge(floats_of(rest), reference.proved(rest), 40, rest)
-        assert still.right
-        assert still.last_event is None
-        assert still.energy is None
-        assert still.error < -13
+        assert judge(answer_of(contender("solve").prepare(rest, 0)()), proved(rest), rest).digits > 13
+
+    def test_a_number_of_any_arithmetic_is_taken_exactly(self):
+        third = np.longdouble(1) / 3
+        for value in (0.1, third, (0.1, 1e-20)):
+            exact = sum(map(Fraction, value)) if isinstance(value, tuple) else Fraction(*value.as_integer_ratio())
+            with Ball(80).context():
+                assert as_arb(value) == arb(fmpq(exact.numerator, exact.denominator))
 
 
-def _decimal(value: Fraction) -> str:
-    """Return a rational with 60 digits after the point."""
-    return f"{round(value * 10**60)}e-60"
+class TestOurs:
+    def test_the_call_that_is_timed_solves_again(self, monkeypatch):
+        calls, solve = [], contenders.solve
+        monkeypatch.setattr(contenders, "solve", lambda *a, **k: calls.append(1) or solve(*a, **k))
+        call = contender("solve").prepare(SCENE, 0)
+        assert call() is not call()
+        assert len(calls) == 2
+
+    def test_what_a_user_looks_at_is_made_while_the_clock_runs(self):
+        read = []
+
+        class Lazy:
+            def __getattr__(self, name):
+                read.append(name)
+
+        looked_at(Lazy())
+        assert {"t", "y", "modes"} <= set(read)
 
 
-class TestFront:
-    POINTS = (
-        Point("ours", True, 1, 1.0, -10.0, True),
-        Point("ours", True, 2, 2.0, -20.0, True),
-        Point("fast but wrong", False, 1, 0.1, -10.0, False),
-        Point("beaten", False, 1, 3.0, -15.0, True),
-        Point("equal", False, 1, 2.0, -20.0, True),
-        Point("coarse and fast", False, 1, 0.5, -3.0, True),
-        Point("finest", False, 1, 9.0, -30.0, True),
+class TestTime:
+    def measured(self, monkeypatch, call, runner=None):
+        monkeypatch.setattr(fresh, "answer_of", lambda _: PeerRun((0,), (), (0.0,) * 4, 0.0))
+        monkeypatch.setattr(fresh, "proved", lambda *_: PeerRun((0,), (), (0.0,) * 4, 0.0))
+        monkeypatch.setattr(fresh, "contender", lambda _: replace(CONTENDERS[0], prepare=lambda *_: call))
+        return fresh.measured("solve", scenes.HEADLINE, 0, runner)
+
+    def test_the_time_is_pyperf_s_median_of_all_processes(self, monkeypatch, clock):
+        pyperf = pytest.importorskip("pyperf")
+
+        class Runner:
+            args = type("Args", (), {"worker": False, "loops": 0})()
+
+            def bench_time_func(self, name, timed):
+                values = [timed(1) for _ in range(5)]
+                return pyperf.Benchmark([pyperf.Run(values, collect_metadata=False, metadata={"name": name})])
+
+        found = self.measured(monkeypatch, clock.call(9.0, 1e-4, 1e-3, 2e-3, 3e-3, 5e-3, 9e-3), Runner())
+        assert found["seconds"] == pytest.approx(3e-3)
+        assert found["deviation"] == pytest.approx(2e-3)
+        assert Runner.args.loops == 100
+        Runner.args.worker = True
+        assert self.measured(monkeypatch, clock.call(1e-3), Runner()) == {}
+
+    def test_a_slow_call_is_measured_by_its_second_run(self, monkeypatch, clock):
+        found = self.measured(monkeypatch, clock.call(50.0, 7.0))
+        assert found == {"difference": None, "digits": pytest.approx(1e6), "seconds": 7.0}
+
+    def test_without_pyperf_there_is_no_time(self, monkeypatch, clock):
+        assert "seconds" not in self.measured(monkeypatch, clock.call(1e-3))
+        monkeypatch.setattr(measure, "find_spec", lambda name: None)
+        monkeypatch.setattr(measure, "answered", lambda *_: {"difference": None, "digits": 9.0})
+        assert "pyperf" in measure.trade("small", ["solve"]).left_out["all times"]
+
+    def test_two_calls_are_timed_in_turn_and_compared_by_their_medians(self, clock):
+        order, slow = [], clock.call(3e-3)
+        quick = clock.call(*[1e-3] * 4, *[1e-4] * 2, *[9e-2] * 2, 1e-3)  # two at once make a batch; two are outliers
+        ratio = interface.in_turns(lambda: order.append("a") or quick(), lambda: order.append("b") or slow(), 0.25)
+        assert ratio == pytest.approx(3)
+        assert "".join(order[4:]).count("aab") > 4
+
+    @pytest.mark.parametrize("name", ["velocities", "forced-friction"])
+    def test_both_sides_of_a_sweep_solve_as_many_scenes(self, name):
+        pytest.importorskip("heyoka")
+        ours, theirs = interface.swept(replace(scenes.benchmark(name), until=Fraction(1)), 3)
+        state, runs = np.asarray(ours()), theirs()
+        assert len(runs) == 3 == state.shape[-1]
+        assert state == pytest.approx(np.array([one.final for one in runs]).T, abs=1e-8)
+
+
+class TestProcesses:
+    def test_what_hangs_or_dies_is_an_answer(self):
+        hangs, dies, speaks = (
+            f"import os; {one}" for one in ("import time; time.sleep(600)", "os.abort()", "print('{')")
+        )
+        assert measure.answered([sys.executable, "-c", hangs], 0.3) == {"note": "stopped after 0.3 s"}
+        for code in (dies, speaks):
+            assert measure.answered([sys.executable, "-c", code], 600)["note"].startswith("ended with code")
+
+    def test_after_a_stopped_setting_none_is_tried(self, monkeypatch):
+        monkeypatch.setattr(measure, "answered", lambda *_: {"note": "stopped after 1 s"})
+        size = measure.Size((), 3, 1)
+        assert [one.right for one in measure.runs_of(contender("heyoka"), "velocities", size)] == [None]
+
+    @pytest.mark.slow
+    def test_a_fresh_process_judges_and_refuses(self):
+        size = measure.Size((), 2, 600)
+        *_, found = measure.runs_of(contender("forward Euler"), scenes.HEADLINE, size)
+        assert found.right
+        assert found.digits > 1
+        *_, refused = measure.runs_of(contender("forward Euler"), "forced-jumps", size)
+        assert refused.right is None
+        assert "for free pairs" in refused.note
+
+
+class TestRecorded:
+    def test_a_lead_is_over_right_runs_and_by_ours_that_are_no_less_accurate(self):
+        peers = [("wrong", 1e-9, 30.0, False), ("coarse", 1e-4, 3.0), ("fine", 1e-1, 20.0), ("finest", 1.0, 90.0)]
+        found = trade_of(*(run(who, "velocities", *rest) for who, *rest in peers)).leads("velocities")
+        ratios = {one.peer.who: (one.ours and one.ours.who, one.ratio) for one in found}
+        assert ratios == {"finest": (None, 0.0), "coarse": ("solve", 0.1), "fine": ("ball", 10.0)}
+
+    def test_a_trade_comes_back_as_it_was_written(self, tmp_path):
+        runs = run("Peer", "velocities", None, None, None), run("Peer", "velocities", 1e-3, 2.0, False)
+        assert planted(tmp_path, *runs) == trade_of(*runs)
+
+    @pytest.mark.parametrize(
+        ("content", "said"),
+        [
+            (b"", "is no output of"),
+            (b"\xff\xfe", "is no output of"),
+            (b"[1]", "is no output of"),
+            (b"{}", "'columns' is missing"),
+            (trade_of(machine={}).text().encode(), "no runs or no machine"),
+            (trade_of().text().replace("0.001", '"soon"').encode(), "could not convert"),
+        ],
     )
+    def test_a_wrong_file_is_named_with_what_is_wrong(self, tmp_path, content, said):
+        (tmp_path / "wrong.json").write_bytes(content)
+        with pytest.raises(UnreadableTrade, match=said) as caught:
+            recorded(tmp_path / "wrong.json")
+        assert str(caught.value).startswith("wrong.json ")
+        with pytest.raises(UnreadableTrade, match=r"nowhere\.json cannot be read: No such file"):
+            recorded(tmp_path / "nowhere.json")
 
-    def test_front_keeps_what_no_right_run_beats(self):
-        names = [(one.contender, one.setting) for one in front.best_front(self.POINTS)]
-        assert names == [("coarse and fast", 1), ("ours", 1), ("ours", 2), ("equal", 1), ("finest", 1)]
-
-    def test_lead_is_over_runs_that_are_no_less_accurate(self):
-        ratios = {one.peer.contender: one.ratio for one in front.leads(self.POINTS)}
-        expected = {"fast but wrong": 0.1, "beaten": 1.5, "equal": 1.0, "coarse and fast": 0.5, "finest": None}
-        assert ratios == expected
-
-
-class TestScenes:
-    def test_a_scene_crosses_processes_exactly(self):
-        for one in [*scenes.benchmarks(10), scenes.of_mass_ratio(Fraction(1, 10**12))]:
-            record = json.loads(json.dumps(scenes.scene_as_record(one.scene)))
-            assert scenes.scene_from_record(record) == one.scene
-
-    @pytest.mark.parametrize(("speed", "excess"), [("0.00158", "1e-3"), ("5e-5", "1e-6"), ("5e-8", "1e-12")])
-    def test_near_critical_scenes_have_the_excess_of_their_name(self, speed, excess):
-        scene = scenes.near_critical(speed, excess).scene
-        assert float(scene.energy_excess) == pytest.approx(float(excess), rel=2e-3)
-        kinds = floats_of(scene).kinds
-        assert kinds == "nx" * scenes.EXCURSIONS + "n"
-
-    def test_no_event_falls_on_a_horizon(self):
-        for one in scenes.benchmarks(20):
-            times = (balls_of(one.scene, 15) if one.scene.is_forced else floats_of(one.scene)).times
-            assert float(one.scene.until) - times[-1] > 1e-6
-
-
-class TestPlan:
-    def test_only_selects_contenders_and_scenes(self):
-        everyone, some = [ours(READ), ours(BALL), ours(MPMATH)], scenes.benchmarks(5)
-        kept, all_scenes = selected(everyone, some, ["BALL"])
-        assert [one.label for one in kept] == ["ball"]
-        assert all_scenes == some
-        kept, few = selected(everyone, some, ["long", "solve"])
-        assert [one.label for one in kept] == [READ]
-        assert [one.name for one in few] == ["long-5"]
-        with pytest.raises(NoSuchContender, match="'wrong' fits no contender"):
-            selected(everyone, some, ["wrong"])
-
-    def test_sizes_go_further_and_further(self):
-        free = scenes.paper_scenes()[0]
-        most = [settings(ours(BALL), SIZES[name], free)[-1] for name in ("small", "default", "large")]
-        assert most == [100, 10_000, 10_000]
-        assert settings(ours(BALL), SIZES["default"], scenes.forced_scenes()[0])[-1] == 1000
-
-    def test_two_uses_of_one_tool_are_told_apart(self):
-        class Tool:
-            name, knob, settings = "tool", "tol", (1.0,)
-
-            def __init__(self, use):
-                self.use = use
-
-        labels = [one.label for one in all_contenders()]
-        assert len(set(labels)) == len(labels)
-        assert [one.label for one in labelled([Tool("plain"), Tool("best, and more")])] == [
-            "tool (plain)",
-            "tool (best)",
-        ]
-        assert [one.label for one in labelled([Tool("plain")])] == ["tool"]
-
-    def test_the_clock_takes_the_median_of_warm_calls(self):
-        calls = []
-        found = median_time(lambda: calls.append(1), 1e-3, 0.01)
-        assert found.batches >= 1
-        assert 0 < found.seconds < 1e-3
-        assert len(calls) > found.batches
+    def test_the_shipped_one_is_small_names_no_place_and_no_day_and_is_drawn(self):
+        text = SHIPPED.read_text("utf-8")
+        assert len(text) < 40_000
+        assert not re.search(
+            r"(?<![\w.])/(home|root|tmp|opt|usr|work|var|nix|Users)/|[A-Z]:\\\\|\b20\d\d-\d\d-\d\d\b", text
+        )
+        assert set(recorded().machine) <= {*MACHINE, "system"}
+        assert len(draw_trade(recorded()).axes) == len(recorded().scenes) + 1
 
 
 class TestCommand:
-    def test_small_runs_end_to_end_and_names_what_is_missing(self, monkeypatch, capsys, tmp_path):
-        class Absent(Ours):
-            ours = False
-
-            def missing(self):
-                return "a package that nobody has"
-
-        everyone = [ours(READ), ours(BALL), Absent("absent tool", solved(None))]
-        monkeypatch.setattr("numerics.trade.plan.all_contenders", lambda: everyone)
-        figure = tmp_path / "trade.png"
-        assert (
-            main(["trade", "--size", "small", "--only", "solve", "absent", "b05", "--json", "--out", str(figure)]) == 0
-        )
+    def test_the_whole_command_with_planted_answers(self, monkeypatch, capsys, tmp_path):
+        monkeypatch.setattr(measure, "answered", lambda *_: {"difference": None, "digits": 9.0, "seconds": 2e-3})
+        absent = replace(CONTENDERS[0], label="absent tool", package="a-package-that-nobody-has")
+        monkeypatch.setattr(measure, "CONTENDERS", (contender("solve"), contender("forward Euler"), absent))
+        arguments = ["trade", "--size", "small", "--only", "free", "--json", "--out", str(tmp_path / "trade.png")]
+        assert main(arguments) == 0
         record = json.loads(capsys.readouterr().out)
-        assert record["left_out"] == [{"contender": "absent tool", "missing": "a package that nobody has"}]
-        (row,) = record["runs"]
-        assert row["contender"] == READ
-        assert row["right"]
-        assert row["log10_error"] < -13
-        assert row["seconds"] > 0
-        assert {one["axis"] for one in record["growth"]} >= {"events", "m1/m2"}
-        assert not any(one["note"] for one in record["growth"] if one["axis"] != "batch")
-        assert set(record["machine"]) == {"processor", "cores", "load", "system", "python", "packages"}
-        assert sorted(path.name for path in tmp_path.iterdir()) == ["trade-growth.png", "trade.png"]
-        assert main(["trade", "--size", "small", "--only", "absent", "b05"]) == 0
-        assert "left out: absent tool: needs a package that nobody has" in capsys.readouterr().out
+        assert record["left_out"]["absent tool"] == "a-package-that-nobody-has (extra `comparisons`)"
+        assert list(record["scenes"]) == ["relative-motion-b05", "near-critical-1e-6"]
+        assert {one[1] for one in record["runs"]} == {"solve", "forward Euler"}
+        assert [path.name for path in tmp_path.iterdir()] == ["trade.png"]
+        assert main(["trade", "--size", "small", "--only", "Euler", "absent", "b05"]) == 0
+        printed = capsys.readouterr().out
+        assert "left out: absent tool: needs a-package-that-nobody-has" in printed
+        assert "2 ms" in printed
+
+    def test_the_interface_prints_the_least_and_the_median(self, monkeypatch, capsys):
+        found = [interface.Ratio("solve", name, ratio) for name, ratio in (("a", 3.0), ("b", 1.5), ("c", 9.0))]
+        monkeypatch.setattr(interface, "ratios", lambda: iter([*found, interface.Ratio("x", "d", None, "left out")]))
+        assert main(["trade", "--interface"]) == 0
+        printed = capsys.readouterr().out
+        assert re.search(r"solve +3 +1\.5 +3 +b", printed)
+        assert "x, d: 0 left out" in printed
 
     @pytest.mark.parametrize(
         ("arguments", "message"),
         [
             (["--only", "nobody at all"], "fits no contender"),
-            (["--out", "figure.jpeg"], "must end in one of"),
             (["--out", "no-such-folder/figure.png"], "does not exist"),
         ],
     )
@@ -216,3 +279,10 @@ class TestCommand:
         error = capsys.readouterr().err
         assert message in error
         assert error.count("\n") == 1
+
+    def test_a_peer_that_fails_leaves_a_note(self, monkeypatch, capsys, tmp_path):
+        monkeypatch.setattr(fresh, "measured", lambda *_: (_ for _ in ()).throw(PeerFailed("no step is small enough")))
+        monkeypatch.setattr(fresh, "find_spec", lambda _: None)
+        monkeypatch.setattr(sys, "argv", ["fresh", "heyoka", "velocities", "1"])
+        fresh.main()
+        assert json.loads(capsys.readouterr().out)["note"] == "PeerFailed: no step is small enough"

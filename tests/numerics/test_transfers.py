@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from itertools import pairwise
 
@@ -9,12 +10,13 @@ import mpmath
 import pytest
 from control_scenes import DAMPED, FREE, referred
 from flint import arb
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from strategies import decimals
+from strategies import decimals, pairs
 
 from numerics.arithmetic.ball import Ball
 from numerics.control import transfer as transfers
+from numerics.control.answers import rounded
 from numerics.control.transfer import Road, fastest_transfer
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Pair, Piece, Scene, State
@@ -116,6 +118,74 @@ def test_between_the_amplitudes_it_says_that_the_least_time_is_open():
     weaker = fastest_transfer(at_rest(FREE), "0.001", amplitude=1)
     assert weaker.road is Road.OPEN
     assert "no control meets the bound with less than 1.03496 N" in weaker.fastest
+
+
+@pytest.mark.parametrize(
+    ("amplitude", "said"),
+    [
+        ("0.8", "no control within the amplitude is faster: none can break the contact before"),
+        ("0.85", "no control that sticks is faster; whether slipping helps is open"),
+    ],
+)
+def test_full_force_is_the_fastest_of_all_only_where_nothing_can_break_the_contact(amplitude, said):
+    """The contact holds for every control up to the time T of the transfer if U (2 - cos(Omega T)) <= b M/m2 = 1 N."""
+    found = fastest_transfer(at_rest(FREE), "0.0005", amplitude=amplitude)
+    assert (found.road, found.fastest) == (Road.BANG_BANG, said)
+    needed = float(amplitude) * (2 - math.cos(10 * float(found.time)))
+    assert (needed <= 1) == said.startswith("no control within")
+
+
+def test_a_margin_leaves_no_room_for_a_slip():
+    """1.08 N are enough to meet the bound by slipping, which takes friction to its limit, and too little to stick."""
+    assert fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08").road is Road.SLIP
+    assert fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08", margin="0.01").road is Road.OPEN
+
+
+def test_a_transfer_under_a_margin_is_the_fastest_of_those_that_keep_it():
+    found, kept = (fastest_transfer(at_rest(FREE), "0.01", margin=one) for one in (0, "0.1"))
+    assert found.time < kept.time
+    assert found.fastest.startswith("no control is faster")
+    assert kept.fastest.startswith("no control that keeps the margin is faster")
+
+
+@given(pairs(damped=None), decimals(-3, -1, 2), st.integers(1, 19))
+@example(Pair("4.2", "1.1", 87, "0.9"), Fraction("0.079"), 2)
+def test_no_force_of_a_transfer_exceeds_its_amplitude(pair, part, twentieths):
+    """Running ahead, braking and holding; the distance is a part of that over which g turns, or friction holds."""
+    far = part * min(pair.half_width, pair.b * pair.m1 / (pair.m2 * pair.a2) * 10)
+    known = fastest_transfer(at_rest(pair), far)
+    least = known.stuck_amplitude / 2 if known.least_amplitude is None else known.least_amplitude
+    amplitude = rounded(least + (known.stuck_amplitude - least) * twentieths / 20, 6)
+    found = fastest_transfer(at_rest(pair), far, amplitude=amplitude)
+    if found.scene is not None:
+        times = [piece.start for piece in found.scene.force.pieces] + [found.scene.until]
+        for start, end in pairwise(times):
+            sizes = [abs(found.scene.force(start + (end - start) * k / 40)) for k in range(40)]
+            assert max(sizes) <= amplitude
+
+
+def test_where_holding_needs_more_no_slip_is_given():
+    """It takes more than a2 D = 6.873 N, as body 1 is ahead of body 2."""
+    found = fastest_transfer(at_rest(Pair("4.2", "1.1", 87, "0.9")), "0.079", amplitude="6.015")
+    assert found.least_amplitude < 6.015 < found.stuck_amplitude
+    assert found.road is Road.OPEN
+    assert "whether both bodies can rest then is open" in found.fastest
+
+
+@pytest.mark.parametrize(
+    ("pair", "distance", "most"),
+    [
+        (Pair(1, 1, 1, "0.5", 40), 1200, 1599),  # at a late time; the start needs 1581 N, holding 1200 N
+        (FREE, "0.05", 10),  # for holding; the start needs 6 N
+        (DAMPED, "0.01", None),
+    ],
+)
+def test_the_amplitude_of_a_stuck_transfer_is_the_largest_value_of_its_force(pair, distance, most):
+    found = fastest_transfer(at_rest(pair), distance)
+    until = found.scene.until
+    largest = max(abs(float(found.scene.force(until * k / 5000))) for k in range(5000))
+    assert float(found.stuck_amplitude) == pytest.approx(largest, rel=1e-3)
+    assert most is None or float(found.stuck_amplitude) == pytest.approx(most)
 
 
 def test_where_the_impulse_response_turns_no_least_amplitude_is_claimed():

@@ -27,12 +27,12 @@ from paper_checks.speed import section as section_module
 def small(monkeypatch, tmp_path_factory, rows, registry, figures):
     """The small ledger in the place of the real one, and a small trade; no chapter on its rows, no runs of Euler's."""
     machine = MACHINE | {"processor": "Slide rule"}
-    shipped = planted(tmp_path_factory.mktemp("shipped"), machine=machine, growth=[])
+    shipped = planted(tmp_path_factory.mktemp("shipped"), machine=machine)
     monkeypatch.setattr(recorded_module, "recorded", lambda path=None: recorded(path) if path else shipped)
     monkeypatch.setattr(under_a_force, "section", lambda: Section("under-a-force", "Under a force", ()))
     monkeypatch.setattr(under_a_force, "figures", dict)
-    monkeypatch.setattr(section_module, "euler_figures", tuple)
-    monkeypatch.setattr(section_module, "stick_energies", tuple)
+    monkeypatch.setattr(section_module, "euler_figures", dict)
+    monkeypatch.setattr(section_module, "stick_energy", lambda step: (1.0, 1.0))
     monkeypatch.setattr(ledger_module, "CLAIMS", tuple(row.claim for row in rows))
     monkeypatch.setattr(registry_module, "load_checks", lambda: registry)
     monkeypatch.setattr(parts_module, "FIGURES", figures)

@@ -15,7 +15,7 @@ from paper_checks.running import runner
 from paper_checks.running.planting import planted
 
 TEXT = (Path(__file__).resolve().parents[2] / "CONTRIBUTING.md").read_text("utf-8")
-BLOCKS = re.findall(r"^ *```python\n +# (\S+)\.py\n(.*?)^ *```", TEXT, re.DOTALL | re.MULTILINE)
+BLOCKS = re.findall(r"^ *```python\n *# (\S+)\.py\n(.*?)^ *```", TEXT, re.DOTALL | re.MULTILINE)
 
 
 @pytest.fixture

@@ -1,102 +1,75 @@
-"""diffrax, in edge coordinates: one compiled `diffeqsolve` for both modes, called from event to event.
+"""diffrax: one compiled `diffeqsolve` by Dopri8 for both modes, called from event to event.
 
-As with SciPy at its best, the first step off the surface ends inside the slip, and a stick arc stops at the exit or
-where the load turns back, whichever comes first.
+Events are found where a condition changes sign over a step, so first steps and peaks are watched as with SciPy; they
+are located by bisection of the dense output (Newton's method, the documentation's choice, runs away from wide steps).
+What goes in and out of the compiled function is packed into one array each way: transfers cost more than steps.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
+from typing import Any
 
-from numerics.scene import Scene
-from numerics.trade.comparisons.diffrax_arc import Arc, Asked, DiffraxMethod
-from numerics.trade.comparisons.edge_coordinates import EdgePair, run_by_edges
-from numerics.trade.comparisons.peer import Extra, PeerRun
+import numpy as np
 
-
-class DiffraxPeer(DiffraxMethod):
-    """A free pair by diffrax."""
-
-    use = "edge coordinates, first steps set, peaks watched, work integrated along"
-    forced = False
-    settings: tuple[float, ...] = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
-
-    def prepare(self, scene: Scene, setting: float) -> Callable[[], PeerRun]:
-        """Compile the arc. Raises Unsupported."""
-        import jax
-
-        pair = EdgePair(scene, float)
-        with jax.enable_x64(True):
-            arcs = DiffraxArcs(pair, self.method, setting, float(scene.energy))
-
-        def run() -> PeerRun:
-            with jax.enable_x64(True):
-                return run_by_edges(pair, arcs)
-
-        return run
+from numerics.trade.comparisons.peer import Extra, PeerFailed
+from numerics.trade.comparisons.switched import Arc, Asked, Ended, Number, SwitchedPair
 
 
-class DiffraxArcs:
-    """The compiled arc; which mode it is in, and whether peaks are watched, are runtime arguments."""
-
-    def __init__(self, pair: EdgePair, method: str, tolerance: float, energy: float) -> None:
-        """Compile for a pair, the absolute tolerances being rtol times the sizes that E(0) > 0 allows."""
-        self.pair, self.steps = pair, 0
-        energy = energy or pair.held**2 / pair.a2
-        force, speed = math.sqrt(2 * energy * pair.a2), math.sqrt(2 * energy / pair.m1)
-        sizes = (force, speed, speed, energy / pair.b, energy / (pair.a1 or 1.0))
-        width = 4 + len(pair.rest)
-        self.arc = Arc(method, tolerance, sizes[:width], _field(pair), _guard(pair, force, speed), _unpack, width + 4)
-
-    def slip(self, start: Extra, left: float) -> Extra:
-        """Slip until g falls to 0."""
-        first = self.pair.quick
-        if start[2] == 0 and (back := self.pair.comes_back(start[0], start[1])):
-            first = min(back / 2, first)
-        return self._solve(start, left, first, True, True)
-
-    def stick(self, start: Extra, left: float) -> Extra:
-        """Stick until edge rises to 0; if it turns back before it has, stick for all of the time left."""
-        start = (*start[:2], 0.0, 0.0, *start[2:])
-        met, length, end = self._solve(start, left, self.pair.quick, False, True)
-        if met and not self.pair.leaves(end[0], end[1]):
-            met, length, end = self._solve(start, left, self.pair.quick, False, False)
-        return met, length, (*end[:2], *end[4:])
-
-    def _solve(self, start: Extra, left: float, first: float, slips: bool, watched: bool) -> Extra:
-        met, length, steps, end = self.arc([left, min(first, left), slips, watched, *start])
-        self.steps += steps
-        return met, length, end
-
-
-def _unpack(packed: Extra) -> Asked:
-    """Read an array: left, first step, 1 in slip, 1 where guards are watched, the start."""
-    return Asked(packed[0], packed[1], packed[4:], (packed[2] == 1, packed[3] == 1))
-
-
-def _field(pair: EdgePair) -> Callable[..., Extra]:
-    """Return the rates of edge, v1, g, z, and of u where there is viscosity, in the mode that is asked."""
+def diffrax_arcs(pair: SwitchedPair, rtol: float) -> Arc:
+    """Compile the arc of a pair in float64; mode, span and start are runtime arguments."""
+    import diffrax
+    import jax
     import jax.numpy as jnp
+    import optimistix
 
-    a1, a2, m1, push, mass, held = pair.a1, pair.a2, pair.m1, pair.push, pair.mass, pair.held
+    jax.config.update("jax_enable_x64", True)
+    width, sizes = len(pair.sizes), jnp.array(pair.sizes)
 
-    def field(_: Extra, y: Extra, modes: Extra) -> Extra:
-        slips, _ = modes
-        pull = jnp.where(slips, (push - y[0]) / m1, -(held + y[0]) / mass)
-        rates = [a2 * y[1] + a1 * pull, pull, jnp.where(slips, -y[0] / m1, 0.0), y[2]]
-        return jnp.stack([*rates, y[1] ** 2] if pair.rest else rates)
+    def rates(since: Extra, y: Extra, args: Extra) -> Extra:
+        slip, _, s, start, *numbers = args
+        span = pair.spans[0]._replace(numbers=numbers)
+        push = span.u(start + since, 1, (jnp.sin, jnp.cos))
+        return jnp.where(slip, *(jnp.stack(pair.rates(one, span, s, push, list(y))) for one in (True, False)))
 
-    return field
+    def guards(t: Extra, y: Extra, args: Extra) -> Extra:
+        """Return what falls to 0 at the event, and where the load turns."""
+        slip, still, held = args[0], args[1], args[4]
+        met = jnp.where(slip, y[2] / sizes[2], jnp.minimum(y[0], 2 * held - y[0]) / sizes[0])
+        return met, jnp.where(slip | still, jnp.inf, -pair.quick * rates(t, y, args)[0] / sizes[0])
 
+    options: Any = {
+        "stepsize_controller": diffrax.PIDController(rtol=rtol, atol=rtol * sizes),
+        "event": diffrax.Event(
+            lambda t, y, args, **_: jnp.minimum(*guards(t, y, args)),
+            optimistix.Bisection(1e-15, 1e-14),
+            direction=False,
+        ),
+        "max_steps": 1_000_000,
+        "throw": False,
+    }
+    term = diffrax.ODETerm(rates)
 
-def _guard(pair: EdgePair, force: float, speed: float) -> Callable[..., Extra]:
-    """Return what falls to 0 at the event: g in slip; in stick the distance to the edge, or to where the load turns."""
-    import jax.numpy as jnp
+    def packed_arc(packed: Extra) -> Extra:
+        """Take first step, time left, slip, still, s, t, span, start; return length, stopped, good, turned, end."""
+        args = (packed[2] == 1, packed[3] == 1, *packed[4:-width])
+        out = diffrax.diffeqsolve(term, diffrax.Dopri8(), 0.0, packed[1], packed[0], packed[-width:], args, **options)
+        stopped = out.result == diffrax.RESULTS.event_occurred
+        met, turning = guards(out.ts[-1], out.ys[-1], args)
+        good = stopped | (out.result == diffrax.RESULTS.successful)
+        return jnp.concatenate([jnp.stack([out.ts[-1], stopped, good, turning < met]), out.ys[-1]])
 
-    def guard(t: Extra, y: Extra, args: Extra, **_: Extra) -> Extra:  # noqa: ARG001  (diffrax names its arguments)
-        slips, watched = args
-        stick = jnp.minimum(-y[0], pair.turning(y[0], y[1])) / force
-        return jnp.where(watched, jnp.where(slips, y[2] / speed, stick), 1.0)
+    compiled = jax.jit(packed_arc).lower(np.zeros(6 + len(pair.spans[0].numbers) + width)).compile()
 
-    return guard
+    def arc(asked: Asked) -> tuple[Ended, Number, list[Number]]:
+        slip, span, s, t, start, until, still = asked
+        off = slip and start[2] == 0
+        first = pair.first_step(span, s, t, start[0], start[1])[0] if off else pair.quick
+        packed = [min(first, until - t), until - t, slip, still, s, t, *span.numbers, *start]
+        length, stopped, good, turned, *end = np.asarray(compiled(np.array(packed))).tolist()
+        if not good:
+            raise PeerFailed(f"diffrax: the arc from t = {t:.9g} s has no end")
+        if not stopped:
+            return Ended.TIME, until, end
+        return (Ended.TURNED if turned else Ended.MET), t + length, end
+
+    return arc

@@ -13,72 +13,51 @@ Its dissipated energy is E(0) - E(end), which chatter spoils: forward Euler gain
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from importlib.util import find_spec
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.motion.modes import EventKind
 from numerics.scene import Scene
 from numerics.trade.comparisons.forward_euler import EulerRun, forward_euler, march
-from numerics.trade.comparisons.peer import Extra, PeerFailed, PeerRun
-from numerics.trade.comparisons.switching import EventLog, SwitchedPair
+from numerics.trade.comparisons.peer import Call, Extra, PeerFailed, PeerRun, Unsupported
+from numerics.trade.comparisons.switched import SwitchedPair
 
 MAX_STEPS = 20_000_000
 Vector = NDArray[np.float64]
 
 
-class EulerPeer:
-    """Forward Euler with a fixed step, as Python runs it or with its loop compiled by numba."""
+def euler_peer(scene: Scene, step: float) -> Call:
+    """Compile the loop, where numba is installed. Raises Unsupported; PeerFailed for too many steps."""
+    if scene.is_forced:
+        raise Unsupported("the paper's forward Euler is for free pairs")
+    loop: Extra = march
+    pair, steps = SwitchedPair(scene), float(scene.until) / step
+    if steps > MAX_STEPS:
+        raise PeerFailed(f"{steps:.0f} steps do not fit the memory; the cap is {MAX_STEPS}")
+    if find_spec("numba"):
+        import numba
 
-    forced = False
-    knob = "step (s)"
-    settings: tuple[float, ...] = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+        loop = numba.njit(march)
 
-    def __init__(self, compiled: bool) -> None:
-        """Take whether the loop is compiled."""
-        self.compiled = compiled
-        self.name = "forward Euler"
-        self.use = "compiled by numba" if compiled else "plain Python"
+    def run() -> PeerRun:
+        with np.errstate(over="ignore", invalid="ignore"):  # a coarse step may blow up, and says so by its result
+            return read(pair, forward_euler(scene, step, loop))
 
-    def missing(self) -> str | None:
-        """Name numba where the loop is to be compiled and it is not installed."""
-        return "numba" if self.compiled and not find_spec("numba") else None
-
-    def prepare(self, scene: Scene, setting: float) -> Callable[[], PeerRun]:
-        """Compile the loop. Raises Unsupported; the run raises PeerFailed if it would take too many steps."""
-        pair = SwitchedPair.of(scene)
-        loop: Extra = march
-        if self.compiled:
-            import numba
-
-            loop = numba.njit(march)
-            forward_euler(scene, pair.until / 2, loop)
-
-        def run() -> PeerRun:
-            if pair.until / setting > MAX_STEPS:
-                raise PeerFailed(f"{pair.until / setting:.0f} steps do not fit the memory; the cap is {MAX_STEPS}")
-            with np.errstate(over="ignore", invalid="ignore"):  # a coarse step may blow up, and says so by its result
-                return read(pair, forward_euler(scene, setting, loop))
-
-        return run
+    return run
 
 
 def read(pair: SwitchedPair, euler: EulerRun) -> PeerRun:
     """Return what a forward Euler run says, read by the rules above."""
     x1, v1, _, v2 = euler.y
-    sign, load = np.sign(v1 - v2), pair.a2 * x1 + pair.a1 * v1
-    log = EventLog()
-    for kind, step in _events(sign, load, pair.held, pair.start.sign):
-        log.add(kind, float(euler.t[step]))
-    y = euler.y[:, -1]
-    lost = pair.lost(float(y[0]), float(y[1]), float(y[3]))
-    return PeerRun(tuple(log.kinds), np.array(log.times), y.copy(), lost, len(euler.t) - 1)
+    steps = _events(np.sign(v1 - v2), pair.a2 * x1 + pair.a1 * v1, pair.spans[0].held, pair.mode)
+    events = [(mode, float(euler.t[step])) for mode, step in steps]
+    return PeerRun.of(pair.mode, events, euler.y[:, -1].tolist(), float(euler.energy[0] - euler.energy[-1]))
 
 
-def _events(sign: Vector, load: Vector, held: float, mode: int) -> Iterator[tuple[EventKind, int]]:
-    """Yield the kind and the step of each event; the mode is the sign of the slip, 0 in stick."""
+def _events(sign: Vector, load: Vector, held: float, mode: int) -> Iterator[tuple[int, int]]:
+    """Yield the mode after each event and its step; a mode is the sign of the slip, 0 in stick."""
     inside = np.abs(load) <= held
     outside = np.flatnonzero(~inside)
     other = {one: np.flatnonzero(sign != one) for one in (-1, 1)}
@@ -88,12 +67,8 @@ def _events(sign: Vector, load: Vector, held: float, mode: int) -> Iterator[tupl
         step = _next(outside, step) if mode == 0 else _next(other[mode], _next(begun[mode], step))
         if step is None:
             return
-        if mode == 0:
-            mode = -1 if load[step] > 0 else 1
-            yield EventKind.EXIT, step
-        else:
-            mode = 0 if inside[step] else -mode
-            yield (EventKind.CROSSING if mode else EventKind.ENTRY), step
+        mode = (-1 if load[step] > 0 else 1) if mode == 0 else 0 if inside[step] else -mode
+        yield mode, step
 
 
 def _next(steps: NDArray[np.intp], after: int | None) -> int | None:

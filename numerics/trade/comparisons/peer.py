@@ -1,69 +1,37 @@
-"""One interface for every integrator that is compared with ours: prepare once, run and be timed, return a PeerRun."""
+"""What every integrator that is compared with ours gives back: a function `prepare(scene, setting)` makes a call.
+
+`prepare` builds and compiles everything once; the call that it returns is what is timed, and gives a PeerRun.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
-
-import numpy as np
-from numpy.typing import NDArray
-
-from numerics.motion.modes import EventKind
-from numerics.scene import Scene
-
-
-@dataclass(frozen=True)
-class PeerTexts:
-    """The answers of a run in a format finer than binary64, as decimal text with all its digits; SI units."""
-
-    last_event: str | None
-    """The time of the last event, s; None without events."""
-    final: tuple[str, ...]
-    """x1, v1, x2, v2 at the horizon, m and m/s."""
-    dissipated: str
-    """Energy that friction and viscosity took, J."""
+from typing import Any
 
 
 @dataclass(frozen=True)
 class PeerRun:
-    """What one run of an integrator says of a scene; SI units, approximate."""
+    """What one run of an integrator says of a scene; SI units, approximate, in the integrator's own numbers."""
 
-    kinds: tuple[EventKind, ...]
-    """The kinds of its events in their order."""
-    t_events: NDArray[np.float64]
-    """The times of its events, s, shape (k,)."""
-    y_final: NDArray[np.float64]
+    modes: tuple[int, ...]
+    """The itinerary: the sign of v1 - v2 in every segment, 0 in stick; one more than there are events."""
+    times: tuple[Any, ...]
+    """The times of the events, s."""
+    final: tuple[Any, ...]
     """(x1, v1, x2, v2) at the horizon, m and m/s."""
-    dissipated: float
-    """The energy that friction and viscosity took from t = 0 to the horizon, J, as its users would compute it."""
-    steps: int
-    """How many steps, or accepted steps, it took."""
-    elapsed: float | None = None
-    """The wall time that it measured itself, s, where it runs in a process of its own; None: time the call."""
-    texts: Callable[[], PeerTexts] | None = None
-    """Writes the same answers with all their digits, after the clock has stopped; None: they are floats."""
+    lost: Any
+    """The energy that friction and viscosity took from t = 0 to the horizon, J."""
+
+    @classmethod
+    def of(cls, mode: int, events: list[tuple[int, Any]], final: Any, lost: Any) -> PeerRun:
+        """Return a run that starts in a mode and enters another one at every event (mode, t)."""
+        return cls((mode, *(one for one, _ in events)), tuple(t for _, t in events), tuple(final), lost)
 
 
-class Peer(Protocol):
-    """An integrator in one way of use. It models what its documentation allows and its users would write."""
-
-    name: str
-    """Of the tool and its method: "SciPy DOP853"."""
-    use: str
-    """The way of use in a few words: "events restarted by mode"."""
-    knob: str
-    """What a setting is: "rtol = atol", "step (s)"."""
-    settings: tuple[float, ...]
-    """The values of the knob that are worth comparing, from coarse to fine."""
-    forced: bool
-    """Whether it is for scenes with a force or a friction in time; the others are for free scenes."""
-
-    def missing(self) -> str | None:
-        """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""
-
-    def prepare(self, scene: Scene, setting: float) -> Callable[[], PeerRun]:
-        """Build and compile everything once; the function that is returned is what is timed. Raises Unsupported."""
+Call = Callable[[], PeerRun]
+Extra = Any
+"""What a module of the extra `comparisons` makes; it is imported late and untyped."""
 
 
 class Unsupported(Exception):
@@ -71,8 +39,4 @@ class Unsupported(Exception):
 
 
 class PeerFailed(RuntimeError):
-    """A run that does not get to the horizon: too many steps or events, events on the spot, or its own error."""
-
-
-Extra = Any
-"""A module of the extra `comparisons`, imported late and untyped."""
+    """A run that does not get to the horizon: too many steps or events, or its own error."""

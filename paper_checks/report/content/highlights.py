@@ -8,7 +8,7 @@ from functools import cache
 
 import sympy as sp
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory

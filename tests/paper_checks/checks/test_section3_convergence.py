@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 import sympy as sp
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
 from numerics.trajectory.status import Status
 from paper_checks.checks import section3_convergence, section3_itineraries, section3_near_critical

@@ -5,7 +5,7 @@ from functools import partial
 import pytest
 import sympy as sp
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from paper_checks.checks import section3_fields
 from paper_checks.checks.registry import Context
 from paper_checks.evidence.finding import Verdict
@@ -92,8 +92,8 @@ STEP_FAULTS = [
     ("viscous-no-direct-effect", FIELDS + "stick", lambda _: lambda: section3_fields.slip(1)),
     ("viscous-no-direct-effect", FIELDS + "a1", lambda a1: -a1),
     ("viscous-no-direct-effect", FIELDS + "slip", lambda _: lambda sign: section3_fields.stick()),
-    ("viscous-no-direct-effect", "numerics.motion.begin.mode_at_start", lambda _: lambda scene: Mode.STICK),
-    ("viscous-no-direct-effect", "numerics.motion.begin.mode_at_start", lambda _: lambda scene: Mode.SLIP_MINUS),
+    ("viscous-no-direct-effect", "numerics.linear.exact_start.mode_at_start", lambda _: lambda scene: Mode.STICK),
+    ("viscous-no-direct-effect", "numerics.linear.exact_start.mode_at_start", lambda _: lambda scene: Mode.SLIP_MINUS),
     ("filippov-equivalence", FIELDS + "sliding_field", doubled),
     ("filippov-equivalence", FIELDS + "free_system", other_sign),
     ("filippov-equivalence", FIELDS + "free_system", lambda field: lambda sign: field(sign / 2)),

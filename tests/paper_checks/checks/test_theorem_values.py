@@ -10,9 +10,9 @@ from flint import arb
 
 from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball
-from numerics.long_time.excursion_map import excursions
-from numerics.motion.frame import Frame
-from numerics.motion.modes import EventKind
+from numerics.free.excursions import excursions
+from numerics.linear.modes import EventKind
+from numerics.trajectory.reduced import Frame
 from numerics.trajectory.status import Status
 from paper_checks.checks import (
     theorems_excursion,

@@ -7,7 +7,7 @@ import matplotlib as mpl
 import pytest
 from matplotlib.colors import to_rgba
 
-from numerics.motion.modes import EventKind, Mode
+from numerics.linear.modes import EventKind, Mode
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from paper_checks import checks

@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from numerics.motion.modes import Mode
+from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
 from paper_checks.engines.enclosure import ball, compare, exact, itinerary, rounded, solved, stuck_for_ever, within
 

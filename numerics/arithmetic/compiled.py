@@ -1,0 +1,239 @@
+"""What numba compiles: the same functions as they stand. numba is optional, and imported when the first is asked for.
+
+`@compilable` registers a function that compiled code may call, `@by_type` one that asks for the type of its first
+argument: compiled code takes one of two instead. Neither changes the function. What `compiled` makes of an entry is
+kept in a folder of the user's cache that is named by the sources: numba would not notice that a function has changed
+which a compiled one calls.
+"""
+
+# ruff: noqa: PLW0108 - numba wants a function of Python, with names of its own for the arguments
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import operator
+import os
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from functools import cache
+from pathlib import Path
+from types import FunctionType
+from typing import Any, TypeVar
+
+from numerics.arithmetic import pair
+from numerics.files import cache_folder
+
+try:
+    import fcntl
+except ImportError:  # not a POSIX system
+    fcntl = None  # type: ignore[assignment]
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+_WAITING: list[tuple[Any, Any, Any, dict[str, Any]]] = []
+"""Functions that numba has not heard of yet, what stands for them among floats and among pairs, and numba's options."""
+_OPTIONS: dict[Any, dict[str, Any]] = {}
+_ROOMS = ("arithmetic", "linear", "free", "trajectory", "solver")
+"""Where compilable functions are."""
+_ONE_AT_A_TIME = threading.RLock()
+"""The threads of a batch may all ask for the same entry first, and numba's cache folder is set for the process."""
+# numpy's error model divides by zero as IEEE 754 does: a number out of range must not end a whole batch
+_INNER = {"error_model": "numpy", "forceinline": True}
+
+
+def compilable(function: _Function) -> _Function:
+    """Register a function that compiled code may call, and takes in whole."""
+    return compilable_with()(function)
+
+
+def compilable_with(**options: Any) -> Callable[[_Function], _Function]:
+    """Register a function that compiled code may call, with options of numba: forceinline=False, fastmath=..."""
+
+    def register(function: _Function) -> _Function:
+        _OPTIONS[function] = options
+        _WAITING.append((function, function, function, {**_INNER, **options}))
+        return function
+
+    return register
+
+
+def by_type(floats: Any, pairs: Any) -> Callable[[_Function], _Function]:
+    """Register what compiled code calls for a function, by the type of its first argument."""
+
+    def register(function: _Function) -> _Function:
+        _WAITING.append((function, floats, pairs, _INNER))
+        return function
+
+    return register
+
+
+@cache
+def can_compile() -> bool:
+    """Return whether numba is installed and not switched off by NUMBA_DISABLE_JIT, which numba reads once, too."""
+    off = os.environ.get("NUMBA_DISABLE_JIT", "0") not in {"", "0"}
+    return not off and importlib.util.find_spec("numba") is not None
+
+
+def compiles_now() -> bool:
+    """Return whether compiled code is at hand: numba is installed, and has been imported already."""
+    return "numba" in sys.modules and can_compile()
+
+
+_ENTRIES: dict[Any, Any] = {}
+
+
+def compiled(function: _Function) -> _Function:
+    """Return a function, compiled when it is first called, without the lock of Python; as it stands without numba."""
+    if function in _ENTRIES:
+        return _ENTRIES[function]
+    if not can_compile():
+        return function
+    with _ONE_AT_A_TIME:
+        if function not in _ENTRIES:
+            _declare()
+            _ENTRIES[function] = _kept(function)
+    return _ENTRIES[function]
+
+
+def _kept(function: Any) -> Any:
+    import numba
+
+    options = {"nogil": True, "error_model": "numpy", **_OPTIONS.get(function, {})}
+    with _folder_of_these_sources(numba.config):
+        try:
+            made = numba.njit(function, cache=True, **options)
+        except RuntimeError:  # no folder can be written: compile each time
+            return numba.njit(function, **options)
+        lock = Path(numba.config.CACHE_DIR) / f"{function.__qualname__}.lock"
+    made.compile = _one_process_at_a_time(made.compile, lock)
+    return made
+
+
+def _one_process_at_a_time(compile_for: Callable[..., Any], path: Path) -> Callable[..., Any]:
+    """Return numba's compilation for some types, so that a second process waits and finds the first one's in the cache.
+
+    It takes half a minute, and processes that are started together would all do it.
+    """
+
+    def locked(types: Any) -> Any:
+        with ExitStack() as stack:
+            with suppress(OSError):  # a folder that cannot be written keeps no compiled code either
+                path.parent.mkdir(parents=True, exist_ok=True)
+                file = stack.enter_context(path.open("wb"))
+                if fcntl is not None:
+                    fcntl.flock(file, fcntl.LOCK_EX)  # closing the file ends it
+            try:
+                return compile_for(types)
+            except OSError:  # compiled, but a full disk has not kept it: numba has it now, and finds it
+                return compile_for(types)
+
+    return locked
+
+
+@contextmanager
+def _folder_of_these_sources(config: Any) -> Iterator[None]:
+    before = config.CACHE_DIR
+    folder = Path(before) / "inertial-pair" if before else cache_folder()
+    config.CACHE_DIR = str(folder / _digest_of_sources())
+    try:
+        yield
+    finally:
+        config.CACHE_DIR = before
+
+
+@cache
+def _digest_of_sources() -> str:
+    digest = hashlib.sha256()
+    numerics = Path(__file__).parent.parent
+    for room in _ROOMS:
+        for source in sorted((numerics / room).glob("*.py")):
+            digest.update(source.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _declare() -> None:
+    """Tell numba of every function that was registered since the last time, and first of the operators of pairs."""
+    from numba.extending import overload, register_jitable
+
+    _declare_operators()
+    while _WAITING:
+        function, floats, pairs, options = _WAITING.pop()
+        if floats is pairs is function:
+            register_jitable(**options)(function)
+        else:
+            overload(function, strict=False, jit_options=options)(_chosen(floats, pairs))
+
+
+def _chosen(floats: Any, pairs: Any) -> Any:
+    """Return what tells numba, by the types of some arguments, which function to compile."""
+    return lambda *types: _as_function(pairs if _is_pair(types[0]) else floats)
+
+
+@cache
+def _as_function(implementation: Any) -> Any:
+    """Return a function of C within one of Python, which numba asks for."""
+    if isinstance(implementation, FunctionType):
+        return implementation
+    one, two = (lambda x: implementation(x)), (lambda x, y: implementation(x, y))
+    return two if implementation.__name__ == "atan2" else one
+
+
+def _is_pair(kind: Any) -> bool:
+    return getattr(kind, "instance_class", None) is pair.Pair
+
+
+@cache
+def _declare_operators() -> None:
+    """Tell numba what the operators of pairs are, with numbers too: its own leave named tuples alone, or join them."""
+    from numba import types
+    from numba.extending import overload, register_jitable
+
+    Pair, as_pair, negative, absolute = pair.Pair, pair.as_pair, pair.negative, pair.absolute
+    add, subtract, product, divide = pair.add, pair.subtract, pair.product, pair.divide
+    for one in vars(pair).values():
+        if isinstance(one, FunctionType) and one.__module__ == pair.__name__ and one not in {as_pair, pair.nearest}:
+            register_jitable(**_INNER)(one)
+
+    @overload(as_pair, jit_options=_INNER)
+    def _as_pair(x):  # type: ignore[no-untyped-def]
+        return (lambda x: x) if _is_pair(x) else lambda x: Pair(float(x), 0.0)
+
+    def declare(function: Any, both: Any, number_right: Any = None, number_left: Any = None) -> None:
+        """Declare an operator of two pairs; with a number on one side it may have a way of its own."""
+
+        @overload(function, prefer_literal=True, jit_options=_INNER)
+        def _operator(a, b):  # type: ignore[no-untyped-def]
+            if _is_pair(a) and isinstance(b, types.Number) and number_right:
+                return number_right(b)
+            if _is_pair(b) and isinstance(a, types.Number) and number_left:
+                return number_left(a)
+            are_numbers = all(_is_pair(one) or isinstance(one, types.Number) for one in (a, b))
+            return both if are_numbers and (_is_pair(a) or _is_pair(b)) else None
+
+    def times_number(kind: Any) -> Any:
+        by = pair.scaled if _is_power_of_two(kind) else pair.times
+        return lambda a, b: by(a, float(b))
+
+    def number_times(kind: Any) -> Any:
+        by = pair.scaled if _is_power_of_two(kind) else pair.times
+        return lambda a, b: by(b, float(a))
+
+    def over_number(kind: Any) -> Any:
+        if _is_power_of_two(kind):
+            return lambda a, b: pair.scaled(a, 1.0 / float(b))
+        return lambda a, b: divide(a, Pair(float(b), 0.0))
+
+    declare(operator.add, lambda a, b: add(as_pair(a), as_pair(b)))
+    declare(operator.sub, lambda a, b: subtract(as_pair(a), as_pair(b)))
+    declare(operator.mul, lambda a, b: product(a, b), times_number, number_times)
+    declare(operator.truediv, lambda a, b: divide(as_pair(a), as_pair(b)), over_number)
+    overload(operator.neg, jit_options=_INNER)(lambda a: (lambda a: negative(a)) if _is_pair(a) else None)
+    overload(abs, jit_options=_INNER)(lambda a: (lambda a: absolute(a)) if _is_pair(a) else None)
+
+
+def _is_power_of_two(kind: Any) -> bool:
+    """Return whether a type stands for a power of two written in a formula: then the product is exact."""
+    value = getattr(kind, "literal_value", 0)
+    return isinstance(value, int) and value > 0 and value & (value - 1) == 0

@@ -1,1 +1,0 @@
-"""Many scenes at once, on all cores."""

@@ -1,0 +1,84 @@
+"""`python -m numerics map` and `response-map`: a window cut into cells, each with what is proved of it."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from numerics.cli.printing import write_figure
+from numerics.exits import INTERRUPTED, OK, USAGE, refuse, wrong_path
+
+if TYPE_CHECKING:
+    from fractions import Fraction
+
+    from numerics.control.response_map import ResponseMap
+    from numerics.free.merging_map import MergingMap
+
+    Map = MergingMap | ResponseMap
+
+
+def chart_merging(options: argparse.Namespace) -> int:
+    """Compute the merging map of a window; print its summary or its cells, draw it."""
+    from numerics.free.merging_map import Window, draw_map, merging_cells
+
+    def compute(**roads: Any) -> MergingMap:
+        return merging_cells(Window(_side(options, "ratio"), _side(options, "energy")), options.depth, **roads)
+
+    return _chart(options, compute, draw_map)
+
+
+def chart_response(options: argparse.Namespace) -> int:
+    """Compute the response map of a scene's pair; print its summary or its cells, draw it."""
+    from numerics.control.response_map import response_map
+    from numerics.scene.file import load_scene
+
+    def compute(**roads: Any) -> ResponseMap:
+        amplitude, omega = _side(options, "amplitude"), _side(options, "omega")
+        return response_map(load_scene(options.scene).pair, amplitude, omega, options.depth, **roads)
+
+    def draw(found: ResponseMap) -> Any:
+        from numerics.control.pictures import draw_response_map
+
+        return draw_response_map(found)
+
+    return _chart(options, compute, draw)
+
+
+def _side(options: argparse.Namespace, name: str) -> tuple[Fraction, Fraction]:
+    """Return the two ends of a side of the window, exactly. Raises InvalidScene."""
+    from numerics.scene.decimals import exact_decimal
+
+    low, high = (exact_decimal(one, name) for one in getattr(options, name))
+    return low, high
+
+
+def _chart(options: argparse.Namespace, compute: Callable[..., Map], draw: Callable[[Any], Any]) -> int:
+    """Compute a map by the roads that were asked for, draw it, and print its cells or a summary."""
+    wrong = wrong_path(options.resume) or wrong_path(options.out, "--out")
+    if wrong is not None:
+        return refuse(wrong, USAGE)
+    progress = _show_blocks if sys.stderr.isatty() else None
+    try:
+        found = compute(jobs=options.jobs, dask=options.dask, resume=options.resume, progress=progress)
+    except KeyboardInterrupt:
+        if options.resume is None:
+            raise
+        return refuse(f"interrupted; finished blocks are in {options.resume}, the same command goes on", INTERRUPTED)
+    if options.out is not None:
+        write_figure(draw(found), options.out)
+    if options.json:
+        print(json.dumps(found.as_record()))
+        return OK
+    for verdict, share in found.shares().items():
+        print(f"{verdict.name.lower().replace('_', '-'):10}{share:8.2%} of the window (logarithmic axes)")
+    print(f"{len(found.leaves)} cells, sides down to 2^-{found.depth} of the window")
+    return OK
+
+
+def _show_blocks(done: int, blocks: int) -> None:
+    """Show on stderr how many blocks of a map are done."""
+    end = "\n" if done == blocks else ""
+    print(f"\r{done} of {blocks} blocks ", end=end, file=sys.stderr, flush=True)

@@ -1,0 +1,129 @@
+"""`python -m numerics response`: what a pair does in the long run under a periodic force."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import TYPE_CHECKING, Any
+
+from numerics.cli.printing import numbers, print_numbers, shown_steps, write_figure
+from numerics.exits import OK, USAGE, refuse, wrong_path
+
+if TYPE_CHECKING:
+    from flint import acb
+
+    from numerics.control.response import Response
+
+
+def print_response(options: argparse.Namespace) -> int:
+    """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
+    from numerics.control.answers import solved_again
+    from numerics.control.response import response
+    from numerics.scene.file import load_scene
+
+    wrong = wrong_path(options.plot, "--plot")
+    if wrong is not None:
+        return refuse(wrong, USAGE)
+    asked = {name: getattr(options, name) for name in ("amplitude", "omega", "digits", "max_digits", "max_events")}
+    with shown_steps() as say:
+        found = response(load_scene(options.scene), **asked, tell=say)
+        say("solving one period of it again by events")
+        solved_again(found)
+    if options.plot is not None:
+        from numerics.control.pictures import draw_response
+
+        write_figure(draw_response(found), options.plot)
+    record = _of_response(found)
+    if options.json:
+        print(json.dumps(record, indent=1))
+        return OK
+    print(f"{record['sentence']}; {record['attraction']}")
+    shown = {name: text for name, text in record.items() if isinstance(text, str)}
+    labels = {
+        "entrainment": "U*",
+        "exception": "other motions stick up to U*/cos(pi omega/(2 Omega))",
+        "non_stop": "U**, necessary for no stops",
+        "drift": "mean velocity of body 2",
+        "growth": "v1's amplitude grows by",
+    }
+    units = {
+        "entrainment": "N",
+        "exception": "N",
+        "non_stop": "N",
+        "drift": "m/s",
+        "growth": "m/s^2 at least",
+        "decay": "of a distance left a period",
+    }
+    print_numbers({name: text for name, text in shown.items() if name.removesuffix("_radius") in units}, units, labels)
+    if "slips_for_ever" in record:
+        print(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
+    for multiplier in found.multipliers or ():
+        size = abs(multiplier).str(found.digits, radius=False)
+        print(f"  multiplier {_complex_text(multiplier, found.digits)}, size {size}")
+    for event in record["events"]:
+        print(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
+    print(f"{found.digits} right digits, proved")
+    return OK
+
+
+_SLIPS_FOR_EVER = {
+    "yes": "no stops: at this amplitude the motion with two reversals a period keeps slipping",
+    "below U**": "no stops: not at this amplitude, which is below U**",
+    "turns back": "no stops: U** is not enough here; at this amplitude the relative velocity would change its sign",
+    "undecided": "no stops: it is not decided whether the relative velocity keeps its sign at this amplitude",
+}
+
+
+def _slips_for_ever(found: Response) -> str:
+    """Return whether the motion that reverses twice a period slips for ever at the amplitude of the one sine."""
+    from numerics.arithmetic.ball import Ball
+    from numerics.control.thresholds import NonStop
+
+    drive, known = found.drive, found.thresholds
+    assert known is not None
+    sine = drive.piece.sines[0]
+    with Ball(found.digits + 10).context():
+        amplitude = Ball.number(abs(sine.amplitude))
+        if amplitude < known.non_stop:
+            return "below U**"
+        keeps = NonStop(drive.pair, sine.omega).keeps_slipping(amplitude)
+        if keeps and not amplitude > known.non_stop:
+            return "undecided"
+        return "undecided" if keeps is None else "yes" if keeps else "turns back"
+
+
+def _complex_text(number: acb, digits: int) -> str:
+    """Return a complex ball as a + b i, each part with its right digits only; a part that may be 0 is left out."""
+    real, imaginary = (part.str(digits, radius=False) for part in (number.real, number.imag))
+    if number.imag.contains(0):
+        return "0" if number.real.contains(0) else str(real)
+    side = f"{imaginary.removeprefix('-')} i"
+    if number.real.contains(0):
+        return f"-{side}" if imaginary.startswith("-") else side
+    return f"{real} {'-' if imaginary.startswith('-') else '+'} {side}"
+
+
+def _of_response(found: Response) -> dict[str, Any]:
+    """Return a response for JSON."""
+    digits, known = found.digits, found.thresholds
+    record: dict[str, Any] = {
+        "regime": found.regime.name.lower().replace("_", "-"),
+        "sentence": found.regime.value,
+        "attraction": found.attraction,
+        "digits": digits,
+    }
+    values = {"drift": found.drift, "growth": found.growth if found.growth > 0 else None}
+    if known is not None:
+        edges = {"entrainment": known.entrainment, "exception": known.exception, "non_stop": known.non_stop}
+        values = edges | values
+        if found.growth == 0:
+            record["slips_for_ever"] = _slips_for_ever(found)
+    multipliers = found.multipliers or ()
+    values["decay"] = abs(multipliers[0]) if multipliers else None
+    record |= numbers(values, digits)
+    record["multipliers"] = [numbers({"re": one.real, "im": one.imag, "size": abs(one)}, digits) for one in multipliers]
+    record["events"] = []
+    for leg in found.orbit.legs if found.orbit is not None else ():
+        to = {1: "slip+", -1: "slip-", 0: "stick"}[leg.side]
+        record["events"].append({"to": to, **numbers({"t": leg.t, "x1": leg.x, "v1": leg.v}, digits)})
+    return record

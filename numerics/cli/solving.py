@@ -1,0 +1,134 @@
+"""`python -m numerics solve`: solve one scene, and print, draw or write what was asked for."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from typing import TYPE_CHECKING
+
+from numerics.exits import FAILED, OK, USAGE, refuse, wrong_path
+
+if TYPE_CHECKING:
+    from numerics.trajectory.trajectory import Trajectory
+
+LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
+UNITS = {"x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J", "energy_excess": ""}
+SHOWN = 20
+"""On a terminal so many events are printed at the beginning, and as many at the end."""
+
+
+def solve_scene(options: argparse.Namespace) -> int:
+    """Solve one scene and print or write what was asked for."""
+    from numerics.scene.file import load_scene
+    from numerics.solver.solve import solve
+
+    wrong = _wrong_use(options)
+    if wrong is not None:
+        return refuse(wrong, USAGE)
+    trajectory = solve(
+        load_scene(options.scene),
+        digits=options.digits,
+        arithmetic=options.arithmetic or (None if options.digits else "ball"),
+        max_events=options.max_events,
+        max_digits=options.max_digits,
+        progress=_progress if sys.stderr.isatty() else None,
+    )
+    if options.explain:
+        print(explanation(trajectory), file=sys.stderr)
+    if options.npz is not None:
+        _write_npz(trajectory, options)
+    elif options.plot is not None:
+        from numerics.cli.plot import write_plot
+
+        write_plot(trajectory, options.plot)
+    else:
+        _print(trajectory, options)
+    return OK if trajectory.success else refuse(trajectory.message, FAILED)
+
+
+def _wrong_use(options: argparse.Namespace) -> str | None:
+    """Return what is wrong with the options of a solve, before anything is computed."""
+    if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
+        return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
+    if options.sensitivity and (options.csv or options.plot is not None):
+        return "--sensitivity goes with --json, --npz or the table; leave --csv or --plot out"
+    return wrong_path(options.npz) or wrong_path(options.plot, "--plot")
+
+
+def _progress(events: int, fraction: float) -> None:
+    print(f"\r{events} events, {100 * fraction:.0f} % of the horizon ", end="", file=sys.stderr, flush=True)
+
+
+def _write_npz(trajectory: Trajectory, options: argparse.Namespace) -> None:
+    from numerics.trajectory.export import write_npz
+
+    if not options.sensitivity:
+        write_npz(trajectory, options.npz)
+        return
+    from numerics.trajectory.sensitivity_export import sensitivity_arrays
+
+    write_npz(trajectory, options.npz, sensitivity_arrays(trajectory))
+
+
+def _print(trajectory: Trajectory, options: argparse.Namespace) -> None:
+    """Print a trajectory as JSON, as CSV or as a table, with its derivatives if they are wanted."""
+    from numerics.solver.truth import record
+    from numerics.trajectory.export import as_csv
+
+    if options.csv:
+        print(as_csv(record(trajectory)).rstrip("\n"))
+    elif options.json:
+        found = record(trajectory)
+        if options.sensitivity:
+            from numerics.trajectory.sensitivity_export import add_sensitivities
+
+            add_sensitivities(found, trajectory)
+        print(json.dumps(found, indent=1))
+    else:
+        _print_table(trajectory, whole=options.all or not sys.stdout.isatty())
+        if options.sensitivity:
+            from numerics.trajectory.sensitivity_export import sensitivity_table
+
+            print(sensitivity_table(trajectory))
+
+
+def _print_table(trajectory: Trajectory, *, whole: bool) -> None:
+    """Print the events (where v1 = v2), all or the first and the last, and the final state; no digit is ever cut."""
+    from numerics.solver.truth import record
+
+    count = trajectory.record.events
+    left_out = 0 if whole else max(0, count - 2 * SHOWN)
+    found = record(trajectory, [*range(SHOWN), *range(count - SHOWN, count)] if left_out else None)
+    rows = [("event", "t (s)", "x1 (m)", "v1 = v2 (m/s)", "x2 (m)")]
+    for event in found["events"]:
+        rows.append((f"{event['from']} to {event['to']}", event["t"], event["x1"], event["v1"], event["x2"]))
+    widths = [max(len(row[column]) for row in rows) for column in range(5)]
+    for number, row in enumerate(rows if count else ()):
+        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+        if left_out and number == SHOWN:
+            print(f"... {left_out} events more; --all prints them too")
+    final = found["final"]
+    print(f"at t = {final['t']} s, {final['mode']}; {found['message']}")
+    for name, unit in UNITS.items():
+        if name == "energy_excess" and trajectory.scene.is_forced:
+            continue  # E_cr is that of [pair] b at rest: under a force, or another friction, it decides nothing
+        print(f"  {LABELS.get(name, name)} = {final[name]} {unit}".rstrip())
+    print(f"{found['arithmetic']}, {found['digits']} digits")
+
+
+def explanation(trajectory: Trajectory) -> str:
+    """Return which road a solve took: arithmetic, digits, what was tried, events, and why no more were needed."""
+    from numerics.linear.modes import Mode
+    from numerics.trajectory.status import Status
+
+    located, arithmetic = trajectory.record.events, trajectory.arithmetic
+    if not located and trajectory.modes == (Mode.STICK,):
+        why = "the pair never slips: one rotation, whatever the horizon"
+    elif trajectory.status is Status.STUCK_FOR_EVER:
+        why = f"after {located} events the pair sticks for ever: a later horizon costs nothing more"
+    else:
+        why = f"{located} events located one by one, as all of them were asked for (`energy` jumps over them)"
+    tried = f" ({trajectory.tried})" if trajectory.tried else ""
+    how = "digits count relative to the largest position, velocity or energy along the run, times to themselves"
+    return f"{arithmetic.name} with {arithmetic.digits} working digits{tried}; {why}; {how}"

@@ -1,1 +1,0 @@
-"""Where a motion ends: the first root, certified."""

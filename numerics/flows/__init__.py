@@ -1,1 +1,0 @@
-"""Closed forms of each mode: the undamped slip, the damped oscillator."""

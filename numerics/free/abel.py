@@ -1,0 +1,239 @@
+"""The Abel (Fatou) function of the return map: iterate counts beyond counting, with an enclosure of the error.
+
+From ray to ray y = w/q goes to F(y) = y (1 - G), G = r c^2/y, and the cycle takes the reduced time pi + t(epsilon),
+epsilon = sqrt(w). Two functions turn iteration into addition:
+
+    alpha(F(y)) = alpha(y) + 1          alpha = 1/(a y) + B ln y + c_1 y + ... ,  a = 9 r/4
+    beta(F(y))  = beta(y) + pi + t      beta  = pi alpha + g_1 epsilon + g_2 epsilon^2 + ...
+
+A third sums what the slips, to one side and the other in turn, move the bodies apart: slide(F(y)) = y - F(y) -
+slide(y), slide = s_1 y + s_2 y^2 + ... .
+
+Their series are computed over the rationals. What a truncated series misses of its equation is analytic in the slip
+angle theta on a disc, bounded on its rim by balls, and has a zero of known order at 0: Schwarz's lemma bounds it
+inside, and the sum over all later iterates, which y_k - y_{k+1} >= a' y_k^2 makes finite, bounds the function's error.
+By the inequality of Cusa and Huygens h is convex on (0, 2 pi), so h(theta) >= theta/3 and c is concave in y.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from functools import cached_property
+
+import flint
+from flint import acb, acb_poly, arb, arb_poly, fmpq, fmpq_series
+
+from numerics.arithmetic.ball import Ball, precision
+
+ORDER = 24
+"""Terms of alpha beyond the logarithm; beta has twice as many, as it runs in half powers of y."""
+_ARCS = 1024
+_RIM_BITS = 80
+_RADII = (Fraction(6, 5), Fraction(1), Fraction(4, 5), Fraction(3, 5), Fraction(2, 5), Fraction(1, 5))
+
+
+class AbelFunctions:
+    """alpha, beta and slide of one mass fraction q = m1/(m1+m2), exact rational in (0, 1); values are enclosures."""
+
+    def __init__(self, q: Fraction, order: int = ORDER) -> None:
+        """Compute the series to `order` and the bounds of what they miss."""
+        self.q, self.r, self.order = q, 1 - q, order
+        with _series_terms(2 * order + 8):
+            self._compute_series()
+        self.radius, self._alpha_rim, self._beta_rim, self._slide_rim = self._bound_on_rim()
+
+    @property
+    def alpha_zero_order(self) -> int:
+        """Return the order of the zero of alpha(F) - alpha - 1 at theta = 0: its series begins at y^(order + 2).
+
+        That of slide(F) + slide - y + F begins there, too.
+        """
+        return 2 * self.order + 4
+
+    @property
+    def beta_zero_order(self) -> int:
+        """Return that of beta(F) - beta - pi - t: its part beyond pi alpha begins at epsilon^(2 order + 3)."""
+        return 2 * self.order + 3
+
+    @cached_property
+    def largest_argument(self) -> Fraction:
+        """Return a y up to which all is certified: a lower bound of h(radius)^2, as h(theta) >= theta/3."""
+        return (self.radius / 3) ** 2
+
+    def _compute_series(self) -> None:
+        q, r = fmpq(self.q.numerator, self.q.denominator), fmpq(self.r.numerator, self.r.denominator)
+        x, one = fmpq_series([0, 1]), fmpq_series([1])
+        # theta(u) = h^-1(u) and c(u) as series in u: c' = h, so dc = u dtheta
+        height = _over(x - x.sin(), 2) / _over(1 - x.cos(), 2)
+        angle = height.reversion()
+        depth = (x * angle.derivative()).integral()
+        # a power u^k is epsilon^k q^(-k/2): odd series keep one factor 1/sqrt(q), which the definitions below absorb
+        slip = _scaled(angle, q, shift=1)  # sqrt(q) theta
+        deep = _scaled(depth, q, shift=0)  # c
+        falls = _over(deep * deep * (r * q), 2)  # G = r c^2/y in epsilon
+        after = x * (one - falls).sqrt()
+        self.time = slip - after.atan() - ((slip - x) / (one - deep * q)).atan()  # t(epsilon)
+        self.a = fmpq(9, 4) * r
+        if any(self.time[k] != 0 for k in range(3)):
+            raise ArithmeticError("the time of a cycle must be pi up to the third order in epsilon")
+        self.beta_coefficients = _solved(-self.time, after, -1, 2, 2 * self.order)
+        falls = fmpq_series([falls[2 * k] * q**k for k in range((falls.length() + 1) // 2)])  # in y = epsilon^2/q
+        left = _over(falls / (one - falls), 1) / self.a - 1  # (1/F - 1/y)/a - 1
+        if left[0] != 0:
+            raise ArithmeticError("the return map must be y - a y^2 to second order")
+        self.log_coefficient = left[1] / self.a
+        left = left + (one - falls).log() * self.log_coefficient
+        self.alpha_coefficients = _solved(left, x * (one - falls), -1, 1, self.order)
+        self.slide_coefficients = _solved(-x * falls, x * (one - falls), 1, 0, self.order + 1)
+
+    def alpha(self, y: arb) -> arb:
+        """Return an enclosure of alpha(y) for 0 < y <= largest_argument; raises ArithmeticError beyond."""
+        if not y <= Ball.number(self.largest_argument):
+            raise ArithmeticError(f"y = {y.str(6)} is beyond the certified {float(self.largest_argument):g}")
+        value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients)(y)
+        return value + arb(0, self._missed(y, self._alpha_rim, self.alpha_zero_order).upper())
+
+    def beta(self, y: arb) -> arb:
+        """Return an enclosure of beta(y), the reduced time that iteration adds up."""
+        epsilon = (y * Ball.number(self.q)).sqrt()
+        value = arb.pi() * self.alpha(y) + _polynomial(self.beta_coefficients)(epsilon)
+        return value + arb(0, self._missed(y, self._beta_rim, self.beta_zero_order).upper())
+
+    def slide(self, y: arb) -> arb:
+        """Return an enclosure of (y - y_1) - (y_1 - y_2) + (y_2 - y_3) - ..., y_k the iterates of y."""
+        value = _polynomial(self.slide_coefficients)(y)
+        return value + arb(0, self._missed(y, self._slide_rim, self.alpha_zero_order).upper())
+
+    def slope(self, y: arb) -> arb:
+        """Return alpha'(y) of the truncated series: what Newton's method steers by."""
+        a, b = arb(self.a), arb(self.log_coefficient)
+        return -1 / (a * y * y) + b / y + _polynomial(self.alpha_coefficients).derivative()(y)
+
+    def alpha_inverse(self, value: arb, start: arb) -> arb:
+        """Return an enclosure of the y in (0, start] with alpha(y) = value >= alpha(start); alpha falls.
+
+        Newton's method from 1/(a value), then a bracket whose ends are proved to lie on either side.
+        Raises ArithmeticError where the bracket is not found at this precision.
+        """
+        y = (1 / (arb(self.a) * value)).min(start).mid()
+        for _ in range(200):
+            step = ((self.alpha(y) - value) / self.slope(y)).mid()
+            y = (y - step).mid()
+            if not y > 0 or not y < 2 * start:
+                y = (start / 2).mid()
+            if abs(step) < abs(y) * arb(2) ** (4 - flint.ctx.prec):
+                break
+        width = (abs(self.alpha(y) - value) / abs(self.slope(y))).upper() + abs(y) * arb(2) ** (8 - flint.ctx.prec)
+        for _ in range(60):
+            low, high = (y - width).mid(), (y + width).mid()
+            if self.alpha(low) > value and self.alpha(high) < value:
+                return low.union(high)
+            width = 2 * width
+        raise ArithmeticError("the inverse of the Abel function is not enclosed at this precision")
+
+    def _missed(self, y: arb, rim: arb, zero_order: int) -> arb:
+        """Return a bound of sum_k |defect(y_k)| over all later iterates: rim (theta_k/radius)^n, theta <= 3 sqrt(y)."""
+        half = arb(zero_order) / 2
+        scale = 9 * y / Ball.number(self.radius) ** 2
+        decay = Ball.number(self.r) * self._depth_ratio**2  # y_k - y_{k+1} = r c^2 >= decay y_k^2, c being concave in y
+        return rim * scale**half * (1 + 1 / (y * decay * (half - 1)))
+
+    @cached_property
+    def _depth_ratio(self) -> arb:
+        """Return a lower bound of c(y)/y on the disc: its value at the rim, as c is concave in y with c(0) = 0."""
+        with precision(_RIM_BITS):
+            height, deep = height_and_depth(acb(Ball.number(self.radius)))
+            return (deep / (height * height)).real.lower()
+
+    def _bound_on_rim(self) -> tuple[Fraction, arb, arb, arb]:
+        """Return the largest disc on which everything is proved analytic, and the sup of each defect on its rim."""
+        with precision(_RIM_BITS):
+            for radius in _RADII:
+                bounds = self._defects_on_rim(radius)
+                if bounds is not None:
+                    return radius, *bounds
+        raise ArithmeticError(f"no disc around the critical orbit is certified for q = {float(self.q):g}")
+
+    def _defects_on_rim(self, radius: Fraction) -> tuple[arb, arb, arb] | None:
+        """Return the sup of each defect on |theta| = radius; None if a factor may vanish inside.
+
+        By the maximum principle |G| < 1, |q c| < 1, |eps'| < 1 and |landing| < 1 on the rim hold on the disc.
+        """
+        q, r, a, b = (acb(one) for one in (*map(Ball.number, (self.q, self.r)), arb(self.a), arb(self.log_coefficient)))
+        sqrt_q, sup = q.sqrt(), [arb(0), arb(0), arb(0)]
+        of_alpha, of_beta, of_slide = (
+            acb_poly(_polynomial(one))
+            for one in (self.alpha_coefficients, self.beta_coefficients, self.slide_coefficients)
+        )
+        for theta in arcs(radius):
+            height, deep = height_and_depth(theta)
+            y, falls = height * height, r * (deep / height) ** 2
+            after, epsilon = y * (1 - falls), sqrt_q * height
+            epsilon_after = epsilon * (1 - falls).sqrt()
+            landed = sqrt_q * (theta - height) / (1 - q * deep)
+            if not all(abs(one) < arb(1) for one in (falls, q * deep, epsilon_after, landed)):
+                return None
+            time = sqrt_q * theta - epsilon_after.atan() - landed.atan()
+            defects = (
+                falls / (a * after) - 1 + b * (1 - falls).log() + of_alpha(after) - of_alpha(y),
+                of_beta(epsilon_after) - of_beta(epsilon) - time,
+                of_slide(y) + of_slide(after) - y * falls,
+            )
+            sup = [worst.max(abs(one).upper()) for worst, one in zip(sup, defects, strict=True)]
+        return (sup[0], sup[1], sup[2]) if all(one.is_finite() for one in sup) else None
+
+
+def height_and_depth(theta: acb) -> tuple[acb, acb]:
+    """Return h(theta) and c(theta) for a complex slip angle away from 0."""
+    half = theta / 2
+    return (theta - theta.sin()) / (2 * half.sin() ** 2), 2 - theta * half.cot()
+
+
+def arcs(radius: Fraction) -> Iterator[acb]:
+    """Yield boxes that cover the rim |theta| = radius; by symmetry the upper half suffices."""
+    rim = Ball.number(radius)
+    for k in range(_ARCS):
+        angle = arb.pi() * (arb(2 * k + 1) / (2 * _ARCS)) + arb(0, (arb.pi() / (2 * _ARCS)).upper())
+        yield acb(rim * angle.cos(), rim * angle.sin())
+
+
+def _solved(left: fmpq_series, after: fmpq_series, sign: int, place: int, count: int) -> list[fmpq]:
+    """Return c_1, c_2, ... with left + sum c_k (after^k + sign x^k) = 0, order by order.
+
+    after = x - ..., and the k-th bracket begins at the power k + place.
+    """
+    power, power_after, found = fmpq_series([1]), fmpq_series([1]), []
+    for k in range(1, count + 1):
+        power, power_after = power * fmpq_series([0, 1]), power_after * after
+        bracket = power_after + power * sign
+        found.append(-left[k + place] / bracket[k + place])
+        left = left + bracket * found[-1]
+    return found
+
+
+def _scaled(series: fmpq_series, q: fmpq, shift: int) -> fmpq_series:
+    """Return sum s_k q^((shift - k)/2) eps^k of a series whose powers all have the parity of `shift`."""
+    terms = [series[k] * (q ** ((shift - k) // 2) if series[k] else 0) for k in range(series.length())]
+    return fmpq_series(terms)
+
+
+def _over(series: fmpq_series, power: int) -> fmpq_series:
+    """Return the series divided by this power of its variable, its first coefficients being 0."""
+    return fmpq_series([series[k] for k in range(power, series.length())])
+
+
+def _polynomial(coefficients: list[fmpq]) -> arb_poly:
+    """Return c_1 x + c_2 x^2 + ..., a function of balls, with coefficients at the precision that is set."""
+    return arb_poly([0, *coefficients])
+
+
+@contextmanager
+def _series_terms(terms: int) -> Iterator[None]:
+    """Set flint's process-wide series length, and restore it."""
+    before, flint.ctx.cap = flint.ctx.cap, terms
+    try:
+        yield
+    finally:
+        flint.ctx.cap = before

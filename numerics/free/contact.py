@@ -1,0 +1,285 @@
+"""Where an undamped slip that starts on the switching surface ends, in closed form but for one monotone equation.
+
+With gap d >= 0 and push u at the start (slip.py), h(theta) = (theta - sin theta)/(1 - cos theta) and depth
+c(theta) = 2 - theta cot(theta/2), the slip ends at the one angle in (0, 2 pi) with
+
+    u + d cot(theta/2) - h(theta) = 0                the guard over 1 - cos: its root at the start is divided out
+    d' = -(d + c),   u' = u - theta,   w' = w - q r c (c + 2 d)
+
+The left side falls strictly from +infinity (or u > 0, if d = 0) to -infinity: there is one root and it is the first.
+Close to a full turn (u > 1) the angle eta that is missing to 2 pi is the variable, which theta would round away:
+
+    2 pi + d sin eta - u (1 - cos eta) - (eta - sin eta) = 0,        c = 2 + theta cot(eta/2)
+
+Binary64 solves it in contact_binary64.py. A finer arithmetic takes steps of Halley's method from there, each of which
+triples the right digits: double-double takes one. Balls do so up to half of the bits asked for, the precision tripled
+with each step; there the function is evaluated once at full precision, at the price of one sine-cosine, and one
+interval Newton step encloses the root: its slope need only be known to half of the bits. The inclusion proves the root;
+that it is the only one in (0, 2 pi), hence the first, is a theorem.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from flint import arb, ctx
+
+from numerics.arithmetic.ball import precision
+from numerics.arithmetic.compiled import by_type, compilable
+from numerics.arithmetic.functions import (
+    as_float,
+    depth_and_cotangent,
+    like,
+    sine_cosine,
+    sqrt,
+    two_pi,
+    versine,
+)
+from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.protocol import Number
+from numerics.free.contact_binary64 import binary64_contact, late_angle
+from numerics.free.root import falling_root
+
+_SEED_BITS = 44
+_SMALLEST_SEED = 1e-90
+_SPARE_BITS = 12
+_EARLY_REACH, _LATE_REACH = 3.4, 5
+"""Up to 3.4 h' <= 5/4 and c' = h <= 2; for push <= 1 the root is below 3.3. For push > 1 eta is below 3 pi/2."""
+
+
+class EarlyPoint(NamedTuple):
+    """The equation at an angle theta: cot(theta/2), h, 1/(1 - cos), its value, and its slope with the sign turned."""
+
+    gap: Number
+    theta: Number
+    depth: Number
+    cotangent: Number
+    rise: Number
+    reciprocal: Number
+    value: Number
+    steepness: Number
+
+
+class LatePoint(NamedTuple):
+    """The equation at an angle eta: half its sine and cosine, sin eta, 1 - cos eta, its value, and minus its slope."""
+
+    gap: Number
+    push: Number
+    eta: Number
+    half_sine: Number
+    half_cosine: Number
+    sine: Number
+    versine: Number
+    value: Number
+    steepness: Number
+
+
+@compilable
+def _refined_contact(gap: Pair, push: Pair) -> tuple[Pair, Pair, Pair]:
+    """Return the contact in double-double, by one step from the root of binary64."""
+    if push.high > 1.0:
+        late = late_point(gap, push, Pair(late_angle(gap.high, push.high), 0.0))
+        # dc/d eta = -h, h' = 1 - h cot(theta/2) = 1 + h cot(eta/2)
+        shift, theta = late_shift(late), two_pi(gap) - late.eta
+        depth, rise = 2 + (theta * late.half_cosine) / late.half_sine, (theta + late.sine) / late.versine
+        slope = 1 + rise * late.half_cosine / late.half_sine
+        return theta - shift, depth - (shift * rise - shift * shift * slope / 2), late.versine + shift * late.sine
+    theta, _, _ = binary64_contact(gap.high, push.high)
+    early = early_point(gap, push, Pair(theta, 0.0))
+    shift = early_shift(early)  # c' = h, h' = 1 - h cot
+    grown = shift * early.rise + shift * shift * (1 - early.rise * early.cotangent) / 2
+    return early.theta + shift, early.depth + grown, 1 / early.reciprocal
+
+
+@by_type(binary64_contact, _refined_contact)
+def contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
+    """Return theta, c(theta) and 1 - cos theta at the end of a slip from S with gap d >= 0 and push u (> 0 if d = 0).
+
+    Each is accurate relative to itself; in double-double 1 - cos theta serves the error bounds only and has the digits
+    of binary64. Raises EventUndecided in balls.
+    """
+    if type(gap) is float:
+        return binary64_contact(gap, push)
+    if type(gap) is Pair:
+        return _refined_contact(gap, push)
+    return _enclosed_contact(gap, push) if type(gap) is arb else bracketed_contact(gap, push)
+
+
+@compilable
+def early_point(gap: Number, push: Number, theta: Number) -> EarlyPoint:
+    """Return the equation for push <= 1 at an angle; from one sine and cosine."""
+    depth, cotangent = depth_and_cotangent(theta)
+    # the Riccati equation of the depth c: in h = c' = ((theta^2 + c^2)/2 - c)/theta at most one bit cancels
+    rise = ((theta * theta + depth * depth) / 2 - depth) / theta
+    reciprocal = (1 + cotangent * cotangent) / 2
+    value, steepness = (push + gap * cotangent) - rise, (gap + depth) * reciprocal
+    return EarlyPoint(gap, theta, depth, cotangent, rise, reciprocal, value, steepness)
+
+
+@compilable
+def early_shift(at: EarlyPoint) -> Number:
+    """Return the step of Halley's method from a point next to the root."""
+    shift = at.value / at.steepness
+    bend = ((at.gap + at.depth) * at.cotangent - at.rise) * at.reciprocal
+    return shift + shift * shift * (bend / at.steepness) / 2
+
+
+@compilable
+def late_point(gap: Number, push: Number, eta: Number) -> LatePoint:
+    """Return the equation for push > 1 at an angle missing to a full turn; from one sine and cosine."""
+    half_sine, half_cosine = sine_cosine(eta / 2)
+    sine, drop = 2 * (half_sine * half_cosine), 2 * (half_sine * half_sine)
+    value = (two_pi(gap) + gap * sine) - (push * drop + (eta - sine))
+    steepness = (push * sine + drop) - gap * (1 - drop)
+    return LatePoint(gap, push, eta, half_sine, half_cosine, sine, drop, value, steepness)
+
+
+@compilable
+def late_shift(at: LatePoint) -> Number:
+    """Return the step of Halley's method from a point next to the root."""
+    shift = at.value / at.steepness
+    bend = -(at.gap + 1) * at.sine - at.push * (1 - at.versine)
+    return shift + shift * shift * (bend / at.steepness) / 2
+
+
+def bracketed_contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
+    """Return the contact without binary64's root: by a bracket, for arguments of any size (see early_bracket)."""
+
+    def early(at: tuple[Number, Number], theta: Number) -> tuple[Number, Number]:
+        point = early_point(*at, theta)
+        return point.value, -point.steepness
+
+    def late(at: tuple[Number, Number], eta: Number) -> tuple[Number, Number]:
+        point = late_point(*at, eta)
+        return point.value, -point.steepness
+
+    half_turn = two_pi(gap) / 2
+    if as_float(push) > 1.0:
+        # versine >= 2 eta^2/pi^2 and sin <= eta on (0, pi]: the root lies below that of 2 u eta^2/pi^2 - d eta - 2 pi
+        square = half_turn * half_turn / (4 * push)
+        upper = square * (gap + sqrt(gap * gap + 16 * push / half_turn))
+        upper = 3 * half_turn / 2 if as_float(upper) > 3.0 else 17 * upper / 16
+        eta = falling_root(like(gap, 0.0), upper, late, (gap, push))
+        point, theta = late_point(gap, push, eta), 2 * half_turn - eta
+        return theta, 2 + theta * point.half_cosine / point.half_sine, point.versine
+    lower = 15 * _positive_root(push - 2 * gap / half_turn, 4 * gap) / 16
+    upper = 3 * _positive_root(push, 8 * gap / 3) / 2
+    upper = 33 * half_turn / 32 if as_float(upper) > 3.0 else 17 * upper / 16
+    theta = falling_root(lower, upper, early, (gap, push))
+    return theta, depth_and_cotangent(theta)[0], versine(theta)
+
+
+def _positive_root(b: Number, c: Number) -> Number:
+    """Return b + sqrt(b^2 + c), c >= 0, without cancellation."""
+    height = sqrt(b * b + c)
+    return b + height if as_float(b) >= 0.0 else c / (height - b)
+
+
+def enclosed_after_ray(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb, arb, arb]:
+    """Return theta, depth, the excess after it, and 1 - cos theta of a slip from an exit ray with excess w.
+
+    The contact is located at the centre of w; along w, theta/u falls (h is convex), c' = h and
+    dw'/dw = 1 - r (1 - cos theta), which lies in (-1, 1): so enclosures of w do not grow from one excursion to the
+    next, however many there are.
+    """
+    centre = w.mid()
+    push = sqrt(centre) / sqrt_q
+    theta_there, depth_there, versine_there = _enclosed_contact(arb(0), push)
+    stretch = sqrt(w / centre)
+    theta = theta_there * stretch
+    depth = depth_there + push * stretch * (theta - theta_there)
+    # 1 - cos changes by less than |theta - theta at the centre|; 3 makes the ball cover both signs of that difference,
+    # of which it lacks a part, as sqrt bends: sqrt 2 - 1 > 1/3
+    slope = 1 - r * (versine_there + 3 * (theta - theta_there))
+    return theta, depth, (centre - r * q * depth_there * depth_there) + (w - centre) * slope, versine_there
+
+
+def _enclosed_contact(gap: arb, push: arb) -> tuple[arb, arb, arb]:
+    """Return the enclosed contact at flint's present precision. Raises EventUndecided."""
+    d, u, found = as_float(gap), as_float(push), None
+    if 0.0 <= d < math.inf and abs(u) < math.inf and (d > 0.0 or u > 0.0):
+        found = _enclosed_late(gap, push, u, d) if u > 1.0 else _enclosed_early(gap, push, u, d)
+    return found or bracketed_contact(gap, push)
+
+
+def _enclosed_early(gap: arb, push: arb, u: float, d: float) -> tuple[arb, arb, arb] | None:
+    """Return the contact for push <= 1; c and h grow at rates at most 2 and 5/4 below 3.4, the second derivative of
+
+    1 - cos is at most 1 and its first sin = (1 - cos) cot."""
+
+    def slope_over(at: EarlyPoint, around: arb) -> arb:
+        depth = at.depth + (at.rise + 5 * around / 4) * around
+        versine = 1 / at.reciprocal
+        return -(depth + at.gap) / (versine + versine * at.cotangent * around + around * around / 2)
+
+    found = _proved(
+        lambda: binary64_contact(d, u)[0],
+        lambda theta: early_point(gap, push, theta),
+        early_shift,
+        slope_over,
+        _EARLY_REACH,
+    )
+    if found is None:
+        return None
+    at, shift = found
+    depth = at.depth + (at.rise + arb(0, (abs(shift) * 5 / 4).upper())) * shift
+    drop = (1 + at.cotangent * shift) / at.reciprocal + arb(0, (shift * shift / 2).upper())
+    return at.theta + shift, depth, drop
+
+
+def _enclosed_late(gap: arb, push: arb, u: float, d: float) -> tuple[arb, arb, arb] | None:
+    """Return the contact for push > 1; sine, cosine and versine change by at most |around|."""
+
+    def slope_over(at: LatePoint, around: arb) -> arb:
+        versine = at.versine + (at.sine + around) * around
+        return gap * (1 - versine) - push * (at.sine + around) - versine
+
+    found = _proved(
+        lambda: late_angle(d, u), lambda eta: late_point(gap, push, eta), late_shift, slope_over, _LATE_REACH
+    )
+    if found is None:
+        return None
+    at, shift = found
+    turn, around = 2 * arb.pi(), arb(0, abs(shift).upper())
+    versine_over = at.versine + at.sine * around + arb(0, (shift * shift / 2).upper())
+    rise = (turn - (at.eta + around) + at.sine + around) / versine_over
+    depth = 2 + (turn - at.eta) * at.half_cosine / at.half_sine - rise * shift
+    drop = at.versine + at.sine * shift + arb(0, (shift * shift / 2).upper())
+    return turn - (at.eta + shift), depth, drop
+
+
+def _proved(
+    seed: Callable[[], float],
+    point: Callable[[arb], Any],
+    shift_from: Callable[[Any], arb],
+    slope_over: Callable[[Any, arb], arb],
+    reach: float,
+) -> tuple[Any, arb] | None:
+    """Refine the seed, then prove the root next to it: return the point at full precision and the way to the root."""
+    try:
+        near = seed()
+    except ArithmeticError:
+        return None
+    if not near > _SMALLEST_SEED:
+        return None
+    bits = ctx.prec
+    half = bits // 2 + _SPARE_BITS
+    x, right = arb(near), _SEED_BITS
+    while right < half:
+        right = min(3 * right - 4, half)
+        with precision(right + _SPARE_BITS):
+            x = (x + shift_from(point(x))).mid()
+    with precision(bits + _SPARE_BITS):
+        at = point(x)
+        # a first guess of the distance: half the bits are right, more where the inputs are wide
+        width = (2 * abs(at.value / at.steepness)).upper() + x * arb(2) ** -(bits + _SPARE_BITS)
+        for _ in range(3):
+            around = arb(0, width.upper())
+            slope = slope_over(at, around)
+            inside = x + around > 0 and x + around < reach
+            if inside and slope < 0 and around.contains_interior(shift := -at.value / slope):
+                return at, shift
+            width = 4 * width
+    return None

@@ -1,0 +1,150 @@
+"""Where a slip that starts on the switching surface ends, in binary64: the equation of contact.py, by Halley's method.
+
+Every other arithmetic starts from here.
+
+With y = theta/2 and cot = cos y/sin y one sine and one cosine give everything that a step of Halley's method needs:
+
+    lead = u + d cot - h            lead' = -(d/2)/sin^2 y - h'        lead'' = (d/2) cot/sin^2 y - h''
+    h' = 1 - h cot,                 h'' = h/(2 sin^2 y) - h' cot,      c' = h
+
+The bracket of the one root is kept throughout: a step that would leave it is replaced by bisection.
+"""
+
+from __future__ import annotations
+
+import math
+
+from numerics.arithmetic.compiled import compilable
+from numerics.arithmetic.elementary import depth, rise, sine_deficit, two_horners, versine
+
+TURN = 2.0 * math.pi
+_SMALL_STEP = 2.0**-19
+"""Halley's steps shrink cubically: after one so much smaller than the angle the error is below its last bit."""
+_STEPS = 200
+_INVERSE_RISE_EVEN = (0.0065409791, 0.070592857, 0.17257569, 0.99999944)
+_INVERSE_RISE_ODD = (-0.030933036, -0.11482952, -0.29994229)
+"""theta/(3 u) as a polynomial in u^2 where h(theta) = u <= 1, fitted to 6e-7: the first guess on an exit ray."""
+
+
+@compilable
+def binary64_contact(gap: float, push: float) -> tuple[float, float, float]:
+    """Return (theta, depth, versine) at the end of a slip from S with gap d >= 0 and push u (> 0 if d = 0).
+
+    Approximate, the angle to some 2 ulp times the condition of the equation; nan where the arguments are.
+    """
+    if push > 1.0:
+        return late_contact(gap, push)
+    if gap == 0.0:
+        guess = 3.0 * push * two_horners(_INVERSE_RISE_EVEN, _INVERSE_RISE_ODD, push * push)
+        return early_contact(gap, push, guess, 2.0 * push, 3.3 * push)
+    lower, upper = early_bracket(gap, push)
+    # the root of (1/3 + d/6) theta^2 - u theta - 2 d, to which the equation tends for small angles
+    third = 1.0 / 3.0 + gap / 6.0
+    guess = positive_root(0.5 * push / third, 2.0 * gap / third)
+    return early_contact(gap, push, min(max(guess, lower), upper), lower, upper)
+
+
+@compilable
+def early_contact(gap: float, push: float, guess: float, lower: float, upper: float) -> tuple[float, float, float]:
+    """Return the contact for push <= 1 from a guess in its bracket."""
+    theta = guess
+    shift = previous = upper - lower
+    sine = cosine = slope = height = 0.0
+    for _ in range(_STEPS):
+        sine, cosine = math.sin(0.5 * theta), math.cos(0.5 * theta)
+        cosecant = 1.0 / sine
+        cotangent, half_square = cosine * cosecant, 0.5 * cosecant * cosecant
+        height = rise(theta)
+        slope = 1.0 - height * cotangent
+        lead = push + (gap * cotangent - height)
+        if lead > 0.0:
+            lower = theta
+        elif lead < 0.0:
+            upper = theta
+        first = gap * half_square + slope  # -lead'
+        second = gap * half_square * cotangent - (height * half_square - slope * cotangent)
+        shift = lead / first
+        bend = 0.5 * shift * second / first
+        # 1/(1 - bend) next to the root, and a step that is still safe far from it
+        shift = shift * (1.0 + bend * (1.0 + bend)) if abs(bend) < 0.5 else shift
+        if abs(shift) <= _SMALL_STEP * theta:
+            break
+        candidate = theta + shift
+        if not lower < candidate < upper or 2.0 * abs(shift) > previous:
+            candidate = 0.5 * (lower + upper)
+        if candidate in (lower, upper):
+            shift = 0.0
+            break
+        previous = abs(candidate - theta)
+        theta = candidate
+    half = 0.5 * shift
+    end_sine = sine + half * (cosine - 0.5 * half * sine)
+    return theta + shift, depth(theta) + shift * (height + 0.5 * shift * slope), 2.0 * end_sine * end_sine
+
+
+@compilable
+def early_bracket(gap: float, push: float) -> tuple[float, float]:
+    """Return angles on either side of the root for push <= 1, a factor of a few apart however small they are.
+
+    On (0, pi]: theta/3 <= h <= theta/2 and 2/theta - 2/pi <= cot(theta/2) <= 2/theta, so the root lies between the
+    positive roots of theta^2/2 - (u - 2 d/pi) theta - 2 d and of theta^2/3 - u theta - 2 d; both are widened by 1/16,
+    as they touch the root for small angles. Beyond pi the root cannot lie: h(3.3) > 1 >= u and cot < 0 there.
+    """
+    low = positive_root(push - 2.0 * gap / math.pi, 4.0 * gap)
+    high = 3.0 * positive_root(push, 8.0 * gap / 3.0) / 2.0
+    high = 33.0 * math.pi / 32.0 if high > 3.0 else 17.0 * high / 16.0
+    return 15.0 * low / 16.0, high
+
+
+@compilable
+def positive_root(b: float, c: float) -> float:
+    """Return b + sqrt(b^2 + c), c >= 0, without cancellation.
+
+    Within 3.5 ulp, u = 2^-53: the root 2 u, its difference from b < 0 1 u more, c over it 0.5 ulp.
+    """
+    root = math.sqrt(b * b + c)
+    return b + root if b >= 0.0 else c / (root - b)
+
+
+@compilable
+def late_contact(gap: float, push: float) -> tuple[float, float, float]:
+    """Return the contact for push > 1; c = 2 + theta cot(eta/2)."""
+    eta = late_angle(gap, push)
+    theta = TURN - eta
+    return theta, 2.0 + theta * math.cos(0.5 * eta) / math.sin(0.5 * eta), versine(eta)
+
+
+@compilable
+def late_angle(gap: float, push: float) -> float:
+    """Return, for push > 1, the angle eta = 2 pi - theta that is missing to a full turn, by Halley's method.
+
+    f = 2 pi + d sin eta - u (1 - cos eta) - (eta - sin eta) falls on 0 < eta < 3 pi/2, f'' = -(d + 1) sin - u cos.
+    """
+    square = math.pi * math.pi / (4.0 * push)
+    upper = square * (gap + math.sqrt(gap * gap + 16.0 * push / math.pi))
+    upper = 1.5 * math.pi if upper > 3.0 else 17.0 * upper / 16.0
+    lower = 0.0
+    eta = min((gap + math.sqrt(gap * gap + 2.0 * TURN * push)) / push, 0.5 * upper)
+    previous = upper
+    for _ in range(_STEPS):
+        sine, drop = math.sin(eta), versine(eta)
+        missing = (TURN + gap * sine) - (push * drop + sine_deficit(eta))
+        if missing > 0.0:
+            lower = eta
+        elif missing < 0.0:
+            upper = eta
+        steepness = push * sine + drop - gap * (1.0 - drop)  # -f'
+        shift = missing / steepness if steepness > 0.0 else upper - lower
+        if steepness > 0.0:
+            bend = -0.5 * shift * ((gap + 1.0) * sine + push * (1.0 - drop)) / steepness
+            shift = shift * (1.0 + bend * (1.0 + bend)) if abs(bend) < 0.5 else shift
+        if abs(shift) <= _SMALL_STEP * eta:
+            return eta + shift
+        candidate = eta + shift
+        if not lower < candidate < upper or 2.0 * abs(shift) > previous:
+            candidate = 0.5 * (lower + upper)
+        if candidate in (lower, upper):
+            return candidate
+        previous = abs(candidate - eta)
+        eta = candidate
+    return eta

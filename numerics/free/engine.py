@@ -1,0 +1,235 @@
+"""Solve one scene of the free pair (a1 = 0, no force, b constant) in one arithmetic: `run_free`.
+
+O(1) in the horizon. Binary64 and double-double carry error bounds (rows.py), mpmath and balls do without.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+from flint import fmpq
+from numpy.typing import NDArray
+
+from numerics.arithmetic.compiled import can_compile, compiled, compiles_now
+from numerics.arithmetic.double_numbers import DoubleDouble
+from numerics.arithmetic.float64 import Float64
+from numerics.arithmetic.functions import nonnegative, sign
+from numerics.arithmetic.pair import Pair, nearest
+from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.arithmetic.questions import BEFORE_HORIZON
+from numerics.errors import NoForceHere
+from numerics.free.bounds import initial
+from numerics.free.motion import Start, event_state, mode_of, order_of, state_at
+from numerics.free.rows import solve_row, solve_start
+from numerics.free.start import SI, Begun, begin, first_mode, in_si
+from numerics.free.walk import Walk, left_range
+from numerics.linear.modes import MODES, Mode
+from numerics.linear.record import AT, END_ROW, ROW, How, Knot, Record
+from numerics.scene import Law, Scene
+
+Progress = Callable[[int, float], None]
+_FEW = 256
+"""numba takes a second to come: so many events are left to Python first."""
+_MANY = 200
+"""So many short runs cost Python what it takes numba to come."""
+_EVENTS_PER_TURN = 3.0
+"""Events that a half turn of body 1 alone is given room for at first; with more the run is made again."""
+_HOWS = tuple(How)
+_runs = [0]
+
+
+def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
+    """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
+    if arithmetic.name == "float64":
+        return _run_float64(scene, arithmetic, max_events, progress)
+    if arithmetic.name == "double-double":
+        return _run_double_double(scene, max_events, progress)
+    return _run_exactly(scene, arithmetic, max_events, progress)
+
+
+def mode_at_start(scene: Scene) -> Mode:
+    """Return the mode that follows the initial state of a scene; exact, every tie decided by the rules of modes.py."""
+    return MODES[first_mode(_exact(scene), scene.law is Law.THREE_VALUED_SGN)[0]]
+
+
+def si_numbers(scene: Scene) -> SI:
+    """Return the SI numbers of a scene, exact. Raises NoForceHere."""
+    if scene.is_forced or scene.pair.a1:
+        raise NoForceHere("this scene has a force, a damper, or a friction that changes in time; here all are left out")
+    pair, at = scene.pair, scene.initial
+    return SI(pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
+
+
+def _exact(scene: Scene) -> SI:
+    """Return the SI numbers as fractions of flint, which calculates several times as fast."""
+    return SI(*(fmpq(one.numerator, one.denominator) for one in si_numbers(scene)))
+
+
+def begin_exactly(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, tuple[Number, ...]]:
+    """Return how a scene begins, and x1, v1, x2, v2 and its horizon, in numbers of an arithmetic, in its context.
+
+    Every sign is decided on exact rationals. Raises OutOfRange.
+    """
+
+    def narrow(x: fmpq) -> Number:
+        return arithmetic.number(Fraction(int(x.p), int(x.q)))
+
+    at = scene.initial
+    given = tuple(arithmetic.number(one) for one in (at.x1, at.v1, at.x2, at.v2, scene.until))
+    return begin(_exact(scene), scene.law is Law.THREE_VALUED_SGN, narrow), given
+
+
+def scene_row(scene: Scene) -> NDArray[np.float64] | None:
+    """Return a scene as compiled code reads it, ten SI numbers as high and low halves; None if it must be exact.
+
+    It is made once and kept with the scene.
+    """
+    if scene.row is None:
+        object.__setattr__(scene, "row", (halved(si_numbers(scene)),))
+    return scene.row[0]
+
+
+def halved(si: SI) -> NDArray[np.float64] | None:
+    """Return SI numbers as halves; None where those would make two velocities equal that are not, or overflow."""
+    try:
+        halves = [half for number in si for half in nearest(number)]
+    except OverflowError:
+        return None
+    same = halves[10:12] == halves[14:16]
+    return np.array(halves) if same == (si.v1 == si.v2) else None
+
+
+def run_row(row: NDArray[np.float64], literal: bool, max_events: int, progress: Progress | None) -> Record | None:
+    """Solve ten SI numbers as halves in compiled binary64; None where they must be converted exactly."""
+    solve, end = compiled(solve_row), np.empty(END_ROW)
+    turns = row.item(16) * math.sqrt(row.item(4) / row.item(0)) / math.pi
+    room = int(min(max_events, 16 + _EVENTS_PER_TURN * min(turns, 1e6)))
+    while True:
+        rows = np.empty((room + 1, ROW))
+        room = solve(row, literal, max_events, rows, end)
+        if room < len(rows):
+            break
+    return _record(rows[: room + 1], end, Float64(), progress) if room >= 0 else None
+
+
+def _run_float64(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
+    _runs[0] += 1
+    row = scene_row(scene) if compiles_now() or (_runs[0] > _MANY and can_compile()) else None
+    found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events, progress)
+    if found is not None:
+        return found
+    rows, end = _from_start(*begin_exactly(scene, arithmetic), max_events, scene, progress)
+    return _record(rows, end, arithmetic, progress)
+
+
+def _run_double_double(scene: Scene, max_events: int, progress: Progress | None) -> Record:
+    arithmetic = DoubleDouble()
+    with arithmetic.context():
+        begun, given = (in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic))
+    rows, end = _from_start(begun, given, max_events, scene, progress)
+    return _record(rows, end, arithmetic, progress)
+
+
+def in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
+    """Return a record with every number as a pair."""
+    if isinstance(record, (bool, int, float)):
+        return record
+    if not isinstance(record, tuple):
+        return Pair(*halves(record))
+    made = [in_halves(one, halves) for one in record]
+    return type(record)(*made) if hasattr(record, "_fields") else tuple(made)
+
+
+def _from_start(
+    begun: Begun, given: tuple[Number, ...], max_events: int, scene: Scene, progress: Progress | None
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the rows of a run from a start: a short one by Python, which would wait for numba longer than it runs."""
+    end, carried = np.empty(END_ROW), initial(begun.at, begun.start, begun.V1, begun.V2)
+    if not compiles_now():
+        few = min(_FEW, max_events) if can_compile() else max_events
+        growing, plain = _Growing(few + 1, float(scene.until), progress), end.tolist()
+        try:
+            count = solve_start(begun, carried, given, few, growing, plain)
+        except (ArithmeticError, ValueError):  # plain Python has no nan to carry on with
+            end[AT["how"]] = How.OUT_OF_RANGE
+            return np.empty((0, ROW)), end
+        if count < few or few == max_events:
+            return np.array(growing.rows), np.array(plain)
+    room = min(max_events, 4 * _FEW)
+    while True:
+        rows = np.empty((room + 1, ROW))
+        room = compiled(solve_start)(begun, carried, given, max_events, rows, end)
+        if room < len(rows):
+            return rows[: room + 1], end
+
+
+class _Growing:
+    """Rows for interpreted code: a row is made when it is first written; `progress` hears of every thousandth."""
+
+    def __init__(self, most: int, until: float, progress: Progress | None) -> None:
+        self.rows: list[list[float]] = []
+        self._most, self._until, self._progress = most, until, progress
+
+    def __len__(self) -> int:
+        return self._most
+
+    def __getitem__(self, index: int) -> list[float]:
+        if self._progress is not None and index % 1000 == 999:
+            self._progress(index, self.rows[-1][AT["local"]] / self._until)
+        self.rows.append([0.0] * ROW)
+        return self.rows[index]
+
+
+def _record(rows: Any, end: NDArray[np.float64], arithmetic: Arithmetic, progress: Progress | None) -> Record:
+    """Return the record of a run with bounds. Raises OutOfRange."""
+    how, events, certain, high, low, *_, off = end[ROW:].tolist()
+    if how == How.OUT_OF_RANGE:
+        raise left_range(arithmetic)
+    if progress is not None:
+        progress(int(events), 1.0)
+    friction = high if arithmetic.name == "float64" else Pair(high, low)
+    return Record(rows, end, _HOWS[int(how)], int(events), certain == 1.0, friction, 0, off)
+
+
+def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
+    """Run in mpmath or balls, one Knot an event."""
+    with arithmetic.context():
+        begun, given = begin_exactly(scene, arithmetic)
+        walk, units, horizon = Walk(arithmetic, begun.at, begun.start), begun.units, begun.horizon
+        zero = begun.start.tau
+        knots = [_knot(walk.start, zero, zero, given[:4])]
+        while True:
+            duration = walk.duration()
+            if duration is None:
+                how = How.STUCK
+                break
+            if sign(walk.start.tau + duration - horizon, BEFORE_HORIZON) > 0:
+                how = How.REACHED
+                break
+            if len(knots) > max_events:
+                how = How.EVENT_LIMIT
+                break
+            walk.go_on()
+            start, here = walk.start, event_state(begun.at, walk.start)
+            t, length = start.tau / units.rate, duration / units.rate
+            knots.append(_knot(start, t, length, in_si(units, here))._replace(event=True))
+            if progress is not None and len(knots) % 1000 == 0:
+                progress(len(knots), arithmetic.to_float(start.tau / horizon))
+        start = walk.start
+        if how is How.EVENT_LIMIT:
+            end, spent = knots[-1]._replace(length=zero), start.spent
+        else:
+            length = nonnegative((horizon - start.tau) - start.rest)
+            here = state_at(begun.at, start, length)
+            end = _knot(start, given[4], length / units.rate, in_si(units, here))._replace(excess=here.w)
+            spent = here.spent
+        return Record(knots, end, how, len(knots) - 1, True, units.energy * spent, zero)
+
+
+def _knot(start: Start, t: Number, length: Number, state: tuple[Number, ...]) -> Knot:
+    x1, v1, x2, v2 = state
+    return Knot(mode_of(start), order_of(start), False, False, 0, t, length, x1, v1, x2, v2, start.w)

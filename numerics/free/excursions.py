@@ -1,0 +1,48 @@
+"""Ray to ray without positions: the excess energy and the time of every stick-slip excursion.
+
+On an exit ray the state is one number, w = E/E_cr - 1 > 0. The slip ends at the angle theta with h(theta) = sqrt(w/q);
+then w drops by 2 r q K(theta), and the pair sticks until it reaches a ray again. Uses the same motions as `solve`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from numerics.arithmetic.protocol import Number
+from numerics.free.frame import Frame
+from numerics.free.motion import STICK, Parameters, on_ray
+from numerics.free.walk import Walk
+
+
+class Excursion(NamedTuple):
+    """One excursion: its excess energy w on the exit ray, the side of that ray, the reduced times of slip and stick.
+
+    `w_after` is the excess after the slip; `stick` is None if the pair has merged (w_after <= 0). Dimensionless.
+    """
+
+    w: Number
+    side: int
+    slip: Number
+    w_after: Number
+    stick: Number | None
+
+
+def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
+    """Yield the excursions of a pair that leaves S0 by the ray `side` with excess w > 0, until it merges.
+
+    Crossings of S outside S0 belong to the excursion in which they happen. Raises EventUndecided, OutOfRange. Call it
+    inside the arithmetic's context.
+    """
+    zero, at = frame.arithmetic.number(0), Parameters(frame.q, frame.r, frame.sqrt_q, False)
+    walk = Walk(frame.arithmetic, at, on_ray(at, float(side), zero, w, zero, zero, zero))
+    while True:
+        slip, start = zero, walk.start
+        while walk.start.kind != STICK:
+            slip = slip + walk.duration()
+            walk.go_on()
+        stick = walk.duration()
+        yield Excursion(start.w, int(start.side), slip, walk.start.w, stick)
+        if stick is None:
+            return
+        walk.go_on()

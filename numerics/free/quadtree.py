@@ -1,0 +1,223 @@
+"""A window of two quantities > 0 as a quadtree of decided cells.
+
+It is cut into quarters, at geometric means rounded to exact rationals, until a cell is decided or `depth` cuts are
+made. Its 64 blocks are independent tasks: run in turn, by joblib or by Dask, the map is the same. A block's quadtree is
+written as text: + for a cell that was cut, followed by its quarters in their order, or else the letter of its verdict.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterator
+from enum import Enum
+from fractions import Fraction
+from itertools import product
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from numerics.errors import InvalidMap
+from numerics.tasks import run_tasks
+
+BLOCK_DEPTH = 3
+"""Cuts from the window to a block: 4^3 tasks keep a cluster busy, and a checkpoint short."""
+MAX_DEPTH = 14
+CUT = "+"
+Progress = Callable[[int, int], None]
+Side = tuple[Fraction, Fraction]
+Sides = tuple[Side, Side]
+"""Ranges of both quantities, ends included."""
+
+
+class Leaf(NamedTuple):
+    """A cell: its sides, its level (0 is the whole window), column and row there, and what is proved."""
+
+    sides: Sides
+    level: int
+    column: int
+    row: int
+    verdict: Any
+
+    @property
+    def share(self) -> Fraction:
+        """Return its share of the window's area on logarithmic axes."""
+        return Fraction(1, 4**self.level)
+
+
+class Verdicts(NamedTuple):
+    """What decides a cell: a function of its sides that answers with an Enum of letters, and its answer for a refusal.
+
+    The function must be importable, alone or under functools.partial: it is sent to other processes.
+    """
+
+    decide: Callable[[Sides], Any]
+    kinds: type[Enum]
+    undecided: Any
+
+
+def leaves_of(
+    window: Sides,
+    depth: int,
+    verdicts: Verdicts,
+    title: dict[str, object],
+    *,
+    jobs: int = 1,
+    dask: str | None = None,
+    resume: Path | None = None,
+    progress: Progress | None = None,
+) -> tuple[Leaf, ...]:
+    """Return the leaves of a window's quadtree, cells down to 2^-depth of its sides; they cover it.
+
+    `jobs` processes by joblib, or the Dask cluster at the address `dask`; neither changes the result. `resume` is a
+    checkpoint of finished blocks, which must agree with `title`. `progress` is called with (blocks done, all).
+    Raises InvalidMap (depth, checkpoint of another map) and MissingTool (joblib or distributed is not installed).
+    """
+    if not 1 <= depth <= MAX_DEPTH:
+        raise InvalidMap(f"depth {depth}: give 1 to {MAX_DEPTH} cuts of each side in two")
+    corner = min(BLOCK_DEPTH, depth)
+    blocks = list(_parts(Leaf(window, 0, 0, 0, verdicts.undecided), corner))
+    checkpoint = Checkpoint(resume, title)
+    leaves: dict[int, tuple[Leaf, ...]] = {}
+    for index, block in enumerate(blocks):
+        if str(index) in checkpoint.finished:
+            leaves[index] = _decode(checkpoint.finished[str(index)], block, depth, verdicts)
+    tasks = [(index, block, depth - corner, verdicts) for index, block in enumerate(blocks) if index not in leaves]
+    for done, (index, tree) in enumerate(run_tasks(_compute_block, tasks, jobs=jobs, dask=dask), start=len(leaves) + 1):
+        checkpoint.add(str(index), tree)
+        leaves[index] = _decode(tree, blocks[index], depth, verdicts)
+        if progress is not None:
+            progress(done, len(blocks))
+    return tuple(cell for index in range(len(blocks)) for cell in leaves[index])
+
+
+def shares(leaves: tuple[Leaf, ...], kinds: type[Enum]) -> dict[Any, float]:
+    """Return the share of each verdict in the window's area on logarithmic axes."""
+    areas = {one: Fraction(0) for one in kinds}
+    for cell in leaves:
+        areas[cell.verdict] += cell.share
+    return {one: float(area) for one, area in areas.items()}
+
+
+def raster(leaves: tuple[Leaf, ...], depth: int, order: list[Any]) -> Any:
+    """Return the verdicts on the finest grid as places in `order`, (2^depth, 2^depth), the second side upwards."""
+    places = {one: index for index, one in enumerate(order)}
+    grid = np.empty((2**depth, 2**depth), dtype=np.uint8)
+    for cell in leaves:
+        size = 2 ** (depth - cell.level)
+        row, column = cell.row * size, cell.column * size
+        grid[row : row + size, column : column + size] = places[cell.verdict]
+    return grid
+
+
+def _parts(cell: Leaf, cuts: int) -> Iterator[Leaf]:
+    """Yield the cells of one level below a cell."""
+    if cuts == 0:
+        yield cell
+        return
+    for quarter in _quarters(cell):
+        yield from _parts(quarter, cuts - 1)
+
+
+def _compute_block(task: tuple[int, Leaf, int, Verdicts]) -> tuple[int, str]:
+    """Return a block's index and the text of its quadtree."""
+    index, block, cuts, verdicts = task
+    return index, "".join(_tree(block, cuts, verdicts))
+
+
+def _tree(cell: Leaf, cuts: int, verdicts: Verdicts) -> Iterator[str]:
+    found = verdicts.decide(cell.sides)
+    if found is not verdicts.undecided or cuts == 0:
+        yield found.value
+        return
+    yield CUT
+    for quarter in _quarters(cell):
+        yield from _tree(quarter, cuts - 1, verdicts)
+
+
+def _decode(tree: str, block: Leaf, depth: int, verdicts: Verdicts) -> tuple[Leaf, ...]:
+    """Return the cells that a block's text stands for. Raises InvalidMap if it is damaged."""
+    letters = iter(tree)
+    try:
+        cells = tuple(_leaves(letters, block, depth, verdicts.kinds))
+    except ValueError:
+        cells = ()
+    if not cells or next(letters, None) is not None:
+        raise InvalidMap(f"the checkpoint holds a damaged block ({tree[:40]!r}...); remove its line")
+    return cells
+
+
+def _leaves(letters: Iterator[str], cell: Leaf, depth: int, kinds: type[Enum]) -> Iterator[Leaf]:
+    letter = next(letters, "")
+    if letter != CUT or cell.level == depth:
+        yield cell._replace(verdict=kinds(letter))
+        return
+    for quarter in _quarters(cell):
+        yield from _leaves(letters, quarter, depth, kinds)
+
+
+def _quarters(cell: Leaf) -> Iterator[Leaf]:
+    """Yield the quarters of a cell: lower left, lower right, upper left, upper right."""
+    columns, rows = ([(low, mean), (mean, high)] for low, high in cell.sides for mean in [_geometric_mean(low, high)])
+    for (upper, row), (right, column) in product(enumerate(rows), enumerate(columns)):
+        place = (cell.level + 1, 2 * cell.column + right, 2 * cell.row + upper)
+        yield Leaf((column, row), *place, cell.verdict)
+
+
+def _geometric_mean(low: Fraction, high: Fraction) -> Fraction:
+    """Return sqrt(low high) rounded down to about 64 bits: exact in what it is, the same on every machine."""
+    bits = 64 + max(0, low.denominator.bit_length() - low.numerator.bit_length())
+    return Fraction(math.isqrt(math.floor(low * high * 4**bits)), 2**bits)
+
+
+class Checkpoint:
+    """Finished parts by name, kept in a file (or nowhere). A last line torn by a crash is dropped."""
+
+    def __init__(self, path: Path | None, title: dict[str, object]) -> None:
+        """Read what is there, or begin the file with the title. Raises InvalidMap if it belongs to something else."""
+        self.finished: dict[str, str] = {}
+        self._path = path
+        if path is None:
+            return
+        whole = _whole_lines(path)
+        if not whole:
+            path.write_text(_line(title), "utf-8")
+            return
+        if _parsed(whole[0], path, 1) != title:
+            raise InvalidMap(f"checkpoint {path.name} is of another map ({whole[0].strip()[:120]}); name another file")
+        for number, text in enumerate(whole[1:], start=2):
+            part = _parsed(text, path, number)
+            if set(part) != {"part", "result"} or not all(isinstance(one, str) for one in part.values()):
+                raise InvalidMap(f"checkpoint {path.name}, line {number} is no finished part; remove the line")
+            self.finished[part["part"]] = part["result"]
+        # what is appended next must not continue a torn line
+        path.write_text("".join(whole), "utf-8")
+
+    def add(self, part: str, result: str) -> None:
+        """Append a finished part as one whole line."""
+        if self._path is not None:
+            with self._path.open("a", encoding="utf-8") as file:
+                file.write(_line({"part": part, "result": result}))
+
+
+def _line(record: dict[str, object]) -> str:
+    return json.dumps(record) + "\n"
+
+
+def _whole_lines(path: Path) -> list[str]:
+    """Return the lines that end in a newline; none if there is no file."""
+    if not path.exists():
+        return []
+    lines = path.read_bytes().decode("utf-8", errors="replace").splitlines(keepends=True)
+    return [line for line in lines if line.endswith("\n")]
+
+
+def _parsed(text: str, path: Path, number: int) -> dict[str, str]:
+    try:
+        record = json.loads(text)
+    except ValueError:
+        record = None
+    if not isinstance(record, dict):
+        raise InvalidMap(f"checkpoint {path.name}, line {number} is damaged; remove the line, or name another file")
+    return record

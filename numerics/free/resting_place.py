@@ -1,0 +1,77 @@
+"""Where the bodies of a free pair end up: the limit of z = x1 - x2, also after infinitely many slips.
+
+A pair that sticks for ever keeps its z. One that creeps (a1 = 0) slips to one side and the other in turn, ever less: a
+slip from a ray with y = w/q moves z by E_cr q (y - F(y))/b, and the Abel functions (abel.py) add up all that are left.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.free.energy import abel_functions, order_for, reach_of
+from numerics.linear.modes import EventKind
+from numerics.linear.record import How
+from numerics.scene import Pair
+
+
+@dataclass(frozen=True)
+class RestingPlace:
+    """The limit of x1 - x2 (m), an enclosure, and what is known from some event on.
+
+    From event `index` (counted from 0; -1: the start) on |z - limit| <= `reach` (m) and |w| <= `speed` (m/s), for ever.
+    """
+
+    limit: arb
+    index: int
+    reach: arb
+    speed: arb
+
+
+def resting_place(trajectory: Any, near: float) -> RestingPlace | None:
+    """Return the resting place of a free trajectory in balls; None if its horizon comes before it is known.
+
+    `near`: from the event on reach and speed are at most this, each in its SI unit. In the arithmetic's context.
+    """
+    if trajectory.record.how is How.STUCK:
+        x1, _, x2, _ = trajectory.final_state
+        return RestingPlace(x1 - x2, len(trajectory.events) - 1, arb(0), arb(0))
+    return creeping_place(trajectory, trajectory.scene.pair, near)
+
+
+def creeping_place(trajectory: Any, pair: Pair, near: float, since: Fraction = Fraction(0)) -> RestingPlace | None:
+    """Return the resting place of a pair that creeps, read from an exit after the time `since` (s), or None.
+
+    From then on no force acts on the pair, or a constant one, which only shifts x1. a1 = 0.
+    """
+    if pair.a1 > 0:
+        return None
+    for index, event in enumerate(trajectory.events):
+        if event.kind is EventKind.EXIT and event.t > Ball.number(since):
+            found = _from_ray(trajectory.arithmetic.digits, pair, index, event)
+            if found is not None and found.reach.max(found.speed) < near:
+                return found
+    return None
+
+
+def _from_ray(digits: int, pair: Pair, index: int, event: Any) -> RestingPlace | None:
+    """Return what follows from one exit by a ray, None as long as y is too large for the series."""
+    number = Ball.number
+    x1, v1, x2, _ = event.y
+    unit = number(pair.critical_energy * pair.share / pair.b)
+    # on the ray the spring has the energy E_cr (a constant force shifts x1 only): the excess is that of the velocity
+    y = number(pair.mass / (2 * pair.critical_energy * pair.share)) * v1 * v1
+    if not y < reach_of(digits):
+        return None
+    abel = abel_functions(pair.share, order_for(digits))
+    if not y <= number(abel.largest_argument):
+        return None
+    limit = x1 - x2 + event.after.sign * unit * abel.slide(y)
+    # c(y) <= 3 y/2 bounds a slip's way; its angle is at most 3 sqrt(y), and w'' <= (a2/m1)|v1| while body 1 moves
+    # outwards
+    reach = unit * number(1 - pair.share) * (9 * y * y / 4)
+    return RestingPlace(limit, index, reach.upper(), (abs(v1) * 9 * y / 2).upper())

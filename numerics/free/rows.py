@@ -1,0 +1,217 @@
+"""The mode state machine in binary64 and double-double, with its error bounds, straight into rows (linear/record.py).
+
+next_event -> bounds -> resolve -> record; it never samples. Compiled where numba is installed, one scene or many in one
+call; the same functions, interpreted, give the same bits.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from numerics.arithmetic.compiled import by_type, compilable
+from numerics.arithmetic.functions import as_float, clock, finite, nonnegative, rounding, sign
+from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.protocol import Number
+from numerics.arithmetic.questions import BEFORE_HORIZON
+from numerics.free.bounds import Carried, Off, after_event, at_horizon, at_start, before_horizon, initial
+from numerics.free.motion import (
+    MOVING,
+    OUT_OF_RANGE,
+    Start,
+    State,
+    event_state,
+    mode_of,
+    next_event,
+    order_of,
+    resolve,
+    state_at,
+)
+from numerics.free.start import SI, Begun, Units, begin, in_si
+from numerics.linear.record import AT, How
+
+REACHED, EVENT_LIMIT = int(How.REACHED), int(How.EVENT_LIMIT)
+UNKNOWN = -1
+"""What solve_row returns of a scene that must be converted exactly."""
+_LOCAL, _END, _FRICTION, _DISSIPATED = (AT[name] for name in ("local", "how", "friction", "dissipated_error"))
+_SMALLEST, _LARGEST = 1e-70, 1e70
+"""Beyond them a product of four SI numbers may leave the range of binary64: convert exactly."""
+_SUBNORMAL, _TINY = 1e-290, 2.0**-1060
+"""Below the first, products lose digits to underflow; never more than the second."""
+
+
+@compilable
+def _put_float(x: float, row: Any, column: int) -> None:
+    row[column], row[column + 1] = x, 0.0
+
+
+@compilable
+def _put_pair(x: Pair, row: Any, column: int) -> None:
+    row[column], row[column + 1] = x.high, x.low
+
+
+@by_type(_put_float, _put_pair)
+def put(x: Number, row: Any, column: int) -> None:
+    """Write a number to the columns of its halves."""
+    if type(x) is Pair:
+        _put_pair(x, row, column)
+    else:
+        _put_float(x, row, column)
+
+
+@compilable
+def _record(row: Any, mode: int, order: int, event: float, numbers: tuple[Number, ...], errors: Any) -> None:
+    """Write a row: local, length, x1, v1, x2, v2, excess, and bounds on the errors of all but length."""
+    row[0], row[1], row[2], row[3], row[4] = mode, order, event, 0.0, 0.0
+    column = _LOCAL
+    for number in numbers:
+        put(number, row, column)
+        column += 2
+    for error in errors:
+        row[column] = error
+        column += 1
+
+
+@compilable
+def _bound(error: float, x: Number) -> float:
+    """Return a bound with the roundings of the conversion to x, and what products below the normal numbers lost."""
+    size = abs(as_float(x))
+    lost = _TINY if size < _SUBNORMAL and (size != 0.0 or error > 0.0) else 0.0
+    return error + 8 * rounding(x) * size + lost
+
+
+@compilable
+def _record_state(
+    row: Any, start: Start, event: float, units: Units, t: Number, length: Number, here: State, off: Off
+) -> None:
+    """Write a state at the time t in SI units; the motion with this start begins or lasts there."""
+    x1, v1, x2, v2 = in_si(units, here)
+    by_x, by_t = as_float(units.length), as_float(units.rate)
+    errors = (
+        _bound(off.late / by_t, t),
+        _bound(by_x * off.x, x1),
+        _bound(by_x * by_t * off.v1, v1),
+        _bound(by_x * (off.x + off.place), x2),
+        _bound(by_x * by_t * off.v2, v2),
+        off.w + 4 * rounding(here.w) * abs(as_float(here.w)),
+    )
+    numbers = t, length / units.rate, x1, v1, x2, v2, here.w
+    _record(row, mode_of(start), order_of(start), event, numbers, errors)
+
+
+@compilable
+def _run(begun: Begun, carried: Carried, most: int, rows: Any) -> tuple[int, int, Start, Carried]:
+    """Follow the modes until the horizon, a last stick phase, or `most` events, and record the first ones in `rows`.
+
+    Returns how it ended, the number of events, the start of the last mode and its errors; where even the sequence of
+    events is uncertain these say so.
+    """
+    at, start, count = begun.at, begun.start, 0
+    while True:
+        how, duration, end = next_event(at, start)
+        if how != MOVING:
+            return how, count, start, carried
+        tau, rest = clock(start.tau, start.rest, duration)
+        if sign(tau - begun.horizon, BEFORE_HORIZON) > 0:
+            break
+        if count == most:
+            return EVENT_LIMIT, count, start, carried
+        after = resolve(at, start, end, tau, rest)
+        if not finite(after.w):
+            return OUT_OF_RANGE, count, start, carried
+        carried = after_event(at, start, carried, end, after)
+        start, count = after, count + 1
+        if count < len(rows):
+            here = event_state(at, start)
+            off = at_start(at, start, carried.errors, here)
+            _record_state(rows[count], start, 1.0, begun.units, tau / begun.units.rate, duration, here, off)
+    if not finite(tau):
+        return OUT_OF_RANGE, count, start, carried
+    return REACHED, count, start, before_horizon(at, start, carried, end, tau, begun.horizon)
+
+
+@compilable
+def solve_start(begun: Begun, carried: Carried, given: tuple[Number, ...], most: int, rows: Any, end: Any) -> int:
+    """Run to the end and write the first rows, that of the start before all, and the end; return the number of events.
+
+    carried: the errors at the start (bounds.initial). given: x1, v1, x2, v2 and the horizon in SI units.
+    """
+    at, start, units, unit = begun.at, begun.start, begun.units, rounding(begun.horizon)
+    if len(rows) > 0:
+        x1, v1, x2, v2, _ = given
+        w, zero = start.w, start.tau
+        errors = (
+            0.0,
+            unit * abs(as_float(x1)),
+            unit * abs(as_float(v1)),
+            unit * abs(as_float(x2)),
+            unit * abs(as_float(v2)),
+            2 * unit * abs(as_float(w)),
+        )
+        _record(rows[0], mode_of(start), order_of(start), 0.0, (zero, zero, x1, v1, x2, v2, w), errors)
+    how, count, start, carried = _run(begun, carried, most, rows)
+    if how == EVENT_LIMIT:
+        t, length, here = start.tau / units.rate, start.rest - start.rest, event_state(at, start)
+        off = at_start(at, start, carried.errors, here)
+    else:
+        t, length = given[4], (begun.horizon - start.tau) - start.rest
+        tau = nonnegative(length)  # the rounding of an event at the horizon may lie beyond it
+        here = state_at(at, start, tau)
+        off = at_horizon(at, start, carried.errors, here, tau, begun.horizon)
+    _record_state(end, start, 0.0, units, t, length, here, off)
+    spent, energy = as_float(here.spent), as_float(units.energy)
+    taken = energy * (off.spent + 16 * unit * spent)
+    lost = _TINY + 2.0**-1070 * energy
+    end[_END], end[_END + 1] = how, count
+    end[_END + 2] = 1.0 if off.certain and how != OUT_OF_RANGE else 0.0
+    put(units.energy * here.spent, end, _FRICTION)
+    put(start.tau - start.tau, end, _FRICTION + 2)
+    end[_DISSIPATED] = taken + (lost if taken > 0.0 or spent > 0.0 else 0.0)
+    return count
+
+
+@compilable
+def _in_range(row: Any) -> bool:
+    """Return whether double-double keeps its digits in products of these numbers."""
+    for index in range(0, 20, 2):  # noqa: SIM110 - numba has no generators in `all`
+        if not (row[index] == 0.0 or _SMALLEST < abs(row[index]) < _LARGEST):
+            return False
+    return True
+
+
+@compilable
+def solve_row(row: Any, literal: bool, most: int, rows: Any, end: Any) -> int:
+    """Solve ten SI numbers (start.SI), each as its halves, in binary64: write the first rows and the end.
+
+    Returns the number of events; UNKNOWN where the numbers must be converted exactly.
+    """
+    if not _in_range(row):
+        return UNKNOWN
+    si = SI(
+        Pair(row[0], row[1]),
+        Pair(row[2], row[3]),
+        Pair(row[4], row[5]),
+        Pair(row[6], row[7]),
+        Pair(row[8], row[9]),
+        Pair(row[10], row[11]),
+        Pair(row[12], row[13]),
+        Pair(row[14], row[15]),
+        Pair(row[16], row[17]),
+        Pair(row[18], row[19]),
+    )
+    begun = begin(si, literal, as_float)
+    if not begun.known or not math.isfinite(begun.start.w + begun.horizon):
+        return UNKNOWN
+    carried = initial(begun.at, begun.start, begun.V1, begun.V2)
+    return solve_start(begun, carried, (row[8], row[10], row[12], row[14], row[16]), most, rows, end)
+
+
+@compilable
+def solve_rows(table: Any, literal: bool, most: int, kept: Any, ends: Any) -> None:
+    """Solve every row of table (n, 20): keep its first rows in kept (n, k, ROW), its end in ends (n, END_ROW).
+
+    Where a row must be converted exactly its end says UNKNOWN in the place of how it ended.
+    """
+    for index in range(len(table)):
+        if solve_row(table[index], literal, most, kept[index], ends[index]) == UNKNOWN:
+            ends[index][_END] = UNKNOWN

@@ -1,0 +1,82 @@
+"""One motion after the other, in plain Python: runs in mpmath and balls, and maps that stop where they choose."""
+
+from __future__ import annotations
+
+from numerics.arithmetic.functions import clock, finite
+from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.arithmetic.questions import QUESTIONS, SIDE_OF_ZERO
+from numerics.errors import EventUndecided, OutOfRange
+from numerics.free.motion import (
+    OUT_OF_RANGE,
+    RAY,
+    STUCK,
+    Landing,
+    Parameters,
+    Start,
+    mode_of,
+    next_event,
+    on_ray,
+    resolve,
+)
+from numerics.linear.modes import MODES, Mode
+
+
+class Walk:
+    """A pair in a mode of motion, which `start` describes, in one arithmetic and its context.
+
+    Raises EventUndecided and OutOfRange, each for what is asked.
+    """
+
+    def __init__(self, arithmetic: Arithmetic, at: Parameters, start: Start) -> None:
+        """Begin with a motion (start.begin), or on a ray (motion.on_ray)."""
+        self.arithmetic, self.at, self.start = arithmetic, at, start
+        self._next: tuple[Number | None, Landing] | None = None
+
+    def leave_by(self, side: float, w: Number, tau: Number) -> None:
+        """Put the pair on an exit ray with excess w > 0 at the reduced time tau."""
+        zero = self.arithmetic.number(0)
+        self._put(on_ray(self.at, side, zero, w, tau, zero, zero))
+
+    def _put(self, start: Start) -> None:
+        self.start, self._next = start, None
+
+    @property
+    def mode(self) -> Mode:
+        """Return the mode of motion."""
+        return MODES[mode_of(self.start)]
+
+    @property
+    def on_ray(self) -> bool:
+        """Return whether the motion is a slip that left S0 by an exit ray."""
+        return self.start.kind == RAY
+
+    def duration(self) -> Number | None:
+        """Return the reduced time to the next event, None if there is none."""
+        return self._located()[0]
+
+    def _located(self) -> tuple[Number | None, Landing]:
+        if self._next is None:
+            how, duration, end = next_event(self.at, self.start)
+            if how == OUT_OF_RANGE:
+                raise left_range(self.arithmetic)
+            self._next = (None if how == STUCK else duration), end
+        return self._next
+
+    def go_on(self) -> None:
+        """Go on to the motion after the next event."""
+        duration, end = self._located()
+        tau, rest = clock(self.start.tau, self.start.rest, duration)
+        after = resolve(self.at, self.start, end, tau, rest)
+        if not finite(after.w):
+            raise left_range(self.arithmetic)
+        self._put(after)
+
+
+def left_range(arithmetic: Arithmetic) -> Exception:
+    """Return what says that a number left the range, or that balls know nothing of one any more."""
+    if arithmetic.name == "ball":
+        return EventUndecided(QUESTIONS[SIDE_OF_ZERO], "a number that is not finite", arithmetic.digits)
+    return OutOfRange(
+        f"a number of this scene left the range of {arithmetic.name} on the way, or one slip turns through an angle "
+        f'that {arithmetic.digits} digits do not resolve; use arithmetic="ball"'
+    )

@@ -1,0 +1,105 @@
+"""Many scenes of one piece of force in one compiled call: rows of numbers in, first events and ends out, in float64."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.compiled import compilable, compilable_with, compiled
+from numerics.arithmetic.pair import two_sum
+from numerics.linear.columns import Drive, constants
+from numerics.linear.kernel import follow
+from numerics.linear.prepare import REACH, most_terms
+from numerics.linear.record import AT, END_ROW, ROW, in_si
+from numerics.linear.table import FIRST, form, make_tables
+
+_X1 = AT["x1"]
+
+
+class Columns(Protocol):
+    """What a batch gives: the table (n, 20) of SI numbers as halves, polynomial (n, p), sines (n, s, 3)."""
+
+    table: NDArray[np.float64]
+    polynomial: NDArray[np.float64]
+    sines: NDArray[np.float64]
+
+
+def run_rows(
+    columns: Columns, literal: bool, max_events: int, kept: NDArray[np.float64], ends: NDArray[np.float64]
+) -> None:
+    """Solve rows of scenes; write start and first events of each to `kept` (n, k, ROW), its end to `ends` (n, END_ROW).
+
+    Rows that are in doubt, or out of range, keep the `how` that they had. Releases Python's lock.
+    """
+    table, polynomial, sines = columns.table, columns.polynomial, columns.sines
+    compiled(follow_rows)(table, polynomial, sines, literal, max_events, most_terms(polynomial.shape[1]), kept, ends)
+
+
+@compilable_with(forceinline=False)
+def follow_rows(
+    table: Any, polynomial: Any, sines: Any, literal: bool, max_events: int, room: int, kept: Any, ends: Any
+) -> None:
+    """Solve rows of scenes, each in units that are powers of 2; tables are formed anew only where they change."""
+    terms, waves = polynomial.shape[1], sines.shape[1]
+    tables = make_tables(1, FIRST + terms + 2 * waves, room)
+    pair, omegas = np.zeros((5, 2)), np.zeros((waves, 2))
+    acting = np.zeros((1, 6), dtype=np.int64)
+    acting[0, 1], acting[0, 3], acting[0, 5] = terms, waves, 1
+    drive = Drive(acting, np.zeros((1, 2)), np.zeros((1, 2)), np.zeros((terms, 2)), np.zeros((waves, 3, 2)))
+    start, end = np.zeros(ROW), np.zeros(END_ROW)
+    key, before = np.zeros(5 + waves), np.full(5 + waves, np.nan)
+    for row in range(table.shape[0]):
+        m1, m2, a2, b, until, a1 = (
+            table[row, 0],
+            table[row, 2],
+            table[row, 4],
+            table[row, 6],
+            table[row, 16],
+            table[row, 18],
+        )
+        mass_unit = math.frexp(m1 + m2)[1]
+        time_unit = (mass_unit - math.frexp(a2)[1]) // 2
+        length_unit = math.frexp(b * (m1 + m2) / (a2 * m2))[1]
+        force_unit = mass_unit + length_unit - 2 * time_unit
+        pair[0, 0], pair[2, 0] = math.ldexp(m1, -mass_unit), math.ldexp(m2, -mass_unit)
+        pair[1, 0], pair[1, 1] = two_sum(pair[0, 0], pair[2, 0])
+        pair[3, 0] = math.ldexp(a1, time_unit - mass_unit)
+        pair[4, 0] = math.ldexp(a2, 2 * time_unit - mass_unit)
+        drive.b[0, 0], drive.length[0, 0] = math.ldexp(b, -force_unit), math.ldexp(until, -time_unit)
+        for k in range(terms):
+            drive.coefficients[k, 0] = math.ldexp(polynomial[row, k], k * time_unit - force_unit)
+        for k in range(waves):
+            drive.sines[k, 0, 0] = math.ldexp(sines[row, k, 0], -force_unit)
+            drive.sines[k, 1, 0] = omegas[k, 0] = key[5 + k] = math.ldexp(sines[row, k, 1], time_unit)
+            drive.sines[k, 2, 0] = sines[row, k, 2]
+        for i in range(4):
+            start[_X1 + 2 * i] = math.ldexp(table[row, 8 + 2 * i], -length_unit + (time_unit if i % 2 else 0))
+        for k in range(5):
+            key[k] = pair[k, 0]
+        key[1] = min(drive.length[0, 0], steps_of(pair, omegas))
+        is_same = True
+        for k in range(key.shape[0]):
+            is_same = is_same and key[k] == before[k]
+        if not is_same:
+            before[:] = key
+            form(tables, 0, pair, terms, omegas, drive.length[0, 0], REACH)
+        how, count = follow(
+            constants(pair, literal), drive, tables, start, False, -1.0, max_events, False, False, kept[row], end
+        )
+        if how >= 3:  # out of range, or in doubt
+            continue
+        in_si(kept[row, : min(count, kept.shape[1])], mass_unit, time_unit, length_unit)
+        ends[row] = end
+        in_si(ends[row : row + 1], mass_unit, time_unit, length_unit)
+
+
+@compilable
+def steps_of(pair: Any, omegas: Any) -> float:
+    """Return the step of stick for as long a horizon as you like: tables change with the horizon only below it."""
+    rate = math.sqrt(pair[4, 0] / pair[1, 0]) + pair[3, 0] / pair[1, 0]
+    for k in range(omegas.shape[0]):
+        rate = max(rate, omegas[k, 0])
+    return REACH / rate

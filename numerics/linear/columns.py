@@ -1,0 +1,248 @@
+"""What the engine works with in float64 and double-double: a pair, its drive, room for a run; and the columns of z.
+
+Taylor coefficients over a step are linear in z (table.py). Where `wide`, numbers carry a low part.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.linear.pairs import add, multiply, sine_cosine
+from numerics.linear.record import AT
+from numerics.linear.table import FIRST, FRICTION, Tables
+
+UNIT, WIDE_UNIT = 2.0**-53, 2.0**-101
+"""A rounding of float64; one of double-double, with what its operations lose."""
+FAST = {"fastmath": {"contract", "reassoc"}}
+NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
+"""Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding."""
+
+_LOCAL, _X1, _ERRORS = AT["local"], AT["x1"], AT["x1_error"]
+
+
+class Constants(NamedTuple):
+    """The pair, in units of which every power is a float, and what turns N into bounds on guards.
+
+    kappa: |v1 - v2| <= kappa N; kappa1: |v1'| <= kappa1 N within one mode; lam: |Lambda| <= lam N in stick.
+    """
+
+    m1: float
+    m2: float
+    m2_low: float
+    mass: float
+    a1: float
+    a2: float
+    kappa: float
+    kappa1: float
+    lam: float
+    literal: bool
+
+
+@compilable
+def constants(pair: Any, literal: bool) -> Constants:
+    """Return the constants of a pair: m1, m1 + m2, m2, a1, a2 as pairs (5, 2)."""
+    m1, mass, m2, a1, a2 = pair[0, 0], pair[1, 0], pair[2, 0], pair[3, 0], pair[4, 0]
+    pull, slack = math.hypot(math.sqrt(a2), a1 / math.sqrt(m1)), 1.0 + 1e-12  # for the rounding of the bounds
+    kappa, share = math.sqrt(mass / (m1 * m2)) * slack, m2 / mass
+    return Constants(m1, m2, pair[2, 1], mass, a1, a2, kappa, pull / m1 * slack, share * pull * slack, literal)
+
+
+class Drive(NamedTuple):
+    """Force and friction by pieces. places (n, 6): first coefficient, their number, first sine, their number, kind of
+
+    force, 1 where u or b may jump. b, length (n, 2), coefficients (k, 2) and sines (k, 3, 2): amplitude, omega, phase
+    where the piece begins; all numbers as pairs.
+    """
+
+    places: Any
+    b: Any
+    length: Any
+    coefficients: Any
+    sines: Any
+
+
+class Room(NamedTuple):
+    """Arrays to work in, made once for a run."""
+
+    y: Any
+    """(4, 2) x1, v1, x2, v2 as pairs."""
+    clock: Any
+    """(2, 2) time in the piece, time since the last row."""
+    z: Any
+    """(2, n) high and low parts of z."""
+    size: Any
+    """(n,) what the roundings of z are counted in."""
+    X: Any
+    """(2, 2, terms) high and low parts of the coefficients of x1 and x2."""
+    most: Any
+    """(2, terms) absolute sums of the terms of these, times their roundings."""
+    g: Any
+    """(2, terms) high and low parts of a guard."""
+    q: Any
+    other: Any
+    bernstein: Any
+    powers: Any
+    E: Any
+    R: Any
+    flow: Any
+    scale: Any
+    basis: Any
+    column: Any
+    nodes: Any
+
+
+@compilable_with(forceinline=False)
+def make_room(count: int, terms: int) -> Room:
+    """Return room for n columns."""
+    return Room(
+        np.zeros((4, 2)),
+        np.zeros((2, 2)),
+        np.zeros((2, count)),
+        np.zeros(count),
+        np.zeros((2, 2, terms)),
+        np.zeros((2, terms)),
+        np.zeros((2, terms)),
+        np.zeros(terms),
+        np.zeros(terms),
+        np.zeros(8),
+        np.zeros(8),
+        np.zeros((4, 4)),
+        np.zeros(2),
+        np.zeros((4, 4)),
+        np.zeros(4),
+        np.zeros((4, 4)),
+        np.zeros(4),
+        np.zeros(NODES.shape[0]),
+    )
+
+
+@compilable
+def begin(room: Room, pair: Constants, start: Any, unit: float) -> float:
+    """Put a start into the room; return N of its rounding."""
+    scale = room.scale
+    scale[0] = scale[2] = math.sqrt(pair.a2)
+    scale[1], scale[3] = math.sqrt(pair.m1), math.sqrt(pair.m2)
+    room.E[:, :] = 0.0
+    room.R[:] = 0.0
+    for i in range(4):
+        room.y[i, 0], room.y[i, 1] = start[_X1 + 2 * i], start[_X1 + 2 * i + 1]
+        room.E[i, i] = unit * abs(room.y[i, 0]) * scale[i] + start[_ERRORS + i] * scale[i]
+    room.clock[0, 0], room.clock[0, 1] = start[_LOCAL], start[_LOCAL + 1]
+    room.clock[1, 0] = room.clock[1, 1] = 0.0
+    return room.E[0, 0] + room.E[1, 1] + room.E[3, 3]
+
+
+@compilable
+def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool) -> tuple[float, float, float]:
+    """Form the columns of z that belong to u at the time of the clock; return u, a bound on |u'| within `late` of it,
+
+    and the size of u's terms.
+    """
+    place, z, size = drive.places[piece], room.z, room.size
+    first, terms, first_sine, sines = place[0], place[1], place[2], place[3]
+    th, tl = room.clock[0, 0], room.clock[0, 1]
+    for k in range(terms):
+        ah, al, most = 0.0, 0.0, 0.0
+        for n in range(terms - 1, k - 1, -1):
+            factor = 1.0  # n over k
+            for i in range(k):
+                factor = factor * (n - i) / (i + 1)
+            ch, cl = drive.coefficients[first + n, 0], drive.coefficients[first + n, 1]
+            most = most * th + abs(ch) * factor * (2.0 + 2.0 * n)
+            if wide:
+                ch, cl = multiply(ch, cl, factor, 0.0)
+                ah, al = multiply(ah, al, th, tl)
+                ah, al = add(ah, al, ch, cl)
+            else:
+                ah = ah * th + ch * factor
+        z[0, FIRST + k], z[1, FIRST + k], size[FIRST + k] = ah, al, most
+    u0, u1, height = 0.0, 0.0, 0.0
+    if terms > 0:
+        u0, height = z[0, FIRST], size[FIRST]
+    for k in range(terms - 1, 0, -1):
+        u1 = u1 * late + k * abs(z[0, FIRST + k])
+    for i in range(sines):
+        sine, at = drive.sines[first_sine + i], FIRST + terms + 2 * i
+        ph, pl = multiply(sine[1, 0], sine[1, 1], th, tl)
+        ph, pl = add(ph, pl, sine[2, 0], sine[2, 1])
+        if wide:
+            sh, sl, ch, cl = sine_cosine(ph, pl)
+            z[0, at], z[1, at] = multiply(sh, sl, sine[0, 0], sine[0, 1])
+            z[0, at + 1], z[1, at + 1] = multiply(ch, cl, sine[0, 0], sine[0, 1])
+        else:
+            turns = np.rint(ph / 6.283185307179586)
+            rh, rl = multiply(6.283185307179586, 2.4492935982947064e-16, turns, 0.0)
+            rh, rl = add(ph, pl, -rh, -rl)
+            s, c = math.sin(rh), math.cos(rh)
+            z[0, at], z[0, at + 1] = sine[0, 0] * (s + c * rl), sine[0, 0] * (c - s * rl)
+        # a phase is a pair, so that it is off by a rounding of double-double of its own size; a small sine stays sharp
+        one, two, turned = abs(z[0, at]), abs(z[0, at + 1]), abs(ph) * (1.0 if wide else 2.0**-48)
+        size[at], size[at + 1] = 2.0 * one + turned * two, 2.0 * two + turned * one
+        u0 += z[0, at]
+        u1 += sine[1, 0] * (two + min(1.0, sine[1, 0] * late) * one)
+        height += size[at]
+    return u0, u1, height
+
+
+@compilable
+def state_columns(room: Room, mode: int, b: Any) -> None:
+    """Put the state and the friction force into z."""
+    for i in range(4):
+        room.z[0, i], room.z[1, i] = room.y[i, 0], room.y[i, 1]
+        room.size[i] = abs(room.y[i, 0])
+    room.z[0, FRICTION], room.z[1, FRICTION] = mode * b[0], mode * b[1]
+    room.size[FRICTION] = b[0] if mode != 0 else 0.0
+
+
+@compilable_with(forceinline=False, **FAST)
+def product(rows: Any, degrees: Any, z: Any, count: int, X: Any) -> None:
+    """Form X = W z in float64."""
+    for i in range(2):
+        x = X[0, i]
+        x[:] = 0.0
+        for j in range(count):
+            row, factor = rows[0, i, j], z[0, j]
+            for k in range(degrees[i, j]):
+                x[k] += row[k] * factor
+
+
+@compilable_with(forceinline=False)
+def wide_product(rows: Any, z: Any, count: int, X: Any) -> None:
+    """Form X = W z in pairs."""
+    for i in range(2):
+        for k in range(X.shape[2]):
+            h, low = 0.0, 0.0
+            for j in range(count):
+                if rows[0, i, j, k] != 0.0 and z[0, j] != 0.0:
+                    p, e = multiply(rows[0, i, j, k], rows[1, i, j, k], z[0, j], z[1, j])
+                    h, low = add(h, low, p, e)
+            X[0, i, k], X[1, i, k] = h, low
+
+
+@compilable_with(forceinline=False, **FAST)
+def sizes(rows: Any, degrees: Any, size: Any, count: int, most: Any) -> None:
+    """Form what the roundings of the coefficients are counted in, each times its number of roundings."""
+    for i in range(2):
+        total = most[i]
+        total[:] = 0.0
+        for j in range(count):
+            row, factor = rows[0, i, j], size[j]
+            for k in range(degrees[i, j]):
+                total[k] += abs(row[k]) * factor
+        for k in range(most.shape[1]):
+            total[k] *= 2 * k + count + 4
+
+
+@compilable
+def expand(room: Room, drive: Drive, tables: Tables, piece: int, mode: int, wide: bool) -> None:
+    """Form z, and the Taylor coefficients of x1 and x2 over a step of a mode."""
+    kind, side = drive.places[piece, 4], 1 if mode == 0 else 0
+    state_columns(room, mode, drive.b[piece])
+    if wide:
+        wide_product(tables.rows[kind, side], room.z, tables.count[kind], room.X)
+    else:
+        product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)

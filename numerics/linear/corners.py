@@ -1,0 +1,87 @@
+"""Where a motion has no derivative by its data: a neighbour's differs to first order on either side.
+
+Events that numbers decide are strict. So only what is known exactly (exact_start.py) can sit on such a corner:
+
+    an event where a piece begins    on one side of it the neighbour's comes before the jump, on the other after it
+    a jump onto the edge, into slip  a neighbour may stick a little longer
+    a touch in a slip                a neighbour sticks for a time sqrt(e), with friction off by sqrt(e)
+    an event without a slope         its time moves by a root of e
+    stick as slip's own motion       a neighbour slips by an amount of first order
+    a contact on the horizon         a neighbour sticks, or does not
+
+No corner is a tie that stick or slip leaves at once, at the start, at a contact or after a jump that leaves the pair
+stuck: a neighbour slips, or sticks, for a time e^(1/k) with friction off by e, which is less than first order. Nor is
+a touch of the load: beyond b by e for a time sqrt(e) at most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from numerics.linear.exact_start import ExactKnot, exact_knots, exact_motion
+from numerics.linear.pieces import ExactPiece
+from numerics.linear.polynomial_root import touches
+from numerics.linear.ties import MARGINAL, load_form
+from numerics.scene import Scene
+
+_REGULAR = 2
+"""So many derivatives of a slip's guard vanish after an exit: the load went past b with a slope."""
+
+
+def corner(scene: Scene, pieces: Sequence[ExactPiece], until: float) -> str | None:
+    """Return what leaves a scene without derivatives, and when, if its motion meets that up to a time (s); exact."""
+    knots = exact_knots(scene, pieces)
+    for knot, after in zip(knots, [*knots[1:], None], strict=True):
+        begun = pieces[knot.piece].start + knot.local
+        if begun > until:
+            return None
+        what = _in_segment(scene, pieces[knot.piece], knot)
+        if what is not None:
+            return f"after t = {float(begun):.6g} s {what}"
+        if after is None:
+            at, what = scene.until, _at_the_end(scene, pieces, knot)
+        else:
+            at, what = pieces[after.piece].start + after.local, _between(scene, pieces, knot, after)
+        if what is not None and at <= until:
+            return f"at t = {float(at):.6g} s {what}"
+    return None
+
+
+def _in_segment(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> str | None:
+    """Return what is wrong with the motion from a knot to the next."""
+    if knot.order == MARGINAL:
+        return "stick is the motion of a slip as well"
+    if knot.mode == 0 or piece.sines:
+        return None
+    motion = exact_motion(scene, piece, knot)
+    slides = motion is not None and touches(motion.guards(), knot.local, knot.quiet)
+    return "the bodies' velocities touch in a slip" if slides else None
+
+
+def _between(scene: Scene, pieces: Sequence[ExactPiece], one: ExactKnot, two: ExactKnot) -> str | None:
+    """Return what is wrong with the knot between two segments."""
+    before = pieces[one.piece]
+    if one.piece == two.piece:
+        load = load_form(scene.pair, before, two.local, two.x1, two.v1)
+        has_slope = two.order <= _REGULAR if one.mode == 0 else load != one.mode * before.b
+        return "an event comes without a slope" if two.is_event and not has_slope else None
+    if one.mode != 0:
+        return "a slip ends where a piece begins" if two.v1 == two.v2 else None
+    if not two.is_event:
+        return None
+    load = load_form(scene.pair, before, before.length, two.x1, two.v1)
+    if load * load.sign() == before.b:
+        return "stick ends where a piece begins"
+    return "a jump takes the load onto the edge" if two.order >= _REGULAR else None
+
+
+def _at_the_end(scene: Scene, pieces: Sequence[ExactPiece], last: ExactKnot) -> str | None:
+    """Return what is wrong with the horizon, if the motion is known exactly up to there."""
+    piece = pieces[last.piece]
+    if last.piece + 1 < len(pieces) or last.quiet < piece.length or last.mode == 0:
+        return None
+    motion = exact_motion(scene, piece, last)
+    if motion is None:
+        return None
+    end = motion.at(piece.length)
+    return "a slip ends on the horizon" if end.v1 == end.v2 else None

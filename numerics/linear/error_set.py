@@ -1,0 +1,111 @@
+"""How far the followed motion may be from the true one, in float64: a bound in N, and a sharper one by components.
+
+Two motions under the same force never part in N = sqrt(a2 x1^2 + m1 v1^2 + m2 v2^2) of their difference, across all
+events; so N of the error is at most the sum of the local errors. By components the error lies in
+
+    {E c + r: |c_k| <= 1, |r| <= R0 in (x1, v1, v2), |r_x2| <= R1}
+
+in the order x1, v1, x2, v2, in units in which N is a length (rows times root a2, root m1, root a2, root m2). A mode
+maps E by its flow; R only adds up, because N contracts; at events the rest is taken into E by an orthogonal basis.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable_with
+
+SLACK = 1.0 + 1e-9
+"""The bounds' own rounding."""
+_CONTRACT = {"fastmath": {"contract"}}
+
+
+@compilable_with(forceinline=False, **_CONTRACT)
+def carry(E: Any, R: Any, flow: Any, scale: Any, apart: float, own: float, own2: float) -> None:
+    """Map the errors by the flow (4, 4) of a mode over a step; the flow is left in the units of the errors.
+
+    `scale` are the units of the components; `apart` how far x2 goes for a unit of R0; own, own2: what the step adds, in
+    N and to x2.
+    """
+    for i in range(4):
+        for k in range(4):
+            flow[i, k] *= scale[i] / scale[k]
+    for j in range(4):
+        a, b, c, d = E[0, j], E[1, j], E[2, j], E[3, j]
+        for i in range(4):
+            E[i, j] = flow[i, 0] * a + flow[i, 1] * b + flow[i, 2] * c + flow[i, 3] * d
+    R[1] = (R[1] + apart * R[0] + own2) * SLACK
+    R[0] = (R[0] + own) * SLACK
+
+
+@compilable_with(forceinline=False, **_CONTRACT)
+def box(E: Any, R: Any, i: int) -> float:
+    """Return a bound on component i, in its unit."""
+    total = R[1] if i == 2 else R[0]
+    for j in range(E.shape[1]):
+        total += abs(E[i, j])
+    return total * SLACK
+
+
+@compilable_with(forceinline=False, **_CONTRACT)
+def width(E: Any, R: Any, w0: float, w1: float, w3: float) -> float:
+    """Return a bound on w0 x1 + w1 v1 + w3 v2 of the errors, in their units."""
+    total = R[0] * math.sqrt(w0 * w0 + w1 * w1 + w3 * w3)
+    for j in range(E.shape[1]):
+        total += abs(w0 * E[0, j] + w1 * E[1, j] + w3 * E[3, j])
+    return total * SLACK
+
+
+@compilable_with(forceinline=False, **_CONTRACT)
+def norm_of(E: Any, R: Any) -> float:
+    """Return a bound on N of the errors."""
+    a, b, c = box(E, R, 0), box(E, R, 1), box(E, R, 3)
+    return math.sqrt(a * a + b * b + c * c) * SLACK
+
+
+@compilable_with(forceinline=False, **_CONTRACT)
+def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
+    """Take the rest R into E: an orthogonal basis by Gram and Schmidt, longest column first, each as long as needed."""
+    used = np.zeros(4)
+    for k in range(4):
+        most, pick = -1.0, 0
+        for j in range(4):
+            size = abs(E[0, j]) + abs(E[1, j]) + abs(E[2, j]) + abs(E[3, j])
+            if used[j] == 0.0 and size > most:
+                most, pick = size, j
+        used[pick] = 1.0
+        for i in range(4):
+            v[i] = E[i, pick]
+        length = orthogonal(Q, k, v)
+        if length <= 1e-12 * most or length == 0.0:  # a direction that is left
+            for n in range(4):
+                for i in range(4):
+                    v[i] = 1.0 if i == n else 0.0
+                length = orthogonal(Q, k, v)
+                if length > 0.4:
+                    break
+        for i in range(4):
+            Q[i, k] = v[i] / length
+    for k in range(4):
+        reach = R[0] + abs(Q[2, k]) * R[1]
+        for j in range(4):
+            reach += abs(Q[0, k] * E[0, j] + Q[1, k] * E[1, j] + Q[2, k] * E[2, j] + Q[3, k] * E[3, j])
+        v[k] = reach * SLACK
+    for i in range(4):
+        for k in range(4):
+            E[i, k] = Q[i, k] * v[k]
+    R[0] = R[1] = 0.0
+
+
+@compilable_with(forceinline=False, **_CONTRACT)
+def orthogonal(Q: Any, k: int, v: Any) -> float:
+    """Make v orthogonal to the first k columns of Q, twice for the sake of rounding; return its length."""
+    for _ in range(2):
+        for n in range(k):
+            dot = v[0] * Q[0, n] + v[1] * Q[1, n] + v[2] * Q[2, n] + v[3] * Q[3, n]
+            for i in range(4):
+                v[i] -= dot * Q[i, n]
+    return math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3])

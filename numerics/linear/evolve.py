@@ -1,0 +1,255 @@
+"""Evolve: the state, the clock and the set of errors over a step, to an event, or over a long calm stick at once."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.linear.columns import (
+    FAST,
+    NODES,
+    UNIT,
+    WEIGHTS,
+    WIDE_UNIT,
+    Constants,
+    Drive,
+    Room,
+    force_columns,
+    sizes,
+)
+from numerics.linear.error_set import carry, take_in
+from numerics.linear.first_root import value_slope
+from numerics.linear.pairs import add, divide, multiply
+from numerics.linear.table import FIRST, Tables
+
+
+@compilable_with(forceinline=False)
+def evaluate(X: Any, i: int, sh: float, sl: float, h: float, wide: bool) -> tuple[float, float, float, float]:
+    """Return x_i and v_i at s = t/h, pairs."""
+    if not wide:
+        value, slope = value_slope(X[0, i], sh)
+        return value, 0.0, slope / h, 0.0
+    ah, al, bh, bl = 0.0, 0.0, 0.0, 0.0
+    for k in range(X.shape[2] - 1, -1, -1):
+        bh, bl = multiply(bh, bl, sh, sl)
+        bh, bl = add(bh, bl, ah, al)
+        ah, al = multiply(ah, al, sh, sl)
+        ah, al = add(ah, al, X[0, i, k], X[1, i, k])
+    bh, bl = divide(bh, bl, h, 0.0)
+    return ah, al, bh, bl
+
+
+@compilable_with(forceinline=False, **FAST)
+def full_step(whole: Any, size: Any, z: Any, count: int, unit: float, y: Any, own: Any, flow: Any) -> None:
+    """Move the state by exp(A h) in float64; form what that adds to its errors, and the flow of these."""
+    for i in range(4):
+        row, value, most = whole[0, i], 0.0, 0.0
+        for j in range(count):
+            value += row[j] * z[0, j]
+            most += abs(row[j]) * size[j]
+        y[i, 0], own[i] = value, (count + 4) * most * unit
+        for j in range(4):
+            flow[i, j] = row[j]
+
+
+@compilable_with(forceinline=False)
+def wide_step(whole: Any, z: Any, count: int, y: Any) -> None:
+    """Move the state by exp(A h) in pairs."""
+    for i in range(4):
+        h, low = 0.0, 0.0
+        for j in range(count):
+            if whole[0, i, j] != 0.0:
+                p, e = multiply(whole[0, i, j], whole[1, i, j], z[0, j], z[1, j])
+                h, low = add(h, low, p, e)
+        y[i, 0], y[i, 1] = h, low
+
+
+@compilable
+def partial_step(
+    rows: Any, degrees: Any, X: Any, most: Any, s: tuple[float, float], h: float, unit: float, wide: bool, room: Room
+) -> None:
+    """Move the state by a part s of a step; form what that adds to its errors, and the flow of these."""
+    y, own, flow = room.y, room.column, room.flow
+    for i in range(2):
+        y[2 * i, 0], y[2 * i, 1], y[2 * i + 1, 0], y[2 * i + 1, 1] = evaluate(X, i, s[0], s[1], h, wide)
+        value, slope = value_slope(most[i], s[0])
+        own[2 * i], own[2 * i + 1] = value * unit, slope * unit / h
+        for j in range(4):
+            value, slope = value_slope(rows[0, i, j][: degrees[i, j]], s[0])
+            flow[2 * i, j], flow[2 * i + 1, j] = value, slope / h
+
+
+@compilable
+def evolve(
+    tables: Tables, room: Room, at: tuple[int, int], mode: int, s: tuple[float, float], is_sized: bool, wide: bool
+) -> tuple[float, float]:
+    """Move state, errors and clock by s steps; return the time, and what the step adds to N.
+
+    `is_sized`: the sizes of the coefficients have been formed.
+    """
+    kind, side = at
+    h, count, unit = tables.h[kind, side], tables.count[kind], WIDE_UNIT if wide else UNIT
+    rows, degrees, own = tables.rows[kind, side], tables.degrees[kind, side], room.column
+    if s[0] == 1.0 and s[1] == 0.0:
+        full_step(tables.ends[kind, side], room.size, room.z, count, unit, room.y, own, room.flow)
+        if wide:
+            wide_step(tables.ends[kind, side], room.z, count, room.y)
+    else:
+        if not is_sized:
+            sizes(rows, degrees, room.size, count, room.most)
+        partial_step(rows, degrees, room.X, room.most, s, h, unit, wide, room)
+    if mode == 0:
+        room.y[3, 0], room.y[3, 1] = room.y[1, 0], room.y[1, 1]
+        own[3] = own[1]
+    th, tl = multiply(s[0], s[1], h, 0.0)
+    for i in range(2):
+        room.clock[i, 0], room.clock[i, 1] = add(room.clock[i, 0], room.clock[i, 1], th, tl)
+    scale = room.scale
+    added = own[0] * scale[0] + own[1] * scale[1] + own[3] * scale[3]
+    apart = 2.0 if mode == 0 else th * scale[2] / scale[3]
+    carry(room.E, room.R, room.flow, scale, apart, added, own[2] * scale[2])
+    return th, added
+
+
+@compilable_with(**FAST)
+def slid_and_damped(pair: Constants, room: Room, mode: int, s: float, h: float) -> tuple[float, float, float]:
+    """Return how far the bodies slide, the size of its terms, and int v1^2 dt, up to s; the last by Gauss's rule."""
+    slid, size, terms = 0.0, 0.0, room.q.shape[0]
+    if mode != 0:
+        for k in range(terms - 2, -1, -1):
+            slid = slid * s + room.g[0, k] / (k + 1)
+            size = size * s + abs(room.g[0, k]) / (k + 1) * (k + 8)
+        slid *= s
+        size *= s
+    damped = 0.0
+    if pair.a1 > 0.0:
+        X, v = room.X[0, 0], room.nodes
+        v[:] = 0.0
+        for k in range(terms - 1, 0, -1):
+            for n in range(NODES.shape[0]):
+                v[n] = v[n] * (s * NODES[n]) + k * X[k]
+        for n in range(NODES.shape[0]):
+            damped += WEIGHTS[n] * v[n] * v[n]
+        damped *= s / h
+    return slid, size, damped
+
+
+@compilable
+def rest_is_calm(pair: Constants, drive: Drive, room: Room, piece: int, b: float, N: float) -> bool:
+    """Return whether |Lambda| < b is proved from here to the end of the piece, however late that is.
+
+    Lambda/m2 = x'' is the steady state's, at most the sum of its amplitudes, and that of a free motion y, of which
+    y^2 + (M/a2) y'^2 never grows. Only for polynomials up to t^2, whose part of x'' is constant, away from resonance.
+    """
+    terms, sines, z = drive.places[piece, 1], drive.places[piece, 3], room.z
+    if terms > 3:
+        return False
+    u0 = z[0, FIRST] if terms > 0 else 0.0
+    u1 = z[0, FIRST + 1] if terms > 1 else 0.0
+    steady = 2.0 * z[0, FIRST + 2] / pair.a2 if terms > 2 else 0.0
+    first = FIRST + terms
+    for i in range(sines):
+        u0 += z[0, first + 2 * i]
+        u1 += drive.sines[drive.places[piece, 2] + i, 1, 0] * z[0, first + 2 * i + 1]
+    x, v = room.y[0, 0], room.y[1, 0]
+    bend = (u0 - pair.a2 * x - pair.a1 * v) / pair.mass
+    free, rate = bend - steady, (u1 - pair.a1 * bend - pair.a2 * v) / pair.mass
+    most = abs(steady)
+    rounding = abs(bend) + most + abs(rate) * math.sqrt(pair.mass / pair.a2)
+    for i in range(sines):
+        omega = drive.sines[drive.places[piece, 2] + i, 1, 0]
+        stiff, drag = pair.a2 - pair.mass * omega * omega, pair.a1 * omega
+        square = stiff * stiff + drag * drag
+        if not square > 1e-12 * pair.a2 * pair.a2:
+            return False
+        sine, cosine = z[0, first + 2 * i], z[0, first + 2 * i + 1]
+        scale = omega * omega / square
+        free += scale * (stiff * sine - drag * cosine)
+        rate += scale * omega * (stiff * cosine + drag * sine)
+        peak = scale * math.sqrt(square * (sine * sine + cosine * cosine))
+        most += peak
+        rounding += peak * (1.0 + omega * math.sqrt(pair.mass / pair.a2))
+    most += math.sqrt(free * free + pair.mass / pair.a2 * rate * rate) + 1e-13 * rounding
+    return pair.m2 * most + pair.lam * N < (1.0 - 1e-9) * b
+
+
+@compilable_with(forceinline=False)
+def long_step(
+    pair: Constants, tables: Tables, room: Room, drive: Drive, piece: int, at: tuple[int, int], wide: bool
+) -> tuple[float, float, float]:
+    """Stick to the end of the piece but for less than a step, by powers of exp(A h).
+
+    Return int v1^2 dt, its size, and what the steps add to N.
+    exp(2 A t) is the square of exp(A t); with it goes the quadratic form of int v1^2 dt, by doubling too.
+    """
+    kind, side = at
+    h, count, unit = tables.h[kind, side], tables.count[kind], WIDE_UNIT if wide else UNIT
+    total = drive.length[piece, 0] - room.clock[0, 0]
+    levels = 1 + max(0, math.floor(math.log2(total / h)))
+    powers, forms = np.zeros((levels, 2, count, count)), np.zeros((levels, count, count))
+    powers[0] = tables.ends[kind, side][:, :count, :count]
+    slopes = np.zeros((count, NODES.shape[0]))
+    for j in range(count):
+        for n in range(NODES.shape[0]):
+            slopes[j, n] = value_slope(tables.rows[kind, side, 0, 0, j], NODES[n])[1] / h
+        for i in range(j + 1):
+            for n in range(NODES.shape[0]):
+                forms[0, i, j] += h * WEIGHTS[n] * slopes[i, n] * slopes[j, n]
+            forms[0, j, i] = forms[0, i, j]
+    for level in range(1, levels):
+        before = powers[level - 1]
+        for i in range(count):
+            for k in range(count):
+                if before[0, i, k] != 0.0:
+                    for j in range(count):
+                        p, q = multiply(before[0, i, k], before[1, i, k], before[0, k, j], before[1, k, j])
+                        powers[level, 0, i, j], powers[level, 1, i, j] = add(
+                            powers[level, 0, i, j], powers[level, 1, i, j], p, q
+                        )
+        if pair.a1 > 0.0:
+            half = np.zeros((count, count))
+            for i in range(count):
+                for k in range(count):
+                    for j in range(count):
+                        half[i, j] += forms[level - 1, i, k] * before[0, k, j]
+            for i in range(count):
+                for j in range(count):
+                    forms[level, i, j] = forms[level - 1, i, j]
+                    for k in range(count):
+                        forms[level, i, j] += before[0, k, i] * half[k, j]
+    take_in(room.E, room.R, room.basis, room.column)
+    damped = size = grown = 0.0
+    while True:
+        left = drive.length[piece, 0] - room.clock[0, 0]
+        if not left >= h:
+            return damped, size, grown
+        level = min(levels - 1, math.floor(math.log2(left / h)))
+        if level < 0:
+            return damped, size, grown
+        if pair.a1 > 0.0:
+            for i in range(count):
+                for j in range(count):
+                    term = room.z[0, i] * forms[level, i, j] * room.z[0, j]
+                    damped += term
+                    size += abs(term)
+        # each squaring doubles the relative error of the power
+        off = unit + math.ldexp(WIDE_UNIT, level)
+        full_step(powers[level], room.size, room.z, count, off, room.y, room.column, room.flow)
+        if wide:
+            wide_step(powers[level], room.z, count, room.y)
+        room.y[3, 0], room.y[3, 1] = room.y[1, 0], room.y[1, 1]
+        own, scale = room.column, room.scale
+        own[3] = own[1]
+        time = math.ldexp(h, level)
+        for i in range(2):
+            room.clock[i, 0], room.clock[i, 1] = add(room.clock[i, 0], room.clock[i, 1], time, 0.0)
+        added = own[0] * scale[0] + own[1] * scale[1] + own[3] * scale[3]
+        grown += added
+        carry(room.E, room.R, room.flow, scale, 2.0, added, own[2] * scale[2])
+        take_in(room.E, room.R, room.basis, room.column)
+        force_columns(room, drive, piece, 0.0, wide)
+        for i in range(4):
+            room.z[0, i], room.z[1, i], room.size[i] = room.y[i, 0], room.y[i, 1], abs(room.y[i, 0])

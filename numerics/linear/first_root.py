@@ -1,0 +1,138 @@
+"""The first root of a guard over a step: excluded by Bernstein coefficients, or bracketed and proved to be the first.
+
+A guard is a polynomial q in s = t/h with float coefficients (terms of it, the rest is in the margin), positive right
+after s = 0. In Bernstein's basis of degree 7 its minimum over [0, theta] is at least the least coefficient, less the
+absolute sum of all higher terms. If that exceeds the margin (rounding, truncation, and how far the true motion may be
+away), the true guard has no root there. Otherwise the first sign change of the coefficients starts Newton's method; a
+root r counts if q falls there, keeps its sign in a bracket [r - D, r + D] by a bound on q'', and exceeds the margin
+up to r - D: so it is the first one, and the only one in the bracket.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable, compilable_with
+
+DEGREE = 7
+CLEAR, ROOT, UNDECIDED = 0, 1, 2
+"""No root up to where it was looked; one, isolated; not decided by these numbers."""
+_HALVINGS, _NEWTON = 40, 12
+_FREE = {"fastmath": {"contract", "reassoc", "nnan", "nsz"}}
+"""Sums may be taken in any order: the margin counts every rounding."""
+
+BERNSTEIN = np.array(
+    [[math.comb(i, k) / math.comb(DEGREE, k) if k <= i else 0.0 for i in range(DEGREE + 1)] for k in range(DEGREE + 1)]
+)
+"""[power, coefficient]."""
+
+
+@compilable_with(forceinline=False, **_FREE)
+def lower_bound(q: Any, theta: float, c: Any, p: Any) -> tuple[float, float]:
+    """Return (a lower bound on q over [0, theta], where q may first vanish, or -1); c and p are room to work in."""
+    terms, tail, power = q.shape[0], 0.0, 1.0
+    for k in range(DEGREE + 1):
+        p[k] = q[k] * power
+        power *= theta
+    for k in range(DEGREE + 1, terms):
+        tail += abs(q[k]) * power
+        power *= theta
+    c[:] = 0.0
+    for k in range(DEGREE + 1):
+        for i in range(DEGREE + 1):
+            c[i] += BERNSTEIN[k, i] * p[k]
+    low = c[0]
+    for i in range(1, DEGREE + 1):
+        low = min(low, c[i])
+    guess = -1.0
+    if low <= 0.0:
+        for i in range(1, DEGREE + 1):
+            if c[i] <= 0.0:
+                guess = theta * (i - 1 + c[i - 1] / (c[i - 1] - c[i])) / DEGREE
+                break
+    return low - tail * 1.0000001, guess
+
+
+@compilable_with(forceinline=False, **_FREE)
+def bend_bound(q: Any, theta: float) -> float:
+    """Return a bound on |q''| over [0, theta]."""
+    total = 0.0
+    for k in range(q.shape[0] - 1, 1, -1):
+        total = total * theta + (k * (k - 1)) * abs(q[k])
+    return total
+
+
+@compilable_with(forceinline=False, fastmath={"contract"})
+def value_slope(q: Any, s: float) -> tuple[float, float]:
+    """Return a polynomial and its derivative at s, even and odd powers apart."""
+    square = s * s
+    v, d, w, e = 0.0, 0.0, 0.0, 0.0
+    for k in range(q.shape[0] // 2 - 1, -1, -1):
+        d = d * square + v
+        v = v * square + q[2 * k]
+        e = e * square + w
+        w = w * square + q[2 * k + 1]
+    return v + s * w, w + 2.0 * s * (d + s * e)
+
+
+@compilable
+def newton(q: Any, guess: float, theta: float) -> float:
+    """Return a root of q next to a guess in (0, theta] at which it falls, or -1."""
+    s = guess
+    for _ in range(_NEWTON):
+        value, slope = value_slope(q, s)
+        if not slope < 0.0:
+            return -1.0
+        change = value / slope
+        s = s - change
+        if not 0.0 < s <= theta:
+            return -1.0
+        if abs(change) <= 1e-9 * s:
+            return s
+    return -1.0
+
+
+@compilable
+def first_root(
+    q: Any, other: Any, margins: tuple[float, float, float, float], theta: float, c: Any, p: Any
+) -> tuple[int, float, float, int]:
+    """Return (how, s, D, which) for the first root of q, or of `other` if it has any terms, in (0, theta].
+
+    CLEAR: none up to s. ROOT: at s, alone within D of it; `which` is 0 for q, 1 for the other. The margin of q up to s
+    is m0 + m1 s + m2/s of `margins` (m0, m1, m2, that of the other).
+    """
+    m0, m1, m2, m_other = margins
+    two = other.shape[0] > 0
+    at = theta
+    for _ in range(_HALVINGS):
+        low, guess = lower_bound(q, at, c, p)
+        is_clear, which = low > m0 + m1 * at + m2 / at, 0
+        if two:
+            low, second = lower_bound(other, at, c, p)
+            is_clear = is_clear and low > m_other
+            if second >= 0.0 and (guess < 0.0 or second < guess):
+                guess, which = second, 1
+        if is_clear:
+            return CLEAR, at, 0.0, 0
+        if guess >= 0.0:
+            one = other if which == 1 else q
+            s = newton(one, guess, at)
+            if s > 0.0:
+                _, slope = value_slope(one, s)
+                bend = bend_bound(one, at)
+                room = 0.5 * s
+                if bend > 0.0:
+                    room = min(room, 0.25 * abs(slope) / bend)
+                before = s - room
+                low, _ = lower_bound(q, before, c, p)
+                is_first = low > m0 + m1 * before + m2 / before
+                if two:
+                    low, _ = lower_bound(other, before, c, p)
+                    is_first = is_first and low > m_other
+                if is_first and slope < 0.0:
+                    return ROOT, s, room, which
+        at *= 0.5
+    return UNDECIDED, at, 0.0, 0

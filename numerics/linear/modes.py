@@ -1,0 +1,72 @@
+"""The three modes of motion, and the rules that say which of them follows on the switching surface.
+
+With P = (a2 x1 + a1 v1)/(a2 L), L = b (m1+m2)/(a2 m2), the sliding region S0 is |P| <= 1 (P = X for a1 = 0).
+Rules at v1 = v2, reading `filippov`; dP/dt is taken along the stick flow:
+
+    |P| < 1                          stick (both fields push towards the surface)
+    P > 1                            slip- (both fields point to v1 < v2); P < -1: slip+
+    P = 1 and dP/dt > 0              slip-, the state is on the exit ray; P = -1 and dP/dt < 0: slip+
+    P = +-1 otherwise                stick: the pair turns back into S0 (dP/dt = 0 is the tangent orbit E = E_cr)
+
+Reading `three-valued-sgn`: always stick. At the first instant these rules act on exact rationals, so ties are decided.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import Any
+
+from numerics.arithmetic.compiled import compilable
+
+
+class Mode(Enum):
+    """A mode of motion; the sign is that of v1 - v2."""
+
+    SLIP_PLUS = "slip+"
+    SLIP_MINUS = "slip-"
+    STICK = "stick"
+
+    @property
+    def sign(self) -> int:
+        """Return +1, -1 or 0, the sign of v1 - v2 in this mode."""
+        return 0 if self is Mode.STICK else 1 if self is Mode.SLIP_PLUS else -1
+
+
+MODES = {-1.0: Mode.SLIP_MINUS, 0.0: Mode.STICK, 1.0: Mode.SLIP_PLUS}
+"""The modes by the sign of v1 - v2."""
+
+
+class EventKind(Enum):
+    """What happens at an event."""
+
+    ENTRY = "entry"
+    """A slip ends in the sliding region: the bodies stick."""
+    EXIT = "exit"
+    """A stick phase ends on an exit ray: the bodies slip."""
+    CROSSING = "crossing"
+    """A slip meets the switching surface outside the sliding region and goes on with the other sign."""
+
+
+def event_kind(before: Mode, after: Mode) -> EventKind:
+    """Return the kind of the event that joins two modes."""
+    if after is Mode.STICK:
+        return EventKind.ENTRY
+    return EventKind.EXIT if before is Mode.STICK else EventKind.CROSSING
+
+
+UNDECIDED = 2
+"""What `mode_on_surface` answers where its numbers do not tell: as a sign, no mode has it."""
+
+
+@compilable
+def mode_on_surface(load: Any, b: Any, error: Any, literal: bool) -> int:
+    """Return the mode that follows v1 = v2 (0 stick, +1, -1 the side of a slip), or UNDECIDED.
+
+    `load` is the friction force Lambda = m2 (u - a2 x1 - a1 v1)/(m1 + m2) that sticking needs, N, known up to `error`;
+    floats, numbers of mpmath, or balls, whose comparisons hold only where they are proved. `literal`: sgn(0) = 0.
+    """
+    if literal or abs(load) + error < b:
+        return 0
+    if abs(load) - error > b:
+        return 1 if load > 0 else -1
+    return UNDECIDED

@@ -1,0 +1,223 @@
+"""The search for the next event from a point of the path: where a guard vanishes first, and how far off that is.
+
+Short steps look at a Taylor polynomial of the guards, long ones at what is slow in them and the amplitude of the rest.
+An event is off by the guard's error over its slope.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from flint import arb, arb_poly, ctx
+
+from numerics.arithmetic.ball import Ball
+from numerics.errors import OutOfRange
+from numerics.linear.flow import FEW, REACH, Expansion, Flow
+from numerics.linear.path_enclosed import At, Path
+from numerics.linear.scan import CLEAR, UNKNOWN, Guard, Split, scan, sharpest, splits
+from numerics.linear.ties import MARGINAL
+
+_LONG, _PATIENCE, _PACE, _MOST_STEPS = 4 * REACH, 5, 1_000, 200_000
+"""From how many radians on long steps are tried, and after how many short ones; after how many steps it is asked
+whether those up to the end of the piece are too many; how many are."""
+_COARSE = 192
+"""With as many bits and more a root is refined to half of them first."""
+_FINE = arb((1, 40))
+"""A step that is shorter than its reach by this factor, and was not cut for the sake of its polynomial, is none."""
+_TOO_FAST, _SCAN_BITS, _SHARP_BITS = arb((1, 1024)), 128, 2_400
+_RATIO, _NEAR, SHY = arb("0.4873"), arb((1, -24)), 1 - arb((1, -20))
+"""Intervals are cut a little below their middle: a root at a round number is then seldom an end of one. A step ends at
+SHY of the time that is proved."""
+
+
+class Bracket(NamedTuple):
+    """Which guard falls through zero between two times after a point, once, and the coefficients of its row there."""
+
+    guard: int
+    low: arb
+    high: arb
+    row: list[arb]
+
+
+class Root(NamedTuple):
+    """Where a guard vanishes after a point: which one, when, how far off that is for the path, for the true one."""
+
+    motion: Expansion
+    guard: int
+    tau: Any
+    window: arb
+    late: arb
+    value: arb
+
+
+def next_event(path: Path, at: At) -> tuple[At, Root | None]:
+    """Return the last point before a mode ends and the root of its guard; None where the piece ends before."""
+    if path.literal and at.mode == 0:
+        return at, None
+    flow, ready = path.flow(at.mode, at.piece), _PATIENCE if at.mode == 0 else 0
+    short, far, begun = flow.reach, path.left(at), at.local
+    if flow.fastest * far > _TOO_FAST:
+        raise OutOfRange(
+            "rates of this scene lie too far apart: a mode turns more than 1e300 times; bring a1/m1, sqrt(a2/m1), "
+            "omega and 1/until closer to each other"
+        )
+    for n in range(_MOST_STEPS):
+        left, z, step = path.left(at), path.vector(at.mode, at.piece, at.local, at.state), None
+        if n % _PACE == _PACE - 1 and arb(at.local - begun) * (_MOST_STEPS // n) < left:
+            break
+        if ready >= _PATIENCE and flow.fastest * left > _LONG:
+            step = long_step(path, at, flow, z, left.min(far))
+            ready, far = (ready, 64 * step) if step is not None else (0, left)
+        if step is None:
+            found = short_step(path, at, flow, z, left.min(flow.reach), short)
+            if isinstance(found, Bracket):
+                return at, refined(path, at, flow, z, found)
+            step, short = found
+        if step >= left:
+            return at, None
+        # a little before the step ends: what is before it is proved
+        local = path.numbers.middle(at.local + path.numbers.point(step * SHY))
+        at, ready = path.evolved(at, local), ready + 1
+    row = flow.few(z, path.numbers.bits)
+    if not all(one.offset + one.sign * row[0] > one.margin / _NEAR for one in guards_of(path, at, row)):
+        raise path.undecided(at)  # more digits lead closer to the root
+    raise OutOfRange(
+        f"the mode at t = {path.time(at):.6g} s would take more than {_MOST_STEPS} steps; shorten the horizon, "
+        "leave a fast sine out, or begin on the tie that it begins next to"
+    )
+
+
+def guards_of(path: Path, at: At, row: Sequence[arb]) -> list[Guard]:
+    """Return the guards of a mode, from the coefficients of its row; one of them may vanish here to some order."""
+    flow, order, margin = path.flow(at.mode, at.piece), at.order, path.margin(at)
+    # derivatives of two motions of one mode part by no more than this
+    apart = flow.rate**order * at.norm if order else margin
+    if at.mode:
+        return [Guard(at.mode, arb(0), order, apart / path.root_m1 if order else margin)]
+    b, nearer = Ball.number(path.pieces[at.piece].b), 1 if row[0].mid() > 0 else -1
+    found = [Guard(-side, b, 0, margin) for side in (1, -1)]
+    if order:
+        found[(1 - nearer) // 2] = Guard(-nearer, b, order, apart * flow.rate * flow.m2 / flow.mass.sqrt())
+    return found
+
+
+def short_step(path: Path, at: At, flow: Flow, z: list[Any], reach: arb, short: arb) -> tuple[arb, arb] | Bracket:
+    """Return a time within reach of a Taylor polynomial in which no guard vanishes; or where one does, once.
+
+    With the time comes the last interval that was looked at as one; `short` is that of the step before.
+    """
+    for bits in (_SCAN_BITS, min(path.numbers.bits, _SHARP_BITS)) if at.order < MARGINAL else ():
+        with ctx.workprec(bits):
+            found = scanned(path, at, flow, flow.few(z, bits), z, reach, short)
+        if found is not None:
+            return found
+    raise path.undecided(at)
+
+
+def scanned(
+    path: Path, at: At, flow: Flow, row: list[arb], z: list[Any], reach: arb, short: arb
+) -> tuple[arb, arb] | Bracket | None:
+    """Return the same from the row of the guards; None where its digits do not tell anything."""
+    guards, rest = guards_of(path, at, row), flow.guard_rest(row, FEW, z, reach)
+    near, since, h = row[:FEW], arb(0), reach if 64 * short > reach else 4 * short
+    h = h / 4 if at.order else h
+    for _ in range(2 * ctx.prec):
+        if not h > flow.tiny:
+            break
+        guard = scan(near, guards, rest, h, since)
+        if guard == UNKNOWN:
+            # from nearer by a polynomial leaves out less
+            if since > h and not all(
+                abs(one.offset + one.sign * near[0]) > rest * (since + h) ** FEW / _NEAR for one in guards
+            ):
+                return since, h
+            h = (h * _RATIO).mid()
+            continue
+        if guard != CLEAR:
+            return Bracket(guard, since, since + h, row)
+        if not since + h < reach:
+            return reach, reach
+        guards = [one._replace(order=0, margin=path.margin(at)) for one in guards] if at.order else guards
+        since, h = (since + h).mid(), 4 * h
+        near, left = arb_poly(row[:FEW])(arb_poly([since, 1])).coeffs(), (reach - since).upper()
+        near += [arb(0)] * (FEW - len(near))
+        h = left if left < 2 * h else h
+    return (since, h) if since * _FINE > reach else None
+
+
+def long_step(path: Path, at: At, flow: Flow, z: list[Any], h: arb) -> arb | None:
+    """Return a time of many radians, up to h, in which no guard vanishes, None if none is found."""
+    for split in splits(flow, path.pieces[at.piece], at.mode, at.local, z) if at.order == 0 else ():
+        found = longest(path, at, flow, split, h)
+        if found is not None:
+            return found
+    return None
+
+
+def longest(path: Path, at: At, flow: Flow, split: Split, h: arb) -> arb | None:
+    """Return the longest of h, about h/2, ... in which the guards exceed an amplitude; long ones only."""
+    row, rest, slow, amplitude = split
+    count = len(row)
+    if slow is not None:
+        polynomial, row = row, flow.few(slow, path.numbers.bits)
+        for k, c in enumerate(polynomial):
+            row[k] += c
+    guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, row)]
+    if not all(one.offset + one.sign * row[0] > one.margin for one in guards):
+        return None
+    for sign, offset, _, margin in guards:
+        # up to next to where the slow part comes down to the amplitude, if it does
+        above = arb_poly(row[:count]) * sign + (offset - 4 * margin)
+        if above(0) > 0 and above(h) < 0:
+            h = _newton(above, above.derivative(), arb(0), h, h / 2, arb.mid, h * _NEAR)
+    while flow.fastest * h > _LONG:
+        if slow is not None:
+            count, rest = sharpest(flow, row, slow, h)
+        if scan(row[:count], guards, rest, h) == CLEAR:
+            return h
+        h = (h * _RATIO).mid()
+    return None
+
+
+def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Root:
+    """Return the root of a guard in its bracket, by Newton's method."""
+    numbers, (guard, since, h, row) = path.numbers, found
+    sign, offset, *_ = guards_of(path, at, row)[guard]
+    near = arb_poly(row) * sign + offset
+    guess = _newton(near, near.derivative(), since, h, (since + h) / 2, arb.mid, h * _NEAR)
+    motion = Expansion(flow, z)
+    curve, edge = motion.guard * sign, 0 if at.mode else path.drive(at.piece).b
+    slope, tau, low, high = curve.derivative(), *map(numbers.point, (guess, since, h))
+    for bits in reversed([numbers.bits >> k for k in range(8) if k == 0 or numbers.bits >> k > _COARSE]):
+        with numbers.context(bits):
+            settled = numbers.point(h * arb((1, -bits // 2 - 4)))
+            tau = _newton(lambda t: edge + curve(t), slope, low, high, tau, numbers.middle, settled)
+    if not path.is_ball:
+        return Root(motion, guard, tau, arb(0), arb(0), arb(0))
+    # the true root is where the guard is between -reached and reached; between both ends its slope is known
+    scale, order, until = arb(1) if at.mode else flow.m2, 1 if at.mode else 2, 2 * h
+    off = (edge + curve(tau)).abs_upper() + scale * motion.left_out(h, order)
+    reached = off + path.margin(at)
+    around = tau + arb(0, (2 * reached / abs(slope(tau))).upper())
+    steepness = (-slope(around) - scale * motion.left_out(until, order + 1)).lower()
+    late = (reached / steepness).upper()
+    if not (steepness > 0 and late < around.rad() and around < until):
+        raise path.undecided(at)
+    return Root(motion, guard, tau, (off / steepness).upper(), late, off.upper())
+
+
+def _newton(curve: Any, slope: Any, low: Any, high: Any, at: Any, middle: Callable[[Any], Any], settled: Any) -> Any:
+    """Return the root of a falling function between low and high from a guess; a change below `settled` is the last."""
+    for _ in range(2_000):
+        value = middle(curve(at))
+        if value > 0:
+            low = at
+        else:
+            high = at
+        change = middle(value / slope(at))
+        after = middle(at - change)
+        if abs(change) < settled:
+            return after
+        at = after if low < after < high else middle((low + high) / 2)
+    return at

@@ -1,0 +1,163 @@
+"""The path of a run in balls, and in numbers of mpmath: its points, their distance to the true motion, one mode on.
+
+The path that is followed starts anew from a point wherever a Taylor polynomial ends. Between events it is a true motion
+but for the short times by which an event may be misplaced. Two motions under the same u never part in
+
+    N = sqrt(a2 x1^2 + m1 v1^2 + m2 v2^2)    of their difference, across all events,
+
+so the path's error is at most the sum of the local ones; in stick, where both obey one linear equation, it shrinks with
+its solutions. While friction is off by 2 b for a time d, N grows by 2 b sqrt(M/(m1 m2)) d at most.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.protocol import Arithmetic
+from numerics.errors import EventUndecided, OutOfRange
+from numerics.linear.flow import REACH, Drive, Expansion, Flow, Numbers, flow_of
+from numerics.linear.pieces import pieces_of
+from numerics.linear.system import X1, X2
+from numerics.scene import Law, Scene
+
+_FEW = 4
+"""Pieces with no more coefficients than that share tables."""
+
+
+class At(NamedTuple):
+    """A point of the path: the mode, how many derivatives of its guard vanish here, the time in the piece, the state.
+
+    The state is a point; `norm` bounds N of its distance to the true one, `far` that of x1, `place` that of x1 - x2.
+    The true motion sticks from up to `late` (s) after the path on.
+    """
+
+    mode: int
+    order: int
+    piece: int
+    local: Any
+    state: tuple[Any, Any, Any, Any]
+    norm: arb
+    far: arb
+    place: arb
+    late: arb
+
+
+class Path:
+    """A scene in numbers: the pieces, the flows of both modes, the constants of the norm; how a point moves on."""
+
+    def __init__(self, scene: Scene, arithmetic: Arithmetic, numbers: Numbers) -> None:
+        """Take a scene and the numbers it is solved in."""
+        self.scene, self.arithmetic, self.numbers, self.pair = scene, arithmetic, numbers, scene.pair
+        self.is_ball, self.literal = arithmetic.name == "ball", scene.law is Law.THREE_VALUED_SGN
+        self.pieces = pieces_of(scene)
+        self.count = max((len(one.polynomial) for one in self.pieces if len(one.polynomial) <= _FEW), default=0)
+        self.flowing: tuple[int, tuple[Flow, ...]] = (-1, ())
+        self.driven: tuple[int, Drive] = (-1, Drive(None, [], []))
+        pair, number = scene.pair, Ball.number
+        self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
+        self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
+        self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
+
+    def drive(self, index: int) -> Drive:
+        """Return a piece in numbers."""
+        if self.driven[0] != index:
+            self.driven = index, Drive.of(self.numbers, self.pieces[index])
+        return self.driven[1]
+
+    def flow(self, mode: int, index: int) -> Flow:
+        """Return the flow of a mode in a piece."""
+        if self.flowing[0] != index:
+            piece = self.pieces[index]
+            count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
+            flows = tuple(flow_of(self.numbers, self.pair, slips, count, omegas) for slips in (False, True))
+            self.flowing = index, flows
+        return self.flowing[1][mode != 0]
+
+    def vector(self, mode: int, index: int, local: Any, state: Sequence[Any]) -> list[Any]:
+        """Return z."""
+        drive = self.drive(index)
+        return [*state, mode * drive.b, *drive.force(self.numbers, local, self.flow(mode, index).count)]
+
+    def left(self, at: At) -> arb:
+        """Return the time that is left of the piece."""
+        return arb(self.numbers.number(self.pieces[at.piece].length) - at.local).upper()
+
+    def margin(self, at: At) -> arb:
+        """Return how far the guard of a mode may be off, since the path is."""
+        return (self.kappa if at.mode else self.load_norm) * at.norm
+
+    def evolved(self, at: At, local: Any) -> At:
+        """Return the path at a later time in the piece, in the same mode."""
+        flow, t = self.flow(at.mode, at.piece), local - at.local
+        z = self.vector(at.mode, at.piece, at.local, at.state)
+        is_near = flow.fastest * arb(t).upper() <= 1.01 * REACH
+        state = Expansion(flow, z).state(t) if is_near else self.evolved_far(flow, z, t)
+        return self.settled(at, state, t)._replace(local=local, order=0)
+
+    def evolved_far(self, flow: Flow, z: list[Any], t: Any) -> list[Any]:
+        """Return the state after a time of many radians: the answers to the sines one by one."""
+        mode, places = flow.mode, list(flow.mode.sine_places)
+        first = places[0] if places else mode.size
+        whole = mode.generator()
+        state = self.numbers.exponential([row[:first] for row in whole[:first]], t, z[:first])[:4]
+        for place in places:
+            kept = [0, 1, 2, 3, place, place + 1]
+            part = [[whole[i][j] for j in kept] for i in kept]
+            zero = self.numbers.number(0)
+            answer = self.numbers.exponential(part, t, [zero] * 4 + [z[place], z[place + 1]])
+            state = [a + b for a, b in zip(state, answer, strict=False)]
+        # stick keeps the bodies together, to more digits than a matrix that does not know it
+        return state if flow.slips else [state[0], state[1], state[0] + (z[X2] - z[X1]), state[1]]
+
+    def ended(self, at: At) -> At:
+        """Return the path at the end of the piece, to which its mode lasts."""
+        return self.evolved(at, self.numbers.number(self.pieces[at.piece].length))
+
+    def settled(self, at: At, state: Sequence[Any], t: Any) -> At:
+        """Return a point in the midst of an enclosure, after a time in one mode; its errors grow by the radii."""
+        place, t, norm = at.place, arb(t), at.norm
+        if at.mode:
+            place = place + self.kappa * norm * t
+        elif self.pair.a1:
+            norm = self.shrunk(norm, (t - at.late).lower())
+        x1, v1, x2, v2 = (self.numbers.radius(one) for one in state)
+        norm = (norm + self.root_a2 * x1 + self.root_m1 * v1 + self.root_m2 * v2).upper()
+        if not norm.is_finite():
+            raise OutOfRange("a number of this scene left the range of its arithmetic")
+        points = tuple(map(self.numbers.middle, state))
+        if at.mode == 0:
+            points = (points[0], points[1], points[2], points[1])
+        late, far = (at.late - t).upper().max(arb(0)), self.far(at, t, x1, norm)
+        return at._replace(state=points, norm=norm, far=far, place=(place + x1 + x2).upper(), late=late)
+
+    def far(self, at: At, t: arb, own: arb, norm: arb) -> arb:
+        """Return a bound on the error of x1 after a time: by N, or by its rate (where the spring is soft)."""
+        return (norm / self.root_a2).upper().min((at.far + (at.norm + norm) / self.root_m1 * t + own).upper())
+
+    def shrunk(self, norm: arb, t: arb) -> arb:
+        """Return a bound on N after both motions have stuck for a time: it dies away with the flow of stick."""
+        pair = self.pair
+        rate, stiff = Ball.number(pair.a1 / pair.mass), Ball.number(pair.a2 / pair.mass)
+        if not (self.is_ball and rate * t > 1 and stiff * t > rate):
+            return norm
+        one, zero = arb(1), arb(0)
+        generator = [[Fraction(0), Fraction(1)], [-pair.a2 / pair.mass, -pair.a1 / pair.mass]]
+        columns = [self.numbers.exponential(generator, t, z) for z in ([one, zero], [zero, one])]
+        # the greatest singular value of a matrix from the sum of its squares and its determinant
+        square = columns[0][0] ** 2 + columns[1][1] ** 2 + columns[0][1] ** 2 / stiff + columns[1][0] ** 2 * stiff
+        inner = (square * square - 4 * (-2 * rate * t).exp()).abs_upper()
+        return (norm * ((square + inner.sqrt()) / 2).upper().sqrt().min(one)).upper()
+
+    def time(self, at: At) -> float:
+        """Return the time of a point, s, for a message."""
+        return float(self.pieces[at.piece].start) + float(arb(at.local).mid())
+
+    def undecided(self, at: At) -> EventUndecided:
+        """Return the error for a point after which these digits do not tell what happens."""
+        question = "which event comes next, or does its guard only touch?"
+        return EventUndecided(question, f"after t = {self.time(at):.6g} s", self.arithmetic.digits)

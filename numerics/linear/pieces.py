@@ -1,0 +1,66 @@
+"""The pieces of force and friction of a scene as one sequence, exact: on each, u is one polynomial plus sines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from numerics.scene import Scene, Sine
+
+
+@dataclass(frozen=True, slots=True)
+class ExactPiece:
+    """u and b from `start` (s) for `length` (s): u = sum_k polynomial[k] (t - start)^k + sines, N. Exact.
+
+    Sines count t from the start of the run. `is_jump`: u or b may jump where the piece begins, as on the first one.
+    """
+
+    start: Fraction
+    length: Fraction
+    b: Fraction
+    polynomial: tuple[Fraction, ...]
+    sines: tuple[Sine, ...]
+    is_jump: bool
+
+
+def pieces_of(scene: Scene) -> list[ExactPiece]:
+    """Return the pieces from t = 0 up to the horizon, in order."""
+    force, friction, until = scene.force, scene.friction, scene.until
+    starts = sorted({Fraction(0), *(t for t in (*force.starts, *friction.starts) if t < until)})
+    found: list[ExactPiece] = []
+    b, piece, forces, frictions = scene.pair.b, None, 0, 0
+    for start, end in zip(starts, [*starts[1:], until], strict=True):
+        while frictions < len(friction.pieces) and friction.pieces[frictions][0] <= start:
+            b, frictions = friction.pieces[frictions][1], frictions + 1
+        while forces < len(force.pieces) and force.pieces[forces].start <= start:
+            piece, forces = force.pieces[forces], forces + 1
+        here = piece.moved(start) if piece is not None and piece.start != start else piece
+        polynomial, sines = (here.polynomial, here.sines) if here is not None else ((), ())
+        after = ExactPiece(start, end - start, b, polynomial, sines, True)
+        jumps = not found or _may_jump(found[-1], after)
+        found.append(after if jumps else ExactPiece(start, end - start, b, polynomial, sines, False))
+    return found
+
+
+def polynomial_at(polynomial: Sequence[Fraction], t: Fraction) -> Fraction:
+    """Return the value of a polynomial with these coefficients, from the constant on."""
+    value = Fraction(0)
+    for coefficient in reversed(polynomial):
+        value = value * t + coefficient
+    return value
+
+
+def particular(polynomial: Sequence[Fraction], mass: Fraction, a1: Fraction, a2: Fraction) -> list[Fraction]:
+    """Return the polynomial x (m) with mass x'' + a1 x' + a2 x = polynomial (N)."""
+    found = [Fraction(0)] * (len(polynomial) + 2)
+    for k in reversed(range(len(polynomial))):
+        pull = a1 * (k + 1) * found[k + 1] + mass * (k + 1) * (k + 2) * found[k + 2]
+        found[k] = (polynomial[k] - pull) / a2
+    return found[: len(polynomial)]
+
+
+def _may_jump(before: ExactPiece, after: ExactPiece) -> bool:
+    """Return whether u or b may differ on both sides of where a piece begins: sines that change count as a jump."""
+    u = polynomial_at(before.polynomial, before.length)
+    return before.b != after.b or before.sines != after.sines or u != polynomial_at(after.polynomial, Fraction(0))

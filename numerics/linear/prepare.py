@@ -1,0 +1,187 @@
+"""A scene as the kernel reads it: units in which powers stay in the range of floats, pairs of floats, tables.
+
+Units of mass, time and length are powers of 2, so that they change no bit of what comes out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from flint import arb, ctx
+from numpy.typing import NDArray
+
+from numerics.arithmetic.compiled import compiled
+from numerics.errors import OutOfRange
+from numerics.linear.columns import Constants, Drive, constants
+from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.record import AT, ROW
+from numerics.linear.table import FIRST, Tables, form, make_tables
+from numerics.scene import Law, Pair, Scene
+
+Halves = tuple[float, float]
+REACH, TERMS = 1.5, 24
+"""rate h of a step in float64, and how many Taylor terms make truncation smaller than rounding."""
+_WIDE_REACH, _WIDE_TERMS = 1.0, 32
+"""The same in double-double."""
+_MORE_TERMS = 14
+"""So many terms more than the polynomial of u has coefficients."""
+
+
+class Units(NamedTuple):
+    """Exponents of 2: one unit of mass is 2^mass kg, and so on."""
+
+    mass: int
+    time: int
+    length: int
+
+    def of(self, mass: int = 0, time: int = 0, length: int = 0) -> int:
+        """Return the exponent of kg^mass s^time m^length."""
+        return mass * self.mass + time * self.time + length * self.length
+
+
+class Prepared(NamedTuple):
+    """What the kernel takes, and the units in which it gives."""
+
+    pair: Constants
+    drive: Drive
+    tables: Tables
+    start: NDArray[np.float64]
+    is_decided: bool
+    units: Units
+    pieces: Sequence[ExactPiece]
+
+
+def halves(x: Fraction, exponent: int = 0) -> Halves:
+    """Return x 2^-exponent as a pair of floats. Raises OutOfRange."""
+    n, d = x.numerator, x.denominator
+    if exponent < 0:
+        n <<= -exponent
+    else:
+        d <<= exponent
+    try:
+        high = n / d
+        p, q = high.as_integer_ratio()
+        low = (n * q - p * d) / (d * q)
+    except OverflowError:
+        raise OutOfRange('a number of this scene is beyond the range of float64; use arithmetic="ball"') from None
+    return high, low
+
+
+def reduced(phase: Fraction) -> Fraction:
+    """Return a phase less whole turns, in (-pi, pi], as far as 256 bits go; itself below 4."""
+    if abs(phase) < 4:
+        return phase
+    turn = _turn(256 * (2 + round(abs(phase)).bit_length() // 256))
+    return phase - round(phase / turn) * turn
+
+
+@lru_cache(maxsize=16)
+def _turn(bits: int) -> Fraction:
+    """Return 2 pi to so many bits."""
+    with ctx.workprec(bits):
+        mantissa, exponent = (2 * arb.pi()).mid().man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def units_of(scene: Scene) -> Units:
+    """Return units in which M and a2 are about 1, and b, the state and the force not far from it, if they can."""
+    pair = scene.pair
+    mass = _exponent(pair.mass)
+    time = (mass - _exponent(pair.a2)) // 2
+    length = _exponent(pair.half_width)
+    return Units(mass, time, length)
+
+
+def _exponent(x: Fraction) -> int:
+    return x.numerator.bit_length() - x.denominator.bit_length()
+
+
+def _require_in_range(pair: Pair) -> None:
+    """Raise OutOfRange unless floats hold what the answer is told in beside its own numbers: L and E_cr."""
+    for value in (pair.half_width, pair.critical_energy):
+        if halves(value)[0] == 0.0:
+            raise OutOfRange('a number of this scene is beyond the range of float64; use arithmetic="ball"')
+
+
+def prepare(scene: Scene, *, wide: bool) -> Prepared:
+    """Return a scene as the kernel reads it. Raises OutOfRange."""
+    _require_in_range(scene.pair)
+    units, pieces = units_of(scene), pieces_of(scene)
+    drive, kinds = _drive(pieces, units)
+    own, kg = scene.pair, units.of(mass=1)
+    pair = *(halves(one, kg) for one in (own.m1, own.mass, own.m2)), halves(own.a1, kg - units.time)
+    pair = *pair, halves(own.a2, kg - 2 * units.time)
+    tables = _tables(pair, tuple(kinds), float(drive.length[:, 0].max()), wide)
+    at = scene.initial
+    start = np.zeros(ROW)
+    for name, value, exponent in (
+        ("x1", at.x1, units.of(length=1)),
+        ("v1", at.v1, units.of(length=1, time=-1)),
+        ("x2", at.x2, units.of(length=1)),
+        ("v2", at.v2, units.of(length=1, time=-1)),
+    ):
+        start[AT[name] : AT[name] + 2] = halves(value, exponent)
+    gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
+    start[AT["mode"]] = gap
+    return Prepared(
+        constants(np.array(pair), scene.law is Law.THREE_VALUED_SGN), drive, tables, start, gap != 0, units, pieces
+    )
+
+
+Kind = tuple[int, tuple[Halves, ...]]
+"""The number of coefficients of the polynomial, and the frequencies."""
+
+
+def _drive(pieces: Sequence[ExactPiece], units: Units) -> tuple[Drive, dict[Kind, int]]:
+    """Return the table of the pieces, and the kinds of force in it."""
+    force, second = units.of(mass=1, length=1, time=-2), units.time
+    places: list[tuple[int, ...]] = []
+    b: list[Halves] = []
+    length: list[Halves] = []
+    coefficients: list[Halves] = []
+    sines: list[tuple[Halves, Halves, Halves]] = []
+    kinds: dict[Kind, int] = {}
+    omegas: dict[Fraction, Halves] = {}
+    last: Fraction | None = None
+    for one in pieces:
+        for sine in one.sines:
+            if sine.omega not in omegas:
+                omegas[sine.omega] = halves(sine.omega, -second)
+        kind = len(one.polynomial), tuple(omegas[sine.omega] for sine in one.sines)
+        index = kinds.setdefault(kind, len(kinds))
+        places.append((len(coefficients), len(one.polynomial), len(sines), len(one.sines), index, int(one.is_jump)))
+        b.append(b[-1] if one.b == last else halves(one.b, force))
+        last = one.b
+        length.append(halves(one.length, second))
+        coefficients += [halves(c, force - k * second) for k, c in enumerate(one.polynomial)]
+        for sine in one.sines:
+            phase = reduced(sine.omega * one.start + sine.phase)
+            sines.append((halves(sine.amplitude, force), omegas[sine.omega], halves(phase)))
+    drive = Drive(
+        np.array(places, dtype=np.int64),
+        np.array(b),
+        np.array(length),
+        np.array(coefficients).reshape(-1, 2),
+        np.array(sines).reshape(-1, 3, 2),
+    )
+    return drive, kinds
+
+
+def most_terms(coefficients: int, least: int = TERMS) -> int:
+    """Return how many Taylor terms a table has: an even number, beyond the degree of the polynomial of u."""
+    return max(least, coefficients + _MORE_TERMS + coefficients % 2)
+
+
+@lru_cache(maxsize=64)
+def _tables(pair: tuple[Halves, ...], kinds: tuple[Kind, ...], longest: float, wide: bool) -> Tables:
+    """Return the tables of all kinds of force."""
+    columns, most = max(FIRST + terms + 2 * len(omegas) for terms, omegas in kinds), max(terms for terms, _ in kinds)
+    reach, terms = (_WIDE_REACH, most_terms(most, _WIDE_TERMS)) if wide else (REACH, most_terms(most))
+    tables = make_tables(len(kinds), columns, terms)
+    for index, (coefficients, omegas) in enumerate(kinds):
+        compiled(form)(tables, index, np.array(pair), coefficients, np.array(omegas).reshape(-1, 2), longest, reach)
+    return tables

@@ -1,0 +1,108 @@
+"""What a run leaves behind: a row for the start of every segment, and one for the end.
+
+Both engines write it and everything else reads it. A segment starts at the start of the run, at an event, or where a
+piece of force or friction begins. In binary64 and double-double rows are arrays of floats, a number takes two columns
+(its low half is 0 in binary64); in other arithmetics they are `Knot`s. SI units; every number is that of its
+arithmetic, for balls an enclosure of the true one.
+"""
+
+from __future__ import annotations
+
+import math
+from enum import IntEnum
+from typing import Any, NamedTuple
+
+from numerics.arithmetic.compiled import compilable_with
+
+CODES = ("mode", "order", "event", "jump", "piece")
+"""Floats: the mode that starts (-1, 0, +1: the sign of v1 - v2), how many derivatives of its guard vanish at its start,
+whether the mode changed, whether a piece begins here (the cause of an event is then a jump), which piece it is in."""
+NUMBERS = ("local", "length", "x1", "v1", "x2", "v2", "excess")
+"""Numbers, a high and a low half each: the time since the piece began and how long the segment before was (s), the
+state (m, m/s), and E/E_cr - 1 where an engine carries it as a variable of its own (nan: form it from the state)."""
+BOUNDS = ("late", "x1_error", "v1_error", "x2_error", "v2_error", "excess_error")
+"""Floats: bounds on the errors of the time (s), of the state (m, m/s) and of the excess."""
+COLUMNS = (*CODES, *(column for name in NUMBERS for column in (name, f"{name}_low")), *BOUNDS)
+"""The columns of a row."""
+END = ("how", "events", "certain", "friction", "friction_low", "viscous", "viscous_low", "dissipated_error")
+"""What the row of the end has after these: a `How`, the number of events, whether the bounds leave no doubt about their
+sequence, what friction and viscosity took (J, sums of positive terms), a bound on the error of their sum."""
+AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
+"""The index of each column."""
+ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
+
+
+_LOCAL, _X1, _LATE, _FRICTION = AT["local"], AT["x1"], AT["late"], AT["friction"]
+
+
+@compilable_with(forceinline=False)
+def in_si(rows: Any, mass: int, time: int, length: int) -> None:
+    """Multiply rows (n, ROW), or of ends (n, END_ROW), by units of 2^mass kg, 2^time s and 2^length m; exact."""
+    for half in range(2):  # a power may be too large for a float, its root is not
+        second, metre = math.ldexp(1.0, (time + half) // 2), math.ldexp(1.0, (length + half) // 2)
+        speed = math.ldexp(1.0, (length - time + half) // 2)
+        for k in range(4):  # local and length
+            rows[:, _LOCAL + k] *= second
+        rows[:, _LATE] *= second
+        for i in range(4):
+            unit = speed if i % 2 == 1 else metre
+            rows[:, _X1 + 2 * i] *= unit
+            rows[:, _X1 + 2 * i + 1] *= unit
+            rows[:, _LATE + 1 + i] *= unit
+        if rows.shape[1] > ROW:
+            for k in range(5):
+                rows[:, _FRICTION + k] *= math.ldexp(1.0, (mass + 2 * length - 2 * time + half) // 2)
+
+
+class How(IntEnum):
+    """How a run ended."""
+
+    REACHED = 0
+    """At its horizon."""
+    STUCK = 1
+    """At its horizon, in a stick that nothing ends later."""
+    EVENT_LIMIT = 2
+    """At the last event that the cap on events allows; the end is that event."""
+    OUT_OF_RANGE = 3
+    """A number left the range of the arithmetic."""
+    DOUBT = 4
+    """In front of something that this arithmetic does not decide; the end is the last start that is sure."""
+
+
+class Knot(NamedTuple):
+    """One row in the numbers of an arithmetic that has no columns for them; the names are those of the columns."""
+
+    mode: int
+    order: int
+    event: bool
+    jump: bool
+    piece: int
+    local: Any
+    length: Any
+    x1: Any
+    v1: Any
+    x2: Any
+    v2: Any
+    excess: Any = None
+    late: Any = 0
+    x1_error: Any = 0
+    v1_error: Any = 0
+    x2_error: Any = 0
+    v2_error: Any = 0
+    excess_error: Any = 0
+
+
+class Record(NamedTuple):
+    """A run: `rows` (n, ROW) or a list of Knots, the first one at t = 0; `end`, a row of END_ROW columns or a Knot.
+
+    What the row of the end has besides stands in the fields after it where it is a Knot.
+    """
+
+    rows: Any
+    end: Any
+    how: How
+    events: int
+    certain: bool = True
+    friction: Any = 0
+    viscous: Any = 0
+    dissipated_error: float = 0.0

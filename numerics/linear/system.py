@@ -1,0 +1,252 @@
+"""One mode under one piece of force as a linear system z' = A z, its flow by the exponential of a ball matrix.
+
+z = (x1, v1, x2, v2, 1, p0, ..., pd, s1, c1, ...): the state in SI units, the constant, the polynomial of the piece with
+its derivatives, and each sine beside its cosine. A is exact, resonance is no special case, and a flow over a ball of
+times encloses the flow at each of them. This is an evidence of its own: it shares no closed form with flows/.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import flint
+from flint import arb, arb_mat
+
+from numerics.arithmetic.ball import Ball, precision, sqrt
+from numerics.scene import Pair, Piece
+
+X1, V1, X2, V2, ONE, FIRST = range(6)
+Row = tuple[tuple[int, Fraction], ...]
+"""A linear function of z: pairs (place, coefficient)."""
+W: Row = ((V1, Fraction(1)), (V2, Fraction(-1)))
+"""The relative velocity w = v1 - v2."""
+_REMAINDER_BITS, _FURTHER = 80, 4
+"""Bits of a bound on a remainder, and the further terms of Taylor in it."""
+MOST_CUTS = 2_000
+"""Into so many parts an interval is cut before a sign on it counts as undecided."""
+
+
+@dataclass(frozen=True)
+class LinearMode:
+    """A pair in the mode `side` (+1, -1: the sign of w; 0: stick) at friction b, under one piece of force."""
+
+    pair: Pair
+    b: Fraction
+    side: int
+    piece: Piece
+
+    @property
+    def size(self) -> int:
+        """Return the number of components of z."""
+        return FIRST + len(self.piece.polynomial) + 2 * len(self.piece.sines)
+
+    @property
+    def force(self) -> Row:
+        """Return u as a linear function of z."""
+        first = FIRST + len(self.piece.polynomial)
+        sines = [(first + 2 * k, Fraction(1)) for k in range(len(self.piece.sines))]
+        return (*([(FIRST, Fraction(1))] if self.piece.polynomial else []), *sines)
+
+    @property
+    def load(self) -> Row:
+        """Return Lambda = m2 (u - a2 x1 - a1 v1)/M, the friction force that sticking needs, N."""
+        share = self.pair.m2 / self.pair.mass
+        own = (X1, -share * self.pair.a2), (V1, -share * self.pair.a1)
+        return (*((place, share * factor) for place, factor in self.force), *own)
+
+    @property
+    def mass(self) -> Fraction:
+        """Return the mass that the spring moves, kg: body 1 alone in slip, both in stick."""
+        return self.pair.m1 if self.side else self.pair.mass
+
+    def generator(self) -> list[list[Fraction]]:
+        """Return A, exact."""
+        rows = [[Fraction(0)] * self.size for _ in range(self.size)]
+        pair = self.pair
+        rows[X1][V1] = rows[X2][V2] = Fraction(1)
+        for place, factor in ((X1, -pair.a2), (V1, -pair.a1), (ONE, -self.side * self.b), *self.force):
+            rows[V1][place] += factor / self.mass
+        if self.side:
+            rows[V2][ONE] = self.side * self.b / pair.m2
+        else:
+            rows[V2] = list(rows[V1])
+        for k in range(len(self.piece.polynomial) - 1):
+            rows[FIRST + k][FIRST + k + 1] = Fraction(1)
+        for place, sine in zip(self.sine_places, self.piece.sines, strict=True):
+            rows[place][place + 1], rows[place + 1][place] = sine.omega, -sine.omega
+        return rows
+
+    @property
+    def polynomial_places(self) -> range:
+        """Return where the polynomial and its derivatives stand in z."""
+        return range(FIRST, FIRST + len(self.piece.polynomial))
+
+    @property
+    def sine_places(self) -> range:
+        """Return where each sine stands in z, its cosine one place on."""
+        return range(FIRST + len(self.piece.polynomial), self.size, 2)
+
+    def start(self, state: Sequence[arb], t: arb) -> arb_mat:
+        """Return z at time t (s) with the state (x1, v1, x2, v2)."""
+        number = Ball.number
+        since, terms = t - number(self.piece.start), self.piece.polynomial
+        z = [*state, arb(1)]
+        for order in range(len(terms)):
+            value = arb(0)
+            for k in range(len(terms) - 1, order - 1, -1):
+                value = value * since + number(terms[k] * math.perm(k, order))
+            z.append(value)
+        for sine in self.piece.sines:
+            parts = (number(sine.omega) * t + number(sine.phase)).sin_cos()
+            z.extend(number(sine.amplitude) * one for one in parts)
+        return arb_mat([[one] for one in z])
+
+    def motion(self, state: Sequence[arb], t: arb) -> Motion:
+        """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
+        return Motion(self, matrix(self.generator()), self.start(state, t))
+
+
+@dataclass(frozen=True)
+class Motion:
+    """z(t) = exp(A t) z(0), t (s) from the start of the motion; everything enclosed."""
+
+    mode: LinearMode
+    matrix: arb_mat
+    begin: arb_mat
+
+    def flow(self, t: arb) -> arb_mat:
+        """Return exp(A t)."""
+        return (self.matrix * t).exp()
+
+    def at(self, t: arb) -> arb_mat:
+        """Return z(t)."""
+        return self.flow(t) * self.begin
+
+    def state(self, t: arb) -> tuple[arb, arb, arb, arb]:
+        """Return (x1, v1, x2, v2) at t."""
+        z = self.at(t)
+        return z[X1, 0], z[V1, 0], z[X2, 0], z[V2, 0]
+
+    def rate(self, z: arb_mat) -> arb_mat:
+        """Return z' = A z."""
+        return self.matrix * z
+
+    def over(self, t: arb) -> Stretched:
+        """Return the motion over a ball of times, for the ranges of rows and of their derivatives."""
+        begin = t.lower()
+        return Stretched(self.mode, self.matrix, self.at(begin), t - begin)
+
+    def range(self, row: Row, t: arb, order: int = 0) -> arb:
+        """Return an enclosure of the order-th derivative of a row over a ball of times, by Taylor's theorem."""
+        return self.over(t).range(row, order)
+
+
+class Stretched:
+    """A motion over a ball of times: z where it begins, and enclosures of derivatives of rows over the whole of it.
+
+    The remainder is bounded by energy, not by exp(A h): with y the n-th derivative of x1, n >= 1,
+
+        m y'' + a1 y' + a2 y = u^(n),    so that    sqrt(a2 y^2 + m y'^2) grows by int |u^(n)| dt/sqrt(m) at most
+
+    (m = m1 in slip, M in stick). A light body 1, whose own rates are large, then costs no finer parts for ever.
+    """
+
+    def __init__(self, mode: LinearMode, matrix: arb_mat, begin: arb_mat, h: arb) -> None:
+        """Keep z where the ball begins; `h` is the ball of times, counted from there."""
+        self.mode, self.matrix, self.h, self.derivatives = mode, matrix, h, [begin]
+        self.bends: dict[int, arb_mat] = {}
+
+    def derivative(self, order: int) -> arb_mat:
+        """Return the order-th derivative of z where the ball begins."""
+        while len(self.derivatives) <= order:
+            self.derivatives.append(self.matrix * self.derivatives[-1])
+        return self.derivatives[order]
+
+    def range(self, row: Row, order: int = 0) -> arb:
+        """Return an enclosure of the order-th derivative of a row over the ball of times, by Taylor's theorem."""
+        here, slope = (value(row, self.derivative(order + n)) for n in (0, 1))
+        if self.h.is_zero():
+            return here
+        return here + self.h * slope + (self.h * self.h / 2) * value(row, self._bend(order + 2))
+
+    def _bend(self, order: int) -> arb_mat:
+        """Return an enclosure of the order-th derivative of z, order >= 2, over the ball of times.
+
+        Further terms of Taylor are sharp on a short ball, the bound by energy on a long one: the narrower counts.
+        """
+        if order not in self.bends:
+            # what bounds a remainder needs few digits
+            with precision(min(flint.ctx.prec, _REMAINDER_BITS)):
+                higher = [self.derivative(order)]
+                for _ in range(_FURTHER):
+                    higher.append(self.matrix * higher[-1])
+                found = self._bounded(higher.pop())
+                for k, one in reversed(list(enumerate(higher, start=1))):
+                    found = one + found * (self.h / k)
+                wide = self._bounded(self.derivative(order))
+                entries = zip(found.entries(), wide.entries(), strict=True)
+                self.bends[order] = arb_mat([[x if x.rad() < y.rad() else y] for x, y in entries])
+        return self.bends[order]
+
+    def _bounded(self, z: arb_mat) -> arb_mat:
+        """Return an enclosure of a derivative of z over the ball of times by energy; `z` is it where that begins."""
+        mode, number, bent = self.mode, Ball.number, arb_mat(z)
+        places = mode.polynomial_places
+        for k, place in enumerate(places):
+            bent[place, 0] = sum((z[later, 0] * _power(self.h, later - place) for later in places[k:]), arb(0))
+        for place in mode.sine_places:
+            amplitude = sqrt(z[place, 0] * z[place, 0] + z[place + 1, 0] * z[place + 1, 0]).upper()
+            bent[place, 0] = bent[place + 1, 0] = arb(0, amplitude)
+        mass, spring = number(mode.mass), number(mode.pair.a2)
+        energy = spring * z[X1, 0] * z[X1, 0] + mass * z[V1, 0] * z[V1, 0]
+        grown = sqrt(energy) + abs(self.h) * abs(value(mode.force, bent)) / mass.sqrt()
+        bent[X1, 0], bent[V1, 0] = (arb(0, (grown / one.sqrt()).upper()) for one in (spring, mass))
+        if mode.side == 0:  # else body 2 has a constant acceleration, and z says all
+            bent[X2, 0], bent[V2, 0] = bent[X1, 0], bent[V1, 0]
+        return bent
+
+
+def _power(h: arb, order: int) -> arb:
+    """Return h^order/order!."""
+    return h**order / math.factorial(order)
+
+
+def value(row: Row, z: arb_mat) -> arb:
+    """Return the value of a linear function of z."""
+    total = arb(0)
+    for place, factor in row:
+        total += Ball.number(factor) * z[place, 0]
+    return total
+
+
+def matrix(rows: Sequence[Sequence[Fraction]]) -> arb_mat:
+    """Return an exact matrix as balls."""
+    return arb_mat([[Ball.number(one) for one in row] for row in rows])
+
+
+def between(low: arb, high: arb) -> arb:
+    """Return the ball from the least point of one ball to the greatest of another."""
+    return low.lower().union(high.upper())
+
+
+def is_positive_on(function: Callable[[arb], arb], start: arb, end: arb, most: int = MOST_CUTS) -> bool | None:
+    """Return whether an enclosure of a function is proved positive over [start, end], cut in halves where needed.
+
+    False: it is proved negative at some point; None: neither is proved.
+    """
+    waiting, cuts = [(start.lower(), end.upper())], 0
+    while waiting:
+        low, high = waiting.pop()
+        if function(low.union(high)) > 0:
+            continue
+        cuts += 1
+        middle = ((low + high) / 2).mid()
+        if function(middle) < 0:
+            return False
+        if cuts > most or not (low < middle < high):
+            return None
+        waiting += [(middle, high), (low, middle)]
+    return True

@@ -1,0 +1,187 @@
+"""Tables of Taylor coefficients: what a step of a mode does to every component of z, for z' = A z.
+
+    z(t) = sum_k (h A)^k z(0)/k! (t/h)^k
+
+so the coefficients of x1 and x2 over a step h are linear in z(0), with a table that depends on the pair, the
+frequencies and the degree of u, and on nothing else: not on the start, amplitudes, phases or b. It is formed in pairs
+by the recurrence z_(k+1) = h A z_k/(k+1), of unit vectors, and serves every step. No regimes of damping, no resonance.
+
+z = (x1, v1, x2, v2, f, c_0 ... c_d, s_1, c_1, ...): the state, the signed friction force on body 2, the Taylor
+coefficients of the polynomial of u, and amplitude times sine and cosine of each phase.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.linear.pairs import add, divide, multiply
+
+X1, V1, X2, V2, FRICTION, FIRST = 0, 1, 2, 3, 4, 5
+ORDERS = 8
+"""A guard starts with so many vanishing coefficients at most, less one."""
+
+
+class Tables(NamedTuple):
+    """Tables for every kind of force of a scene (first index) in slip and in stick (second index: 0, 1).
+
+    A kind is the number of coefficients of the polynomial and the frequencies; n columns at most, k < terms.
+    """
+
+    h: Any
+    """(kinds, 2): the step, s."""
+    count: Any
+    """(kinds,): the number of columns."""
+    rows: Any
+    """(kinds, 2, 2, 2, n, terms): high and low parts of the coefficients of x1 and x2 in (t/h)^k of each component."""
+    degrees: Any
+    """(kinds, 2, 2, n): how many terms of each there are, rounded up to an even number; later ones are 0."""
+    ends: Any
+    """(kinds, 2, 2, n, n): high and low parts of exp(A h)."""
+    slip_sums: Any
+    """(kinds, ORDERS, n): what rounding and truncation do to h (v1 - v2) less p coefficients, in roundings."""
+    load_sums: Any
+    """(kinds, ORDERS, n): the same for h^2 x2'' in stick."""
+
+
+@compilable_with(forceinline=False)
+def make_tables(kinds: int, n: int, terms: int) -> Tables:
+    """Return empty tables; n columns at most."""
+    return Tables(
+        np.zeros((kinds, 2)),
+        np.zeros(kinds, dtype=np.int64),
+        np.zeros((kinds, 2, 2, 2, n, terms)),
+        np.zeros((kinds, 2, 2, n), dtype=np.int64),
+        np.zeros((kinds, 2, 2, n, n)),
+        np.zeros((kinds, ORDERS, n)),
+        np.zeros((kinds, ORDERS, n)),
+    )
+
+
+@compilable_with(forceinline=False)
+def form(tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest: float, reach: float) -> None:
+    """Form the tables of one kind of force: so many coefficients of a polynomial, and frequencies (k, 2) as pairs.
+
+    `pair` (5, 2): m1, m1 + m2, m2, a1, a2 as pairs. A step is `reach` over the fastest rate, or `longest`.
+    """
+    waves = omegas.shape[0]
+    n = FIRST + terms + 2 * waves
+    tables.count[kind] = n
+    unused = np.zeros((ORDERS, tables.rows.shape[4]))
+    places, entries = np.zeros((12 + terms + 4 * waves, 2), dtype=np.int64), np.zeros((12 + terms + 4 * waves, 2))
+    for side in range(2):
+        count = generator(pair, terms, omegas, side == 1, places, entries)
+        rate = pair[3, 0] / pair[side, 0] + math.sqrt(pair[4, 0] / pair[side, 0])
+        for k in range(waves):
+            rate = max(rate, omegas[k, 0])
+        fraction, exponent = math.frexp(min(longest, reach / rate))
+        h = math.ldexp(math.floor(math.ldexp(fraction, 20)), exponent - 20)  # of 20 bits: steps of it add up exactly
+        tables.h[kind, side] = h
+        fill(
+            entries[:count],
+            places[:count],
+            h,
+            n,
+            tables.rows.shape[5],
+            tables.rows[kind, side],
+            tables.degrees[kind, side],
+            tables.ends[kind, side],
+            unused if side == 1 else tables.slip_sums[kind],
+            tables.load_sums[kind] if side == 1 else unused,
+        )
+
+
+@compilable_with(forceinline=False)
+def generator(pair: Any, terms: int, omegas: Any, is_stick: bool, places: Any, entries: Any) -> int:
+    """Write the nonzero elements of A: where they stand, and as pairs; return how many there are."""
+    mh, ml = pair[1 if is_stick else 0, 0], pair[1 if is_stick else 0, 1]
+    one = divide(1.0, 0.0, mh, ml)
+    drag, spring = divide(pair[3, 0], pair[3, 1], mh, ml), divide(pair[4, 0], pair[4, 1], mh, ml)
+    count = put(places, entries, 0, X1, V1, 1.0, 0.0)
+    count = put(places, entries, count, X2, V2, 1.0, 0.0)
+    for to in range(V1, V2 + 1, V2 - V1):
+        if to == V1 or is_stick:
+            count = put(places, entries, count, to, X1, -spring[0], -spring[1])
+            count = put(places, entries, count, to, V1, -drag[0], -drag[1])
+            if terms > 0:
+                count = put(places, entries, count, to, FIRST, one[0], one[1])
+            for k in range(omegas.shape[0]):
+                count = put(places, entries, count, to, FIRST + terms + 2 * k, one[0], one[1])
+    if not is_stick:
+        body2 = divide(1.0, 0.0, pair[2, 0], pair[2, 1])
+        count = put(places, entries, count, V1, FRICTION, -one[0], -one[1])
+        count = put(places, entries, count, V2, FRICTION, body2[0], body2[1])
+    for k in range(terms - 1):
+        count = put(places, entries, count, FIRST + k, FIRST + k + 1, k + 1.0, 0.0)
+    for k in range(omegas.shape[0]):
+        at = FIRST + terms + 2 * k
+        count = put(places, entries, count, at, at + 1, omegas[k, 0], omegas[k, 1])
+        count = put(places, entries, count, at + 1, at, -omegas[k, 0], -omegas[k, 1])
+    return count
+
+
+@compilable
+def put(places: Any, entries: Any, count: int, to: int, of: int, high: float, low: float) -> int:
+    """Write one element, and return how many there are now."""
+    places[count, 0], places[count, 1], entries[count, 0], entries[count, 1] = to, of, high, low
+    return count + 1
+
+
+@compilable_with(forceinline=False)
+def fill(
+    entries: Any,
+    places: Any,
+    h: float,
+    count: int,
+    terms: int,
+    rows: Any,
+    degrees: Any,
+    end: Any,
+    slip_sums: Any,
+    load_sums: Any,
+) -> None:
+    """Fill a table; entries (k, 2) are the nonzero elements of A as pairs, places (k, 2) where they stand."""
+    z, after, total = np.zeros((count, 2)), np.zeros((count, 2)), np.zeros((count, 2))
+    scaled = np.empty(entries.shape)
+    for e in range(entries.shape[0]):
+        scaled[e, 0], scaled[e, 1] = multiply(entries[e, 0], entries[e, 1], h, 0.0)
+    for j in range(count):
+        z[:, :] = 0.0
+        z[j, 0] = 1.0
+        total[:, :] = z
+        cut1, cut2 = 0.0, 0.0
+        for k in range(terms + 2):
+            if k < terms:
+                for i in range(2):
+                    rows[0, i, j, k], rows[1, i, j, k] = z[2 * i, 0], z[2 * i, 1]
+            else:  # the first two that are left out; all later ones are less than these again
+                cut1 += 2.0 * abs(z[0, 0])
+                cut2 += 2.0 * abs(z[2, 0])
+            after[:, :] = 0.0
+            for e in range(entries.shape[0]):
+                to, of = places[e, 0], places[e, 1]
+                if z[of, 0] != 0.0:
+                    p, q = multiply(scaled[e, 0], scaled[e, 1], z[of, 0], z[of, 1])
+                    after[to, 0], after[to, 1] = add(after[to, 0], after[to, 1], p, q)
+            for i in range(count):
+                z[i, 0], z[i, 1] = divide(after[i, 0], after[i, 1], float(k + 1), 0.0)
+                total[i, 0], total[i, 1] = add(total[i, 0], total[i, 1], z[i, 0], z[i, 1])
+        for i in range(count):
+            end[0, i, j], end[1, i, j] = total[i, 0], total[i, 1]
+        for i in range(2):
+            degree = terms
+            while degree > 0 and rows[0, i, j, degree - 1] == 0.0:
+                degree -= 1
+            degrees[i, j] = degree + degree % 2
+        cut = (cut1 + cut2) * terms * 2.0**53
+        for p in range(ORDERS):
+            one, two = cut, cut * terms
+            for k in range(p, terms - 1):
+                both = abs(rows[0, 0, j, k + 1]) + abs(rows[0, 1, j, k + 1])
+                one += (2 * k + count + 8) * (k + 1) * both
+            for k in range(p, terms - 2):
+                two += (2 * k + count + 8) * (k + 2) * (k + 1) * abs(rows[0, 1, j, k + 2])
+            slip_sums[p, j], load_sums[p, j] = one, two

@@ -1,1 +1,0 @@
-"""Who merges from where: proved cells over mass ratio and energy."""

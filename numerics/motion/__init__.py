@@ -1,1 +1,0 @@
-"""Stick, slip, start: which mode follows, and in which coordinates."""

@@ -1,1 +1,0 @@
-"""The loop: locate, flow, snap, record; rows of an array; one scene."""

@@ -1,1 +1,0 @@
-"""Derivatives of events and ends by initial state and parameters, across events."""

@@ -1,0 +1,189 @@
+"""The answers of a batch: arrays in the shape of its inputs, each made when it is looked at."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.linear.record import AT, How
+from numerics.trajectory.digits import MOST_DIGITS, ROUNDING
+from numerics.trajectory.status import Status
+
+Table = NDArray[np.float64]
+SI = ("m1", "m2", "a2", "b", "x1", "v1", "x2", "v2", "until", "a1")
+"""The numbers of a scene, a high and a low half each in a row of SI numbers."""
+STATE = ("x1", "v1", "x2", "v2")
+_UNIT = ROUNDING["float64"]
+
+
+class Batch:
+    """The ends of many runs; every array has the broadcast shape of the inputs, `y` and `y_error` (4, ...) in front.
+
+    status         a Status                       events    how many there were
+    mode           -1, 0, +1: sign of v1 - v2     t         s, the horizon or the last event
+    y              x1, v1, x2, v2 (m, m/s)        energy_excess   E/E_cr - 1, accurate in itself where no force acts
+    dissipated     J, the sum of what friction and viscosity took in every mode, which never cancels
+    *_error        bounds on the errors of these  digits    right digits of all that is kept, by the bounds
+    certain        whether no bound reaches as far as another sequence of events
+    event_t, event_y, event_mode   the first `keep_events` events: (..., k), (4, ..., k), (..., k); nan and 0 beyond
+    event_t_error, event_y_error   bounds on their errors
+
+    Digits count as in trajectory/digits.py: times relative to themselves, positions and velocities to the largest
+    of each at the start, at the kept events and at the end.
+    """
+
+    def __init__(self, table: Table, ends: Table, kept: Table, shape: tuple[int, ...]) -> None:
+        """Keep SI numbers, and what the runs wrote (linear/record.py): a row for each end, for start and first events.
+
+        In these rows the time counts from the start of the run, whatever piece of force it is in.
+        """
+        self.table, self.ends, self.kept, self.shape = table, ends, kept, shape
+
+    def __len__(self) -> int:
+        """Return how many scenes there were."""
+        return len(self.ends)
+
+    def __repr__(self) -> str:
+        """Return a short summary."""
+        ends = ", ".join(f"{np.sum(self.status == one)} {one.name}" for one in Status if np.any(self.status == one))
+        return f"Batch of {len(self)} scenes, shape {self.shape}: {ends}; {int(np.sum(self.events))} events"
+
+    def _given(self, name: str) -> Table:
+        return self.table[:, 2 * SI.index(name)].reshape(self.shape)
+
+    def _end(self, name: str) -> Table:
+        return np.where(self._gone, np.nan, self.ends[:, AT[name]].reshape(self.shape))
+
+    def _event(self, name: str) -> Table:
+        return self.kept[:, 1:, AT[name]].reshape(*self.shape, self.kept.shape[1] - 1)
+
+    @cached_property
+    def _how(self) -> NDArray[np.int64]:
+        return self.ends[:, AT["how"]].astype(np.int64).reshape(self.shape)
+
+    @property
+    def _gone(self) -> NDArray[np.bool_]:
+        return np.asarray(self._how == How.OUT_OF_RANGE)
+
+    @cached_property
+    def status(self) -> NDArray[np.int64]:
+        """Return how each run ended, a Status."""
+        open_ones = (self._how == How.DOUBT) | ((self._how < How.EVENT_LIMIT) & ~self.certain)
+        return np.where(open_ones, int(Status.SEQUENCE_OPEN), self._how)
+
+    @property
+    def success(self) -> NDArray[np.bool_]:
+        """Return which runs got to their horizon, by events that are certain."""
+        return np.isin(self.status, (Status.REACHED_HORIZON, Status.STUCK_FOR_EVER))
+
+    @cached_property
+    def events(self) -> NDArray[np.int64]:
+        """Return how many events each run had."""
+        return np.nan_to_num(self._end("events")).astype(np.int64)
+
+    @cached_property
+    def mode(self) -> NDArray[np.int64]:
+        """Return the sign of v1 - v2 at the end."""
+        return np.nan_to_num(self._end("mode")).astype(np.int64)
+
+    @cached_property
+    def certain(self) -> NDArray[np.bool_]:
+        """Return whether no bound reaches as far as another sequence of events."""
+        return np.asarray((self._end("certain") == 1.0) & (self._how != How.DOUBT))
+
+    @cached_property
+    def t(self) -> Table:
+        """Return the time at the end, s."""
+        return np.where(self._how < How.EVENT_LIMIT, self._given("until"), self._end("local"))
+
+    @cached_property
+    def y(self) -> Table:
+        """Return x1, v1, x2, v2 at the end."""
+        return np.stack([self._end(name) for name in STATE])
+
+    @cached_property
+    def y_error(self) -> Table:
+        """Return bounds on the errors of y."""
+        return np.stack([self._end(f"{name}_error") for name in STATE])
+
+    @cached_property
+    def _energy(self) -> tuple[Table, Table, Table]:
+        """Return the energy at the end, a bound on its error, and E_cr, J."""
+        m1, m2, a2, b = (self._given(name) for name in SI[:4])
+        y, off = self.y, self.y_error
+        energy, error = np.zeros(self.shape), np.zeros(self.shape)
+        with np.errstate(over="ignore", invalid="ignore"):
+            for place, weight in ((0, a2), (1, m1), (3, m2)):
+                energy = energy + weight * y[place] ** 2 / 2
+                error = error + weight * off[place] * (abs(y[place]) + off[place] / 2)
+            return energy, error + 8 * _UNIT * energy, (b * (m1 + m2) / m2) ** 2 / (2 * a2)
+
+    @cached_property
+    def energy_excess(self) -> Table:
+        """Return E/E_cr - 1 at the end, of the pair's own b."""
+        carried, (energy, _, critical) = self._end("excess"), self._energy
+        return np.where(np.isnan(carried), energy / critical - 1, carried)
+
+    @cached_property
+    def energy_excess_error(self) -> Table:
+        """Return a bound on its error."""
+        carried, (energy, error, critical) = self._end("excess"), self._energy
+        formed = error / critical + 8 * _UNIT * (1 + energy / critical)
+        return np.where(np.isnan(carried), formed, self._end("excess_error"))
+
+    @cached_property
+    def dissipated(self) -> Table:
+        """Return what friction and viscosity took, J."""
+        return self._end("friction") + self._end("viscous")
+
+    @cached_property
+    def dissipated_error(self) -> Table:
+        """Return a bound on its error."""
+        return self._end("dissipated_error")
+
+    @cached_property
+    def event_t(self) -> Table:
+        """Return the times of the first events, s."""
+        return self._event("local")
+
+    @cached_property
+    def event_y(self) -> Table:
+        """Return x1, v1, x2, v2 at the first events."""
+        return np.stack([self._event(name) for name in STATE])
+
+    @cached_property
+    def event_mode(self) -> NDArray[np.int64]:
+        """Return the sign of v1 - v2 after the first events."""
+        return np.nan_to_num(self._event("mode")).astype(np.int64)
+
+    @cached_property
+    def event_t_error(self) -> Table:
+        """Return bounds on the errors of event_t."""
+        return self._event("late") + 4 * _UNIT * self.event_t
+
+    @cached_property
+    def event_y_error(self) -> Table:
+        """Return bounds on the errors of event_y."""
+        return np.stack([self._event(f"{name}_error") for name in STATE])
+
+    @cached_property
+    def digits(self) -> NDArray[np.int64]:
+        """Return the right digits of the kept events and of the end, 0 where the events are not certain."""
+        start = np.stack([self._given(name) for name in STATE])[..., None]
+        values = np.concatenate([start, self.event_y, self.y[..., None]], axis=-1)
+        errors = np.concatenate([0 * start, self.event_y_error, self.y_error[..., None]], axis=-1)
+        sizes = np.nan_to_num(abs(values)).max(axis=-1)
+        sizes = np.maximum(sizes, sizes[[2, 3, 0, 1]])  # both positions, and both velocities, have one
+        energy, error, _ = self._energy
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ratios = [
+                (np.nan_to_num(errors, posinf=np.inf).max(axis=-1) / sizes).max(axis=0),
+                np.max(np.nan_to_num(self.event_t_error / self.event_t), axis=-1, initial=0.0),
+                error / energy,
+                self.energy_excess_error / abs(self._end("excess")),
+                np.full(self.shape, _UNIT),
+            ]
+            right = np.floor(-np.log10(np.nanmax(np.stack(ratios), axis=0)))
+        return np.where(self.certain, np.clip(right, 0, MOST_DIGITS["float64"]), 0).astype(np.int64)

@@ -1,0 +1,257 @@
+"""Many scenes at once: arrays in, arrays out, on all cores, in memory bounded by the arrays themselves.
+
+Every scene runs through the same engines as solve(scene, arithmetic="float64"), with the same events and error bounds.
+Python only hands out chunks of rows to compiled code, where numba is installed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from numerics.arithmetic.compiled import can_compile
+from numerics.arithmetic.pair import nearest
+from numerics.errors import InvalidScene
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
+from numerics.scene.decimals import require_whole
+from numerics.solver.batch import SI, Batch
+from numerics.solver.rows import Chunk, Columns, room
+from numerics.tasks import available_cores
+from numerics.trajectory.run import MAX_EVENTS
+
+_POSITIVE = ("m1", "m2", "a2", "b", "until")
+_CHUNK = 4096
+"""Scenes in a chunk at most: their rows fit into a core's cache."""
+_TOO_FEW = 256
+"""Scenes that one thread solves before another has started."""
+Progress = Callable[[int, int], None]
+Table = NDArray[np.float64]
+
+
+class _Limits(NamedTuple):
+    law: Law
+    max_events: int
+    keep_events: int
+    jobs: int | None
+    progress: Progress | None
+
+
+def solve_many(
+    m1: ArrayLike,
+    m2: ArrayLike,
+    a2: ArrayLike,
+    b: ArrayLike,
+    *,
+    until: ArrayLike,
+    a1: ArrayLike = 0.0,
+    x1: ArrayLike = 0.0,
+    v1: ArrayLike = 0.0,
+    x2: ArrayLike = 0.0,
+    v2: ArrayLike = 0.0,
+    polynomial: Sequence[ArrayLike] = (),
+    sines: Sequence[tuple[ArrayLike, ArrayLike, ArrayLike]] = (),
+    force: Any = None,
+    friction: Any = None,
+    law: Law | str = Law.FILIPPOV,
+    max_events: int = MAX_EVENTS,
+    keep_events: int = 0,
+    jobs: int | None = None,
+    progress: Progress | None = None,
+    exact: bool = False,
+) -> Batch:
+    """Solve the scenes of all numbers in arrays that broadcast together, in SI units as in Pair, State and Scene.
+
+    Every scene runs as by solve(scene, arithmetic="float64"); an event that its bounds leave open is a status.
+
+    The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
+    arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
+    numbers. For jumps instead, `force` and `friction`: a Force, a Friction, or sequences of them that broadcast.
+
+    The numbers are taken as the binary64 numbers that they are, exactly: 0.005 in an array is not 1/200, which matters
+    to a pair that starts on the very edge. With `exact` they are read as `solve` reads them: 0.005 is 1/200, and texts
+    such as "1/3" are numbers too, at the price of Python's time for every scene. `jobs`: threads of compiled code
+    (default: all cores); without numba one thread does it all. `progress(done, all)` is called now and then.
+
+    Raises InvalidScene, naming the first number that is out of bounds, ValueError (arrays that do not broadcast, bad
+    arguments).
+
+    >>> found = solve_many(1, 1, 200, 0.5, v1=[0.05, 0.15], until=5, jobs=1)
+    >>> found.events.tolist(), found.mode.tolist(), bool(found.digits.min() >= 10)
+    ([1, 32], [0, 0], True)
+    """
+    named = dict(zip(SI, (m1, m2, a2, b, x1, v1, x2, v2, until, a1), strict=True))
+    named |= {f"polynomial[{k}]": one for k, one in enumerate(polynomial)}
+    for k, sine in enumerate(sines):
+        if len(sine) != 3:
+            raise InvalidScene(f"sines[{k}] must be a triple: amplitude, omega, phase")
+        named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
+    limits = _limits(read_law(law), max_events, keep_events, jobs, progress)
+    acts = None if force is None and friction is None else (force or Force(), friction or Friction())
+    if exact or acts is not None:
+        return _solve_objects(named, acts, len(polynomial), limits, binary=not exact)
+    columns, shape = _columns(named, len(polynomial))
+
+    def scene_of(row: int) -> Scene:
+        coefficients, waves = columns.polynomial[row], columns.sines[row]
+        numbers = [Fraction(float(one)) for one in (*columns.table[row, ::2], *coefficients, *waves.ravel())]
+        return _scene(numbers, len(coefficients), limits.law)
+
+    return _solved(columns, scene_of, columns.table, shape, limits)
+
+
+def solve_scenes(
+    scenes: Sequence[Scene],
+    *,
+    max_events: int = MAX_EVENTS,
+    keep_events: int = 0,
+    jobs: int | None = None,
+    progress: Progress | None = None,
+) -> Batch:
+    """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),)."""
+    laws = {scene.law for scene in scenes}
+    limits = _limits(next(iter(laws), Law.FILIPPOV), max_events, keep_events, jobs, progress)
+    table = np.array([_halves(scene) for scene in scenes]).reshape(len(scenes), 2 * len(SI))
+    columns = Columns(table, np.zeros((len(scenes), 0)), np.zeros((len(scenes), 0, 3)))
+    plain = len(laws) <= 1 and np.isfinite(table).all() and not any(scene.is_forced for scene in scenes)
+    return _solved(columns if plain else None, scenes.__getitem__, table, (len(scenes),), limits)
+
+
+def _limits(law: Law, max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> _Limits:
+    require_whole("max_events", max_events, 1)
+    require_whole("keep_events", keep_events, 0)
+    require_whole("jobs", 1 if jobs is None else jobs, 1)
+    return _Limits(law, max_events, keep_events, jobs, progress)
+
+
+def _halves(scene: Scene) -> list[float]:
+    """Return the SI numbers of a scene as halves; nan where one is beyond binary64."""
+    pair, at = scene.pair, scene.initial
+    numbers = (pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
+    try:
+        halves = [half for one in numbers for half in nearest(one)]
+    except OverflowError:
+        return [np.nan] * 20
+    same = halves[10:12] == halves[14:16]  # halves must not make two velocities equal that are not
+    return halves if same == (at.v1 == at.v2) else [np.nan] * 20
+
+
+def _scene(numbers: Sequence[Any], terms: int, law: Law) -> Scene:
+    """Return the scene of its SI numbers, the coefficients of a polynomial and the numbers of sines."""
+    m1, m2, a2, b, x1, v1, x2, v2, until, a1, *rest = numbers
+    waves = [Sine(*rest[k : k + 3]) for k in range(terms, len(rest), 3)]
+    force = Force((Piece(0, rest[:terms], waves),)) if any(rest[:terms]) or any(s.amplitude for s in waves) else Force()
+    return Scene(Pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, force)
+
+
+def _solve_objects(
+    named: dict[str, ArrayLike], acts: tuple[Any, Any] | None, terms: int, limits: _Limits, *, binary: bool
+) -> Batch:
+    """Solve arrays of exact numbers, or of binary ones with forces of any kind, scene by scene."""
+    given = list(named.values())
+    if binary:
+        floats = [np.asarray(_numbers(name, values)) for name, values in named.items()]
+        for name, array in zip(named, floats, strict=True):
+            _refuse(name, array)
+        given = [np.vectorize(Fraction, otypes=[object])(array) if array.size else array for array in floats]
+    arrays = np.broadcast_arrays(*[np.asarray(one, dtype=object) for one in (*given, *(acts or ()))])
+    scenes = []
+    for row in zip(*[one.ravel() for one in arrays], strict=True):
+        scene = _scene(row[: len(named)], terms, limits.law)
+        if acts is not None:
+            force, friction = row[len(named) :]
+            scene = Scene(scene.pair, scene.initial, scene.until, limits.law, scene.force + force, friction)
+        scenes.append(scene)
+    _, max_events, keep, jobs, progress = limits
+    found = solve_scenes(scenes, max_events=max_events, keep_events=keep, jobs=jobs, progress=progress)
+    return Batch(found.table, found.ends, found.kept, arrays[0].shape)
+
+
+def _solved(
+    columns: Columns | None,
+    exact: Callable[[int], Scene],
+    table: Table,
+    shape: tuple[int, ...],
+    limits: _Limits,
+) -> Batch:
+    """Solve rows in chunks."""
+    ends, kept = room(len(table), limits.keep_events)
+    size, done, literal = _chunk(len(table), limits.jobs), 0, limits.law is Law.THREE_VALUED_SGN
+    chunks = []
+    for start in range(0, len(table), size):
+        part = slice(start, start + size)
+        own = None if columns is None else columns.part(part)
+
+        def exact_here(row: int, start: int = start) -> Scene:
+            return exact(start + row)
+
+        chunks.append(Chunk(own, exact_here, ends[part], kept[part], literal, limits.max_events))
+    for count in _in_threads(chunks, limits.jobs):
+        done += count
+        if limits.progress is not None:
+            limits.progress(done, len(table))
+    return Batch(table, ends, kept, shape)
+
+
+def _in_threads(chunks: list[Chunk], jobs: int | None) -> Iterator[int]:
+    """Yield how many scenes each chunk had, as they finish; compiled code runs in threads, Python in turn."""
+    if jobs == 1 or len(chunks) <= 1 or not can_compile():
+        yield from map(Chunk.solve, chunks)
+        return
+    pool = ThreadPoolExecutor(min(jobs or available_cores(), len(chunks)))
+    try:
+        futures: list[Future[int]] = [pool.submit(chunk.solve) for chunk in chunks]
+        for future in as_completed(futures):
+            yield future.result()
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _chunk(count: int, jobs: int | None) -> int:
+    """Return how many scenes go into one chunk: four chunks for every core, so that all end at about the same time."""
+    if count <= _TOO_FEW:
+        return _TOO_FEW
+    return max(_TOO_FEW, min(_CHUNK, -(-count // (4 * (jobs or available_cores())))))
+
+
+def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[int, ...]]:
+    """Return numbers as columns, and the shape that their arrays have together; checked."""
+    arrays = {name: np.asarray(_numbers(name, values)) for name, values in named.items()}
+    shape = np.broadcast_shapes(*[array.shape for array in arrays.values()])
+    wide = np.zeros((*shape, len(arrays)))
+    for index, (name, array) in enumerate(arrays.items()):
+        wide[..., index] = array
+        _refuse(name, array)
+    flat = wide.reshape(-1, len(arrays))
+    table = np.zeros((len(flat), 2 * len(SI)))
+    table[:, ::2] = flat[:, : len(SI)]
+    rest = flat[:, len(SI) :]
+    count = (len(arrays) - len(SI) - terms) // 3
+    return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3)), shape
+
+
+def _numbers(name: str, values: Any) -> Table | float:
+    """Return values as binary64 numbers: an array, or a float."""
+    if isinstance(values, (int, float)):
+        return float(values) if abs(values) < 2**1023 else np.inf
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
+    try:
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        raise InvalidScene(f"{name} must be an array of real numbers in SI units") from None
+
+
+def _refuse(name: str, array: Table) -> None:
+    """Raise InvalidScene, naming the first number that is out of bounds, if there is one."""
+    positive = name in _POSITIVE or name.endswith(".omega")
+    wrong = ~np.isfinite(array) | ((array <= 0) if positive else (array < 0) & (name == "a1"))
+    if np.any(wrong):
+        first = tuple(int(i) for i in np.argwhere(wrong)[0])
+        place = f"{name}{list(first) if first else ''} = {array[first]:g}"
+        bound = "> 0 and finite" if positive else ">= 0 and finite" if name == "a1" else "finite"
+        raise InvalidScene(f"{place} must be {bound}; correct it, or leave that scene out")

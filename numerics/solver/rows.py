@@ -1,0 +1,102 @@
+"""A chunk of a batch: every row of SI numbers to its end, by compiled code, or scene by scene."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.compiled import can_compile, compiled
+from numerics.arithmetic.float64 import Float64
+from numerics.errors import EventUndecided, OutOfRange
+from numerics.free.rows import UNKNOWN, solve_rows
+from numerics.linear.batch import run_rows
+from numerics.linear.pieces import pieces_of
+from numerics.linear.record import AT, END_ROW, ROW, How
+from numerics.scene import Scene
+from numerics.trajectory.run import run_scene
+
+Table = NDArray[np.float64]
+_FLOAT64 = Float64()
+
+
+@dataclass
+class Columns:
+    """Rows of scenes as compiled code reads them, all numbers binary64.
+
+    `table` (n, 20): SI numbers as halves (answer.SI). u = sum_k polynomial[:, k] t^k + sum amplitude sin(omega t +
+    phase), with `polynomial` (n, p) and `sines` (n, s, 3).
+    """
+
+    table: Table
+    polynomial: Table
+    sines: Table
+
+    def part(self, rows: Any) -> Columns:
+        """Return some of the rows."""
+        return Columns(self.table[rows], self.polynomial[rows], self.sines[rows])
+
+    @property
+    def free(self) -> NDArray[np.bool_]:
+        """Return which rows are those of the free pair: a1 = 0 and no force."""
+        acts = np.any(self.polynomial != 0, axis=1) | np.any(self.sines[:, :, 0] != 0, axis=1)
+        return np.asarray((self.table[:, -2] == 0) & ~acts)
+
+
+@dataclass(frozen=True)
+class Chunk:
+    """Scenes as columns, what stands behind each of them, and where the answers go."""
+
+    columns: Columns | None
+    """None: scene by scene."""
+    exact: Callable[[int], Scene]
+    """exact(i) returns the scene of row i."""
+    ends: Table
+    kept: Table
+    literal: bool
+    max_events: int
+
+    def solve(self) -> int:
+        """Solve the scenes and return how many there are."""
+        self.ends[:, AT["how"]] = UNKNOWN
+        if self.columns is not None and can_compile():
+            free = self.columns.free
+            for rows, run in ((np.flatnonzero(free), _free_rows), (np.flatnonzero(~free), run_rows)):
+                if len(rows):
+                    kept, ends = self.kept[rows], self.ends[rows]
+                    run(self.columns.part(rows), self.literal, self.max_events, kept, ends)
+                    self.kept[rows], self.ends[rows] = kept, ends
+        for row in np.flatnonzero(self.ends[:, AT["how"]] == UNKNOWN):
+            _solve_one(self.exact(int(row)), self.max_events, self.kept[row], self.ends[row])
+        return len(self.ends)
+
+
+def _free_rows(columns: Columns, literal: bool, max_events: int, kept: Table, ends: Table) -> None:
+    compiled(solve_rows)(columns.table, literal, max_events, kept, ends)
+
+
+def _solve_one(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
+    """Solve one scene, and write its first events and its end."""
+    try:
+        found = run_scene(scene, _FLOAT64, max_events)
+    except (EventUndecided, OutOfRange) as error:
+        end[:] = np.nan
+        end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
+        end[AT["mode"]] = end[AT["events"]] = end[AT["certain"]] = 0.0
+        return
+    end[:] = found.record.end
+    rows = np.append(0, found.event_rows)[: len(kept)]
+    kept[: len(rows)] = found.record.rows[rows]
+    if scene.is_forced:  # times count from the start of the run
+        starts = [float(piece.start) for piece in pieces_of(scene)]
+        for row in (*kept[: len(rows)], end):
+            row[AT["local"]] += starts[int(row[AT["piece"]])]
+            row[AT["piece"]] = 0.0
+
+
+def room(count: int, keep: int) -> tuple[Table, Table]:
+    """Return the arrays for the ends of so many runs, and for start and first events of each; nan where none is."""
+    return np.zeros((count, END_ROW)), np.full((count, keep + 1, ROW), np.nan)

@@ -1,0 +1,88 @@
+"""Who takes part: what a user calls of ours, and every peer in its best use. Nothing is imported before it prepares."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+
+from numerics.scene import Scene
+from numerics.solver.solve import ArithmeticName, solve
+from numerics.trade.comparisons.diffrax_peer import diffrax_arcs
+from numerics.trade.comparisons.euler_peer import euler_peer
+from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
+from numerics.trade.comparisons.peer import PeerRun
+from numerics.trade.comparisons.scipy_peer import scipy_arcs
+from numerics.trade.comparisons.switched import switched
+from numerics.trajectory.trajectory import Trajectory
+
+MAX_EVENTS = 10**7
+Prepare = Callable[[Scene, float], Callable[[], Any]]
+"""prepare(scene, setting) builds and compiles everything; the call that it returns is timed, and solves each time."""
+
+
+@dataclass(frozen=True)
+class Contender:
+    """A method with the settings that are worth measuring, from coarse to fine: digits, tolerances, steps (s)."""
+
+    label: str
+    settings: tuple[float, ...]
+    prepare: Prepare
+    package: str = ""
+    """What has to be installed."""
+
+    def missing(self) -> str | None:
+        """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""
+        return None if not self.package or find_spec(self.package) else f"{self.package} (extra `comparisons`)"
+
+    @property
+    def ours(self) -> bool:
+        """Return whether it is a way to call `solve`."""
+        return self.label in OURS
+
+
+def solved(arithmetic: ArithmeticName | None = None) -> Prepare:
+    """Return what prepares `solve`: the setting is its digits, 0 for none. Its answer is read as a peer's is."""
+
+    def prepare(scene: Scene, digits: float) -> Callable[[], Trajectory]:
+        asked = int(digits) or None
+        return lambda: looked_at(solve(scene, arithmetic=arithmetic, digits=asked, max_events=MAX_EVENTS))
+
+    return prepare
+
+
+def looked_at(trajectory: Trajectory) -> Trajectory:
+    """Look at what a user looks at, t, y and modes, and return the trajectory: they are made when they are read."""
+    trajectory.t, trajectory.y, trajectory.modes  # noqa: B018
+    return trajectory
+
+
+def answer_of(found: Any) -> PeerRun:
+    """Return what a run of anybody says of a scene."""
+    if isinstance(found, PeerRun):
+        return found
+    with found.arithmetic.context():
+        lost = found.ledger.friction + found.ledger.viscous
+    signs = tuple(mode.sign for mode in found.modes)
+    return PeerRun(signs, tuple(found.t[1 : len(signs)]), tuple(found.y[:, -1]), lost)
+
+
+OURS = ("solve", "ball", "mpmath")
+CONTENDERS = (
+    Contender("solve", (0, 12, 20), solved()),
+    Contender("ball", (15, 100, 1000, 10_000), solved("ball")),
+    Contender("mpmath", (30, 100), solved("mpmath")),
+    Contender("forward Euler", (1e-3, 1e-4, 1e-5, 1e-6), euler_peer),
+    Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), "scipy"),
+    Contender("heyoka", (1e-9, 1e-12, 1e-15, 1e-18), switched(heyoka_arcs), "heyoka"),
+    Contender("heyoka long double", (1e-12, 1e-15, 1e-18, 1e-21), switched(heyoka_arcs, np.longdouble), "heyoka"),
+    Contender("diffrax Dopri8", (1e-6, 1e-9, 1e-12), switched(diffrax_arcs), "diffrax"),
+)
+
+
+def contender(label: str) -> Contender:
+    """Return the contender of this label."""
+    return next(one for one in CONTENDERS if one.label == label)

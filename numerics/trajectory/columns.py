@@ -1,0 +1,112 @@
+"""A record (numerics/linear/record.py) read by the names of its columns, compared, and taken apart for a pickle."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath
+import numpy as np
+from flint import arb
+from numpy.typing import NDArray
+
+from numerics.arithmetic.ball import precision
+from numerics.arithmetic.protocol import Number
+from numerics.linear.record import AT, How, Knot, Record
+
+_RADIUS_BITS = 30
+
+
+class Columns:
+    """The columns of one record; `wide` where two floats are a number of double-double."""
+
+    def __init__(self, record: Record, *, wide: bool) -> None:
+        """Read this record."""
+        self.record, self.wide, self.in_floats = record, wide, isinstance(record.rows, np.ndarray)
+
+    def code(self, name: str) -> NDArray[Any]:
+        """Return a code of all rows, a float."""
+        if self.in_floats:
+            column: NDArray[Any] = self.record.rows[:, AT[name]]
+            return column
+        return np.array([getattr(row, name) for row in self.record.rows], dtype=float)
+
+    def numbers(self, name: str) -> NDArray[Any]:
+        """Return a number of all rows: floats, or an object array."""
+        if self.in_floats and not self.wide:
+            return np.asarray(self.record.rows[:, AT[name]])
+        found = np.empty(len(self.record.rows), dtype=object)
+        found[:] = [self._number(row, name) for row in self.record.rows]
+        return found
+
+    def halves(self, name: str) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Return a number of all rows as its high and its low half; of floats."""
+        at = AT[name]
+        return np.asarray(self.record.rows[:, at]), np.asarray(self.record.rows[:, at + 1])
+
+    def bound(self, name: str) -> NDArray[np.float64]:
+        """Return a bound of all rows and of the end, in binary64."""
+        return np.append(np.asarray(self.record.rows[:, AT[name]]), self.record.end[AT[name]])
+
+    @property
+    def last_mode(self) -> float:
+        """Return the mode at the end, the sign of v1 - v2."""
+        return float(self.record.end[AT["mode"]] if self.in_floats else self.record.end.mode)
+
+    def last(self, name: str) -> Number:
+        """Return a number of the end."""
+        return self._number(self.record.end, name)
+
+    def total(self, name: str) -> Number:
+        """Return what friction or viscosity took up to the end, J; of floats."""
+        return self._number(self.record.end, name)
+
+    def _number(self, row: Any, name: str) -> Number:
+        if not self.in_floats:
+            return getattr(row, name)
+        high = float(row[AT[name]])
+        return mpmath.fadd(high, float(row[AT[name] + 1]), exact=True) if self.wide else high
+
+
+def plain(value: Any) -> Any:
+    """Return a record, its rows or numbers in a form that can be compared and pickled; flint has neither for balls."""
+    if isinstance(value, arb):
+        return ("ball", *_parts(value.mid()), *_parts(value.rad()))
+    if isinstance(value, np.ndarray) and value.dtype != object:
+        return ("floats", value.shape, value.tobytes())
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return tuple(plain(one) for one in value)
+    return value
+
+
+def restored(value: Any) -> Any:
+    """Return rows or numbers from their plain form, as lists; the very same balls."""
+    if not isinstance(value, tuple):
+        return value
+    if value[:1] == ("ball",):
+        return _ball(*value[1:])
+    if value[:1] == ("floats",):
+        return np.frombuffer(value[2]).reshape(value[1])
+    return [restored(one) for one in value]
+
+
+def restored_record(value: Any) -> Record:
+    """Return a record from its plain form."""
+    rows, end, how, *rest = restored(value)
+    if isinstance(rows, list):
+        rows, end = [Knot(*row) for row in rows], Knot(*end)
+    return Record(rows, end, How(how), *rest)
+
+
+def _parts(point: arb) -> tuple[int, int]:
+    mantissa, exponent = point.man_exp()
+    return int(mantissa), int(exponent)
+
+
+def _ball(middle: int, middle_exponent: int, radius: int, radius_exponent: int) -> arb:
+    with precision(max(53, middle.bit_length())):  # flint rounds what it is given
+        point = arb((middle, middle_exponent))
+        if radius == 0:
+            return point
+        # a radius is rounded up to the next of 30 bits, even if it has no more: it comes back from just below
+        shift = _RADIUS_BITS + 1 - radius.bit_length()
+        return arb(point, arb(((radius << shift) - 1, radius_exponent - shift)))

@@ -1,0 +1,65 @@
+"""Where the energy of a run went: E' = u v1 - a1 v1^2 - b |v1 - v2|, integrated anew between the rows of its record.
+
+Each integral starts from the state of a row and takes the length that the run says: an engine that put an event, or the
+state at it, in a wrong place leaves a residual. Quadratic forms of z' = A z are integrated by Van Loan's block
+exponential, what is slid is the flow itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.protocol import Number
+from numerics.trajectory.dense import Dense, of_rows
+from numerics.trajectory.flow import Knots, losses
+
+
+@dataclass(frozen=True, slots=True)
+class EnergyLedger:
+    """Where the energy went, J: initial - final against b int |v1 - v2| dt + a1 int v1^2 dt.
+
+    `work` is what a force has put in, int u v1 dt. `residual` = initial + work - final - friction - viscous: rounding
+    only, and an enclosure of 0 for balls. The integrals start anew from the state at each event (ledger.py), so that an
+    event at the wrong place shows.
+    """
+
+    initial: Number
+    final: Number
+    friction: Number
+    viscous: Number
+    residual: Number
+    work: Number = 0
+
+
+def losses_of_rows(dense: Dense, rows: range) -> NDArray[Any]:
+    """Return b int |v1 - v2|, a1 int v1^2 and int u v1 over the segments of rows, J, shape (3, n).
+
+    To be used in the arithmetic's context; enclosures for balls.
+    """
+    run = dense.of
+    lengths, pair = run.row_lengths[rows.start : rows.stop], run.scene.pair
+    if run.arithmetic.name != "float64":
+        found = np.empty((3, len(lengths)), dtype=object)
+        for at, (row, length) in enumerate(zip(rows, lengths, strict=True)):
+            found[:, at] = dense.motion(row).losses(length)
+        return found
+    found, chosen_rows = np.zeros((3, len(lengths))), np.arange(rows.start, rows.stop)
+    knots, pieces = of_rows(run, chosen_rows), run.row_pieces[chosen_rows]
+    for piece in np.unique(pieces):
+        chosen = pieces == piece
+        begun = Knots(*(part[..., chosen] for part in knots))
+        found[:, chosen] = losses(pair, run.pieces[piece], begun, lengths[chosen])
+    return found
+
+
+def ledger_of(dense: Dense) -> EnergyLedger:
+    """Return the ledger of the whole run; in the arithmetic's context."""
+    run, zero = dense.of, dense.arithmetic.number(0)
+    losses = losses_of_rows(dense, range(len(run.row_lengths)))
+    friction, viscous, work = (sum(part.tolist(), zero) for part in losses)
+    initial, final = run.arithmetic.number(run.scene.energy), run.final_energy
+    return EnergyLedger(initial, final, friction, viscous, initial + work - final - friction - viscous, work)

@@ -1,0 +1,112 @@
+"""The motion after a knot by numerics/linear, enclosed: for balls as it is, for mpmath and double-double its middle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+import flint
+import mpmath
+from flint import arb, arb_mat
+
+from numerics.arithmetic.ball import Ball, precision
+from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.linear.pieces import ExactPiece
+from numerics.linear.system import V1, LinearMode, matrix, value
+from numerics.scene import Pair, Piece
+
+_SPARE_BITS = 24
+_STATE = tuple(((place, Fraction(1)),) for place in range(4))
+
+
+def as_ball(x: Number) -> arb:
+    """Return a number of mpmath exactly as a ball; a ball as it is."""
+    if isinstance(x, arb):
+        return x
+    mantissa, exponent = mpmath.mpf(x).man_exp
+    with precision(max(53, int(mantissa).bit_length())):
+        return arb((int(mantissa) if x >= 0 else -abs(int(mantissa)), int(exponent)))
+
+
+def from_ball(x: arb) -> Any:
+    """Return the middle of a ball as a number of mpmath, rounded to its present precision."""
+    mantissa, exponent = x.mid().man_exp()
+    return mpmath.ldexp(mpmath.mpf(int(mantissa)), int(exponent))
+
+
+class Moving:
+    """One motion: from a state (m, m/s) at a time of the run (s), in a mode (the sign of v1 - v2) under a piece."""
+
+    def __init__(
+        self, arithmetic: Arithmetic, pair: Pair, piece: ExactPiece, sign: int, start: tuple[Number, Sequence[Number]]
+    ) -> None:
+        """Keep where it begins; to be used in the arithmetic's context."""
+        self.points = arithmetic.name != "ball"
+        self.bits = mpmath.mp.prec + _SPARE_BITS if self.points else flint.ctx.prec
+        self.mode = LinearMode(pair, piece.b, sign, Piece(piece.start, piece.polynomial, piece.sines))
+        self.begin, self.pair, self.piece = start, pair, piece
+
+    def _numbers(self, found: Sequence[arb]) -> tuple[Number, ...]:
+        return tuple(map(from_ball, found)) if self.points else tuple(+one for one in found)
+
+    def _lost(self, tau: arb) -> int:
+        """Return how many bits the squarings of a flow over tau may lose."""
+        largest = max(abs(one) for row in self.mode.generator() for one in row)
+        bits = largest.numerator.bit_length() - largest.denominator.bit_length() + 8
+        upper = abs(tau).upper()
+        if upper.is_zero() or not upper.is_finite():
+            return 0
+        mantissa, exponent = upper.man_exp()
+        return max(0, 2 * (bits + int(mantissa).bit_length() + int(exponent)))
+
+    def after(self, tau: Number) -> tuple[Number, Number, Number, Number]:
+        """Return (x1, v1, x2, v2) at tau (s) after the start; for balls at every point of tau."""
+        since = as_ball(tau)
+        with precision(self.bits + self._lost(since)):
+            t, state = self.begin
+            over = self.mode.motion([as_ball(one) for one in state], as_ball(t)).over(since)
+            x1, v1, x2, v2 = (over.range(row) for row in _STATE)
+        x1, v1, x2, v2 = self._numbers((x1, v1, x2, v2))
+        return x1, v1, x2, v2 if self.mode.side else v1
+
+    def losses(self, tau: Number) -> tuple[Number, Number, Number]:
+        """Return b int |v1 - v2|, a1 int v1^2 and int u v1 up to tau (s), J; enclosures for balls."""
+        mode, since, half = self.mode, as_ball(tau), Fraction(1, 2)
+        own, driven = bool(self.pair.a1), bool(mode.force)
+        with precision(self.bits + self._lost(since)):
+            t, state = self.begin
+            motion = mode.motion([as_ball(one) for one in state], as_ball(t))
+            friction = viscous = work = arb(0)
+            over = motion.over(since)
+            if mode.side:
+                slid = [over.range(row) - value(row, motion.begin) for row in _STATE]
+                friction = Ball.number(mode.side * self.piece.b) * (slid[0] - slid[2])
+            if own:
+                viscous = self._integral(motion.begin, since, [(V1, V1, self.pair.a1)])
+                viscous += since.rad() * arb(0, 1) * Ball.number(self.pair.a1) * over.range(_STATE[V1]) ** 2
+            if driven:
+                both = [(p, q, half * factor) for place, factor in mode.force for p, q in ((place, V1), (V1, place))]
+                work = self._integral(motion.begin, since, both)
+                work += since.rad() * arb(0, 1) * over.range(mode.force) * over.range(_STATE[V1])
+        friction, viscous, work = self._numbers((friction, viscous, work))
+        return friction, viscous, work
+
+    def _integral(self, z: arb_mat, tau: arb, form: list[tuple[int, int, Fraction]]) -> arb:
+        """Return int_0^tau z' Q z dt up to the middle of tau, Q given by its entries.
+
+        Van Loan's block exponential over a short interval, then doubled: exp(-A' t) alone would grow where z decays.
+        """
+        A, middle = self.mode.generator(), tau.mid()
+        n, halvings = len(A), max(0, self._lost(tau) // 2)
+        Q = [[Fraction(0)] * n for _ in range(n)]
+        for p, q, factor in form:
+            Q[p][q] += factor
+        rows = [[*(-A[c][r] for c in range(n)), *Q[r]] for r in range(n)] + [[Fraction(0)] * n + row for row in A]
+        E = (matrix(rows) * (middle / (arb(2) ** halvings))).exp()
+        flow = arb_mat([[E[n + r, n + c] for c in range(n)] for r in range(n)])
+        found = flow.transpose() * arb_mat([[E[r, n + c] for c in range(n)] for r in range(n)])
+        for _ in range(halvings):
+            found += flow.transpose() * found * flow
+            flow = flow * flow
+        return (z.transpose() * found * z)[0, 0]

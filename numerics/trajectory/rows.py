@@ -1,0 +1,178 @@
+"""A run as its rows: when the segments begin, in which state, and where it ends; all read off the record."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.linear.modes import MODES, Mode
+from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.record import AT, How, Record
+from numerics.scene import Scene
+from numerics.trajectory.columns import Columns
+from numerics.trajectory.reduced import Frame
+
+STATE = ("x1", "v1", "x2", "v2")
+_NUMBERS = slice(AT["local"], AT["v2"] + 1, 2)
+"""The high halves of local, length, x1, v1, x2, v2 in a row of floats."""
+
+
+class Rows:
+    """A scene, the arithmetic it was solved in, and the rows of its record, in SI units and in numbers."""
+
+    def __init__(self, scene: Scene | Callable[[], Scene], arithmetic: Arithmetic, record: Record) -> None:
+        """Keep what a run wrote."""
+        self._given, self.arithmetic, self.record = scene, arithmetic, record
+        self.bounded = arithmetic.name in {"float64", "double-double"}
+        self.columns = Columns(record, wide=arithmetic.name == "double-double")
+
+    @property
+    def scene(self) -> Scene:
+        """Return the scene; a prepared solver makes it when it is looked at."""
+        if not isinstance(self._given, Scene):
+            self._given = self._given()
+        return self._given
+
+    @property
+    def reached(self) -> bool:
+        """Return whether the run got to its horizon."""
+        return self.record.how != How.EVENT_LIMIT
+
+    @property
+    def certain(self) -> bool:
+        """Return whether the error bounds leave no doubt about the sequence of events; without bounds True."""
+        return bool(self.record.certain) or not self.bounded
+
+    @cached_property
+    def pieces(self) -> list[ExactPiece]:
+        """Return the pieces of force and friction, exact."""
+        return pieces_of(self.scene)
+
+    @cached_property
+    def row_signs(self) -> NDArray[np.int64]:
+        """Return the mode that starts at each row, the sign of v1 - v2."""
+        return self.columns.code("mode").astype(np.int64)
+
+    @cached_property
+    def row_pieces(self) -> NDArray[np.int64]:
+        """Return the piece in which each row is."""
+        return self.columns.code("piece").astype(np.int64)
+
+    @cached_property
+    def row_times(self) -> NDArray[Any]:
+        """Return when each row's segment begins, s."""
+        local = self.columns.numbers("local")
+        if not self.scene.is_forced:
+            return self._rounded(local)
+        with self.arithmetic.context():
+            starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=local.dtype)
+            return np.asarray(starts[self.row_pieces] + local)
+
+    @cached_property
+    def row_states(self) -> NDArray[Any]:
+        """Return x1, v1, x2, v2 at each row, shape (4, n)."""
+        return np.stack([self._rounded(self.columns.numbers(name)) for name in STATE])
+
+    @cached_property
+    def row_lengths(self) -> NDArray[Any]:
+        """Return how long the segment of each row lasts, s."""
+        after = self.columns.numbers("length")[1:]
+        return np.append(after, self.columns.last("length")) if self.reached else np.asarray(after)
+
+    def _rounded(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Return numbers with the digits of the arithmetic: the halves of double-double can hold more."""
+        if not self.columns.wide:
+            return values
+        with self.arithmetic.context():
+            return np.asarray(values + self.arithmetic.number(0))
+
+    @cached_property
+    def event_rows(self) -> NDArray[np.int64]:
+        """Return the rows at which the mode has changed: the events."""
+        return np.flatnonzero(self.columns.code("event") == 1.0)
+
+    @property
+    def _starts(self) -> slice | NDArray[np.int64]:
+        """Return the rows at which segments start: all of them, where no piece of force begins within one."""
+        if len(self.record.rows) == self.record.events + 1:
+            return slice(None)
+        return np.append(0, self.event_rows)
+
+    @cached_property
+    def _table(self) -> NDArray[Any]:
+        """Return t, length, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (6, m)."""
+        record, starts, count = self.record, self._starts, self.record.events + 1
+        if self.arithmetic.name == "float64":
+            table = np.empty((6, count + self.reached))
+            table[:, :count] = record.rows[starts, _NUMBERS].T
+            if self.reached:
+                table[:, count] = record.end[_NUMBERS]
+            if not self.scene.is_forced:
+                return table
+        else:
+            table = np.empty((6, count + self.reached), dtype=object)
+            table[2:, :count] = self.row_states[:, starts]
+            if self.reached:
+                table[2:, count] = self.final_state
+        with self.arithmetic.context():
+            table[0, :count] = self.row_times[starts]
+            if self.reached:
+                table[0, count] = self.end_time
+        return table
+
+    @property
+    def signs(self) -> list[float]:
+        """Return the sign of v1 - v2 in every segment, and in the motion after the last event."""
+        signs: list[float] = self.columns.code("mode")[self._starts].tolist()
+        return signs
+
+    @property
+    def event_times(self) -> NDArray[Any]:
+        """Return the times of all events, s, shape (k,)."""
+        return self._table[0, 1 : self.record.events + 1]
+
+    @property
+    def event_states(self) -> NDArray[Any]:
+        """Return x1, v1, x2, v2 at all events, shape (4, k)."""
+        return self._table[2:, 1 : self.record.events + 1]
+
+    @property
+    def final_mode(self) -> Mode:
+        """Return the mode at the end: after the last event, where the cap on events ended the run."""
+        return MODES[self.columns.last_mode]
+
+    @cached_property
+    def final_state(self) -> tuple[Number, Number, Number, Number]:
+        """Return (x1, v1, x2, v2) at the end."""
+        with self.arithmetic.context():
+            x1, v1, x2, v2 = self._rounded(np.array([self.columns.last(name) for name in STATE])).tolist()
+            return x1, v1, x2, v2
+
+    @cached_property
+    def final_energy(self) -> Number:
+        """Return the energy at the end, J, formed from the state."""
+        with self.arithmetic.context():
+            return self.energy_of(self.final_state)
+
+    @cached_property
+    def end_time(self) -> Number:
+        """Return the time at the end, s."""
+        with self.arithmetic.context():
+            return self.arithmetic.number(self.scene.until) if self.reached else self.row_times[-1]
+
+    def energy_of(self, y: Any) -> Any:
+        """Return (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 of states (4, ...), J."""
+        pair, number = self.scene.pair, self.arithmetic.number
+        x1, v1, _, v2 = y
+        return (x1 * x1 * number(pair.a2) + v1 * v1 * number(pair.m1) + v2 * v2 * number(pair.m2)) / 2
+
+    @cached_property
+    def frame(self) -> Frame:
+        """Return the constants of the pair, between SI units and reduced coordinates of its own b."""
+        with self.arithmetic.context():
+            return Frame(self.arithmetic, self.scene.pair)

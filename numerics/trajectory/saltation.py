@@ -1,0 +1,255 @@
+"""The chain rule along a trajectory of balls: derivatives from leg to leg, across events and jumps of u and b.
+
+Along a motion of one mode derivatives at a fixed time follow the linearised equation (variation.py). Between two
+motions, with f- and f+ the field y' on either side, they jump:
+
+    guard   dtau = -(g_y dy + g_p)/g',   dy+ = dy- + (f- - f+) dtau   (g = v1 - v2, or b - s m2 x1'')
+    piece   its start is a number of the scene: dtau = 1 by that number, else 0
+
+At an event, which moves, the state has the derivatives dy- + f- dtau. An exit by a guard leaves f as it is.
+
+At a fixed time two solutions of the linearised equations never part in the norm
+
+    N^2 = a2 y1^2 + m1 y2^2 + m2 y4^2
+
+across all events. So what is carried on are points, with bounds that are sums of local radii; of x1 - x2, which N does
+not know, the bound grows by that of |v1 - v2| in a slip.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
+from functools import reduce
+from typing import NamedTuple
+
+import numpy as np
+from flint import arb
+
+from numerics.arithmetic.ball import Ball, widened
+from numerics.errors import NotDifferentiable
+from numerics.linear.pieces import pieces_of
+from numerics.linear.sine_form import SineForm
+from numerics.linear.ties import force_form
+from numerics.scene import Law, Scene
+from numerics.trajectory.legs import Leg
+from numerics.trajectory.variation import Array, Variation
+
+_radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
+_middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
+_widened = np.frompyfunc(widened, 2, 1)
+_union = np.frompyfunc(lambda x, y: x.union(y), 2, 1)
+
+
+class Carried(NamedTuple):
+    """Derivatives of the state at a fixed time, (4, p), with bounds (p,) on their errors: in N, and of x1 - x2."""
+
+    y: Array
+    norm: Array
+    place: Array
+
+
+class Chain:
+    """Derivatives along the legs of one trajectory; to be used in the balls' context.
+
+    `t`, `y`: of the times (p,) and of the states (4, p) of all events, which move; `before`: of the state at the fixed
+    time right before each, (4, p); `starts`: what is carried into every leg.
+    """
+
+    def __init__(self, scene: Scene, legs: Sequence[Leg], names: Sequence[str]) -> None:
+        """Follow all legs; `names` are those of all numbers, the last axis of every array."""
+        self.scene, self.legs, self.pieces = scene, legs, pieces_of(scene)
+        self.column = {name: index for index, name in enumerate(names)}
+        pair, number = scene.pair, Ball.number
+        self.a2, self.m1, self.m2 = number(pair.a2), number(pair.m1), number(pair.m2)
+        self.a1, self.mass = number(pair.a1), number(pair.mass)
+        self.roots = [one.sqrt() for one in (self.a2, self.m1, self.m2)]
+        self._variations: dict[tuple[int, int], tuple[Variation, list[int]]] = {}
+        self.t: list[Array] = []
+        self.y: list[Array] = []
+        self.before: list[Array] = []
+        self.starts = [self._into_piece(self._begun(), 0)]
+        for index in range(len(legs) - 1):
+            self.starts.append(self._crossed(index))
+
+    def at(self, index: int, t: arb) -> Array:
+        """Return the derivatives of the state at a fixed time t (s) in a leg, enclosed, (4, p)."""
+        return self._enclosed(self._ahead(index, t))
+
+    def at_times(self, times: Sequence[arb], begins: Sequence[arb], side: str) -> Array:
+        """Return the same at many times, (n, 4, p). `begins` says when legs begin, for who asks.
+
+        Where balls leave open which leg holds a time, all do.
+        """
+        found = np.full((len(times), 4, len(self.column)), arb(0))
+        points, find = [one.mid() for one in begins], bisect_right if side == "right" else bisect_left
+        for k, t in enumerate(times):
+            near = {max(0, find(points, t.mid()) - 1)}
+            for index, begin in enumerate(begins[1:], start=1):
+                if begin.overlaps(t) and not (begin.is_exact() and t.is_exact()):
+                    near |= {index - 1, index}
+            found[k] = reduce(_union, (self.at(index, t) for index in sorted(near)))
+        return found
+
+    def final(self, state: Sequence[arb]) -> Array:
+        """Return the derivatives of the last state, whose value is given, (4, p)."""
+        last = self.legs[-1]
+        if last.start is last.end:
+            return self.y[-1]
+        y = self.at(len(self.legs) - 1, last.end)
+        if "until" in self.column:
+            u, b = self._force_and_friction(last.piece, last.end)
+            y[:, self.column["until"]] += self._field(state, u, b, last.side)
+        return y
+
+    def energy(self, state: Sequence[arb], y: Array) -> Array:
+        """Return the derivatives of (a2 x1^2 + m1 v1^2 + m2 v2^2)/2, J, from those of a state, (p,)."""
+        x1, v1, _, v2 = state
+        found = y[0] * (self.a2 * x1) + y[1] * (self.m1 * v1) + y[3] * (self.m2 * v2)
+        for name, value in (("a2", x1), ("m1", v1), ("m2", v2)):
+            found[self.column[name]] += value * value / 2
+        return found
+
+    def _variation(self, side: int, piece: int) -> tuple[Variation, list[int]]:
+        """Return a motion, and the columns of the numbers that act in it."""
+        if (side, piece) not in self._variations:
+            made = Variation(self.scene, self.pieces[piece], side)
+            self._variations[side, piece] = made, [self.column[name] for name in made.names]
+        return self._variations[side, piece]
+
+    def _zeros(self, *rows: int) -> Array:
+        return np.full((*rows, len(self.column)), arb(0))
+
+    def _begun(self) -> Carried:
+        """Return the derivatives of the initial state; stuck neighbours share their momentum at once."""
+        y = self._zeros(4)
+        for index, name in enumerate(("x1", "v1", "x2", "v2")):
+            y[index, self.column[name]] = arb(1)
+        if self.legs[0].side == 0:
+            y[1] = y[3] = (self.m1 * y[1] + self.m2 * y[3]) / self.mass
+        return self._pointed(Carried(y, self._zeros(), self._zeros()))
+
+    def _ahead(self, index: int, t: arb) -> Carried:
+        """Return the derivatives at a fixed time in a leg: of the point that is carried, and the bounds there."""
+        leg, (y, norm, place) = self.legs[index], self.starts[index]
+        tau = t - leg.start
+        variation, places = self._variation(leg.side, leg.piece)
+        flow, columns = variation.over(leg.state, leg.start, tau)
+        y = flow @ y
+        y[:, places] += columns
+        return Carried(y, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side))
+
+    def _guard_by_norm(self, side: int) -> arb:
+        """Return the most that |v1 - v2| in slip, or m2 x1'' in stick, can be for N = 1."""
+        if side:
+            return (self.mass / (self.m1 * self.m2)).sqrt()
+        return self.m2 / self.mass * (self.a2 + self.a1 * self.a1 / self.mass).sqrt()
+
+    def _pointed(self, found: Carried) -> Carried:
+        """Return the middles of balls, their radii added to the bounds."""
+        x1, v1, x2, v2 = _radius(found.y)
+        norm = found.norm + x1 * self.roots[0] + v1 * self.roots[1] + v2 * self.roots[2]
+        return Carried(_middle(found.y), norm, found.place + x1 + x2)
+
+    def _enclosed(self, found: Carried) -> Array:
+        """Return balls that hold the true derivatives."""
+        x1, v1, v2 = (found.norm / root for root in self.roots)
+        return _widened(found.y, np.array([x1, v1, found.place + x1, v2]))
+
+    def _crossed(self, index: int) -> Carried:
+        """Return the derivatives at the start of the next leg; those of an event are kept."""
+        leg, after = self.legs[index], self.legs[index + 1]
+        ended = self._ahead(index, after.start)
+        if after.is_event:
+            self.before.append(self._enclosed(ended))
+        if after.begins_piece:
+            if after.is_event:
+                t, y = self._zeros(), +self.before[-1]
+                for name, (before, _) in self._jumps(index + 1).items():
+                    t[self.column[name]] += 1
+                    y[:, self.column[name]] += before
+                self.t.append(t)
+                self.y.append(y)
+            return self._into_piece(ended, index + 1)
+        return self._after_guard(leg, after, ended) if after.is_event else self._pointed(ended)
+
+    def _after_guard(self, leg: Leg, after: Leg, ended: Carried) -> Carried:
+        """Return the derivatives after an event by a guard."""
+        u, b = self._force_and_friction(leg.piece, after.start)
+        before, behind = (self._field(after.state, u, b, side) for side in (leg.side, after.side))
+        variation, places = self._variation(leg.side, leg.piece)
+        by_state, by_numbers, rate = variation.guard(after.state, after.start, before, after.side)
+        guard = by_state @ ended.y
+        guard[places] += by_numbers
+        t = -guard / rate
+        late = _widened(t, ended.norm * self._guard_by_norm(leg.side) / abs(rate))
+        y, total = self.before[-1] + np.outer(before, late), ended.y + np.outer(before, t)
+        if leg.side:
+            y[1], total[1] = y[3], total[3]  # a slip ends where both velocities are one
+            ended = ended._replace(y=total - np.outer(behind, t))
+        self.t.append(late)
+        self.y.append(y)
+        return self._pointed(ended)
+
+    def _into_piece(self, found: Carried, index: int) -> Carried:
+        """Return the derivatives at the start of a leg that begins a piece."""
+        y = +found.y
+        for name, (before, after) in self._jumps(index).items():
+            y[:, self.column[name]] += before - after
+        return self._pointed(found._replace(y=y))
+
+    def _jumps(self, index: int) -> dict[str, tuple[Array, Array]]:
+        """Return y' before and after each start at the beginning of a leg that begins a piece, by its name.
+
+        Where u and b jump together, each does so after the other. What does not jump, or does nothing in stick, is left
+        out. Raises NotDifferentiable if the order of two jumps counts.
+        """
+        leg, jumping = self.legs[index], self._jumping(self.legs[index].piece)
+        found: dict[str, tuple[Array, Array]] = {}
+        if not jumping:
+            return found
+        literal = self.scene.law is Law.THREE_VALUED_SGN
+        (u, b), side = self._force_and_friction(leg.piece, leg.start), leg.side
+        if index:
+            side = self.legs[index - 1].side
+            u_before, b_before = self._force_and_friction(self.legs[index - 1].piece, leg.start)
+        else:  # before the run there is no force, and the pair's own b
+            u_before, b_before = arb(0), Ball.number(self.scene.pair.b)
+        from_rest = index == 0 and self.scene.initial.v1 == self.scene.initial.v2 and not literal
+        pushes = {"force": (u_before, b), "friction": (u, b_before)}
+        if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal)):
+            loads = ((abs(self.m2 * self._field(leg.state, *one, 0)[1]), one[1]) for one in pushes.values())
+            if leg.is_event or not all(load < b for load, b in loads):
+                at = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"
+                raise NotDifferentiable(f"this scene has no derivatives: {at} counts; move one by a little")
+        after = self._field(leg.state, u, b, leg.side)
+        for kind, name in jumping.items():
+            if kind == "force" or leg.side or side or from_rest:
+                found[name] = self._field(leg.state, *pushes[kind], None if from_rest else side), after
+        return found
+
+    def _jumping(self, piece: int) -> dict[str, str]:
+        """Return the names of the starts at which u and b jump where a piece begins, by what jumps; exact."""
+        here, u, b = self.pieces[piece], SineForm(), self.scene.pair.b
+        if piece:
+            before = self.pieces[piece - 1]
+            u, b = force_form(before, before.length), before.b
+        kinds = []
+        if u != force_form(here, here.length * 0):
+            kinds.append(("force", self.scene.force.starts))
+        if b != here.b:
+            kinds.append(("friction", self.scene.friction.starts))
+        return {kind: f"{kind}[{bisect_left(starts, here.start)}].from" for kind, starts in kinds}
+
+    def _force_and_friction(self, piece: int, t: arb) -> tuple[arb, arb]:
+        """Return u and b of a piece at a time (s)."""
+        return self._variation(0, piece)[0].force(t), Ball.number(self.pieces[piece].b)
+
+    def _field(self, state: Sequence[arb], u: arb, b: arb, side: int | None) -> Array:
+        """Return (v1, v1', v2, v2') in a mode; None: in that which follows v1 = v2."""
+        x1, v1, _, v2 = state
+        pull = u - self.a2 * x1 - self.a1 * v1
+        push = side * b if side else self.m2 / self.mass * pull
+        if side is None:
+            push = push.min(b).max(-b)
+        return np.array([v1, (pull - push) / self.m1, v2, push / self.m2])

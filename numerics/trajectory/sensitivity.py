@@ -1,0 +1,224 @@
+"""Sensitivities: how events, end and any moment of a trajectory move with every number of its scene.
+
+They are found in balls (saltation.py). A trajectory of points is solved again in balls, and the derivatives rounded:
+they are right to the last digits that its arithmetic has.
+
+An initial state with v1 = v2 has neighbours with v1 != v2, which slip:
+
+    stick   the slip has a vanishing length and keeps the momentum: both velocities change by (m1 dv1 + m2 dv2)/M
+    slip    the derivative along v1 - v2 is one-sided: towards the sign of v1 - v2 that follows. On the other side the
+            neighbour meets the surface at once, and its bodies share the momentum first
+
+For a1 = 0 the derivative with respect to a1 is one-sided, towards a1 > 0. On the critical orbit (E = E_cr exactly,
+stuck for ever) neighbours with more energy slip, by amounts of second order: the derivatives are those of the stuck
+pair. Under the law three-valued-sgn a pair that sticks outside the sliding region comes apart on one side of v1 = v2:
+then, too, the derivative is the one towards the other side. By a start at t = 0 derivatives are one-sided, towards a
+later one; by `until`, if u or b jumps there, towards a shorter run. Where a piece of force and one of friction begin
+together, each is moved alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any, overload
+
+import numpy as np
+from flint import arb
+
+from numerics.arithmetic.ball import EXACT, Ball, digits_within, precision
+from numerics.arithmetic.protocol import Arithmetic
+from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
+from numerics.linear.corners import corner
+from numerics.linear.pieces import pieces_of
+from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.dense import Side, exact_time
+from numerics.trajectory.derivatives import Sensitivity, parameters
+from numerics.trajectory.legs import legs
+from numerics.trajectory.run import run_scene
+from numerics.trajectory.saltation import Chain
+from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.variation import Array
+
+_GUARD_BITS = 64
+"""So many bits more than those of the trajectory are worked with."""
+_TRIES = 6
+"""So many times the precision is raised at most."""
+
+
+@overload
+def sensitivities(trajectory: Trajectory) -> Sensitivity: ...
+
+
+@overload
+def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right") -> Array: ...
+
+
+def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -> Sensitivity | Array:
+    """Return the sensitivities of a trajectory; with `t`, the derivatives of (x1, v1, x2, v2) at the time(s) t (s).
+
+    With `t` an array of shape (4, p) for a number, (4, p, n) for a sequence: partial derivatives at that fixed time by
+    the names of `parameters(scene)`, in their order (0 by `until`). At an event they jump, and `side` says which of
+    both is meant; a time is given as to `Trajectory.sol`.
+
+    Enclosed for a trajectory of balls, else rounded: right to 16 digits in float64, to those of the arithmetic
+    otherwise. Digits count relative to the largest derivative of the same quantity by the same number; the precision is
+    raised until all have those that were asked for.
+
+    Raises TypeError for what is no trajectory; EventUndecided if the events are not those of the trajectory, or if a
+    derivative is not enclosed; OutOfRange if one leaves the range of float64; NotDifferentiable, under a force, where a
+    motion has no derivative by its data, as where an event falls on a jump; ValueError for a time outside [0, end].
+
+    A fit of b and m1 to samples of v1 by the method of Gauss and Newton:
+
+    >>> from numerics import Pair, Scene, State, solve
+    >>> def solved(b, m1): return solve(Scene(Pair(Fraction(m1), 1, 200, Fraction(b)), State(v1="0.15"), 1))
+    >>> times = np.linspace(0, 1, 20)
+    >>> measured, guess = solved(0.05, 1.0).sol(times)[1], np.array([0.0525, 1.05])
+    >>> for _ in range(5):
+    ...     trajectory = solved(*guess)
+    ...     slopes = sensitivities(trajectory, times)[1, [7, 4]]  # of v1 by b and m1
+    ...     guess += np.linalg.lstsq(slopes.T, measured - trajectory.sol(times)[1], rcond=None)[0]
+    >>> guess.round(12).tolist()
+    [0.05, 1.0]
+    """
+    if t is None:
+        found, arithmetic = enclosures(trajectory), trajectory.arithmetic
+        arrays = (found.t, found.y, found.final, found.energy)
+        return Sensitivity(found.wrt, *(_as_numbers(arithmetic, one) for one in arrays))
+    _require_smooth(trajectory)
+    arithmetic = trajectory.arithmetic
+
+    def at_times(_: Trajectory, chain: Chain) -> tuple[Array, ...]:
+        times = [_time(trajectory, one) for one in ([t] if np.ndim(t) == 0 else t)]
+        begins = [leg.start for leg in chain.legs]
+        if arithmetic.name != "ball":  # an event is where the trajectory has it, as rounded as that is
+            own = iter(trajectory.event_times)
+            begins = [_ball(next(own)) if leg.is_event else leg.start for leg in chain.legs]
+        return (np.array([*chain.at_times(times, begins, side), *chain.before]),)
+
+    rows = _enclosed(trajectory, at_times)[0][: np.size(t)]
+    states = _as_numbers(arithmetic, np.moveaxis(rows, 0, -1))
+    return states[:, :, 0] if np.ndim(t) == 0 else states
+
+
+def enclosures(trajectory: Trajectory) -> Sensitivity:
+    """Return the sensitivities as balls, whatever the trajectory is made of. Raises what `sensitivities` does."""
+    _require_smooth(trajectory)
+
+    def of_events(balls: Trajectory, chain: Chain) -> tuple[Array, ...]:
+        events = [leg.state for leg in chain.legs if leg.is_event]
+        states, y = [*events, balls.final_state, *events], [*chain.y, chain.final(balls.final_state), *chain.before]
+        energies = [chain.energy(state, one) for state, one in zip(states, y, strict=True)]
+        times = np.array(chain.t, dtype=object).reshape(-1, len(chain.column))
+        return times, np.array(y), np.array(energies)
+
+    times, states, energies = _enclosed(trajectory, of_events)
+    count = len(times)
+    return Sensitivity(tuple(parameters(trajectory.scene)), times, states[:count], states[count], energies[count])
+
+
+def _require_smooth(trajectory: Trajectory) -> None:
+    """Raise TypeError for what is no trajectory, NotDifferentiable for one that has no derivatives by its data."""
+    if not isinstance(trajectory, Trajectory):
+        raise TypeError(f"sensitivities takes a trajectory, not {type(trajectory).__name__}: give it solve(scene)")
+    scene = trajectory.scene
+    until = math.inf if trajectory.reached else trajectory.arithmetic.to_float(trajectory.event_times[-1])
+    what = corner(scene, pieces_of(scene), until) if scene.is_forced else None
+    if what is not None:
+        raise NotDifferentiable(f"this scene has no derivatives: {what}; move it by a little")
+
+
+def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple[Array, ...]]) -> tuple[Array, ...]:
+    """Return arrays of derivatives in balls, at a precision that gives them the digits that were asked for.
+
+    What is asked of a chain has samples along the first axis, whose largest is what digits are relative to, and the
+    numbers that act before the end along the last one. The others get 0.
+    """
+    arithmetic, values = trajectory.arithmetic, parameters(trajectory.scene)
+    balls: Trajectory | None = None
+    wanted: int | None = 17 if arithmetic.name == "float64" else arithmetic.digits
+    digits = arithmetic.digits + 17
+    if arithmetic.name == "ball":
+        wanted, balls, digits = trajectory.digits, trajectory, arithmetic.digits
+    for attempt in range(_TRIES):
+        try:
+            balls = balls or _in_balls(trajectory, digits)
+        except EventUndecided:
+            if attempt + 1 == _TRIES:
+                raise
+            digits *= 2
+            continue
+        if balls.modes != trajectory.modes:
+            count = len(balls.event_times)
+            raise EventUndecided("are the events those of the trajectory?", f"{count} events", digits)
+        with precision(Ball(digits).bits + _GUARD_BITS):
+            followed = legs(balls)
+            last = pieces_of(balls.scene)[followed[-1].piece].start
+            acting = [name for name in values if values.get(f"{name.partition('.')[0]}.from", 0) <= last]
+            found = asked(balls, Chain(balls.scene, followed, acting))
+            right = _right_digits(found, digits)
+        if wanted is None or right >= wanted:
+            break
+        balls, digits = None, max(digits + wanted - right + 3, 2 * digits if attempt else 0)
+    for one in (one for array in found for one in array.flat):
+        if not one.is_finite():
+            raise EventUndecided("has the scene this derivative?", str(one), digits)
+    places = [index for index, name in enumerate(values) if name in set(acting)]
+    whole = [np.full((*array.shape[:-1], len(values)), arb(0)) for array in found]
+    for one, array in zip(whole, found, strict=True):
+        one[..., places] = array
+    return tuple(whole)
+
+
+def _in_balls(trajectory: Trajectory, digits: int) -> Trajectory:
+    """Return the same scene solved once in balls; one event more than were found shows a lost one."""
+    return run_scene(trajectory.scene, Ball(digits), len(trajectory.event_times) + trajectory.reached)
+
+
+def _right_digits(arrays: tuple[Array, ...], digits: int) -> int:
+    """Return the digits that all derivatives have, relative to the largest along the first axis.
+
+    Where all of them may be 0 they count as 0 to a quarter of the digits that were worked with.
+    """
+    least = EXACT
+    for array in arrays:
+        for column in array.reshape(len(array), -1).T if len(array) else ():
+            radius, largest = max(one.rad() for one in column), max(abs(one).upper() for one in column)
+            is_zero = all(one.contains(0) for one in column)
+            least = min(least, digits // 4 if is_zero and radius > 0 else digits_within(radius, largest, largest))
+    return least
+
+
+def _time(trajectory: Trajectory, t: Any) -> arb:
+    """Return a time (s) as a ball. Raises ValueError outside [0, end]."""
+    end, time = trajectory.end_time, _ball(t if isinstance(t, arb) or hasattr(t, "man_exp") else exact_time(t))
+    if time < 0 or time > _ball(trajectory.scene.until if trajectory.reached else end):
+        raise ValueError(f"t = {float(time):g} s is outside the solved time [0, {float(end):g}] s; solve further")
+    return time
+
+
+def _ball(x: Any) -> arb:
+    """Return a number of any arithmetic as a ball."""
+    return x if isinstance(x, arb) else Ball.number(as_fraction(x))
+
+
+def exact_middle(x: arb) -> Fraction:
+    """Return the middle of a ball, exact."""
+    middle = x.mid().fmpq()
+    return Fraction(int(middle.p), int(middle.q))
+
+
+def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:
+    """Return balls in the numbers of an arithmetic. Raises OutOfRange."""
+    if arithmetic.name == "ball":
+        return array
+    if arithmetic.name == "float64":
+        found = np.array([float(one.mid()) for one in array.flat]).reshape(array.shape)
+        if not np.isfinite(found).all():
+            raise OutOfRange('a derivative left the range of float64 (1e-308 to 1e308); use arithmetic="ball"')
+        return found
+    with arithmetic.context():
+        found = np.array([arithmetic.number(exact_middle(one)) for one in array.flat], dtype=object)
+    return found.reshape(array.shape)

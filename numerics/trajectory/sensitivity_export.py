@@ -1,0 +1,72 @@
+"""The sensitivities of a trajectory as JSON, as arrays and as a table."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from flint import arb
+from numpy.typing import NDArray
+
+from numerics.trajectory.export import STATE_NAMES, Written
+from numerics.trajectory.rendering import ball_text, right_digits_text
+from numerics.trajectory.sensitivity import enclosures, exact_middle, sensitivities
+from numerics.trajectory.trajectory import Trajectory
+
+TABLE_DIGITS = 6
+
+
+def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
+    """Put derivatives beside the numbers of a JSON record: `"sensitivity": {"t": {"x1": ...}, ...}` in every event.
+
+    The final state has those of x1, v1, x2, v2 and energy. Decimal strings as in the record: radii beside balls, else
+    the digits that are right.
+    """
+    in_floats, in_balls = (trajectory.arithmetic.name == name for name in ("float64", "ball"))
+    digits = trajectory.digits or (17 if in_floats else trajectory.arithmetic.digits)
+
+    def written(name: str, value: arb) -> Written:
+        if in_balls:
+            text, radius = ball_text(value, digits)
+            return {name: text, f"{name}_radius": radius}
+        return {name: right_digits_text(exact_middle(value), value.rad(), digits)}
+
+    rows = [*record["events"], record["final"]]
+    for row, derivatives in zip(rows, _records(trajectory, written), strict=True):
+        row["sensitivity"] = derivatives
+
+
+def sensitivity_arrays(trajectory: Trajectory) -> dict[str, NDArray[Any]]:
+    """Return the derivatives in binary64, and the names that their last axis stands for, for a NumPy archive."""
+    found = sensitivities(trajectory)
+    named = {"t": found.t, "y": found.y, "final": found.final, "energy": found.energy}
+    number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+    arrays = {f"sensitivity_{name}": number(array) for name, array in named.items()}
+    return arrays | {"sensitivity_wrt": np.array(found.wrt)}
+
+
+def sensitivity_table(trajectory: Trajectory) -> str:
+    """Return the derivatives of the last event's time and of the final state as text: SI units, right digits only."""
+    records = _records(trajectory, lambda name, value: {name: value.str(TABLE_DIGITS, radius=False)})
+    named = [("the last event's t", records[-2]["t"])] if len(records) > 1 else []
+    named += [(f"final {name}", derivatives) for name, derivatives in records[-1].items()]
+    rows = [("derivative", *(f"of {label}" for label, _ in named))]
+    rows += [(f"by {wrt}", *(derivatives[wrt] for _, derivatives in named)) for wrt in named[0][1]]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ("  ".join(map(str.ljust, row, widths)) for row in rows)
+    return "\n".join(line.rstrip() for line in lines)
+
+
+def _records(trajectory: Trajectory, written: Callable[[str, arb], Written]) -> list[dict[str, Written]]:
+    """Return one record of derivatives for every event, and then that of the final state."""
+    found = enclosures(trajectory)
+    events = [(("t", t), *zip(STATE_NAMES, y, strict=True)) for t, y in zip(found.t, found.y, strict=True)]
+    final = (*zip(STATE_NAMES, found.final, strict=True), ("energy", found.energy))
+
+    def record(values: Any) -> Written:
+        return {
+            key: one for name, value in zip(found.wrt, values, strict=True) for key, one in written(name, value).items()
+        }
+
+    return [{name: record(values) for name, values in row} for row in (*events, final)]

@@ -1,0 +1,231 @@
+"""What a run answers: events, segments, any time, error bounds and ledger; each made when somebody asks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.linear.modes import MODES, EventKind, Mode, event_kind
+from numerics.linear.record import How, Record
+from numerics.scene import Scene
+from numerics.trajectory.dense import Dense, Side, sorted_times
+from numerics.trajectory.digits import Accuracy, accuracy_of
+from numerics.trajectory.events import Event, Segment
+from numerics.trajectory.ledger import EnergyLedger, ledger_of
+from numerics.trajectory.reduced import ReducedState
+from numerics.trajectory.rows import Rows
+from numerics.trajectory.status import Status
+
+
+class Solution(Rows):
+    """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
+
+    def __init__(
+        self,
+        scene: Scene | Callable[[], Scene],
+        arithmetic: Arithmetic,
+        record: Record,
+        *,
+        digits: int | None = None,
+        tried: str = "",
+        t_eval: Any = None,
+    ) -> None:
+        """Keep what a run wrote. `digits`: right digits that were asked for and reached; `tried`: what did not answer.
+
+        Raises ValueError for times in t_eval that are not in order, or outside the run.
+        """
+        super().__init__(scene, arithmetic, record)
+        self.digits, self.tried, self.t_eval = digits, tried, t_eval
+        if t_eval is not None:
+            with arithmetic.context():
+                self._asked_times = sorted_times(self.dense, t_eval)
+
+    def but(self, **changed: Any) -> Self:
+        """Return the same trajectory with other `digits`, `tried` or `t_eval`."""
+        kept = {name: getattr(self, name) for name in ("digits", "tried", "t_eval")}
+        return type(self)(self._given, self.arithmetic, self.record, **(kept | changed))
+
+    @property
+    def status(self) -> Status:
+        """Return how the solve ended."""
+        if not self.reached:
+            return Status.EVENT_LIMIT
+        if not self.certain:
+            return Status.SEQUENCE_OPEN
+        return Status.STUCK_FOR_EVER if self.record.how == How.STUCK else Status.REACHED_HORIZON
+
+    @property
+    def success(self) -> bool:
+        """Return whether the horizon was reached, by events that are certain."""
+        return self.status.success
+
+    @property
+    def message(self) -> str:
+        """Return the sentence that says how the solve ended, and whether the phase was lost on the way to the end."""
+        if not self.phase_lost:
+            return self.status.sentence
+        return (
+            f"{self.status.sentence}; {self.arithmetic.digits} digits keep no phase over the last segment: at the end "
+            "the mode and the energy are known, x1, v1, x2 and v2 are not; ball arithmetic knows them"
+        )
+
+    @property
+    def phase_lost(self) -> bool:
+        """Return whether the last segment of a free motion turns through more radians than points have digits for."""
+        if self.arithmetic.name == "ball" or self.scene.is_forced:
+            return False
+        with self.arithmetic.context():
+            angle = self.frame.rate * self.columns.last("length")
+            # what has decayed is no rounding yet
+            damped = self.arithmetic.to_float(self.frame.two_zeta * angle)
+        return bool(angle > 10 ** (self.arithmetic.digits - 3) and damped < 5 * self.arithmetic.digits)
+
+    @property
+    def accuracy(self) -> Accuracy | None:
+        """Return the error bounds of a float64 or double-double trajectory, else None (balls carry their own)."""
+        return self._accuracy if self.bounded else None
+
+    @cached_property
+    def _accuracy(self) -> Accuracy:
+        return accuracy_of(self)
+
+    @property
+    def right_digits(self) -> int:
+        """Return how many digits its error bounds leave right (digits.py); 0 without bounds."""
+        return self._accuracy.digits if self.bounded else 0
+
+    @cached_property
+    def modes(self) -> tuple[Mode, ...]:
+        """Return the itinerary: the mode of every segment."""
+        return tuple(map(MODES.__getitem__, self.signs))[: self.record.events + self.reached]
+
+    @property
+    def event_kinds(self) -> tuple[EventKind, ...]:
+        """Return the kinds of the events in their order."""
+        modes = [MODES[sign] for sign in self.signs]
+        return tuple(map(event_kind, modes, modes[1:]))
+
+    @property
+    def t(self) -> NDArray[Any]:
+        """Return the times of start, events and end, or t_eval, s, shape (m,)."""
+        return self._table[0] if self.t_eval is None else self._asked_times
+
+    @property
+    def y(self) -> NDArray[Any]:
+        """Return the states at `t`, shape (4, m)."""
+        return self._table[2:] if self.t_eval is None else self._asked_states
+
+    @cached_property
+    def _asked_states(self) -> NDArray[Any]:
+        return self.sol(self.t_eval)
+
+    @property
+    def t_events(self) -> tuple[NDArray[Any], ...]:
+        """Return the event times by kind, in the order of EventKind (entry, exit, crossing), each of shape (k,)."""
+        return self._by_kind(self.event_times)
+
+    @property
+    def y_events(self) -> tuple[NDArray[Any], ...]:
+        """Return the event states by kind, each of shape (k, 4)."""
+        return self._by_kind(self.event_states.T)
+
+    def _by_kind(self, events: NDArray[Any]) -> tuple[NDArray[Any], ...]:
+        sticks = self.columns.code("mode")[self._starts] == 0
+        before, after = sticks[:-1], sticks[1:]
+        return events[after], events[before], events[~(before | after)]
+
+    @cached_property
+    def energy(self) -> NDArray[Any]:
+        """Return the energy at `t`, J, shape (m,), formed from the states."""
+        with self.arithmetic.context():
+            return np.asarray(self.energy_of(self.y))
+
+    @property
+    def final(self) -> ReducedState:
+        """Return the reduced state at the end: of the last event, where the cap on events ended the run."""
+        with self.arithmetic.context():
+            return self._reduced(self.final_state, self.columns.last("excess"))
+
+    @property
+    def initial(self) -> ReducedState:
+        """Return the reduced state at the start."""
+        with self.arithmetic.context():
+            return self._reduced(self.row_states[:, 0], self.arithmetic.number(self.scene.energy_excess))
+
+    def _reduced(self, y: Any, excess: Any = None) -> ReducedState:
+        is_known = excess is not None and not (self.bounded and math.isnan(excess))
+        return self.frame.reduced(y, excess if is_known else None)
+
+    @property
+    def units(self) -> tuple[Number, Number, Number]:
+        """Return L (m), Omega (1/s) and E_cr (J)."""
+        return self.frame.length, self.frame.rate, self.frame.critical_energy
+
+    @property
+    def dissipated(self) -> Number:
+        """Return what friction and viscosity took, J: summed by the run where it has bounds, else by the ledger."""
+        with self.arithmetic.context():
+            if self.bounded:
+                return self.columns.total("friction") + self.columns.total("viscous")
+            return self.ledger.friction + self.ledger.viscous
+
+    @cached_property
+    def ledger(self) -> EnergyLedger:
+        """Return the energy ledger of the whole run, with the work of u."""
+        with self.arithmetic.context():
+            return ledger_of(self.dense)
+
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """Return the events."""
+        rows, modes = self.event_rows, [MODES[sign] for sign in self.signs]
+        causes = ["jump" if jump else "guard" for jump in self.columns.code("jump")[rows]]
+        states, excesses = self.event_states, self.columns.numbers("excess")[rows]
+        with self.arithmetic.context():
+            reduced = [self._reduced(*one) for one in zip(states.T.tolist(), excesses, strict=True)]
+        kinds, y = self.event_kinds, map(tuple, states.T.tolist())
+        return tuple(map(Event, self.event_times.tolist(), kinds, modes, modes[1:], y, reduced, causes))
+
+    @cached_property
+    def segments(self) -> tuple[Segment, ...]:
+        """Return the segments."""
+        first = [0, *self.event_rows.tolist(), *([len(self.record.rows)] if self.reached else [])]
+        t, lengths = [*self._table[0].tolist(), self.end_time], self.row_lengths
+        found = []
+        with self.arithmetic.context():
+            for k, (mode, start, after) in enumerate(zip(self.modes, first, first[1:], strict=False)):
+                length = sum(lengths[start + 1 : after], lengths[start])
+                found.append(Segment(mode, t[k], t[k + 1], length, range(start, after), self.dense))
+        return tuple(found)
+
+    @cached_property
+    def dense(self) -> Dense:
+        """Return the evaluation at any time."""
+        return Dense(self)
+
+    def sol(self, t: Any, side: Side = "right") -> NDArray[Any]:
+        """Return (x1, v1, x2, v2) at the time(s) t (s): shape (4,) for a number, (4, ...) for an array.
+
+        t is exact (int, Fraction, decimal text, or a float taken as its binary value) or a number of the arithmetic,
+        such as the time of an event; `side` says which segment answers at an event, where the state is continuous but
+        the accelerations jump. Enclosures for balls: where the segment is not decided, both answer. Raises ValueError
+        outside [0, end].
+        """
+        with self.arithmetic.context():
+            return self.dense.states(t, side)
+
+    def reduced(self, t: Any, side: Side = "right") -> ReducedState:
+        """Return the reduced state at time t (s), of the pair's own b; as `sol`."""
+        with self.arithmetic.context():
+            return self._reduced(self.dense.states(t, side), self.dense.excess(t, side))
+
+    def mode_at(self, t: Any, side: Side = "right") -> Any:
+        """Return the mode at time t (s), an object array for a sequence; at an event that on the given side."""
+        with self.arithmetic.context():
+            return self.dense.mode(t, side)

@@ -1,0 +1,108 @@
+"""Runs of the engine's kernel whose start is off by planted errors, and seeded scenes for them with M = a2 = L = 1."""
+
+import math
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+from numerics.arithmetic.compiled import compiled
+from numerics.linear.kernel import follow
+from numerics.linear.prepare import Prepared, prepare
+from numerics.linear.record import AT, END_ROW, ROW
+
+BOUNDS = [AT[name] for name in ("late", "x1_error", "v1_error", "x2_error", "v2_error")]
+STATE = [AT[name] for name in ("x1", "v1", "x2", "v2")]
+NOTHING = (0, 0, 0, 0)
+
+
+class Run(NamedTuple):
+    """How a run ended, the starts of its segments, the row of the end; in the kernel's units."""
+
+    how: int
+    rows: np.ndarray
+    end: np.ndarray
+    prepared: Prepared
+
+    @property
+    def events(self):
+        return self.rows[self.rows[:, AT["event"]] == 1]
+
+    @property
+    def modes(self):
+        """The modes in order, or None in doubt."""
+        return None if self.how > 2 else (*self.rows[:1, 0], *self.events[:, 0])
+
+    @property
+    def times(self):
+        """The times of the events, in the kernel's unit."""
+        starts = [math.ldexp(float(one.start), -self.prepared.units.time) for one in self.prepared.pieces]
+        return np.array([starts[int(row[AT["piece"]])] + row[AT["local"]] for row in self.events])
+
+
+def run(scene, by=NOTHING, wide=False, most=60):
+    """A run that is told that x1, v1, x2 and v2 may be off by so much at the start."""
+    prepared = prepare(scene, wide=wide)
+    start, rows, end = prepared.start.copy(), np.empty((500, ROW)), np.zeros(END_ROW)
+    for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
+        start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
+    given = prepared.pair, prepared.drive, prepared.tables, start, prepared.is_decided
+    how, count = compiled(follow)(*given, -1.0, most, wide, True, rows, end)
+    return Run(how, rows[:count], end, prepared)
+
+
+def moved(scene, by):
+    """A scene whose start is elsewhere."""
+    at, (x1, v1, x2, v2) = scene.initial, by
+    state = State(at.x1 + x1, at.v1 + v1, at.x2 + x2, at.v2 + v2)
+    return Scene(scene.pair, state, scene.until, scene.law, scene.force, scene.friction)
+
+
+def until(scene, time):
+    return Scene(scene.pair, scene.initial, time, scene.law, scene.force, scene.friction)
+
+
+def exact(x, digits=6):
+    return Fraction(round(float(x) * 10**digits), 10**digits)
+
+
+def a_force(random, start, kind):
+    polynomial = [exact(random.normal() * random.choice([0.3, 1, 3])) for _ in range(random.integers(0, 4))]
+    sines = [
+        Sine(exact(random.normal() + 3), exact(10 ** random.uniform(-1, 1)), exact(random.uniform(0, 6)))
+        for _ in range(random.integers(1, 3))
+    ]
+    return Piece(start, polynomial if kind != "sines" else (), sines if kind != "polynomial" else ())
+
+
+def a_scene(random):
+    """Any damping, m1 from 1e-4 to 1 - 1e-4, free or under a force by pieces with friction by pieces, both laws."""
+    light = exact(max(10 ** random.uniform(-4, 0) * 0.9999, 1e-4))
+    m1 = light if random.random() < 0.7 else 1 - light
+    a1 = random.choice([0, 0, random.uniform(0, 0.3), random.uniform(0, 3) * math.sqrt(m1), random.uniform(0, 9)])
+    horizon = exact(random.choice([1, 3, 10]) * random.uniform(0.2, 1.5))
+    kind = random.choice(["free", "polynomial", "sines", "both", "pieces"])
+    pieces, frictions = [] if kind == "free" else [a_force(random, 0, kind)], []
+    if kind == "pieces":
+        times = sorted({horizon * int(n) / 1000 for n in random.integers(1, 1000, 4)})
+        pieces += [a_force(random, t, kind) for t in times[::2]]
+        frictions = [(t, (1 - m1) * exact(random.uniform(0.3, 2))) for t in times[1:]]
+    x1, v1, x2, v2 = (exact(random.normal() * random.choice([0.1, 1, 3])) for _ in range(4))
+    at = State(x1, v1, x2, v1 if random.random() < 0.25 else v2)
+    law = Law.THREE_VALUED_SGN if random.random() < 0.15 else Law.FILIPPOV
+    return Scene(Pair(m1, 1 - m1, 1, 1 - m1, exact(a1)), at, horizon, law, Force(pieces), Friction(frictions))
+
+
+def errors(random, scene):
+    """Errors of 1e-9 to 1e-3, of all numbers of the start or of one."""
+    size, kind = 10 ** random.uniform(-9, -3), random.integers(0, 3)
+    by = random.choice([-1, 1], 4) * size if kind == 0 else random.uniform(-1, 1, 4) * size
+    by = np.where(np.arange(4) == random.integers(0, 4), size, 0) if kind == 2 else by
+    return in_stick(scene, by)
+
+
+def in_stick(scene, by):
+    """Differences of a start, which sticks where the scene's does."""
+    x1, v1, x2, v2 = (exact(one, 15) for one in by)
+    return x1, v1, x2, v1 if scene.initial.v1 == scene.initial.v2 else v2

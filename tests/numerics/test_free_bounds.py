@@ -1,0 +1,118 @@
+"""The error bounds of a free run against errors that are planted in its start."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from random import Random
+
+import numpy as np
+import pytest
+from planted_errors import ARITHMETICS, COORDINATES, draw_scene, moved, run
+
+from numerics.linear.record import AT
+from numerics.scene import Scene, State
+
+EVENT = [("local", "late"), *((name, f"{name}_error") for name in COORDINATES)]
+END = [*EVENT[1:], ("excess", "excess_error"), ("friction", "dissipated_error")]
+COUNT = {"float64": 500, "double-double": 60}
+
+
+def exceeds(one, other, names):
+    """By how much differences exceed the bounds: the largest quotient, and the column it belongs to."""
+    found = [(0.0, "")]
+    for name, bound in names:
+        allowed = one[..., AT[bound]] * (1 + 1e-2) + other[..., AT[bound]] + 1e-25
+        found.append((float(np.max(abs(one[..., AT[name]] - other[..., AT[name]]) / allowed, initial=0.0)), name))
+    return max(found)
+
+
+def of_first_order(found):
+    """Whether the planted errors are small beside w at every event, and beside the time since the last one."""
+    rows, end = found.rows[1:], found.end
+    small = rows[:, AT["excess_error"]] <= 3e-3 * abs(rows[:, AT["excess"]])
+    return bool(small.all()) and rows[-1, AT["late"]] <= 3e-3 * end[AT["length"]]
+
+
+def draw_neighbours(random):
+    """A scene and another close to it that starts in the same mode; a third of the horizons lie next to an event."""
+    scene, size = draw_scene(random), 10 ** random.uniform(-8, -3)
+    names = random.sample(COORDINATES, random.choice([1, 1, 2, 4]))
+    by = {one: Fraction(random.uniform(-1, 1) * size) for one in names}
+    if scene.initial.v1 == scene.initial.v2 and {"v1", "v2"} & set(by):
+        by["v1"] = by["v2"] = by.get("v1", by.get("v2"))  # on the surface as well
+    first = run(scene, "float64").rows[1:]
+    if len(first) and random.random() < 1 / 3:
+        at = random.choice(first)[AT["local"]] + random.uniform(-3, 3) * size
+        scene = moved(scene, {}, Fraction(at)) if at > 0 else scene
+    return scene, moved(scene, by)
+
+
+@pytest.mark.parametrize("name", ARITHMETICS)
+def test_bounds_hold_for_planted_errors(name):
+    """A run whose errors at the start are those of a neighbour bounds the distance to the neighbour's run.
+
+    Where it says `certain` both have the same events.
+    """
+    random, compared = Random(17), 0
+    for _ in range(COUNT[name]):
+        scene, neighbour = draw_neighbours(random)
+        found, other = run(scene, name, planted=neighbour), run(neighbour, name)
+        if not found.certain or found.modes[0] != other.modes[0]:  # the first mode is decided on exact data
+            continue
+        assert found.modes == other.modes, (scene, neighbour)
+        if len(found.rows) == 1 or not of_first_order(found):
+            continue
+        compared += 1
+        assert (far := exceeds(found.rows[1:], other.rows[1:], EVENT))[0] <= 1, (far, scene, neighbour)
+        if not found.stopped:
+            assert (far := exceeds(found.end, other.end, END))[0] <= 1, (far, scene, neighbour)
+    assert compared > COUNT[name] / 5
+
+
+def edge_of_itinerary(random):
+    """A scene, one of its coordinates, and the value of it where the events change but not the first mode."""
+    while True:
+        scene, name = draw_scene(random), random.choice(["x1", "v1", "v2"])
+        if scene.initial.v1 == scene.initial.v2 and name != "x1":
+            continue  # it would leave the surface
+        by = Fraction(random.choice([-1, 1]) * 10 ** random.uniform(-2, 0))
+        here, there = run(scene, "float64").modes, run(moved(scene, {name: by}), "float64").modes
+        if here != there and here[0] == there[0]:
+            break
+    inside, outside = Fraction(0), by
+    for _ in range(50):
+        middle = (inside + outside) / 2
+        if run(moved(scene, {name: middle}), "float64").modes == here:
+            inside = middle
+        else:
+            outside = middle
+    return scene, name, outside
+
+
+@pytest.mark.parametrize("name", ARITHMETICS)
+def test_nothing_is_certain_where_planted_errors_reach_other_events(name):
+    """A start that lies 1e-7 to 1e-5 from one with other events does not claim to know its own."""
+    random = Random(5)
+    for _ in range(COUNT[name] // 4):
+        scene, coordinate, edge = edge_of_itinerary(random)
+        off = Fraction(random.choice([-1, 1]) * 10 ** random.uniform(-7, -5))
+        start = moved(scene, {coordinate: edge + off})
+        found = run(start, name, planted=moved(start, {coordinate: off * Fraction(6, 5)}))
+        other = run(moved(scene, {coordinate: edge - off / 10}), name)
+        if found.modes != [0.0]:  # whether a pair that starts in stick stays there is decided on exact data
+            assert not found.certain or found.modes == other.modes, (start, off)
+
+
+@pytest.mark.parametrize("name", ARITHMETICS)
+def test_an_excess_that_may_be_negative_is_no_certain_exit(name):
+    """A pair that sticks with an excess w of less than twice its error may stick for ever."""
+    random, exits = Random(8), 0
+    for _ in range(40):
+        scene = draw_scene(random)
+        x1, w, part = Fraction(random.uniform(-0.9, 0.9)), 10 ** random.uniform(-9, -3), random.uniform(0.5, 2.5)
+        v1, other = (Fraction((1 + size - float(x1) ** 2) ** 0.5) for size in (w, w * (1 - part)))
+        stuck = Scene(scene.pair, State(x1, v1, 0, v1), 20)
+        found = run(stuck, name, planted=Scene(scene.pair, State(x1, other, 0, other), 20))
+        exits += found.modes[1:2] != []
+        assert not found.certain
+    assert exits == 40

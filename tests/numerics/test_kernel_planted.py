@@ -1,0 +1,254 @@
+"""The bounds of whole runs whose starts are off by far more than rounding: true and sharp, or the run is in doubt."""
+
+import math
+from fractions import Fraction
+from itertools import pairwise
+
+import mpmath
+import numpy as np
+import pytest
+from kernel_runs import BOUNDS, STATE, a_scene, errors, exact, in_stick, moved, run, until
+
+from numerics import Force, Pair, Piece, Scene, Sine, State
+from numerics.arithmetic.compiled import can_compile
+from numerics.linear.columns import make_room
+from numerics.linear.first_root import CLEAR
+from numerics.linear.next_event import next_in_slip
+from numerics.linear.prepare import prepare
+from numerics.linear.record import AT
+
+OURS = 1e-13
+"""What both runs of a comparison round, relative to 1."""
+RUNS, BORDERS = (400, 40) if can_compile() else (120, 8)
+
+
+def quotients(one, two):
+    """Differences over the first run's bounds: of (t, x1, v1, x2, v2) at events, the end's state, and what is lost."""
+    assert one.modes == two.modes
+
+    def over(a, b, bounds):
+        return np.maximum(0, abs(a - b) - OURS * (1 + abs(a))) / np.maximum(bounds, 1e-300)
+
+    late = over(one.times, two.times, one.events[:, BOUNDS[0]])
+    at_events = over(one.events[:, STATE], two.events[:, STATE], one.events[:, BOUNDS[1:]])
+    end = over(one.end[STATE], two.end[STATE], one.end[BOUNDS[1:]])
+    here, there = (each.end[AT["friction"]] + each.end[AT["viscous"]] for each in (one, two))
+    lost = over(here, there, one.end[AT["dissipated_error"]])
+    return np.column_stack([late, at_events]), end, lost
+
+
+def near_an_event(random, scene, first):
+    """The scene, or one that ends next to one of its events."""
+    if random.random() < 0.3 and len(first.times):
+        t = math.ldexp(random.choice(first.times), first.prepared.units.time)
+        return until(scene, min(scene.until, exact(t * (1 + 10 ** random.uniform(-7, -1)), 12)))
+    return scene
+
+
+@pytest.mark.parametrize("wide", [False, True])
+def test_who_begins_within_the_errors_keeps_within_the_bounds_which_are_sharp(wide):
+    """Or the run is in doubt. Without new digits of the second run: it is off by rounding alone."""
+    random, largest, compared = np.random.default_rng(17 + wide), np.zeros(10), 0
+    for _ in range(RUNS):
+        scene = a_scene(random)
+        by = errors(random, scene)
+        scene = near_an_event(random, scene, run(scene, by, wide))
+        one = run(scene, by, wide)
+        if one.modes is None:
+            continue
+        corner = random.choice([-1, 1], 4) if random.random() < 0.7 else random.uniform(-1, 1, 4)
+        two = run(moved(scene, in_stick(scene, [a * float(b) for a, b in zip(corner, by, strict=True)])), wide=wide)
+        events, end, lost = quotients(one, two)
+        found = np.array([*events.max(0, initial=0), *end, lost])
+        assert found.max() <= 1, (found, scene, by)
+        largest, compared = np.maximum(largest, found), compared + 1
+    assert compared > 0.8 * RUNS
+    assert largest[:9] == pytest.approx(1, abs=0.25)
+
+
+def at(scene, place, by):
+    """The start's number at `place` moved; both velocities where the scene begins in stick."""
+    return moved(scene, in_stick(scene, np.where(np.arange(4) == place, by, 0)) if place != 3 else shifted(scene, by))
+
+
+def shifted(scene, by):
+    return (0, exact(by, 15) if scene.initial.v1 == scene.initial.v2 else 0, 0, exact(by, 15))
+
+
+def border(random, scene, place):
+    """How far a number of the start may be moved before other modes follow, bisected; None if none do within 3."""
+    modes, sign = run(scene).modes, random.choice([-1, 1])
+    for far in 10.0 ** np.arange(-4, 0.6, 0.5):
+        if run(at(scene, place, sign * far)).modes != modes:
+            break
+    else:
+        return None
+    low = 0.0
+    while far - low > 1e-9:
+        middle = (low + far) / 2
+        same = run(at(scene, place, sign * middle)).modes == modes
+        low, far = (middle, far) if same else (low, middle)
+    return sign * low
+
+
+def test_next_to_other_modes_a_run_that_may_be_off_by_more_is_in_doubt():
+    """And two hundred times as far away seldom is."""
+    random, doubts, decided = np.random.default_rng(23), 0, 0
+    while doubts < BORDERS:
+        scene, place = a_scene(random), int(random.choice([0, 1, 3]))
+        if run(scene).modes is None or (end := border(random, scene, place)) is None:
+            continue
+        away = math.copysign(10 ** random.uniform(-7, -5), end)
+        by = (
+            shifted(scene, 1.2 * away)
+            if place == 3
+            else in_stick(scene, np.where(np.arange(4) == place, 1.2 * away, 0))
+        )
+        if abs(end) < 400 * abs(away) or run(at(scene, place, end - away)).modes is None:
+            continue
+        assert run(at(scene, place, end - away), by, wide=doubts % 2 == 1).modes is None, (scene, place, end, away)
+        decided += run(at(scene, place, end - 200 * away), by).modes is not None
+        doubts += 1
+    assert decided > 0.8 * doubts
+
+
+@pytest.mark.parametrize("wide", [False, True])
+def test_what_is_lost_is_what_energy_and_a_constant_force_by_pieces_leave(wide):
+    random, calm = np.random.default_rng(5), 0
+    for _ in range(RUNS // 2):
+        scene = a_scene(random)
+        steps = [(t, exact(random.normal())) for t in (0, scene.until / 7, scene.until / 2)]
+        force = Force([Piece(t, [u] if u else []) for t, u in steps])
+        scene = Scene(scene.pair, scene.initial, scene.until * 4, scene.law, force)
+        one, pair = run(scene, wide=wide), scene.pair
+        if one.modes is None:
+            continue
+        states = np.vstack([one.rows, one.end[None, : one.rows.shape[1]]])[:, STATE]
+        lost = energy(pair, states[0]) - energy(pair, states[-1])
+        pieces = one.prepared.pieces
+        for row, (here, there) in zip(one.rows, pairwise(states), strict=True):
+            lost += float(sum(pieces[int(row[AT["piece"]])].polynomial)) * (there[0] - here[0])
+        error = abs(one.end[AT["friction"]] + one.end[AT["viscous"]] - lost)
+        slack = 1e-14 * (1 + energy(pair, states).max() + abs(states).max() * 9)
+        assert error <= one.end[AT["dissipated_error"]] + slack, scene
+        calm += one.how == 1
+    assert calm > RUNS / 20
+
+
+def energy(pair, state):
+    m1, m2, a2 = float(pair.m1), float(pair.m2), float(pair.a2)
+    return (m1 * state[..., 1] ** 2 + m2 * state[..., 3] ** 2 + a2 * state[..., 0] ** 2) / 2
+
+
+def steady(share, amplitude, omega, a1, free, horizon, polynomial=()):
+    """A pair in stick under a sine, M = a2 = 1: the load's peaks are `share` of b, a part of them by free motion."""
+    m1, m2, a1, omega = Fraction(1, 4), Fraction(3, 4), exact(a1), exact(omega)
+    gain = 1 / complex(1 - omega**2, a1 * omega)
+    driven = float(m2) * float(omega) ** 2 * amplitude * abs(gain)
+    x, v = amplitude * gain.imag, amplitude * float(omega) * gain.real
+    at_rest = polynomial[0] - a1 * polynomial[1] if polynomial else 0
+    v += float(polynomial[1]) if polynomial else 0
+    b = exact((driven + float(m2) * free) / share, 12)
+    state = State(exact(x + float(at_rest), 12), exact(v + free, 12), 0, exact(v + free, 12))
+    return Scene(
+        Pair(m1, m2, 1, b, a1), state, horizon, force=Force([Piece(0, polynomial, [Sine(exact(amplitude), omega)])])
+    )
+
+
+CASES = [(0.7, 3.301927, 0.0, 0.4, ()), (0.7, 3.3, 0.05, 0.0, ()), (2.0, 0.4, 0.3, 0.0, (Fraction(2), Fraction(1, 3)))]
+CASES += [(0.7, 3.301927, 0.0, 0.4, (Fraction(2), Fraction(1, 3))), (1.0, 1.02, 0.01, 0.0, ())]
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_stick_is_calm_where_the_load_stays_below_b_and_not_where_it_comes_to_exceed_it(case):
+    amplitude, omega, a1, free, polynomial = case
+    for share, is_calm in ((0.999999, True), (1.001, False)):
+        one = run(steady(share, amplitude, omega, a1, free, 4000, polynomial), most=1)
+        assert (one.how == 1) == is_calm
+        assert len(one.events) == (0 if is_calm else 1)
+
+
+def test_a_planted_error_that_may_reach_b_ends_a_calm_stick():
+    scene = steady(0.9999, 0.7, 3.3, 0.0, 0.4, 4000)
+    assert run(scene, (0, Fraction(1, 10**6), 0, Fraction(1, 10**6))).how == 1
+    assert run(scene, (0, Fraction(1, 1000), 0, Fraction(1, 1000))).how != 1
+
+
+def test_what_a_long_stick_loses_is_as_uncertain_as_its_start():
+    by = (0, Fraction(1, 1000), 0, Fraction(1, 1000))
+    scene = steady(0.9, 0.7, 3.3, 0.01, 0.4, 900)
+    one, two = run(scene, by), run(moved(scene, by))
+    assert one.how == 1
+    assert 0.1 < quotients(one, two)[2] <= 1
+
+
+def test_a_jump_lets_go_and_a_short_stick_is_not_stuck_for_ever():
+    pair, jump = Pair("0.4", "0.6", 1, "0.6", "0.2"), Force([Piece(0), Piece("0.8", [2])])
+    assert run(Scene(pair, State(), 1, force=jump)).modes == (0, 1)
+    assert run(Scene(pair, State(), "0.05", force=Force.sine(9, "0.7"))).how == 0
+
+
+def test_a_cubic_force_may_reach_b_late():
+    scene = Scene(Pair("0.4", "0.6", 1, "1e-5"), State(), 3000, force=Force([Piece(0, [0, 0, 0, "1e-9"])]))
+    assert run(scene).how != 1
+
+
+@pytest.mark.parametrize("wide", [False, True])
+@pytest.mark.parametrize(("a1", "horizon"), [(0.0, 10**3), (0.0, 10**6), (1e-5, 10**5), (0.3, 10**4)])
+def test_after_a_long_stick_the_state_is_that_of_the_closed_form(a1, horizon, wide):
+    scene = steady(0.9, 0.7, 3.3, a1, 0.4, horizon + Fraction(1, 3), (Fraction(2), Fraction(1, 3)))
+    one = run(scene, wide=wide)
+    assert one.how == 1
+    expected = stuck_for_ever(scene)
+    for k, value in enumerate(expected):
+        unit = one.prepared.units.length - (one.prepared.units.time if k % 2 else 0)
+        off = abs(math.ldexp(one.end[STATE[k]], unit) + (math.ldexp(one.end[STATE[k] + 1], unit) - value))
+        assert off <= math.ldexp(one.end[BOUNDS[1 + k]], unit) + 1e-30
+        assert math.ldexp(one.end[BOUNDS[1 + k]], unit) < (1e-15 if wide else 1e-6) * (1 + abs(value))
+
+
+def stuck_for_ever(scene):
+    """x1, v1, x2, v2 at the end of a stick with M = a2 = 1 under c0 + c1 t + A sin(w t)."""
+    pair, (piece,) = scene.pair, scene.force.pieces
+    with mpmath.workdps(60):
+        m = lambda x: mpmath.mpf(x.numerator) / x.denominator  # noqa: E731
+        (c0, c1), (sine,), t, a1 = [m(c) for c in piece.polynomial], piece.sines, m(scene.until), m(pair.a1)
+        w, A = m(sine.omega), m(sine.amplitude)
+        gain = A / mpmath.mpc(1 - w * w, a1 * w)
+
+        def driven(t):
+            wave = gain * mpmath.expj(w * t)
+            return c0 - a1 * c1 + c1 * t + wave.imag, c1 + w * wave.real
+
+        at = scene.initial
+        x, v = m(at.x1) - driven(0)[0], m(at.v1) - driven(0)[1]
+        root = mpmath.sqrt(1 - a1 * a1 / 4)
+        decay, s, c = mpmath.exp(-a1 * t / 2), mpmath.sin(root * t) / root, mpmath.cos(root * t)
+        x, v = decay * (x * c + (v + a1 * x / 2) * s), decay * (v * c - (x + a1 * v / 2) * s)
+        x1, v1 = x + driven(t)[0], v + driven(t)[1]
+        return x1, v1, x1 - m(at.x1) + m(at.x2), v1
+
+
+@pytest.mark.parametrize("by", [(1, 0, 0, 0), (0, 1, 0, 1)])
+def test_a_jump_of_the_force_to_just_below_b_is_in_doubt_if_the_errors_reach_b(by):
+    scene = Scene(
+        Pair("0.4", "0.6", 1, "0.6"), State(), 1, force=Force([Piece(0), Piece("0.8", [1 - Fraction(1, 10**6)])])
+    )
+    for size, is_decided in ((2, False), (Fraction(1, 2), True)):
+        assert (run(scene, [size * Fraction(one, 10**6) for one in by]).modes is not None) == is_decided
+
+
+@pytest.mark.parametrize(
+    ("order", "since", "low", "high"),
+    [(0, 0, 0.9, 3), (0, 0.1, 2.1, 3), (0, 1e300, 0.9, 3), (1, 1e300, 0.9, 3), (2, 0, 3, 20)],
+)
+def test_a_slip_is_clear_where_its_guard_exceeds_what_N_may_take_of_it(order, since, low, high):
+    """N takes kappa N at most of w, and kappa1 N of its slope."""
+    scene = Scene(Pair("0.4", "0.6", 1, "0.6", "0.3"), State(1, 1, 0, 0), 9)
+    pair, _, tables, *_ = prepare(scene, wide=False)
+    room, h, N = make_room(tables.rows.shape[4], tables.rows.shape[5]), float(tables.h[0, 0]), 1e-3
+    unit = N * h * (pair.kappa if order == 0 and since > 9 else pair.kappa1 * h)
+    for factor, is_clear in ((low, False), (high, True)):
+        room.X[0, 0, order + 1] = factor * unit / (order + 1)
+        found = next_in_slip(pair, tables, room, (0, 0), 1, order, since * h, N, 1.0, False)
+        assert (found.how == CLEAR and found.high == 1.0) == is_clear

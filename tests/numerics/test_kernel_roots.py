@@ -1,0 +1,148 @@
+"""Root exclusion: bounds from below that hold and are sharp; CLEAR, ROOT and UNDECIDED only where they are true."""
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from numerics.linear.first_root import (
+    BERNSTEIN,
+    CLEAR,
+    ROOT,
+    UNDECIDED,
+    bend_bound,
+    first_root,
+    lower_bound,
+    value_slope,
+)
+
+TERMS, ROOMS, NONE = 24, (np.zeros(8), np.zeros(8)), np.zeros(0)
+reaches = st.sampled_from([0.3, 0.9, 1.0])
+seeds = st.integers(0, 2**32 - 1)
+
+
+def value(q, s):
+    return np.polynomial.polynomial.polyval(s, q)
+
+
+def grid(start, end):
+    return np.linspace(start, end, 801)
+
+
+def padded(q):
+    return np.pad(q, (0, TERMS - len(q)))
+
+
+def tail(random):
+    """Coefficients beyond those that Bernstein's basis takes, of one sign or of both."""
+    return random.choice([0, 0.01, 1]) * random.choice([-1, 1], TERMS - 8) / np.arange(1, TERMS - 7)
+
+
+@given(seeds, reaches)
+def test_a_lower_bound_holds_and_is_sharp_where_the_least_coefficient_is_the_last_or_first(seed, theta):
+    random = np.random.default_rng(seed)
+    c = random.uniform(0.5, 2, 8)
+    c[0], c[7] = random.permutation([random.uniform(0, 0.5), 2]) if seed % 2 else (2, random.uniform(-1, 0.5))
+    high = tail(random)
+    q = np.concatenate([np.linalg.solve(BERNSTEIN.T, c) / theta ** np.arange(8), high])
+    least = c.min() - abs(high) @ theta ** np.arange(8, TERMS)
+    low, guess = lower_bound(q, theta, *ROOMS)
+    assert value(q, grid(0, theta)).min() >= low - 1e-9
+    assert abs(low - least) < 1e-6
+    assert (guess >= 0) == (c.min() <= 0)
+
+
+@given(seeds, reaches)
+def test_slope_and_bend_are_those_of_the_polynomial(seed, theta):
+    q = np.random.default_rng(seed).normal(size=TERMS)
+    bent = np.polynomial.polynomial.polyder(q, 2)
+    assert bend_bound(q, theta) >= abs(value(bent, grid(0, theta))).max()
+    assert np.isclose(bend_bound(abs(q), theta), value(abs(bent), theta))
+    s = theta / 3
+    assert np.allclose(value_slope(q, s), (value(q, s), value(np.polynomial.polynomial.polyder(q), s)))
+
+
+@st.composite
+def products(draw):
+    """Polynomials, positive at 0, of chosen roots times a positive factor; roots next to each other and to the end."""
+    theta = draw(reaches)
+    near = st.sampled_from([1 - 1e-3, 1 - 1e-7, 1 + 1e-7, 1 + 1e-3, 0.01, 0.3, 0.5, 0.7, 1.5, 4.0]).map(
+        lambda x: x * theta
+    )
+    roots = draw(st.lists(near, max_size=2))
+    if roots and draw(st.booleans()):
+        roots.append(roots[0] * (1 + draw(st.sampled_from([0.0, 1e-9, 1e-4, 0.03]))))
+    factor = [1, draw(st.floats(-0.4, 0.4)), draw(st.floats(0, 0.3))]
+    random = np.random.default_rng(draw(seeds))
+    q = np.polynomial.polynomial.polyfromroots(roots) / np.prod([-r for r in roots]) if roots else np.ones(1)
+    q = np.polynomial.polynomial.polymul(q, factor)
+    scale = draw(st.sampled_from([1.0, 1e-6]))
+    lift = draw(st.sampled_from([0.0, 0.0, 1e-6, 1e-2]))  # so that it dips near 0 without a root
+    return theta, scale * (padded(q) + 1e-18 * random.normal(size=TERMS) + lift * (np.arange(TERMS) == 0)), scale
+
+
+def holds(q, other, margins, theta):
+    """Whether what is found is true of dense values; return how."""
+    m0, m1, m2, m_other = margins
+    how, s, room, which = first_root(q, other, margins, theta, *ROOMS)
+    assert 0 < s <= theta
+    end = s - room if how == ROOT else s
+    if how != UNDECIDED:
+        assert value(q, grid(0, end)).min() > m0 + m1 * end + m2 / end - 1e-15
+        assert not len(other) or value(other, grid(0, end)).min() > m_other - 1e-15
+    if how == ROOT:
+        one = other if which else q
+        slopes = value(np.polynomial.polynomial.polyder(one), grid(s - room, s + room / 16))
+        assert room > 0
+        assert abs(value(one, s)) <= 1e-9 * abs(one).max()
+        assert slopes.max() < 0.55 * slopes.min() < 0
+    return how
+
+
+@given(products(), st.data())
+@settings(max_examples=150)
+def test_what_is_clear_exceeds_its_margin_and_a_root_is_the_first_and_alone(one, data):
+    theta, q, scale = one
+    small = st.sampled_from([0.0, 0.0, 1e-12, 1e-7, 1e-3]).map(lambda x: x * scale)
+    margins = tuple(data.draw(small) for _ in range(4))
+    other = data.draw(st.sampled_from([NONE, NONE, data.draw(products())[1] * scale]))
+    holds(q, other, margins, theta)
+
+
+@given(st.floats(0.02, 0.98), st.sampled_from([-0.4, 0.0, 0.3]), st.sampled_from([0.0, 1e-9]), reaches, st.booleans())
+def test_a_single_root_is_found_in_either_guard_and_a_double_one_never(part, slope, margin, theta, swap):
+    r = part * theta
+    single, plain = padded(np.array([1, slope - 1 / r, -slope / r])), padded(np.array([2.0]))
+    double = padded(np.array([1, -2 / r, 1 / r**2]))
+    first, second = (plain, single) if swap else (single, plain)
+    how, s, room, which = first_root(first, second, (margin, 0, 0, margin), theta, *ROOMS)
+    assert (how, which) == (ROOT, int(swap))
+    assert abs(s - r) < 1e-9
+    assert room > 0.05 * r
+    how, s, *_ = first_root(double, NONE, (margin, 0, 0, 0), theta, *ROOMS)
+    assert how == UNDECIDED or (how == CLEAR and s < r)
+
+
+@given(st.floats(0.1, 0.9), st.sampled_from(range(4)), reaches)
+def test_a_margin_is_the_sum_of_its_parts(value_at_end, part, theta):
+    """A guard that falls to a value at the end is clear with a margin a little below it, not a little above."""
+    q = padded(np.array([1, (value_at_end - 1) / theta]))
+    weights = np.array([1, theta, 1 / theta, 1])
+    for factor, is_clear in ((0.999, True), (1.001, False)):
+        margins = np.where(np.arange(4) == part, factor * value_at_end / weights, 0)
+        guards = (padded(np.array([2.0])), q) if part == 3 else (q, NONE)
+        how, s, *_ = first_root(*guards, margins, theta, *ROOMS)
+        assert (how == CLEAR and s == theta) == is_clear
+
+
+def test_of_two_roots_the_first_one_counts_whichever_guard_has_it():
+    early, late = padded(np.array([1, -1 / 0.4])), padded(np.array([1, -1 / 0.6]))
+    for one, two, which in ((early, late, 0), (late, early, 1)):
+        how, s, _, found = first_root(one, two, (1e-9, 0, 0, 1e-9), 1.0, *ROOMS)
+        assert (how, found) == (ROOT, which)
+        assert abs(s - 0.4) < 1e-12
+
+
+def test_where_nothing_can_be_decided_that_is_said():
+    touching = padded(np.array([1e-14, -2, 1e14]))
+    assert first_root(touching, NONE, (0.0, 0, 0, 0), 1.0, *ROOMS)[0] == UNDECIDED
+    assert first_root(padded(np.array([1.0])), NONE, (2.0, 0, 0, 0), 1.0, *ROOMS)[0] == UNDECIDED

@@ -1,0 +1,145 @@
+"""Derivatives of the state at any time: against differences of solves, and against those of events and ends."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from flint import arb, fmpq
+from forced_differences import CENTRAL, moved, natural_scale, parameters
+
+from numerics import Force, Friction, Pair, Scene, State, load_scene, sensitivities, solve
+
+PAIR = Pair(1, 1, 200, "0.2", "0.5")
+SCENES = {
+    "free": Scene(Pair(1, 1, 200, "0.2"), State(v1="0.15"), 2),
+    "damped": Scene(PAIR, State("0.01", "0.15", 0, "-0.1"), 2),
+    "sine": Scene(PAIR, State(v1="0.15"), 2, force=Force.sine("0.6", 5)),
+    "pieces": Scene(
+        PAIR, State(), 2, force=Force.trapezoid("0.2", "0.1", "0.5", "0.3", "0.7"), friction=Friction([("1.3", "0.02")])
+    ),
+}
+STEP, DIGITS = Fraction(1, 10**18), 70
+TIMES = [Fraction(k, 17) for k in range(1, 34)]
+
+
+@pytest.fixture(params=SCENES)
+def scene(request):
+    return SCENES[request.param]
+
+
+def ball(value):
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def test_differences_of_solves(scene):
+    """By every number, at times in slips and in sticks."""
+    base = solve(scene, arithmetic="ball", digits=DIGITS)
+    found = sensitivities(base, TIMES)
+    assert {mode.sign for mode in base.mode_at(TIMES)} >= {0}
+    for index, (name, value) in enumerate(parameters(scene).items()):
+        # a1 = 0 and a start at t = 0 have one side only
+        if name == "until" or (value == 0 and (name == "a1" or name.endswith("from"))):
+            continue
+        step = STEP * natural_scale(scene, name)
+        neighbours = {k: solve(moved(scene, {name: k * step}), arithmetic="ball", digits=DIGITS) for k in CENTRAL}
+        with base.arithmetic.context():
+            theirs = sum(one.sol(TIMES) * ball(CENTRAL[k] / step) for k, one in neighbours.items())
+            # from v1 = v2 neighbours on both sides have other second derivatives
+            right = 15 if base.modes[0].sign == 0 and name in {"v1", "v2"} else 35
+            largest = max(abs(one) for one in found[:, index].ravel())
+            assert all(abs(one) < arb(f"1e-{right}") * (1 + largest) for one in (theirs - found[:, index]).ravel()), (
+                name
+            )
+
+
+@pytest.mark.parametrize("arithmetic", ["float64", "double-double", "mpmath"])
+def test_balls_hold_what_points_round(scene, arithmetic):
+    balls, points = solve(scene, arithmetic="ball", digits=20), solve(scene, arithmetic=arithmetic)
+    true, found = sensitivities(balls, TIMES), sensitivities(points, TIMES)
+    assert found.shape == true.shape == (4, len(parameters(scene)), len(TIMES))
+    middle = np.vectorize(lambda one: float(one.mid()))(true)
+    scale = np.abs(middle).max(axis=2, keepdims=True)
+    assert (np.abs(found.astype(float) - middle) <= 4e-16 * scale).all()
+
+
+def test_a_grid_has_what_single_times_have(scene):
+    trajectory = solve(scene)
+    times = np.linspace(0, 2, 23)
+    found = sensitivities(trajectory, times)
+    for k in (0, 7, 22):
+        one = sensitivities(trajectory, times[k])
+        assert one.shape == found.shape[:2]
+        assert np.allclose(one, found[:, :, k], rtol=0, atol=1e-15 * np.abs(found).max())
+
+
+def test_start_and_end(scene):
+    trajectory = solve(scene)
+    first, found = sensitivities(trajectory, 0), sensitivities(trajectory)
+    if trajectory.modes[0].sign:
+        assert (first[:, :4] == np.eye(4)).all()
+    last = sensitivities(trajectory, scene.until)
+    for index, name in enumerate(found.wrt):
+        assert (last[:, index] == (0 if name == "until" else found.final[:, index])).all()
+
+
+def test_both_sides_of_an_event(scene):
+    """dy + f dtau is the derivative of the event's state, from either side; limits from the sides are the same."""
+    trajectory, near = solve(scene), Fraction(1, 10**7)
+    found, number = sensitivities(trajectory), float
+    for k, event in enumerate(trajectory.events):
+        t = Fraction(event.t)
+        for side, sign in (("left", -1), ("right", 1)):
+            at = sensitivities(trajectory, event.t, side)
+            assert np.allclose(at, sensitivities(trajectory, t + sign * near), rtol=1e-4, atol=1e-4 * np.abs(at).max())
+            state, later = (trajectory.sol(t + sign * one * near) for one in (1, 2))
+            rate = (later - state) / number(sign * near)
+            total = at + np.outer(rate, found.t[k])
+            scale = np.abs(found.y[k]).max() + np.abs(np.outer(rate, found.t[k])).max()
+            assert np.allclose(total, found.y[k], rtol=0, atol=1e-4 * scale)
+
+
+def test_a_jump_of_the_force_has_two_sides():
+    trajectory = solve(Scene(PAIR, State(), 2, force=Force.step(1, "0.2")))
+    start = list(parameters(trajectory.scene)).index("force[0].from")
+    assert (sensitivities(trajectory, 1, "left")[:, start] == 0).all()
+    assert sensitivities(trajectory, 1)[1, start] == pytest.approx(-0.1)  # both bodies go on, and later
+
+
+def test_a_ball_of_times_that_holds_an_event_gets_both_sides(scene):
+    trajectory = solve(scene, arithmetic="ball", digits=20)
+    event = next(one for one in trajectory.events if not one.t.is_exact())
+    found, (left, right) = (sensitivities(trajectory, event.t), (event.t.lower() - 1e-9, event.t.upper() + 1e-9))
+    for near in (left, right):
+        gaps = found - sensitivities(trajectory, near)
+        assert all(abs(one).lower() < 1e-6 for one in gaps.ravel())
+
+
+def test_what_is_refused(scene):
+    with pytest.raises(TypeError, match=r"solve\(scene\)"):
+        sensitivities(scene)
+    trajectory = solve(scene)
+    for t in (-1, 3, [0, 3]):
+        with pytest.raises(ValueError, match="outside the solved time"):
+            sensitivities(trajectory, t)
+
+
+def test_a_fit_of_friction_and_mass_by_measured_samples():
+    """Gauss and Newton find b and m1 from samples of v1, starting 10 % off."""
+    times = np.linspace(0, 1, 40)
+
+    def solved(b, m1):
+        return solve(Scene(Pair(Fraction(m1), 1, 200, Fraction(b)), State(v1="0.15"), 1))
+
+    measured, guess = solved(0.05, 1.0).sol(times)[1], np.array([0.045, 1.1])
+    for _ in range(8):
+        trajectory = solved(*guess)
+        slopes = sensitivities(trajectory, times)[1][[7, 4]].T
+        guess = guess + np.linalg.lstsq(slopes, measured - trajectory.sol(times)[1], rcond=None)[0]
+    assert np.allclose(guess, [0.05, 1.0], rtol=1e-12)
+
+
+def test_an_exact_start_stays_exact():
+    trajectory = solve(load_scene("at-rest"), arithmetic="ball")
+    assert all(one.is_finite() for one in sensitivities(trajectory, 1).ravel())
