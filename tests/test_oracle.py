@@ -18,6 +18,13 @@ from numerics.errors import NumericsError
 SCENES = data()["scenes"]
 BY_KIND = {kind: [one for one in SCENES if one["name"].startswith(f"{kind}/")] for kind in (*KINDS, "shipped")}
 SOME = 8
+ANSWERED_SINCE = {
+    "ring: forced-sine-stick-slip of 0.001, 1": {
+        "centre": "0.00020336086749105576062434594",
+        "entry": "4.9405304722687342852827967",
+    }
+}
+"""What was refused when the rest was frozen; held against the motion itself in tests/numerics/test_ring_forced.py."""
 
 
 def require(answers, way, *, slopes=False):
@@ -63,13 +70,14 @@ def test_all_scenes_are_answered_as_ever(way, part):
     ],
 )
 def test_control_answers_as_ever(kind):
+    frozen = data()["control"] | ANSWERED_SINCE
     for name, ask in questions().items():
         if name.startswith(kind):
             try:
                 got = ask()
             except NumericsError as error:
                 got = {"refused": type(error).__name__}
-            assert same(data()["control"][name], got), (name, got)
+            assert same(frozen[name], got), (name, got)
 
 
 def test_the_scenes_are_those_that_the_seeds_draw():

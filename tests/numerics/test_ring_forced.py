@@ -16,6 +16,7 @@ from numerics.control.pictures import draw_ring
 from numerics.control.ring import ring_entry
 from numerics.errors import NotSettled
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 
 STUCK_AT_LAST = [Force.sine("0.2", 12), Force((Piece(0, ["0.4"]),)), Force.trapezoid(1, 0, 1, 0, 3)]
@@ -46,6 +47,17 @@ def test_the_ring_around_a_periodic_motion(amplitude, radius):
     assert ring_entry(found.scene, radius, digits=5).centre.contains(found.centre)
     assert outside[:19].any()
     assert not outside[21:].any()
+
+
+def test_the_ring_of_a_motion_that_slowly_closes_in_is_where_it_is_so_near_to_itself_many_periods_later():
+    scene, per, periods = load_scene("forced-sine-stick-slip"), 2 * np.pi / 5, 79
+    y = solve(replace(scene, until=Fraction(120)), digits=20, max_events=10_000).sol
+    entry = float(ring_entry(scene, "0.001", digits=12).entry)
+    t = np.array([entry - 1e-6, entry + 1e-6, *np.linspace(entry + 0.01, entry + 15, 1500)])
+    apart = (y(t) - y(t + periods * per)).astype(float)
+    outside = np.hypot(apart[0] - apart[2], apart[1] - apart[3]) > 0.001
+    assert outside[0]
+    assert not outside[1:].any()
 
 
 @pytest.mark.parametrize("force", [Force.step(0, "0.3"), Force((Piece(0, (), [Sine("0.3", 9)]), Piece(1, ["0.3"])))])
