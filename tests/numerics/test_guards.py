@@ -203,10 +203,10 @@ def spoiled(chance: random.Random) -> str:
 
 def test_a_thousand_invalid_scenes_are_refused_in_one_line():
     for seed in range(1000):
-        text, began = spoiled(random.Random(seed)), time.perf_counter()
+        text, began = spoiled(random.Random(seed)), time.thread_time()
         with pytest.raises(InvalidScene) as caught:
             parse_scene(text)
-        assert time.perf_counter() - began < 1, seed
+        assert time.thread_time() - began < 1, seed
         assert str(caught.value).isprintable(), seed
         assert len(str(caught.value)) < 400, seed
 
