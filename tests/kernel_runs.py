@@ -48,7 +48,7 @@ def run(scene, by=NOTHING, wide=False, most=60):
     for k, exponent in enumerate([prepared.units.of(length=1), prepared.units.of(length=1, time=-1)] * 2):
         start[BOUNDS[1 + k]] = math.ldexp(abs(float(by[k])), -exponent)
     given = prepared.pair, prepared.drive, prepared.tables, start, prepared.is_decided
-    how, count = compiled(follow)(*given, -1.0, most, wide, True, rows, end)
+    how, count = compiled(follow)(*given, -1.0, most, wide, rows, end)
     return Run(how, rows[:count], end, prepared)
 
 

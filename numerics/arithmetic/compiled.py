@@ -39,8 +39,10 @@ _ROOMS = ("arithmetic", "linear", "free", "trajectory", "solver")
 """Where compilable functions are."""
 _ONE_AT_A_TIME = threading.RLock()
 """The threads of a batch may all ask for the same entry first, and numba's cache folder is set for the process."""
-# numpy's error model divides by zero as IEEE 754 does: a number out of range must not end a whole batch
-_INNER = {"error_model": "numpy", "forceinline": True}
+# numpy's error model divides by zero as IEEE 754 does: a number out of range must not end a whole batch.
+# Without `_nrt` numba does not count the references to arrays, which takes half of the time of short functions on many
+# of them; it refuses to compile a function that would have to.
+_INNER = {"error_model": "numpy", "forceinline": True, "_nrt": False}
 
 
 def compilable(function: _Function) -> _Function:
@@ -48,8 +50,9 @@ def compilable(function: _Function) -> _Function:
     return compilable_with()(function)
 
 
-def compilable_with(**options: Any) -> Callable[[_Function], _Function]:
+def compilable_with(*, makes_arrays: bool = False, **options: Any) -> Callable[[_Function], _Function]:
     """Register a function that compiled code may call, with options of numba: forceinline=False, fastmath=..."""
+    options["_nrt"] = makes_arrays
 
     def register(function: _Function) -> _Function:
         _OPTIONS[function] = options

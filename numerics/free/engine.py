@@ -88,9 +88,10 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
 
     It is made once and kept with the scene.
     """
-    if scene.row is None:
-        object.__setattr__(scene, "row", (halved(si_numbers(scene)),))
-    return scene.row[0]
+    if "row" not in scene.made:
+        scene.made["row"] = halved(si_numbers(scene))
+    found: NDArray[np.float64] | None = scene.made["row"]
+    return found
 
 
 def halved(si: SI) -> NDArray[np.float64] | None:

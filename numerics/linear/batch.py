@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with, compiled
 from numerics.arithmetic.pair import two_sum
-from numerics.linear.columns import Drive, constants
-from numerics.linear.kernel import follow
+from numerics.linear.columns import Drive, constants, make_room
+from numerics.linear.kernel import follow_in
 from numerics.linear.prepare import REACH, most_terms
 from numerics.linear.record import AT, END_ROW, ROW, in_si
 from numerics.linear.table import FIRST, form, make_tables
@@ -38,13 +38,14 @@ def run_rows(
     compiled(follow_rows)(table, polynomial, sines, literal, max_events, most_terms(polynomial.shape[1]), kept, ends)
 
 
-@compilable_with(forceinline=False)
+@compilable_with(makes_arrays=True, forceinline=False)
 def follow_rows(
-    table: Any, polynomial: Any, sines: Any, literal: bool, max_events: int, room: int, kept: Any, ends: Any
+    table: Any, polynomial: Any, sines: Any, literal: bool, max_events: int, coefficients: int, kept: Any, ends: Any
 ) -> None:
     """Solve rows of scenes, each in units that are powers of 2; tables are formed anew only where they change."""
     terms, waves = polynomial.shape[1], sines.shape[1]
-    tables = make_tables(1, FIRST + terms + 2 * waves, room)
+    columns = FIRST + terms + 2 * waves
+    tables, room, spare = make_tables(1, columns, coefficients), make_room(columns, coefficients), np.empty(ROW)
     pair, omegas = np.zeros((5, 2)), np.zeros((waves, 2))
     acting = np.zeros((1, 6), dtype=np.int64)
     acting[0, 1], acting[0, 3], acting[0, 5] = terms, waves, 1
@@ -86,8 +87,9 @@ def follow_rows(
         if not is_same:
             before[:] = key
             form(tables, 0, pair, terms, omegas, drive.length[0, 0], REACH)
-        how, count = follow(
-            constants(pair, literal), drive, tables, start, False, -1.0, max_events, False, False, kept[row], end
+        own = constants(pair, literal)
+        how, count = follow_in(
+            room, spare, own, drive, tables, start, False, -1.0, max_events, False, False, kept[row], end
         )
         if how >= 3:  # out of range, or in doubt
             continue

@@ -93,9 +93,10 @@ class Room(NamedTuple):
     basis: Any
     column: Any
     nodes: Any
+    """(2, n) Gauss's nodes in a part of a step, and v1 there."""
 
 
-@compilable_with(forceinline=False)
+@compilable_with(makes_arrays=True, forceinline=False)
 def make_room(count: int, terms: int) -> Room:
     """Return room for n columns."""
     return Room(
@@ -116,7 +117,7 @@ def make_room(count: int, terms: int) -> Room:
         np.zeros(4),
         np.zeros((4, 4)),
         np.zeros(4),
-        np.zeros(NODES.shape[0]),
+        np.zeros((2, NODES.shape[0])),
     )
 
 

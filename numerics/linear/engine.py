@@ -17,7 +17,7 @@ from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.exact_start import ExactKnot, exact_knots
 from numerics.linear.kernel import NO_ROOM, TOO_MANY, follow
 from numerics.linear.prepare import Prepared, halves, prepare
-from numerics.linear.record import AT, END_ROW, ROW, How, Record, in_si
+from numerics.linear.record import AT, END_ROW, ROW, How, Record, finish
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
@@ -47,17 +47,12 @@ def run_pairs(scene: Scene, *, wide: bool, max_events: int, progress: Progress |
     _require_answer(how, prepared, end, wide=wide)
     if progress is not None:
         progress(int(end[AT["events"]]), 1.0)
-    in_si(rows, *prepared.units)
-    in_si(end[None], *prepared.units)
-    if not (np.isfinite(np.delete(rows, _NOT_THERE, axis=1)).all() and np.isfinite(np.delete(end, _NOT_THERE)).all()):
+    if not compiled(finish)(rows, end, *prepared.units):
         raise OutOfRange(f'a number of this scene is beyond the range of {_name(wide)}; use arithmetic="ball"')
     friction, viscous = float(end[AT["friction"]]), float(end[AT["viscous"]])
     return Record(
         rows, end, How(how), int(end[AT["events"]]), True, friction, viscous, float(end[AT["dissipated_error"]])
     )
-
-
-_NOT_THERE = [AT["excess"], AT["excess_low"]]
 
 
 def _run(
@@ -69,7 +64,7 @@ def _run(
         rows = np.empty((room, ROW))
         pair, drive, tables = prepared.pair, prepared.drive, prepared.tables
         try:
-            how, count = run(pair, drive, tables, start, is_decided, clear, most, wide, True, rows, end)
+            how, count = run(pair, drive, tables, start, is_decided, clear, most, wide, rows, end)
         except (ZeroDivisionError, OverflowError, ValueError):  # plain Python has no nan to carry on with
             return How.OUT_OF_RANGE, rows[:0], end
         if how != NO_ROOM:

@@ -14,8 +14,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-import numpy as np
-
 from numerics.arithmetic.compiled import compilable_with
 
 SLACK = 1.0 + 1e-9
@@ -30,9 +28,10 @@ def carry(E: Any, R: Any, flow: Any, scale: Any, apart: float, own: float, own2:
     `scale` are the units of the components; `apart` how far x2 goes for a unit of R0; own, own2: what the step adds, in
     N and to x2.
     """
-    for i in range(4):
-        for k in range(4):
-            flow[i, k] *= scale[i] / scale[k]
+    for k in range(4):
+        inverse = 1.0 / scale[k]
+        for i in range(4):
+            flow[i, k] *= scale[i] * inverse
     for j in range(4):
         a, b, c, d = E[0, j], E[1, j], E[2, j], E[3, j]
         for i in range(4):
@@ -69,14 +68,14 @@ def norm_of(E: Any, R: Any) -> float:
 @compilable_with(forceinline=False, **_CONTRACT)
 def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
     """Take the rest R into E: an orthogonal basis by Gram and Schmidt, longest column first, each as long as needed."""
-    used = np.zeros(4)
+    used = 0  # a bit for each column
     for k in range(4):
         most, pick = -1.0, 0
         for j in range(4):
             size = abs(E[0, j]) + abs(E[1, j]) + abs(E[2, j]) + abs(E[3, j])
-            if used[j] == 0.0 and size > most:
+            if not (used >> j) & 1 and size > most:
                 most, pick = size, j
-        used[pick] = 1.0
+        used |= 1 << pick
         for i in range(4):
             v[i] = E[i, pick]
         length = orthogonal(Q, k, v)

@@ -104,8 +104,28 @@ def loss_error(pair: Constants, room: Room, mode: int, b: float, N: float, step:
     return lost
 
 
-@compilable_with(forceinline=False)
+@compilable_with(makes_arrays=True, forceinline=False)
 def follow(
+    pair: Constants,
+    drive: Drive,
+    tables: Tables,
+    start: Any,
+    is_decided: bool,
+    clear_until: float,
+    most: int,
+    wide: bool,
+    rows: Any,
+    end: Any,
+) -> tuple[int, int]:
+    """Follow the modes (follow_in), all rows kept, in a room of its own."""
+    room, spare = make_room(tables.rows.shape[4], tables.rows.shape[5]), np.empty(ROW)
+    return follow_in(room, spare, pair, drive, tables, start, is_decided, clear_until, most, wide, True, rows, end)
+
+
+@compilable_with(forceinline=False)
+def follow_in(
+    room: Room,
+    spare: Any,
     pair: Constants,
     drive: Drive,
     tables: Tables,
@@ -124,7 +144,6 @@ def follow(
     `clear_until` (time in the first piece) no event happens. `most` events at most. Where rows have no room for one
     more, NO_ROOM if `keeps_all`, else it is left out.
     """
-    room, spare = make_room(tables.rows.shape[4], tables.rows.shape[5]), np.empty(ROW)
     y, clock = room.y, room.clock
     N = begin(room, pair, start, WIDE_UNIT if wide else UNIT)
     mode, order, piece, edge_side = int(start[_MODE]), int(start[_ORDER]), int(start[_PIECE]), 1
@@ -164,7 +183,9 @@ def follow(
             row = rows[count] if count < rows.shape[0] else spare
             record(pair, room, row, (mode, order, is_event, is_jump, piece), u, b, N, late)
             if is_event or count == 0:
-                last_event, end[:ROW] = count, row
+                last_event = count
+                for k in range(ROW):
+                    end[k] = row[k]
                 end[_FRICTION], end[_VISCOUS], end[_LOST] = slid_work, damped_work, lost
             events += 1 if is_event else 0
             count += 1

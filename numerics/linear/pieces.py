@@ -24,8 +24,15 @@ class ExactPiece:
     is_jump: bool
 
 
-def pieces_of(scene: Scene) -> list[ExactPiece]:
-    """Return the pieces from t = 0 up to the horizon, in order."""
+def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
+    """Return the pieces from t = 0 up to the horizon, in order; made once and kept with the scene."""
+    if "pieces" not in scene.made:
+        scene.made["pieces"] = _pieces(scene)
+    found: Sequence[ExactPiece] = scene.made["pieces"]
+    return found
+
+
+def _pieces(scene: Scene) -> Sequence[ExactPiece]:
     force, friction, until = scene.force, scene.friction, scene.until
     starts = sorted({Fraction(0), *(t for t in (*force.starts, *friction.starts) if t < until)})
     found: list[ExactPiece] = []

@@ -87,49 +87,60 @@ def _turn(bits: int) -> Fraction:
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
-def units_of(scene: Scene) -> Units:
-    """Return units in which M and a2 are about 1, and b, the state and the force not far from it, if they can."""
-    pair = scene.pair
-    mass = _exponent(pair.mass)
-    time = (mass - _exponent(pair.a2)) // 2
-    length = _exponent(pair.half_width)
-    return Units(mass, time, length)
+class Bodies(NamedTuple):
+    """What the kernel takes of a pair: its constants, m1, M, m2, a1 and a2 as halves, and the units of all numbers."""
+
+    constants: Constants
+    halves: tuple[Halves, ...]
+    units: Units
 
 
 def _exponent(x: Fraction) -> int:
     return x.numerator.bit_length() - x.denominator.bit_length()
 
 
-def _require_in_range(pair: Pair) -> None:
-    """Raise OutOfRange unless floats hold what the answer is told in beside its own numbers: L and E_cr."""
+@lru_cache(maxsize=256)
+def bodies_of(pair: Pair, law: Law) -> Bodies:
+    """Return a pair in units in which M and a2 are about 1, and b, the state and the force not far from it, if they can.
+
+    Raises OutOfRange, also where floats do not hold what the answer is told in beside its own numbers: L and E_cr.
+    """
     for value in (pair.half_width, pair.critical_energy):
         if halves(value)[0] == 0.0:
             raise OutOfRange('a number of this scene is beyond the range of float64; use arithmetic="ball"')
+    mass = _exponent(pair.mass)
+    units = Units(mass, (mass - _exponent(pair.a2)) // 2, _exponent(pair.half_width))
+    kg = units.of(mass=1)
+    numbers = *(halves(one, kg) for one in (pair.m1, pair.mass, pair.m2)), halves(pair.a1, kg - units.time)
+    numbers = *numbers, halves(pair.a2, kg - 2 * units.time)
+    return Bodies(constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units)
 
 
 def prepare(scene: Scene, *, wide: bool) -> Prepared:
-    """Return a scene as the kernel reads it. Raises OutOfRange."""
-    _require_in_range(scene.pair)
-    units, pieces = units_of(scene), pieces_of(scene)
+    """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange."""
+    found: Prepared | None = scene.made.get(wide)
+    if found is None:
+        found = scene.made[wide] = _prepared(scene, wide=wide)
+    return found
+
+
+def _prepared(scene: Scene, *, wide: bool) -> Prepared:
+    pair, numbers, units = bodies_of(scene.pair, scene.law)
+    pieces = pieces_of(scene)
     drive, kinds = _drive(pieces, units)
-    own, kg = scene.pair, units.of(mass=1)
-    pair = *(halves(one, kg) for one in (own.m1, own.mass, own.m2)), halves(own.a1, kg - units.time)
-    pair = *pair, halves(own.a2, kg - 2 * units.time)
-    tables = _tables(pair, tuple(kinds), float(drive.length[:, 0].max()), wide)
-    at = scene.initial
+    tables = _tables(numbers, tuple(kinds), float(drive.length[:, 0].max()), wide)
+    at, speed = scene.initial, units.of(length=1, time=-1)
     start = np.zeros(ROW)
     for name, value, exponent in (
-        ("x1", at.x1, units.of(length=1)),
-        ("v1", at.v1, units.of(length=1, time=-1)),
-        ("x2", at.x2, units.of(length=1)),
-        ("v2", at.v2, units.of(length=1, time=-1)),
+        ("x1", at.x1, units.length),
+        ("v1", at.v1, speed),
+        ("x2", at.x2, units.length),
+        ("v2", at.v2, speed),
     ):
         start[AT[name] : AT[name] + 2] = halves(value, exponent)
     gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
     start[AT["mode"]] = gap
-    return Prepared(
-        constants(np.array(pair), scene.law is Law.THREE_VALUED_SGN), drive, tables, start, gap != 0, units, pieces
-    )
+    return Prepared(pair, drive, tables, start, gap != 0, units, pieces)
 
 
 Kind = tuple[int, tuple[Halves, ...]]

@@ -12,6 +12,8 @@ import math
 from enum import IntEnum
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from numerics.arithmetic.compiled import compilable_with
 
 CODES = ("mode", "order", "event", "jump", "piece")
@@ -32,10 +34,10 @@ AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
 
 
-_LOCAL, _X1, _LATE, _FRICTION = AT["local"], AT["x1"], AT["late"], AT["friction"]
+_LOCAL, _X1, _EXCESS, _LATE, _FRICTION = (AT[name] for name in ("local", "x1", "excess", "late", "friction"))
 
 
-@compilable_with(forceinline=False)
+@compilable_with(makes_arrays=True, forceinline=False)
 def in_si(rows: Any, mass: int, time: int, length: int) -> None:
     """Multiply rows (n, ROW), or of ends (n, END_ROW), by units of 2^mass kg, 2^time s and 2^length m; exact."""
     for half in range(2):  # a power may be too large for a float, its root is not
@@ -52,6 +54,15 @@ def in_si(rows: Any, mass: int, time: int, length: int) -> None:
         if rows.shape[1] > ROW:
             for k in range(5):
                 rows[:, _FRICTION + k] *= math.ldexp(1.0, (mass + 2 * length - 2 * time + half) // 2)
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def finish(rows: Any, end: Any, mass: int, time: int, length: int) -> bool:
+    """Bring a run, its rows and the row of its end, into SI units; return whether all its numbers are finite."""
+    in_si(rows, mass, time, length)
+    in_si(end.reshape(1, -1), mass, time, length)
+    is_finite = np.isfinite(rows[:, :_EXCESS]).all() and np.isfinite(rows[:, _EXCESS + 2 :]).all()
+    return is_finite and np.isfinite(end[:_EXCESS]).all() and np.isfinite(end[_EXCESS + 2 :]).all()
 
 
 class How(IntEnum):

@@ -47,7 +47,7 @@ class Tables(NamedTuple):
     """(kinds, ORDERS, n): the same for h^2 x2'' in stick."""
 
 
-@compilable_with(forceinline=False)
+@compilable_with(makes_arrays=True, forceinline=False)
 def make_tables(kinds: int, n: int, terms: int) -> Tables:
     """Return empty tables; n columns at most."""
     return Tables(
@@ -61,7 +61,7 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
     )
 
 
-@compilable_with(forceinline=False)
+@compilable_with(makes_arrays=True, forceinline=False)
 def form(tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest: float, reach: float) -> None:
     """Form the tables of one kind of force: so many coefficients of a polynomial, and frequencies (k, 2) as pairs.
 
@@ -130,7 +130,7 @@ def put(places: Any, entries: Any, count: int, to: int, of: int, high: float, lo
     return count + 1
 
 
-@compilable_with(forceinline=False)
+@compilable_with(makes_arrays=True, forceinline=False)
 def fill(
     entries: Any,
     places: Any,

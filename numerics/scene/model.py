@@ -107,8 +107,8 @@ class Scene:
     law: Law
     force: Force
     friction: Friction
-    row: Any = field(default=None, init=False, repr=False, compare=False)
-    """What compiled code reads instead of exact numbers, made when it is first needed (run/one.py)."""
+    made: dict[object, Any] = field(init=False, repr=False, compare=False)
+    """What the engines read instead of exact numbers, made when it is first needed, and not pickled."""
 
     def __init__(
         self,
@@ -132,7 +132,7 @@ class Scene:
         if self.until <= 0:
             raise InvalidScene(f"until = {short(self.until)} must be > 0; give the horizon in seconds")
         object.__setattr__(self, "law", read_law(law))
-        object.__setattr__(self, "row", None)
+        object.__setattr__(self, "made", {})
 
     @classmethod
     def of(
@@ -146,11 +146,15 @@ class Scene:
     ) -> Scene:
         """Return a scene of parts that are checked already."""
         scene: Scene = object.__new__(cls)
-        for name, value in (("pair", pair), ("initial", initial), ("until", until), ("law", law), ("row", None)):
+        for name, value in (("pair", pair), ("initial", initial), ("until", until), ("law", law), ("made", {})):
             object.__setattr__(scene, name, value)
         object.__setattr__(scene, "force", force)
         object.__setattr__(scene, "friction", friction)
         return scene
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return what pickles and copies are made of."""
+        return Scene.of, (self.pair, self.initial, self.until, self.law, self.force, self.friction)
 
     @property
     def is_forced(self) -> bool:

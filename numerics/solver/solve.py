@@ -109,7 +109,7 @@ def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Li
 def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
     """Return a trajectory in float64; where its bounds leave the events open, in the next arithmetic that does not."""
     first: Trajectory | None = None
-    refused: NumericsError = EventUndecided("which event comes next", "", 0)
+    refused: NumericsError | None = None
     tried: list[str] = []
     for arithmetic in _LADDER:
         if arithmetic.name == "ball" and first is not None and first.record.events > _MOST_IN_BALLS:
@@ -129,7 +129,7 @@ def _solve_surely(scene: Scene, limits: _Limits) -> Trajectory:
         first = first or found
         tried.append(f"{arithmetic.name} leaves the sequence of events open")
     if first is None:
-        raise refused
+        raise refused or EventUndecided("which event comes next", "", 0)
     return first.but(tried="; ".join(tried))
 
 

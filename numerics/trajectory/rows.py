@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -48,8 +48,8 @@ class Rows:
         """Return whether the error bounds leave no doubt about the sequence of events; without bounds True."""
         return bool(self.record.certain) or not self.bounded
 
-    @cached_property
-    def pieces(self) -> list[ExactPiece]:
+    @property
+    def pieces(self) -> Sequence[ExactPiece]:
         """Return the pieces of force and friction, exact."""
         return pieces_of(self.scene)
 
@@ -67,7 +67,7 @@ class Rows:
     def row_times(self) -> NDArray[Any]:
         """Return when each row's segment begins, s."""
         local = self.columns.numbers("local")
-        if not self.scene.is_forced:
+        if not self.row_pieces.any():
             return self._rounded(local)
         with self.arithmetic.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=local.dtype)
@@ -112,7 +112,8 @@ class Rows:
             table[:, :count] = record.rows[starts, _NUMBERS].T
             if self.reached:
                 table[:, count] = record.end[_NUMBERS]
-            if not self.scene.is_forced:
+                table[0, count] = self.end_time
+            if not self.row_pieces.any():
                 return table
         else:
             table = np.empty((6, count + self.reached), dtype=object)

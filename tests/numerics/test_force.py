@@ -156,6 +156,6 @@ def test_thousands_of_pieces_are_read_at_once(tmp_path):
     many = Force(Piece(Fraction(k, 100), (k, 1), (Sine(1, k + 1),)) for k in range(5000))
     path = tmp_path / "scene.toml"
     path.write_text(scene_text(Scene(Pair(1, 1, 1, 1), State(), 60, force=many)), "utf-8")
-    before = time.perf_counter()
+    before = time.thread_time()
     assert load_scene(path).force == many
-    assert time.perf_counter() - before < 5
+    assert time.thread_time() - before < 5

@@ -42,12 +42,12 @@ until = 1e22
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath"])
 def test_the_cap_on_digits_names_its_argument_at_once(arithmetic):
-    began = time.perf_counter()
+    began = time.thread_time()
     with pytest.raises(PrecisionExhausted, match="raise the cap max_digits"):
         solve(PAPER, arithmetic=arithmetic, digits=10**8)
     with pytest.raises(PrecisionExhausted, match="raise the cap max_digits"):
         solve(PAPER, arithmetic=arithmetic, digits=100, max_digits=50)
-    assert time.perf_counter() - began < 1
+    assert time.thread_time() - began < 1
 
 
 def test_the_caps_on_late_energies_name_their_arguments():
@@ -58,10 +58,10 @@ def test_the_caps_on_late_energies_name_their_arguments():
 
 
 def test_digits_that_need_countless_steps_are_refused_at_once():
-    began = time.perf_counter()
+    began = time.thread_time()
     with pytest.raises(OutOfRange, match=r"about .*e\+?\d+ events .*max_steps"):
         energy_at(PAPER, "1e1000", digits=1000)
-    assert time.perf_counter() - began < 5
+    assert time.thread_time() - began < 5
 
 
 def test_an_undecided_event_names_the_argument():

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from kernel_runs import a_scene
 
@@ -57,6 +57,7 @@ def test_box_width_and_norm_are_those_of_the_outermost_members(seed):
 
 
 @given(seeds)
+@example(5965)  # a direction in which the set has no more than its own rounding
 def test_members_are_members_in_a_new_basis_which_is_no_larger_than_it_must(seed):
     random = np.random.default_rng(seed)
     E, R = a_set(random)
@@ -67,9 +68,8 @@ def test_members_are_members_in_a_new_basis_which_is_no_larger_than_it_must(seed
     assert all(is_member(E, R, outermost(*before, each)) for each in directions(random))
     for k in range(4):
         along = E[:, k] / lengths[k]
-        assert (
-            lengths[k] <= abs(along @ before[0]).sum() + before[1][0] + abs(along[2]) * before[1][1] + 1e-6 * lengths[k]
-        )
+        reach = abs(along @ before[0]).sum() + before[1][0] + abs(along[2]) * before[1][1]
+        assert lengths[k] <= reach + 1e-6 * lengths[k] + 1e-15 * abs(before[0]).sum()
 
 
 def evolved(prepared, mode, s, start, E=0.0, R=0.0, wide=True):
