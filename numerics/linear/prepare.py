@@ -101,7 +101,7 @@ def _exponent(x: Fraction) -> int:
 
 @lru_cache(maxsize=256)
 def bodies_of(pair: Pair, law: Law) -> Bodies:
-    """Return a pair in units in which M and a2 are about 1, and b, the state and the force not far from it, if they can.
+    """Return a pair in units in which M and a2 are about 1, and the other numbers not far from it, if they can.
 
     Raises OutOfRange, also where floats do not hold what the answer is told in beside its own numbers: L and E_cr.
     """

@@ -96,7 +96,7 @@ class Rows:
         """Return the rows at which the mode has changed: the events."""
         return np.flatnonzero(self.columns.code("event") == 1.0)
 
-    @property
+    @cached_property
     def _starts(self) -> slice | NDArray[np.int64]:
         """Return the rows at which segments start: all of them, where no piece of force begins within one."""
         if len(self.record.rows) == self.record.events + 1:
