@@ -36,6 +36,8 @@ _FEW = 256
 """numba takes a second to come: so many events are left to Python first."""
 _MANY = 200
 """So many short runs cost Python what it takes numba to come."""
+_WIDE_RUN = 20
+"""A short run in double-double costs Python as much as so many in binary64."""
 _EVENTS_PER_TURN = 3.0
 """Events that a half turn of body 1 alone is given room for at first; with more the run is made again."""
 _HOWS = tuple(How)
@@ -128,7 +130,7 @@ def _run_float64(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
 
 
 def _run_double_double(scene: Scene, max_events: int, progress: Progress | None) -> Record:
-    arithmetic = DoubleDouble()
+    arithmetic, _runs[0] = DoubleDouble(), _runs[0] + _WIDE_RUN
     with arithmetic.context():
         begun, given = (in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic))
     rows, end = _from_start(begun, given, max_events, scene, progress)
@@ -150,7 +152,7 @@ def _from_start(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return the rows of a run from a start: a short one by Python, which would wait for numba longer than it runs."""
     end, carried = np.empty(END_ROW), initial(begun.at, begun.start, begun.V1, begun.V2)
-    if not compiles_now():
+    if not (compiles_now() or (_runs[0] > _MANY and can_compile())):
         few = min(_FEW, max_events) if can_compile() else max_events
         growing, plain = _Growing(few + 1, float(scene.until), progress), end.tolist()
         try:

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import mpmath
 import numpy as np
 from flint import arb
+from mpmath.libmp import from_man_exp
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import precision
 from numerics.arithmetic.protocol import Number
 from numerics.linear.record import AT, How, Knot, Record
 
-_RADIUS_BITS = 30
+_RADIUS_BITS, _WIDE_BITS = 30, 106
 
 
 class Columns:
@@ -35,7 +37,7 @@ class Columns:
         if self.in_floats and not self.wide:
             return np.asarray(self.record.rows[:, AT[name]])
         found = np.empty(len(self.record.rows), dtype=object)
-        found[:] = [self._number(row, name) for row in self.record.rows]
+        found[:] = sums(*self.halves(name)) if self.in_floats else [getattr(row, name) for row in self.record.rows]
         return found
 
     def halves(self, name: str) -> tuple[NDArray[Any], NDArray[Any]]:
@@ -43,28 +45,32 @@ class Columns:
         at = AT[name]
         return np.asarray(self.record.rows[:, at]), np.asarray(self.record.rows[:, at + 1])
 
-    def bound(self, name: str) -> NDArray[np.float64]:
-        """Return a bound of all rows and of the end, in binary64."""
-        return np.append(np.asarray(self.record.rows[:, AT[name]]), self.record.end[AT[name]])
-
     @property
     def last_mode(self) -> float:
         """Return the mode at the end, the sign of v1 - v2."""
         return float(self.record.end[AT["mode"]] if self.in_floats else self.record.end.mode)
 
     def last(self, name: str) -> Number:
-        """Return a number of the end."""
-        return self._number(self.record.end, name)
-
-    def total(self, name: str) -> Number:
-        """Return what friction or viscosity took up to the end, J; of floats."""
-        return self._number(self.record.end, name)
-
-    def _number(self, row: Any, name: str) -> Number:
+        """Return a number of the end, or what friction or viscosity took up to there (J)."""
+        end, at = self.record.end, AT[name]
         if not self.in_floats:
-            return getattr(row, name)
-        high = float(row[AT[name]])
-        return mpmath.fadd(high, float(row[AT[name] + 1]), exact=True) if self.wide else high
+            return getattr(end, name)
+        return sums(end[at : at + 1], end[at + 1 : at + 2])[0] if self.wide else float(end[at])
+
+
+def sums(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[mpmath.mpf]:
+    """Return numbers of double-double, which may have more than 106 bits, rounded to these."""
+    (tops, top_exponents), (tails, tail_exponents) = np.frexp(high), np.frexp(low)
+    places = (top_exponents - 53).tolist(), (tail_exponents - 53).tolist()
+    wholes = ((part * 2.0**53).tolist() for part in (tops, tails))
+    found = []
+    for top, place, tail, lower in zip(next(wholes), places[0], next(wholes), places[1], strict=True):
+        if tail == 0 or top - top != 0:  # nothing below, or no number
+            found.append(mpmath.mpf(math.ldexp(top, place)))
+            continue
+        whole = (int(top) << (place - lower)) + int(tail)
+        found.append(mpmath.make_mpf(from_man_exp(whole, lower, _WIDE_BITS, "n")))
+    return found
 
 
 def plain(value: Any) -> Any:

@@ -20,7 +20,7 @@ from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, digits_within
-from numerics.linear.record import AT
+from numerics.linear.record import AT, ROW
 from numerics.trajectory.rows import Rows
 
 Floats = NDArray[np.float64]
@@ -30,6 +30,10 @@ MOST_DIGITS = {"float64": 17, "double-double": 31}
 """The most digits that numbers of an arithmetic can show."""
 _TINY = 2.0**-1060
 """More than squares can lose below the normal numbers."""
+
+
+_STATE, _STATE_ERRORS = slice(AT["x1"], AT["v2"] + 1, 2), slice(AT["x1_error"], AT["v2_error"] + 1)
+"""Where x1, v1, x2, v2 and their bounds stand in a row."""
 
 
 def proved_digits(trajectory: Rows) -> int:
@@ -84,17 +88,12 @@ class Accuracy:
 
 def accuracy_of(trajectory: Rows) -> Accuracy:
     """Return the bounds of a trajectory in SI units; they are binary64, whatever its numbers are."""
-    columns, rounding = trajectory.columns, ROUNDING[trajectory.arithmetic.name]
-    with trajectory.arithmetic.context():
-        rows = trajectory.row_states.astype(float)
-        states = np.concatenate([rows, np.array(trajectory.final_state, dtype=float)[:, None]], axis=1)
-        times = trajectory.event_times.astype(float)
-        carried = np.append(columns.numbers("excess"), columns.last("excess")).astype(float)
-    names = ("x1_error", "v1_error", "x2_error", "v2_error")
-    errors = np.stack([columns.bound(name) for name in names])
-    late = columns.bound("late")[:-1][trajectory.event_rows] + 4 * rounding * abs(
-        times
-    )  # of where the piece begins, and of the sum
+    record, rounding = trajectory.record, ROUNDING[trajectory.arithmetic.name]
+    rows = np.concatenate([record.rows, record.end[None, :ROW]])  # high halves: what is compared with bounds
+    states, errors, carried = rows[:, _STATE].T, rows[:, _STATE_ERRORS].T, rows[:, AT["excess"]]
+    times = trajectory.event_times.astype(float)
+    # 4 roundings: of where the piece begins, and of the sum
+    late = rows[trajectory.event_rows, AT["late"]] + 4 * rounding * abs(times)
     pair = trajectory.scene.pair
     weights = np.array([float(pair.a2), float(pair.m1), 0.0, float(pair.m2)])
     energies = weights @ states**2 / 2
@@ -106,14 +105,14 @@ def accuracy_of(trajectory: Rows) -> Accuracy:
         carried, excess = np.zeros(1), energy / critical + 8 * rounding * (1 + energies[-1] / critical)
         excess_digits = (np.zeros(1), carried)
     else:
-        excess = columns.bound("excess_error")[-1]
+        excess = rows[-1, AT["excess_error"]]
         excess_digits = np.array([excess]), abs(carried).max()
     sizes = abs(states).max(axis=1)
     sizes = np.maximum(sizes, sizes[[2, 3, 0, 1]])[:, None]
     judged = [(late, abs(times)), (errors, sizes), (np.array([energy]), energies.max()), excess_digits]
     certain = trajectory.certain
     digits = min(MOST_DIGITS[trajectory.arithmetic.name], *(least_digits(*one) for one in judged)) if certain else 0
-    dissipated = float(trajectory.record.end[AT["dissipated_error"]])
+    dissipated = float(record.end[AT["dissipated_error"]])
     at_events = errors[:, trajectory.event_rows].T
     return Accuracy(late, at_events, errors[:, -1], energy, float(excess), dissipated, certain, digits)
 

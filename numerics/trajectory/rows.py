@@ -68,7 +68,7 @@ class Rows:
         """Return when each row's segment begins, s."""
         local = self.columns.numbers("local")
         if not self.row_pieces.any():
-            return self._rounded(local)
+            return local
         with self.arithmetic.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=local.dtype)
             return np.asarray(starts[self.row_pieces] + local)
@@ -76,20 +76,13 @@ class Rows:
     @cached_property
     def row_states(self) -> NDArray[Any]:
         """Return x1, v1, x2, v2 at each row, shape (4, n)."""
-        return np.stack([self._rounded(self.columns.numbers(name)) for name in STATE])
+        return np.stack([self.columns.numbers(name) for name in STATE])
 
     @cached_property
     def row_lengths(self) -> NDArray[Any]:
         """Return how long the segment of each row lasts, s."""
         after = self.columns.numbers("length")[1:]
         return np.append(after, self.columns.last("length")) if self.reached else np.asarray(after)
-
-    def _rounded(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Return numbers with the digits of the arithmetic: the halves of double-double can hold more."""
-        if not self.columns.wide:
-            return values
-        with self.arithmetic.context():
-            return np.asarray(values + self.arithmetic.number(0))
 
     @cached_property
     def event_rows(self) -> NDArray[np.int64]:
@@ -151,7 +144,7 @@ class Rows:
     def final_state(self) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) at the end."""
         with self.arithmetic.context():
-            x1, v1, x2, v2 = self._rounded(np.array([self.columns.last(name) for name in STATE])).tolist()
+            x1, v1, x2, v2 = (self.columns.last(name) for name in STATE)
             return x1, v1, x2, v2
 
     @cached_property

@@ -22,6 +22,9 @@ from numerics.trajectory.reduced import ReducedState
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
 
+_AT_ASKED_TIMES = {"_asked_times", "_asked_states", "energy"}
+"""What depends on t_eval, and is made when it is looked at."""
+
 
 class Solution(Rows):
     """A run in the words of SciPy's solution objects, and with the physics beside them (trajectory.py)."""
@@ -42,14 +45,20 @@ class Solution(Rows):
         """
         super().__init__(scene, arithmetic, record)
         self.digits, self.tried, self.t_eval = digits, tried, t_eval
-        if t_eval is not None:
-            with arithmetic.context():
-                self._asked_times = sorted_times(self.dense, t_eval)
+        self._look_up_times()
 
     def but(self, **changed: Any) -> Self:
         """Return the same trajectory with other `digits`, `tried` or `t_eval`."""
-        kept = {name: getattr(self, name) for name in ("digits", "tried", "t_eval")}
-        return type(self)(self._given, self.arithmetic, self.record, **(kept | changed))
+        new = object.__new__(type(self))
+        new.__dict__ = {name: value for name, value in vars(self).items() if name not in _AT_ASKED_TIMES}
+        new.__dict__.update(changed)
+        new._look_up_times()
+        return new
+
+    def _look_up_times(self) -> None:
+        if self.t_eval is not None:
+            with self.arithmetic.context():
+                self._asked_times = sorted_times(self.dense, self.t_eval)
 
     @property
     def status(self) -> Status:
@@ -172,7 +181,7 @@ class Solution(Rows):
         """Return what friction and viscosity took, J: summed by the run where it has bounds, else by the ledger."""
         with self.arithmetic.context():
             if self.bounded:
-                return self.columns.total("friction") + self.columns.total("viscous")
+                return self.columns.last("friction") + self.columns.last("viscous")
             return self.ledger.friction + self.ledger.viscous
 
     @cached_property
