@@ -131,8 +131,10 @@ def _run_float64(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
 
 def _run_double_double(scene: Scene, max_events: int, progress: Progress | None) -> Record:
     arithmetic, _runs[0] = DoubleDouble(), _runs[0] + _WIDE_RUN
-    with arithmetic.context():
-        begun, given = (in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic))
+    if "wide" not in scene.made:
+        with arithmetic.context():
+            scene.made["wide"] = [in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic)]
+    begun, given = scene.made["wide"]
     rows, end = _from_start(begun, given, max_events, scene, progress)
     return _record(rows, end, arithmetic, progress)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from numerics.scene import Scene, Sine
+from numerics.scene.pieces import shifted
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +43,9 @@ def _pieces(scene: Scene) -> Sequence[ExactPiece]:
             b, frictions = friction.pieces[frictions][1], frictions + 1
         while forces < len(force.pieces) and force.pieces[forces].start <= start:
             piece, forces = force.pieces[forces], forces + 1
-        here = piece.moved(start) if piece is not None and piece.start != start else piece
-        polynomial, sines = (here.polynomial, here.sines) if here is not None else ((), ())
+        polynomial, sines = (piece.polynomial, piece.sines) if piece is not None else ((), ())
+        if piece is not None and piece.start != start:
+            polynomial = shifted(polynomial, start - piece.start)
         after = ExactPiece(start, end - start, b, polynomial, sines, True)
         jumps = not found or _may_jump(found[-1], after)
         found.append(after if jumps else ExactPiece(start, end - start, b, polynomial, sines, False))

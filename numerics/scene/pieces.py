@@ -64,6 +64,8 @@ class Piece:
 
     def moved(self, start: Fraction) -> Piece:
         """Return the same function of time as a piece that begins at another time; exact."""
+        if start == self.start:
+            return self
         return Piece(start, shifted(self.polynomial, start - self.start), self.sines)
 
 

@@ -164,7 +164,8 @@ def _solve_objects(
         scene = _scene(row[: len(named)], terms, limits.law)
         if acts is not None:
             force, friction = row[len(named) :]
-            scene = Scene(scene.pair, scene.initial, scene.until, limits.law, scene.force + force, friction)
+            u = scene.force + force if scene.force.pieces else force
+            scene = Scene(scene.pair, scene.initial, scene.until, limits.law, u, friction)
         scenes.append(scene)
     _, max_events, keep, jobs, progress = limits
     found = solve_scenes(scenes, max_events=max_events, keep_events=keep, jobs=jobs, progress=progress)
