@@ -5,6 +5,8 @@ from fractions import Fraction
 
 from hypothesis import strategies as st
 
+from numerics.arithmetic.pair import Pair as WideNumber
+from numerics.arithmetic.pair import two_sum
 from numerics.control.response import Regime
 from numerics.control.thresholds import thresholds
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
@@ -122,6 +124,12 @@ def long_slips(draw, damped: bool | None = False, turns: tuple[int, int] = (0, 3
     return Scene(pair, State(draw(signed(decimals(-1, 1))) * pair.half_width, slow, 0, fast), until=2 * lasts + 1)
 
 
+def free_scenes() -> st.SearchStrategy[Scene]:
+    """The paper's pair: ordinary, of any magnitude, next to E_cr, in long slips, under the literal law."""
+    literal = scenes(law=Law.THREE_VALUED_SGN)
+    return st.one_of(scenes(size=(-2, 2)), scenes((-9, 9)), near_critical((3, 80)), long_slips(), literal)
+
+
 @st.composite
 def viscous_scenes(draw) -> Scene:
     """Scenes with a1 > 0 for the kernels: every damping regime, starts on S, long slips, next to E_cr, both laws."""
@@ -131,6 +139,12 @@ def viscous_scenes(draw) -> Scene:
     if kind == "near":
         return draw(near_critical(exponents=(1, 14), pair=draw(pairs(damped=True))))
     return draw(scenes(damped=True, law=Law.THREE_VALUED_SGN if kind == "law" else Law.FILIPPOV))
+
+
+def wide_numbers(low: int, high: int) -> st.SearchStrategy[WideNumber]:
+    """Positive double-double numbers from 2^low to 2^high, with all of their 106 bits."""
+    parts = st.tuples(st.floats(1, 2), st.floats(-1, 1), st.integers(low, high - 1))
+    return parts.map(lambda at: two_sum(at[0] * 2.0 ** at[2], at[1] * 2.0 ** (at[2] - 53)))
 
 
 def sines() -> st.SearchStrategy[Sine]:

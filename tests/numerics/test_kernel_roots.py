@@ -9,10 +9,8 @@ from numerics.linear.first_root import (
     CLEAR,
     ROOT,
     UNDECIDED,
-    bend_bound,
     first_root,
     lower_bound,
-    value_slope,
 )
 
 TERMS, ROOMS, NONE = 24, (np.zeros(8), np.zeros(8)), np.zeros(0)
@@ -49,16 +47,6 @@ def test_a_lower_bound_holds_and_is_sharp_where_the_least_coefficient_is_the_las
     assert value(q, grid(0, theta)).min() >= low - 1e-9
     assert abs(low - least) < 1e-6
     assert (guess >= 0) == (c.min() <= 0)
-
-
-@given(seeds, reaches)
-def test_slope_and_bend_are_those_of_the_polynomial(seed, theta):
-    q = np.random.default_rng(seed).normal(size=TERMS)
-    bent = np.polynomial.polynomial.polyder(q, 2)
-    assert bend_bound(q, theta) >= abs(value(bent, grid(0, theta))).max()
-    assert np.isclose(bend_bound(abs(q), theta), value(abs(bent), theta))
-    s = theta / 3
-    assert np.allclose(value_slope(q, s), (value(q, s), value(np.polynomial.polynomial.polyder(q), s)))
 
 
 @st.composite
@@ -132,17 +120,3 @@ def test_a_margin_is_the_sum_of_its_parts(value_at_end, part, theta):
         guards = (padded(np.array([2.0])), q) if part == 3 else (q, NONE)
         how, s, *_ = first_root(*guards, margins, theta, *ROOMS)
         assert (how == CLEAR and s == theta) == is_clear
-
-
-def test_of_two_roots_the_first_one_counts_whichever_guard_has_it():
-    early, late = padded(np.array([1, -1 / 0.4])), padded(np.array([1, -1 / 0.6]))
-    for one, two, which in ((early, late, 0), (late, early, 1)):
-        how, s, _, found = first_root(one, two, (1e-9, 0, 0, 1e-9), 1.0, *ROOMS)
-        assert (how, found) == (ROOT, which)
-        assert abs(s - 0.4) < 1e-12
-
-
-def test_where_nothing_can_be_decided_that_is_said():
-    touching = padded(np.array([1e-14, -2, 1e14]))
-    assert first_root(touching, NONE, (0.0, 0, 0, 0), 1.0, *ROOMS)[0] == UNDECIDED
-    assert first_root(padded(np.array([1.0])), NONE, (2.0, 0, 0, 0), 1.0, *ROOMS)[0] == UNDECIDED

@@ -4,13 +4,8 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
-from reaching import LeftOut, reaching
-from strategies import scenes
 
 from numerics import Force, Pair, Scene, State, load_scene, solve, solve_many
-from numerics.errors import EventUndecided, OutOfRange
-from numerics.scene.file import shipped_scenes
 from numerics.trajectory.comparison import distance
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.status import Status
@@ -69,7 +64,7 @@ def test_proved_digits_are_those_of_the_worst_radius(scene, digits):
 @pytest.mark.parametrize("arithmetic", ["float64", "double-double"])
 def test_the_digits_of_bounds_are_those_of_the_worst_bound(scene, arithmetic):
     run = solve(scene, arithmetic=arithmetic)
-    bounds, truth = run.accuracy, solve(scene, digits=45, arithmetic="ball")
+    bounds = run.accuracy
     sizes = abs(np.concatenate([run.y.astype(float).T, [np.array(run.final_state, dtype=float)]])).max(axis=0)
     sizes = np.maximum(sizes, sizes[[2, 3, 0, 1]])
     worst = max(
@@ -77,10 +72,6 @@ def test_the_digits_of_bounds_are_those_of_the_worst_bound(scene, arithmetic):
     )
     assert 10.0 ** -(bounds.digits + 1) < max(worst, bounds.energy / run.energy.astype(float).max(), 1e-32)
     assert worst <= 10.0**-bounds.digits
-    with truth.arithmetic.context():
-        for ours, theirs, bound in zip(run.events, truth.events, bounds.y, strict=True):
-            assert all(distance(x, y) < b for x, y, b in zip(ours.y, theirs.y, bound, strict=True))
-        assert all(distance(x, y) < b for x, y, b in zip(run.event_times, truth.event_times, bounds.t, strict=True))
 
 
 def test_a_position_that_passes_zero_has_the_digits_of_its_neighbours():
@@ -102,21 +93,6 @@ def test_one_digit_more_than_an_arithmetic_has_is_answered_by_the_next(scene):
     has = min(30, solve(scene, arithmetic="double-double").accuracy.digits)
     assert solve(scene, digits=has).arithmetic.name == "double-double"
     assert solve(scene, digits=has + 1).arithmetic.name == "ball"
-
-
-@reaching
-@given(scenes((-2, 2), damped=True, size=(-1, 1), periods=(1, 2)))
-def test_what_was_lost_is_within_its_bound(scene):
-    try:
-        run = solve(scene, arithmetic="float64")
-    except (EventUndecided, OutOfRange):
-        raise LeftOut from None
-    truth = solve(scene, digits=25, arithmetic="ball")
-    assert run.modes == truth.modes
-    ledger = truth.ledger
-    with truth.arithmetic.context():
-        assert distance(run.dissipated, ledger.friction + ledger.viscous) <= run.accuracy.dissipated
-        assert truth.dissipated.overlaps(ledger.friction + ledger.viscous)
 
 
 # the ladder
@@ -208,10 +184,3 @@ def test_forces_in_columns_are_those_of_a_scene():
         assert found.events[k] == len(one.events)
         np.testing.assert_allclose(found.y[:, k], one.y[:, -1], rtol=1e-9)
         np.testing.assert_allclose(found.event_t[k][: len(one.events)], one.event_times[:2], rtol=1e-9)
-
-
-def test_the_shipped_scenes_have_digits_without_asking():
-    for name in shipped_scenes():
-        run = solve(load_scene(name))
-        assert run.certain, name
-        assert run.arithmetic.name != "float64" or run.accuracy.digits >= 5, name
