@@ -2,7 +2,6 @@
 
 import json
 from decimal import Decimal, localcontext
-from fractions import Fraction
 
 import pytest
 from control_scenes import referred
@@ -11,7 +10,6 @@ from flint import arb, ctx
 
 from numerics.errors import EventUndecided, NumericsError
 from numerics.free.energy import energy_at
-from numerics.free.engine import mode_at_start
 from numerics.solver.solve import solve
 from numerics.solver.truth import record as as_record
 
@@ -125,29 +123,6 @@ def test_an_undecided_graze_shows_the_enclosure():
         ANSWER["graze-to-900-digits"],
         scene("graze-to-900-digits").pair,
     )
-
-
-@pytest.mark.parametrize(
-    ("name", "excess"),
-    [
-        *((name, 0) for name in CATALOGUE if name.startswith(("critical-energy-a", "critical-energy-m", "corner"))),
-        ("edge-as-decimal-text", 0),
-        ("edge-one-decimal-unit-within", (1 - Fraction(1, 10**19)) ** 2 - 1),
-        ("edge-one-decimal-unit-beyond", (1 + Fraction(1, 10**19)) ** 2 - 1),
-        *((f"excess-1e-{n}", Fraction(1, 10**n)) for n in (3, 6, 12, 30, 300)),
-        *((f"rest-beyond-edge-1e-{n}", (1 + Fraction(1, 10**n)) ** 2 - 1) for n in (6, 30, 300)),
-        ("at-rest-everywhere", -1),
-    ],
-)
-def test_the_derivations_in_the_comments_are_exact(name, excess):
-    assert scene(name).energy_excess == excess
-    assert mode_at_start(scene(name)).value == ANSWER[name]["modes"][0]
-
-
-@pytest.mark.parametrize("name", ["stick", "slip"])
-def test_critical_damping_is_exact(name):
-    pair = scene(f"damping-critical-{name}").pair
-    assert pair.a1**2 == 4 * pair.a2 * (pair.mass if name == "stick" else pair.m1)
 
 
 @pytest.mark.parametrize("name", ["corner-plus", "mass-ratio-1e-6", "capture-from-off-S", "excess-1e-12"])

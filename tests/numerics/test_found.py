@@ -3,8 +3,6 @@
 Ties through square roots, nearly critical damping, motions that have died away, events on the horizon.
 """
 
-import subprocess
-import sys
 from fractions import Fraction
 
 import numpy as np
@@ -119,23 +117,7 @@ def test_an_event_in_the_same_place_as_the_horizon():
     scene = Scene(Pair("1e-4", 10, 1, 5, 2), State(x1=-150, v1=-288, v2=29), until=AT_AN_EVENT)
     assert solve(scene).arithmetic.name != "float64"
     assert solve(scene, digits=5).arithmetic.name != "float64"
-    code = (
-        "from numerics.solver.many import solve_many\n"
-        "found = solve_many(1e-4, 10, 1, 5, a1=2, x1=-150, v1=-288, v2=29, until=2.10700551516822)\n"
-        "print(int(found.status), float(found.dissipated).hex(), float(found.dissipated_error).hex())"
-    )
-    plain = subprocess.run(
-        [sys.executable, "-c", "import os; os.environ['NUMBA_DISABLE_JIT'] = '1'\n" + code],
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
     found = solve_many(1e-4, 10, 1, 5, a1=2, x1=-150, v1=-288, v2=29, until=2.10700551516822)
-    assert plain.split() == [
-        str(int(found.status)),
-        float(found.dissipated).hex(),
-        float(found.dissipated_error).hex(),
-    ]
     assert np.isfinite(found.dissipated_error) or not found.certain
 
 

@@ -44,7 +44,7 @@ def test_the_ledger_closes_and_without_a_force_energy_never_grows(scene):
                 assert not after > before
                 assert segment.mode is not Mode.STICK or scene.pair.a1 > 0 or after.overlaps(before)
         assert ledger.residual.contains(0)
-        assert ledger.residual.rad() <= (ledger.initial + ledger.friction) * 1e-10
+        assert ledger.residual.rad() <= (ledger.initial + ledger.final + ledger.friction) * 1e-10
         assert (ledger.initial + ledger.work - ledger.final).overlaps(ledger.friction + ledger.viscous)
 
 

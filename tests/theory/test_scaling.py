@@ -1,19 +1,13 @@
 """The reduced coordinates: derived fields, one parameter, energy; and the way back to SI."""
 
 import pytest
-from sympy import Matrix, simplify, sqrt
+from sympy import Matrix, simplify
 
 from theory import energy, filippov, scaling
 from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, total_mass, v1, v2, x1, zeta
 
 ZERO = Matrix([0, 0, 0])
 SIGNS = pytest.mark.parametrize("sign", [1, -1])
-
-
-def test_units(same):
-    assert same(scaling.half_width(), b * total_mass() / (a2 * m2))
-    assert same(scaling.stick_frequency(), sqrt(a2 / total_mass()))
-    assert same(scaling.damping_ratio(), a1 / (2 * sqrt(a2 * total_mass())))
 
 
 @SIGNS
@@ -30,17 +24,6 @@ def test_viscous_fields(sign):
     assert simplify(scaling.reduced_slip(sign, damped=True) - slip) == ZERO
     stick = -(X + 2 * zeta * V1)
     assert simplify(scaling.reduced_stick(damped=True) - Matrix([V1, stick, stick])) == ZERO
-
-
-@pytest.mark.parametrize("damped", [False, True])
-def test_no_unit_remains(damped):
-    left = scaling.reduced_slip(1, damped).free_symbols | scaling.reduced_stick(damped).free_symbols
-    assert left <= {X, V1, V2, q} | ({zeta} if damped else set())
-
-
-def test_sliding_region(same):
-    assert same(scaling.reduced_load(), X)
-    assert same(scaling.reduced_load(damped=True), X + 2 * zeta * V1)
 
 
 @SIGNS
