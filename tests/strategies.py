@@ -3,6 +3,7 @@
 import math
 from fractions import Fraction
 
+import numpy as np
 from hypothesis import strategies as st
 
 from numerics.arithmetic.pair import Pair as WideNumber
@@ -238,6 +239,32 @@ def driven_states(draw, pair: Pair, force: Force) -> State:
     if kind == "edge" and isinstance(u, Fraction):
         x = (u - pair.a1 * v - draw(st.sampled_from([-1, 1])) * pair.a2 * pair.half_width) / pair.a2
     return State(x, v, x, v)
+
+
+reaches = st.sampled_from([0.3, 0.9, 1.0])
+
+
+@st.composite
+def polynomials_of_roots(draw, terms: int) -> tuple[float, np.ndarray, float]:
+    """How far to look, a polynomial, positive at 0, of chosen roots times a positive factor, and its scale.
+
+    Roots lie next to each other and to the end.
+    """
+    theta = draw(reaches)
+    near = st.sampled_from([1 - 1e-3, 1 - 1e-7, 1 + 1e-7, 1 + 1e-3, 0.01, 0.3, 0.5, 0.7, 1.5, 4.0]).map(
+        lambda x: x * theta
+    )
+    roots = draw(st.lists(near, max_size=2))
+    if roots and draw(st.booleans()):
+        roots.append(roots[0] * (1 + draw(st.sampled_from([0.0, 1e-9, 1e-4, 0.03]))))
+    factor = [1, draw(st.floats(-0.4, 0.4)), draw(st.floats(0, 0.3))]
+    random = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
+    q = np.polynomial.polynomial.polyfromroots(roots) / np.prod([-r for r in roots]) if roots else np.ones(1)
+    q = np.polynomial.polynomial.polymul(q, factor)
+    scale = draw(st.sampled_from([1.0, 1e-6]))
+    lift = draw(st.sampled_from([0.0, 0.0, 1e-6, 1e-2]))  # so that it dips near 0 without a root
+    q = np.pad(q, (0, terms - len(q))) + lift * (np.arange(terms) == 0)
+    return theta, scale * (q + 1e-18 * random.normal(size=terms)), scale
 
 
 @st.composite

@@ -7,10 +7,9 @@ import sympy as sp
 from flint import arb
 
 from numerics import Pair, Scene, State, solve
-from numerics.linear.modes import EventKind, Mode
-from theory.excursion import h
+from numerics.linear.modes import Mode
 from theory.filippov import transversality
-from theory.return_map import contact_condition, depth, gap, landing, push
+from theory.return_map import contact_condition, gap, landing, push
 from theory.symbols import a2, b, m1, m2, q, theta, x1
 
 # L = Omega = M = 1 and a root that is rational: sqrt(q) = 1/2.
@@ -40,19 +39,6 @@ def test_a_slip_from_the_surface_ends_where_the_contact_equation_says(start):
         before = 2 * d / 4 + d * d / 16 + u * u / 4
         lost = in_balls(ends.excess_change, theta, gap, push)(angle, *at)
         assert (arb(before.numerator) / before.denominator + lost).overlaps(event.reduced.w)
-
-
-def test_from_exit_to_exit_the_excess_is_that_of_the_return_map():
-    run = solve(Scene(QUARTER, State(v1="1.02", v2="1.02"), until=60), digits=25, arithmetic="ball")
-    exits = [event for event in run.events if event.kind is EventKind.EXIT]
-    entries = [event for event in run.events if event.kind is EventKind.ENTRY]
-    assert len(exits) > 10
-    with run.arithmetic.context():
-        for leave, enter, again in zip(exits, entries, exits[1:], strict=False):
-            angle = 2 * (enter.t - leave.t)
-            height, deep = (in_balls(one, theta)(angle) for one in (h(), depth()))
-            assert (height**2 / 4).overlaps(leave.reduced.w)
-            assert ((height**2 - deep**2 * 3 / 4) / 4).overlaps(again.reduced.w)
 
 
 @pytest.mark.parametrize("place", ["-2", "-1.0001", "-0.9999", "0", "0.9999", "1.0001", "3"])

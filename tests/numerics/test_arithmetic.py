@@ -1,4 +1,4 @@
-"""The functions of the arithmetics against 8000-bit truth, by decade; and roots of monotone functions."""
+"""Functions of wide balls hold the values at their points; what is no number decides nothing; roots."""
 
 import math
 from fractions import Fraction
@@ -59,17 +59,6 @@ def test_a_wide_ball_encloses_every_point_of_it(name, x, relative, part):
         assert value.overlaps(truth)
         if relative > 5:  # x^4 moves four times as much as x, relatively
             assert value.rad() <= 8 * abs(truth) * arb(10) ** -relative
-
-
-@pytest.mark.parametrize("name", DEFICITS)
-def test_deficits_at_zero_and_at_turns(name):
-    for arithmetic in (Float64(), Multiprecision(30), Ball(30)):
-        with arithmetic.context():
-            function, zero = getattr(functions, name), arithmetic.number(0)
-            assert arithmetic.to_float(function(zero)) == 0
-            turn = function(functions.two_pi(zero))
-            expected = {"versine": 0, "sine_deficit": 2 * math.pi, "cosine_deficit": 2 * math.pi**2}[name]
-            assert arithmetic.to_float(turn) == pytest.approx(expected, abs=1e-15)
 
 
 def test_balls_that_are_not_finite_decide_nothing():

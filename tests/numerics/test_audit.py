@@ -1,15 +1,13 @@
-"""python -m numerics audit: its rows at the small size, and that each kind of row fails when its fault is planted."""
+"""python -m numerics audit: its rows, and that each kind of row fails when its fault is planted."""
 
 import dataclasses
 import json
 import math
-import time
-from fractions import Fraction
 from itertools import islice
 
 import pytest
 
-from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, solve
+from numerics import Pair, Scene, State
 from numerics.__main__ import main
 from numerics.audit import formulas, plan, refusals, solves, symmetries, table
 from numerics.scene.file import parse_scene
@@ -167,28 +165,7 @@ def test_a_run_that_is_no_mirror_image_is_found_out(name, moved):
     assert not rows[name].passed
 
 
-def test_a_scene_in_other_units_is_the_same_scene():
-    force = Force([Piece("1/2", [1, "1/3", 2], [Sine(3, 5, "0.7")]), Piece(1, [4])])
-    scene = Scene(Pair(1, 3, 200, "0.5", 1), State("0.01", "0.15"), 2, force=force, friction=Friction([("0.3", 1)]))
-    two, one = Fraction(2), Fraction(1)
-    there = symmetries.rescaled(scene, symmetries.Units(two**3, two**-2, two**5, -1))
-    assert symmetries.rescaled(there, symmetries.Units(two**-3, two**2, two**-5, -1)) == scene
-    assert there.energy_excess == scene.energy_excess
-    factor = two ** (3 - 2 - 2 * 5)
-    assert [there.force(t * 32) for t in (one / 2, one * 3)] == pytest.approx(
-        [-scene.force(one / 2) * factor, -4 * factor]
-    )
-    assert [mode.sign for mode in solve(there).modes] == [-mode.sign for mode in solve(scene).modes]
-
-
 # refusals
-
-
-def spin(_):
-    end = time.process_time() + 1.05
-    while time.process_time() < end:
-        pass
-    return parse_scene("")
 
 
 @pytest.mark.parametrize(
@@ -197,10 +174,9 @@ def spin(_):
         (lambda text: Scene(Pair(1, 1, 1, 1), State(), 1), "accepted wrongly"),
         (lambda text: parse_scene(text.replace("-", "")), "accepted wrongly"),
         (lambda text: int("x"), "other errors"),
-        (spin, "over 1 s"),
     ],
 )
 def test_a_wrong_reader_fails(reader, figure):
-    rows = list(refusals.audit_refusals(0, 1 if reader is spin else 200, nothing, reader))
+    rows = list(refusals.audit_refusals(0, 200, nothing, reader))
     assert not all(row.passed for row in rows)
     assert sum(row.measured[figure] for row in rows) > 0

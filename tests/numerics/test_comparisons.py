@@ -1,4 +1,4 @@
-"""Other integrators: the paper's forward Euler with its chatter, and SciPy's driven from event to event."""
+"""The paper's forward Euler: its chatter, its order, and steps that it refuses."""
 
 import numpy as np
 import pytest

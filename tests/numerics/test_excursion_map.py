@@ -1,4 +1,4 @@
-"""The 1/t law over a hundred thousand excursions, and the map against the solver that steps through time."""
+"""The return map against the solver that steps through time, and against its expansion."""
 
 import math
 from itertools import islice

@@ -3,6 +3,7 @@
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from strategies import polynomials_of_roots, reaches
 
 from numerics.linear.first_root import (
     BERNSTEIN,
@@ -14,7 +15,6 @@ from numerics.linear.first_root import (
 )
 
 TERMS, ROOMS, NONE = 24, (np.zeros(8), np.zeros(8)), np.zeros(0)
-reaches = st.sampled_from([0.3, 0.9, 1.0])
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -49,25 +49,6 @@ def test_a_lower_bound_holds_and_is_sharp_where_the_least_coefficient_is_the_las
     assert (guess >= 0) == (c.min() <= 0)
 
 
-@st.composite
-def products(draw):
-    """Polynomials, positive at 0, of chosen roots times a positive factor; roots next to each other and to the end."""
-    theta = draw(reaches)
-    near = st.sampled_from([1 - 1e-3, 1 - 1e-7, 1 + 1e-7, 1 + 1e-3, 0.01, 0.3, 0.5, 0.7, 1.5, 4.0]).map(
-        lambda x: x * theta
-    )
-    roots = draw(st.lists(near, max_size=2))
-    if roots and draw(st.booleans()):
-        roots.append(roots[0] * (1 + draw(st.sampled_from([0.0, 1e-9, 1e-4, 0.03]))))
-    factor = [1, draw(st.floats(-0.4, 0.4)), draw(st.floats(0, 0.3))]
-    random = np.random.default_rng(draw(seeds))
-    q = np.polynomial.polynomial.polyfromroots(roots) / np.prod([-r for r in roots]) if roots else np.ones(1)
-    q = np.polynomial.polynomial.polymul(q, factor)
-    scale = draw(st.sampled_from([1.0, 1e-6]))
-    lift = draw(st.sampled_from([0.0, 0.0, 1e-6, 1e-2]))  # so that it dips near 0 without a root
-    return theta, scale * (padded(q) + 1e-18 * random.normal(size=TERMS) + lift * (np.arange(TERMS) == 0)), scale
-
-
 def holds(q, other, margins, theta):
     """Whether what is found is true of dense values; return how."""
     m0, m1, m2, m_other = margins
@@ -86,13 +67,13 @@ def holds(q, other, margins, theta):
     return how
 
 
-@given(products(), st.data())
+@given(polynomials_of_roots(TERMS), st.data())
 @settings(max_examples=150)
 def test_what_is_clear_exceeds_its_margin_and_a_root_is_the_first_and_alone(one, data):
     theta, q, scale = one
     small = st.sampled_from([0.0, 0.0, 1e-12, 1e-7, 1e-3]).map(lambda x: x * scale)
     margins = tuple(data.draw(small) for _ in range(4))
-    other = data.draw(st.sampled_from([NONE, NONE, data.draw(products())[1] * scale]))
+    other = data.draw(st.sampled_from([NONE, NONE, data.draw(polynomials_of_roots(TERMS))[1] * scale]))
     holds(q, other, margins, theta)
 
 

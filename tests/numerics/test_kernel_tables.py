@@ -1,4 +1,4 @@
-"""The kernel's tables and what is formed with them, against the exact generator in many digits; and rounding."""
+"""What rounding and truncation do to a guard is within the sums that the kernel's tables keep."""
 
 import numpy as np
 import pytest

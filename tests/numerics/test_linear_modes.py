@@ -1,4 +1,4 @@
-"""Motions as exponentials of ball matrices: ranges hold every point, and what is called proved of a mode is so."""
+"""Motions as exponentials of ball matrices: what is called proved of a mode is so."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""The Abel functions of the return map, and the energy at times that nobody could step to."""
+"""The energy at times that nobody could step to: against stepping, the sharp law, and the rim behind it."""
 
 from __future__ import annotations
 
 import json
 from fractions import Fraction
-from itertools import islice, pairwise
+from itertools import pairwise
 
 import pytest
 from flint import acb, arb, fmpq
@@ -13,32 +13,12 @@ from hypothesis import strategies as st
 
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball, digits_within
-from numerics.free.abel import AbelFunctions, arcs
+from numerics.free.abel import arcs
 from numerics.free.energy import Road, energy_at
-from numerics.free.excursions import excursions
-from numerics.free.frame import Frame
 from numerics.linear.modes import EventKind
 from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
-
-SHARES = [Fraction(1, 2), Fraction(1, 100), Fraction(99, 100), Fraction(1, 10**6)]
-
-
-@pytest.mark.parametrize("share", SHARES)
-def test_iteration_is_addition(share):
-    """alpha grows by 1 and beta by the time of the cycle, to 30 digits, along a run that never uses them."""
-    abel, arithmetic = AbelFunctions(share), Ball(60)
-    with arithmetic.context():
-        frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
-        # keep away from the light driver's narrow neighbourhood of the critical orbit
-        y = min(Fraction(1, 1000), share / 100)
-        run = list(islice(excursions(frame, arithmetic.number(y * share)), 60))
-        first, last = run[0].w / frame.q, run[-1].w / frame.q
-        time = sum((one.slip + one.stick for one in run[:-1]), arb(0))
-        assert abs(abel.alpha(last) - abel.alpha(first) - 59) < arb(10) ** -30
-        assert abs(abel.beta(last) - abel.beta(first) - time) < arb(10) ** -30
-        assert abel.alpha_inverse(abel.alpha(first) + 59, first).overlaps(last)
 
 
 @pytest.mark.parametrize(

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
-from itertools import pairwise
+from functools import cache
+from itertools import pairwise, product
 
 import mpmath
 import pytest
 from flint import arb
+from hypothesis import given
+from hypothesis import strategies as st
 
 from numerics.arithmetic.ball import Ball
 from numerics.free import merging as merging_cell
@@ -131,6 +134,83 @@ def test_a_cell_across_the_edge_has_no_verdict_and_both_sides_have_theirs(share,
     assert found(-width, width) is Verdict.UNDECIDED
     assert found(-3 * width, -width) is Verdict.CREEPS
     assert found(width, 3 * width) is Verdict.MERGES
+
+
+# starts that are known by bounds only
+
+
+@cache
+def slip_angle(gap, push):
+    """The angle at which u + d cot(theta/2) = h(theta): the left side less the right one falls on (0, 2 pi)."""
+    low, high = mpmath.mpf(10) ** -9, 2 * mpmath.pi - mpmath.mpf(10) ** -9
+    for _ in range(50):
+        middle = (low + high) / 2
+        if push + gap / mpmath.tan(middle / 2) > rise(middle):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def outside(enclosure, truth):
+    """Whether a true number lies outside by more than the bisection can be wrong."""
+    return not enclosure.overlaps(arb(float(truth), 1e-12 * max(1, abs(float(truth)))))
+
+
+def cell_run(share, excess):
+    return merging_cell._CellRun((share, share), (excess, excess))
+
+
+def short_slip_misses(share, reach, push, excess):
+    """Slips from gaps up to `reach` with push < 0 whose excess after it is not that of the ray that follows."""
+    run = cell_run(share, Fraction(1, 10))
+    start = run._short_slip(arb(float(reach)), arb(float(push)), run.cell.constant(arb(float(excess))))
+    if start is None:
+        return None
+    misses = []
+    for part in (Fraction(1, 3), 1):
+        gap = reach * part
+        deep = depth(slip_angle(gap, push))
+        if outside(start.excess.value, excess - float(share) * deep * (deep + 2 * gap)):
+            misses.append(gap)
+    return misses
+
+
+@given(st.integers(51, 99), st.integers(1, 50), st.integers(5, 300), st.integers(50, 400))
+def test_a_short_slip_loses_no_more_than_its_bound(share, reach, push, excess):
+    with Ball(16).context():
+        assert not short_slip_misses(Fraction(share, 100), reach / 100, -push / 100, excess / 100)
+
+
+PARTS = [0, Fraction(1, 3), 1]
+
+
+def ball(low, high):
+    return arb(float(low)).union(arb(float(high)))
+
+
+def points(low, high):
+    return [low + (high - low) * part for part in PARTS]
+
+
+def angle_misses(gap, push):
+    """Points of a ball of gaps and pushes whose slip angle is not in the enclosure; None where there is none."""
+    gaps, pushes = ball(*gap), ball(*push)
+    near = merging_cell._approximate_angle(gaps, pushes)
+    found = merging_cell._enclose_angle(gaps, pushes, near)
+    if found is None:
+        return None
+    return [(d, u) for d, u in product(points(*gap), points(*push)) if outside(found, slip_angle(d, u))]
+
+
+hundredths = st.integers(1, 300).map(lambda n: n / 100)
+widths = st.sampled_from([0, 1e-3, 0.02, 0.1, 0.3])
+
+
+@given(hundredths, hundredths, widths, widths)
+def test_every_slip_angle_of_a_ball_is_enclosed_or_none_is(gap, push, wider, faster):
+    with Ball(16).context():
+        assert not angle_misses((gap, gap + wider), (push, push + faster))
 
 
 # planted faults

@@ -1,4 +1,4 @@
-"""Double-double: operations and functions to a few 2^-105 of themselves, in Python and compiled alike."""
+"""Double-double: operations and the contact to a few 2^-105 of themselves."""
 
 from flint import arb
 from hypothesis import assume, given, settings

@@ -11,7 +11,7 @@ import pytest
 from forced import catalogue
 from scipy.optimize import brentq
 
-from numerics.scene import Force, Friction, Law, Pair, Scene, State
+from numerics.scene import Force, Law, Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trade import contenders
 from numerics.trade.comparisons import euler_peer, switched
@@ -89,23 +89,6 @@ def test_the_list_imports_no_integrator():
 
 
 class TestSwitched:
-    def test_spans_lie_between_jumps_and_carry_what_acts_there(self):
-        given = Scene(
-            Pair(1, 1, 200, "0.05"),
-            State(),
-            3,
-            force=Force.step(1, 2) + Force.trapezoid(0, 1, 1, 1, 3) + Force.sine("0.5", 4, "0.2", start=2),
-            friction=Friction([(1, "0.1"), ("2.5", "0.2"), (7, 1)]),
-        )
-        pair = SwitchedPair(given)
-        assert [(one.end, one.b) for one in pair.spans] == [(1, 0.05), (2, 0.1), (2.5, 0.1), (3, 0.2)]
-        for span in pair.spans:
-            at = span.end - 0.25
-            assert pair.u(span, at) == pytest.approx(float(given.force(at)), abs=1e-14)
-            for order in (1, 2):
-                slope = (pair.u(span, at + 1e-6, order - 1) - pair.u(span, at - 1e-6, order - 1)) / 2e-6
-                assert pair.u(span, at, order) == pytest.approx(slope, abs=1e-7)
-
     @pytest.mark.parametrize("u", [1e-8, 1e-3, 0.3, 2.0, 30.0])
     def test_the_step_off_the_surface_stays_inside_the_slip(self, u):
         """From an exit, V = u sqrt(q): g is back at the angle t with (t - sin t)/(1 - cos t) = u."""

@@ -11,7 +11,7 @@ from strategies import driven_scenes, scenes
 
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Law, Pair, Scene, State
+from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 
@@ -62,35 +62,6 @@ def test_the_dichotomy_of_the_undamped_pair(scene):
             assert not run.final.w > 0
         elif run.modes[-1] is Mode.STICK and run.success:
             assert run.final.w > 0
-
-
-@given(scenes(damped=None), st.sampled_from(list(Law)))
-def test_transitions_are_legal(scene, law):
-    run = solved(Scene(scene.pair, scene.initial, scene.until, law), digits=12, arithmetic="ball")
-    two_zeta = run.frame.two_zeta
-    assert all(one is not two for one, two in zip(run.modes, run.modes[1:], strict=False))
-    with run.arithmetic.context():
-        for event in run.events:
-            state = event.reduced
-            load = state.X + two_zeta * state.V1
-            assert (state.V1 - state.V2).contains(0)
-            if event.kind is EventKind.ENTRY:
-                assert event.before.sign != 0
-                assert event.after is Mode.STICK
-                assert law is Law.THREE_VALUED_SGN or not abs(load) > 1
-            elif event.kind is EventKind.EXIT:
-                side = -event.after.sign
-                assert event.before is Mode.STICK
-                assert law is Law.FILIPPOV
-                assert (load - side).contains(0)
-                assert side * (state.V1 - two_zeta * load) > 0  # out through the edge
-                if scene.pair.a1 == 0:
-                    assert event.y[0].overlaps(side * run.frame.length)
-                    assert side * state.V1 > 0
-            else:
-                assert event.after.sign == -event.before.sign
-                assert not -event.after.sign * load < 1
-                assert law is Law.FILIPPOV
 
 
 @given(scenes(damped=None))

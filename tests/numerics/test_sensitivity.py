@@ -11,7 +11,7 @@ from differences import ball, deviation, everything, is_first_start, parameters
 from flint import arb
 from hypothesis import given, settings
 from reaching import LeftOut, reaching
-from strategies import driven_scenes, near_critical, scenes
+from strategies import driven_scenes, scenes
 
 from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State, sensitivities, solve
 from numerics.errors import EventUndecided, NotDifferentiable, NumericsError
@@ -225,13 +225,6 @@ def test_balls_contain_the_derivatives_and_points_are_close(name):
         for ours, run, digits in ((middle, points, 1e-15), (quick, floats, 4e-16)):
             if run.arithmetic.name != "ball":  # solve climbs where float64 is in doubt
                 assert (np.abs(ours.astype(float).reshape(true.shape) - true) <= digits * largest).all()
-
-
-@given(near_critical(exponents=(3, 12)))
-def test_near_critical_sensitivities_are_enclosed_and_close(scene):
-    balls, floats = sensitivities(solve(scene, digits=20, arithmetic="ball")), sensitivities(solve(scene))
-    true = np.array([[float(one.mid()) for one in row] for row in balls.t])
-    assert (np.abs(floats.t - true) <= 4e-16 * np.abs(true).max(axis=0)).all()
 
 
 @given(scenes(damped=None, periods=(1, 2)))

@@ -1,6 +1,5 @@
-"""What a terminal shows, what is piped, and errors, which name the argument that helps."""
+"""What a terminal shows, and errors, which name the argument that helps."""
 
-import json
 import re
 import sys
 
@@ -8,7 +7,6 @@ import pytest
 
 from numerics.__main__ import main
 from numerics.errors import OutOfRange
-from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 
@@ -43,22 +41,6 @@ def test_a_terminal_sees_the_first_and_the_last_events_and_how_to_get_all(capsys
     assert shown == events[:20] + events[-20:]
     assert f"... {len(events) - 40} events more; --all prints them too" in short.splitlines()
     assert "--all" not in whole
-
-
-@pytest.mark.parametrize(("until", "cut"), [("5", False), ("50", True)])
-def test_what_is_piped_is_whole(capsys, monkeypatch, tmp_path, until, cut):
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE.replace("until = 2", f"until = {until}"))
-    piped = run(capsys, "solve", path, "--arithmetic", "float64")[1]
-    assert "--all" not in piped
-    shown = on_a_terminal(capsys, monkeypatch, "solve", path, "--arithmetic", "float64")
-    assert ("--all" in shown) == cut
-    assert len(shown.splitlines()) < 60
-    assert (shown.split() == piped.split()) != cut
-    count = len(solve(Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=until)).events)
-    for form in ("--json", "--csv"):
-        out = on_a_terminal(capsys, monkeypatch, "solve", path, "--arithmetic", "float64", form)
-        assert (len(json.loads(out)["events"]) if form == "--json" else len(out.splitlines()) - 2) == count
 
 
 @pytest.mark.parametrize(

@@ -75,18 +75,6 @@ def test_displacement_and_energy():
     assert not identical(one.next_excess, exc.h() ** 2 * q - 2 * q * q * printed)
 
 
-def test_factored_slopes():
-    first, second = exc.displacement_slope()
-    assert identical(diff(exc.displacement_of_angle(), theta), first * second)
-    assert first == theta - sin(theta)
-    factors = exc.next_excess_slope()
-    assert identical(diff(exc.next_excess(), theta), factors[0] * factors[1] * factors[2] * factors[3])
-    assert identical(factors[3], 1 - r * (1 - cos(theta)))
-    inward = exc.inward_step()
-    assert identical(1 - exc.excursion().position, inward[0] * inward[1] * inward[2])
-    assert inward[1] == 1 - cos(theta)
-
-
 @pytest.mark.parametrize(("mass_fraction", "speed"), [("0.5", "0.1"), ("0.2", "1"), ("0.9", "3"), ("0.05", "0.01")])
 def test_against_the_event_of_the_flow(mass_fraction, speed):
     """The first zero of the guard after its start, bracketed and bisected in 40 digits, in raw form."""

@@ -3,7 +3,7 @@
 import pytest
 from sympy import Matrix, simplify
 
-from theory import energy, filippov, scaling
+from theory import filippov, scaling
 from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, total_mass, v1, v2, x1, zeta
 
 ZERO = Matrix([0, 0, 0])
@@ -41,25 +41,6 @@ def test_the_reduced_rate_is_the_chain_rule_in_reduced_coordinates(sign, same):
     for damped in (False, True):
         along = (gradient * scaling.reduced_slip(sign, damped))[0]
         assert same(along, scaling.excess_rate(sign, damped))
-
-
-def test_parameters_invert_the_definitions(same):
-    known = scaling.parameters()
-    wanted = {
-        scaling.half_width: scaling.L,
-        scaling.stick_frequency: scaling.Omega,
-        scaling.damping_ratio: zeta,
-        total_mass: scaling.M,
-    }
-    for definition, unit in wanted.items():
-        assert same(definition().subs(known, simultaneous=True), unit)
-
-
-def test_way_back(same):
-    assert same(scaling.to_si(scaling.reduced_energy()), energy.energy() / energy.critical_energy())
-    assert same(scaling.to_si(X), x1 / filippov.half_width())
-    assert same(scaling.to_si(scaling.reduced_load(damped=True)), (a2 * x1 + a1 * v1) * m2 / (b * total_mass()))
-    assert scaling.to_si(V1 - V2).has(v2)
 
 
 def test_the_canonical_pair_has_unit_length_frequency_and_mass():
