@@ -15,7 +15,6 @@ from strategies import decimals, sine_scenes
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Orbit
-from numerics.control.pictures import draw_response
 from numerics.control.response import Regime, response, steady_drive, stuck_state
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
@@ -133,16 +132,6 @@ def test_what_has_no_periodic_response_is_refused(scene, more, said):
 def test_a_scene_without_a_force_takes_the_sine_that_is_given():
     one, two = response(Scene(DAMPED, State(), 1), amplitude="0.2", omega=12), response(under(DAMPED, "0.2"))
     assert (one.drive, one.regime) == (two.drive, two.regime)
-
-
-@pytest.mark.parametrize("amplitude", ["0.2", "0.5"])
-def test_pictures_are_drawn(amplitude):
-    found = response(under(DAMPED, amplitude))
-    figure = draw_response(found)
-    figure.draw_without_rendering()
-    assert len(figure.axes) == 3
-    for axes in figure.axes:
-        assert axes.get_legend().get_window_extent().y1 < axes.get_window_extent().y0  # it covers no curve
 
 
 @given(decimals(-1, 1, 2), st.integers(0, 20))

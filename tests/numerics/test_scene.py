@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
-from strategies import decimals, signed
 
 from numerics.errors import InvalidScene
 from numerics.scene import Law, Pair, State
@@ -34,15 +33,6 @@ def test_a_scene_file_is_read_as_exact_decimals():
     assert scene.pair.half_width == Fraction(1, 200)
     assert scene.until == 5
     assert scene.law is Law.FILIPPOV
-
-
-@given(signed(decimals(-40, 40, 30)))
-def test_every_decimal_survives_its_text(value):
-    text = f"{value.numerator}/{value.denominator}"
-    shift = 10**80
-    written = f"{value.numerator * shift // value.denominator}e-80"
-    assert Fraction(text) == value == exact_decimal(written, "x1")
-    assert parse_scene(VALID.replace("0.005", written)).initial.x1 == value
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))

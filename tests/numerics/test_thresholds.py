@@ -18,7 +18,7 @@ from numerics.control.answers import to_digits
 from numerics.control.guesses import exit_state
 from numerics.control.orbit import Drive
 from numerics.control.pictures import threshold_curves
-from numerics.control.response_map import Regimes, decide, response_map
+from numerics.control.response_map import Regimes, response_map
 from numerics.control.thresholds import NonStop, load_margin, thresholds
 from numerics.errors import InvalidScene, PrecisionExhausted
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
@@ -83,17 +83,6 @@ def test_a_free_oscillation_lets_the_pair_stick_up_to_a_larger_amplitude(odd):
         speed = Fraction(float(A * omega * (1 + c / odd)))
         scene = Scene(pair, State(v1=speed, v2=speed), until=3, force=Force.sine(amplitude, omega))
         assert (not referred(scene, digits=40).events) == sticks
-
-
-def test_the_map_leaves_open_where_a_free_oscillation_may_let_the_pair_stick():
-    pair, omega = Pair(1, 1, 1800, "0.5"), Fraction(10)
-    edge = Fraction(float(thresholds(pair, omega).entrainment))
-    near = (omega - Fraction(1, 1000), omega + Fraction(1, 1000))
-    away = (omega + Fraction(1, 100), omega + Fraction(1, 50))
-    above, beyond = ((edge * Fraction(one, 100), edge * Fraction(one + 1, 100)) for one in (112, 117))
-    assert decide(pair, (near, above)) is Regimes.UNDECIDED
-    assert decide(pair, (near, beyond)) is Regimes.BETWEEN
-    assert decide(pair, (away, above)) is Regimes.BETWEEN
 
 
 @pytest.mark.parametrize("omega", ["1e-6", "1e-29", "1e-30", "1e-60"])

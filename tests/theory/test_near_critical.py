@@ -85,15 +85,3 @@ def test_the_rate_law(same, near_misses):
     assert same(near.rate_constant(), printed)
     assert not any(same(near.rate_constant(), wrong) for wrong in near_misses(printed))
     assert near.rate_constant().free_symbols == {m1, m2, a2, b}
-
-
-def test_the_limits_of_the_paper(same, near_misses):
-    found = near.critical_limits()
-    mass = total_mass()
-    printed = pi * sqrt(mass / a2)
-    assert same(found.stick_duration, printed)
-    assert not any(same(found.stick_duration, wrong) for wrong in near_misses(printed))
-    assert found.slip_duration == 0
-    for position in (found.exit_position, found.entry_position):
-        assert same(position, b * mass / (a2 * m2))
-    assert (found.exit_velocity, found.entry_velocity) == (0, 0)
