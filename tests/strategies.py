@@ -3,8 +3,11 @@
 import math
 from fractions import Fraction
 
+import numpy as np
 from hypothesis import strategies as st
 
+from numerics.arithmetic.pair import Pair as WideNumber
+from numerics.arithmetic.pair import two_sum
 from numerics.control.response import Regime
 from numerics.control.thresholds import thresholds
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
@@ -122,6 +125,12 @@ def long_slips(draw, damped: bool | None = False, turns: tuple[int, int] = (0, 3
     return Scene(pair, State(draw(signed(decimals(-1, 1))) * pair.half_width, slow, 0, fast), until=2 * lasts + 1)
 
 
+def free_scenes() -> st.SearchStrategy[Scene]:
+    """The paper's pair: ordinary, of any magnitude, next to E_cr, in long slips, under the literal law."""
+    literal = scenes(law=Law.THREE_VALUED_SGN)
+    return st.one_of(scenes(size=(-2, 2)), scenes((-9, 9)), near_critical((3, 80)), long_slips(), literal)
+
+
 @st.composite
 def viscous_scenes(draw) -> Scene:
     """Scenes with a1 > 0 for the kernels: every damping regime, starts on S, long slips, next to E_cr, both laws."""
@@ -131,6 +140,12 @@ def viscous_scenes(draw) -> Scene:
     if kind == "near":
         return draw(near_critical(exponents=(1, 14), pair=draw(pairs(damped=True))))
     return draw(scenes(damped=True, law=Law.THREE_VALUED_SGN if kind == "law" else Law.FILIPPOV))
+
+
+def wide_numbers(low: int, high: int) -> st.SearchStrategy[WideNumber]:
+    """Positive double-double numbers from 2^low to 2^high, with all of their 106 bits."""
+    parts = st.tuples(st.floats(1, 2), st.floats(-1, 1), st.integers(low, high - 1))
+    return parts.map(lambda at: two_sum(at[0] * 2.0 ** at[2], at[1] * 2.0 ** (at[2] - 53)))
 
 
 def sines() -> st.SearchStrategy[Sine]:
@@ -224,6 +239,32 @@ def driven_states(draw, pair: Pair, force: Force) -> State:
     if kind == "edge" and isinstance(u, Fraction):
         x = (u - pair.a1 * v - draw(st.sampled_from([-1, 1])) * pair.a2 * pair.half_width) / pair.a2
     return State(x, v, x, v)
+
+
+reaches = st.sampled_from([0.3, 0.9, 1.0])
+
+
+@st.composite
+def polynomials_of_roots(draw, terms: int) -> tuple[float, np.ndarray, float]:
+    """How far to look, a polynomial, positive at 0, of chosen roots times a positive factor, and its scale.
+
+    Roots lie next to each other and to the end.
+    """
+    theta = draw(reaches)
+    near = st.sampled_from([1 - 1e-3, 1 - 1e-7, 1 + 1e-7, 1 + 1e-3, 0.01, 0.3, 0.5, 0.7, 1.5, 4.0]).map(
+        lambda x: x * theta
+    )
+    roots = draw(st.lists(near, max_size=2))
+    if roots and draw(st.booleans()):
+        roots.append(roots[0] * (1 + draw(st.sampled_from([0.0, 1e-9, 1e-4, 0.03]))))
+    factor = [1, draw(st.floats(-0.4, 0.4)), draw(st.floats(0, 0.3))]
+    random = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
+    q = np.polynomial.polynomial.polyfromroots(roots) / np.prod([-r for r in roots]) if roots else np.ones(1)
+    q = np.polynomial.polynomial.polymul(q, factor)
+    scale = draw(st.sampled_from([1.0, 1e-6]))
+    lift = draw(st.sampled_from([0.0, 0.0, 1e-6, 1e-2]))  # so that it dips near 0 without a root
+    q = np.pad(q, (0, terms - len(q))) + lift * (np.arange(terms) == 0)
+    return theta, scale * (q + 1e-18 * random.normal(size=terms)), scale
 
 
 @st.composite

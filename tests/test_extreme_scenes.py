@@ -2,23 +2,19 @@
 
 import json
 from decimal import Decimal, localcontext
-from fractions import Fraction
-from time import process_time
 
 import pytest
-from extremes.regenerate import ANSWERS, HERE, answer, catalogue, scene
+from control_scenes import referred
+from extremes.catalogue import ANSWER, CATALOGUE, HERE, scene
+from flint import arb, ctx
 
 from numerics.errors import EventUndecided, NumericsError
 from numerics.free.energy import energy_at
-from numerics.free.engine import mode_at_start
 from numerics.solver.solve import solve
 from numerics.solver.truth import record as as_record
 
-CATALOGUE = catalogue()
-ANSWER = json.loads(ANSWERS.read_text("utf-8"))
 WAYS = {"ball": {"digits": 50}, "mpmath": {"arithmetic": "mpmath", "digits": 50}, "float64": {"arithmetic": "float64"}}
 NAMES = ("t", "x1", "v1", "x2", "v2", "energy", "energy_excess")
-SECONDS = 40
 
 
 def solved(name, way):
@@ -91,9 +87,8 @@ def outcome(name, way):
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_right_to_the_digits_claimed_or_refused(name, way):
-    refusal, began = CATALOGUE[name].get(way, "right"), process_time()
+    refusal = CATALOGUE[name].get(way, "right")
     found = outcome(name, way)
-    assert process_time() - began < SECONDS
     if isinstance(found, NumericsError):
         assert type(found).__name__ in refusal.split(" or ")
         assert str(found).isprintable()
@@ -105,7 +100,7 @@ def test_right_to_the_digits_claimed_or_refused(name, way):
 
 @pytest.mark.parametrize("name", [name for name, entry in CATALOGUE.items() if "late" in entry])
 def test_the_energy_at_the_horizon_without_stepping_there(name):
-    one, late, began = scene(name), ANSWER[name]["late"], process_time()
+    one, late = scene(name), ANSWER[name]["late"]
     found = energy_at(one, one.until, digits=late["digits"])
     with found.frame.arithmetic.context():
         text = found.energy_excess.mid().str(60, radius=False)
@@ -115,7 +110,6 @@ def test_the_energy_at_the_horizon_without_stepping_there(name):
         assert abs(Decimal(str(text)) - truth) <= truth * Decimal(10) ** -late["digits"]
     assert str(found.excursions) == late.get("excursions", str(found.excursions))
     assert found.excursions > 10**6
-    assert process_time() - began < SECONDS
 
 
 def test_an_undecided_graze_shows_the_enclosure():
@@ -131,32 +125,14 @@ def test_an_undecided_graze_shows_the_enclosure():
     )
 
 
-@pytest.mark.parametrize(
-    ("name", "excess"),
-    [
-        *((name, 0) for name in CATALOGUE if name.startswith(("critical-energy-a", "critical-energy-m", "corner"))),
-        ("edge-as-decimal-text", 0),
-        ("edge-one-decimal-unit-within", (1 - Fraction(1, 10**19)) ** 2 - 1),
-        ("edge-one-decimal-unit-beyond", (1 + Fraction(1, 10**19)) ** 2 - 1),
-        *((f"excess-1e-{n}", Fraction(1, 10**n)) for n in (3, 6, 12, 30, 300)),
-        *((f"rest-beyond-edge-1e-{n}", (1 + Fraction(1, 10**n)) ** 2 - 1) for n in (6, 30, 300)),
-        ("at-rest-everywhere", -1),
-    ],
-)
-def test_the_derivations_in_the_comments_are_exact(name, excess):
-    assert scene(name).energy_excess == excess
-    assert mode_at_start(scene(name)).value == ANSWER[name]["modes"][0]
-
-
-@pytest.mark.parametrize("name", ["stick", "slip"])
-def test_critical_damping_is_exact(name):
-    pair = scene(f"damping-critical-{name}").pair
-    assert pair.a1**2 == 4 * pair.a2 * (pair.mass if name == "stick" else pair.m1)
-
-
-@pytest.mark.parametrize("name", ["corner-plus", "mass-ratio-1e-6", "capture-from-off-S", "slip-of-1e9-cycles"])
-def test_the_answers_are_what_the_command_writes(name):
-    assert answer(name, CATALOGUE[name]) == ANSWER[name]
+@pytest.mark.parametrize("name", ["corner-plus", "mass-ratio-1e-6", "capture-from-off-S", "excess-1e-12"])
+def test_another_reference_has_the_answers(name):
+    found = referred(scene(name), digits=140)
+    assert found.modes[: len(ANSWER[name]["modes"])] == ANSWER[name]["modes"]
+    with ctx.workdps(120):
+        for event, row in zip(found.events, ANSWER[name]["events"], strict=False):
+            for value, text in zip((event.t, *event.y), row, strict=True):
+                assert text == "0" or abs(value / arb(text) - 1) < arb("1e-55"), (value, text)
 
 
 @pytest.mark.parametrize("way", WAYS)

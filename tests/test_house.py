@@ -167,24 +167,6 @@ def test_what_numba_compiles_lives_where_the_cache_looks():
     assert {"arithmetic", "linear", "free"} <= rooms <= listed
 
 
-def judged(path: Path) -> bool:
-    """Return whether a module imports the trade, which sets up and judges the comparisons."""
-    modules = {one for one in imported_modules(path) if within(one, "numerics.trade")}
-    return any(not within(one, "numerics.trade.comparisons") for one in modules - {"numerics.trade"})
-
-
-def test_comparisons_do_not_know_the_trade():
-    sources = list((ROOT / "numerics" / "trade" / "comparisons").glob("*.py"))
-    assert len(sources) > 5
-    assert not [path.name for path in sources if judged(path)]
-
-
-@pytest.mark.parametrize("line", ["import numerics.trade.judge", "from numerics.trade import judge"])
-def test_a_comparison_that_knows_the_trade_is_found_out(tmp_path, line):
-    (tmp_path / "peer.py").write_text(line, "utf-8")
-    assert judged(tmp_path / "peer.py")
-
-
 @pytest.mark.parametrize("package", sorted(FORBIDDEN))
 def test_imported_packages_are_those_of_the_repository(package):
     assert Path(importlib.import_module(package).__file__).resolve().parent == ROOT / package

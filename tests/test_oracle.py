@@ -4,19 +4,18 @@ A default run takes some scenes of each kind, other ones every time; a failure n
 """
 
 import json
-from random import Random, SystemRandom
+from random import SystemRandom
 
 import pytest
 from oracle.controls import answers as questions
-from oracle.draws import KINDS, drawn
-from oracle.holding import exact, held, same
-from oracle.reading import ANSWERS, data
+from oracle.holding import held, same
+from oracle.reading import data
 
-from numerics import Pair, Scene, State, solve
 from numerics.errors import NumericsError
 
 SCENES = data()["scenes"]
-BY_KIND = {kind: [one for one in SCENES if one["name"].startswith(f"{kind}/")] for kind in (*KINDS, "shipped")}
+KINDS = sorted({one["name"].split("/")[0] for one in SCENES} - {"forced", "extremes"})
+"""The other two are held against 60 digits of another method elsewhere."""
 SOME = 8
 ANSWERED_SINCE = {
     "ring: forced-sine-stick-slip of 0.001, 1": {
@@ -35,10 +34,10 @@ def require(answers, way, *, slopes=False):
 
 
 @pytest.mark.parametrize("way", ["ball", "default"])
-@pytest.mark.parametrize("kind", BY_KIND)
+@pytest.mark.parametrize("kind", KINDS)
 def test_some_scenes_are_answered_as_ever(kind, way):
     """In balls, and without a word on how: compiled float64, which climbs where it is in doubt."""
-    require(SystemRandom().sample(BY_KIND[kind], SOME), way)
+    require(SystemRandom().sample([one for one in SCENES if one["name"].startswith(f"{kind}/")], SOME), way)
 
 
 @pytest.mark.parametrize("way", ["float64", "double-double", "mpmath", "digits=12", "digits=20"])
@@ -80,17 +79,6 @@ def test_control_answers_as_ever(kind):
             assert same(frozen[name], got), (name, got)
 
 
-def test_the_scenes_are_those_that_the_seeds_draw():
-    for one in Random(1).sample([one for one in SCENES if "scene" in one], 100):
-        kind, number = one["name"].split("/")
-        assert drawn(kind, int(number)) == one["scene"]
-
-
-def test_the_data_are_small():
-    assert ANSWERS.stat().st_size < 1_500_000
-    assert len(SCENES) > 3200
-
-
 @pytest.mark.parametrize("way", ["ball", "float64"])
 def test_a_wrong_answer_is_seen(way):
     """By one unit in the 22nd digit in balls, beyond the bound in float64; by an event more, a cause, an energy."""
@@ -106,10 +94,3 @@ def test_a_wrong_answer_is_seen(way):
         {"excess": str(float(right["excess"]) * by)},
     ]
     assert [bool(held(right | one, way).differences) for one in wrong] == [True] * len(wrong)
-
-
-def test_numbers_are_read_exactly():
-    found = solve(Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), until=1), arithmetic="ball", digits=20)
-    middle, radius = exact(found.final_state[1])
-    assert abs(float(middle) - float(found.final_state[1].mid())) < 1e-16
-    assert 0 < radius < 1e-20

@@ -7,13 +7,10 @@ import sympy as sp
 from flint import arb
 
 from numerics import Pair, Scene, State, solve
-from numerics.linear.modes import EventKind, Mode
-from theory.closed_forms import Regime, rate, rates, solution
-from theory.closed_forms import decay as decay_rate
-from theory.excursion import h
+from numerics.linear.modes import Mode
 from theory.filippov import transversality
-from theory.return_map import contact_condition, depth, gap, landing, push
-from theory.symbols import a1, a2, b, m1, m2, q, t, theta, v1_0, v2_0, x1, x1_0
+from theory.return_map import contact_condition, gap, landing, push
+from theory.symbols import a2, b, m1, m2, q, theta, x1
 
 # L = Omega = M = 1 and a root that is rational: sqrt(q) = 1/2.
 QUARTER = Pair(m1="0.25", m2="0.75", a2=1, b="0.75")
@@ -42,37 +39,6 @@ def test_a_slip_from_the_surface_ends_where_the_contact_equation_says(start):
         before = 2 * d / 4 + d * d / 16 + u * u / 4
         lost = in_balls(ends.excess_change, theta, gap, push)(angle, *at)
         assert (arb(before.numerator) / before.denominator + lost).overlaps(event.reduced.w)
-
-
-def test_from_exit_to_exit_the_excess_is_that_of_the_return_map():
-    run = solve(Scene(QUARTER, State(v1="1.02", v2="1.02"), until=60), digits=25, arithmetic="ball")
-    exits = [event for event in run.events if event.kind is EventKind.EXIT]
-    entries = [event for event in run.events if event.kind is EventKind.ENTRY]
-    assert len(exits) > 10
-    with run.arithmetic.context():
-        for leave, enter, again in zip(exits, entries, exits[1:], strict=False):
-            angle = 2 * (enter.t - leave.t)
-            height, deep = (in_balls(one, theta)(angle) for one in (h(), depth()))
-            assert (height**2 / 4).overlaps(leave.reduced.w)
-            assert ((height**2 - deep**2 * 3 / 4) / 4).overlaps(again.reduced.w)
-
-
-@pytest.mark.parametrize(
-    ("damping", "regime"), [("1", Regime.UNDERDAMPED), ("2", Regime.CRITICAL), ("3", Regime.OVERDAMPED)]
-)
-@pytest.mark.parametrize(("mode", "speed"), [("slip+", 2), ("slip-", -2)])
-def test_damped_slips_are_theirs(damping, regime, mode, speed):
-    pair = Pair(m1=1, m2=2, a1=damping, a2=1, b="0.5")
-    run = solve(Scene(pair, State(x1="0.3", v1=speed), until=5), digits=20, arithmetic="ball")
-    found, time = solution(mode, regime), Fraction(1, 8)
-    values = {m1: 1, m2: 2, a1: sp.Rational(damping), a2: 1, b: sp.Rational(1, 2)}
-    known = {one: meaning.subs(values) for one, meaning in rates(mode, regime).items()}
-    start = {x1_0: sp.Rational("0.3"), v1_0: speed, v2_0: 0, t: sp.Rational(1, 8)}
-    assert set(known) <= {rate, decay_rate}
-    assert run.events[0].t > arb(1) / 8
-    for index, expression in ((0, found.x1), (1, found.v1), (3, found.v2)):
-        expected = expression.subs(known).subs(values).subs(start)
-        assert abs(float(run.sol(time)[index].mid()) - float(expected)) < 1e-14
 
 
 @pytest.mark.parametrize("place", ["-2", "-1.0001", "-0.9999", "0", "0.9999", "1.0001", "3"])

@@ -1,13 +1,14 @@
 """The forced scenes and their answers to 60 digits, as the tests read them."""
 
 import json
-
-from forced.regenerate import ANSWERS, HERE
+import tomllib
+from pathlib import Path
 
 from numerics import Scene
 from numerics.scene.file import load_scene
 
-ANSWER = json.loads(ANSWERS.read_text("utf-8"))
+HERE = Path(__file__).parent
+ANSWER = json.loads((HERE / "answers.json").read_text("utf-8"))
 SIGNS = {"stick": "0", "slip+": "+", "slip-": "-"}
 UNDECIDABLE = "touches-at-irrational-times"
 """What no number that is known nearly can decide."""
@@ -15,6 +16,11 @@ UNDECIDABLE = "touches-at-irrational-times"
 
 def scene(name: str) -> Scene:
     return load_scene(HERE / "scenes" / f"{name}.toml")
+
+
+def tables(name: str) -> dict:
+    """The tables of a scene, as the reference reads them; decimals stay text."""
+    return tomllib.loads((HERE / "scenes" / f"{name}.toml").read_text("utf-8"), parse_float=str)
 
 
 def itinerary(trajectory) -> str:

@@ -52,16 +52,6 @@ def test_low_orders_enclose_the_truth(share, order, part):
         assert missed <= found[1].rad() - arb.pi() * found[0].rad() * (1 - arb(10) ** -8) + found[0].rad() * 1e-6
 
 
-@pytest.mark.parametrize("share", [Fraction(1, 5), Fraction(1, 2), Fraction(9, 10)])
-def test_what_is_certified_is_within_the_disc(share):
-    """The slip angle of the largest argument is at most the radius of the rim: h there is at least its square root."""
-    with Ball(30).context():
-        functions = AbelFunctions(share, 4)
-        radius = Ball(30).number(functions.radius)
-        height = (radius - radius.sin()) / (1 - radius.cos())
-        assert height**2 >= Ball(30).number(functions.largest_argument)
-
-
 def test_beyond_what_is_certified_nothing_is_said():
     with Ball(30).context():
         functions = AbelFunctions(Fraction(1, 2), 4)

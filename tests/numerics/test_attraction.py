@@ -1,4 +1,4 @@
-"""What is left to slide next to a periodic motion: a bound, held against sums, maps and runs that are known."""
+"""What is left to slide next to a periodic motion: a bound, held against maps and runs that are known."""
 
 from __future__ import annotations
 
@@ -13,11 +13,10 @@ from control_scenes import referred
 from flint import arb, arb_mat
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import decimals, signed
 
 from numerics.arithmetic.ball import Ball
 from numerics.control import attraction
-from numerics.control.attraction import distance, passage_at, passages, slide_left
+from numerics.control.attraction import passage_at, passages, slide_left
 from numerics.control.orbit import Orbit
 from numerics.control.response import response
 from numerics.errors import EventUndecided
@@ -57,24 +56,6 @@ def after_a_period(orbit: Orbit, t: Fraction, moved: np.ndarray) -> np.ndarray:
     scene = Scene(orbit.drive.pair, start, until=period, force=Force((Piece(0, piece.polynomial, sines),)))
     end = referred(scene).state()
     return np.array([float(end[0]), float(end[1]), float(end[3])])
-
-
-@given(
-    st.lists(signed(decimals(-6, 6)), min_size=9, max_size=9), st.lists(signed(decimals(-3, 3)), min_size=3, max_size=3)
-)
-def test_the_norm_of_a_map_bounds_what_it_does_to_every_difference(entries, vector):
-    numbers = np.array([float(one) for one in entries]).reshape(3, 3)
-    v = np.array([float(one) for one in vector])
-    bound = attraction._norm(UNEVEN, arb_mat(numbers.tolist()))
-    assert norm(UNEVEN, numbers @ v) <= float(bound) * norm(UNEVEN, v) * (1 + 1e-12)
-
-
-@given(st.lists(signed(decimals(-3, 3)), min_size=4, max_size=4), decimals(-6, -1))
-def test_the_distance_of_balls_is_that_of_their_points_that_are_farthest_apart(point, radius):
-    wide, other = [float(one) for one in point], (arb(0),) * 4
-    balls = [arb(one, float(radius)) for one in wide]
-    far = np.array([abs(wide[k]) + float(radius) for k in (0, 1, 3)])
-    assert float(distance(UNEVEN, balls, other)) == pytest.approx(norm(UNEVEN, far), rel=1e-9)
 
 
 @given(st.integers(500, 990))

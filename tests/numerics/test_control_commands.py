@@ -8,11 +8,9 @@ from fractions import Fraction
 
 import pytest
 from control_scenes import DAMPED
-from flint import acb, arb
 
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
-from numerics.cli.responses import _complex_text
 from numerics.control.answers import SecondSolveDiffers, solved_again
 from numerics.control.response import response
 from numerics.control.tracking import track
@@ -70,34 +68,12 @@ def test_response_says_where_the_necessary_threshold_is_not_enough(tmp_path, cap
     assert ("U** is not enough here" in capsys.readouterr().out) is (said == "turns back")
 
 
-@pytest.mark.parametrize(
-    ("number", "text"),
-    [
-        (acb(1, -2), "1.00000 - 2.00000 i"),
-        (acb(arb("-0.5", "1e-4"), 2), "-0.500 + 2.00000 i"),
-        (acb(3, arb(0, "1e-30")), "3.00000"),
-        (acb(0, -2), "-2.00000 i"),
-        (acb(0), "0"),
-    ],
-)
-def test_a_multiplier_is_printed_by_its_radius(number, text):
-    assert _complex_text(number, 6) == text
-
-
 def test_the_energy_excess_is_told_where_its_unit_means_something(capsys):
     for scene, is_told in (("velocities", True), ("forced-step", False), ("forced-friction-by-pieces", False)):
         assert main(["solve", scene]) == 0
         assert ("E_cr" in capsys.readouterr().out) is is_told
     assert main(["solve", "forced-step", "--json"]) == 0
     assert "energy_excess" in json.loads(capsys.readouterr().out)["final"]
-
-
-def test_two_sines_are_settled_by_simulation_and_proved():
-    """The guess comes from a run in float64, the proof from the equations, and the second solve agrees."""
-    force = Force.sine("0.5", 12) + Force.sine("0.3", 24, 1)
-    found = response(Scene(DAMPED, State(), 1, force=force))
-    assert solved_again(found).final_mode is not None
-    assert not found.drift.contains(0)
 
 
 def test_a_wrong_orbit_is_refused_by_the_second_solve():
@@ -132,12 +108,6 @@ def test_move_says_how_near_to_its_limit_friction_is(capsys):
     solved = solve(fastest_transfer(load_scene("at-rest"), "0.001", amplitude="1.08").scene, digits=40)
     met, *later = (state[0] - state[2] for state in solved.event_states.T)
     assert max(abs(float(one - met)) for one in later) < 1e-19
-
-
-@pytest.mark.parametrize("plan", [{}, {"margin": "0.1"}, {"amplitude": "2.5"}])
-def test_a_stuck_transfer_sticks_when_solved_again(plan):
-    found = fastest_transfer(load_scene("at-rest"), "0.01", **plan)
-    assert set(solved_again(found).modes) == {Mode.STICK}
 
 
 def test_a_transfer_whose_scene_stops_short_is_refused_by_the_second_solve():

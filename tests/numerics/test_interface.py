@@ -2,7 +2,6 @@
 
 import copy
 import pickle
-import subprocess
 import sys
 from decimal import Decimal
 from fractions import Fraction
@@ -12,11 +11,9 @@ import pytest
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
 import numerics
-from numerics import Pair, Scene, Solver, State, sensitivities, solve, solve_many
+from numerics import Pair, Scene, Solver, State, solve, solve_many
 from numerics.errors import InvalidScene, MissingTool
-from numerics.linear.modes import Mode
 from numerics.scene.file import parse_scene
-from numerics.trajectory.status import Status
 
 HOW = [*ARITHMETICS, {"digits": 12}, {"max_events": 3}]
 
@@ -34,17 +31,6 @@ def test_everything_a_user_needs_is_in_one_place():
         numerics.solv  # noqa: B018
 
 
-def test_the_names_are_functions_whatever_was_imported_before():
-    code = (
-        "import numerics.solver.solve, numerics.trajectory.sensitivity, numerics.solver.many\n"
-        "from numerics import Pair, Scene, Solver, State, sensitivities, solve, solve_many\n"
-        "scene = Scene(Pair(1, 1, 200, 0.5), State(v1=0.15), 1)\n"
-        "print(sensitivities(solve(scene)).energy.shape)"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
-    assert (done.stdout, done.stderr) == ("(9,)\n", "")
-
-
 @pytest.mark.parametrize("given", [PAPER.pair, None, "velocities"])
 def test_what_is_no_scene_is_told_how_to_build_one(given):
     with pytest.raises(TypeError, match=r"build Scene\(Pair\(\.\.\.\)"):
@@ -55,35 +41,20 @@ def test_what_is_no_scene_is_told_how_to_build_one(given):
 
 
 @pytest.mark.parametrize("how", HOW)
-@pytest.mark.parametrize("scene", [PAPER, STUCK])
-def test_a_trajectory_shows_itself_in_a_few_short_lines(scene, how):
-    run = solve(scene, **how)
+def test_a_trajectory_shows_itself_in_a_few_short_lines(how):
+    run = solve(PAPER, **how)
     lines = repr(run).splitlines()
     names = [line.split(":")[0].strip() for line in lines]
     assert names == ["message", "success", "status", "arithmetic", "events", "t", "final mode"]
     assert all(len(line) < 120 for line in lines)
     assert f"events: {len(run.events)}" in repr(run)
-    html = run._repr_html_()
-    assert html.count("<tr>") == len(lines)
-    assert run.message in html
+    assert run._repr_html_().count("<tr>") == len(lines)
 
 
 def test_only_digits_that_something_bounds_are_called_right():
     assert "right digits" in repr(solve(PAPER))
     assert "right digits" in repr(solve(PAPER, digits=20))
     assert "right digits" not in repr(solve(PAPER, arithmetic="mpmath"))
-
-
-def test_a_sensitivity_shows_itself_in_one_line():
-    found = sensitivities(solve(PAPER))
-    assert len(repr(found)) < 120
-    assert "final energy" in found._repr_html_()
-
-
-def test_the_status_of_a_run_and_of_a_batch_are_the_same_kind():
-    batch = solve_many(1, 1, 200, 0.5, v1=np.array([0.15, 0.0]), x1=np.array([0.0, 0.001]), until=3)
-    for found, scene in zip(batch.status, (PAPER, STUCK), strict=True):
-        assert Status(found) is solve(scene).status
 
 
 # equality and pickles
@@ -102,24 +73,6 @@ def test_two_equal_solves_are_equal_and_come_back_from_a_pickle(scene):
                     one.arithmetic.text(a, 60) for a in one.y.flat
                 ]
             assert [str(a) for a in back.sol("0.1")] == [str(a) for a in one.sol("0.1")]
-
-
-def test_unequal_runs_are_not_equal():
-    different = [*runs(), *runs(STUCK)[:-1], solve(PAPER, t_eval=[1]), solve(PAPER, arithmetic="ball", digits=21)]
-    for i, one in enumerate(different):
-        assert [one == two for two in different].count(True) == 1, HOW[i % len(HOW)]
-    assert solve(PAPER) != "a trajectory"
-
-
-@pytest.mark.parametrize("how", HOW[:4])
-def test_times_asked_for_survive_a_pickle_and_compare(how):
-    own = solve(PAPER, **how)
-    for times in (np.linspace(0, 2, 5), ["1/3", Fraction(1, 2)], list(own.t[:3])):
-        one, two = solve(PAPER, **how, t_eval=times), solve(PAPER, **how, t_eval=times)
-        assert one == two != own
-        back = pickle.loads(pickle.dumps(one))
-        assert back == one
-        assert back.y.shape == (4, len(times))
 
 
 # times asked for
@@ -145,16 +98,6 @@ def test_t_eval_gives_state_and_energy_at_those_times(how):
 def test_times_that_cannot_be_answered_are_refused_when_they_are_given(how, times, said):
     with pytest.raises(ValueError, match=said):
         solve(PAPER, **how, t_eval=times)
-
-
-@pytest.mark.parametrize("how", HOW[:4])
-def test_sol_takes_arrays_of_any_shape(how):
-    run, times = solve(PAPER, **how), np.linspace(0, 3, 6).reshape(2, 3)
-    found = run.sol(times)
-    assert found.shape == (4, 2, 3)
-    assert run.mode_at(times).shape == (2, 3)
-    for place in np.ndindex(times.shape):
-        assert [str(one) for one in found[:, *place]] == [str(one) for one in run.sol(times[place])]
 
 
 @pytest.mark.parametrize("times", [1, "abc", [[1, 2]]])
@@ -199,7 +142,6 @@ def test_without_pandas_the_missing_tool_is_named(monkeypatch):
 # numbers of any kind
 
 ONE_HALF = [0.5, "0.5", "1/2", " 1 / 2 ", Decimal("0.5"), Fraction(1, 2), np.float64(0.5), np.float32(0.5)]
-TWO = [2, 2.0, "2", "4/2", np.int64(2), np.int32(2), np.uint8(2), np.float64(2)]
 
 
 @pytest.mark.parametrize("half", ONE_HALF)
@@ -207,13 +149,6 @@ def test_every_kind_of_number_is_read(half):
     assert Pair(1, 1, 200, half) == PAPER.pair
     assert State(x1=half).x1 == Fraction(1, 2)
     assert Solver(PAPER.pair)(State(v1="0.15"), half) == solve(Scene(PAPER.pair, PAPER.initial, half))
-
-
-@pytest.mark.parametrize("two", TWO)
-def test_whole_numbers_of_numpy_are_numbers(two):
-    pair = Pair(m1=two, m2=two, a2=200, b=two)
-    assert pair == Pair(2, 2, 200, 2)
-    assert hash(pair) == hash(Pair(2, 2, 200, 2))
 
 
 def test_a_ratio_is_a_number_in_a_scene_file_and_in_a_batch():
@@ -228,7 +163,3 @@ def test_a_ratio_is_a_number_in_a_scene_file_and_in_a_batch():
 def test_what_is_no_ratio_is_refused(bad):
     with pytest.raises(InvalidScene):
         Pair(1, 1, 200, bad)
-
-
-def test_the_first_segment_sticks_where_the_modes_say_so():
-    assert solve(STUCK).mode_at(0) is Mode.STICK

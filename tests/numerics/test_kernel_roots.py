@@ -3,20 +3,18 @@
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from strategies import polynomials_of_roots, reaches
 
 from numerics.linear.first_root import (
     BERNSTEIN,
     CLEAR,
     ROOT,
     UNDECIDED,
-    bend_bound,
     first_root,
     lower_bound,
-    value_slope,
 )
 
 TERMS, ROOMS, NONE = 24, (np.zeros(8), np.zeros(8)), np.zeros(0)
-reaches = st.sampled_from([0.3, 0.9, 1.0])
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -51,35 +49,6 @@ def test_a_lower_bound_holds_and_is_sharp_where_the_least_coefficient_is_the_las
     assert (guess >= 0) == (c.min() <= 0)
 
 
-@given(seeds, reaches)
-def test_slope_and_bend_are_those_of_the_polynomial(seed, theta):
-    q = np.random.default_rng(seed).normal(size=TERMS)
-    bent = np.polynomial.polynomial.polyder(q, 2)
-    assert bend_bound(q, theta) >= abs(value(bent, grid(0, theta))).max()
-    assert np.isclose(bend_bound(abs(q), theta), value(abs(bent), theta))
-    s = theta / 3
-    assert np.allclose(value_slope(q, s), (value(q, s), value(np.polynomial.polynomial.polyder(q), s)))
-
-
-@st.composite
-def products(draw):
-    """Polynomials, positive at 0, of chosen roots times a positive factor; roots next to each other and to the end."""
-    theta = draw(reaches)
-    near = st.sampled_from([1 - 1e-3, 1 - 1e-7, 1 + 1e-7, 1 + 1e-3, 0.01, 0.3, 0.5, 0.7, 1.5, 4.0]).map(
-        lambda x: x * theta
-    )
-    roots = draw(st.lists(near, max_size=2))
-    if roots and draw(st.booleans()):
-        roots.append(roots[0] * (1 + draw(st.sampled_from([0.0, 1e-9, 1e-4, 0.03]))))
-    factor = [1, draw(st.floats(-0.4, 0.4)), draw(st.floats(0, 0.3))]
-    random = np.random.default_rng(draw(seeds))
-    q = np.polynomial.polynomial.polyfromroots(roots) / np.prod([-r for r in roots]) if roots else np.ones(1)
-    q = np.polynomial.polynomial.polymul(q, factor)
-    scale = draw(st.sampled_from([1.0, 1e-6]))
-    lift = draw(st.sampled_from([0.0, 0.0, 1e-6, 1e-2]))  # so that it dips near 0 without a root
-    return theta, scale * (padded(q) + 1e-18 * random.normal(size=TERMS) + lift * (np.arange(TERMS) == 0)), scale
-
-
 def holds(q, other, margins, theta):
     """Whether what is found is true of dense values; return how."""
     m0, m1, m2, m_other = margins
@@ -98,13 +67,13 @@ def holds(q, other, margins, theta):
     return how
 
 
-@given(products(), st.data())
+@given(polynomials_of_roots(TERMS), st.data())
 @settings(max_examples=150)
 def test_what_is_clear_exceeds_its_margin_and_a_root_is_the_first_and_alone(one, data):
     theta, q, scale = one
     small = st.sampled_from([0.0, 0.0, 1e-12, 1e-7, 1e-3]).map(lambda x: x * scale)
     margins = tuple(data.draw(small) for _ in range(4))
-    other = data.draw(st.sampled_from([NONE, NONE, data.draw(products())[1] * scale]))
+    other = data.draw(st.sampled_from([NONE, NONE, data.draw(polynomials_of_roots(TERMS))[1] * scale]))
     holds(q, other, margins, theta)
 
 
@@ -132,17 +101,3 @@ def test_a_margin_is_the_sum_of_its_parts(value_at_end, part, theta):
         guards = (padded(np.array([2.0])), q) if part == 3 else (q, NONE)
         how, s, *_ = first_root(*guards, margins, theta, *ROOMS)
         assert (how == CLEAR and s == theta) == is_clear
-
-
-def test_of_two_roots_the_first_one_counts_whichever_guard_has_it():
-    early, late = padded(np.array([1, -1 / 0.4])), padded(np.array([1, -1 / 0.6]))
-    for one, two, which in ((early, late, 0), (late, early, 1)):
-        how, s, _, found = first_root(one, two, (1e-9, 0, 0, 1e-9), 1.0, *ROOMS)
-        assert (how, found) == (ROOT, which)
-        assert abs(s - 0.4) < 1e-12
-
-
-def test_where_nothing_can_be_decided_that_is_said():
-    touching = padded(np.array([1e-14, -2, 1e14]))
-    assert first_root(touching, NONE, (0.0, 0, 0, 0), 1.0, *ROOMS)[0] == UNDECIDED
-    assert first_root(padded(np.array([1.0])), NONE, (2.0, 0, 0, 0), 1.0, *ROOMS)[0] == UNDECIDED

@@ -1,10 +1,10 @@
-"""The Abel functions of the return map, and the energy at times that nobody could step to."""
+"""The energy at times that nobody could step to: against stepping, the sharp law, and the rim behind it."""
 
 from __future__ import annotations
 
 import json
 from fractions import Fraction
-from itertools import islice, pairwise
+from itertools import pairwise
 
 import pytest
 from flint import acb, arb, fmpq
@@ -13,48 +13,12 @@ from hypothesis import strategies as st
 
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball, digits_within
-from numerics.errors import InvalidScene, OutOfRange, PrecisionExhausted
-from numerics.free.abel import AbelFunctions, arcs, height_and_depth
+from numerics.free.abel import arcs
 from numerics.free.energy import Road, energy_at
-from numerics.free.excursions import excursions
-from numerics.free.frame import Frame
 from numerics.linear.modes import EventKind
 from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
-
-SHARES = [Fraction(1, 2), Fraction(1, 100), Fraction(99, 100), Fraction(1, 10**6)]
-
-
-@pytest.mark.parametrize("share", SHARES)
-def test_iteration_is_addition(share):
-    """alpha grows by 1 and beta by the time of the cycle, to 30 digits, along a run that never uses them."""
-    abel, arithmetic = AbelFunctions(share), Ball(60)
-    with arithmetic.context():
-        frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
-        # keep away from the light driver's narrow neighbourhood of the critical orbit
-        y = min(Fraction(1, 1000), share / 100)
-        run = list(islice(excursions(frame, arithmetic.number(y * share)), 60))
-        first, last = run[0].w / frame.q, run[-1].w / frame.q
-        time = sum((one.slip + one.stick for one in run[:-1]), arb(0))
-        assert abs(abel.alpha(last) - abel.alpha(first) - 59) < arb(10) ** -30
-        assert abs(abel.beta(last) - abel.beta(first) - time) < arb(10) ** -30
-        assert abel.alpha_inverse(abel.alpha(first) + 59, first).overlaps(last)
-
-
-def test_a_wrong_coefficient_is_seen():
-    """A planted fault in one coefficient moves the enclosure off the true value."""
-    abel = AbelFunctions(Fraction(1, 2))
-    with Ball(60).context():
-        before = abel.alpha(arb(fmpq(1, 1000)))
-    abel.alpha_coefficients[0] += fmpq(1, 1000)
-    with Ball(60).context():
-        assert not abel.alpha(arb(fmpq(1, 1000))).overlaps(before)
-
-
-def test_beyond_the_certified_disc_nothing_is_answered():
-    with Ball(30).context(), pytest.raises(ArithmeticError, match="beyond the certified"):
-        AbelFunctions(Fraction(1, 2)).alpha(arb(1))
 
 
 @pytest.mark.parametrize(
@@ -70,17 +34,6 @@ def test_agrees_with_stepping(name, until):
         assert jumped.energy.overlaps(stepped.frame.energy(stepped.final))
     assert jumped.excursions == stepped.event_kinds.count(EventKind.EXIT)
     assert jumped.mode is stepped.modes[-1]
-
-
-def test_a_jump_lands_where_stepping_does():
-    scene = load_scene("start-with-speed")
-    jumped = energy_at(scene, 700, digits=25)
-    stepped = solve(Scene(scene.pair, scene.initial, until=700), digits=25, arithmetic="ball")
-    assert jumped.road is Road.ABEL
-    assert jumped.stepped < len(stepped.events) / 10
-    with jumped.frame.arithmetic.context():
-        for ours, theirs in zip(jumped.state[:3], stepped.final[:3], strict=True):
-            assert ours.overlaps(theirs)
 
 
 @given(
@@ -111,16 +64,6 @@ def test_viscous_scenes_and_merged_ones_take_the_short_road():
     assert energy_at(load_scene("itinerary-that-merges"), "1e100").road is Road.NO_MORE_SLIP
 
 
-def test_refusals_name_what_to_do():
-    scene = load_scene("start-with-speed")
-    with pytest.raises(InvalidScene, match="must be > 0"):
-        energy_at(scene, 0)
-    with pytest.raises(OutOfRange, match="raise max_steps"):
-        energy_at(scene, 5, max_steps=3)
-    with pytest.raises(PrecisionExhausted, match="working digits"):
-        energy_at(scene, "1e100", max_digits=50)
-
-
 def test_command_line(capsys):
     assert main(["energy", "start-with-speed", "--at", "1e100", "--digits", "20", "--json"]) == 0
     record = json.loads(capsys.readouterr().out)
@@ -145,36 +88,3 @@ def test_the_rim_is_covered_without_gaps():
         for k in range(0, 3000, 7):  # points of the rim lie in a box
             angle = arb.pi() * k / 3000
             assert any(box.contains(acb((rim * angle.cos()).mid(), (rim * angle.sin()).mid())) for box in boxes)
-
-
-@pytest.mark.parametrize("share", SHARES)
-def test_the_defect_vanishes_to_the_order_that_the_bound_uses(share):
-    """alpha(F) - alpha - 1 begins at y^(order + 2), that is theta^(2 order + 4): seen close to 0 in 400 digits."""
-    order = 6
-    abel = AbelFunctions(share, order)
-    with Ball(400).context():
-        r = 1 - arb(fmpq(share.numerator, share.denominator))
-        sizes = []
-        for theta in (acb(arb(10) ** -12), acb(arb(10) ** -13)):
-            height, deep = height_and_depth(theta)
-            falls = acb(r) * (deep / height) ** 2
-            y = height * height
-            alpha = falls / (acb(abel.a) * y * (1 - falls)) - 1 + acb(abel.log_coefficient) * (1 - falls).log()
-            for k, c in enumerate(abel.alpha_coefficients, start=1):
-                alpha += acb(c) * ((y * (1 - falls)) ** k - y**k)
-            sizes.append(abs(alpha))
-        ratio = sizes[0] / sizes[1]
-        assert abs(ratio.log() / arb(10).log() - abel.alpha_zero_order) < arb(fmpq(1, 10))
-
-
-def test_the_tail_bound_exceeds_the_sum_it_bounds():
-    abel, arithmetic = AbelFunctions(Fraction(1, 2), 6), Ball(40)
-    with arithmetic.context():
-        frame = Frame(arithmetic, Pair(m1=1, m2=1, a2=1, b=1))
-        power = 2 * abel.order + 4
-        start = arithmetic.number(Fraction(1, 200))
-        direct, radius = arb(0), arb(fmpq(abel.radius.numerator, abel.radius.denominator))
-        for one in islice(excursions(frame, start), 400):
-            direct += (one.slip / frame.sqrt_q / radius) ** power
-        bound = abel._missed(start / frame.q, arb(1), power)
-        assert direct < bound < 2 * direct

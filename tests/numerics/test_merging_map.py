@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
-from itertools import pairwise
-from math import acos, cos, pi, tan
+from functools import cache
+from itertools import pairwise, product
 
 import mpmath
 import pytest
 from flint import arb
+from hypothesis import given
+from hypothesis import strategies as st
 
 from numerics.arithmetic.ball import Ball
 from numerics.free import merging as merging_cell
@@ -19,9 +21,6 @@ from numerics.free.frame import Frame
 from numerics.free.merging import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
 from numerics.free.merging_map import COLOURS, Window, merging_cells
 from numerics.scene import Pair
-from theory.excursion import h, half_tangent_form
-from theory.return_map import depth, gap, half_cotangent, in_trigonometry
-from theory.symbols import q, r
 
 POINTS = 200
 PROVED_TO_CREEP = 0.325  # below (pi/2 - 1)^2
@@ -75,30 +74,6 @@ def test_the_cells_cover_the_window(chart):
     assert (min(sides), max(sides)) == Window().ratio
 
 
-def test_a_finer_map_contradicts_no_coarser_one(chart):
-    coarse, fine = merging_cells(Window(), 5).raster().repeat(2, axis=0).repeat(2, axis=1), chart.raster()
-    undecided = list(COLOURS).index(Verdict.UNDECIDED)
-    assert (fine[coarse != undecided] == coarse[coarse != undecided]).all()
-    assert chart.shares()[Verdict.UNDECIDED] < 0.3
-
-
-@pytest.mark.parametrize("ratio", [Fraction(3, 2), Fraction(2), Fraction(10), Fraction(1000)])
-def test_the_lower_edge_is_where_h_is_sqrt_r_times_c(ratio):
-    """The least energy that merges: first root of h = sqrt(r) c by mpmath, a thousandth to either side of it."""
-    share = float(ratio / (1 + ratio))
-    theta = mpmath.findroot(
-        lambda x: (x - mpmath.sin(x)) / (1 - mpmath.cos(x)) - mpmath.sqrt(share) * (2 - x * mpmath.cot(x / 2)),
-        (1.5, 4.0 if ratio < 2 else 3.3),
-        solver="anderson",
-    )
-    height = (theta - mpmath.sin(theta)) / (1 - mpmath.cos(theta))
-    edge = Fraction(float(height**2 * (1 - share)))
-    narrow = (ratio, ratio * Fraction(10**6 + 1, 10**6))
-    assert verdict(Rectangle(narrow, (edge * Fraction(998, 1000), edge * Fraction(999, 1000)))) is Verdict.CREEPS
-    assert verdict(Rectangle(narrow, (edge * Fraction(1001, 1000), edge * Fraction(1002, 1000)))) is Verdict.MERGES
-    assert verdict(Rectangle(narrow, (edge * Fraction(999, 1000), edge * Fraction(1001, 1000)))) is Verdict.UNDECIDED
-
-
 def test_up_to_the_critical_share_everything_creeps(monkeypatch):
     threshold = CRITICAL_SHARE / (1 - CRITICAL_SHARE)
     below = Window((Fraction(1, 10), threshold))
@@ -119,28 +94,123 @@ def test_the_critical_share_is_rounded_down():
         assert 0 < room < mpmath.mpf(10) ** -15
 
 
-def test_just_beyond_the_critical_share_something_merges():
-    """By a millionth: around the least excess after a slip from a ray, at 1 - cos theta = 1/r beyond pi."""
-    share = float(CRITICAL_SHARE) * (1 + 1e-6)
-    theta = 2 * pi - acos(1 - 1 / share)
-    height = theta / (1 - cos(theta)) - 1 / tan(theta / 2)
-    ratio, excess = Fraction(share / (1 - share)), Fraction(height**2 * (1 - share))
-    assert verdict(Rectangle((ratio, ratio), (excess, excess))) is Verdict.MERGES
-
-
-def test_creeping_level_rests_on_an_identity():
-    """y' = (q + k^2) d^2 + (k^2 + q - r) c d + h^2 - r c^2 after a slip from S; and the level at both its ends."""
-    k = half_cotangent()
-    c = in_trigonometry(depth())
-    push = h() - gap * k
-    after = 2 * gap + q * gap**2 + push**2 - r * c * (c + 2 * gap)
-    claimed = (q + k**2) * gap**2 + (k**2 + q - r) * c * gap + h() ** 2 - r * c**2
-    assert half_tangent_form((after - claimed).subs(q, 1 - r)) == 0
+def test_the_level_below_which_everything_creeps_falls_with_the_share():
     with Ball(20).context():
         assert creeping_excess(arb(1)).overlaps((arb.pi() / 2 - 1) ** 2)
         assert creeping_excess(arb("0.5001")) < (arb.pi() / 2) ** 2
         levels = [creeping_excess(arb(n) / 100) for n in range(51, 101)]
         assert all(low < high for high, low in pairwise(levels))
+
+
+# next to the edge
+
+
+def rise(theta):
+    return theta / (1 - mpmath.cos(theta)) - mpmath.cot(theta / 2)
+
+
+def depth(theta):
+    return 2 - theta * mpmath.cot(theta / 2)
+
+
+def edge(share):
+    """The least scaled excess y from which a slip from a ray merges: h = sqrt(r) c, before 1 - cos theta = 1/r."""
+    low, high = mpmath.mpf("0.01"), 2 * mpmath.pi - mpmath.acos(1 - 1 / mpmath.mpf(share))
+    for _ in range(80):
+        middle = (low + high) / 2
+        low, high = (middle, high) if rise(middle) ** 2 > share * depth(middle) ** 2 else (low, middle)
+    return Fraction(float(rise(low) ** 2))
+
+
+@pytest.mark.parametrize("share", [Fraction(3, 5), Fraction(3, 4), Fraction(9, 10)])
+@pytest.mark.parametrize("width", [Fraction(1, 10**3), Fraction(1, 10**6)])
+def test_a_cell_across_the_edge_has_no_verdict_and_both_sides_have_theirs(share, width):
+    level = edge(float(share)) * (1 - share)
+    ratio = share / (1 - share)
+
+    def found(low, high):
+        return verdict(Rectangle((ratio, ratio), (level * (1 + low), level * (1 + high))))
+
+    assert found(-width, width) is Verdict.UNDECIDED
+    assert found(-3 * width, -width) is Verdict.CREEPS
+    assert found(width, 3 * width) is Verdict.MERGES
+
+
+# starts that are known by bounds only
+
+
+@cache
+def slip_angle(gap, push):
+    """The angle at which u + d cot(theta/2) = h(theta): the left side less the right one falls on (0, 2 pi)."""
+    low, high = mpmath.mpf(10) ** -9, 2 * mpmath.pi - mpmath.mpf(10) ** -9
+    for _ in range(50):
+        middle = (low + high) / 2
+        if push + gap / mpmath.tan(middle / 2) > rise(middle):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def outside(enclosure, truth):
+    """Whether a true number lies outside by more than the bisection can be wrong."""
+    return not enclosure.overlaps(arb(float(truth), 1e-12 * max(1, abs(float(truth)))))
+
+
+def cell_run(share, excess):
+    return merging_cell._CellRun((share, share), (excess, excess))
+
+
+def short_slip_misses(share, reach, push, excess):
+    """Slips from gaps up to `reach` with push < 0 whose excess after it is not that of the ray that follows."""
+    run = cell_run(share, Fraction(1, 10))
+    start = run._short_slip(arb(float(reach)), arb(float(push)), run.cell.constant(arb(float(excess))))
+    if start is None:
+        return None
+    misses = []
+    for part in (Fraction(1, 3), 1):
+        gap = reach * part
+        deep = depth(slip_angle(gap, push))
+        if outside(start.excess.value, excess - float(share) * deep * (deep + 2 * gap)):
+            misses.append(gap)
+    return misses
+
+
+@given(st.integers(51, 99), st.integers(1, 50), st.integers(5, 300), st.integers(50, 400))
+def test_a_short_slip_loses_no_more_than_its_bound(share, reach, push, excess):
+    with Ball(16).context():
+        assert not short_slip_misses(Fraction(share, 100), reach / 100, -push / 100, excess / 100)
+
+
+PARTS = [0, Fraction(1, 3), 1]
+
+
+def ball(low, high):
+    return arb(float(low)).union(arb(float(high)))
+
+
+def points(low, high):
+    return [low + (high - low) * part for part in PARTS]
+
+
+def angle_misses(gap, push):
+    """Points of a ball of gaps and pushes whose slip angle is not in the enclosure; None where there is none."""
+    gaps, pushes = ball(*gap), ball(*push)
+    near = merging_cell._approximate_angle(gaps, pushes)
+    found = merging_cell._enclose_angle(gaps, pushes, near)
+    if found is None:
+        return None
+    return [(d, u) for d, u in product(points(*gap), points(*push)) if outside(found, slip_angle(d, u))]
+
+
+hundredths = st.integers(1, 300).map(lambda n: n / 100)
+widths = st.sampled_from([0, 1e-3, 0.02, 0.1, 0.3])
+
+
+@given(hundredths, hundredths, widths, widths)
+def test_every_slip_angle_of_a_ball_is_enclosed_or_none_is(gap, push, wider, faster):
+    with Ball(16).context():
+        assert not angle_misses((gap, gap + wider), (push, push + faster))
 
 
 # planted faults

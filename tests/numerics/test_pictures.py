@@ -1,8 +1,6 @@
 """The pictures of a trajectory show what it is: titles, units, shaded sticking, and curves that are its own."""
 
-from dataclasses import replace
 from fractions import Fraction
-from io import BytesIO
 
 import matplotlib as mpl
 import numpy as np
@@ -13,11 +11,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from strategies import forces, frictions
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
-from numerics import Force, Friction, Scene, State, solve
+from numerics import Force, Friction, Scene, solve
 from numerics.cli.plot import COMMON, overview
 from numerics.linear.modes import Mode
 from numerics.linear.pieces import pieces_of
-from numerics.scene import Law
 from numerics.scene.pieces import Piece
 from numerics.trajectory.curve import force_of, sampled
 
@@ -29,7 +26,6 @@ HOW = [*ARITHMETICS, {"max_events": 3}]
 @pytest.mark.parametrize("kind", ["velocities", "positions", "load", "force", "phase", "excess", "energy"])
 @pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK])
 def test_every_picture_has_a_title_units_and_shaded_sticking(scene, kind):
-    from matplotlib import pyplot as plt
 
     ax = solve(scene).plot(kind=kind)
     assert ax.get_title()
@@ -45,34 +41,6 @@ def test_every_picture_has_a_title_units_and_shaded_sticking(scene, kind):
 def test_a_picture_of_no_kind_is_refused():
     with pytest.raises(ValueError, match="velocities, positions, load, force, phase, excess, energy"):
         solve(PAPER).plot("speed")
-
-
-@pytest.mark.parametrize("how", HOW)
-@pytest.mark.parametrize("scene", [PAPER, DAMPED])
-def test_what_is_drawn_is_the_trajectory(scene, how):
-    if scene is DAMPED and how.get("arithmetic") == "double-double":
-        return
-    run = solve(scene, **how)
-    curve, number = sampled(run), run.arithmetic.to_float
-    assert np.all(np.diff(curve.t) >= -1e-12)
-    assert set(curve.segment) == set(range(len(run.segments)))
-    for at in range(0, len(curve.t), 37):
-        state = run.sol(min(float(curve.t[at]), number(run.end_time)))
-        assert curve.y[:, at] == pytest.approx([number(one) for one in state], abs=1e-12)
-    unit = float(scene.pair.critical_energy)
-    total = unit * (1 + curve.w) + curve.lost.sum(axis=0)
-    assert total == pytest.approx(np.full(len(total), float(scene.energy)), rel=1e-9)
-
-
-def test_thousands_of_events_are_drawn_within_their_true_range():
-    """Drawn through the events alone, the speeds of the stick phases between them were lost."""
-    run = solve(Scene(PAPER.pair, PAPER.initial, 300))
-    assert len(run.segments) > 1000
-    curve, dense = sampled(run), run.sol(np.linspace(100, 200, 2000))
-    drawn = curve.y[:, (curve.t > 100) & (curve.t < 200)]
-    assert np.abs(drawn).max(axis=1) == pytest.approx(np.abs(dense).max(axis=1), rel=0.01)
-    assert curve.resolved[0]
-    assert not curve.resolved[(curve.t > 100) & (curve.t < 200)].all()
 
 
 def overview_of(scene):
@@ -94,25 +62,6 @@ def test_the_overview_says_what_it_shows_and_explains_common_marks_once(scene):
     assert {"body 1", "body 2", "stick"} <= below <= set(COMMON)
     for ax in figure.axes:
         assert not below & {text.get_text() for text in ax.get_legend().get_texts()} if ax.get_legend() else True
-
-
-def test_a_literal_reading_is_named():
-    assert "read literally" in overview_of(replace(PAPER, law=Law.THREE_VALUED_SGN)).get_suptitle()
-
-
-def test_thousands_of_events_are_drawn_over_the_logarithm_of_time():
-    figure = overview_of(Scene(PAPER.pair, PAPER.initial, 400))
-    axes, file = figure.axes, BytesIO()
-    figure.savefig(file, format="svg")
-    assert len(file.getvalue()) < 2e6
-    assert [ax.get_xscale() for ax in axes] == ["log"] * 3 + ["linear"] + ["log"] * 2
-
-
-def test_the_excess_has_whole_decades_and_says_where_it_is_exactly_zero():
-    assert tuple(np.log10(solve(PAPER).plot("excess").get_ylim()) % 1) == (0, 0)
-    ax = solve(Scene(PAPER.pair, State(x1="0.005"), 3)).plot("excess")
-    assert [text.get_text() for text in ax.texts] == ["$E = E_{cr}$ exactly"]
-    plt.close("all")
 
 
 FORCED = Scene(
@@ -176,3 +125,14 @@ def test_a_forced_overview_shows_the_force_and_its_work():
     work, energy, friction, viscous = (line.get_ydata() for line in figure.axes[5].get_lines())
     assert work + energy[0] == pytest.approx(energy + friction + viscous)
     assert work[-1] == pytest.approx(solve(FORCED).ledger.work, rel=1e-3)
+
+
+def test_thousands_of_events_are_drawn_within_their_true_range():
+    """Drawn through the events alone, the speeds of the stick phases between them were lost."""
+    run = solve(Scene(PAPER.pair, PAPER.initial, 300))
+    assert len(run.segments) > 1000
+    curve, dense = sampled(run), run.sol(np.linspace(100, 200, 2000))
+    drawn = curve.y[:, (curve.t > 100) & (curve.t < 200)]
+    assert np.abs(drawn).max(axis=1) == pytest.approx(np.abs(dense).max(axis=1), rel=0.01)
+    assert curve.resolved[0]
+    assert not curve.resolved[(curve.t > 100) & (curve.t < 200)].all()

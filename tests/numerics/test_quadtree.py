@@ -35,14 +35,6 @@ def test_a_raster_has_the_first_quantity_to_the_right_and_the_second_upwards():
     assert shares(leaves, Letter) == {Letter.LEFT: 0.5, Letter.RIGHT: 0.5, Letter.OPEN: 0.0}
 
 
-def test_a_cell_lies_where_its_column_and_row_say():
-    for cell in leaves_of(WINDOW, 4, VERDICTS, {}):
-        for (low, high), place, (first, last) in zip(cell.sides, (cell.column, cell.row), WINDOW, strict=True):
-            cut = float(last / first) ** (1 / 2**cell.level)
-            assert float(low) == pytest.approx(float(first) * cut**place, rel=1e-12)
-            assert float(high) == pytest.approx(float(first) * cut ** (place + 1), rel=1e-12)
-
-
 @pytest.mark.parametrize("tree", ["", "+lr", "+lrlrl", "ll", "x", "+lr+lrl", "+lr+lr+lrlrll"])
 def test_a_text_that_is_not_one_tree_is_refused(tree):
     (block,) = leaves_of(WINDOW, 1, Verdicts(lambda _: Letter.OPEN, Letter, Letter.OPEN), {})[:1]

@@ -14,9 +14,8 @@ from reaching import LeftOut, reaching
 from strategies import decimals, sine_scenes
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.orbit import Drive, Orbit, solve_orbit
-from numerics.control.pictures import draw_response
-from numerics.control.response import Regime, flattened_state, response, steady_drive, stuck_state
+from numerics.control.orbit import Orbit
+from numerics.control.response import Regime, response, steady_drive, stuck_state
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
 
@@ -88,44 +87,11 @@ def test_multipliers_are_those_of_the_reference(pair, amplitude):
     assert sorted(float(abs(one).mid()) for one in found.multipliers) == pytest.approx(expected, abs=2e-6)
 
 
-def test_a_two_sided_force_makes_body_2_drift():
-    """Continued from one sine, the second harmonic added in steps; the mirrored force drifts back as fast."""
-    drifts = []
-    for side in (1, -1):
-        legs = response(under(DAMPED, "0.5")).orbit.legs
-        for k in range(1, 5):
-            piece = Piece(0, (), [Sine("0.5", 12), Sine(Fraction(side * k, 20), 24)])
-            with Ball(30).context():
-                orbit = solve_orbit(Orbit(Drive(DAMPED, piece), legs))
-            legs = orbit.legs
-        drifts.append(float((orbit.travel / orbit.drive.period).mid()))
-        run = referred(one_period(orbit))
-        assert float(run.state()[2]) == pytest.approx(float(orbit.travel.mid()), abs=1e-14)
-    assert drifts[0] == pytest.approx(-drifts[1])
-    assert abs(drifts[0]) > 1e-4
-
-
-def test_a_constant_force_only_shifts_the_motion():
-    plain = response(under(DAMPED, "0.5"))
-    shifted = response(Scene(DAMPED, State(), 1, force=Force((Piece(0, ["0.3"], [Sine("0.5", 12)]),))))
-    for one, two in zip(plain.orbit.legs, shifted.orbit.legs, strict=True):
-        assert (two.x - one.x).overlaps(Ball.number(Fraction(3, 2000)))
-        assert two.v.overlaps(one.v)
-
-
 def test_the_last_piece_and_the_last_friction_decide():
     late = Force((Piece(0, ["7", "1"]), Piece(2, (), [Sine("0.5", 12)])))
     scene = Scene(Pair(1, 1, 200, 9, 3), State(), 5, force=late, friction=Friction([(1, "0.5")]))
     assert steady_drive(scene).pair.b == Fraction(1, 2)
     assert response(scene).orbit.legs[0].x.overlaps(response(under(DAMPED, "0.5")).orbit.legs[0].x)
-
-
-def test_resonance_of_body_1_grows_above_4b_over_pi():
-    pair = Pair(1, 1, 100, "0.5")
-    grows = response(under(pair, "0.7", 10))
-    assert grows.regime is Regime.GROWS
-    assert abs(grows.growth - (Ball.number(Fraction(7, 10)) - 2 / arb.pi()) / 2) < 1e-15
-    assert response(under(pair, "0.6", 10)).regime is Regime.STICK_SLIP
 
 
 def test_on_the_threshold_the_load_touches_and_has_no_multipliers():
@@ -146,66 +112,26 @@ def test_a_force_and_its_opposite_have_the_same_regime(amplitude):
     assert len({response(Scene(DAMPED, State(), 1, force=one)).regime for one in (force, -force)}) == 1
 
 
-def test_sines_of_one_frequency_may_cancel_at_resonance():
-    force = Force.sine(1, 10) + Force.sine("0.9", 10, "3.14159")
-    assert response(Scene(Pair(1, 1, 100, "0.5"), State(), 1, force=force)).regime is not Regime.GROWS
-
-
-def test_what_is_no_periodic_force_is_refused():
-    for force in (Force.step(0, 1), Force.ramp(0, 1, 1)):
-        with pytest.raises(InvalidScene, match="periodic"):
-            response(Scene(DAMPED, State(), 1, force=force))
-    with pytest.raises(InvalidScene, match="law"):
-        response(under(DAMPED, 1, law="three-valued-sgn"))
-    two = Force.sine(1, 3) + Force.sine(1, 5)
-    with pytest.raises(InvalidScene, match="one sine"):
-        response(Scene(DAMPED, State(), 1, force=two), amplitude=1)
-    with pytest.raises(InvalidScene, match="amplitude"):
-        response(under(DAMPED, 1), amplitude=0)
+@pytest.mark.parametrize(
+    ("scene", "more", "said"),
+    [
+        (Scene(DAMPED, State(), 1, force=Force.step(0, 1)), {}, "periodic"),
+        (Scene(DAMPED, State(), 1, force=Force.ramp(0, 1, 1)), {}, "periodic"),
+        (under(DAMPED, 1, law="three-valued-sgn"), {}, "law"),
+        (Scene(DAMPED, State(), 1, force=Force.sine(1, 3) + Force.sine(1, 5)), {"amplitude": 1}, "one sine"),
+        (under(DAMPED, 1), {"amplitude": 0}, "amplitude"),
+        (Scene(DAMPED, State(), 1), {"amplitude": 1}, "the scene has no force"),
+        (Scene(DAMPED, State(), 1), {"omega": "inf"}, "^omega"),
+    ],
+)
+def test_what_has_no_periodic_response_is_refused(scene, more, said):
+    with pytest.raises(InvalidScene, match=said):
+        response(scene, **more)
 
 
 def test_a_scene_without_a_force_takes_the_sine_that_is_given():
-    scene = Scene(DAMPED, State(), 1)
-    one, two = response(scene, amplitude="0.2", omega=12), response(under(DAMPED, "0.2"))
+    one, two = response(Scene(DAMPED, State(), 1), amplitude="0.2", omega=12), response(under(DAMPED, "0.2"))
     assert (one.drive, one.regime) == (two.drive, two.regime)
-    for half in ({}, {"amplitude": 1}, {"omega": 1}):
-        with pytest.raises(InvalidScene, match="the scene has no force"):
-            response(scene, **half)
-    for wrong in (0, -1, "inf"):
-        with pytest.raises(InvalidScene, match=r"^omega"):
-            response(scene, omega=wrong)
-
-
-@pytest.mark.parametrize("amplitude", ["0.2", "0.5", "2"])
-def test_pictures_are_drawn(amplitude):
-    found = response(under(DAMPED, amplitude))
-    figure = draw_response(found)
-    figure.draw_without_rendering()
-    assert len(figure.axes) == 3
-    for axes in figure.axes:
-        assert axes.get_legend().get_window_extent().y1 < axes.get_window_extent().y0  # it covers no curve
-
-
-@given(st.integers(1, 3))
-@settings(max_examples=3)
-def test_overrides_are_the_scene_with_that_sine(k):
-    amplitude = Fraction(k, 4)
-    assert response(under(DAMPED, 1, 9), amplitude=amplitude, omega=12).multipliers is not None
-    one, two = response(under(DAMPED, 1, 9), amplitude=amplitude, omega=12), response(under(DAMPED, amplitude))
-    assert one.regime is two.regime
-
-
-@pytest.mark.parametrize(("amplitude", "sticks"), [("8.5", True), ("-9.2", True), ("9.3", False)])
-def test_where_a_free_oscillation_lets_the_pair_stick_that_is_the_answer(amplitude, sticks):
-    """Omega = 3 omega, U* = 8 N, and stuck motions up to 9.2376 N: above U* the response breaks and they do not."""
-    drive = steady_drive(under(Pair(1, 1, 450, "0.5"), amplitude, 5))
-    found = response(under(Pair(1, 1, 450, "0.5"), amplitude, 5))
-    assert (found.regime is Regime.ENTRAINED) == sticks
-    with Ball(20).context():
-        x1, v1, _, _ = (Fraction(float(one)) for one in flattened_state(drive, arb(0)))
-    scene = Scene(drive.pair, State(x1=x1, v1=v1, v2=v1), until=4, force=Force.sine(amplitude, 5))
-    assert (not referred(scene).events) == sticks
-    assert draw_response(found).axes
 
 
 @given(decimals(-1, 1, 2), st.integers(0, 20))
@@ -233,3 +159,11 @@ def test_a_drift_of_exactly_zero_is_said_only_where_no_other_motion_can_be():
     assert damped.drift.is_zero()
     assert free.drift.contains(0)
     assert not free.drift.is_zero()
+
+
+def test_resonance_of_body_1_grows_above_4b_over_pi():
+    pair = Pair(1, 1, 100, "0.5")
+    grows = response(under(pair, "0.7", 10))
+    assert grows.regime is Regime.GROWS
+    assert abs(grows.growth - (Ball.number(Fraction(7, 10)) - 2 / arb.pi()) / 2) < 1e-15
+    assert response(under(pair, "0.6", 10)).regime is Regime.STICK_SLIP

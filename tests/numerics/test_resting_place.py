@@ -13,7 +13,6 @@ from numerics.arithmetic.ball import Ball
 from numerics.free.engine import run_free
 from numerics.free.resting_place import resting_place
 from numerics.linear.modes import MODES, event_kind
-from numerics.linear.record import How
 from numerics.scene import Pair, Scene, State
 
 BALLS = Ball(40)
@@ -62,14 +61,3 @@ def _relative_speeds(pair, event, slip):
         offset = x1 + (1 - q) * s
         body_1 = v1 * float(arb(omega * t).cos()) - offset * omega * float(arb(omega * t).sin())
         yield body_1 - (v2 + s * t)
-
-
-def test_a_pair_that_sticks_rests_where_it_is():
-    with BALLS.context():
-        run = solved(Pair(m1="0.1", m2="0.9", a2=1, b="0.9"), 100, Fraction(3, 2))
-        assert run.record.how is How.STUCK
-        found = resting_place(run, near=1e-3)
-        x1, _, x2, _ = run.final_state
-        assert found.limit.overlaps(x1 - x2)
-        assert found.reach == found.speed == 0
-        assert found.index == len(run.events) - 1

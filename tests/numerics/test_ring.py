@@ -13,11 +13,9 @@ from hypothesis import strategies as st
 from strategies import decimals
 
 from numerics.__main__ import main
-from numerics.arithmetic.ball import Ball
 from numerics.control.pictures import draw_ring
 from numerics.control.ring import ring_entry
 from numerics.errors import InvalidScene
-from numerics.free import resting_place as places
 from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
@@ -82,32 +80,6 @@ def test_the_limit_of_a_creeping_pair_is_that_of_a_long_run():
     for _ in range(8):
         z = [(a + b) / 2 for a, b in pairwise(z)]
     assert z[-1] == pytest.approx(float(found.centre), abs=1e-10)
-
-
-def test_the_limit_does_not_depend_on_the_ray_that_it_is_read_from():
-    scene, arithmetic = load_scene("velocities"), Ball(30)
-    with arithmetic.context():
-        run = solve(Scene(scene.pair, scene.initial, 100), arithmetic="ball", digits=20)
-        found = [places.creeping_place(run, scene.pair, near).limit for near in (1e-4, 1e-5)]
-        assert abs(found[0] - found[1]) < 1e-18
-        assert found[0].overlaps(found[1])
-
-
-def test_a_lost_sign_of_the_slide_is_found_out(monkeypatch):
-    right = places.abel_functions
-
-    class Wrong:
-        def __init__(self, share, order):
-            self.functions = right(share, order)
-            self.largest_argument = self.functions.largest_argument
-
-        def slide(self, y):
-            return -self.functions.slide(y)
-
-    monkeypatch.setattr(places, "abel_functions", Wrong)
-    wrong = ring_entry(load_scene("velocities"), "0.001").centre
-    monkeypatch.undo()
-    assert not wrong.overlaps(ring_entry(load_scene("velocities"), "0.001").centre)
 
 
 def test_a_motion_that_never_leaves_the_ring_is_inside_from_the_start():

@@ -51,10 +51,10 @@ def test_the_ring_around_a_periodic_motion(amplitude, radius):
 
 def test_the_ring_of_a_motion_that_slowly_closes_in_is_where_it_is_so_near_to_itself_many_periods_later():
     scene, per, periods = load_scene("forced-sine-stick-slip"), 2 * np.pi / 5, 79
-    y = solve(replace(scene, until=Fraction(120)), digits=20, max_events=10_000).sol
+    y = solve(replace(scene, until=Fraction(120))).sol
     entry = float(ring_entry(scene, "0.001", digits=12).entry)
-    t = np.array([entry - 1e-6, entry + 1e-6, *np.linspace(entry + 0.01, entry + 15, 1500)])
-    apart = (y(t) - y(t + periods * per)).astype(float)
+    t = np.array([entry - 1e-6, entry + 1e-6, *np.linspace(entry + 0.01, entry + 15, 400)])
+    apart = y(t) - y(t + periods * per)
     outside = np.hypot(apart[0] - apart[2], apart[1] - apart[3]) > 0.001
     assert outside[0]
     assert not outside[1:].any()

@@ -7,12 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
-from strategies import MODERATE, decimals, pairs, scenes, signed
 
 from numerics.errors import InvalidScene
-from numerics.scene import Law, Pair, Scene, State
+from numerics.scene import Law, Pair, State
 from numerics.scene.decimals import exact_decimal
-from numerics.scene.file import load_scene, parse_scene, shipped_scenes
+from numerics.scene.file import load_scene, parse_scene
 
 VALID = """[pair]
 m1 = 1
@@ -34,15 +33,6 @@ def test_a_scene_file_is_read_as_exact_decimals():
     assert scene.pair.half_width == Fraction(1, 200)
     assert scene.until == 5
     assert scene.law is Law.FILIPPOV
-
-
-@given(signed(decimals(-40, 40, 30)))
-def test_every_decimal_survives_its_text(value):
-    text = f"{value.numerator}/{value.denominator}"
-    shift = 10**80
-    written = f"{value.numerator * shift // value.denominator}e-80"
-    assert Fraction(text) == value == exact_decimal(written, "x1")
-    assert parse_scene(VALID.replace("0.005", written)).initial.x1 == value
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False))
@@ -88,29 +78,23 @@ BAD_VALUES = {
 }
 
 
-@pytest.mark.parametrize("name", ["m1", "m2", "a2", "b", "until"])
+@pytest.mark.parametrize("name", ["m1", "b", "until", "x1", "a1", "law"])
 @pytest.mark.parametrize("kind", BAD_VALUES)
 def test_bad_values_are_refused_in_one_line(name, kind):
-    lines = [f"{name} = {BAD_VALUES[kind]}" if line.startswith(f"{name} =") else line for line in VALID.splitlines()]
-    with pytest.raises(InvalidScene) as caught:
-        parse_scene("\n".join(lines))
-    message = str(caught.value)
-    assert len(message) < 300
-    assert message.isprintable()
+    if name == "x1" and kind in {"zero", "negative zero", "negative"}:
+        return
+    if name == "a1" and "zero" in kind:
+        return
+    text = VALID.replace("[run]", "[run]\nlaw = 1").replace("[pair]", "[pair]\na1 = 1")
+    lines = [f"{name} = {BAD_VALUES[kind]}" if line.startswith(f"{name} =") else line for line in text.splitlines()]
+    require_refusal("\n".join(lines))
 
 
-@pytest.mark.parametrize("kind", [kind for kind in BAD_VALUES if kind not in ("zero", "negative zero", "negative")])
-@pytest.mark.parametrize("name", ["x1", "v1", "a1", "law"])
-def test_bad_values_where_zero_is_allowed(name, kind):
-    text = VALID.replace("m1 = 1", f"m1 = 1\na1 = {BAD_VALUES[kind]}") if name == "a1" else VALID
-    if name in ("x1", "v1"):
-        text = "\n".join(f"{name} = {BAD_VALUES[kind]}" if one.startswith(name) else one for one in VALID.splitlines())
-    if name == "law":
-        text = VALID + f"law = {BAD_VALUES[kind]}\n"
+def require_refusal(text):
     with pytest.raises(InvalidScene) as caught:
         parse_scene(text)
-    assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 300
+    assert str(caught.value).isprintable()
 
 
 BAD_TEXTS = {
@@ -118,6 +102,7 @@ BAD_TEXTS = {
     "no table": "m1 = 1",
     "broken": "[pair",
     "twice": VALID + "[run]\nuntil = 5\n",
+    "missing key": VALID.replace("m2 = 1\n", ""),
     "unknown table": VALID + "[extra]\n",
     "unknown key": VALID + "speed = 5\n",
     "key with a line": VALID + '"a\\nb" = 5\n',
@@ -135,17 +120,7 @@ BAD_TEXTS = {
 
 @pytest.mark.parametrize("kind", BAD_TEXTS)
 def test_bad_files_are_refused_in_one_line(kind):
-    with pytest.raises(InvalidScene) as caught:
-        parse_scene(BAD_TEXTS[kind])
-    assert str(caught.value).isprintable()
-    assert len(str(caught.value)) < 300
-
-
-@pytest.mark.parametrize("key", ["m1", "m2", "a2", "b", "until"])
-def test_a_missing_key_is_named(key):
-    text = "\n".join(line for line in VALID.splitlines() if not line.startswith(f"{key} ="))
-    with pytest.raises(InvalidScene, match=f"missing key {key}"):
-        parse_scene(text)
+    require_refusal(BAD_TEXTS[kind])
 
 
 @given(st.text())
@@ -171,11 +146,6 @@ def test_a_pair_is_positive(field, value):
         Pair(**parameters)
 
 
-@pytest.mark.parametrize("name", shipped_scenes())
-def test_the_shipped_scenes_load(name):
-    assert isinstance(load_scene(name), Scene)
-
-
 def test_a_file_that_cannot_be_read(tmp_path):
     (tmp_path / "latin.toml").write_bytes(VALID.encode() + b"# \xff\n")
     (tmp_path / "large.toml").write_bytes(VALID.encode() + b"#" * 70000)
@@ -183,15 +153,3 @@ def test_a_file_that_cannot_be_read(tmp_path):
         with pytest.raises(InvalidScene) as caught:
             load_scene(tmp_path / path)
         assert "\n" not in str(caught.value)
-
-
-@given(pairs((-300, 300)))
-def test_the_critical_energy_is_that_of_the_edge_at_rest(pair):
-    scene = Scene(pair, State(x1=pair.half_width), until=1)
-    assert scene.energy == pair.critical_energy
-    assert scene.energy_excess == 0
-
-
-@given(scenes(MODERATE, None))
-def test_a_scene_is_a_key(scene):
-    assert {scene: 1}[Scene(scene.pair, scene.initial, scene.until, scene.law)] == 1

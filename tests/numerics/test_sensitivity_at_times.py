@@ -6,10 +6,10 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from flint import arb, fmpq
-from forced_differences import CENTRAL, moved, natural_scale, parameters
+from differences import CENTRAL, ball, moved, natural_scale, parameters
+from flint import arb
 
-from numerics import Force, Friction, Pair, Scene, State, load_scene, sensitivities, solve
+from numerics import Force, Friction, Pair, Scene, State, sensitivities, solve
 
 PAIR = Pair(1, 1, 200, "0.2", "0.5")
 SCENES = {
@@ -27,10 +27,6 @@ TIMES = [Fraction(k, 17) for k in range(1, 34)]
 @pytest.fixture(params=SCENES)
 def scene(request):
     return SCENES[request.param]
-
-
-def ball(value):
-    return arb(fmpq(value.numerator, value.denominator))
 
 
 def test_differences_of_solves(scene):
@@ -52,26 +48,6 @@ def test_differences_of_solves(scene):
             assert all(abs(one) < arb(f"1e-{right}") * (1 + largest) for one in (theirs - found[:, index]).ravel()), (
                 name
             )
-
-
-@pytest.mark.parametrize("arithmetic", ["float64", "double-double", "mpmath"])
-def test_balls_hold_what_points_round(scene, arithmetic):
-    balls, points = solve(scene, arithmetic="ball", digits=20), solve(scene, arithmetic=arithmetic)
-    true, found = sensitivities(balls, TIMES), sensitivities(points, TIMES)
-    assert found.shape == true.shape == (4, len(parameters(scene)), len(TIMES))
-    middle = np.vectorize(lambda one: float(one.mid()))(true)
-    scale = np.abs(middle).max(axis=2, keepdims=True)
-    assert (np.abs(found.astype(float) - middle) <= 4e-16 * scale).all()
-
-
-def test_a_grid_has_what_single_times_have(scene):
-    trajectory = solve(scene)
-    times = np.linspace(0, 2, 23)
-    found = sensitivities(trajectory, times)
-    for k in (0, 7, 22):
-        one = sensitivities(trajectory, times[k])
-        assert one.shape == found.shape[:2]
-        assert np.allclose(one, found[:, :, k], rtol=0, atol=1e-15 * np.abs(found).max())
 
 
 def test_start_and_end(scene):
@@ -138,8 +114,3 @@ def test_a_fit_of_friction_and_mass_by_measured_samples():
         slopes = sensitivities(trajectory, times)[1][[7, 4]].T
         guess = guess + np.linalg.lstsq(slopes, measured - trajectory.sol(times)[1], rcond=None)[0]
     assert np.allclose(guess, [0.05, 1.0], rtol=1e-12)
-
-
-def test_an_exact_start_stays_exact():
-    trajectory = solve(load_scene("at-rest"), arithmetic="ball")
-    assert all(one.is_finite() for one in sensitivities(trajectory, 1).ravel())

@@ -11,7 +11,6 @@ import pytest
 from dying_worker import squared
 
 from numerics.control.response_map import ResponseMap, response_map
-from numerics.errors import InvalidMap
 from numerics.scene import Pair
 from numerics.tasks import run_tasks
 
@@ -56,18 +55,3 @@ def test_three_workers_one_of_which_is_killed_draw_the_same_map(tmp_path):
     assert found == charted()
     parts = [json.loads(line)["part"] for line in file.read_text("utf-8").splitlines()[1:]]
     assert sorted(parts, key=int) == [str(one) for one in range(64)]
-
-
-def test_a_map_that_was_broken_off_goes_on_on_another_road(tmp_path):
-    """Half of it is done in turn, the rest in processes."""
-    pytest.importorskip("joblib")
-    file, whole = tmp_path / "cells.jsonl", charted()
-
-    def stop(done: int, _: int) -> None:
-        if done == 30:
-            raise InvalidMap("stopped")
-
-    with pytest.raises(InvalidMap, match="stopped"):
-        charted(resume=file, progress=stop)
-    assert len(file.read_text("utf-8").splitlines()) == 31
-    assert charted(resume=file, jobs=2) == whole

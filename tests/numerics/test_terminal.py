@@ -1,6 +1,5 @@
-"""What a terminal shows, what is piped, and errors, which name the argument that helps."""
+"""What a terminal shows, and errors, which name the argument that helps."""
 
-import json
 import re
 import sys
 
@@ -8,7 +7,6 @@ import pytest
 
 from numerics.__main__ import main
 from numerics.errors import OutOfRange
-from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 
@@ -45,22 +43,6 @@ def test_a_terminal_sees_the_first_and_the_last_events_and_how_to_get_all(capsys
     assert "--all" not in whole
 
 
-@pytest.mark.parametrize(("until", "cut"), [("5", False), ("50", True)])
-def test_what_is_piped_is_whole(capsys, monkeypatch, tmp_path, until, cut):
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE.replace("until = 2", f"until = {until}"))
-    piped = run(capsys, "solve", path, "--arithmetic", "float64")[1]
-    assert "--all" not in piped
-    shown = on_a_terminal(capsys, monkeypatch, "solve", path, "--arithmetic", "float64")
-    assert ("--all" in shown) == cut
-    assert len(shown.splitlines()) < 60
-    assert (shown.split() == piped.split()) != cut
-    count = len(solve(Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=until)).events)
-    for form in ("--json", "--csv"):
-        out = on_a_terminal(capsys, monkeypatch, "solve", path, "--arithmetic", "float64", form)
-        assert (len(json.loads(out)["events"]) if form == "--json" else len(out.splitlines()) - 2) == count
-
-
 @pytest.mark.parametrize(
     ("argument", "arguments"),
     [
@@ -84,31 +66,3 @@ def test_a_scene_beyond_float64_is_sent_to_balls(capsys, tmp_path):
     assert (code, "use ball arithmetic" in err) == (1, True)
     with pytest.raises(OutOfRange, match="ball arithmetic"):
         solve(load_scene(str(path)))
-
-
-def test_a_file_that_is_not_toml_is_named(capsys, tmp_path):
-    path = tmp_path / "broken.toml"
-    path.write_text(SCENE.replace("m1 = 1", "m1 = = 1"))
-    code, _, err = run(capsys, "solve", path)
-    assert (code, "broken.toml" in err, "TOML" in err) == (2, True, True)
-
-
-def test_a_ratio_is_a_number_on_the_command_line_and_in_a_file(capsys, scene_file):
-    scene_file.write_text(SCENE.replace("v1 = 0.15", 'v1 = "3/20"').replace("until = 2", 'until = "4/2"'))
-    ratio = run(capsys, "solve", scene_file)
-    scene_file.write_text(SCENE)
-    assert ratio == run(capsys, "solve", scene_file)
-    assert run(capsys, "energy", scene_file, "--at", "10/3")[0] == 0
-
-
-def test_a_figure_or_a_file_in_no_folder_is_refused_before_anything_is_computed(capsys, tmp_path):
-    for arguments in (
-        ("solve", "start-at-6mm", "--plot", tmp_path / "no" / "a.svg"),
-        ("solve", "start-at-6mm", "--npz", tmp_path / "no" / "a.npz"),
-        ("solve", "start-at-6mm", "--plot", tmp_path / "a.gif"),
-        ("map", "--out", tmp_path / "a.gif"),
-        ("map", "--resume", tmp_path / "no" / "a"),
-        ("trade", "--out", tmp_path / "a.gif"),
-    ):
-        code, out, err = run(capsys, *arguments)
-        assert (code, out, len(err.splitlines())) == (2, "", 1)

@@ -18,9 +18,9 @@ from numerics.control.answers import to_digits
 from numerics.control.guesses import exit_state
 from numerics.control.orbit import Drive
 from numerics.control.pictures import threshold_curves
-from numerics.control.response_map import Regimes, decide, response_map
+from numerics.control.response_map import Regimes, response_map
 from numerics.control.thresholds import NonStop, load_margin, thresholds
-from numerics.errors import InvalidMap, InvalidScene, PrecisionExhausted
+from numerics.errors import InvalidScene, PrecisionExhausted
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
 PAIR = Pair(1, 1, 200, "0.5", 3)
@@ -85,17 +85,6 @@ def test_a_free_oscillation_lets_the_pair_stick_up_to_a_larger_amplitude(odd):
         assert (not referred(scene, digits=40).events) == sticks
 
 
-def test_the_map_leaves_open_where_a_free_oscillation_may_let_the_pair_stick():
-    pair, omega = Pair(1, 1, 1800, "0.5"), Fraction(10)
-    edge = Fraction(float(thresholds(pair, omega).entrainment))
-    near = (omega - Fraction(1, 1000), omega + Fraction(1, 1000))
-    away = (omega + Fraction(1, 100), omega + Fraction(1, 50))
-    above, beyond = ((edge * Fraction(one, 100), edge * Fraction(one + 1, 100)) for one in (112, 117))
-    assert decide(pair, (near, above)) is Regimes.UNDECIDED
-    assert decide(pair, (near, beyond)) is Regimes.BETWEEN
-    assert decide(pair, (away, above)) is Regimes.BETWEEN
-
-
 @pytest.mark.parametrize("omega", ["1e-6", "1e-29", "1e-30", "1e-60"])
 def test_a_very_slow_sine_has_finite_thresholds(omega):
     """Body 1 rests at -b/a2 by each reversal: omega^2 U** tends to a2 b hypot(pi/(2 m2), (M + m2)/(m1 m2))."""
@@ -135,15 +124,6 @@ def test_the_two_stop_branch_joins_both_thresholds():
             assert abs((S * S + C * C).sqrt() - edge) < 1e-9
 
 
-@pytest.mark.parametrize(("factor", "sticks"), [("0.999", True), ("1.001", False)])
-def test_the_reference_sticks_below_the_threshold_and_slips_above(factor, sticks):
-    omega, margin = Fraction(12), Fraction(factor)
-    amplitude = margin * Fraction(float(thresholds(PAIR, omega).entrainment))
-    run = referred(Scene(PAIR, State(), until=12, force=Force.sine(amplitude, omega)), digits=40)
-    late = [event for event in run.events if event.t > 8]
-    assert (not late) == sticks
-
-
 def test_bad_frequencies_are_refused():
     for omega in (0, -1, "x", True):
         with pytest.raises(InvalidScene, match="omega"):
@@ -167,11 +147,6 @@ def test_the_edge_of_the_non_stop_regime_lies_where_the_sign_is_kept(omega, edge
         assert above is True
 
 
-def test_no_cell_between_the_necessary_threshold_and_the_edge_is_called_non_stop():
-    sides = ((Fraction("4.62399"), Fraction("4.62401")), (Fraction(20), Fraction("20.001")))
-    assert decide(Pair(1, 1, 200, "0.5"), sides) is Regimes.UNDECIDED
-
-
 # the map of regimes
 
 WINDOW = ((Fraction(1, 10), Fraction(10)), (Fraction(4), Fraction(40)))
@@ -193,23 +168,3 @@ def test_every_cell_agrees_with_the_thresholds_at_its_corners():
                     assert not level > known.non_stop
                 elif cell.verdict is Regimes.NON_STOP:
                     assert not level < known.non_stop
-
-
-def test_a_map_goes_on_from_its_checkpoint(tmp_path):
-    file = tmp_path / "cells.jsonl"
-    whole = response_map(PAIR, *WINDOW, 3, resume=file)
-    file.write_text("".join(file.read_text("utf-8").splitlines(keepends=True)[:20]), "utf-8")
-    assert response_map(PAIR, *WINDOW, 3, resume=file) == whole
-    with pytest.raises(InvalidMap, match="another map"):
-        response_map(Pair(1, 1, 201, "0.5", 3), *WINDOW, 3, resume=file)
-
-
-def test_a_cell_across_a_threshold_is_not_decided():
-    edge = Fraction(float(thresholds(PAIR, 12).entrainment))
-    sides = ((Fraction(12), Fraction(13)), (edge * Fraction(9, 10), edge * Fraction(11, 10)))
-    assert decide(PAIR, sides) is Regimes.UNDECIDED
-
-
-def test_an_empty_window_is_refused():
-    with pytest.raises(InvalidMap, match="omega"):
-        response_map(PAIR, WINDOW[0], (Fraction(4), Fraction(4)), 3)

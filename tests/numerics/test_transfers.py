@@ -6,20 +6,17 @@ import math
 from fractions import Fraction
 from itertools import pairwise
 
-import mpmath
 import pytest
 from control_scenes import DAMPED, FREE, referred
-from flint import arb
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals, pairs
 
 from numerics.arithmetic.ball import Ball
-from numerics.control import transfer as transfers
 from numerics.control.answers import rounded
 from numerics.control.transfer import Road, fastest_transfer
 from numerics.errors import InvalidScene
-from numerics.scene import Force, Pair, Piece, Scene, State
+from numerics.scene import Force, Pair, Scene, State
 
 
 def at_rest(pair: Pair) -> Scene:
@@ -60,19 +57,6 @@ def test_a_transfer_arrives_at_rest_by_the_reference(pair, plan, road):
         assert all(abs(found.scene.force(until * k / 500)) <= float(limit) * (1 + 1e-12) for k in range(500))
 
 
-def test_times_and_amplitudes_are_their_formulas_in_another_arithmetic():
-    found = fastest_transfer(at_rest(DAMPED), "0.001", digits=30)
-    with mpmath.workdps(40):
-        b, m, k, d, a = mpmath.mpf("0.5"), 1, 200, mpmath.mpf("0.001"), 3
-        tau = mpmath.sqrt(d * m / b)
-        path = mpmath.odefun(lambda t, y: [y[1], 1 - k * y[0] - a * y[1]], 0, [0, 0])
-        g = path(tau)[1]  # the velocity after a unit step is the impulse response
-        least = b + b / m * tau / g
-        stuck = max(2 * b + a * tau * b + k * d / 2, k * d)
-        for ball, value in ((found.bound, 2 * tau), (found.least_amplitude, least), (found.stuck_amplitude, stuck)):
-            assert abs(mpmath.mpf(ball.mid().str(35, radius=False)) / value - 1) < mpmath.mpf(10) ** -28
-
-
 @given(decimals(-4, -3, 2), st.integers(1, 9))
 @settings(max_examples=8)
 def test_more_force_is_never_slower(distance, part):
@@ -86,28 +70,6 @@ def test_more_force_is_never_slower(distance, part):
             assert not found.time < found.bound
             times.append(found.time)
     assert all(not two > one for one, two in pairwise(times))
-
-
-def test_body_1_meets_body_2_just_before_half_time_with_a_thousandth_less():
-    """Below U_min the bodies meet before half time, above it after: the least amplitude is at its edge."""
-    far = Fraction(1, 1000)
-    with Ball(30).context():
-        least = Fraction(float(transfers.least_amplitude(FREE, far)))
-        half = float(Ball.number(far * 2).sqrt())
-    contacts = []
-    for factor in ("0.999", "1.001"):
-        push = Force((Piece(0, (least * Fraction(factor),)),))
-        run = referred(Scene(FREE, State(), 1, force=push))
-        contacts.append(float(run.events[0].t))
-    assert contacts[0] < half < contacts[1]
-    assert contacts[1] - contacts[0] < 0.05 * half
-
-
-def test_a_wrong_factor_in_the_least_amplitude_is_found_out(monkeypatch):
-    right = transfers.least_amplitude
-    monkeypatch.setattr(transfers, "least_amplitude", lambda pair, far: right(pair, far) * arb("0.98"))
-    found = fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08")
-    assert abs(arrived(found)[0]) > 1e-9
 
 
 def test_between_the_amplitudes_it_says_that_the_least_time_is_open():
@@ -133,12 +95,6 @@ def test_full_force_is_the_fastest_of_all_only_where_nothing_can_break_the_conta
     assert (found.road, found.fastest) == (Road.BANG_BANG, said)
     needed = float(amplitude) * (2 - math.cos(10 * float(found.time)))
     assert (needed <= 1) == said.startswith("no control within")
-
-
-def test_a_margin_leaves_no_room_for_a_slip():
-    """1.08 N are enough to meet the bound by slipping, which takes friction to its limit, and too little to stick."""
-    assert fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08").road is Road.SLIP
-    assert fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08", margin="0.01").road is Road.OPEN
 
 
 def test_a_transfer_under_a_margin_is_the_fastest_of_those_that_keep_it():
@@ -188,14 +144,6 @@ def test_the_amplitude_of_a_stuck_transfer_is_the_largest_value_of_its_force(pai
     assert most is None or float(found.stuck_amplitude) == pytest.approx(most)
 
 
-def test_where_the_impulse_response_turns_no_least_amplitude_is_claimed():
-    """Heavy damping: g' < 0 before half time."""
-    found = fastest_transfer(at_rest(Pair("0.8", "1.9", 64, "0.25", 40)), "0.02", amplitude=3)
-    assert found.road is Road.OPEN
-    assert found.least_amplitude is None
-    assert "whether slipping meets the bound with less is open" in found.fastest
-
-
 @pytest.mark.parametrize(
     ("wrong", "named"),
     [
@@ -212,3 +160,9 @@ def test_bad_transfers_are_refused(wrong, named):
         fastest_transfer(Scene(FREE, State(v1=1), 1), 1)
     with pytest.raises(InvalidScene, match="force"):
         fastest_transfer(Scene(FREE, State(), 1, force=Force.step(0, 1)), 1)
+
+
+def test_a_margin_leaves_no_room_for_a_slip():
+    """1.08 N are enough to meet the bound by slipping, which takes friction to its limit, and too little to stick."""
+    assert fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08").road is Road.SLIP
+    assert fastest_transfer(at_rest(FREE), "0.001", amplitude="1.08", margin="0.01").road is Road.OPEN

@@ -70,13 +70,6 @@ def test_without_a_damper_both_formulas_of_permanent_slip_agree():
     assert math.isclose(one, other, rel_tol=1e-13)
 
 
-def test_permanent_slip_needs_more_than_the_stuck_response():
-    values = letters() | PAIR | {omega: RATE}
-    place, speed = (one.subs(values) for one in forced_response.square_wave())
-    second = forced_response.non_stop_amplitude_squared().subs(values | {square_place: place, square_speed: speed})
-    assert float(second) > float(forced_response.entrained_amplitude().subs(values)) ** 2
-
-
 @pytest.mark.parametrize("n", [3, 5, 7])
 def test_a_free_oscillation_flattens_the_peaks_as_far_as_it_is_said(n):
     share = math.sin(math.pi / (2 * n)) / n
@@ -86,10 +79,6 @@ def test_a_free_oscillation_flattens_the_peaks_as_far_as_it_is_said(n):
     others = [share * (1 + d) for d in (-0.2, -0.05, 0.05, 0.2)]
     for other in others:
         assert max(abs(math.cos(k / 1000) - other * math.cos(n * k / 1000)) for k in range(1600)) > highest
-
-
-def test_three_times_the_frequency_gives_the_kernels_factor():
-    assert forced_response.harmonic_amplitude().subs(forced_response.multiple, 3) == 2 / sp.sqrt(3)
 
 
 def test_the_stuck_force_moves_the_stuck_pair(same):

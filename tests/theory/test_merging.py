@@ -2,11 +2,10 @@
 
 import mpmath
 import pytest
-from sympy import Rational, cancel, lambdify, log, pi
+from sympy import lambdify
 
 from theory import long_time, merging
 from theory.excursion import angle
-from theory.symbols import q
 
 RESIDUALS = [
     merging.slip_residuals,
@@ -87,17 +86,3 @@ def test_the_threshold_is_the_least_ratio_of_push_to_depth():
         assert mpmath.almosteq(least, 1 / (2 * mpmath.sin(root) ** 2), 1e-38)
         assert mpmath.nstr(least, 16) == "0.5578390907215263"
         assert all(ratio(root + shift) ** 2 > least for shift in (-1, -0.01, 0.01, 1))
-
-
-def test_an_abel_function_without_its_logarithm_is_not_one(monkeypatch):
-    monkeypatch.setattr(long_time, "log", lambda argument: 0 * log(argument))
-    long_time.abel_defect.cache_clear()
-    assert long_time.abel_defect() != 0
-
-
-def test_the_expansion_for_equal_masses():
-    half = {q: Rational(1, 2)}
-    assert long_time.logarithm_weight().subs(half) == Rational(1, 5)
-    assert long_time.leading_coefficient().subs(half) == 4 * pi / 9
-    assert cancel(long_time.logarithm_coefficient() - pi * (1 - 2 / (5 * (1 - q)))) == 0
-    assert long_time.balanced_share() == Rational(2, 5)

@@ -100,17 +100,6 @@ def test_broken_adhesion_leaves_a_force_on_one_body_alone(same):
     assert same(half.force_imbalance, -m2 * half.acceleration1 / 2)
 
 
-def test_momentum_of_the_pair_changes_by_spring_damper_and_control_alone(same):
-    for name in ("stick", "slip+", "slip-"):
-        found = model.branch_named(name)
-        assert same(m1 * found.acceleration1 + m2 * found.acceleration2, u - a1 * v1 - a2 * x1)
-
-
-def test_the_friction_in_slip_opposes_the_relative_motion():
-    assert [model.slip(sign).force_on_first for sign in (1, -1)] == [-b, b]
-    assert [model.slip(sign).force_on_second for sign in (1, -1)] == [b, -b]
-
-
 def test_free_system_agrees_with_the_branches_off_the_surface_and_not_on_it(same):
     for sign in (1, -1):
         assert all(
@@ -137,8 +126,3 @@ def test_the_printed_equations_7_and_8(same, near_misses):
         assert same(second, sign * b)
         assert not any(same(second, wrong) for wrong in near_misses(sign * b))
     assert model.case_study_eigenfrequency() == 10
-
-
-def test_an_unknown_branch_is_an_error():
-    with pytest.raises(KeyError):
-        model.branch_named("roll")

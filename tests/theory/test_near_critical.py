@@ -2,11 +2,10 @@
 
 import mpmath
 import pytest
-from sympy import Rational, S, limit, pi, simplify, sqrt
+from sympy import Rational, S, pi, sqrt
 
 from theory import near_critical as near
-from theory.excursion import excursion, h
-from theory.symbols import a2, b, epsilon, m1, m2, q, r, theta, total_mass, v1_0, w, x1_0
+from theory.symbols import a2, b, epsilon, m1, m2, q, r, total_mass, v1_0, x1_0
 
 FRACTIONS = ["0.5", "0.2", "0.9"]
 
@@ -68,11 +67,6 @@ def test_the_cycle_is_slip_plus_stick(same):
     assert same(found.slip_duration, sqrt(q) * found.slip_angle)
 
 
-def test_the_reversion_solves_h(same):
-    back = near.compose(near.taylor(h(), theta, near.ORDER), near.slip_angle(), near.ORDER)
-    assert same(back, epsilon / sqrt(q))
-
-
 def test_the_stick_rotation_is_a_rotation_on_one_level(same):
     """cos^2 + sin^2 = 1 exactly where entry and exit have the same energy: X^2 + V^2 = 1 + epsilon^2."""
     cosine, sine = near.stick_rotation()
@@ -91,85 +85,3 @@ def test_the_rate_law(same, near_misses):
     assert same(near.rate_constant(), printed)
     assert not any(same(near.rate_constant(), wrong) for wrong in near_misses(printed))
     assert near.rate_constant().free_symbols == {m1, m2, a2, b}
-
-
-def test_the_inverse_step_from_the_closed_forms_without_series():
-    one = excursion()
-    gain = simplify(one.next_excess)
-    for fraction in (Rational(1, 2), Rational(1, 5)):
-        at = {q: fraction, theta: Rational(1, 10**6)}
-        before, after = one.excess.subs(at).evalf(80), gain.subs(at).evalf(80)
-        assert abs(1 / after - 1 / before - near.inverse_step().subs(q, fraction)) < 1e-10
-
-
-def angle_of(height):
-    """Newton's method for h(theta) = height, from the leading order; for heights below 1."""
-    angle = min(3 * height, mpmath.mpf(2))
-    for _ in range(6):
-        sine, versine = mpmath.sin(angle), 1 - mpmath.cos(angle)
-        angle -= ((angle - sine) / versine - height) * versine**2 / (2 * versine - angle * sine)
-    return angle
-
-
-@pytest.mark.parametrize("fraction", FRACTIONS)
-@pytest.mark.parametrize("first", ["0.05", "0.25"])
-def test_the_law_along_the_iterated_map(fraction, first):
-    """1/w grows by 1/constant per unit of time from different starts; the error decays as log(n)/n."""
-    share, cycles = mpmath.mpf(fraction), 1500
-    before = excess = mpmath.mpf(first) ** 2
-    time = mpmath.mpf(0)
-    with mpmath.workdps(25):
-        for _ in range(cycles):
-            angle = angle_of(mpmath.sqrt(excess / share))
-            *_, excess, stick = exact_excursion(share, angle)
-            time += stick + mpmath.sqrt(share) * angle
-    constant = mpmath.mpf(str(near.reduced_rate_constant().subs(q, Rational(fraction)).evalf(20)))
-    measured = time / (1 / excess - 1 / before)
-    assert abs(measured / constant - 1) < 2 * mpmath.log(cycles) / cycles
-    assert abs(measured / (2 * constant) - 1) > 0.3
-
-
-def test_the_limits_of_the_paper(same, near_misses):
-    found = near.critical_limits()
-    mass = total_mass()
-    printed = pi * sqrt(mass / a2)
-    assert same(found.stick_duration, printed)
-    assert not any(same(found.stick_duration, wrong) for wrong in near_misses(printed))
-    assert found.slip_duration == 0
-    for position in (found.exit_position, found.entry_position):
-        assert same(position, b * mass / (a2 * m2))
-    assert (found.exit_velocity, found.entry_velocity) == (0, 0)
-
-
-def test_the_displacements_of_all_excursions_have_a_finite_sum():
-    """|X1 - X2| per excursion is (9/8q) w^2, and w decays as 1/n: the terms decay as 1/n^2."""
-    share = near.cycle().displacement / epsilon**4
-    assert limit(share, epsilon, 0) == Rational(9, 8) / q
-
-
-def test_other_orders_are_consistent(same):
-    short, long = near.slip_angle(4), near.slip_angle(6)
-    assert same(long.series(epsilon, 0, 4).removeO(), short)
-    assert not same(long, short)
-
-
-def test_truncation_and_composition(same):
-    polynomial = 1 + theta + theta**2
-    assert same(near.truncate(polynomial, theta, 2), 1 + theta)
-    assert same(near.compose(polynomial, 2 * epsilon, 3), 1 + 2 * epsilon + 4 * epsilon**2)
-
-
-def test_the_leading_order_in_si(same, near_misses):
-    found = near.leading_order()
-    mass = total_mass()
-    length, frequency = b * mass / (a2 * m2), sqrt(a2 / mass)
-    printed = {
-        found.duration: 3 * sqrt(w / a2 * mass),
-        found.position: length * (1 - 3 * w / 2),
-        found.velocity: -2 * length * frequency * sqrt(w),
-        found.displacement: Rational(9, 8) * mass / m1 * w**2 * length,
-        found.energy_lost: Rational(9, 4) * m2 / m1 * w**2 * b**2 * mass**2 / (2 * a2 * m2**2),
-    }
-    assert all(same(derived, expected) for derived, expected in printed.items())
-    assert same(found.energy_lost, b * found.displacement)
-    assert not any(same(found.energy_lost, wrong) for wrong in near_misses(printed[found.energy_lost]))

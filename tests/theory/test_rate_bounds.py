@@ -1,7 +1,7 @@
 """The manifest signs behind the 1/t bound and the absence of merging, and the bounds at numbers."""
 
 import pytest
-from sympy import Rational, S, cos, cot, diff, limit, pi, simplify, sin
+from sympy import Rational, S, cos, diff, limit, pi, sin
 
 from theory import near_critical, rate_bounds
 from theory.excursion import angle, displacement_of_angle, excursion, h, next_excess_slope
@@ -14,16 +14,6 @@ FRACTIONS = [Rational(1, 50), Rational(1, 2), Rational(49, 50)]
 def close(expression, **choices):
     point = {theta: choices.get("theta", S(1)), q: choices.get("q", Rational(1, 3)), angle: Rational(1, 2)}
     return abs(expression.subs(point).evalf(40)) < 1e-30
-
-
-def test_reentry_depth():
-    depth = rate_bounds.reentry_depth()
-    assert close(depth - (1 - excursion().position))
-    assert close(depth - q * (2 - theta * cot(theta / 2)))
-    assert not close(depth - q * (2 + theta * cot(theta / 2)))
-    # Between 0 and 2q: theta cot(theta/2) is 0 at pi, 2 at 0, and decreases as x cot x does.
-    assert limit(depth, theta, 0) == 0
-    assert simplify(depth.subs(theta, pi * Rational(999, 1000)).evalf() / q) < 2
 
 
 def test_the_density_is_the_ratio_of_differentials():
@@ -47,14 +37,6 @@ def test_the_density_decreases():
         assert positive.subs(angle, half).evalf(40) > 0
         assert increment.subs(angle, half).evalf(40) < 0
         assert second.subs(angle, half).evalf(40) < 0
-
-
-def test_the_inverse_step_is_that_of_the_excursion():
-    one = excursion()
-    exact = rate_bounds.inverse_step()
-    for fraction in FRACTIONS:
-        assert close(exact - (1 / one.next_excess - 1 / one.excess), q=fraction)
-        assert not close(exact / 2 - (1 / one.next_excess - 1 / one.excess), q=fraction)
 
 
 @pytest.mark.parametrize("fraction", FRACTIONS)

@@ -28,15 +28,6 @@ def test_the_return_map_of_a_ray(slip):
     assert abs(before - 2 * (before - after) - slip.excess(end) / slip.q) > 1e-6
 
 
-def test_the_slope_of_the_return_map_is_its_derivative():
-    """(y'(theta + s) - y'(theta - s))/(y(theta + s) - y(theta - s)) is 1 - r (1 - cos theta) up to s^2."""
-    step, fraction, angle = mpmath.mpf(10) ** -12, mpmath.mpf(1) / 3, mpmath.mpf(2)
-    ends = [[at(one, q=fraction, theta=angle + s) for one in return_map.return_map_of_angle()] for s in (step, -step)]
-    slope = (ends[0][1] - ends[1][1]) / (ends[0][0] - ends[1][0])
-    assert abs(slope - (1 - (1 - fraction) * (1 - mpmath.cos(angle)))) < 1e-20
-    assert abs(slope - (1 - (1 - fraction) * (1 + mpmath.cos(angle)))) > 0.1
-
-
 def test_the_depth():
     depth = return_map.depth()
     assert limit(depth, theta, 0) == 0
@@ -83,10 +74,6 @@ def test_the_series_of_the_depth_is_that_of_the_inverted_map():
             assert max(abs(remainder) for remainder in remainders(wrong, small)) > 1e-9
 
 
-def test_a_longer_series_starts_with_the_shorter_one():
-    assert return_map.depth_series(7)[:3] == return_map.depth_series(3)
-
-
 @pytest.mark.parametrize("order", [2, 3, 8])
 def test_the_series_of_the_return_map_errs_by_its_first_dropped_term(order):
     series, fraction = return_map.return_map_series(order), mpmath.mpf(1) / 4
@@ -97,13 +84,6 @@ def test_the_series_of_the_return_map_errs_by_its_first_dropped_term(order):
         exact = small - (1 - fraction) * depth_by_inversion(small) ** 2
         error = abs(at(series, q=fraction, y=small) - exact)
     assert 0.25 < error / small ** (order + 1) < 4  # the coefficient that was dropped is of the size of 1
-
-
-def test_an_excursion_of_a_heavy_driven_body_may_merge_and_of_a_light_one_not():
-    _, after = return_map.return_map_of_angle()
-    assert at(after, q=mpmath.mpf("0.3"), theta=mpmath.pi) < 0
-    assert at(after, q=mpmath.mpf("0.5"), theta=mpmath.pi) > 0
-    assert at(after, q=mpmath.mpf("0.3"), theta=mpmath.pi / 2) > 0
 
 
 RESIDUALS = [
@@ -146,16 +126,12 @@ def forget():
 
 FAULTS = [
     ("depth", lambda depth: lambda: -depth(), {"landing_residuals", "depth_slope_residual"}),
-    ("depth", lambda depth: lambda: depth() - 2, {"landing_residuals", "return_map_residuals"}),
     ("depth", lambda depth: lambda: depth() + sin(theta), set(RESIDUALS[2:])),
     ("h", lambda h: lambda: 2 * h(), {"guard_residual", "landing_residuals", *RESIDUALS[3:]}),
     ("half_cotangent", lambda half: lambda: -half(), {*RESIDUALS[:3], "return_map_residuals", "depth_slope_residual"}),
-    ("half_cotangent", lambda half: lambda: 1 / half(), set(RESIDUALS)),
     ("r", lambda share: -share, {"landing_residuals", "return_map_residuals"}),
-    ("r", lambda share: q, {"landing_residuals", "return_map_residuals"}),
     ("excess", lambda excess: lambda: 2 * excess(), {"landing_residuals"}),
     ("contact_slope", lambda slope: lambda: (slope()[0], -slope()[1]), {"contact_slope_residual"}),
-    ("contact_slope", lambda slope: lambda: (2 * slope()[0], slope()[1]), {"contact_slope_residual"}),
     ("contact_condition", lambda contact: lambda: contact() + 1, {"guard_residual"}),
     ("return_map_of_angle", lambda both: lambda: (both()[0], both()[1] ** 2), set(RESIDUALS[4:])),
 ]

@@ -1,19 +1,13 @@
 """The reduced coordinates: derived fields, one parameter, energy; and the way back to SI."""
 
 import pytest
-from sympy import Matrix, simplify, sqrt
+from sympy import Matrix, simplify
 
-from theory import energy, filippov, scaling
+from theory import filippov, scaling
 from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, total_mass, v1, v2, x1, zeta
 
 ZERO = Matrix([0, 0, 0])
 SIGNS = pytest.mark.parametrize("sign", [1, -1])
-
-
-def test_units(same):
-    assert same(scaling.half_width(), b * total_mass() / (a2 * m2))
-    assert same(scaling.stick_frequency(), sqrt(a2 / total_mass()))
-    assert same(scaling.damping_ratio(), a1 / (2 * sqrt(a2 * total_mass())))
 
 
 @SIGNS
@@ -32,17 +26,6 @@ def test_viscous_fields(sign):
     assert simplify(scaling.reduced_stick(damped=True) - Matrix([V1, stick, stick])) == ZERO
 
 
-@pytest.mark.parametrize("damped", [False, True])
-def test_no_unit_remains(damped):
-    left = scaling.reduced_slip(1, damped).free_symbols | scaling.reduced_stick(damped).free_symbols
-    assert left <= {X, V1, V2, q} | ({zeta} if damped else set())
-
-
-def test_sliding_region(same):
-    assert same(scaling.reduced_load(), X)
-    assert same(scaling.reduced_load(damped=True), X + 2 * zeta * V1)
-
-
 @SIGNS
 def test_energy_and_excess(sign, same, near_misses):
     assert same(scaling.reduced_energy(), X**2 + q * V1**2 + r * V2**2)
@@ -58,25 +41,6 @@ def test_the_reduced_rate_is_the_chain_rule_in_reduced_coordinates(sign, same):
     for damped in (False, True):
         along = (gradient * scaling.reduced_slip(sign, damped))[0]
         assert same(along, scaling.excess_rate(sign, damped))
-
-
-def test_parameters_invert_the_definitions(same):
-    known = scaling.parameters()
-    wanted = {
-        scaling.half_width: scaling.L,
-        scaling.stick_frequency: scaling.Omega,
-        scaling.damping_ratio: zeta,
-        total_mass: scaling.M,
-    }
-    for definition, unit in wanted.items():
-        assert same(definition().subs(known, simultaneous=True), unit)
-
-
-def test_way_back(same):
-    assert same(scaling.to_si(scaling.reduced_energy()), energy.energy() / energy.critical_energy())
-    assert same(scaling.to_si(X), x1 / filippov.half_width())
-    assert same(scaling.to_si(scaling.reduced_load(damped=True)), (a2 * x1 + a1 * v1) * m2 / (b * total_mass()))
-    assert scaling.to_si(V1 - V2).has(v2)
 
 
 def test_the_canonical_pair_has_unit_length_frequency_and_mass():

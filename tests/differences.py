@@ -1,4 +1,4 @@
-"""Derivatives of a scene under a force by differences of solves in balls: no derivative is written down here."""
+"""Derivatives of a scene by differences of solves in balls: no derivative is written down here."""
 
 from __future__ import annotations
 

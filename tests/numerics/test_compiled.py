@@ -1,0 +1,117 @@
+"""Compiled code has the same bits as the plain text, or the same numbers within their bounds; who compiles when."""
+
+import threading
+
+import numpy as np
+import pytest
+from forced.catalogue import scene as scene_of
+from hypothesis import example, given, settings
+from strategies import free_scenes, wide_numbers
+
+from numerics.arithmetic import compiled as compiling
+from numerics.arithmetic import functions
+from numerics.arithmetic.compiled import can_compile, compiled
+from numerics.arithmetic.double_numbers import DoubleDouble
+from numerics.arithmetic.float64 import Float64
+from numerics.errors import OutOfRange
+from numerics.free.bounds import initial
+from numerics.free.engine import begin_exactly, in_halves
+from numerics.free.rows import solve_start
+from numerics.linear.record import END_ROW, ROW
+from numerics.scene.file import load_scene
+from numerics.trajectory.run import run_scene
+
+FLOATS, PAIRS = Float64(), DoubleDouble()
+needs_numba = pytest.mark.skipif(not can_compile(), reason="numba is not installed")
+
+
+def begun(case, arithmetic):
+    with arithmetic.context():
+        at, given_ = begin_exactly(case, arithmetic)
+        if arithmetic is PAIRS:
+            at, given_ = (in_halves(one, arithmetic.halves) for one in (at, given_))
+    return at, initial(at.at, at.start, at.V1, at.V2), given_
+
+
+@needs_numba
+@pytest.mark.slow
+@pytest.mark.parametrize("arithmetic", [FLOATS, PAIRS], ids=lambda one: one.name)
+def test_a_free_run_has_the_same_bits(arithmetic):
+    @given(free_scenes())
+    @example(load_scene("relative-motion-b05"))
+    def check(case):
+        rows, end = [[0.0] * ROW for _ in range(61)], [0.0] * END_ROW
+        try:
+            arguments = begun(case, arithmetic)
+            count = solve_start(*arguments, 60, rows, end)
+        except (OutOfRange, ArithmeticError, ValueError):
+            return
+        fast, fast_end = np.zeros((61, ROW)), np.zeros(END_ROW)
+        assert compiled(solve_start)(*arguments, 60, fast, fast_end) == count
+        assert np.array_equal(rows, fast, equal_nan=True)
+        assert np.array_equal(end, fast_end, equal_nan=True)
+
+    check()
+
+
+@needs_numba
+@pytest.mark.parametrize("name", ["many-causes", "damping-heavy", "resonance-in-slip", "sweep", "friction-by-pieces"])
+def test_a_forced_run_has_the_same_answers(name, monkeypatch):
+    fast = run_scene(scene_of(name), FLOATS, 1000)
+    monkeypatch.setattr("numerics.linear.engine.compiled", lambda function: function)
+    plain = run_scene(scene_of(name), FLOATS, 1000)
+    assert plain.modes == fast.modes
+    assert (abs(plain.event_times - fast.event_times) <= plain.accuracy.t + fast.accuracy.t).all()
+    assert (abs(plain.event_states.T - fast.event_states.T) <= plain.accuracy.y + fast.accuracy.y).all()
+
+
+def everything(x, y):
+    """All operators, with numbers on either side, and all functions."""
+    sine, cosine = functions.sine_cosine(x)
+    depth, cotangent = functions.depth_and_cotangent(functions.like(x, 0.5) + x / 1000000)
+    total = ((x + y) * 2 - 3 * sine) / (1 + cosine * cosine) + y / 8 - 1 / (4.5 + abs(-y))
+    total = total + functions.versine(x) * functions.sine_deficit(y) + functions.cosine_deficit(x) - depth * cotangent
+    total, rest = functions.clock(total, y, functions.atan2(functions.sqrt(x), y))
+    last = functions.signed(-1.0, functions.nonnegative(total)) + functions.two_pi(x) * functions.tolerance(x)
+    return last + rest, functions.ceiling(x, 0), functions.sign(-y, 0), functions.resolved(x), x < y
+
+
+@needs_numba
+@pytest.mark.slow
+def test_functions_have_the_same_bits():
+    fast = compiled(everything)
+
+    @settings(max_examples=4 * settings().max_examples)
+    @given(wide_numbers(-30, 30), wide_numbers(-30, 30))
+    def check(x, y):
+        assert fast(x, y) == everything(x, y)
+        assert fast(x.high, y.high) == everything(x.high, y.high)
+
+    check()
+
+
+def test_one_process_compiles_while_the_others_wait(tmp_path):
+    pytest.importorskip("fcntl")
+    begins, may_end, second_is_in = threading.Event(), threading.Event(), threading.Event()
+
+    def slow(types):
+        begins.set()
+        assert may_end.wait(60)
+        return types
+
+    path = tmp_path / "new" / "one.lock"  # each opens the file anew, as another process does
+    first = threading.Thread(target=compiling._one_process_at_a_time(slow, path), args=((),))
+    first.start()
+    assert begins.wait(60)
+    second = threading.Thread(target=compiling._one_process_at_a_time(lambda _: second_is_in.set(), path), args=((),))
+    second.start()
+    assert not second_is_in.wait(0.2)
+    may_end.set()
+    first.join()
+    second.join()
+    assert second_is_in.is_set()
+
+
+def test_a_folder_that_cannot_be_written_does_not_keep_anyone_from_compiling(tmp_path):
+    (tmp_path / "file").write_text("")
+    assert compiling._one_process_at_a_time(str, tmp_path / "file" / "one.lock")(3) == "3"

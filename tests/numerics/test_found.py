@@ -1,0 +1,150 @@
+"""Faults that were found once, by search or by a hostile reader; and at the extremes nothing comes but typed errors.
+
+Ties through square roots, nearly critical damping, motions that have died away, events on the horizon.
+"""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from flint import arb
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import EXTREME, scenes
+
+from numerics.arithmetic.ball import Ball
+from numerics.errors import EventUndecided, InvalidScene, NumericsError
+from numerics.free.root import falling_root
+from numerics.linear.modes import EventKind
+from numerics.scene import Pair, Scene, State
+from numerics.solver.many import solve_many
+from numerics.solver.solve import solve
+from numerics.trajectory.comparison import require_same_sequence
+from numerics.trajectory.status import Status
+
+
+@given(scenes(EXTREME, None, (-12, 12)), st.sampled_from(["float64", "ball"]))
+def test_nothing_but_typed_errors(scene, arithmetic):
+    try:
+        trajectory = solve(scene, arithmetic=arithmetic, max_events=20, max_digits=400)
+    except NumericsError:
+        return
+    assert len(trajectory.events) <= 20
+
+
+@pytest.mark.parametrize("a1", [2, 10])
+@pytest.mark.parametrize(("x1", "v1", "v2"), [(-2, -2, -5), (0, 0, 20), (2, 5, -15), (0, -5, 15), (-5, -5, -25)])
+def test_slips_without_oscillation_in_every_arithmetic(a1, x1, v1, v2):
+    """Their guard has one turn at most; the next one is at infinity, which double-double took for no number."""
+    scene = Scene(Pair(1, 1, 1, 1, a1), State(x1=x1, v1=v1, v2=v2), until=50)
+    balls = solve(scene, digits=20, arithmetic="ball")
+    for arithmetic in ("float64", "double-double", "mpmath"):
+        require_same_sequence(solve(scene, arithmetic=arithmetic), balls)
+
+
+@pytest.mark.parametrize("exponent", [10, 30, 90])
+@pytest.mark.parametrize("sign", [-1, 1])
+@pytest.mark.parametrize(
+    ("masses", "moved", "k", "start"),
+    [((8, 7), 8, 2, ("-5.4", "-0.4", "3.4")), ((1, 5), 6, 1, ("5.1", "-1.1", "-1.1"))],
+)
+def test_next_to_critical_damping_no_event_is_lost(masses, moved, k, start, sign, exponent):
+    """Where both rates of decay are one float, float64 lost the turn of the guard, or of the load, and was certain."""
+    pair = Pair(*masses, a2=k * k * moved, b=1, a1=2 * k * moved * (1 + sign * Fraction(1, 10**exponent)))
+    x1, v1, v2 = start
+    scene = Scene(pair, State(x1=x1, v1=v1, v2=v2), until=30)
+    balls = solve(scene, digits=20, arithmetic="ball")
+    for arithmetic in ("float64", "double-double", "mpmath"):
+        points = solve(scene, arithmetic=arithmetic)
+        assert points.certain
+        require_same_sequence(points, balls)
+
+
+def test_a_damped_motion_that_has_died_away_decides_nothing_by_its_signs():
+    # after a long overdamped slip body 1 rests in its equilibrium to 20 000 digits; the load on a stuck pair likewise
+    pair = Pair(m1="6.05", m2="5.889", a2=57867, b="6.896", a1=1662)
+    run = solve(
+        Scene(pair, State(x1="-0.000947", v1="0.0037", v2=-1282), until=3000),
+        digits=15,
+        arithmetic="ball",
+        max_events=4,
+    )
+    assert run.status is Status.STUCK_FOR_EVER
+    assert run.event_kinds[-1] is EventKind.ENTRY
+
+
+STARTS = {
+    "guard without extrema, A = 1": (Pair(1, 1, 100, 1), State(x1="-0.01", v1="0.1")),
+    "the same elsewhere": (Pair(1, 1, 100, 1), State(x1="-0.004", v1="0.08")),
+    "the same, body 2 moving": (Pair(1, 1, 100, 1), State(x1="-0.002", v1="0.06", v2=-1)),
+    "slip on the critical eigenline": (Pair(1, 1, 1, 1, 2), State(x1="-1.5", v1="0.5")),
+    "stick on the critical eigenline": (Pair("0.5", "0.5", 1, 1, 2), State(x1="1.9", v1="-1.9", v2="-1.9")),
+    "stick on the fast eigenvector": (Pair("0.5", "0.5", 2, 2, 3), State(x1="0.9", v1="-1.8", v2="-1.8")),
+}
+
+
+@pytest.mark.parametrize("name", STARTS)
+def test_a_zero_through_square_roots_is_no_tie(name):
+    pair, state = STARTS[name]
+    balls = solve(Scene(pair, state, until=5), digits=30, arithmetic="ball")
+    require_same_sequence(solve(Scene(pair, state, until=5)), balls)
+    nudged = State(state.x1, state.v1, state.x2, state.v2 + pair.half_width / 10**30) if state.v1 != state.v2 else state
+    require_same_sequence(solve(Scene(pair, nudged, until=5)), balls)
+
+
+def test_friction_work_near_the_critical_orbit_counts_every_slip():
+    """Slips of 1e-17 s next to t = 1 s must not round away: the work of ten is ten times that of the first, nearly."""
+    scene = Scene(Pair(1, 1, 200, "0.5"), State(x1="0.005", v1="1e-18", v2="1e-18"), until=10)
+    balls = solve(scene, digits=30, arithmetic="ball")
+    assert solve(scene).ledger.friction == pytest.approx(float(balls.ledger.friction.mid()), rel=1e-10)
+
+
+def test_a_root_whose_newton_step_leaves_its_region_is_not_proved_to_exist():
+    """The step overlaps the region but is not inside it, and a wider region would leave the bracket."""
+
+    def wide(at, x):
+        point = not isinstance(x, arb) or x.rad() == 0
+        return (0.5 - x if not isinstance(x, arb) else arb(0.5) - x + arb(0, 1e-3)), arb(-1) if point else arb(-1, 0.95)
+
+    with Ball(20).context(), pytest.raises(EventUndecided, match="existence"):
+        falling_root(arb(0.497), arb(0.503), wide, ())
+
+
+AT_AN_EVENT = Fraction(2.10700551516822)
+
+
+def test_an_event_in_the_same_place_as_the_horizon():
+    scene = Scene(Pair("1e-4", 10, 1, 5, 2), State(x1=-150, v1=-288, v2=29), until=AT_AN_EVENT)
+    assert solve(scene).arithmetic.name != "float64"
+    assert solve(scene, digits=5).arithmetic.name != "float64"
+    found = solve_many(1e-4, 10, 1, 5, a1=2, x1=-150, v1=-288, v2=29, until=2.10700551516822)
+    assert np.isfinite(found.dissipated_error) or not found.certain
+
+
+def test_energies_below_the_normal_numbers_have_no_digits_to_claim():
+    scene = Scene(Pair(1, 1, 1, "1e-160"), State(v1="3e-160"), until=4)
+    found, truth = solve(scene), solve(scene, digits=30, arithmetic="ball")
+    with truth.arithmetic.context():
+        energy = float(truth.frame.energy(truth.final).mid())
+    assert abs(found.frame.energy(found.final) - energy) <= found.accuracy.energy
+    assert found.accuracy.energy > 0
+    assert found.accuracy.dissipated > 0
+    assert solve(scene, digits=8).arithmetic.name != "float64"
+    assert solve_many(1, 1, 1, 1e-158, v1=3e-158, until=4).dissipated_error > 0
+
+
+def test_nothing_at_rest_is_known_exactly():
+    assert solve(Scene(Pair(1, 1, 1, 1), State(), until=3), digits=15).arithmetic.name == "float64"
+
+
+@pytest.mark.parametrize("given", [{"digits": 2.5}, {"digits": True}, {"digits": "5"}, {"max_events": 1.5}])
+def test_counts_are_whole_numbers(given):
+    with pytest.raises(ValueError, match="must be a whole number"):
+        solve(Scene(Pair(1, 1, 1, 1), State(v1=1), until=3), **given)
+
+
+def test_numbers_of_a_batch_that_are_masked_or_countless():
+    with pytest.raises(InvalidScene, match="masked"):
+        solve_many(1, 1, 200, 0.5, v1=np.ma.masked_array([0.1, 0.2], [True, False]), until=5)
+    with pytest.raises(ValueError, match="at most 2"):
+        solve_many(1, 1, 200, 0.5, until=5, max_events=10**20)
