@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from paper_checks.checks.registry import Context, check
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
-from paper_checks.steps import entrainment, forced_distance, forced_response, forced_rule
+from paper_checks.steps import entrainment, forced_distance, forced_response, forced_rule, jumping_force
 
 
 @check("forced-mode-rule")
@@ -57,10 +57,12 @@ def forced_periodic_response(context: Context) -> Finding:  # noqa: ARG001
     """One response, what moves body 2 on, and when the same holds without a damper."""
     return conclude(
         Verdict.HOLDS,
-        "With a damper a periodic force has one response. Without one, a single exit from stick has the same effect if the slip after it has the right length.",
+        "With a damper a periodic force has one response. Without one, a single exit from stick has the same effect if the slip after it has the right length and the force does not jump at that exit. "
+        "With a jump there whole families of periodic motions may lie beside one another.",
         carried("one", forced_response.one_response()),
         carried("drift", forced_response.drift()),
         carried("undamped", forced_response.undamped_attraction()),
+        carried("jump", jumping_force.keeps_apart()),
     )
 
 

@@ -1,11 +1,12 @@
 """Theorems under a force: faults in theory and in the steps that must turn them."""
 
 import pytest
+import sympy as sp
 
 from paper_checks.checks.registry import Context
 from paper_checks.evidence.evidence import closure
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import theorems_control, theorems_entrainment, theorems_forced
+from paper_checks.ledger import theorems_control, theorems_entrainment, theorems_forced, theorems_response
 from paper_checks.running.runner import decide
 from paper_checks.steps import entrainment, tolerance, transfers
 from theory.symbols import a1, b, u, v1
@@ -13,8 +14,10 @@ from theory.symbols import a1, b, u, v1
 from .conftest import CHECKS, doubled, finding_of, misread, negated, plus, two_of_each
 
 FORCED, RESPONSE, CONTROL = "theory.forced.", "theory.forced_response.", "theory.forced_control."
+JUMP = "theory.jumping_force."
 RULE, DISTANCE = "paper_checks.steps.forced_rule.", "paper_checks.steps.forced_distance."
 TRANSFERS, TOLERANCE = "paper_checks.steps.transfers.", "paper_checks.steps.tolerance."
+AHEAD = sp.Matrix([0, 1, 0])
 
 
 def entry(index, change):
@@ -35,6 +38,11 @@ STEP_FAULTS = [
     ("forced-contraction", FORCED + "distance_rate", doubled),
     ("forced-contraction", DISTANCE + "sp", misread("Le", "Ge", 0)),
     ("forced-periodic-response", FORCED + "undamped_difference", entry(1, lambda value: -value)),
+    ("forced-periodic-response", JUMP + "contact_state", plus(AHEAD)),
+    ("forced-periodic-response", JUMP + "after_half_period", negated),
+    ("forced-periodic-response", JUMP + "loads", entry(1, lambda value: value / 2)),
+    ("forced-periodic-response", JUMP + "apart_squared", doubled),
+    ("forced-periodic-response", JUMP + "slowest_and_fastest", entry(1, lambda value: value + 1)),
     ("forced-resonance-bound", RESPONSE + "mean_absolute_cosine", doubled),
     ("forced-resonance-bound", RESPONSE + "path_beside", doubled),
     ("entrainment-threshold", RESPONSE + "stuck_impedance", negated),
@@ -69,7 +77,8 @@ def test_a_fault_in_a_step_turns_the_theorem(plant, claim_id, target, fault):
 
 
 def test_no_step_of_these_proofs_is_a_sample():
-    for claim in (*theorems_forced.FORCED, *theorems_entrainment.DRIVEN, *theorems_control.CONTROL):
+    rows = theorems_forced.FORCED, theorems_response.RESPONSES, theorems_entrainment.DRIVEN, theorems_control.CONTROL
+    for claim in (one for some in rows for one in some):
         assert all(step.kind.decisive for step in closure(finding_of(CHECKS[claim.id]).evidence))
 
 
