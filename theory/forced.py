@@ -5,11 +5,11 @@ Everything follows from the branches of (3), (4) with u kept; b(t) in the place 
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Integer, Symbol, cancel, diff, factor, factorial, sin, solve, symbols
+from sympy import Expr, ImmutableMatrix, Integer, Rational, Symbol, cancel, diff, factor, factorial, sin, solve, symbols
 
 from theory.energy import energy, inner_product, other, sigma
 from theory.filippov import STATE, derivative_along
-from theory.model import branch_named, free_system, slip, stick
+from theory.model import CASE_STUDY, branch_named, free_system, slip, stick
 from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1, x1_other
 
 U_RATES = symbols(r"\dot{u} \ddot{u} u^{(3)} u^{(4)}", real=True)
@@ -42,6 +42,15 @@ def relative_rate(sign: int) -> Expr:
 def reference(sign: int) -> Expr:
     """The motion of body 1, m, that slip of a sign and stick share to second order where Lambda = sign b."""
     return x1 + v1 * t + slip(sign).acceleration2 * t**2 / 2
+
+
+@cache
+def held_at_the_limit() -> Expr:
+    """The force, N, under which the pair of Section IV, b = 1/2 N, sticks from rest at 0 with the load b for ever."""
+    path = reference(1).subs({x1: 0, v1: 0})
+    along = {x1: path, v1: diff(path, t)}
+    balance = stick().acceleration1.subs(along, simultaneous=True) - diff(path, t, 2)
+    return solve(balance, u)[0].subs(CASE_STUDY).subs(b, Rational(1, 2))
 
 
 @cache

@@ -10,14 +10,22 @@ from paper_checks.evidence.evidence import Evidence
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
 from paper_checks.ledger.letters import S, either_sign
+from paper_checks.ledger.section2 import under_a_force
 from theory import forced
 from theory.energy import captive_energy, sigma, sigma_other
 from theory.filippov import load, load_threshold, sliding_field
-from theory.symbols import a1, a2, b, m1, m2, u, v1, v1_other, v2, v2_other, x1
+from theory.model import branch_named, slip
+from theory.symbols import a1, a2, b, free, m1, m2, u, v1, v1_other, v2, v2_other, x1
 
 SECTION = "V"
 
-DRIVEN = sp.Symbol(r"\ddot{x}_2", real=True)
+DRIVEN, DRIVING = sp.symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
+
+
+def _half() -> sp.Expr:
+    """Return x2'' where (4) is at its equality, by x1''."""
+    found = branch_named("half adhesion")
+    return sp.cancel(found.acceleration2 / found.acceleration1) * DRIVING
 
 
 def _stick_bound() -> Decide:
@@ -48,7 +56,6 @@ SECTION_5 = (
                 "unbounded",
                 r"The moved passive body has an unbounded motion space, and with it such an underactuated system could be controlled, the motion "
                 r"variables of interest being $(x_2,\dot x_2)$,",
-                kernel=("least-time-attained",),
             ),
             clause(
                 "source",
@@ -86,7 +93,29 @@ SECTION_5 = (
         r"Zero convergence of $\dot{z}(t)$ does not take place in a single dynamic mode. A finite time "
         r"convergence towards a synchronized orbit can precede the following long-term alternation of the "
         r"stiction and slipping modes.",
-        Verdict.HOLDS,
+        Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "both-modes",
+                r"No slip lasts for ever: from every start with $\dot z\neq 0$ the pair meets $S$ after a finite time.",
+                kernel=("contact",),
+            ),
+            clause(
+                "one-mode",
+                r"A pair that starts on $S$ with $E\leqslant E_{cr}$ is synchronised in one mode, stick, for ever; so no alternation follows once it moves on a synchronised "
+                r"orbit $\{E=E_0\}\cap S_0$, $E_0\leqslant E_{cr}$.",
+                kernel=("sticks-iff", "capture"),
+            ),
+            clause(
+                "alternates",
+                r"For every pair some motion sticks and slips in turn for ever;",
+                kernel=("stick-slip-for-ever",),
+            ),
+            clause(
+                "precedes",
+                r"and that can follow on an adhesion in finite time, on an arc of $S_0$ above $E_{cr}$.",
+            ),
+        ),
     ),
     Claim(
         "viscous-accelerates",
@@ -125,14 +154,31 @@ SECTION_5 = (
         "damping-for-tracking",
         SECTION,
         "third bullet",
-        (
+        r"A purposefully controlled viscous damping of the active body can be purposefully used for trajectory tracking, cf. Fig. 1.",
+        Verdict.HOLDS_CORRECTED,
+        correction=(
             clause(
-                "tracking",
-                r"A purposefully controlled viscous damping of the active body can be purposefully used for trajectory tracking, cf. Fig. 1.",
-                kernel=("trackable", "forced-approach"),
+                "approach",
+                r"With a constant $a_1>0$ and a force that is bounded any two motions approach each other in $(x_1,v_1,v_2)$:",
+                kernel=("forced-approach",),
+            ),
+            clause(
+                "velocity",
+                r"so under the force of trackable-references, if bounded, every motion takes on the velocity of the reference in the end: $x_1$, $v_1$ and $v_2$ track it.",
+            ),
+            clause(
+                "place",
+                r"The place $x_2$ does not: a motion with another $x_2(0)$ keeps the difference for ever,",
+                kernel=("displacement-unseen",),
+            ),
+            clause(
+                "offset",
+                r"and one that starts with the place and the velocity of the reference, but with another motion of body 1, is left with an offset.",
             ),
         ),
-        Verdict.HOLDS,
+        open=(
+            "A damper that is itself controlled, $a_1(t)$ or $a_1$ by the state, is not treated: here $a_1$ is constant and the force does not depend on the motion.",
+        ),
     ),
     Claim(
         "two-descriptions",
@@ -144,6 +190,18 @@ SECTION_5 = (
         r"discontinuity; in particular (1) interprets the adhesion in a proper physical sense of zero "
         r"relative velocity.",
         Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "same",
+                r"(2)–(4) with $u=0$ have the same solutions as (5)–(7) in Filippov's sense, one from each start.",
+            ),
+            clause(
+                "example",
+                r"These solutions also satisfy (11)–(12), which have others besides: (11)–(12) with a stick that is kept wherever $\dot z=0$ agree with the Filippov law up to the first "
+                r"contact with $S$ outside $S_0$ or the first exit from $S_0$, and not beyond.",
+            ),
+            *under_a_force(),
+        ),
     ),
     Claim(
         "acceleration-bound",
@@ -155,10 +213,19 @@ SECTION_5 = (
         correction=(
             clause(
                 "bound",
-                r"Under the Filippov law, and under (3)–(4), «bound» in stick, on $S_0$, and with equality in slip, whatever the driving "
-                r"body does; in stick $\ddot x_2=\ddot x_1$.",
-                bound=Formula(sp.Abs(DRIVEN), "<=", b / m2, _stick_bound()),
+                r"Under Coulomb's law body 2 changes its velocity by at most $b/m_2$ times the time, whatever the driving body does:",
                 kernel=("driven-acceleration",),
+            ),
+            clause(
+                "modes",
+                r"in slip «slip», and in stick, on $S_0$, $\ddot x_2=\ddot x_1$ with «stick».",
+                slip=Formula(sp.Abs(DRIVEN), "=", b / m2, equals(lambda: sp.Abs(free(slip(1).acceleration2)))),
+                stick=Formula(sp.Abs(DRIVEN), "<=", b / m2, _stick_bound()),
+            ),
+            clause(
+                "equality",
+                r"(3)–(4) have no other motions; at an instant with $\dot z=0$ and $|\ddot x_1|=b/m_2$ (4) itself hands on «half», and none of it beyond.",
+                half=Formula(DRIVEN, "=", DRIVING / 2, equals(_half)),
             ),
         ),
     ),
