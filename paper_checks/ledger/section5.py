@@ -239,14 +239,18 @@ SECTION_5 = (
         correction=(
             clause(
                 "time",
-                r"For $b(t)>0$ that is constant by pieces in time there is one solution from every start, and two never move apart, «contraction»;",
+                r"For $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every start, and two never move apart;",
+                kernel=("varying-contraction", "varying-well-posed"),
+            ),
+            clause(
+                "rate",
+                r"so it is with pieces without end, finitely many in every bounded time, «contraction»;",
                 contraction=Formula(
                     r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
                     "=",
                     -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
                     equals(forced.contraction_rate),
                 ),
-                kernel=("varying-contraction", "varying-well-posed"),
             ),
             clause("rule", r"the mode rule stays as it is, with the values of $b$ from the right."),
             clause(

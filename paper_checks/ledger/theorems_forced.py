@@ -61,7 +61,7 @@ RULE = theorem(
     ),
     clause(
         "tie",
-        r"Where $\Lambda=sb$, the first of $s\dot p,s\ddot p,sp^{(3)},\ldots$ that is not zero decides: slip of sign $s$ if it is positive, stick if "
+        r"Where $\Lambda=sb$ and $u$ is smooth from there on, the first of $s\dot p,s\ddot p,sp^{(3)},\ldots$ that is not zero decides: slip of sign $s$ if it is positive, stick if "
         r"negative. Here «first», «second», «third», and $p^{(k)}=u^{(k)}$ from then on.",
         first=Formula(r"\dot p", "=", U_RATES[0] - a2 * v1 - S * a1 * b / m2, either_sign(tie(1))),
         second=Formula(r"\ddot p", "=", U_RATES[1] - S * a2 * b / m2, either_sign(tie(2))),
@@ -121,9 +121,8 @@ CONTRACTION = theorem(
         kernel=("forced-energy-rate",),
     ),
     clause(
-        "distance",
-        r"Two solutions under one force, the second with tildes, have «squared» and "
-        r"«rate» $\leqslant 0$: their distance never grows.",
+        "rate",
+        r"Two solutions under one force, the second with tildes, have «squared» and «rate» $\leqslant 0$,",
         squared=Formula(
             DISTANCE**2,
             "=",
@@ -136,8 +135,8 @@ CONTRACTION = theorem(
             -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
             equals(forced.contraction_rate),
         ),
-        kernel=("forced-contraction",),
     ),
+    clause("distance", r"so their distance $N$ never grows.", kernel=("forced-contraction",)),
     clause(
         "unique",
         r"For every force with a continuous impulse $\int u\,dt$ there is one solution from every start.",
@@ -145,25 +144,27 @@ CONTRACTION = theorem(
     ),
     clause(
         "forces",
-        r"Under two forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|\,ds$, as «speed».",
+        r"Under two forces that are continuous but for jumps $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|\,ds$, as «speed».",
         speed=Formula(
             m1 * (v1 - v1_other) ** 2,
             "<=",
             DISTANCE**2,
             implied(where=_quotable),
         ),
-        kernel=("input-to-state",),
+        kernel=("varying-input-to-state",),
     ),
     clause(
         "interface",
-        r"With a friction $b(t)>0$ that is constant by pieces in time there is one solution from every start, too, and the distance of two never grows.",
+        r"With a friction $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every start, too, and the distance of two never grows.",
         kernel=("varying-contraction", "varying-well-posed"),
     ),
     clause(
         "interface-rates",
-        r"Both rates and the bound under two forces then hold with $b(t)$ in the place of $b$.",
-        kernel=("varying-energy-rate", "varying-contraction", "varying-input-to-state"),
+        r"The rate of the energy and the bound under two forces then hold with $b(t)$ in the place of $b$,",
+        kernel=("varying-energy-rate", "varying-input-to-state"),
     ),
+    clause("interface-contraction", r"and so does the rate of $N^2$;"),
+    clause("interface-for-ever", r"all of it where there are finitely many pieces in every bounded time, without end."),
 )
 
 FORCED = (RULE, NO_ZENO, CONTRACTION)

@@ -94,6 +94,15 @@ def forces_apart() -> Evidence:
 
 
 @cache
+def pieces_without_end() -> Evidence:
+    """What holds up to each time holds for ever."""
+    return argument(
+        r"Up to any time there are finitely many pieces, and one motion. That up to a later time is, up to the earlier one, the same: together they are one motion for all times, and rates and bounds hold at each.",
+        friction_in_time(),
+    )
+
+
+@cache
 def friction_in_time() -> Evidence:
     """b enters the rates by its value only: b(t) changes none of them."""
     return argument(
