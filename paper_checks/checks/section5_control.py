@@ -132,7 +132,8 @@ def varying_interface(context: Context) -> Finding:  # noqa: ARG001
     rate = forced.place_dependent_rate(1)
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "For friction that varies in time the problem is not open: nothing in the theory asks for a constant $b$. For friction that varies with the state it is, and the tool that settles the other case fails.",
+        "For friction that varies in time the problem is not open: nothing in the theory asks for a constant $b$. Where it varies with the state two motions may move apart, but a start still has one motion, and friction that "
+        "stays above some least value still brakes every relative motion down; how the long run looks then is open.",
         forced_distance.friction_in_time().as_counterexample(),
         carried(
             "time",
@@ -141,6 +142,9 @@ def varying_interface(context: Context) -> Finding:  # noqa: ARG001
                 forced_distance.friction_in_time(),
             ).as_correction(),
         ),
+        carried("rate", forced_distance.pieces_without_end().as_correction()),
+        carried("unique", forced_distance.friction_of_the_state().as_correction()),
+        carried("synchronises", forced_distance.braked().as_correction()),
         carried("rule", forced_rule.strict_rule().as_correction(), forced_rule.tie_rule().as_correction()),
         carried(
             "state",

@@ -6,9 +6,11 @@ from paper_checks.engines.deciders import equals
 from paper_checks.evidence.clause import Clause, Formula, clause
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
-from theory.forced import held_at_the_limit, load
+from theory.energy import sigma
+from theory.forced import energy_rate as forced_energy_rate
+from theory.forced import forced_system, held_at_the_limit, load
 from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, driven_equation, driving_equation
-from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, t, u, v1, x1
+from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, t, u, v1, v2, x1
 
 SECTION = "II"
 Z, ADHESION = (
@@ -72,6 +74,28 @@ SECTION_2 = (
                     STIFFNESS * REFERENCE + VISCOSITY * REFERENCE_RATE + DISTURBANCE,
                     equals(_feedback),
                 ),
+            ),
+        ),
+    ),
+    Claim(
+        "free-interface",
+        SECTION,
+        "second paragraph after Fig. 2",
+        r"The interface is free of additional constraints: the second body experiences unrestricted tangential motion and no force constraints other than the normal loading caused by "
+        r"the Coulomb frictional force $f(t)$.",
+        Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "tangential",
+                r"Friction is no normal loading, nor does it cause one: it is tangential, the one force on body 2 along its motion, «force», and takes the power «power» in slip.",
+                force=Formula(r"m_2\ddot x_2", "=", b * sigma, equals(lambda: m2 * forced_system(sigma)[2])),
+                power=Formula(
+                    "P", "=", -b * sigma * (v1 - v2), equals(lambda: forced_energy_rate() - u * v1 + a1 * v1**2)
+                ),
+            ),
+            clause(
+                "bounded",
+                r"The normal load is not in the equations but in their coefficient $b$, the most that friction can be; with it body 2 changes its velocity by at most $b/m_2$ times the time.",
             ),
         ),
     ),

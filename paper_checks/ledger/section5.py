@@ -1,50 +1,15 @@
 """Section V: discussion."""
 
-from functools import partial
-
-import sympy as sp
-
-from paper_checks.engines.deciders import Decide, equals, implied
+from paper_checks.engines.deciders import equals
 from paper_checks.evidence.clause import Formula, clause
-from paper_checks.evidence.evidence import Evidence
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
-from paper_checks.ledger.letters import S, either_sign
 from paper_checks.ledger.section2 import under_a_force
 from theory import forced
-from theory.energy import captive_energy, sigma, sigma_other
-from theory.filippov import load, load_threshold, sliding_field
-from theory.model import branch_named, slip
-from theory.symbols import a1, a2, b, free, m1, m2, u, v1, v1_other, v2, v2_other, x1
+from theory.energy import captive_energy, sigma
+from theory.symbols import a1, a2, b, m1, m2, u, v1, v2
 
 SECTION = "V"
-
-DRIVEN, DRIVING = sp.symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
-
-
-def _half() -> sp.Expr:
-    """Return x2'' where (4) is at its equality, by x1''."""
-    found = branch_named("half adhesion")
-    return sp.cancel(found.acceleration2 / found.acceleration1) * DRIVING
-
-
-def _stick_bound() -> Decide:
-    """Return how the bound of x2'' in stick is decided, for a1 >= 0 and the load p = a2 x1 + a1 v1 on S0."""
-    force = sp.Symbol("p", real=True)
-    pull = sp.solve(load(damped=True) - force, x1)[0]
-
-    def loaded() -> list[sp.Basic]:
-        threshold, width = sp.fraction(load_threshold())
-        return [sp.Le(sp.Abs(force) * width, threshold, evaluate=False)]
-
-    def decide(formula: Formula) -> Evidence:
-        acceleration = sp.simplify(sliding_field(damped=True)[2].subs(x1, pull))
-        places = [{sp.Abs(DRIVEN): side * acceleration} for side in (1, -1)]
-        sides = [implied(loaded, partial(dict, place))(formula) for place in places]
-        return min(sides, key=lambda item: (item.passed is True, item.passed is None))
-
-    return decide
-
 
 SECTION_5 = (
     Claim(
@@ -201,69 +166,6 @@ SECTION_5 = (
                 r"contact with $S$ outside $S_0$ or the first exit from $S_0$, and not beyond.",
             ),
             *under_a_force(),
-        ),
-    ),
-    Claim(
-        "acceleration-bound",
-        SECTION,
-        "sixth bullet",
-        r"The switched motion system (2)–(4) is underactuated as well as upper-bounded by "
-        r"$\ddot{x}_1=\ddot{x}_2$, as for the control efforts, cf. (13).",
-        Verdict.HOLDS_CORRECTED,
-        correction=(
-            clause(
-                "bound",
-                r"Under Coulomb's law body 2 changes its velocity by at most $b/m_2$ times the time, whatever the driving body does:",
-                kernel=("driven-acceleration",),
-            ),
-            clause(
-                "modes",
-                r"in slip «slip», and in stick, on $S_0$, $\ddot x_2=\ddot x_1$ with «stick».",
-                slip=Formula(sp.Abs(DRIVEN), "=", b / m2, equals(lambda: sp.Abs(free(slip(1).acceleration2)))),
-                stick=Formula(sp.Abs(DRIVEN), "<=", b / m2, _stick_bound()),
-            ),
-            clause(
-                "equality",
-                r"(3)–(4) have no other motions; at an instant with $\dot z=0$ and $|\ddot x_1|=b/m_2$ (4) itself hands on «half», and none of it beyond.",
-                half=Formula(DRIVEN, "=", DRIVING / 2, equals(_half)),
-            ),
-        ),
-    ),
-    Claim(
-        "varying-interface",
-        SECTION,
-        "sixth bullet",
-        r"The effect of the time- and state-varying behaviour of the frictional interface, i.e. $b(\cdot)$, on the motion dynamics poses an "
-        r"interesting open problem.",
-        Verdict.HOLDS_CORRECTED,
-        correction=(
-            clause(
-                "time",
-                r"For $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every start, and two never move apart;",
-                kernel=("varying-contraction", "varying-well-posed"),
-            ),
-            clause(
-                "rate",
-                r"so it is with pieces without end, finitely many in every bounded time, «contraction»;",
-                contraction=Formula(
-                    r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
-                    "=",
-                    -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
-                    equals(forced.contraction_rate),
-                ),
-            ),
-            clause("rule", r"the mode rule stays as it is, with the values of $b$ from the right."),
-            clause(
-                "state",
-                r"For $b$ that depends on the place the contraction is lost: for two slips of one sign $s$ under $b$ and $\tilde b$, $a_1=0$, it becomes «rate», "
-                r"which can be positive. That case stays open.",
-                rate=Formula(
-                    r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
-                    "=",
-                    -(b - forced.b_other) * S * (v1 - v2 - v1_other + v2_other),
-                    either_sign(forced.place_dependent_rate),
-                ),
-            ),
         ),
     ),
 )

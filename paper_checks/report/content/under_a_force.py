@@ -229,6 +229,6 @@ def _open() -> Iterator[Block]:
             "What happens at resonance if the force has exactly $4b/\\pi$ there.",
             "Whether each amplitude between both thresholds has just one motion with two stops, and whether its conditions hold for all of them.",
             "The least time of a transfer between the weak forces and those that attain the bound.",
-            "An interface whose friction depends on the place: two motions may move apart then (`varying-interface`).",
+            "The long run with a friction that depends on the state: two motions may move apart then (`varying-interface`).",
         )
     )
