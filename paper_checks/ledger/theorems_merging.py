@@ -127,6 +127,9 @@ SHARES = (
             second=_bands(Fraction(7, 10)),
             third=_bands(Fraction(4, 5)),
         ),
+        open=(
+            r"That there are infinitely many bands for every $r>r^*$, equally spaced in $\sqrt w$ in the limit, is seen in numbers and not proved.",
+        ),
     ),
     theorem(
         "merging-share",

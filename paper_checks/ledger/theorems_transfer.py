@@ -116,7 +116,7 @@ TRANSFER = theorem(
         "weak",
         r"For a weak force, $a_1=0$, «weak» and «held», «share», nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
         r"at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
-        r"second. What lies between is open.",
+        r"second.",
         weak=Formula(
             3 * strength,
             "<=",
@@ -146,5 +146,8 @@ TRANSFER = theorem(
             (1 + PART / 2 + PART**2 / 4) / (1 + PART),
             equals(lambda: sp.cos(control.switching()[1]), lambda: {PART: control.reduced}),
         ),
+    ),
+    open=(
+        "The least time of a transfer for forces between the weak ones and those that attain the bound, and for weak forces with $a_2D>U$ or with a damper.",
     ),
 )

@@ -224,11 +224,11 @@ def _damping() -> Iterator[Block]:
 
 def _open() -> Iterator[Block]:
     yield Heading("What is open")
-    yield Points(
-        (
-            "What happens at resonance if the force has exactly $4b/\\pi$ there.",
-            "Whether each amplitude between both thresholds has just one motion with two stops, and whether its conditions hold for all of them.",
-            "The least time of a transfer between the weak forces and those that attain the bound.",
-            "The long run with a friction that depends on the state: two motions may move apart then (`varying-interface`).",
-        )
+    rows = (
+        "forced-resonance-bound",
+        "entrainment-threshold",
+        "minimum-transfer-time",
+        "damping-for-tracking",
+        "varying-interface",
     )
+    yield Points(tuple(f"{text} (`{name}`)" for name in rows for text in claim_named(name).open))
