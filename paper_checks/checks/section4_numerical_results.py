@@ -30,6 +30,7 @@ from paper_checks.steps.perpetual_slips import (
     relative_speed_bound,
     starts_below,
 )
+from paper_checks.steps.solutions import equivalent
 from paper_checks.steps.tolerance import sticks_for_ever_below
 from theory.closed_forms import Regime, rate, solution
 from theory.filippov import half_width, transversality
@@ -93,7 +94,7 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
         stuck_for_ever("(11), (12) read literally: sticks for ever, carried by 0.6 N > b", solved(literally(scene))),
         carried("from-rest", argument(FROM_REST, *_from_rest(scene)).as_correction()),
         carried("slips", argument(" ".join(ARGUMENT), *counterexample).as_correction()),
-        carried("literal", *(item.as_correction() for item in two_solutions())),
+        carried("literal", equivalent().as_correction(), *(item.as_correction() for item in two_solutions())),
         corrected=claim_named("start-at-6mm-sticks").corrected,
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1(0)=0.006$, the other initial values zero.",
         derivation=ARGUMENT,

@@ -11,7 +11,9 @@ from paper_checks.engines.deciders import Decide, decimal, equals
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
+from paper_checks.ledger.points import START_AT_6MM
 from paper_checks.ledger.section3_sliding import width
+from theory.energy import critical_energy, energy
 from theory.filippov import half_width
 from theory.model import CASE_STUDY, slip
 from theory.symbols import a2, b, free, m2, total_mass
@@ -110,11 +112,22 @@ NUMERICAL_RESULTS = (
             ),
             clause(
                 "slips",
-                r"At $x_1(0)=0.006$ m it slips at once, and infinitely often, under Coulomb's law and under (3)–(4).",
+                r"At $x_1(0)=0.006$ m it slips at once; as it starts on $S$ with «energy» J above «level» J and $m_1/m_2=1>\mu^*$ (critical-mass-ratio), its energy stays above $E_{cr}$, and it slips "
+                r"infinitely often.",
+                energy=Formula("E(0)", "=", sp.Rational(9, 2500), equals(lambda: energy().subs(START_AT_6MM))),
+                level=Formula("E_{cr}", "=", sp.Rational(1, 400), equals(lambda: critical_energy().subs(START_AT_6MM))),
+                kernel=(
+                    "slips-from-6-mm",
+                    "turning-point",
+                    "critical-mass-ratio-digits",
+                    "heavy-never-merges",
+                    "sticks-iff",
+                    "contact",
+                ),
             ),
             clause(
                 "literal",
-                r"(11)–(12) as printed, without the bracket of (4), have two solutions from there: the stuck $x_1=0.006\cos 10t$ that the paper shows, and that slip.",
+                r"(3)–(4) have this motion only. (11)–(12) as printed, without the bracket of (4), have two solutions from there: the stuck $x_1=0.006\cos 10t$ that the paper shows, and that slip.",
             ),
         ),
     ),
