@@ -63,7 +63,7 @@ def free_interface(context: Context) -> Finding:  # noqa: ARG001
     """The direction of friction, by the power that it takes, and what bounds it."""
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The second body is free along the surface, as the paper says; but friction is tangential, and the normal load is not its effect: the load is what limits it. A force normal to the surface takes no power "
+        "Friction is tangential; the normal load is not its effect but limits it. The second body is free along the surface, as the paper says. A force normal to the surface takes no power "
         "from a motion along it, and friction does.",
         exhibit(
             r"at the start of Fig. 4 (b) friction takes the power $b\dot z=0.075$ W from a motion along the surface; a normal force takes none",

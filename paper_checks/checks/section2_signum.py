@@ -107,7 +107,7 @@ def sgn_three_valued(_: Context) -> Finding:
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "What gives (3)–(4) well-defined solutions at $\\dot z=0$ is the total mass in (3) with the stiction bracket in (4), "
-        "not $\\mathrm{sgn}(0)=0$: with $u=0$ every initial state has exactly one solution, the Filippov solution, and under a force it has that one or none. Put into "
+        "not $\\mathrm{sgn}(0)=0$. With $u=0$ every initial state has exactly one solution, the Filippov solution, and under a force it has that one or none. Put into "
         "Coulomb's law alone, (5)–(7), the three-valued signum leaves no solution through the interior of $S_0$ with "
         "$x_1\\neq 0$; where the bracket is dropped, (11)–(12), solutions are not unique; and under a control that holds "
         "$|\\ddot x_1|=b/m_2$, (3)–(4) itself has none.",

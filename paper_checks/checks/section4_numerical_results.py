@@ -84,7 +84,7 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
     )
     return conclude(
         Verdict.REFUTED,
-        f"The stuck motion is one of two solutions of (11)–(12) as printed, and none of (3)–(4) or Coulomb's law: the start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
+        f"That is one of two solutions of (11)–(12), and none of (3)–(4) or Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
         f"{value_at(sp.Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
         f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
         "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "
@@ -197,7 +197,7 @@ def convergence(context: Context, speed: Fraction = Fraction(15, 100)) -> Findin
     for_ever = [item for name, run in runs for item in (*starts_below(run, name), _decline(run, name))]
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "$\\dot z$ tends to $0$ and $z$ to a constant, but the set $\\dot z=0$ is not invariant: every one of the three motions leaves it again and again. "
+        "$\\dot z\\to 0$ and $z$ has a limit, but $\\dot z=0$ is not invariant. All three motions leave it again and again. "
         "Friction takes $b|\\dot z|$ from a finite energy, so the integral of $|\\dot z|$ is finite; as $\\dot z$ is Lipschitz continuous, "
         "$\\dot z\\to 0$. For all three values of $b$ that takes for ever: after the first exit from $S_0$ the pair sticks and "
         "slips in turn without end, each slip slower than the one before. The state tends to the part $E=E_{cr}$ of $S_0$. "

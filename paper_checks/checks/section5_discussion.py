@@ -66,8 +66,8 @@ def two_descriptions(_: Context) -> Finding:
     )
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The two readings describe the same motion for (2)–(4) with $u=0$, where the stiction bracket makes them agree, and part for "
-        "(11)–(12), where it is dropped, and under a force that holds the load at the limit $b$ of a stuck pair, where (3)–(4) have no solution. There the three-valued signum (1) lets the bodies stick beyond $S_0$, where friction "
+        "The two readings describe the same motion for (2)–(4) with $u=0$, and not beyond. There the stiction bracket makes them agree. Under a force that holds the load at the limit $b$ of a "
+        "stuck pair (3)–(4) have no solution; and for (11)–(12), where the bracket is dropped, they part. There the three-valued signum (1) lets the bodies stick beyond $S_0$, where friction "
         "cannot hold them: that is a different law, and the convergence shown for the Filippov system says nothing about "
         "such solutions. Both agree until the pair first meets $S$ outside $S_0$, or leaves $S_0$ by a ray.",
         *(item.as_counterexample() for item in readings_part()),

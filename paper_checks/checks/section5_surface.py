@@ -14,7 +14,7 @@ def motions_on_a_surface(context: Context) -> Finding:  # noqa: ARG001
     """What of (2)-(4) carries over to two translations, and in which form."""
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The framework carries over, but not equally, that is component by component: a signum for each component is friction that is $\\sqrt2$ times as strong along the diagonal as along an axis. Friction in the direction "
+        "By components friction would depend on the axes. A signum for each component is friction that is $\\sqrt2$ times as strong along the diagonal as along an axis. Friction in the direction "
         "of the slip has no such axes, and with it energy falls, a start has one motion, and two motions never move apart, as on a line. The paper itself asks for care with the coupling terms.",
         plane.depends_on_axes().as_counterexample(),
         carried(

@@ -81,8 +81,7 @@ def finite_time_then_alternation(_: Context) -> Finding:
     )
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "From a slip both modes are needed, but a pair that starts on a synchronised orbit never leaves its one mode, stick; and once a trajectory moves on such an orbit, "
-        "$E\\leqslant E_{cr}$, no alternation follows. What can precede an alternation without end is an adhesion in finite time, on an arc of $S_0$ with an energy above "
+        "On a synchronised orbit, $E\\leqslant E_{cr}$, the pair is in one mode for ever. From a slip both modes are needed; once a trajectory moves on such an orbit, no alternation follows. What can precede an alternation without end is an adhesion in finite time, on an arc of $S_0$ with an energy above "
         "$E_{cr}$: the scene itinerary-that-creeps ($m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.21$) adheres after a finite, enclosed time and then sticks and slips in turn "
         "for ever, which is proved and not extrapolated.",
         *(item.as_counterexample() for item in one_mode),

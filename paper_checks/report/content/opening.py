@@ -22,7 +22,7 @@ MODEL = (
 )
 LAW = (
     "All verdicts are under Coulomb's law, with the whole interval $[-b,b]$ as friction while the bodies stick (Filippov's reading). "
-    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have the same motions as long as the load of a stuck pair is at the limit $b$ at almost no time, and else none (`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they "
+    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no motion where a stuck pair stays at the limit $b$ (`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they "
     "allow another motion, the row says so."
 )
 STRENGTHS = {
