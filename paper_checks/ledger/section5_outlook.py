@@ -147,8 +147,8 @@ OUTLOOK = (
             ),
             clause(
                 "unique",
-                r"One motion from every start there is all the same: if $|b-\tilde b|\leqslant\ell\,|x_1-\tilde x_1|$, $N(t)\leqslant e^{\gamma t}N(0)$ with «place». For $b$ that depends on $z$ the same holds with "
-                r"$(z-\tilde z)^2$ in the norm, and for $b(|\dot z|)$ that falls by at most $\ell$ times the speed with «speed»: $N$ never grows where it does not fall.",
+                r"One motion from every start there is all the same: if $|b-\tilde b|\leqslant\ell\,|x_1-\tilde x_1|$, $N(t)\leqslant e^{\gamma t}N(0)$ with «place». For $b$ that depends on $z$ so it is with "
+                r"$(z-\tilde z)^2$ added to $N^2$ and another $\gamma$, and for $b(|\dot z|)$ that falls by at most $\ell$ times the speed with «speed»: $N$ never grows where it does not fall.",
                 place=Formula(
                     r"\gamma",
                     "=",
@@ -164,7 +164,7 @@ OUTLOOK = (
             ),
             clause(
                 "synchronises",
-                r"And as long as $b$ stays above some $b_{\min}>0$, whatever it depends on, $\dot E\leqslant-b_{\min}|\dot z|$ for $u=0$: $\dot z\to 0$, and $z$ has a limit.",
+                r"And as long as $b$ stays between some $b_{\min}>0$ and some $b_{\max}$, whatever it depends on, $\dot E\leqslant-b_{\min}|\dot z|$ for $u=0$: $\dot z\to 0$, and $z$ has a limit.",
             ),
         ),
         open=(

@@ -122,7 +122,7 @@ def friction_of_the_state() -> Evidence:
 def braked() -> Evidence:
     """What stays above a least friction brakes: the relative velocity tends to 0."""
     return argument(
-        r"$b_{\min}\int|\dot z|\,dt\leqslant E(0)$ for $u=0$, so the path of $z$ is finite; $\ddot z$ is bounded where $b$ is, as it is on the bounded set of energies up to $E(0)$ (and of $z$ on that path): $\dot z\to 0$.",
+        r"$b_{\min}\int|\dot z|\,dt\leqslant E(0)$ for $u=0$, so the path of $z$ is finite; $\ddot z$ is bounded, as $E$ and $b$ are: $\dot z\to 0$.",
         energy_rate(),
     )
 
