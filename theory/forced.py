@@ -5,12 +5,26 @@ Everything follows from the branches of (3), (4) with u kept; b(t) in the place 
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Integer, Symbol, cancel, diff, factor, factorial, sin, solve, symbols
+from sympy import (
+    Expr,
+    ImmutableMatrix,
+    Integer,
+    Rational,
+    Symbol,
+    cancel,
+    diff,
+    factor,
+    factorial,
+    sin,
+    solve,
+    sqrt,
+    symbols,
+)
 
 from theory.energy import energy, inner_product, other, sigma
 from theory.filippov import STATE, derivative_along
-from theory.model import branch_named, free_system, slip, stick
-from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1, x1_other
+from theory.model import CASE_STUDY, branch_named, free_system, slip, stick
+from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, v2, x1, x1_other
 
 U_RATES = symbols(r"\dot{u} \ddot{u} u^{(3)} u^{(4)}", real=True)
 """Derivatives of u from the right, N/s, N/s^2, ..."""
@@ -42,6 +56,15 @@ def relative_rate(sign: int) -> Expr:
 def reference(sign: int) -> Expr:
     """The motion of body 1, m, that slip of a sign and stick share to second order where Lambda = sign b."""
     return x1 + v1 * t + slip(sign).acceleration2 * t**2 / 2
+
+
+@cache
+def held_at_the_limit() -> Expr:
+    """The force, N, under which the pair of Section IV, b = 1/2 N, sticks from rest at 0 with the load b for ever."""
+    path = reference(1).subs({x1: 0, v1: 0})
+    along = {x1: path, v1: diff(path, t)}
+    balance = stick().acceleration1.subs(along, simultaneous=True) - diff(path, t, 2)
+    return solve(balance, u)[0].subs(CASE_STUDY).subs(b, Rational(1, 2))
 
 
 @cache
@@ -113,6 +136,24 @@ def place_dependent_rate(sign: int) -> Expr:
     second = other(forced_system(sigma, u)).subs({other(sigma): sign, b: b_other}, simultaneous=True)
     difference = forced_system(sigma).subs(sigma, sign) - second
     return inner_product(STATE - other(STATE), difference).expand().subs(a1, 0)
+
+
+def growth_by_place(slope: Expr) -> Expr:
+    """The rate, 1/s, at which N may grow where b changes by at most `slope` (N/m) times the distance of the places.
+
+    d(N^2/2)/dt is at most |b - b~| |w - w~|, and N^2 = 1 holds |x1 - x1~| and |w - w~| below these two.
+    """
+    return slope * sqrt(1 / diff(distance_squared(), x1, 2) * 2) * sqrt(_relative_by_distance())
+
+
+def growth_by_speed(slope: Expr) -> Expr:
+    """The rate, 1/s, at which N may grow where b falls by at most `slope` (N s/m) times the speed of the slip."""
+    return slope * _relative_by_distance()
+
+
+def _relative_by_distance() -> Expr:
+    """The largest (w - w~)^2 with N = 1, 1/kg: by Cauchy and Schwarz the sum of the inverse coefficients of N^2."""
+    return sum((2 / diff(distance_squared(), one, 2) for one in (v1, v2)), Integer(0))
 
 
 def distance_squared() -> Expr:

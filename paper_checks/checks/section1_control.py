@@ -11,7 +11,7 @@ from paper_checks.evidence.evidence import argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
 from paper_checks.ledger.points import INSIDE
-from paper_checks.steps import forced_response, tolerance, transfers
+from paper_checks.steps import forced_response, tolerance, transfers, two_laws
 from theory import forced
 from theory.energy import critical_energy, on_surface, sigma
 from theory.symbols import m1, u, v1, x1, x2
@@ -77,8 +77,8 @@ def target_or_set_point(context: Context) -> Finding:  # noqa: ARG001
     """Which targets and which set-points there are."""
     return conclude(
         Verdict.HOLDS,
-        "A set-point is the simpler of the two: every one can be reached, in no less than $2\\sqrt{m_2D/b}$, and held, while a target trajectory can be followed exactly if it never asks for more acceleration "
-        "than $b/m_2$. That such control is largely unexplored is a statement about the literature, which is not judged here.",
-        carried("target", transfers.followed()),
-        carried("set-point", transfers.least_time()),
+        "There is such control, and a set-point is the simpler of the two: from rest every one can be reached, in no less than $2\\sqrt{m_2D/b}$, and held, while a target trajectory can be followed exactly if "
+        "it never asks for more acceleration than $b/m_2$. At just $b/m_2$ that is so under Coulomb's law, which (3)–(4) then are not; below it under both.",
+        carried("target", transfers.followed(), two_laws.stuck_below_the_limit()),
+        carried("set-point", transfers.least_time(), two_laws.stuck_below_the_limit()),
     )

@@ -1,4 +1,4 @@
-"""Section II: what the force u(t) stands for."""
+"""Section II: what the force u(t) stands for, and in which direction friction acts."""
 
 from __future__ import annotations
 
@@ -11,8 +11,11 @@ from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
 from paper_checks.ledger.points import EXAMPLE_PAIR
 from paper_checks.ledger.section2 import DISTURBANCE, REFERENCE, REFERENCE_RATE, STIFFNESS, VISCOSITY
+from paper_checks.steps import forced_distance, transfers
+from theory import forced
+from theory.energy import sigma
 from theory.model import driven_equation, driving_equation
-from theory.symbols import a1, a2, u, v1, x1
+from theory.symbols import a1, a2, b, m2, u, v1, v2, x1
 
 AT_REST = {**EXAMPLE_PAIR, u: sp.Rational("0.01"), x1: sp.Rational("0.00005")}
 
@@ -48,4 +51,36 @@ def force_as_reference_or_disturbance(context: Context) -> Finding:  # noqa: ARG
         ),
         corrected=claim_named("force-as-reference-or-disturbance").corrected,
         counterexample="$m_1=m_2=1$, $a_2=200$, $b=0.5$, at rest under the constant $u=x_{\\mathrm{ref}}=0.01$: by (3) it is $x_1=x_{\\mathrm{ref}}/a_2=0.00005$, not $x_{\\mathrm{ref}}$.",
+    )
+
+
+SLIPPING = {b: sp.Rational(1, 2), u: 0, a1: 0, sigma: 1, v1: sp.Rational("0.15"), v2: 0}
+"""The start of Fig. 4 (b), in slip with z' > 0."""
+
+
+@check("free-interface")
+def free_interface(context: Context) -> Finding:  # noqa: ARG001
+    """The direction of friction, by the power that it takes, and what bounds it."""
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "Friction is tangential; the normal load is not its effect but limits it. The second body is free along the surface, as the paper says. A force normal to the surface takes no power "
+        "from a motion along it, and friction does.",
+        exhibit(
+            r"at the start of Fig. 4 (b) friction takes the power $b\dot z=0.075$ W from a motion along the surface; a normal force takes none",
+            SLIPPING,
+            (forced.energy_rate(), "=", -sp.Rational("0.075")),
+            (v1 - v2, ">", 0),
+        ).as_counterexample(),
+        carried(
+            "tangential",
+            identity(
+                r"$m_2\dot v_2=b\sigma$: friction is all that acts on body 2 along its motion",
+                m2 * forced.forced_system(sigma)[2],
+                b * sigma,
+            ).as_correction(),
+            forced_distance.energy_rate().as_correction(),
+        ),
+        carried("bounded", transfers.gentle().as_correction()),
+        corrected=claim_named("free-interface").corrected,
+        counterexample="Fig. 4 (b), $b=0.5$, $\\dot x_1=0.15$, $\\dot x_2=0$: the interface takes 0.075 W, which no force normal to the surface does.",
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from paper_checks.checks.registry import Context, check
+from paper_checks.checks.section2_signum import none_under_control
 from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import exhibit, value_at
 from paper_checks.evidence.evidence import Evidence, argument
@@ -21,6 +22,7 @@ from paper_checks.steps.solutions import (
     stick_is_filippov,
     stick_region,
 )
+from paper_checks.steps.two_laws import agree
 from theory.model import (
     branch_named,
     branches,
@@ -83,12 +85,22 @@ def modes_from_closed_form(_: Context) -> Finding:
             (half.acceleration2, "=", half.acceleration1 / 2),
             (half.acceleration1, "!=", 0),
         ).as_counterexample(),
-        *(is_mode(name).as_correction() for name in ("stick", "slip+", "slip-")),
-        stick_region().as_correction(),
-        *(item.as_correction() for item in leaves_the_surface()),
-        corrected="For $\\dot z\\neq 0$ (3), (4) are mode (ii). For $\\dot z=0$ they are mode (i) where "
-        "$|\\ddot x_1|<b/m_2$; where $|\\ddot x_1|>b/m_2$ body 2 is left without acceleration, and where "
-        "$|\\ddot x_1|=b/m_2$ with half of it. The free system is in these two branches at isolated instants only.",
+        carried(
+            "branches",
+            *(is_mode(name).as_correction() for name in ("stick", "slip+", "slip-")),
+            *(spurious_branch(name).as_correction() for name in SPURIOUS),
+        ),
+        carried(
+            "instants",
+            argument(
+                "Both branches leave $\\dot z=0$ at once, and the edge is met at isolated instants.",
+                stick_region(),
+                *leaves_the_surface(),
+            ).as_correction(),
+        ),
+        carried("forced", agree().as_correction()),
+        carried("none", none_under_control().as_correction()),
+        corrected=claim_named("modes-from-closed-form").corrected,
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$, $u=0$ with $x_1=0.006$, $\\dot x_1=\\dot x_2=0$, the "
         f"start of Fig. 4 (a): (3), (4) give $\\ddot x_1={value_at(broken.acceleration1, START_AT_6MM)}$ and "
         f"$\\ddot x_2={value_at(broken.acceleration2, START_AT_6MM)}$, neither mode (i) nor mode (ii).",

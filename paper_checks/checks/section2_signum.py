@@ -10,20 +10,26 @@ from paper_checks.checks.registry import Context, check
 from paper_checks.engines.enclosure import compare, exact, itinerary, solved, text
 from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import exhibit, value_at
-from paper_checks.evidence.evidence import Evidence
+from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.evidence.formula import equation, latex
 from paper_checks.ledger import claim_named
 from paper_checks.ledger.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM
-from paper_checks.steps import solutions
+from paper_checks.steps import solutions, two_laws
 from theory.closed_forms import Regime, residual, solution
 from theory.filippov import sliding_field, transversality
+from theory.forced import held_at_the_limit
 from theory.model import branch_named, case_study_mode, free_system
-from theory.symbols import a2, b, m1, m2, t, u, v1, x1
+from theory.symbols import b, m2, t, u, v1, x1
 
 # The control under which eq. (4) stays at its equality: the path of stick with the acceleration b/m2 from rest.
 PATH = EXAMPLE_PAIR[b] * t**2 / (2 * EXAMPLE_PAIR[m2])
-CONTROL = EXAMPLE_PAIR[b] * (EXAMPLE_PAIR[m1] + EXAMPLE_PAIR[m2]) / EXAMPLE_PAIR[m2] + EXAMPLE_PAIR[a2] * PATH
+CONTROL = held_at_the_limit()
+CONTRADICTION = (
+    "No solution with $u=1+50t^2$: for a short time $\\dot z<0$ is impossible, as $\\ddot z>0$ there. While "
+    "$\\dot z\\geqslant 0$, $x_1=t^2/4$ (a linear equation with zero data for the difference). Then $\\dot z$ cannot "
+    "grow, as $\\ddot z=0$ where $\\dot z>0$; and it cannot stay 0, as $\\ddot z=1/4$ where $\\dot z=0$."
+)
 
 
 def no_solution_inside() -> Evidence:
@@ -88,6 +94,11 @@ def no_solution_under_control() -> tuple[Evidence, ...]:
     )
 
 
+def none_under_control() -> Evidence:
+    """(3), (4) with that control: the inference over these branches."""
+    return argument(CONTRADICTION, *no_solution_under_control())
+
+
 @check("sgn-three-valued")
 def sgn_three_valued(_: Context) -> Finding:
     """Existence and uniqueness at z' = 0 in (3)-(4), in (5)-(7) with sgn(0) = 0, and in (11)-(12)."""
@@ -96,7 +107,7 @@ def sgn_three_valued(_: Context) -> Finding:
     return conclude(
         Verdict.HOLDS_CORRECTED,
         "What gives (3)–(4) well-defined solutions at $\\dot z=0$ is the total mass in (3) with the stiction bracket in (4), "
-        "not $\\mathrm{sgn}(0)=0$: with $u=0$ every initial state has exactly one solution, the Filippov solution. Put into "
+        "not $\\mathrm{sgn}(0)=0$. With $u=0$ every initial state has exactly one solution, the Filippov solution, and under a force it has that one or none. Put into "
         "Coulomb's law alone, (5)–(7), the three-valued signum leaves no solution through the interior of $S_0$ with "
         "$x_1\\neq 0$; where the bracket is dropped, (11)–(12), solutions are not unique; and under a control that holds "
         "$|\\ddot x_1|=b/m_2$, (3)–(4) itself has none.",
@@ -105,6 +116,8 @@ def sgn_three_valued(_: Context) -> Finding:
         *(item.as_counterexample() for item in no_solution_under_control()),
         carried("same", solutions.equivalent().as_correction()),
         carried("unique", solutions.one_solution().as_correction()),
+        carried("forced", two_laws.agree().as_correction()),
+        carried("none", none_under_control().as_correction()),
         corrected=claim_named("sgn-three-valued").corrected,
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. (5)–(7) with $\\mathrm{sgn}(0)=0$ from $x_1=0.004$ at "
         f"rest: $\\dot v_1={value_at(literal[1], INSIDE)}$ and $\\dot v_2=0$ on $S$, while off $S$ both fields lead back: no "
@@ -113,9 +126,7 @@ def sgn_three_valued(_: Context) -> Finding:
         derivation=(
             *solutions.ARGUMENT,
             equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{\dot{z}=0}", sliding_field(damped=True).T),
-            "No solution with $u=1+50t^2$: for a short time $\\dot z<0$ is impossible, as $\\ddot z>0$ there. While "
-            "$\\dot z\\geqslant 0$, $x_1=t^2/4$ (a linear equation with zero data for the difference). Then $\\dot z$ cannot "
-            "grow, as $\\ddot z=0$ where $\\dot z>0$; and it cannot stay 0, as $\\ddot z=1/4$ where $\\dot z=0$.",
+            CONTRADICTION,
             "Both solutions of (11)–(12): with $\\dot z=0$ and with $\\dot z<0$ they read "
             f"$${latex(sp.Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
             f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], START_AT_6MM)}"

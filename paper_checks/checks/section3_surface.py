@@ -208,6 +208,18 @@ def return_alternatives(context: Context) -> Finding:
                 capture.mirror_image(),
             ).as_correction(),
         ),
+        carried("transversal", *(item.as_correction() for item in outside_proofs()[2:])),
+        carried(
+            "tangent",
+            identity(
+                "at $x_1=-L$, $\\Phi_+\\cdot n_S=0$", transversality(1).subs(x1, -half_width()), 0, seed=context.seed
+            ).as_correction(),
+            prove(
+                "on $\\ell_-$ the second derivative of $v_1-v_2$ along $\\Phi_+$ is positive",
+                [sp.Lt(v1, 0)],
+                sp.Gt(cleared(edge_contact(-1).second), 0, evaluate=False),
+            ).as_correction(),
+        ),
         corrected=claim_named("return-alternatives").corrected,
         counterexample="For every pair and every $v>0$ the slip with $\\dot z<0$ through $x_1=L$, $v_1=v_2=v$ comes from $\\Omega_-$, "
         "touches $S$ there and goes on in $\\Omega_-$: it neither enters $S_0$ nor crosses $S_-$.",

@@ -37,7 +37,7 @@ def euler_reproduces_figures(context: Context) -> Finding:
     gains = {h: rounded(100 * (ratio - 1), 0) for h, ratio in _growth_of_start_at_6mm().items()}
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "Forward Euler does give what the figures show, but by two different laws: Fig. 4 (a) is the stuck solution "
+        "Forward Euler does give what the figures show, but by two different laws. Fig. 4 (a) is the stuck solution "
         "of (11)–(12) read literally, kept because the run starts at $\\dot z=0$ exactly; Fig. 4 (b) and Fig. 5 are chatter about "
         "$\\dot z=0$, which no step ever meets, and this chatter imitates Filippov's sliding, not the branch sgn = 0 of (11)–(12), "
         "which would stick for ever at the first contact. And the step matters: in Fig. 5 (a) a step of 0.01 s makes the "

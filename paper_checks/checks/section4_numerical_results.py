@@ -13,12 +13,14 @@ from numerics.scene import Law, Scene, State
 from numerics.scene.file import load_scene
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.checks.registry import Context, check
-from paper_checks.engines.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
+from paper_checks.checks.section2_signum import two_solutions
+from paper_checks.engines.enclosure import compare, exact, itinerary, rounded, solved, stuck_for_ever, within
 from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import Point, exhibit, value_at
 from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import claim_named
+from paper_checks.steps.capture import energy_decreases, leaves_above_critical
 from paper_checks.steps.dissipation import in_every_mode
 from paper_checks.steps.perpetual_slips import (
     ARGUMENT,
@@ -28,6 +30,8 @@ from paper_checks.steps.perpetual_slips import (
     relative_speed_bound,
     starts_below,
 )
+from paper_checks.steps.solutions import equivalent
+from paper_checks.steps.tolerance import sticks_for_ever_below
 from theory.closed_forms import Regime, rate, solution
 from theory.filippov import half_width, transversality
 from theory.model import branch_named, stick
@@ -80,7 +84,7 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
     )
     return conclude(
         Verdict.REFUTED,
-        f"The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m: sticking would take a force of "
+        f"That is one of two solutions of (11)–(12), and none of (3)–(4) or Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
         f"{value_at(sp.Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
         f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
         "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "
@@ -90,6 +94,7 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
         stuck_for_ever("(11), (12) read literally: sticks for ever, carried by 0.6 N > b", solved(literally(scene))),
         carried("from-rest", argument(FROM_REST, *_from_rest(scene)).as_correction()),
         carried("slips", argument(" ".join(ARGUMENT), *counterexample).as_correction()),
+        carried("literal", equivalent().as_correction(), *(item.as_correction() for item in two_solutions())),
         corrected=claim_named("start-at-6mm-sticks").corrected,
         counterexample="The paper's own: $m_1=m_2=1$, $a_2=200$, $b=0.5$, $x_1(0)=0.006$, the other initial values zero.",
         derivation=ARGUMENT,
@@ -187,21 +192,53 @@ def convergence(context: Context, speed: Fraction = Fraction(15, 100)) -> Findin
         (f"b = {float(scene.pair.b):g}", solved(replace(scene, initial=State(v1=speed), until=Fraction(8))))
         for scene in map(load_scene, ("relative-motion-b005", "relative-motion-b02", "relative-motion-b05"))
     ]
+    first = runs[0][1]
+    entry, leaves = next((one, two) for one, two in pairwise(first.events) if two.kind is EventKind.EXIT)
+    for_ever = [item for name, run in runs for item in (*starts_below(run, name), _decline(run, name))]
     return conclude(
-        Verdict.HOLDS,
+        Verdict.HOLDS_CORRECTED,
+        "$\\dot z\\to 0$ and $z$ has a limit, but $\\dot z=0$ is not invariant. All three motions leave it again and again. "
         "Friction takes $b|\\dot z|$ from a finite energy, so the integral of $|\\dot z|$ is finite; as $\\dot z$ is Lipschitz continuous, "
         "$\\dot z\\to 0$. For all three values of $b$ that takes for ever: after the first exit from $S_0$ the pair sticks and "
-        "slips in turn without end, each slip slower than the one before. The state tends to the part $E=E_{cr}$ of $S_0$; "
-        "the rest of $\\{\\dot z=0\\}$ is not invariant above that energy. Under (11)–(12) read literally $\\dot z=0$ from the first "
-        "contact on.",
-        *in_every_mode(),
-        *every_excursion(),
-        largest_relative_speed(),
-        *(item for name, run in runs for item in (*starts_below(run, name), _decline(run, name))),
+        "slips in turn without end, each slip slower than the one before. The state tends to the part $E=E_{cr}$ of $S_0$. "
+        "Under (11)–(12) read literally $\\dot z=0$ from the first contact on.",
+        within(
+            "for $b=0.05$ the pair comes to $\\dot z=0$ first at (s)", entry.t, "4.549769", "4.549770"
+        ).as_counterexample(),
+        within("and leaves it at (s)", leaves.t, "4.579537", "4.579538").as_counterexample(),
+        compare("with an energy above $E_{cr}$: $w=E/E_{cr}-1$", entry.reduced.w, ">", exact(0)).as_counterexample(),
+        carried(
+            "limit",
+            argument(
+                f"{VANISHING} The path of $z$ has a finite length, so $z$ has a limit.",
+                *in_every_mode(),
+                *energy_decreases(),
+            ).as_correction(),
+        ),
+        carried(
+            "invariant",
+            argument(
+                "At $E\\leqslant E_{cr}$ the pair is captured; above it no stick lasts.",
+                sticks_for_ever_below(),
+                *leaves_above_critical(),
+            ).as_correction(),
+        ),
+        carried(
+            "again",
+            argument(
+                "No slip after the first exit merges, so every stick above $E_{cr}$ ends.",
+                *every_excursion(),
+                largest_relative_speed(),
+                *for_ever,
+            ).as_correction(),
+        ),
         *(
             stuck_for_ever(f"{name}: (11), (12) read literally stick for ever", solved(literally(run.scene)))
             for name, run in runs
         ),
+        corrected=claim_named("relative-motion-converges").corrected,
+        counterexample="$b=0.05$, $\\dot x_1(0)=0.15$: the pair is at $\\dot z=0$ from "
+        f"{rounded(entry.t, 4)} s on, with an energy above $E_{{cr}}$, and slips again from {rounded(leaves.t, 4)} s on.",
         derivation=(VANISHING, *ARGUMENT),
         figure="relative-motion",
     )

@@ -61,6 +61,7 @@ def synchronisation_time(
         f"Forward Euler with steps of $10^{{-4}}$ s or $2\\cdot 10^{{-4}}$ s misses the first adhesion and first sticks at {euler} s "
         "(see euler-reproduces-figures): the printed 4.7 s may come from such a step.",
         *(item.as_counterexample() for item in counterexample),
+        carried("slipping", compare("$|\\dot z(4.7)|$ (m/s)", abs(y[1] - y[3]), ">", arb("0.0023")).as_correction()),
         carried(
             "adheres",
             within("first adhesion (s)", entries[0].t, "4.549769", "4.549770").as_correction(),

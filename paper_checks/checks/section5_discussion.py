@@ -9,16 +9,17 @@ import sympy as sp
 from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
 from paper_checks.checks.registry import Context, check
+from paper_checks.checks.section2_signum import none_under_control
 from paper_checks.engines.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
 from paper_checks.engines.exact import identity
 from paper_checks.engines.exhibit import exhibit, value_at
-from paper_checks.evidence.evidence import Evidence
-from paper_checks.evidence.finding import Finding, Verdict, conclude
+from paper_checks.evidence.evidence import Evidence, argument
+from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.evidence.formula import equation, latex
 from paper_checks.ledger import claim_named
 from paper_checks.ledger.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.solvers.smt import prove
-from paper_checks.steps import solutions
+from paper_checks.steps import solutions, transfers, two_laws
 from theory.filippov import load, load_threshold, phi, sliding_field
 from theory.model import CASE_STUDY, branch_named, branches, case_study_mode
 from theory.symbols import a1, b, m2, x1
@@ -65,8 +66,8 @@ def two_descriptions(_: Context) -> Finding:
     )
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The two readings describe the same motion for (2)–(4), where the stiction bracket makes them agree, and part for "
-        "(11)–(12), where it is dropped. There the three-valued signum (1) lets the bodies stick beyond $S_0$, where friction "
+        "The two readings describe the same motion for (2)–(4) with $u=0$, and not beyond. There the stiction bracket makes them agree. Under a force that holds the load at the limit $b$ of a "
+        "stuck pair (3)–(4) have no solution; and for (11)–(12), where the bracket is dropped, they part. There the three-valued signum (1) lets the bodies stick beyond $S_0$, where friction "
         "cannot hold them: that is a different law, and the convergence shown for the Filippov system says nothing about "
         "such solutions. Both agree until the pair first meets $S$ outside $S_0$, or leaves $S_0$ by a ray.",
         *(item.as_counterexample() for item in readings_part()),
@@ -75,11 +76,18 @@ def two_descriptions(_: Context) -> Finding:
             START_AT_6MM,
             (sp.Abs(m2 * case_study_mode(0)[1]), ">", b),
         ).as_counterexample(),
-        *(item.as_correction() for item in same_fields()),
-        *(item.as_correction() for item in solutions.same_solutions()),
-        corrected="(2)–(4) with $u=0$ have the same solutions as (5)–(7) in Filippov's sense. These solutions also satisfy "
-        "(11)–(12), which have others besides: (11)–(12) with a stick that is kept wherever $\\dot z=0$ agree with the Filippov "
-        "law up to the first contact with $S$ outside $S_0$ or the first exit from $S_0$, and not beyond.",
+        carried("same", solutions.equivalent().as_correction(), solutions.one_solution().as_correction()),
+        carried(
+            "example",
+            argument(
+                "In slip and on $S_0$ (11)–(12) have Filippov's accelerations, so his solutions satisfy them; a stick that is kept beyond $S_0$ is another solution.",
+                *same_fields(),
+                *readings_part(),
+            ).as_correction(),
+        ),
+        carried("forced", two_laws.agree().as_correction()),
+        carried("none", none_under_control().as_correction()),
+        corrected=claim_named("two-descriptions").corrected,
         counterexample="Fig. 4 (a), $x_1(0)=0.006$, $b=0.5$, at rest: read literally, (11)–(12) stick for ever and give "
         f"$x_2(0.2)=$ {text(literal)} m; the Filippov law, and (3)–(4), slip at once and give {text(filippov)} m.",
         derivation=(
@@ -137,16 +145,22 @@ def acceleration_bound(_: Context) -> Finding:
             START_AT_6MM,
             (sp.Abs(literal[1]), ">", b / m2),
         ).as_counterexample(),
-        bounded_in_slip().as_correction(),
-        bounded_in_stick().as_correction(),
-        solutions.stick_is_filippov().as_correction(),
-        *(
-            identity(
-                f"in the branch with {one.name}, $\\ddot x_2={share}\\cdot\\ddot x_1$, no more than $b/m_2$",
-                one.acceleration2,
-                share * one.acceleration1,
-            ).as_correction()
-            for one, share in zip(rest, (sp.Rational(1, 2), sp.Integer(0)), strict=True)
+        carried("bound", transfers.gentle().as_correction()),
+        carried(
+            "modes",
+            *(item.as_correction() for item in (bounded_in_slip(), bounded_in_stick(), solutions.stick_is_filippov())),
+        ),
+        carried(
+            "equality",
+            two_laws.agree().as_correction(),
+            *(
+                identity(
+                    f"in the branch with {one.name}, $\\ddot x_2={share}\\cdot\\ddot x_1$, no more than $b/m_2$",
+                    one.acceleration2,
+                    share * one.acceleration1,
+                ).as_correction()
+                for one, share in zip(rest, (sp.Rational(1, 2), sp.Integer(0)), strict=True)
+            ),
         ),
         corrected=claim_named("acceleration-bound").corrected,
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. In slip with $\\dot z>0$ at "

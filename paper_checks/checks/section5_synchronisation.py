@@ -17,17 +17,19 @@ from numerics.trajectory.trajectory import Trajectory
 from paper_checks.checks.registry import Context, check
 from paper_checks.engines.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
 from paper_checks.engines.exact import identity
+from paper_checks.engines.exhibit import exhibit
 from paper_checks.engines.samples import random_pair, random_state
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.evidence.formula import equation, latex
 from paper_checks.ledger import claim_named
-from paper_checks.ledger.points import EXAMPLE_PAIR, scene_at
+from paper_checks.ledger.points import EXAMPLE_PAIR, INSIDE, scene_at
 from paper_checks.steps import dissipation, perpetual_slips
 from paper_checks.steps.capture import meets_surface
 from paper_checks.steps.creeping import creeps_for_ever
+from paper_checks.steps.tolerance import sticks_for_ever_below
 from paper_checks.steps.turned_back import contact_again
-from theory.energy import captive_energy, critical_energy, slip_rate, stick_rate
+from theory.energy import captive_energy, critical_energy, on_surface, slip_rate, stick_rate
 from theory.filippov import surface
 from theory.symbols import a1, a2, b, m1, m2, undamped, v1
 
@@ -58,12 +60,7 @@ def finite_time_then_alternation(_: Context) -> Finding:
     name = "itinerary-that-creeps"
     trajectory = solved(load_scene(name))
     entry = next(event for event in trajectory.events if event.after is Mode.STICK)
-    return conclude(
-        Verdict.HOLDS,
-        "The scene itinerary-that-creeps ($m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.21$) meets a synchronised orbit after a "
-        "finite, enclosed time, with an energy above critical, and then sticks and slips in turn for ever, which is proved "
-        "and not extrapolated. No single mode does it: every slip ends after a finite time. Once a trajectory has merged "
-        "with a periodic orbit, $E\\leqslant E_{cr}$, no alternation follows: 'can' is the right word.",
+    alternates = (
         itinerary(
             f"{name} slips, crosses $S$ twice, sticks for the first time after 3 slips, and slips again",
             trajectory,
@@ -71,8 +68,34 @@ def finite_time_then_alternation(_: Context) -> Finding:
         ),
         compare("that entry is at a finite time $t<1$ s", entry.t, "<", exact(1)),
         compare("with the excess energy $w=E/E_{cr}-1>0$", entry.reduced.w, ">", exact(0)),
-        *meets_surface(),
         *perpetual_slips.never_merges(trajectory, name),
+    )
+    one_mode = (
+        exhibit(
+            "at $x_1=0.004$, at rest, $b=0.5$: $\\dot z=0$ and $E<E_{cr}$",
+            INSIDE,
+            (v1, "=", 0),
+            (on_surface(), "<", critical_energy()),
+        ),
+        stuck_for_ever("from there the pair sticks for ever", solved(scene_at(INSIDE, "1000"))),
+    )
+    return conclude(
+        Verdict.HOLDS_CORRECTED,
+        "On a synchronised orbit, $E\\leqslant E_{cr}$, the pair is in one mode for ever. From a slip both modes are needed; once a trajectory moves on such an orbit, no alternation follows. What can precede an alternation without end is an adhesion in finite time, on an arc of $S_0$ with an energy above "
+        "$E_{cr}$: the scene itinerary-that-creeps ($m_1=m_2=1$, $a_2=200$, $b=0.5$, $\\dot x_1(0)=0.21$) adheres after a finite, enclosed time and then sticks and slips in turn "
+        "for ever, which is proved and not extrapolated.",
+        *(item.as_counterexample() for item in one_mode),
+        carried(
+            "both-modes",
+            argument(
+                "A stay in one half-space is bounded by the time that friction takes.", *meets_surface()
+            ).as_correction(),
+        ),
+        carried("one-mode", sticks_for_ever_below().as_correction()),
+        carried("alternates", creeps_for_ever().as_correction()),
+        carried("precedes", argument(" ".join(perpetual_slips.ARGUMENT), *alternates).as_correction()),
+        corrected=claim_named("finite-time-then-alternation").corrected,
+        counterexample="The pair of Section IV with $b=0.5$, both bodies at rest at $x_1=0.004$: $\\dot z=0$ for ever in the one mode of stick, and no alternation follows.",
         derivation=(
             f"The first entry is at $t=$ {text(entry.t)} s with $w=$ {text(entry.reduced.w)}.",
             *perpetual_slips.ARGUMENT,

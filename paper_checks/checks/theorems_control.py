@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from paper_checks.checks.registry import Context, check
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
-from paper_checks.steps import tolerance, transfers
+from paper_checks.steps import tolerance, transfers, two_laws
 
 
 @check("trackable-references")
@@ -14,6 +14,7 @@ def trackable_references(context: Context) -> Finding:  # noqa: ARG001
         Verdict.HOLDS,
         "Friction is all that the interface can pass on to body 2. Every reference that asks for no more can be followed, by a pair that sticks, under a force that can be written down.",
         carried("iff", transfers.followed()),
+        carried("literal", two_laws.stuck_below_the_limit()),
         carried("sticks", transfers.must_stick()),
         carried("force", transfers.stuck_force()),
     )
@@ -27,6 +28,7 @@ def minimum_transfer_time(context: Context) -> Finding:  # noqa: ARG001
         "The least time is set by the interface alone, whatever the force. How strong a force must be is another matter: body 1 can run ahead of body 2 through the first half and be met at half time, which takes less than to stick all the way.",
         carried("reach", transfers.spread()),
         carried("least", transfers.least_time()),
+        carried("literal", two_laws.stuck_below_the_limit()),
         carried("stuck", transfers.stuck_amplitude()),
         carried("slip", transfers.slipping_amplitude()),
         carried("slip-undamped", transfers.undamped_slipping_amplitude(), transfers.slipping_amplitude()),

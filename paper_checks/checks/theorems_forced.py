@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from paper_checks.checks.registry import Context, check
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
-from paper_checks.steps import entrainment, forced_distance, forced_response, forced_rule
+from paper_checks.steps import entrainment, forced_distance, forced_response, forced_rule, jumping_force, solutions
 
 
 @check("forced-mode-rule")
@@ -44,11 +44,14 @@ def forced_contraction(context: Context) -> Finding:  # noqa: ARG001
         Verdict.HOLDS,
         "A force common to both cancels in their distance. A friction that depends on the place would not: the friction of one solution is then not a monotone function of its own relative velocity alone.",
         carried("energy", forced_distance.energy_rate()),
+        carried("rate", forced_distance.force_cancels(), solutions.contraction(), solutions.never_apart()),
         carried("distance", forced_distance.never_apart()),
         carried("unique", forced_distance.one_solution()),
         carried("forces", forced_distance.forces_apart()),
         carried("interface", forced_distance.friction_in_time()),
         carried("interface-rates", forced_distance.friction_in_time()),
+        carried("interface-contraction", forced_distance.friction_in_time()),
+        carried("interface-for-ever", forced_distance.pieces_without_end()),
     )
 
 
@@ -57,10 +60,12 @@ def forced_periodic_response(context: Context) -> Finding:  # noqa: ARG001
     """One response, what moves body 2 on, and when the same holds without a damper."""
     return conclude(
         Verdict.HOLDS,
-        "With a damper a periodic force has one response. Without one, a single exit from stick has the same effect if the slip after it has the right length.",
+        "With a damper a periodic force has one response. Without one, a single exit from stick has the same effect if the slip after it has the right length and the force does not jump at that exit. "
+        "With a jump there whole families of periodic motions may lie beside one another.",
         carried("one", forced_response.one_response()),
         carried("drift", forced_response.drift()),
         carried("undamped", forced_response.undamped_attraction()),
+        carried("jump", jumping_force.keeps_apart()),
     )
 
 
@@ -69,7 +74,7 @@ def forced_resonance_bound(context: Context) -> Finding:  # noqa: ARG001
     """What friction can take out of a resonant oscillation at most."""
     return conclude(
         Verdict.HOLDS,
-        r"Friction of size $b$ takes at most the mean of $b|\cos|$ out of an oscillation: a force with more than that at resonance is stronger than the interface. What happens at equality is open.",
+        r"Friction of size $b$ takes at most the mean of $b|\cos|$ out of an oscillation: a force with more than that at resonance is stronger than the interface.",
         carried("rate", forced_response.resonant_rate()),
         carried("grows", forced_response.grows()),
         carried("bounded", forced_response.stays_bounded()),
@@ -85,12 +90,13 @@ def entrainment_threshold(context: Context) -> Finding:  # noqa: ARG001
     """Stuck, two stops, and no stop."""
     return conclude(
         Verdict.HOLDS,
-        "Both thresholds are closed forms. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on. That the branch of two stops has "
-        "just one length of slip for each amplitude in between, and that its conditions hold on all of it, is not proved here.",
+        "Both thresholds are closed forms. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
         carried("stuck", entrainment.sticks_for_ever()),
         carried("undamped", entrainment.undamped_stuck()),
         carried("letters", entrainment.square_wave()),
         carried("non-stop", entrainment.non_stop()),
+        carried("below", entrainment.below_non_stop()),
+        carried("over-damped", entrainment.over_damped()),
         carried("non-stop-undamped", entrainment.keeps_its_sign(), entrainment.non_stop()),
         carried("two-stops", entrainment.two_stops()),
         carried("two-ends", entrainment.two_ends()),

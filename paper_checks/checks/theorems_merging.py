@@ -30,6 +30,15 @@ def critical_mass_ratio(context: Context) -> Finding:  # noqa: ARG001
                 "For $r>r^*$ the interval of merging-set is not empty, for $r=r^*$ it is one point.", first_landing()
             ),
         ),
+        carried(
+            "equal",
+            argument(
+                "$R=h/c$ falls to $\\sqrt{r^*}$ at $\\theta^*$ and rises from there, strictly: $R^2\\leqslant r^*$ at $\\theta^*$ alone.",
+                first_landing(),
+                *threshold(),
+                *one_turning_point(),
+            ),
+        ),
         derivation=(
             "$$\\varphi^*-\\sin\\varphi^*\\cos\\varphi^*=\\sqrt2\\,(\\sin\\varphi^*-\\varphi^*\\cos\\varphi^*),\\qquad "
             "r^*=\\frac{1}{2\\sin^2\\varphi^*},\\qquad \\frac{m_1}{m_2}=-\\cos 2\\varphi^*.$$",
@@ -65,8 +74,13 @@ def merging_set(context: Context) -> Finding:  # noqa: ARG001
         "monotone on both sides the roots are continuous in $r$ up to $r=1$. A pair that crosses $S$ does so in long and short slips in "
         "turn, and its re-entry, at the end of a short one, is above $E_{cr}$.",
         carried("interval", first_landing()),
+        carried("roots", first_landing(), *threshold(), *one_turning_point()),
         carried(
             "crossings",
+            argument("The first re-entry after crossings does not merge.", reentry_above_critical(), first_landing()),
+        ),
+        carried(
+            "same",
             argument("The first re-entry after crossings does not merge.", reentry_above_critical(), first_landing()),
         ),
         carried("below", below_the_interval()),

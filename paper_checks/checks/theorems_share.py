@@ -20,8 +20,7 @@ def merging_bands(context: Context) -> Finding:  # noqa: ARG001
     return conclude(
         Verdict.HOLDS,
         "The energies on $S_0$ that ever merge form many bands: between two that merge lies one that never does. Each trajectory is solved in "
-        "balls until it sticks for ever, or leaves $S_0$ by a ray so little above $E_{cr}$ that it never merges. That there are "
-        "infinitely many bands for every $r>r^*$ is not proved here; as the energy grows they are equally spaced in $\\sqrt w$.",
+        "balls until it sticks for ever, or leaves $S_0$ by a ray so little above $E_{cr}$ that it never merges.",
         carried(
             "bands",
             argument(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from paper_checks.checks.registry import Context, check
+from paper_checks.evidence.evidence import argument
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.steps.rate_with_error import law_with_error
 from paper_checks.steps.uniform_rate import no_lower, upper
@@ -33,6 +34,13 @@ def uniform_rate(context: Context) -> Finding:  # noqa: ARG001
         "$E(0)$ fixes an upper bound of $E-E_{cr}$ over all trajectories, and no lower one. From above: $S$ is met within a bounded time, few "
         "slips cross, and every other cycle adds to $1/w$. From below: trajectories with one $E(0)$ may lose as much of it as one likes "
         "in their first slip. For starts on $S_0$ slightly above $E_{cr}$ both constants exist (rate-one-over-t).",
+        carried(
+            "one",
+            argument(
+                "$\\tau w_+$ is bounded: $w_+\\leqslant q\\,y_0$ up to some time, and is at most a constant over $\\tau$ after it, both by $E(0)$ alone.",
+                upper(),
+            ),
+        ),
         carried("upper", upper()),
         carried("lower", no_lower()),
         derivation=(

@@ -129,6 +129,11 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "Left: the relative motion about its limit; from the black point on, in blue, it stays inside the dashed ring. Right: its distance "
         "from the limit over time.",
     ),
+    "jumping-force": (
+        "Periodic motions beside one another",
+        "Left: three periodic motions under one force, without a damper; every one in between is periodic, too. Right: the force jumps where they leave "
+        "their stick, and so do their loads, from inside the strip to outside.",
+    ),
     "drift-against-asymmetry": (
         "Asymmetry carries body 2 away",
         "The mean velocity of body 2 as a second harmonic is added to the force. Without it the force is symmetric and there is no drift. "

@@ -9,6 +9,7 @@ from paper_checks.ledger.section3_viscous import ITINERARIES, VISCOUS
 from paper_checks.ledger.section4 import EXAMPLE_SYSTEM
 from paper_checks.ledger.section4_results import NUMERICAL_RESULTS
 from paper_checks.ledger.section5 import SECTION_5
+from paper_checks.ledger.section5_outlook import OUTLOOK
 from paper_checks.ledger.theorems import THEOREMS
 
 CLAIMS = in_order(
@@ -23,6 +24,7 @@ CLAIMS = in_order(
     EXAMPLE_SYSTEM,
     NUMERICAL_RESULTS,
     SECTION_5,
+    OUTLOOK,
     THEOREMS,
 )
 

@@ -30,7 +30,8 @@ class Claim:
     `id` is permanent: it names the row, its anchor in the report and its tests. `where` is the place in the paper as
     printed; `said` is what the paper literally says there, clause by clause, or one clause of prose with ``$LaTeX$``;
     `recorded` is the verdict that `run` compares with; `kind` says whether the statement is the paper's; `correction` is
-    the nearest true statement of a claim that does not hold. Raises LedgerError where the id is not lower-case words
+    the nearest true statement of a claim that does not hold; `open` says, sentence by sentence, what the row leaves
+    undecided beside its clauses. Raises LedgerError where the id is not lower-case words
     joined by hyphens, or an id of a clause is taken twice.
     """
 
@@ -41,6 +42,7 @@ class Claim:
     recorded: Verdict
     kind: Kind = Kind.CLAIM
     correction: tuple[Clause, ...] = ()
+    open: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse an id that could not be an anchor, and clauses of one id."""

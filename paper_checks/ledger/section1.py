@@ -60,15 +60,18 @@ SECTION_1 = (
         (
             clause(
                 "target",
-                r"For objects that are connected solely via a frictional interface there is controlled motion along a target trajectory, ",
-                kernel=("trackable",),
+                r"A controlled motion along a target trajectory,",
             ),
             clause(
                 "set-point",
-                r"or, even simpler, towards a set-point reference.",
-                kernel=("least-time", "least-time-attained"),
+                r"or (even simpler) towards a set-point reference, remains largely unexplored for the manipulation of objects that are solely connected via a frictional "
+                r"interface.",
             ),
         ),
         Verdict.HOLDS,
+        open=(
+            "That such control remains largely unexplored is a statement about the literature, which is not judged here. What is judged is what the sentence takes for granted: that there is such "
+            "control, and that a set-point is the simpler of both.",
+        ),
     ),
 )

@@ -3,11 +3,14 @@
 import sympy as sp
 
 from paper_checks.engines.deciders import equals
-from paper_checks.evidence.clause import Formula, clause
+from paper_checks.evidence.clause import Clause, Formula, clause
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
+from theory.energy import sigma
+from theory.forced import energy_rate as forced_energy_rate
+from theory.forced import forced_system, held_at_the_limit, load
 from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, driven_equation, driving_equation
-from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, u, v1, x1
+from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, t, u, v1, v2, x1
 
 SECTION = "II"
 Z, ADHESION = (
@@ -34,6 +37,23 @@ def _feedback() -> sp.Expr:
     return sp.expand(closed - given + command)
 
 
+def under_a_force() -> tuple[Clause, ...]:
+    """Return what becomes of (3), (4) under a force, where a correction says it for the free system."""
+    return (
+        clause(
+            "forced",
+            r"Under a force $u(t)$ (3)–(4) have a solution exactly if the motion of Coulomb's law from the same start has $|\Lambda|=b$ at almost no time with $\dot z=0$, where «load»; then it is that "
+            r"motion, else there is none.",
+            load=Formula(r"\Lambda", "=", m2 * (u - a1 * v1 - a2 * x1) / (m1 + m2), equals(load)),
+        ),
+        clause(
+            "none",
+            r"So there is none for $m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$ from rest at $0$ under «held».",
+            held=Formula("u", "=", 1 + 50 * t**2, equals(held_at_the_limit)),
+        ),
+    )
+
+
 SECTION_2 = (
     Claim(
         "force-as-reference-or-disturbance",
@@ -58,6 +78,28 @@ SECTION_2 = (
         ),
     ),
     Claim(
+        "free-interface",
+        SECTION,
+        "second paragraph after Fig. 2",
+        r"The interface is free of additional constraints: the second body experiences unrestricted tangential motion and no force constraints other than the normal loading caused by "
+        r"the Coulomb frictional force $f(t)$.",
+        Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "tangential",
+                r"Friction is no normal loading, nor does it cause one: it is tangential, the one force on body 2 along its motion, «force», and takes the power «power» in slip.",
+                force=Formula(r"m_2\ddot x_2", "=", b * sigma, equals(lambda: m2 * forced_system(sigma)[2])),
+                power=Formula(
+                    "P", "=", -b * sigma * (v1 - v2), equals(lambda: forced_energy_rate() - u * v1 + a1 * v1**2)
+                ),
+            ),
+            clause(
+                "bounded",
+                r"The normal load is not in the equations but in their coefficient $b$, the most that friction can be; with it body 2 changes its velocity by at most $b/m_2$ times the time.",
+            ),
+        ),
+    ),
+    Claim(
         "sgn-three-valued",
         SECTION,
         "eq. (1) and the sentence after it",
@@ -76,6 +118,7 @@ SECTION_2 = (
                 r"from every initial state there is exactly one such solution, forward in time.",
                 kernel=("well-posed",),
             ),
+            *under_a_force(),
         ),
     ),
     Claim(
@@ -108,6 +151,15 @@ SECTION_2 = (
             ),
         ),
         Verdict.HOLDS_CORRECTED,
+        correction=(
+            clause(
+                "branches",
+                r"For $\dot z\neq 0$ (3), (4) are mode (ii). For $\dot z=0$ they are mode (i) where $|\ddot x_1|<b/m_2$; where $|\ddot x_1|>b/m_2$ body 2 is left without "
+                r"acceleration, and where $|\ddot x_1|=b/m_2$ with half of it.",
+            ),
+            clause("instants", r"The free system is in these two branches at isolated instants only."),
+            *under_a_force(),
+        ),
     ),
     Claim(
         "stiction-bracket",

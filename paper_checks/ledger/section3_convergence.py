@@ -2,22 +2,22 @@
 
 import sympy as sp
 
-from paper_checks.engines.deciders import equals, fails_at
+from paper_checks.engines.deciders import equals
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.finding import Verdict
 from paper_checks.ledger.claim import Claim
+from paper_checks.ledger.letters import guard_rate
 from paper_checks.ledger.section3_sliding import width
 from theory.energy import critical_energy
-from theory.filippov import phi
+from theory.filippov import half_width, phi, transversality
 from theory.near_critical import critical_limits, rate_constant
-from theory.symbols import a2, b, m1, m2
+from theory.symbols import a2, b, m1, m2, x1
 
 SECTION = "III"
 AFTER_FIGURE = "after Fig. 3"
 HALF_PERIOD = sp.pi * sp.sqrt((m1 + m2) / a2)
 ECR = sp.Symbol("E_{cr}", positive=True)
 RATE = ECR * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
-C1, TIME, EXCESS = (sp.Symbol(name, positive=True) for name in ("c_{1}(E(0))", "t", "E(t)-E_{cr}"))
 
 
 def sharp_limit() -> Formula:
@@ -59,10 +59,22 @@ ALTERNATIVES = (
         correction=(
             clause(
                 "alternatives",
-                r"Any trajectory from $\Omega_-$ that meets $S$ enters $S_0$ and stays in it for some time, or crosses $S$ "
-                r"transversally into $\Omega_+$ at a point of $S_-$ or of $\ell_-$, or touches $S$ at a point of $\ell_+$ and goes "
+                r"Any trajectory from $\Omega_-$ that meets $S$ enters $S_0$ and stays in it for some time, or crosses $S$ at an "
+                r"isolated instant into $\Omega_+$, at a point of $S_-$ or of $\ell_-$, or touches $S$ at a point of $\ell_+$ and goes "
                 r"on in $\Omega_-$; the same holds from $\Omega_+$ with all signs exchanged.",
                 kernel=("return-alternatives", "return-alternatives-mirror", "sticks-inside", "slips-on-ray"),
+            ),
+            clause(
+                "transversal",
+                r"On $S_-$ the crossing is transversal: both fields have the sign of $-x_1$ across $S$.",
+                kernel=("transversal-beyond",),
+            ),
+            clause(
+                "tangent",
+                r"On $\ell_-$ it is not, in Filippov's sense: «tangent» there, and the slip begins with $\ddot w>0$, $w=v_1-v_2$.",
+                tangent=Formula(
+                    guard_rate(1), "=", sp.Integer(0), equals(lambda: transversality(1).subs(x1, -half_width()))
+                ),
             ),
         ),
     ),
@@ -201,9 +213,8 @@ CONVERGENCE = (
         (
             clause(
                 "bounds",
-                r"The energy of such solutions satisfies «lower» and $E(t)-E_{cr}\leqslant c_2(E(0))/t$ with "
+                r"The energy of such solutions satisfies $c_1(E(0))/t\leqslant E(t)-E_{cr}\leqslant c_2(E(0))/t$ with "
                 r"$0<c_1(E(0))<c_2(E(0))$.",
-                lower=Formula(C1 / TIME, "<=", EXCESS, fails_at({C1: 2, TIME: 1, EXCESS: 1}), false=True),
             ),
         ),
         Verdict.HOLDS_CORRECTED,

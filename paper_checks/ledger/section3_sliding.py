@@ -211,7 +211,6 @@ SLIDING = (
                 "closed",
                 r"For $E_0\leqslant E_{cr}$, «level», the intersection $\{E=E_0\}\cap S_0$ is a closed elliptic trajectory;",
                 level=Formula("E_{cr}", "=", LEVEL, equals(critical_energy)),
-                kernel=("ellipse-iff",),
             ),
             clause("open", r"for $E_0>E_{cr}$ it is not.", kernel=("ellipse-iff",)),
         ),
@@ -226,14 +225,13 @@ SLIDING = (
                 "arcs",
                 r"For $E_0>E_{cr}$ the intersection $\{E=E_0\}\cap S_0$ consists of two disjoint elliptic arcs, "
                 r"each being a part of a trajectory.",
-                kernel=("arc-to-ray", "arc-to-left-ray"),
             ),
             clause(
                 "exits",
-                r"One of these trajectories exits $S_0$ through the ray $\ell_-$ into $\Omega_+$, the other through the ray "
-                r"$\ell_+$ into $\Omega_-$.",
-                kernel=("arc-to-ray", "arc-to-left-ray", "slips-on-ray"),
+                r"One of these trajectories exits $S_0$ through the ray $\ell_-$ into $\Omega_+$,",
+                kernel=("arc-to-left-ray", "slips-on-ray"),
             ),
+            clause("other", r"the other through the ray $\ell_+$ into $\Omega_-$."),
         ),
         Verdict.HOLDS,
     ),

@@ -24,9 +24,9 @@ def meanings() -> dict[sp.Symbol, sp.Expr]:
     return {C: depth(), H: h(), R: share_of_q}
 
 
-def theorem(name: str, *clauses: Clause) -> Claim:
-    """Return a row that is ours: it is proved, or it is not there."""
-    return Claim(name, SECTION, WHERE, clauses, Verdict.HOLDS, Kind.THEOREM)
+def theorem(name: str, *clauses: Clause, open: tuple[str, ...] = ()) -> Claim:
+    """Return a row that is ours: it is proved, or it is not there; `open` says what it leaves undecided."""
+    return Claim(name, SECTION, WHERE, clauses, Verdict.HOLDS, Kind.THEOREM, open=open)
 
 
 def in_angle(left: str, right: sp.Expr, derived: Callable[[], sp.Basic]) -> Formula:

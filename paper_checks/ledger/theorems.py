@@ -6,5 +6,6 @@ from paper_checks.ledger.theorems_excursion import EXCURSIONS
 from paper_checks.ledger.theorems_forced import FORCED
 from paper_checks.ledger.theorems_merging import MERGING, SHARES
 from paper_checks.ledger.theorems_rate import LATE, RATES, UNIFORM
+from paper_checks.ledger.theorems_response import RESPONSES
 
-THEOREMS = EXCURSIONS + RATES + MERGING + SHARES + LATE + UNIFORM + FORCED + DRIVEN + CONTROL
+THEOREMS = EXCURSIONS + RATES + MERGING + SHARES + LATE + UNIFORM + FORCED + RESPONSES + DRIVEN + CONTROL

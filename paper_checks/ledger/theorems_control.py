@@ -28,7 +28,7 @@ TRACKING = theorem(
     "trackable-references",
     clause(
         "iff",
-        r"Let «place» and «speed». From a suitable start of body 1 some force makes body 2 follow the velocity $\dot x_{\mathrm{ref}}$ exactly if "
+        r"Let «place» and «speed». Under Coulomb's law, from a suitable start of body 1, some force makes body 2 follow the velocity $\dot x_{\mathrm{ref}}$ exactly if "
         r"«gentle» for all times $t_1$, $t_2$: no force gives body 2 more.",
         place=Formula(
             r"x_{\mathrm{ref}}(0)", "=", PLACE_START, equals(lambda: control.followed_start()[0], lambda: START)
@@ -48,6 +48,10 @@ TRACKING = theorem(
             sharp=True,
         ),
         kernel=("trackable", "driven-acceleration"),
+    ),
+    clause(
+        "literal",
+        r"Under (3)–(4) a pair that sticks follows exactly those references with $|\ddot x_{\mathrm{ref}}|<b/m_2$ at almost all times.",
     ),
     clause(
         "sticks",

@@ -25,6 +25,12 @@ def _gain() -> sp.Expr:
     return 1 / sp.sqrt(response.size_squared(response.slip_impedance()))
 
 
+OPEN = (
+    "That each amplitude between $U_*$ and $U_{**}$ has just one motion with two stops, and that its conditions hold on the whole branch, is not proved.",
+    "Motions that slip for ever, half a period each way, and have another period than the force are not treated for $a_1=0$.",
+)
+
+
 def _natural() -> Formula:
     """The frequency of body 1 alone without a damper."""
     return Formula(natural, "=", sp.sqrt(a2 / m1), equals(lambda: undamped(response.rates()[1])))
@@ -51,6 +57,7 @@ RESONANCE = theorem(
         r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
         limit=Formula("U_{**}", "->", 4 * b / sp.pi, equals(response.resonant_non_stop_amplitude)),
     ),
+    open=("What happens at $U_1=U_{\\mathrm{res}}$.",),
 )
 
 ENTRAINMENT = theorem(
@@ -109,9 +116,8 @@ ENTRAINMENT = theorem(
     ),
     clause(
         "non-stop",
-        r"If $\dot z$ keeps its sign between the turns at $U=U_{**}$, it does so above, and the pair has a motion that slips without a stop, one way for "
-        r"half a period and then the other way, exactly if $U\geqslant U_{**}$, «threshold». For $a_1>0$ every motion then tends to it. Below $U_{**}$ there is "
-        r"no such motion.",
+        r"Let $0<a_1^2<4m_1a_2$, or $a_1=0$ and $\omega_1$ be no odd multiple of $\omega$. If $\dot z$ keeps its sign between the turns at $U=U_{**}$, the pair has a motion that slips without a stop, one way for half a "
+        r"period, and half a period later is its own negative, exactly if $U\geqslant U_{**}$, «threshold». For $a_1>0$ every motion then tends to it.",
         threshold=Formula(
             "U_{**}^2",
             "=",
@@ -120,7 +126,15 @@ ENTRAINMENT = theorem(
             * ((sp.pi / (2 * m2 * omega) - K_RATE) ** 2 + ((MASS / m2 - a2 * K - a1 * K_RATE) / (m1 * omega)) ** 2),
             equals(response.non_stop_amplitude_squared, lambda: {GAIN: _gain(), **WAVE}),
         ),
-        kernel=("nonstop-iff", "nonstop-damped", "nonstop-attracts"),
+        kernel=("nonstop-damped", "nonstop-undamped", "nonstop-attracts"),
+    ),
+    clause(
+        "below",
+        r"Below $U_{**}$ no motion of the force's period slips for ever, one way for half a period and then the other way, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
+    ),
+    clause(
+        "over-damped",
+        r"and all that holds for $a_1^2>4m_1a_2$, too; for $a_1^2=4m_1a_2$ with the limits as $\omega_d\to 0$.",
     ),
     clause(
         "non-stop-undamped",
@@ -144,7 +158,7 @@ ENTRAINMENT = theorem(
         "two-stops",
         r"In between: let $u=U_{\sin}\sin\omega t+U_{\cos}\cos\omega t$ from an exit $(x_0,v_0)$ on, and a slip of sign 1 last for $t_s<\pi/\omega$. The conditions «exit» "
         r"at the exit, «end» at $t_s$, and $(x_1,v_1)=-(x_0,v_0)$ at $\pi/\omega$ are linear in $x_0,v_0,U_{\sin},U_{\cos}$. Their solution is a motion of amplitude "
-        r"$U=\sqrt{U_{\sin}^2+U_{\cos}^2}$ exactly if $\dot z>0$ in the slip and $|\Lambda|\leqslant b$ in the stick.",
+        r"$U=\sqrt{U_{\sin}^2+U_{\cos}^2}$ that is its own negative half a period later exactly if $\dot z>0$ in the slip and $|\Lambda|\leqslant b$ in the stick.",
         exit=Formula(
             r"U_{\cos}-a_1v_0-a_2x_0",
             "=",
@@ -176,6 +190,7 @@ ENTRAINMENT = theorem(
             equals(lambda: response.exit_speed + response.two_stop_conditions()[2] / 2),
         ),
     ),
+    open=OPEN,
 )
 
 DRIVEN = (RESONANCE, ENTRAINMENT)

@@ -51,11 +51,10 @@ EXCURSIONS = (
             r"$v_1<v_2$ (and $\nu>0$ if $d=0$), ends at the one angle $\theta=\sqrt{a/m_1}\,t\in(0,2\pi)$ with «contact», «rise».",
             contact=in_angle(r"\nu", H - gap * sp.cot(theta / 2), lambda: sp.solve(contact_condition(), push)[0]),
             rise=Formula("h", "=", (theta - sp.sin(theta)) / (1 - sp.cos(theta)), equals(h)),
-            kernel=("gap-slip",),
         ),
         clause(
             "landing",
-            r"There «gap», «push», «loss» with «depth», «share», «rest», $M=m_1+m_2$, $w=E/E_{cr}-1$.",
+            r"A slip with that $\nu$ for an angle $\theta$ ends there with «gap», «push» and «loss», where «depth», «share», «rest», $M=m_1+m_2$, $w=E/E_{cr}-1$.",
             share=Formula(q, "=", m1 / (m1 + m2), equals(lambda: to_si(q))),
             rest=Formula("r", "=", m2 / (m1 + m2), equals(lambda: to_si(r))),
             gap=in_angle("d'", -(gap + C), lambda: landing().gap),
@@ -66,7 +65,7 @@ EXCURSIONS = (
         ),
         clause(
             "stays",
-            r"From a ray it re-enters $S_0$ if $c(\theta)\leqslant c^*$, «edge», and crosses $S$ otherwise;",
+            r"From a ray a slip of the angle $\theta$ re-enters $S_0$ if $c(\theta)\leqslant c^*$, «edge», and crosses $S$ otherwise;",
             edge=Formula("c^*", "=", 2 / q, equals(_crossing_depth)),
             kernel=("re-entry", "ray-crossing"),
         ),

@@ -1,4 +1,4 @@
-"""Past the paper, under a force u(t): which mode follows, that events do not accumulate, and that motions approach."""
+"""Past the paper, under a force u(t): which mode follows, that events do not accumulate, the distance of two motions."""
 
 from __future__ import annotations
 
@@ -13,8 +13,7 @@ from paper_checks.ledger.theorem import theorem
 from theory import forced
 from theory.energy import sigma, sigma_other
 from theory.forced import U_RATES
-from theory.forced_response import rates
-from theory.symbols import a1, a2, b, m1, m2, t, u, undamped, v1, v1_other, v2, v2_other, x1, x1_other
+from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v1_other, v2, v2_other, x1, x1_other
 
 LOAD = sp.Symbol("Lambda", real=True)
 P = sp.Symbol("p", real=True)
@@ -24,8 +23,6 @@ BESIDE: dict[sp.Symbol, Callable[[int], sp.Expr]] = {
     ETA: lambda _: forced.gap,
     ETA_RATE: lambda _: forced.gap_rate,
 }
-AHEAD, NATURAL = sp.Symbol("beta", real=True), sp.Symbol("omega_1", positive=True)
-"""What both velocities of one pair are ahead of those of another, and the frequency of body 1 alone."""
 DISTANCE = sp.Symbol("N", nonnegative=True)
 MASS = m1 + m2
 
@@ -64,7 +61,7 @@ RULE = theorem(
     ),
     clause(
         "tie",
-        r"Where $\Lambda=sb$, the first of $s\dot p,s\ddot p,sp^{(3)},\ldots$ that is not zero decides: slip of sign $s$ if it is positive, stick if "
+        r"Where $\Lambda=sb$ and $u$ is smooth from there on, the first of $s\dot p,s\ddot p,sp^{(3)},\ldots$ that is not zero decides: slip of sign $s$ if it is positive, stick if "
         r"negative. Here «first», «second», «third», and $p^{(k)}=u^{(k)}$ from then on.",
         first=Formula(r"\dot p", "=", U_RATES[0] - a2 * v1 - S * a1 * b / m2, either_sign(tie(1))),
         second=Formula(r"\ddot p", "=", U_RATES[1] - S * a2 * b / m2, either_sign(tie(2))),
@@ -124,9 +121,8 @@ CONTRACTION = theorem(
         kernel=("forced-energy-rate",),
     ),
     clause(
-        "distance",
-        r"Two solutions under one force, the second with tildes, have «squared» and "
-        r"«rate» $\leqslant 0$: their distance never grows.",
+        "rate",
+        r"Two solutions under one force, the second with tildes, have «squared» and «rate» $\leqslant 0$,",
         squared=Formula(
             DISTANCE**2,
             "=",
@@ -139,8 +135,8 @@ CONTRACTION = theorem(
             -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
             equals(forced.contraction_rate),
         ),
-        kernel=("forced-contraction",),
     ),
+    clause("distance", r"so their distance $N$ never grows.", kernel=("forced-contraction",)),
     clause(
         "unique",
         r"For every force with a continuous impulse $\int u\,dt$ there is one solution from every start.",
@@ -148,59 +144,27 @@ CONTRACTION = theorem(
     ),
     clause(
         "forces",
-        r"Under two forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|\,ds$, as «speed».",
+        r"Under two forces that are continuous but for jumps $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|\,ds$, as «speed».",
         speed=Formula(
             m1 * (v1 - v1_other) ** 2,
             "<=",
             DISTANCE**2,
             implied(where=_quotable),
         ),
-        kernel=("input-to-state",),
+        kernel=("varying-input-to-state",),
     ),
     clause(
         "interface",
-        r"With a friction $b(t)>0$ that is constant by pieces in time there is one solution from every start, too, and the distance of two never grows.",
+        r"With a friction $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every start, too, and the distance of two never grows.",
         kernel=("varying-contraction", "varying-well-posed"),
     ),
     clause(
         "interface-rates",
-        r"Both rates and the bound under two forces then hold with $b(t)$ in the place of $b$.",
-        kernel=("varying-energy-rate", "varying-contraction", "varying-input-to-state"),
+        r"The rate of the energy and the bound under two forces then hold with $b(t)$ in the place of $b$,",
+        kernel=("varying-energy-rate", "varying-input-to-state"),
     ),
+    clause("interface-contraction", r"and so does the rate of $N^2$;"),
+    clause("interface-for-ever", r"all of it where there are finitely many pieces in every bounded time, without end."),
 )
 
-RESPONSE = theorem(
-    "forced-periodic-response",
-    clause(
-        "one",
-        r"Let $u$ be bounded with the period $T$ and $a_1>0$. Exactly one motion of $(x_1,v_1,v_2)$ has this period, and every motion tends "
-        r"to it.",
-        kernel=("periodic-response",),
-    ),
-    clause(
-        "drift",
-        r"In one period body 2 moves on by $\int_0^T v_2\,dt$ of that motion; by nothing if $u(t+T/2)=-u(t)$.",
-        kernel=("drift", "no-drift"),
-    ),
-    clause(
-        "undamped",
-        r"Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant before which $|\Lambda|<b$, slip for a time $t_s$ and "
-        r"have $\omega_1t_s\notin 2\pi\mathbb Z$, «natural». Then every motion tends to it. For what keeps its distance from it "
-        r"differs in that slip by «place» and «relative» at the time $t$ after the exit, $\beta$ being the lead of both velocities at it, and both pairs have $\dot z=0$ at $t=t_s$.",
-        natural=Formula(NATURAL, "=", sp.sqrt(a2 / m1), equals(lambda: undamped(rates()[1]))),
-        place=Formula(
-            r"x_1-\tilde x_1",
-            "=",
-            AHEAD / NATURAL * sp.sin(NATURAL * t),
-            equals(lambda: forced.undamped_difference()[0], lambda: {AHEAD: forced.velocity_gap}),
-        ),
-        relative=Formula(
-            r"\dot z-\dot{\tilde z}",
-            "=",
-            AHEAD * (sp.cos(NATURAL * t) - 1),
-            equals(lambda: forced.undamped_difference()[1], lambda: {AHEAD: forced.velocity_gap}),
-        ),
-    ),
-)
-
-FORCED = (RULE, NO_ZENO, CONTRACTION, RESPONSE)
+FORCED = (RULE, NO_ZENO, CONTRACTION)

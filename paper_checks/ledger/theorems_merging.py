@@ -54,19 +54,25 @@ MERGING = (
         "merging-set",
         clause(
             "interval",
-            r"Let $r=m_2/M$ exceed $r^*$ of critical-mass-ratio. Then $h(\theta)=\sqrt r\,c(\theta)$ has exactly two roots "
-            r"$\theta_a<\theta_b$ in $(0,2\pi)$, and a trajectory from $S_0$ above $E_{cr}$ merges where it first meets $S$ after it "
-            r"left $S_0$ exactly if $w_a\leqslant w\leqslant w_b$, $w_{a,b}=w(\theta_{a,b})$: a slip from a ray leads from «before» to "
-            r"«after».",
-            before=in_angle("w", q * H**2, lambda: q * return_map_of_angle()[0]),
-            after=in_angle("w'", q * (H**2 - R * C**2), lambda: q * return_map_of_angle()[1]),
+            r"Let $r=m_2/M$ exceed $r^*$ of critical-mass-ratio. There are $0<w_a<w_b$ such that a trajectory from $S_0$ with $w=E/E_{cr}-1>0$ merges where it first meets "
+            r"$S$ after it left $S_0$ exactly if $w_a\leqslant w\leqslant w_b$.",
             kernel=("merging-set-first-slip",),
         ),
         clause(
+            "roots",
+            r"They are $w_{a,b}=w(\theta_{a,b})$ with the two roots $\theta_a<\theta_b$ in $(0,2\pi)$ of $h(\theta)=\sqrt r\,c(\theta)$, which has no others: a slip from a ray leads "
+            r"from «before» to «after».",
+            before=in_angle("w", q * H**2, lambda: q * return_map_of_angle()[0]),
+            after=in_angle("w'", q * (H**2 - R * C**2), lambda: q * return_map_of_angle()[1]),
+        ),
+        clause(
             "crossings",
-            r"Where it crosses $S$ instead, once or more often, its first re-entry of $S_0$ is above $E_{cr}$: so at the first "
-            r"re-entry, after any number of crossings, the same interval merges, and no other energy.",
+            r"At the first re-entry of $S_0$, after any number of crossings of $S$, just one interval of energies merges, too;",
             kernel=("merging-set",),
+        ),
+        clause(
+            "same",
+            r"and it is the same one: where a trajectory crosses $S$, once or more often, its first re-entry is above $E_{cr}$.",
         ),
         clause("below", r"Below $w_a$ it never merges."),
         clause(
@@ -103,10 +109,10 @@ MERGING = (
         ),
         clause(
             "lighter",
-            r"If $m_1/m_2<\mu^*$, an interval of energies on $S_0$ merges where the pair first meets $S$ after it left $S_0$; if they "
-            r"are equal, just one energy does.",
+            r"If $m_1/m_2<\mu^*$, an interval of energies on $S_0$ merges where the pair first meets $S$ after it left $S_0$, and some energy does if they are equal:",
             kernel=("merging-set-first-slip",),
         ),
+        clause("equal", r"then just one."),
     ),
 )
 
@@ -120,6 +126,9 @@ SHARES = (
             first=_bands(Fraction(3, 5)),
             second=_bands(Fraction(7, 10)),
             third=_bands(Fraction(4, 5)),
+        ),
+        open=(
+            r"That there are infinitely many bands for every $r>r^*$, equally spaced in $\sqrt w$ in the limit, is seen in numbers and not proved.",
         ),
     ),
     theorem(

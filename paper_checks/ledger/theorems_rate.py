@@ -132,6 +132,9 @@ UNIFORM = (
             lower=Formula("R_n", ">=", -sp.Rational(9, 20) * (first_excess + sp.sqrt(first_excess)) / R, _of_error),
             upper=Formula("R_n", "<=", (5 * first_excess + sp.sqrt(first_excess) / 10) / R, _of_error),
         ),
+        open=(
+            "Whether the factor $1/r$ of these bounds is needed: in the numbers that were tried $R_n$ stays small for small $r$, too.",
+        ),
     ),
     theorem(
         "uniform-rate",

@@ -54,9 +54,13 @@ TRANSFER = theorem(
     ),
     clause(
         "least",
-        r"From rest to rest over $D>0$ it takes at least «time», and that is attained by a pair that sticks at the limit.",
+        r"From rest to rest over $D>0$ it takes at least «time», and under Coulomb's law that is attained by a pair that sticks at the limit, $|\Lambda|=b$.",
         time=Formula("T", "=", 2 * sp.sqrt(m2 * path / b), equals(control.least_time)),
         kernel=("least-time", "least-time-attained"),
+    ),
+    clause(
+        "literal",
+        r"(3)–(4) do not have that motion (sgn-three-valued); under them a stuck pair does it in every longer time.",
     ),
     clause(
         "stuck",
@@ -87,7 +91,7 @@ TRANSFER = theorem(
         "slip",
         r"With slip less will do to arrive. Let «half», and let $g$, the place of body 1 on its spring and damper after a unit "
         r"impulse, not fall on $[0,t_{1/2}]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time $2t_{1/2}$ under some $|u|\leqslant U$ exactly if "
-        r"$U\geqslant U_{\min}$, «least» with $g=g(t_{1/2})$. Body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
+        r"$U\geqslant U_{\min}$, «least» with $g=g(t_{1/2})$. Under Coulomb's law body 1 is at rest then, too, if the pair may stick at the limit through the second half under such a force.",
         half=Formula(HALF, "=", sp.sqrt(m2 * path / b), equals(lambda: control.least_time() / 2)),
         least=Formula(
             r"U_{\min}",
@@ -112,7 +116,7 @@ TRANSFER = theorem(
         "weak",
         r"For a weak force, $a_1=0$, «weak» and «held», «share», nothing breaks the stuck pair in time, and from rest at $x_1=0$ to rest "
         r"at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first angle, $-U$ over the "
-        r"second. What lies between is open.",
+        r"second.",
         weak=Formula(
             3 * strength,
             "<=",
@@ -142,5 +146,8 @@ TRANSFER = theorem(
             (1 + PART / 2 + PART**2 / 4) / (1 + PART),
             equals(lambda: sp.cos(control.switching()[1]), lambda: {PART: control.reduced}),
         ),
+    ),
+    open=(
+        "The least time of a transfer for forces between the weak ones and those that attain the bound, and for weak forces with $a_2D>U$ or with a damper.",
     ),
 )

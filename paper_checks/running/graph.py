@@ -23,6 +23,13 @@ class Proof:
     steps: tuple[Evidence, ...]
     kernel: tuple[Evidence, ...]
     bindings: tuple[Evidence, ...]
+    quoted: bool = False
+    """Whether it is what the paper says where a counterexample stands against it: then nothing has to carry it."""
+
+    @property
+    def counts(self) -> bool:
+        """Whether the verdict stands on it: all but what is merely quoted, and even that where steps carry it."""
+        return bool(self.steps or self.kernel) or not self.quoted
 
     @property
     def by_kernel(self) -> bool:
@@ -62,7 +69,8 @@ def proofs(claim: Claim, finding: Finding) -> tuple[Proof, ...]:
         steps = named.get(clause.id) or _by_reason(finding, about, used)
         theorems = tuple(kernel.step(name) for name in clause.kernel)
         bindings = tuple(formula.evidence() for formula in clause.formulas.values())
-        found.append(Proof(clause, about, steps, theorems, tuple(_about(one, about) for one in bindings)))
+        quoted = about is Subject.CLAIM and finding.counterexample is not None
+        found.append(Proof(clause, about, steps, theorems, tuple(_about(one, about) for one in bindings), quoted))
     return tuple(found)
 
 
@@ -93,22 +101,42 @@ def _by_reason(finding: Finding, about: Subject, used: set[Evidence]) -> tuple[E
 
 
 def judged(finding: Finding, found: Sequence[Proof]) -> Finding:
-    """Return the finding, turned where a formula of a clause is not what was checked, or the kernel refused a theorem."""
+    """Return the finding, turned where a formula of a clause is not what was checked, the kernel refused a theorem, or
+    a clause is carried by nothing: unchecked where the kernel was to carry it and was not run, else undecided.
+    """
     bindings = tuple(one for proof in found for one in proof.bindings)
     refused = tuple(step for proof in found for step in closure(proof.kernel) if step.passed is False)
     evidence = closure((*bindings, *finding.evidence)) if bindings else finding.evidence
     failed = next((item for item in (*bindings, *refused) if item.passed is not True), None)
-    if finding.verdict not in SETTLED or failed is None:
+    if finding.verdict not in SETTLED:
         return replace(finding, evidence=evidence) if bindings else finding
+    if failed is None:
+        return _where_open(replace(finding, evidence=evidence) if bindings else finding, found)
     text = f"{failed.statement}: {failed.value}" if failed.kind is EvidenceKind.KERNEL else failed.statement
     reason = f"Not carried by its evidence: it did not pass: {text}"
     return replace(finding, verdict=Verdict.UNDECIDED, evidence=evidence, reason=reason, missing=text)
 
 
+def open_clauses(found: Sequence[Proof]) -> tuple[Proof, ...]:
+    """Return the clauses that the verdict stands on and that nothing establishes."""
+    return tuple(proof for proof in found if proof.counts and proof.established_by is None)
+
+
+def _where_open(finding: Finding, found: Sequence[Proof]) -> Finding:
+    left = open_clauses(found)
+    if not left:
+        return finding
+    names = ", ".join(proof.clause.id for proof in left)
+    waiting = all(proof.kernel_status == kernel.NOT_RUN for proof in left)
+    verdict = Verdict.UNCHECKED if waiting else Verdict.UNDECIDED
+    missing = f"the proof kernel, which alone proves {names}" if waiting else f"steps that carry {names}"
+    reason = f"Not settled: nothing that was run carries {names}. {finding.reason}"
+    return replace(finding, verdict=verdict, reason=reason, missing=missing)
+
+
 def established_by(found: Sequence[Proof]) -> EvidenceKind | None:
     """Return the weakest kind of step that a row needs: a chain of clauses is as strong as its weakest one."""
-    needed = [proof for proof in found if proof.steps or proof.kernel]
-    kinds = [proof.established_by for proof in needed]
+    kinds = [proof.established_by for proof in found if proof.counts]
     if not kinds or None in kinds:
         return None
     return min((kind for kind in kinds if kind), key=lambda kind: kind.strength)

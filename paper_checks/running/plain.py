@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
 from paper_checks.evidence.finding import Finding
 from paper_checks.ledger import Claim
 from paper_checks.running.graph import SETTLED, Proof, clauses
@@ -39,7 +39,9 @@ def row(claim: Claim, found: Plain) -> Row:
     if found.claim != claim.id:
         raise ValueError(f"the row of {found.claim} is not one of {claim.id}")
     of_clauses = clauses(claim, found.finding) if found.proofs else ()
+    fails = found.finding.counterexample is not None
     proofs = tuple(
-        Proof(clause, about, *parts) for (clause, about), parts in zip(of_clauses, found.proofs, strict=True)
+        Proof(clause, about, *parts, quoted=fails and about is Subject.CLAIM)
+        for (clause, about), parts in zip(of_clauses, found.proofs, strict=True)
     )
     return Row(claim, found.finding, found.seconds, proofs)

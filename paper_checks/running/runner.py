@@ -12,7 +12,7 @@ from paper_checks.errors import ToolMissingError
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger import Claim
-from paper_checks.running.graph import SETTLED, Proof, established_by, judged, kernel_status, proofs
+from paper_checks.running.graph import SETTLED, Proof, established_by, judged, kernel_status, open_clauses, proofs
 
 
 @dataclass(frozen=True)
@@ -34,6 +34,12 @@ class Row:
     def kernel(self) -> str | None:
         """The proof kernel's part: proved, not run, failed; None where no theorem of it is named."""
         return kernel_status(self.proofs)
+
+    @property
+    def open(self) -> tuple[str, ...]:
+        """What the row leaves open, sentence by sentence: what the ledger names, and clauses that nothing establishes."""
+        left = (f"The clause `{proof.clause.id}` is not established." for proof in open_clauses(self.proofs))
+        return (*self.claim.open, *left)
 
     @property
     def as_recorded(self) -> bool:

@@ -160,6 +160,35 @@ def non_stop() -> Evidence:
 
 
 @cache
+def below_non_stop() -> Evidence:
+    """Whatever slips for ever with the period of the force makes a motion that is its own negative half a period later."""
+    return argument(
+        r"Let a motion of the period $T=2\pi/\omega$ have $\dot z>0$ for half a period and $\dot z<0$ for the other. Its friction is the square wave, so half of the difference between it and itself half a period later "
+        r"has the same friction and, as $u(t+T/2)=-u(t)$, the same force; its relative velocity keeps the sign, and it is its own negative half a period later. At its turn $\Lambda\geqslant b$, which needs "
+        r"$U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$.",
+        square_wave(),
+        non_stop(),
+    )
+
+
+@cache
+def over_damped() -> Evidence:
+    """The closed forms hold for a body 1 that does not oscillate."""
+    nu = sp.Symbol("nu", positive=True)
+    return argument(
+        r"The steps are identities in $\lambda$ and $\omega_d$, so they hold for $\omega_d=i\nu$, where $\cos$ and $\frac{1}{\omega_d}\sin$ become $\cosh$ and $\frac1\nu\sinh$: real, and all terms of "
+        r"$1-\delta^2+2\delta\frac\lambda\nu\sinh\frac{\pi\nu}{\omega}$ and $1+2\delta\cosh\frac{\pi\nu}{\omega}+\delta^2$ positive. At $\omega_d=0$ they have limits, to which the conditions tend.",
+        identity(
+            r"$\cos(i\nu)=\cosh\nu$ and $\sin(i\nu)/(i\nu)=\sinh(\nu)/\nu$",
+            sp.Matrix([sp.cos(sp.I * nu) - sp.cosh(nu), sp.sin(sp.I * nu) / (sp.I * nu) - sp.sinh(nu) / nu]),
+            sp.zeros(2, 1),
+        ),
+        non_stop(),
+        below_non_stop(),
+    )
+
+
+@cache
 def undamped_non_stop() -> Evidence:
     """The square wave's response without a damper."""
     place, speed = (one.subs(decayed, 1).subs(decline, 0) for one in response.square_wave())

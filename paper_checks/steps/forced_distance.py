@@ -11,7 +11,7 @@ from paper_checks.evidence.evidence import Evidence, argument
 from paper_checks.solvers.smt import prove
 from paper_checks.steps import solutions
 from theory import forced
-from theory.energy import contraction_rate, energy, sigma
+from theory.energy import contraction_rate, energy, sigma, sigma_other
 from theory.model import slip, stick
 from theory.symbols import a1, b, m1, u, v1, v1_other, v2, v2_other, x1_other
 
@@ -90,6 +90,49 @@ def forces_apart() -> Evidence:
             [],
             sp.Le(m1 * (v1 - letters[v1_other]) ** 2, squared, evaluate=False),
         ),
+    )
+
+
+@cache
+def friction_of_the_state() -> Evidence:
+    """A friction that depends on place or speed: what the distance of two motions gains."""
+    larger, smaller, slope = sp.symbols("w k l", positive=True)
+    strong, weak = sp.symbols("b c", positive=True)
+    shares = b * sigma - forced.b_other * sigma_other
+    return argument(
+        r"$b\sigma-\tilde b\tilde\sigma=b(\sigma-\tilde\sigma)+(b-\tilde b)\tilde\sigma$: the first part is that of one friction, the second gains at most $|b-\tilde b|\,|\dot z-\dot{\tilde z}|$, with "
+        r"$a_2(x_1-\tilde x_1)^2\leqslant N^2$ and $(\dot z-\dot{\tilde z})^2\leqslant\kappa N^2$. A friction $F(\dot z)=b(|\dot z|)\,\sigma$ that falls by at most $\ell$ times the speed has "
+        r"$(F-\tilde F)(\dot z-\dot{\tilde z})\geqslant-\ell(\dot z-\dot{\tilde z})^2$. Gronwall's inequality bounds $N$, or $N^2+(z-\tilde z)^2$ where $b$ depends on $z$, so a start has one motion; there is one by Filippov's theorem.",
+        identity(
+            r"$b\sigma-\tilde b\tilde\sigma$ in these two parts",
+            shares,
+            b * (sigma - sigma_other) + (b - forced.b_other) * sigma_other,
+        ),
+        prove(
+            r"for two slips of one sign, $w>k>0$, whose friction falls by at most $l(w-k)$: $(b-c)(w-k)\geqslant-l(w-k)^2$",
+            [sp.Gt(larger, smaller), sp.Ge(strong, weak - slope * (larger - smaller), evaluate=False)],
+            sp.Ge((strong - weak) * (larger - smaller), -slope * (larger - smaller) ** 2, evaluate=False),
+        ),
+        solutions.never_apart(),
+        cites=("Filippov's theorem on existence", "Gronwall's inequality"),
+    )
+
+
+@cache
+def braked() -> Evidence:
+    """What stays above a least friction brakes: the relative velocity tends to 0."""
+    return argument(
+        r"$b_{\min}\int|\dot z|\,dt\leqslant E(0)$ for $u=0$, so the path of $z$ is finite; $\ddot z$ is bounded, as $E$ and $b$ are: $\dot z\to 0$.",
+        energy_rate(),
+    )
+
+
+@cache
+def pieces_without_end() -> Evidence:
+    """What holds up to each time holds for ever."""
+    return argument(
+        r"Up to any time there are finitely many pieces, and one motion. That up to a later time is, up to the earlier one, the same: together they are one motion for all times, and rates and bounds hold at each.",
+        friction_in_time(),
     )
 
 

@@ -71,14 +71,15 @@ def drift() -> Evidence:
 
 @cache
 def undamped_attraction() -> Evidence:
-    """Without a damper one stick exit with a slip after it is enough."""
+    """Without a damper one stick exit with a slip after it is enough, where the force is continuous at that exit."""
     place, relative = forced.undamped_difference()
     frequency = sp.Symbol("omega_1", positive=True)
     return argument(
         r"Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one moved by periods: $N(\zeta-\eta_*)$ is constant, so at almost every time both have the same $\dot z$ or the same friction. While $\eta_*$ sticks with "
-        r"$|\Lambda_*|<b$ then $\zeta$ sticks; while $\eta_*$ slips $\zeta$ has its friction. So at the exit of $\eta_*$ the load of $\zeta$, too, is $sb$, hence $x_1=\tilde x_1$, and both velocities differ by one $\beta$. "
-        r"In the slip $v_2-\tilde v_2=\beta$ and $v_1-\tilde v_1=\beta\cos\omega_1t$. At its end $\dot z_*=0$; friction of $\eta_*$ changes there, so that of $\zeta$ does, which needs $\dot z=0$. So $\beta(\cos\omega_1t_s-1)=0$, "
-        r"$\beta=0$, and $\zeta=\eta_*$.",
+        r"$|\Lambda_*|<b$ then $\zeta$ sticks; while $\eta_*$ slips $\zeta$ has its friction $sb$. At the exit both loads are continuous, as $u$ is. Before it neither is beyond $b$; after it both have friction $sb$ and $s\dot z\geqslant 0$, so "
+        r"neither is within. So both loads are $sb$ there, hence $x_1=\tilde x_1$, and both velocities differ by one $\beta$. In the slip $v_2-\tilde v_2=\beta$ and $v_1-\tilde v_1=\beta\cos\omega_1t$. At its end $\dot z_*=0$. At times "
+        r"after it, as close to it as one likes, friction of $\eta_*$ is not $sb$; then $\zeta$ has the same friction or the same $\dot z$, either way $s\dot z\leqslant 0$. So $\dot z=0$ for $\zeta$ at that end, too, hence "
+        r"$\beta(\cos\omega_1t_s-1)=0$, $\beta=0$, and $\zeta=\eta_*$.",
         identity(
             r"the difference starts as $0$ with the rate $\beta$, and $\dot z-\dot{\tilde z}$ vanishes with $\beta$ or $\cos\omega_1t=1$",
             sp.Matrix([place.subs(t, 0), sp.diff(place, t).subs(t, 0), relative]),

@@ -12,7 +12,7 @@ from paper_checks.ledger import Kind
 from paper_checks.report.content import notation
 from paper_checks.report.content.blocks import Block, Paragraph, Picture, Section, Table
 from paper_checks.report.content.highlights import HIGHLIGHTS
-from paper_checks.report.content.phrases import first_sentence, is_new_theorem
+from paper_checks.report.content.phrases import first_sentence
 from paper_checks.running.runner import Row
 
 ID, TITLE = "found", "What was found"
@@ -22,11 +22,9 @@ MODEL = (
 )
 LAW = (
     "All verdicts are under Coulomb's law, with the whole interval $[-b,b]$ as friction while the bodies stick (Filippov's reading). "
-    "For $u=0$ that is the paper's system (3), (4). Section IV goes on with (11), (12), which leave the limit $b$ out: where they "
+    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no motion where a stuck pair stays at the limit $b$ (`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they "
     "allow another motion, the row says so."
 )
-OPEN = "not proved here"
-"""What the reason of a row says of a part that it leaves open."""
 STRENGTHS = {
     "a theorem of the proof kernel": (EvidenceKind.KERNEL,),
     "checked by solvers, exact algebra or enclosures": (EvidenceKind.SMT, EvidenceKind.EXACT, EvidenceKind.ENCLOSURE),
@@ -63,19 +61,19 @@ def counts(rows: Sequence[Row]) -> str:
         else ""
     )
     missing = sum(theorems.values()) - proved
-    past = (
-        f"Past the paper {proved} {'theorem is' if proved == 1 else 'theorems are'} proved here{_open_parts(rows)}."
-        if proved
+    past = f"Past the paper {proved} {'theorem is' if proved == 1 else 'theorems are'} proved here." if proved else ""
+    still = f"{missing} more {'is' if missing == 1 else 'are'} not settled." if missing else ""
+    return " ".join(filter(None, [of_claims, past, still, open_parts(rows)]))
+
+
+def open_parts(rows: Sequence[Row]) -> str:
+    """Say how many of the rows leave a part open; nothing where none does."""
+    some = sum(bool(row.open) for row in rows)
+    return (
+        f"{some} {'row leaves' if some == 1 else 'rows leave'} a part open, and {'says' if some == 1 else 'say'} which."
+        if some
         else ""
     )
-    still = f"{missing} more {'is' if missing == 1 else 'are'} not settled." if missing else ""
-    return " ".join(filter(None, [of_claims, past, still]))
-
-
-def _open_parts(rows: Sequence[Row]) -> str:
-    """Say how many of the proved theorems have a part that their reason calls not proved."""
-    some = sum(OPEN in row.finding.reason for row in rows if is_new_theorem(row))
-    return f"; {some} of them {'leaves' if some == 1 else 'leave'} a part open, and the row says which" if some else ""
 
 
 def strengths(rows: Sequence[Row]) -> str:

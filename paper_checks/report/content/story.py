@@ -38,6 +38,7 @@ def _story(row: Row, elsewhere: Collection[str]) -> Iterator[Block]:
         "Missing for a proof": finding.missing,
     }
     yield from (Labelled(label, text) for label, text in texts.items() if text)
+    yield from (Labelled("Open", text) for text in row.open)
     yield from _picture(row, elsewhere)
     if symbols := notation.used([row.claim.statement, *filter(None, texts.values())]):
         yield Symbols(symbols)

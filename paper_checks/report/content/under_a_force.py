@@ -19,6 +19,7 @@ from numerics.scene import Pair
 from numerics.scene.file import load_reference, load_scene
 from paper_checks.drawing import under_a_force as drawing
 from paper_checks.drawing.captions import caption
+from paper_checks.drawing.jumping_force import jumping_force
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.engines.enclosure import rounded
 from paper_checks.ledger import claim_named
@@ -36,7 +37,7 @@ SPEED = sp.Rational("0.03")
 
 def section() -> Section:
     """Return the whole chapter."""
-    parts = (_model, _regimes, _resonance, _tracking, _transfer, _ring, _drift, _damping, _open)
+    parts = (_model, _regimes, _resonance, _tracking, _transfer, _ring, _drift, _jump, _damping, _open)
     return Section(ID, TITLE, tuple(block for part in parts for block in part()))
 
 
@@ -52,7 +53,7 @@ PICTURED = {
     "minimum-transfer-time": ("fastest-transfer", "the-fastest-transfer"),
     "tolerance-ring": ("tolerance-ring-of-a-scene", "the-ring"),
     "ring-of-tolerance": ("tolerance-ring-of-a-scene", "the-ring"),
-    "forced-periodic-response": ("drift-against-asymmetry", "drift-of-body-2"),
+    "forced-periodic-response": ("jumping-force", "a-force-that-jumps"),
 }
 """By a row's id: the figure of it that the chapter shows, and the anchor under which it does."""
 DRAWINGS: Figures = {
@@ -62,6 +63,7 @@ DRAWINGS: Figures = {
     "fastest-transfer": drawing.transfer,
     "tolerance-ring-of-a-scene": drawing.tolerance_ring,
     "drift-against-asymmetry": drawing.drift_against_asymmetry,
+    "jumping-force": jumping_force,
 }
 
 
@@ -200,6 +202,16 @@ def _drift() -> Iterator[Block]:
     yield _picture("drift-against-asymmetry")
 
 
+def _jump() -> Iterator[Block]:
+    yield Heading("A force that jumps", "a-force-that-jumps")
+    yield Paragraph(
+        "Without a damper one slip of the right length after an exit from stick makes a periodic motion attract all others, if the force is continuous at that exit "
+        "(`forced-periodic-response`). Where it jumps there, all motions of a whole family may slip and stick at the same times, and none attracts another. Two of them keep the distance"
+        + _formula("forced-periodic-response", "jump", "apart")
+    )
+    yield _picture("jumping-force")
+
+
 def _damping() -> Iterator[Block]:
     edge = breaking_damping().subs(_of(drawing.PAIR)).subs(v1, SPEED)
     yield Heading("More damping is not always better")
@@ -212,11 +224,11 @@ def _damping() -> Iterator[Block]:
 
 def _open() -> Iterator[Block]:
     yield Heading("What is open")
-    yield Points(
-        (
-            "What happens at resonance if the force has exactly $4b/\\pi$ there.",
-            "Whether each amplitude between both thresholds has just one motion with two stops, and whether its conditions hold for all of them.",
-            "The least time of a transfer between the weak forces and those that attain the bound.",
-            "An interface whose friction depends on the place: two motions may move apart then (`varying-interface`).",
-        )
+    rows = (
+        "forced-resonance-bound",
+        "entrainment-threshold",
+        "minimum-transfer-time",
+        "damping-for-tracking",
+        "varying-interface",
     )
+    yield Points(tuple(f"{text} (`{name}`)" for name in rows for text in claim_named(name).open))

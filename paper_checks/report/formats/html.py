@@ -90,9 +90,19 @@ def _filters(rows: Sequence[Row]) -> str:
         + _select("section", "Section", [(name, section_title(name)) for name in sections(rows)])
         + _select("verdict", "Verdict", [(name, name) for name in verdicts])
         + _select("step", "Weakest step", [(name, name) for name in steps])
+        + _select("open", "Open part", [("some", "some"), ("none", "none")])
         + '<button type="button" id="open-all">Open all</button>\n'
-        + '<output id="shown" for="filter-section filter-verdict filter-step"></output>\n</form>'
+        + '<output id="shown" for="filter-section filter-verdict filter-step filter-open"></output>\n</form>'
     )
+
+
+CHIP = '<br><span class="badge open">part open</span>'
+"""What a row that leaves a part open is marked with."""
+
+
+def _openness(row: Row) -> str:
+    """Return whether a row leaves a part open, as the filter calls it."""
+    return "some" if row.open else "none"
 
 
 def _weakest(row: Row) -> str:
@@ -115,9 +125,9 @@ def _row(row: Row, report: Document, writer: HtmlWriter) -> str:
     claim, finding = row.claim, row.finding
     return (
         f'<tbody id="{claim.id}" data-section="{escape(claim.section)}" data-verdict="{finding.verdict.value}" '
-        f'data-step="{_weakest(row)}">\n'
+        f'data-step="{_weakest(row)}" data-open="{_openness(row)}">\n'
         f'<tr><th scope="row">{writer.text(claim.statement)} <small>{writer.text(place(claim))}</small></th>'
-        f"<td>{badge(finding.verdict)}<br><small>{kind(row)}</small></td>"
+        f"<td>{badge(finding.verdict)}<br><small>{kind(row)}</small>{CHIP if row.open else ''}</td>"
         f"<td>{writer.text(first_sentence(finding.reason))}</td></tr>\n"
         f'<tr><td colspan="3"><details><summary><code>{claim.id}</code>: why, and how it was checked</summary>\n'
         f"{writer.body(report.stories[claim.id], claim.id)}</details></td></tr>\n</tbody>"

@@ -57,6 +57,7 @@ def _row(row: Row) -> dict[str, Any]:
         "corrected": finding.corrected,
         "counterexample": finding.counterexample,
         "missing": finding.missing,
+        "open": list(row.open),
         "clauses": [_clause(proof, names) for proof in row.proofs],
         "evidence": [_evidence(item) for item in finding.evidence],
     }

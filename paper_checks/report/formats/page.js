@@ -1,5 +1,5 @@
 const claims = [...document.querySelectorAll(".claims > tbody")];
-const filters = ["section", "verdict", "step"].map((name) => [name, document.getElementById(`filter-${name}`)]);
+const filters = ["section", "verdict", "step", "open"].map((name) => [name, document.getElementById(`filter-${name}`)]);
 const behind = (claim) => claim.querySelector("details");
 
 function filter() {

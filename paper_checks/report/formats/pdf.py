@@ -42,7 +42,7 @@ PREAMBLE = """#set document(title: "{title}", date: none)
 def source(report: Document, figures: Mapping[str, str]) -> str:
     """Return the typst source. `figures` maps a figure's name to its file beside the source."""
     writer = TypstWriter(figures, report.anchors)
-    size, height, scale = ("9pt", "52mm", "0.6") if report.rows else ("8.3pt", "42mm", "0")  # in short: two pages
+    size, height, scale = ("9pt", "52mm", "0.6") if report.rows else ("7.8pt", "40mm", "0")  # in short: two pages
     title = report.title.replace('"', "'")
     preamble = (
         PREAMBLE.replace("{title}", title).replace("{size}", size).replace("{height}", height).replace("{scale}", scale)

@@ -46,6 +46,8 @@ def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) ->
         _say(console, why)
     counts = Counter(row.finding.verdict for row in rows)
     _say(console, ", ".join(f"{counts[verdict]} {verdict.value}" for verdict in Verdict if counts[verdict]))
+    if len(rows) > 1 and (some := [row.claim.id for row in rows if row.open]):
+        _say(console, f"a part is open in {len(some)}: {', '.join(some)}")
 
 
 def _no_kernel(rows: Sequence[Row]) -> str:
@@ -118,9 +120,11 @@ def _print_story(console: Console, row: Row) -> None:
     for title, text in texts.items():
         if text:
             _say(console, f"{title}: {plain(text)}")
+    for text in row.open:
+        _say(console, f"Open: {plain(text)}")
     _say(console, f"Established by: {kind(row)}")
     for proof in row.proofs:
-        if proof.steps or proof.kernel:
+        if proof.counts:
             by = proof.established_by.value if proof.established_by else "open"
             theorems = "".join(f", kernel {name} {proof.kernel_status}" for name in proof.clause.kernel)
             _say(console, f"* {proof.clause.id} ({by}{theorems}): {plain(proof.clause.shown)}")

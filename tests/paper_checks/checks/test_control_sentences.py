@@ -1,15 +1,17 @@
 """What the paper says of control: faults that must turn them."""
 
+from dataclasses import replace
+
 import pytest
 
 from paper_checks.checks import section1_control, section2_force, section5_control
 from paper_checks.checks.registry import Context
 from paper_checks.evidence.finding import Verdict
 from paper_checks.running.runner import decide
-from theory import forced
+from theory import forced, plane
 from theory.symbols import b, u
 
-from .conftest import CHECKS, doubled, halved, negated, plus
+from .conftest import CHECKS, doubled, halved, misread, negated, plus
 
 FORCED, CONTROL = "theory.forced.", "theory.forced_control."
 ONE, TWO, FIVE = (f"paper_checks.checks.{name}." for name in ("section1_control", "section2_force", "section5_control"))
@@ -28,7 +30,17 @@ ONE, TWO, FIVE = (f"paper_checks.checks.{name}." for name in ("section1_control"
         ("force-as-reference-or-disturbance", TWO + "driving_equation", plus(u)),
         ("driven-body-steered", FORCED + "energy_rate", plus(b)),
         ("driven-body-steered", CONTROL + "spread", doubled),
-        ("damping-for-tracking", FIVE + "energy", lambda _: lambda: section5_control.x1**2),
+        ("damping-for-tracking", FIVE + "PLACE", lambda place: place + 1),
+        ("damping-for-tracking", FIVE + "SINE", lambda scene: replace(scene, initial=section5_control.State())),
+        ("damping-for-tracking", "theory.forced.contraction_rate", negated),
+        ("motions-on-a-surface", "theory.plane.against_slip", doubled),
+        ("motions-on-a-surface", "theory.plane.by_components", lambda _: plane.by_direction),
+        ("motions-on-a-surface", "theory.plane.by_direction", lambda _: lambda slip: b * slip),
+        ("motions-on-a-surface", "theory.plane.contraction_by_friction", negated),
+        ("motions-on-a-surface", "theory.plane.energy_rate", negated),
+        ("free-interface", TWO + "SLIPPING", lambda point: {**point, section2_force.sigma: 0}),
+        ("free-interface", CONTROL + "strongest", doubled),
+        ("varying-interface", "paper_checks.steps.forced_distance.sp", misread("Ge", "Le", 1)),
         ("varying-interface", FORCED + "place_dependent_rate", negated),
         ("varying-interface", FIVE + "APART", lambda point: {**point, forced.b_other: 3}),
     ],

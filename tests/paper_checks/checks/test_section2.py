@@ -1,5 +1,7 @@
 """Section II: faults that must turn them."""
 
+from dataclasses import replace
+
 import pytest
 import sympy as sp
 
@@ -54,9 +56,15 @@ def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, target, fa
         assert finding_of(CHECKS[claim_id]).verdict is Verdict.UNDECIDED, claim_id
 
 
-STEPS = "paper_checks.steps.solutions."
+STEPS, LAWS = "paper_checks.steps.solutions.", "paper_checks.steps.two_laws."
 SIGNUM = "paper_checks.checks.section2_signum."
 MODEL = "paper_checks.checks.section2_model."
+
+
+def failing(original):
+    """A step that has failed."""
+    return lambda *given: replace(original(*given), passed=False)
+
 
 STEP_FAULTS = [
     ("sgn-three-valued", STEPS + "sliding_field", doubled),
@@ -70,6 +78,8 @@ STEP_FAULTS = [
     ("sgn-three-valued", SIGNUM + "CONTROL", lambda control: 2 * control),
     ("sgn-three-valued", SIGNUM + "INSIDE", lambda _: START_AT_6MM),
     ("sgn-three-valued", SIGNUM + "residual", lambda _: lambda found: (found.x1,)),
+    ("sgn-three-valued", LAWS + "spurious_branch", failing),
+    ("modes-from-closed-form", "theory.forced.load", doubled),
     ("modes-from-closed-form", MODEL + "START_AT_6MM", lambda _: INSIDE),
     ("modes-from-closed-form", MODEL + "EDGE", lambda _: INSIDE),
     ("modes-from-closed-form", MODEL + "mode_equations", lambda modes: lambda sign: modes(-sign)),

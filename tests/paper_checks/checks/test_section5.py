@@ -9,7 +9,7 @@ from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from paper_checks.checks import section5_discussion, section5_synchronisation
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger.points import INSIDE
+from paper_checks.ledger.points import INSIDE, START_AT_6MM
 from paper_checks.steps import dissipation
 from theory.symbols import a1, b, m1, v2
 
@@ -47,6 +47,8 @@ STEP_FAULTS = [
     ("finite-time-then-alternation", SLIPS + "next_excess", doubled),
     ("finite-time-then-alternation", SLIPS + "next_excess", squared),
     ("finite-time-then-alternation", SLIPS + "r", lambda r: 3 * r),
+    ("finite-time-then-alternation", SYNCHRONISATION + "INSIDE", lambda _: START_AT_6MM),
+    ("finite-time-then-alternation", "paper_checks.steps.capture.critical_energy", doubled),
     ("viscous-accelerates", SYNCHRONISATION + "captive_energy", lambda level: lambda: level() / 2),
     ("viscous-accelerates", DISSIPATION + "captive_energy", squared),
     ("viscous-accelerates", DISSIPATION + "load", negated),

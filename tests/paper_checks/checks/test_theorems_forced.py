@@ -1,11 +1,14 @@
 """Theorems under a force: faults in theory and in the steps that must turn them."""
 
+from dataclasses import replace
+
 import pytest
+import sympy as sp
 
 from paper_checks.checks.registry import Context
 from paper_checks.evidence.evidence import closure
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import theorems_control, theorems_entrainment, theorems_forced
+from paper_checks.ledger import claim_named, theorems_control, theorems_entrainment, theorems_forced, theorems_response
 from paper_checks.running.runner import decide
 from paper_checks.steps import entrainment, tolerance, transfers
 from theory.symbols import a1, b, u, v1
@@ -13,8 +16,15 @@ from theory.symbols import a1, b, u, v1
 from .conftest import CHECKS, doubled, finding_of, misread, negated, plus, two_of_each
 
 FORCED, RESPONSE, CONTROL = "theory.forced.", "theory.forced_response.", "theory.forced_control."
+JUMP, TWO_LAWS = "theory.jumping_force.", "paper_checks.steps.two_laws."
 RULE, DISTANCE = "paper_checks.steps.forced_rule.", "paper_checks.steps.forced_distance."
 TRANSFERS, TOLERANCE = "paper_checks.steps.transfers.", "paper_checks.steps.tolerance."
+AHEAD = sp.Matrix([0, 1, 0])
+
+
+def broken(original):
+    """Return a step that has failed."""
+    return lambda *given: replace(original(*given), passed=False)
 
 
 def entry(index, change):
@@ -35,11 +45,17 @@ STEP_FAULTS = [
     ("forced-contraction", FORCED + "distance_rate", doubled),
     ("forced-contraction", DISTANCE + "sp", misread("Le", "Ge", 0)),
     ("forced-periodic-response", FORCED + "undamped_difference", entry(1, lambda value: -value)),
+    ("forced-periodic-response", JUMP + "contact_state", plus(AHEAD)),
+    ("forced-periodic-response", JUMP + "after_half_period", negated),
+    ("forced-periodic-response", JUMP + "loads", entry(1, lambda value: value / 2)),
+    ("forced-periodic-response", JUMP + "apart_squared", doubled),
+    ("forced-periodic-response", JUMP + "slowest_and_fastest", entry(1, lambda value: value + 1)),
     ("forced-resonance-bound", RESPONSE + "mean_absolute_cosine", doubled),
     ("forced-resonance-bound", RESPONSE + "path_beside", doubled),
     ("entrainment-threshold", RESPONSE + "stuck_impedance", negated),
     ("entrainment-threshold", RESPONSE + "harmonic_slope", plus(1)),
     ("entrainment-threshold", RESPONSE + "square_wave", entry(0, lambda value: 2 * value)),
+    ("entrainment-threshold", RESPONSE + "half_turn", plus(1)),
     ("entrainment-threshold", RESPONSE + "non_stop_parts", entry(1, lambda value: -value)),
     ("entrainment-threshold", RESPONSE + "short_slip", entry(1, lambda value: value / 2)),
     ("entrainment-threshold", RESPONSE + "two_stop_conditions", entry(2, lambda value: value + 1)),
@@ -51,6 +67,8 @@ STEP_FAULTS = [
     ("minimum-transfer-time", CONTROL + "switching", entry(0, lambda value: value / 2)),
     ("minimum-transfer-time", CONTROL + "pressed", doubled),
     ("minimum-transfer-time", CONTROL + "farthest", doubled),
+    ("minimum-transfer-time", TWO_LAWS + "sp", misread("Gt", "Ge", 0)),
+    ("trackable-references", TWO_LAWS + "spurious_branch", broken),
     ("minimum-transfer-time", TRANSFERS + "sp", misread("Ge", "Le", 1)),
     ("tolerance-ring", CONTROL + "ring_ratio", doubled),
     ("tolerance-ring", CONTROL + "ring_radius", doubled),
@@ -69,13 +87,14 @@ def test_a_fault_in_a_step_turns_the_theorem(plant, claim_id, target, fault):
 
 
 def test_no_step_of_these_proofs_is_a_sample():
-    for claim in (*theorems_forced.FORCED, *theorems_entrainment.DRIVEN, *theorems_control.CONTROL):
+    rows = theorems_forced.FORCED, theorems_response.RESPONSES, theorems_entrainment.DRIVEN, theorems_control.CONTROL
+    for claim in (one for some in rows for one in some):
         assert all(step.kind.decisive for step in closure(finding_of(CHECKS[claim.id]).evidence))
 
 
 def test_what_is_open_is_said():
-    assert "not proved here" in finding_of(CHECKS["entrainment-threshold"]).reason
-    assert "open" in finding_of(CHECKS["forced-resonance-bound"]).reason
+    for name in ("entrainment-threshold", "forced-resonance-bound", "minimum-transfer-time"):
+        assert claim_named(name).open
 
 
 def test_steps_name_what_they_cite():

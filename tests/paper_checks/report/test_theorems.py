@@ -53,8 +53,9 @@ def test_the_count_says_how_strong_they_are_and_that_a_part_is_open(rows, theore
     assert sum(map(int, re.findall(r"(\d+) (?:claim|theorem)", opening.strengths(decided)))) == sum(
         one.established_by is not None for one in decided
     )
-    part = replace(row, finding=replace(row.finding, reason="One half; the other is not proved here."))
-    assert "proved here; 1 of them leaves a part open" in opening.counts([part])
+    part = replace(row, claim=replace(row.claim, open=("The other half.",)))
+    assert "proved here. 1 row leaves a part open" in opening.counts([part, row])
+    assert "2 rows leave a part open" in opening.counts([part, part, row])
     assert "open" not in opening.counts([row])
     assert opening.strengths([Row(row.claim, Finding(Verdict.UNDECIDED, "Not yet.", missing="a proof"))]) == ""
 
@@ -96,3 +97,17 @@ def test_programs_see_the_kind_and_the_value(rows, theorem):
     assert {one["kind"] for one in claims} == {"claim"}
     assert (last["kind"], last["section"]) == ("theorem", "Theorems")
     assert last["evidence"][0]["value"] == "y = x**2"
+
+
+def test_a_part_that_is_open_is_told_marked_and_filtered(rows, theorem):
+    part = replace(theorem, claim=replace(theorem.claim, open=("Whether $x=2$.",)))
+    text = html.render(document([*rows, part]), {})
+    assert text.count('class="badge open"') == sum(bool(row.open) for row in [*rows, part]) > 0
+    assert '<select id="filter-open">' in text
+    assert re.search(r'<tbody id="sharp"[^>]*data-open="some"', text)
+    assert 'data-open="none"' in text
+    assert "Open: Whether x=2." in printed([part])
+    assert "a part is open in 1: sharp" in printed([part, rows[0]])
+    (found,) = json.loads(json_report.render([part]))
+    assert found["open"] == ["Whether $x=2$."]
+    assert r"\textbf{Open.} Whether $x=2$." in latex.render(document([part]), {})

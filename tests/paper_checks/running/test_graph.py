@@ -14,7 +14,7 @@ from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import Claim
 from paper_checks.proofs.library import Proved
 from paper_checks.running.graph import Proof, established_by
-from paper_checks.running.runner import row
+from paper_checks.running.runner import exit_code, row
 
 SMT = Evidence(EvidenceKind.SMT, "z3", "a < b", True)
 EXACT = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
@@ -176,3 +176,27 @@ def test_a_formula_that_is_not_decided_turns_the_row_too():
     silent = Formula("E", "=", sp.Symbol("m2"), lambda _: SILENT)
     turned = of(conclude(Verdict.HOLDS, "r", EXACT), clause("c", "«e».", e=silent))
     assert (turned.finding.verdict, turned.finding.missing) == (Verdict.UNDECIDED, SILENT.statement)
+
+
+def test_a_clause_that_nothing_carries_is_not_settled(theorems):
+    """Carried by the kernel alone, and the kernel was not run: unchecked; carried by nothing at all: undecided."""
+    finding = conclude(Verdict.HOLDS, "r", carried("one", EXACT))
+    alone = clause("two", "B.", kernel=("sharp-law",))
+    theorems(kernel.NOT_RUN)
+    waiting = of(finding, clause("one", "A,"), alone)
+    assert (waiting.finding.verdict, waiting.established_by) == (Verdict.UNCHECKED, None)
+    assert "two" in waiting.finding.missing
+    assert waiting.open == ("The clause `two` is not established.",)
+    assert exit_code([waiting]) == 3
+    bare = of(finding, clause("one", "A,"), clause("two", "B."))
+    assert (bare.finding.verdict, exit_code([bare])) == (Verdict.UNDECIDED, 1)
+    theorems(kernel.PROVED)
+    assert of(finding, clause("one", "A,"), alone).finding.verdict is Verdict.HOLDS
+
+
+def test_what_is_quoted_beside_its_counterexample_needs_no_step_and_its_correction_does():
+    parts = (BALL.as_counterexample(), carried("right", SMT.as_correction()))
+    finding = conclude(Verdict.HOLDS_CORRECTED, "r", *parts, corrected="B.", counterexample="x = 1")
+    said, right, more = clause("said", "A."), clause("right", "B,"), clause("more", "C.")
+    assert row(claim(said, correction=(right,)), finding, 0.0).established_by is EvidenceKind.ENCLOSURE
+    assert row(claim(said, correction=(right, more)), finding, 0.0).finding.verdict is Verdict.UNDECIDED
