@@ -8,7 +8,7 @@ from typing import Any
 
 import mpmath
 
-from numerics.arithmetic.protocol import Number, Sign
+from numerics.arithmetic.protocol import Number
 
 sqrt, sin, atan2 = mpmath.sqrt, mpmath.sin, mpmath.atan2
 
@@ -110,7 +110,7 @@ class Multiprecision:
     """mpmath numbers with `digits` working decimal digits, seen from Python."""
 
     name = "mpmath"
-    sqrt = staticmethod(sqrt)
+    to_float = staticmethod(as_float)
 
     def __init__(self, digits: int) -> None:
         """Fix the working precision in decimal digits."""
@@ -124,14 +124,6 @@ class Multiprecision:
     def number(value: Fraction | int) -> Any:
         """Return the number nearest to an exact rational."""
         return mpmath.mpf(value.numerator) / value.denominator
-
-    def sign(self, x: Any) -> Sign:
-        """Return the sign of x; UNDECIDED for nan and infinities."""
-        return Sign(int(mpmath.sign(x))) if mpmath.isfinite(x) else Sign.UNDECIDED
-
-    def to_float(self, x: Any) -> float:
-        """Return the binary64 number nearest to x."""
-        return float(x)
 
     def text(self, x: Any, digits: int = 6) -> str:
         """Return x with `digits` significant digits."""

@@ -21,8 +21,10 @@ TURN = 2.0 * math.pi
 _SMALL_STEP = 2.0**-19
 """Halley's steps shrink cubically: after one so much smaller than the angle the error is below its last bit."""
 _STEPS = 200
-_INVERSE_RISE_EVEN = (0.0065409791, 0.070592857, 0.17257569, 0.99999944)
-_INVERSE_RISE_ODD = (-0.030933036, -0.11482952, -0.29994229)
+_INVERSE_RISE = (
+    (0.0065409791, 0.070592857, 0.17257569, 0.99999944),
+    (-0.030933036, -0.11482952, -0.29994229),
+)
 """theta/(3 u) as a polynomial in u^2 where h(theta) = u <= 1, fitted to 6e-7: the first guess on an exit ray."""
 
 
@@ -35,7 +37,7 @@ def binary64_contact(gap: float, push: float) -> tuple[float, float, float]:
     if push > 1.0:
         return late_contact(gap, push)
     if gap == 0.0:
-        guess = 3.0 * push * two_horners(_INVERSE_RISE_EVEN, _INVERSE_RISE_ODD, push * push)
+        guess = 3.0 * push * two_horners(_INVERSE_RISE, push * push)
         return early_contact(gap, push, guess, 2.0 * push, 3.3 * push)
     lower, upper = early_bracket(gap, push)
     # the root of (1/3 + d/6) theta^2 - u theta - 2 d, to which the equation tends for small angles

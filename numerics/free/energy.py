@@ -16,8 +16,8 @@ from itertools import pairwise
 
 from flint import arb, fmpq
 
-from numerics.arithmetic.ball import Ball, digits_within
-from numerics.arithmetic.protocol import Arithmetic, Number, decide_sign
+from numerics.arithmetic.ball import Ball, digits_within, proved_sign, undecided
+from numerics.arithmetic.protocol import Number
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionExhausted
 from numerics.free.abel import AbelFunctions
 from numerics.free.engine import begin_exactly
@@ -180,7 +180,7 @@ class _Way:
 
     def _passed(self, duration: Number, question: str) -> int:
         """Return the sign of the end of the present motion less the target."""
-        return decide_sign(self.arithmetic, self.walk.start.tau + duration - self.target, question)
+        return proved_sign(self.walk.start.tau + duration - self.target, question)
 
     def _refuse_countless(self, max_steps: int) -> None:
         """Raise OutOfRange at once where the cap on steps is certain to be met before a jump or the target.
@@ -210,7 +210,7 @@ class _Way:
         """Put the pair on the last exit ray before the target: alpha counts excursions, beta adds up their times."""
         start, q = self.walk.start, self.frame.q
         abel = abel_functions(self.share, order_for(self.digits))
-        count, y, elapsed = _last_exit_before(self.arithmetic, abel, start.w / q, self.target - start.tau)
+        count, y, elapsed = _last_exit_before(abel, start.w / q, self.target - start.tau)
         self.excursions += count
         self.walk.leave_by(start.side if count % 2 == 0 else -start.side, y * q, start.tau + elapsed)
         if self._passed(self.walk.duration(), "does the slip end before the time?") <= 0:
@@ -218,9 +218,7 @@ class _Way:
             assert self.walk.mode is Mode.STICK
 
 
-def _last_exit_before(
-    arithmetic: Arithmetic, abel: AbelFunctions, y: Number, elapsed: Number
-) -> tuple[int, Number, Number]:
+def _last_exit_before(abel: AbelFunctions, y: arb, elapsed: arb) -> tuple[int, arb, arb]:
     """Return (n, y_n, reduced time of n cycles) for the largest n whose time is at most `elapsed`; all proved."""
     alpha, beta = abel.alpha(y), abel.beta(y)
     count = max(0, _whole(elapsed / arb.pi()))
@@ -228,7 +226,7 @@ def _last_exit_before(
         try:
             here, next_one = (abel.alpha_inverse(alpha + n, y) if n else y for n in (count, count + 1))
         except ArithmeticError as error:
-            raise EventUndecided(str(error), arithmetic.text(y), arithmetic.digits) from None
+            raise undecided(str(error), y) from None
         time, next_time = abel.beta(here) - beta, abel.beta(next_one) - beta
         if time <= elapsed and next_time > elapsed:
             return count, here, time
@@ -238,8 +236,7 @@ def _last_exit_before(
             count += max(1, _whole((elapsed - next_time) / 4))
         else:
             break
-    question = "which is the last exit before the time asked for?"
-    raise EventUndecided(question, arithmetic.text(time - elapsed), arithmetic.digits)
+    raise undecided("which is the last exit before the time asked for?", time - elapsed)
 
 
 def _whole(x: Number) -> int:

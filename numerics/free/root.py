@@ -12,7 +12,7 @@ from typing import Any
 import flint
 from flint import arb
 
-from numerics.arithmetic.ball import magnitude_bits, precision, working_digits
+from numerics.arithmetic.ball import magnitude_bits, precision, undecided
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.functions import as_float, like, sqrt, tolerance
 from numerics.arithmetic.protocol import Number
@@ -101,7 +101,7 @@ class _Enclosed:
                 value = self._value(end)[0]
                 if value.is_finite() and side * value > 0:
                     return
-        raise _undecided("sign of the guard at an end of its bracket", value)
+        raise undecided("sign of the guard at an end of its bracket", value)
 
     def _guess(self, lower: arb, upper: arb) -> arb:
         """Return the root that binary64 finds, an exact point; nan where it has no digits for it."""
@@ -165,14 +165,10 @@ class _Enclosed:
                 if region.contains_interior(step):
                     return step
             width = 4 * width
-        raise _undecided("existence of the guard's root near its approximation", x)
+        raise undecided("existence of the guard's root near its approximation", x)
 
 
 def _in_floats(record: Any) -> Any:
     """Return a record of balls in binary64."""
     floats = map(as_float, record)
     return type(record)._make(floats) if hasattr(record, "_make") else tuple(floats)
-
-
-def _undecided(question: str, value: arb) -> EventUndecided:
-    return EventUndecided(question, str(value.str(6)), working_digits())

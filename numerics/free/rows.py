@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from numerics.arithmetic.compiled import by_type, compilable
+from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.functions import as_float, clock, finite, nonnegative, rounding, sign
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.protocol import Number
@@ -41,22 +41,10 @@ _SUBNORMAL, _TINY = 1e-290, 2.0**-1060
 
 
 @compilable
-def _put_float(x: float, row: Any, column: int) -> None:
-    row[column], row[column + 1] = x, 0.0
-
-
-@compilable
-def _put_pair(x: Pair, row: Any, column: int) -> None:
-    row[column], row[column + 1] = x.high, x.low
-
-
-@by_type(_put_float, _put_pair)
 def put(x: Number, row: Any, column: int) -> None:
     """Write a number to the columns of its halves."""
-    if type(x) is Pair:
-        _put_pair(x, row, column)
-    else:
-        _put_float(x, row, column)
+    row[column] = as_float(x)
+    row[column + 1] = as_float(x - as_float(x))
 
 
 @compilable
