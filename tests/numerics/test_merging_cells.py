@@ -17,7 +17,9 @@ from hypothesis import strategies as st
 
 from numerics.arithmetic import ball as balls
 from numerics.arithmetic.ball import Ball
+from numerics.free import contact
 from numerics.free import merging as merging_cell
+from numerics.free.contact import contact_next_to_binary64
 from numerics.free.merging import Rectangle, Verdict, verdict
 
 PARTS = [0, Fraction(1, 3), 1]
@@ -85,11 +87,10 @@ def test_the_slope_in_the_middle_is_not_enough(monkeypatch):
 def angle_misses(gap, push):
     """Points of a ball of gaps and pushes whose slip angle is not in the enclosure; None where there is none."""
     gaps, pushes = ball(*gap), ball(*push)
-    near = merging_cell._approximate_angle(gaps, pushes)
-    found = merging_cell._enclose_angle(gaps, pushes, near)
+    found = contact_next_to_binary64(gaps, pushes)
     if found is None:
         return None
-    return [(d, u) for d, u in product(points(*gap), points(*push)) if outside(found, slip_angle(d, u))]
+    return [(d, u) for d, u in product(points(*gap), points(*push)) if outside(found[0], slip_angle(d, u))]
 
 
 hundredths = st.integers(1, 300).map(lambda n: n / 100)
@@ -110,7 +111,8 @@ def test_slip_angles_are_enclosed_on_most_balls_that_the_map_meets():
 
 def test_an_interval_newton_step_that_leaves_its_region_is_no_enclosure(monkeypatch):
     """The rate in the middle instead of over the region: the enclosure is too narrow somewhere."""
-    monkeypatch.setattr(merging_cell, "_increasing", lambda function, x: function(arb(x.mid())))
+    right = contact._over
+    monkeypatch.setattr(contact, "_over", lambda gap, push, region: right(gap, push, region.mid()))
     with Ball(16).context():
         found = [angle_misses((d, d + 0.3), (u, u + 0.3)) for d, u in product((0.01, 0.5, 1.5), (0.1, 1.0, 2.0))]
     assert any(found)
