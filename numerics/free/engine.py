@@ -24,7 +24,7 @@ from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
 from numerics.free.bounds import initial
 from numerics.free.motion import Start, event_state, mode_of, order_of, state_at
-from numerics.free.rows import solve_row, solve_start
+from numerics.free.rows import UNKNOWN, solve_row, solve_start
 from numerics.free.start import SI, Begun, begin, first_mode, in_si
 from numerics.free.walk import Walk, left_range
 from numerics.linear.modes import MODES, Mode
@@ -44,11 +44,8 @@ _runs = [0]
 
 def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
-    if arithmetic.name == "float64":
-        return _run_float64(scene, arithmetic, max_events, progress)
-    if arithmetic.name == "double-double":
-        return _run_double_double(scene, max_events, progress)
-    return _run_exactly(scene, arithmetic, max_events, progress)
+    by_rows = arithmetic.name in {"float64", "double-double"}
+    return (_run_in_rows if by_rows else _run_exactly)(scene, arithmetic, max_events, progress)
 
 
 def mode_at_start(scene: Scene) -> Mode:
@@ -108,28 +105,31 @@ def run_row(row: NDArray[np.float64], literal: bool, max_events: int, progress: 
     solve, end = compiled(solve_row), np.empty(END_ROW)
     turns = row.item(16) * math.sqrt(row.item(4) / row.item(0)) / math.pi
     room = int(min(max_events, 16 + _EVENTS_PER_TURN * min(turns, 1e6)))
+    rows = _with_room(room, lambda rows: solve(row, literal, max_events, rows, end))
+    return None if rows is None else _record(rows, end, Float64(), progress)
+
+
+def _with_room(room: int, solve: Callable[[NDArray[np.float64]], int]) -> NDArray[np.float64] | None:
+    """Return the rows of a run that is made again where there is no room for all its events; None for UNKNOWN."""
     while True:
         rows = np.empty((room + 1, ROW))
-        room = solve(row, literal, max_events, rows, end)
+        room = solve(rows)
         if room < len(rows):
-            break
-    return _record(rows[: room + 1], end, Float64(), progress) if room >= 0 else None
+            return rows[: room + 1] if room != UNKNOWN else None
 
 
-def _run_float64(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
-    _runs[0] += 1
-    row = scene_row(scene) if compiles_now() or (_runs[0] > _MANY and can_compile()) else None
-    found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events, progress)
-    if found is not None:
-        return found
-    rows, end = _from_start(*begin_exactly(scene, arithmetic), max_events, scene, progress)
-    return _record(rows, end, arithmetic, progress)
-
-
-def _run_double_double(scene: Scene, max_events: int, progress: Progress | None) -> Record:
-    arithmetic = DoubleDouble()
+def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
+    """Run in binary64, by its row where it can be, or in double-double."""
+    if arithmetic.name == "float64":
+        _runs[0] += 1
+        row = scene_row(scene) if compiles_now() or (_runs[0] > _MANY and can_compile()) else None
+        found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events, progress)
+        if found is not None:
+            return found
     with arithmetic.context():
-        begun, given = (in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic))
+        begun, given = begin_exactly(scene, arithmetic)
+        if isinstance(arithmetic, DoubleDouble):
+            begun, given = (in_halves(one, arithmetic.halves) for one in (begun, given))
     rows, end = _from_start(begun, given, max_events, scene, progress)
     return _record(rows, end, arithmetic, progress)
 
@@ -146,7 +146,7 @@ def in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
 
 def _from_start(
     begun: Begun, given: tuple[Number, ...], max_events: int, scene: Scene, progress: Progress | None
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
     """Return the rows of a run from a start: a short one by Python, which would wait for numba longer than it runs."""
     end, carried = np.empty(END_ROW), initial(begun.at, begun.start, begun.V1, begun.V2)
     if not compiles_now():
@@ -159,12 +159,9 @@ def _from_start(
             return np.empty((0, ROW)), end
         if count < few or few == max_events:
             return np.array(growing.rows), np.array(plain)
+    solve = compiled(solve_start)
     room = min(max_events, 4 * _FEW)
-    while True:
-        rows = np.empty((room + 1, ROW))
-        room = compiled(solve_start)(begun, carried, given, max_events, rows, end)
-        if room < len(rows):
-            return rows[: room + 1], end
+    return _with_room(room, lambda rows: solve(begun, carried, given, max_events, rows, end)), end
 
 
 class _Growing:
