@@ -38,7 +38,7 @@ from numerics.arithmetic.functions import (
 )
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.protocol import Number
-from numerics.free.contact_binary64 import binary64_contact, late_angle
+from numerics.free.contact_binary64 import binary64_contact, early_bracket, late_angle, late_bound
 from numerics.free.root import falling_root
 
 _SEED_BITS = 44
@@ -152,26 +152,12 @@ def bracketed_contact(gap: Number, push: Number) -> tuple[Number, Number, Number
         point = late_point(*at, eta)
         return point.value, -point.steepness
 
-    half_turn = two_pi(gap) / 2
     if as_float(push) > 1.0:
-        # versine >= 2 eta^2/pi^2 and sin <= eta on (0, pi]: the root lies below that of 2 u eta^2/pi^2 - d eta - 2 pi
-        square = half_turn * half_turn / (4 * push)
-        upper = square * (gap + sqrt(gap * gap + 16 * push / half_turn))
-        upper = 3 * half_turn / 2 if as_float(upper) > 3.0 else 17 * upper / 16
-        eta = falling_root(like(gap, 0.0), upper, late, (gap, push))
-        point, theta = late_point(gap, push, eta), 2 * half_turn - eta
+        eta = falling_root(like(gap, 0.0), late_bound(gap, push), late, (gap, push))
+        point, theta = late_point(gap, push, eta), two_pi(gap) - eta
         return theta, 2 + theta * point.half_cosine / point.half_sine, point.versine
-    lower = 15 * _positive_root(push - 2 * gap / half_turn, 4 * gap) / 16
-    upper = 3 * _positive_root(push, 8 * gap / 3) / 2
-    upper = 33 * half_turn / 32 if as_float(upper) > 3.0 else 17 * upper / 16
-    theta = falling_root(lower, upper, early, (gap, push))
+    theta = falling_root(*early_bracket(gap, push), early, (gap, push))
     return theta, depth_and_cotangent(theta)[0], versine(theta)
-
-
-def _positive_root(b: Number, c: Number) -> Number:
-    """Return b + sqrt(b^2 + c), c >= 0, without cancellation."""
-    height = sqrt(b * b + c)
-    return b + height if as_float(b) >= 0.0 else c / (height - b)
 
 
 def enclosed_after_ray(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb, arb, arb]:

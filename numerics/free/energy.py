@@ -22,7 +22,7 @@ from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionE
 from numerics.free.abel import AbelFunctions
 from numerics.free.engine import begin_exactly
 from numerics.free.frame import Frame
-from numerics.free.motion import State, state_at
+from numerics.free.motion import State, on_ray, state_at
 from numerics.free.walk import Walk
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import How
@@ -170,7 +170,7 @@ class _Way:
             if duration is None:
                 self.road = Road.NO_MORE_SLIP
                 return
-            if self._passed(duration, "does the next event come before the time asked for?") > 0:
+            if self._ends_later(duration):
                 return
             if self.stepped == max_steps:
                 raise OutOfRange(f"more than {max_steps} events before the return map takes over; raise max_steps")
@@ -178,9 +178,10 @@ class _Way:
             self.walk.go_on()
             self.stepped += 1
 
-    def _passed(self, duration: Number, question: str) -> int:
-        """Return the sign of the end of the present motion less the target."""
-        return proved_sign(self.walk.start.tau + duration - self.target, question)
+    def _ends_later(self, duration: arb) -> bool:
+        """Return whether the present motion ends after the target; proved."""
+        question = "does the next event come before the time asked for?"
+        return proved_sign(self.walk.start.tau + duration - self.target, question) > 0
 
     def _refuse_countless(self, max_steps: int) -> None:
         """Raise OutOfRange at once where the cap on steps is certain to be met before a jump or the target.
@@ -212,8 +213,9 @@ class _Way:
         abel = abel_functions(self.share, order_for(self.digits))
         count, y, elapsed = _last_exit_before(abel, start.w / q, self.target - start.tau)
         self.excursions += count
-        self.walk.leave_by(start.side if count % 2 == 0 else -start.side, y * q, start.tau + elapsed)
-        if self._passed(self.walk.duration(), "does the slip end before the time?") <= 0:
+        side = start.side if count % 2 == 0 else -start.side
+        self.walk.put(on_ray(self.walk.at, side, arb(0), y * q, start.tau + elapsed, arb(0), arb(0)))
+        if not self._ends_later(self.walk.duration()):
             self.walk.go_on()
             assert self.walk.mode is Mode.STICK
 

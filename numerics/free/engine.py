@@ -7,11 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from flint import fmpq
 from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import can_compile, compiled, compiles_now
@@ -25,7 +23,7 @@ from numerics.errors import NoForceHere
 from numerics.free.bounds import initial
 from numerics.free.motion import Start, event_state, mode_of, order_of, state_at
 from numerics.free.rows import UNKNOWN, solve_row, solve_start
-from numerics.free.start import SI, Begun, begin, first_mode, in_si
+from numerics.free.start import SI, Begun, begin, first_mode, in_si, narrowing, wide
 from numerics.free.walk import Walk, left_range
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import AT, END_ROW, ROW, How, Knot, Record
@@ -50,7 +48,7 @@ def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Pr
 
 def mode_at_start(scene: Scene) -> Mode:
     """Return the mode that follows the initial state of a scene; exact, every tie decided by the rules of modes.py."""
-    return MODES[first_mode(_exact(scene), scene.law is Law.THREE_VALUED_SGN)[0]]
+    return MODES[first_mode(SI(*map(wide, si_numbers(scene))), scene.law is Law.THREE_VALUED_SGN)[0]]
 
 
 def si_numbers(scene: Scene) -> SI:
@@ -61,23 +59,14 @@ def si_numbers(scene: Scene) -> SI:
     return SI(pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
 
 
-def _exact(scene: Scene) -> SI:
-    """Return the SI numbers as fractions of flint, which calculates several times as fast."""
-    return SI(*(fmpq(one.numerator, one.denominator) for one in si_numbers(scene)))
-
-
 def begin_exactly(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, tuple[Number, ...]]:
     """Return how a scene begins, and x1, v1, x2, v2 and its horizon, in numbers of an arithmetic, in its context.
 
     Every sign is decided on exact rationals. Raises OutOfRange.
     """
-
-    def narrow(x: fmpq) -> Number:
-        return arithmetic.number(Fraction(int(x.p), int(x.q)))
-
-    at = scene.initial
-    given = tuple(arithmetic.number(one) for one in (at.x1, at.v1, at.x2, at.v2, scene.until))
-    return begin(_exact(scene), scene.law is Law.THREE_VALUED_SGN, narrow), given
+    si = si_numbers(scene)
+    given = tuple(arithmetic.number(one) for one in (si.x1, si.v1, si.x2, si.v2, si.until))
+    return begin(SI(*map(wide, si)), scene.law is Law.THREE_VALUED_SGN, narrowing(arithmetic)), given
 
 
 def scene_row(scene: Scene) -> NDArray[np.float64] | None:

@@ -15,7 +15,6 @@ from numerics.free.motion import (
     Start,
     mode_of,
     next_event,
-    on_ray,
     resolve,
 )
 from numerics.linear.modes import MODES, Mode
@@ -29,15 +28,12 @@ class Walk:
 
     def __init__(self, arithmetic: Arithmetic, at: Parameters, start: Start) -> None:
         """Begin with a motion (start.begin), or on a ray (motion.on_ray)."""
-        self.arithmetic, self.at, self.start = arithmetic, at, start
-        self._next: tuple[Number | None, Landing] | None = None
+        self.arithmetic, self.at = arithmetic, at
+        self._next: tuple[Number | None, Landing] | None
+        self.put(start)
 
-    def leave_by(self, side: float, w: Number, tau: Number) -> None:
-        """Put the pair on an exit ray with excess w > 0 at the reduced time tau."""
-        zero = self.arithmetic.number(0)
-        self._put(on_ray(self.at, side, zero, w, tau, zero, zero))
-
-    def _put(self, start: Start) -> None:
+    def put(self, start: Start) -> None:
+        """Put the pair where a motion starts."""
         self.start, self._next = start, None
 
     @property
@@ -69,7 +65,7 @@ class Walk:
         after = resolve(self.at, self.start, end, tau, rest)
         if not finite(after.w):
             raise left_range(self.arithmetic)
-        self._put(after)
+        self.put(after)
 
 
 def left_range(arithmetic: Arithmetic) -> Exception:

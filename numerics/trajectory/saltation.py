@@ -64,7 +64,7 @@ class Chain:
         self.a2, self.m1, self.m2 = number(pair.a2), number(pair.m1), number(pair.m2)
         self.a1, self.mass = number(pair.a1), number(pair.mass)
         self.roots = [one.sqrt() for one in (self.a2, self.m1, self.m2)]
-        self._variations: dict[tuple[int, int], tuple[Variation, list[int]]] = {}
+        self._variations: dict[tuple[int, int], Variation] = {}
         self.t: list[Array] = []
         self.y: list[Array] = []
         self.before: list[Array] = []
@@ -110,11 +110,10 @@ class Chain:
             found[self.column[name]] += value * value / 2
         return found
 
-    def _variation(self, side: int, piece: int) -> tuple[Variation, list[int]]:
-        """Return a motion, and the columns of the numbers that act in it."""
+    def _variation(self, side: int, piece: int) -> Variation:
+        """Return a motion; it is made once."""
         if (side, piece) not in self._variations:
-            made = Variation(self.scene, self.pieces[piece], side)
-            self._variations[side, piece] = made, [self.column[name] for name in made.names]
+            self._variations[side, piece] = Variation(self.scene, self.pieces[piece], side, self.column)
         return self._variations[side, piece]
 
     def _zeros(self, *rows: int) -> Array:
@@ -133,11 +132,8 @@ class Chain:
         """Return the derivatives at a fixed time in a leg: of the point that is carried, and the bounds there."""
         leg, (y, norm, place) = self.legs[index], self.starts[index]
         tau = t - leg.start
-        variation, places = self._variation(leg.side, leg.piece)
-        flow, columns = variation.over(leg.state, leg.start, tau)
-        y = flow @ y
-        y[:, places] += columns
-        return Carried(y, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side))
+        flow, columns = self._variation(leg.side, leg.piece).over(leg.state, leg.start, tau)
+        return Carried(flow @ y + columns, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side))
 
     def _guard_by_norm(self, side: int) -> arb:
         """Return the most that |v1 - v2| in slip, or m2 x1'' in stick, can be for N = 1."""
@@ -177,11 +173,9 @@ class Chain:
         """Return the derivatives after an event by a guard."""
         u, b = self._force_and_friction(leg.piece, after.start)
         before, behind = (self._field(after.state, u, b, side) for side in (leg.side, after.side))
-        variation, places = self._variation(leg.side, leg.piece)
-        by_state, by_numbers, rate = variation.guard(after.state, after.start, before, after.side)
-        guard = by_state @ ended.y
-        guard[places] += by_numbers
-        t = -guard / rate
+        motion = self._variation(leg.side, leg.piece)
+        by_state, by_numbers, rate = motion.guard(after.state, after.start, before, after.side)
+        t = -(by_state @ ended.y + by_numbers) / rate
         late = _widened(t, ended.norm * self._guard_by_norm(leg.side) / abs(rate))
         y, total = self.before[-1] + np.outer(before, late), ended.y + np.outer(before, t)
         if leg.side:
@@ -243,7 +237,7 @@ class Chain:
 
     def _force_and_friction(self, piece: int, t: arb) -> tuple[arb, arb]:
         """Return u and b of a piece at a time (s)."""
-        return self._variation(0, piece)[0].force(t), Ball.number(self.pieces[piece].b)
+        return self._variation(0, piece).force(t), Ball.number(self.pieces[piece].b)
 
     def _field(self, state: Sequence[arb], u: arb, b: arb, side: int | None) -> Array:
         """Return (v1, v1', v2, v2') in a mode; None: in that which follows v1 = v2."""
