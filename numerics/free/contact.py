@@ -160,8 +160,22 @@ def bracketed_contact(gap: Number, push: Number) -> tuple[Number, Number, Number
     return theta, depth_and_cotangent(theta)[0], versine(theta)
 
 
-def enclosed_after_ray(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb, arb, arb]:
-    """Return theta, depth, the excess after it, and 1 - cos theta of a slip from an exit ray with excess w.
+@compilable
+def _ray_contact_of_points(w: Number, push: Number, q: Number, r: Number, _: Number) -> tuple[Number, ...]:
+    theta, depth, drop = contact(like(w, 0.0), push)
+    return theta, depth, w - r * q * depth * depth, drop
+
+
+@by_type(_ray_contact_of_points, _ray_contact_of_points)
+def ray_contact(w: Number, push: Number, q: Number, r: Number, sqrt_q: Number) -> tuple[Number, ...]:
+    """Return theta, depth, the excess after it, and 1 - cos theta of a slip from an exit ray with excess w = q u^2."""
+    if type(w) is not arb:
+        return _ray_contact_of_points(w, push, q, r, sqrt_q)
+    return _enclosed_ray_contact(w, q, r, sqrt_q)
+
+
+def _enclosed_ray_contact(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb, arb, arb]:
+    """Return the same in balls.
 
     The contact is located at the centre of w; along w, theta/u falls (h is convex), c' = h and
     dw'/dw = 1 - r (1 - cos theta), which lies in (-1, 1): so enclosures of w do not grow from one excursion to the

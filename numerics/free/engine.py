@@ -75,18 +75,15 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
     It is made once and kept with the scene.
     """
     if scene.row is None:
-        object.__setattr__(scene, "row", (halved(si_numbers(scene)),))
+        si = si_numbers(scene)
+        try:
+            halves = [half for number in si for half in nearest(number)]
+            # the halves may make two velocities equal that are not
+            row = np.array(halves) if (halves[10:12] == halves[14:16]) == (si.v1 == si.v2) else None
+        except OverflowError:
+            row = None
+        object.__setattr__(scene, "row", (row,))
     return scene.row[0]
-
-
-def halved(si: SI) -> NDArray[np.float64] | None:
-    """Return SI numbers as halves; None where those would make two velocities equal that are not, or overflow."""
-    try:
-        halves = [half for number in si for half in nearest(number)]
-    except OverflowError:
-        return None
-    same = halves[10:12] == halves[14:16]
-    return np.array(halves) if same == (si.v1 == si.v2) else None
 
 
 def run_row(row: NDArray[np.float64], literal: bool, max_events: int, progress: Progress | None) -> Record | None:

@@ -11,9 +11,8 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.engine import run_free
-from numerics.free.resting_place import resting_place
+from numerics.free.resting_place import creeping_place
 from numerics.linear.modes import MODES, event_kind
-from numerics.linear.record import How
 from numerics.scene import Pair, Scene, State
 
 BALLS = Ball(40)
@@ -39,7 +38,7 @@ def test_a_creeping_pair_stays_within_what_is_said(share):
     with BALLS.context():
         pair = Pair(m1=share, m2=1 - share, a2=1, b=1 - share)  # L = Omega = 1
         run = solved(pair, 60, Fraction(float(share * Fraction(12, 1000)) ** 0.5))
-        found = resting_place(run, near=1.0)
+        found = creeping_place(run, pair, 1.0, Fraction(0))
         assert found.index < 4
         later = [event.y for event in run.events[found.index :]]
         far = [abs(x1 - x2 - found.limit) for x1, _, x2, _ in later]
@@ -62,14 +61,3 @@ def _relative_speeds(pair, event, slip):
         offset = x1 + (1 - q) * s
         body_1 = v1 * float(arb(omega * t).cos()) - offset * omega * float(arb(omega * t).sin())
         yield body_1 - (v2 + s * t)
-
-
-def test_a_pair_that_sticks_rests_where_it_is():
-    with BALLS.context():
-        run = solved(Pair(m1="0.1", m2="0.9", a2=1, b="0.9"), 100, Fraction(3, 2))
-        assert run.record.how is How.STUCK
-        found = resting_place(run, near=1e-3)
-        x1, _, x2, _ = run.final_state
-        assert found.limit.overlaps(x1 - x2)
-        assert found.reach == found.speed == 0
-        assert found.index == len(run.events) - 1
