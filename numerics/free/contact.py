@@ -21,6 +21,7 @@ that it is the only one in (0, 2 pi), hence the first, is a theorem.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 from flint import arb, ctx
@@ -144,19 +145,18 @@ def late_shift(at: LatePoint) -> Number:
 def bracketed_contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
     """Return the contact without binary64's root: by a bracket, for arguments of any size (see early_bracket)."""
 
-    def early(at: tuple[Number, Number], theta: Number) -> tuple[Number, Number]:
-        point = early_point(*at, theta)
-        return point.value, -point.steepness
+    def root(point_at: Callable[..., EarlyPoint | LatePoint], lower: Number, upper: Number) -> Number:
+        def value_and_slope(at: tuple[Number, Number], x: Number) -> tuple[Number, Number]:
+            point = point_at(*at, x)
+            return point.value, -point.steepness
 
-    def late(at: tuple[Number, Number], eta: Number) -> tuple[Number, Number]:
-        point = late_point(*at, eta)
-        return point.value, -point.steepness
+        return falling_root(lower, upper, value_and_slope, (gap, push))
 
     if as_float(push) > 1.0:
-        eta = falling_root(like(gap, 0.0), late_bound(gap, push), late, (gap, push))
+        eta = root(late_point, like(gap, 0.0), late_bound(gap, push))
         point, theta = late_point(gap, push, eta), two_pi(gap) - eta
         return theta, 2 + theta * point.half_cosine / point.half_sine, point.versine
-    theta = falling_root(*early_bracket(gap, push), early, (gap, push))
+    theta = root(early_point, *early_bracket(gap, push))
     return theta, depth_and_cotangent(theta)[0], versine(theta)
 
 

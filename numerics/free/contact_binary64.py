@@ -37,7 +37,9 @@ def binary64_contact(gap: float, push: float) -> tuple[float, float, float]:
     Approximate, the angle to some 2 ulp times the condition of the equation; nan where the arguments are.
     """
     if push > 1.0:
-        return late_contact(gap, push)
+        eta = late_angle(gap, push)
+        theta = TURN - eta
+        return theta, 2.0 + theta * math.cos(0.5 * eta) / math.sin(0.5 * eta), versine(eta)
     if gap == 0.0:
         guess = 3.0 * push * two_horners(_INVERSE_RISE, push * push)
         return early_contact(gap, push, guess, 2.0 * push, 3.3 * push)
@@ -120,14 +122,6 @@ def positive_root(b: Number, c: Number) -> Number:
     """
     root = sqrt(b * b + c)
     return b + root if as_float(b) >= 0.0 else c / (root - b)
-
-
-@compilable
-def late_contact(gap: float, push: float) -> tuple[float, float, float]:
-    """Return the contact for push > 1; c = 2 + theta cot(eta/2)."""
-    eta = late_angle(gap, push)
-    theta = TURN - eta
-    return theta, 2.0 + theta * math.cos(0.5 * eta) / math.sin(0.5 * eta), versine(eta)
 
 
 @compilable

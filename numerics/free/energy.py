@@ -166,7 +166,7 @@ class _Way:
                 self.road = Road.ABEL
                 return
             self._refuse_countless(max_steps)
-            duration = self.walk.duration()
+            duration = self.walk.duration
             if duration is None:
                 self.road = Road.NO_MORE_SLIP
                 return
@@ -215,7 +215,7 @@ class _Way:
         self.excursions += count
         side = start.side if count % 2 == 0 else -start.side
         self.walk.put(on_ray(self.walk.at, side, arb(0), y * q, start.tau + elapsed, arb(0), arb(0)))
-        if not self._ends_later(self.walk.duration()):
+        if not self._ends_later(self.walk.duration):
             self.walk.go_on()
             assert self.walk.mode is Mode.STICK
 

@@ -186,7 +186,7 @@ def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
         zero = begun.start.tau
         knots = [_knot(walk.start, zero, zero, given[:4])]
         while True:
-            duration = walk.duration()
+            duration = walk.duration
             if duration is None:
                 how = How.STUCK
                 break

@@ -18,7 +18,7 @@ not know, the bound grows by that of |v1 - v2| in a slip.
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
+from bisect import bisect_left
 from collections.abc import Sequence
 from functools import reduce
 from typing import NamedTuple
@@ -81,14 +81,12 @@ class Chain:
 
         Where balls leave open which leg holds a time, all do.
         """
-        found = np.full((len(times), 4, len(self.column)), arb(0))
-        points, find = [one.mid() for one in begins], bisect_right if side == "right" else bisect_left
+        found, ends = np.full((len(times), 4, len(self.column)), arb(0)), [*begins[1:], arb("inf")]
         for k, t in enumerate(times):
-            near = {max(0, find(points, t.mid()) - 1)}
-            for index, begin in enumerate(begins[1:], start=1):
-                if begin.overlaps(t) and not (begin.is_exact() and t.is_exact()):
-                    near |= {index - 1, index}
-            found[k] = reduce(_union, (self.at(index, t) for index in sorted(near)))
+            near = [n for n, (begin, end) in enumerate(zip(begins, ends, strict=True)) if not (t < begin or end < t)]
+            if t.is_exact() and all(begins[n].is_exact() for n in near[1:]):
+                near = near[-1:] if side == "right" else near[:1]
+            found[k] = reduce(_union, (self.at(n, t) for n in near))
         return found
 
     def final(self, state: Sequence[arb]) -> Array:
