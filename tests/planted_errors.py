@@ -76,7 +76,7 @@ def _with_distance(carried: Carried, scene: Scene, other: Scene) -> Carried:
         shift,
         norm + distance,
     )
-    return Carried(errors, no_linear(errors))
+    return Carried(errors, no_linear(q, errors))
 
 
 def moved(scene: Scene, by: dict[str, Fraction], until: Fraction | None = None) -> Scene:

@@ -10,7 +10,6 @@ from fractions import Fraction
 import flint
 from flint import arb
 
-from numerics.arithmetic.protocol import Sign
 from numerics.arithmetic.questions import QUESTIONS
 from numerics.errors import EventUndecided
 
@@ -50,6 +49,11 @@ def working_digits() -> int:
 def like(x: arb, value: float) -> arb:  # noqa: ARG001
     """Return a float, exactly, as a ball."""
     return arb(value)
+
+
+def rounding(x: arb) -> float:  # noqa: ARG001
+    """Return 0: balls count their errors themselves."""
+    return 0.0
 
 
 def as_float(x: arb) -> float:
@@ -93,19 +97,14 @@ def cosine_deficit(x: arb) -> arb:
 
 def depth_and_cotangent(x: arb) -> tuple[arb, arb]:
     """Return enclosures of c = 2 - x cot(x/2) and cot(x/2), for 0 < x < 2 pi; c' = (x - sin x)/(1 - cos x)."""
-    middle, bits = x.mid(), flint.ctx.prec
-    try:
-        flint.ctx.prec = bits + 2 * max(0, -magnitude_bits(middle)) + 16
+    middle = x.mid()
+    with precision(flint.ctx.prec + 2 * max(0, -magnitude_bits(middle)) + 16):
         sine, cosine = (middle / 2).sin_cos()
         cotangent = cosine / sine
         value = 2 - middle * cotangent
-    finally:
-        flint.ctx.prec = bits
-    radius = x.rad()
-    if radius.is_zero():
+    if x.is_exact():
         return value, cotangent
-    value = value + arb(0, (radius * abs(sine_deficit(x) / versine(x))).upper())
-    return value, (x / 2).cot()
+    return widened(value, x.rad() * sine_deficit(x) / versine(x)), (x / 2).cot()
 
 
 def mean_value(function: Callable[[arb], arb], slope: Callable[[arb], arb], x: arb, cancelled: int = 0) -> arb:
@@ -122,8 +121,7 @@ def mean_value(function: Callable[[arb], arb], slope: Callable[[arb], arb], x: a
         return function(x)
     with precision(flint.ctx.prec + missing + (16 if cancelled else 0)):
         value = function(middle)
-    radius = x.rad()
-    return +value if radius.is_zero() else +value + arb(0, (radius * abs(slope(x))).upper())
+    return +value if x.is_exact() else widened(+value, x.rad() * slope(x))
 
 
 def magnitude_bits(x: arb) -> int:
@@ -137,8 +135,8 @@ def magnitude_bits(x: arb) -> int:
     return int(abs(mantissa)).bit_length() + int(exponent)
 
 
-def sign(x: arb, question: int) -> int:
-    """Return the proven sign of x, 0 only for the exact zero; raises EventUndecided if x straddles it."""
+def proved_sign(x: arb, question: str) -> int:
+    """Return the sign of x, 0 only for the exact zero; raises EventUndecided(question) if x straddles it."""
     if x.is_finite():
         if x > 0:
             return 1
@@ -146,7 +144,17 @@ def sign(x: arb, question: int) -> int:
             return -1
         if x.is_zero():
             return 0
-    raise EventUndecided(QUESTIONS[question], str(x.str(6)), working_digits())
+    raise undecided(question, x)
+
+
+def sign(x: arb, question: int) -> int:
+    """Return the proved sign of x; raises EventUndecided."""
+    return proved_sign(x, QUESTIONS[question])
+
+
+def undecided(question: str, x: arb) -> EventUndecided:
+    """Return what says that a ball leaves a question open at the present precision."""
+    return EventUndecided(question, str(x.str(6)), working_digits())
 
 
 def ceiling(x: arb, question: int) -> int:
@@ -155,7 +163,7 @@ def ceiling(x: arb, question: int) -> int:
         return 0
     value = x.ceil().unique_fmpz() if x.is_finite() else None
     if value is None:
-        raise EventUndecided(QUESTIONS[question], str(x.str(6)), working_digits())
+        raise undecided(QUESTIONS[question], x)
     return max(0, int(value))
 
 
@@ -196,7 +204,7 @@ class Ball:
     """flint.arb balls with `digits` working decimal digits."""
 
     name = "ball"
-    sqrt = staticmethod(sqrt)
+    to_float = staticmethod(as_float)
 
     def __init__(self, digits: int) -> None:
         """Fix the working precision in decimal digits."""
@@ -213,21 +221,6 @@ class Ball:
         if isinstance(value, int):
             return +arb(value)  # rounded, as a rational would be
         return arb(flint.fmpq(value.numerator, value.denominator))
-
-    def sign(self, x: arb) -> Sign:
-        """Return the proven sign of x; ZERO only for the exact zero; UNDECIDED if x straddles it or is not finite."""
-        if x.is_finite():
-            if x > 0:
-                return Sign.POSITIVE
-            if x < 0:
-                return Sign.NEGATIVE
-            if x.is_zero():
-                return Sign.ZERO
-        return Sign.UNDECIDED
-
-    def to_float(self, x: arb) -> float:
-        """Return the binary64 number nearest to the midpoint of x."""
-        return float(x.mid())
 
     def text(self, x: arb, digits: int = 6) -> str:
         """Return x as text with its radius."""

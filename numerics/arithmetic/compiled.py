@@ -193,8 +193,7 @@ def _declare_operators() -> None:
     from numba import types
     from numba.extending import overload, register_jitable
 
-    Pair, as_pair, negative, absolute = pair.Pair, pair.as_pair, pair.negative, pair.absolute
-    add, subtract, product, divide = pair.add, pair.subtract, pair.product, pair.divide
+    Pair, as_pair = pair.Pair, pair.as_pair
     for one in vars(pair).values():
         if isinstance(one, FunctionType) and one.__module__ == pair.__name__ and one not in {as_pair, pair.nearest}:
             register_jitable(**_INNER)(one)
@@ -203,40 +202,19 @@ def _declare_operators() -> None:
     def _as_pair(x):  # type: ignore[no-untyped-def]
         return (lambda x: x) if _is_pair(x) else lambda x: Pair(float(x), 0.0)
 
-    def declare(function: Any, both: Any, number_right: Any = None, number_left: Any = None) -> None:
-        """Declare an operator of two pairs; with a number on one side it may have a way of its own."""
-
-        @overload(function, prefer_literal=True, jit_options=_INNER)
+    def of_two(function: Any, of_pairs: Any) -> None:
+        @overload(function, jit_options=_INNER)
         def _operator(a, b):  # type: ignore[no-untyped-def]
-            if _is_pair(a) and isinstance(b, types.Number) and number_right:
-                return number_right(b)
-            if _is_pair(b) and isinstance(a, types.Number) and number_left:
-                return number_left(a)
             are_numbers = all(_is_pair(one) or isinstance(one, types.Number) for one in (a, b))
-            return both if are_numbers and (_is_pair(a) or _is_pair(b)) else None
+            is_ours = are_numbers and (_is_pair(a) or _is_pair(b))
+            return (lambda a, b: of_pairs(as_pair(a), as_pair(b))) if is_ours else None
 
-    def times_number(kind: Any) -> Any:
-        by = pair.scaled if _is_power_of_two(kind) else pair.times
-        return lambda a, b: by(a, float(b))
+    def of_one(function: Any, of_pair: Any) -> None:
+        overload(function, jit_options=_INNER)(lambda a: (lambda a: of_pair(a)) if _is_pair(a) else None)
 
-    def number_times(kind: Any) -> Any:
-        by = pair.scaled if _is_power_of_two(kind) else pair.times
-        return lambda a, b: by(b, float(a))
-
-    def over_number(kind: Any) -> Any:
-        if _is_power_of_two(kind):
-            return lambda a, b: pair.scaled(a, 1.0 / float(b))
-        return lambda a, b: divide(a, Pair(float(b), 0.0))
-
-    declare(operator.add, lambda a, b: add(as_pair(a), as_pair(b)))
-    declare(operator.sub, lambda a, b: subtract(as_pair(a), as_pair(b)))
-    declare(operator.mul, lambda a, b: product(a, b), times_number, number_times)
-    declare(operator.truediv, lambda a, b: divide(as_pair(a), as_pair(b)), over_number)
-    overload(operator.neg, jit_options=_INNER)(lambda a: (lambda a: negative(a)) if _is_pair(a) else None)
-    overload(abs, jit_options=_INNER)(lambda a: (lambda a: absolute(a)) if _is_pair(a) else None)
-
-
-def _is_power_of_two(kind: Any) -> bool:
-    """Return whether a type stands for a power of two written in a formula: then the product is exact."""
-    value = getattr(kind, "literal_value", 0)
-    return isinstance(value, int) and value > 0 and value & (value - 1) == 0
+    of_two(operator.add, pair.add)
+    of_two(operator.sub, pair.subtract)
+    of_two(operator.mul, pair.product)
+    of_two(operator.truediv, pair.divide)
+    of_one(operator.neg, pair.negative)
+    of_one(abs, pair.absolute)

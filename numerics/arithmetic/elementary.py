@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from typing import Any
 
 from numerics.arithmetic.compiled import compilable
 
@@ -39,21 +40,16 @@ _COSINE_TERMS = tuple((-1) ** k * 24 / math.factorial(2 * k + 6) for k in revers
 # The radius of convergence of the quotients is 2 pi: 14 terms below 1.2, 20 below 2 and 34 below 3 leave out less than
 # 2^-60 of the first.
 DEPTH_SERIES = _depth_series(34)
-_DEPTH_TERMS = tuple(float(term) for term in reversed(DEPTH_SERIES))
-_RISE_TERMS = tuple(float(2 * k * term) for k, term in reversed(list(enumerate(DEPTH_SERIES, start=1))))
 
 
-def _halves(terms: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Return the coefficients of the even and of the odd powers, the highest first."""
-    return terms[::-1][::2][::-1], terms[::-1][1::2][::-1]
+def _quotient(terms: list[Fraction]) -> tuple[Any, ...]:
+    """Return the first 14, 20 and 34 terms of a series: those of even and of odd powers, the highest first."""
+    floats = [float(one) for one in terms]
+    return tuple((tuple(floats[:n:2][::-1]), tuple(floats[1:n:2][::-1])) for n in (14, 20, 34))
 
 
-_DEPTH_EVEN, _DEPTH_ODD = _halves(_DEPTH_TERMS)
-_RISE_EVEN, _RISE_ODD = _halves(_RISE_TERMS)
-_DEPTH_EVEN_BELOW_2, _DEPTH_ODD_BELOW_2 = _halves(_DEPTH_TERMS[-20:])
-_RISE_EVEN_BELOW_2, _RISE_ODD_BELOW_2 = _halves(_RISE_TERMS[-20:])
-_DEPTH_EVEN_BELOW_1, _DEPTH_ODD_BELOW_1 = _halves(_DEPTH_TERMS[-14:])
-_RISE_EVEN_BELOW_1, _RISE_ODD_BELOW_1 = _halves(_RISE_TERMS[-14:])
+_DEPTH = _quotient(DEPTH_SERIES)
+_RISE = _quotient([2 * k * term for k, term in enumerate(DEPTH_SERIES, start=1)])
 
 
 @compilable
@@ -66,14 +62,20 @@ def horner(coefficients: tuple[float, ...], x: float) -> float:
 
 
 @compilable
-def two_horners(even: tuple[float, ...], odd: tuple[float, ...], x: float) -> float:
+def two_horners(terms: tuple[tuple[float, ...], tuple[float, ...]], x: float) -> float:
     """Return the polynomial with these even and odd coefficients: two chains that a processor runs side by side."""
-    square, total_even, total_odd = x * x, 0.0, 0.0
-    for coefficient in even:
-        total_even = total_even * square + coefficient
-    for coefficient in odd:
-        total_odd = total_odd * square + coefficient
-    return total_even + x * total_odd
+    square = x * x
+    return horner(terms[0], square) + x * horner(terms[1], square)
+
+
+@compilable
+def _quotient_series(terms: tuple[Any, ...], x: float) -> float:
+    """Return the series of a quotient at x < 3 over its power before the sum, from as few terms as x allows."""
+    if x < 1.2:
+        return two_horners(terms[0], x * x)
+    if x < 2.0:
+        return two_horners(terms[1], x * x)
+    return two_horners(terms[2], x * x)
 
 
 @compilable
@@ -136,13 +138,8 @@ def rise(x: float) -> float:
     Within 2.8 ulp: the last addition 1 u, the rounded 1/3 0.4 u, the further terms at most 0.3 of 3 u. From 3 on
     within 4 ulp: numerator 1.2 u, 1 - cos at most 3.2 u and 2.4 u where the quotient's mantissa is near 2.
     """
-    square = x * x
-    if x < 1.2:
-        return x * two_horners(_RISE_EVEN_BELOW_1, _RISE_ODD_BELOW_1, square)
-    if x < 2.0:
-        return x * two_horners(_RISE_EVEN_BELOW_2, _RISE_ODD_BELOW_2, square)
     if x < _QUOTIENT_SERIES_BELOW:
-        return x * two_horners(_RISE_EVEN, _RISE_ODD, square)
+        return x * _quotient_series(_RISE, x)
     return (x - math.sin(x)) / versine(x)
 
 
@@ -153,13 +150,8 @@ def depth(x: float) -> float:
     Within 3.4 ulp: x^2 1 u, the last addition 1 u, the rounded 1/6 0.4 u, the further terms at most 0.16 of 3 u.
     From 3 on within 4 ulp: sin - (x/2) cos at most 2.5 u, the other sine 1.1 u. Normal from x = 1e-153 on.
     """
-    square = x * x
-    if x < 1.2:
-        return square * two_horners(_DEPTH_EVEN_BELOW_1, _DEPTH_ODD_BELOW_1, square)
-    if x < 2.0:
-        return square * two_horners(_DEPTH_EVEN_BELOW_2, _DEPTH_ODD_BELOW_2, square)
     if x < _QUOTIENT_SERIES_BELOW:
-        return square * two_horners(_DEPTH_EVEN, _DEPTH_ODD, square)
+        return x * x * _quotient_series(_DEPTH, x)
     return 2.0 * lag(0.5 * x) / math.sin(0.5 * x)
 
 

@@ -1,4 +1,4 @@
-"""IEEE binary64, seen from Python: how its numbers are read, decided and written. Its functions: elementary.py."""
+"""IEEE binary64, seen from Python: how its numbers are read and written. Its functions: elementary.py."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from contextlib import AbstractContextManager, nullcontext
 from fractions import Fraction
 
-from numerics.arithmetic.protocol import Sign
+from numerics.arithmetic.elementary import as_float
 from numerics.errors import OutOfRange
 
 
@@ -15,7 +15,7 @@ class Float64:
 
     name = "float64"
     digits = 15
-    sqrt = staticmethod(math.sqrt)
+    to_float = staticmethod(as_float)
 
     def context(self) -> AbstractContextManager[object]:
         """Return a context that does nothing: binary64 needs none."""
@@ -33,16 +33,6 @@ class Float64:
                 "a number of this scene is beyond the range of float64 (1e-308 to 1e308); use ball arithmetic"
             )
         return number
-
-    def sign(self, x: float) -> Sign:
-        """Return the sign of x; raises OutOfRange for nan and infinities, which no decision may rest on."""
-        if not math.isfinite(x):
-            raise OutOfRange("a number of this scene left the range of float64 on the way; use ball arithmetic")
-        return Sign((x > 0) - (x < 0))
-
-    def to_float(self, x: float) -> float:
-        """Return x."""
-        return x
 
     def text(self, x: float, digits: int = 6) -> str:
         """Return x with `digits` significant digits."""

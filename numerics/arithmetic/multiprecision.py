@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from fractions import Fraction
 from typing import Any
 
 import mpmath
 
-from numerics.arithmetic.protocol import Number, Sign
+from numerics.arithmetic.protocol import Number
 
 sqrt, sin, atan2 = mpmath.sqrt, mpmath.sin, mpmath.atan2
 
@@ -46,29 +47,25 @@ def versine(x: Number) -> Number:
 
 def sine_deficit(x: Number) -> Number:
     """Return x - sin x, with the bits that cancel added to the working precision."""
-    with mpmath.extraprec(2 * _cancelled_bits(x)):
-        value = x - mpmath.sin(x)
-    return +value
+    return _precisely(lambda: x - mpmath.sin(x), x, 2)
 
 
 def cosine_deficit(x: Number) -> Number:
     """Return x^2/2 - 1 + cos x, with the bits that cancel added to the working precision."""
-    with mpmath.extraprec(4 * _cancelled_bits(x)):
-        value = x * x / 2 - 1 + mpmath.cos(x)
-    return +value
+    return _precisely(lambda: x * x / 2 - 1 + mpmath.cos(x), x, 4)
 
 
 def depth_and_cotangent(x: Number) -> tuple[Number, Number]:
     """Return 2 - x cot(x/2), with the bits that cancel added to the working precision, and cot(x/2)."""
-    with mpmath.extraprec(2 * _cancelled_bits(x)):
-        cotangent = mpmath.cot(x / 2)
-        value = 2 - x * cotangent
-    return +value, +cotangent
+    return _precisely(lambda: 2 - x * mpmath.cot(x / 2), x, 2), mpmath.cot(x / 2)
 
 
-def _cancelled_bits(x: Any) -> int:
-    """Return how many leading bits |x| falls short of 1, plus a guard."""
-    return max(0, -int(mpmath.mag(x))) + 8 if x and mpmath.isfinite(x) else 8
+def _precisely(function: Callable[[], Number], x: Any, times: int) -> Number:
+    """Return a value with the bits added that cancel near 0, `times` for each one that |x| is below 1, and a guard."""
+    cancelled = max(0, -int(mpmath.mag(x))) if x and mpmath.isfinite(x) else 0
+    with mpmath.extraprec(times * (cancelled + 8)):
+        value = function()
+    return +value
 
 
 def sign(x: Number, question: int) -> int:  # noqa: ARG001
@@ -110,7 +107,7 @@ class Multiprecision:
     """mpmath numbers with `digits` working decimal digits, seen from Python."""
 
     name = "mpmath"
-    sqrt = staticmethod(sqrt)
+    to_float = staticmethod(as_float)
 
     def __init__(self, digits: int) -> None:
         """Fix the working precision in decimal digits."""
@@ -124,14 +121,6 @@ class Multiprecision:
     def number(value: Fraction | int) -> Any:
         """Return the number nearest to an exact rational."""
         return mpmath.mpf(value.numerator) / value.denominator
-
-    def sign(self, x: Any) -> Sign:
-        """Return the sign of x; UNDECIDED for nan and infinities."""
-        return Sign(int(mpmath.sign(x))) if mpmath.isfinite(x) else Sign.UNDECIDED
-
-    def to_float(self, x: Any) -> float:
-        """Return the binary64 number nearest to x."""
-        return float(x)
 
     def text(self, x: Any, digits: int = 6) -> str:
         """Return x with `digits` significant digits."""

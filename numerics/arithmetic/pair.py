@@ -33,7 +33,7 @@ class Pair(NamedTuple):
 
     def __radd__(self, other: Any) -> Pair:
         """Return other + self."""
-        return add(self, as_pair(other))
+        return self + other
 
     def __sub__(self, other: Any) -> Pair:
         """Return the difference."""
@@ -45,11 +45,11 @@ class Pair(NamedTuple):
 
     def __mul__(self, other: Any) -> Pair:
         """Return the product; with a power of 2 it is exact."""
-        return product(self, other) if isinstance(other, Pair) else times(self, float(other))
+        return product(self, as_pair(other))
 
     def __rmul__(self, other: Any) -> Pair:
         """Return other self."""
-        return times(self, float(other))
+        return self * other
 
     def __truediv__(self, other: Any) -> Pair:
         """Return the quotient."""

@@ -27,7 +27,7 @@ from numerics.arithmetic.pair import (
 
 LONGEST, SHORTEST = 1e14, 1e-60
 """Angles that double-double resolves: beyond them no phase is left, or the error of a fourth power is lost."""
-_Terms = tuple[tuple[float, float], ...]
+_Series = tuple[tuple[tuple[float, float], ...], tuple[float, ...]]
 _PI = Fraction("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534")
 _TURN = nearest(2 * _PI)
 _QUARTER_1, _QUARTER_2 = nearest(_PI / 2)
@@ -52,34 +52,34 @@ _TABLE = tuple(
 """sin(k/16) and cos(k/16), each as high and low: up to pi/4, and some more."""
 
 
-def _split(terms: list[Fraction], precise: int) -> tuple[_Terms, tuple[float, ...]]:
+def _split(terms: list[Fraction], precise: int) -> _Series:
     """Return the first `precise` terms in double-double, the others in binary64; highest power first."""
     exact = tuple((high, low) for high, low in map(nearest, reversed(terms[:precise])))
     return exact, tuple(float(term) for term in reversed(terms[precise:]))
 
 
-def _alternating(first: int, count: int, precise: int) -> tuple[_Terms, tuple[float, ...]]:
+def _alternating(first: int, count: int, precise: int) -> _Series:
     """Return `count` terms (-1)^k/(first + 2 k)! of a series in x^2."""
     return _split([Fraction((-1) ** k, math.factorial(first + 2 * k)) for k in range(count)], precise)
 
 
 # For |t| <= 1/32 the terms from t^8 on weigh less than 2^-53
-_SMALL_SINE, _SMALL_SINE_TAIL = _alternating(3, 7, 3)
-_SMALL_VERSINE, _SMALL_VERSINE_TAIL = _alternating(2, 7, 3)
+_SMALL_SINE = _alternating(3, 7, 3)
+_SMALL_VERSINE = _alternating(2, 7, 3)
 # x - sin x = x^3 sum for |x| < 1.2; x^2/2 - 1 + cos x = x^4 sum for |x| < 2
-_SINE, _SINE_TAIL = _alternating(3, 16, 9)
-_COSINE, _COSINE_TAIL = _alternating(4, 18, 11)
+_SINE = _alternating(3, 16, 9)
+_COSINE = _alternating(4, 18, 11)
 # 2 - x cot(x/2) = x^2 sum, of convergence radius 2 pi
-_DEPTH_BELOW_1_5, _DEPTH_TAIL_BELOW_1_5 = _split(DEPTH_SERIES[:27], 14)
-_DEPTH_BELOW_1, _DEPTH_TAIL_BELOW_1 = _split(DEPTH_SERIES[:21], 11)
-_DEPTH_NEAR_0, _DEPTH_TAIL_NEAR_0 = _split(DEPTH_SERIES[:12], 7)
+_DEPTH_BELOW_1_5 = _split(DEPTH_SERIES[:27], 14)
+_DEPTH_BELOW_1 = _split(DEPTH_SERIES[:21], 11)
+_DEPTH_NEAR_0 = _split(DEPTH_SERIES[:12], 7)
 
 
 @compilable
-def _polynomial(precise: _Terms, tail: tuple[float, ...], x: Pair) -> Pair:
-    """Return precise + x^n tail for polynomials of which each term outweighs those of higher powers."""
-    total = Pair(horner(tail, x.high), 0.0)
-    for high, low in precise:
+def _polynomial(series: _Series, x: Pair) -> Pair:
+    """Return the sum of a series of which each term outweighs those of higher powers."""
+    total = Pair(horner(series[1], x.high), 0.0)
+    for high, low in series[0]:
         further = product(total, x)
         top = two_sum(high, further.high)
         total = fast_two_sum(top.high, top.low + (low + further.low))
@@ -131,8 +131,8 @@ def _near_zero(x: Pair) -> tuple[Pair, Pair]:
     cell = math.floor(x.high * _CELLS + 0.5)
     t = x + Pair(-cell / _CELLS, 0.0)
     square = t * t
-    sine_t = t - t * square * _polynomial(_SMALL_SINE, _SMALL_SINE_TAIL, square)
-    versine_t = square * _polynomial(_SMALL_VERSINE, _SMALL_VERSINE_TAIL, square)
+    sine_t = t - t * square * _polynomial(_SMALL_SINE, square)
+    versine_t = square * _polynomial(_SMALL_VERSINE, square)
     if cell == 0:
         return sine_t, Pair(1.0, 0.0) - versine_t
     sine_high, sine_low, cosine_high, cosine_low = _TABLE[abs(int(cell))]
@@ -165,7 +165,7 @@ def sine_deficit(x: Pair) -> Pair:
     if abs(x.high) >= _SERIES_BELOW:
         return x - sine_cosine(x)[0]
     square = x * x
-    return square * x * _polynomial(_SINE, _SINE_TAIL, square)
+    return square * x * _polynomial(_SINE, square)
 
 
 @compilable
@@ -174,7 +174,7 @@ def cosine_deficit(x: Pair) -> Pair:
     square = x * x
     if abs(x.high) >= _COSINE_SERIES_BELOW:
         return scaled(square, 0.5) - versine(x)
-    return square * square * _polynomial(_COSINE, _COSINE_TAIL, square)
+    return square * square * _polynomial(_COSINE, square)
 
 
 @compilable
@@ -182,11 +182,11 @@ def depth_and_cotangent(x: Pair) -> tuple[Pair, Pair]:
     """Return c = 2 - x cot(x/2) for 0 < x <= 2 pi - 1, and cot(x/2) = (2 - c)/x; by the series of c for x < 1.5."""
     square = x * x
     if x.high < 0.25:
-        depth = square * _polynomial(_DEPTH_NEAR_0, _DEPTH_TAIL_NEAR_0, square)
+        depth = square * _polynomial(_DEPTH_NEAR_0, square)
     elif x.high < 1.0:
-        depth = square * _polynomial(_DEPTH_BELOW_1, _DEPTH_TAIL_BELOW_1, square)
+        depth = square * _polynomial(_DEPTH_BELOW_1, square)
     elif x.high < _DEPTH_SERIES_BELOW:
-        depth = square * _polynomial(_DEPTH_BELOW_1_5, _DEPTH_TAIL_BELOW_1_5, square)
+        depth = square * _polynomial(_DEPTH_BELOW_1_5, square)
     else:
         sine, cosine = sine_cosine(scaled(x, 0.5))
         cotangent = divide(cosine, sine)

@@ -25,7 +25,7 @@ from functools import cached_property
 import flint
 from flint import acb, acb_poly, arb, arb_poly, fmpq, fmpq_series
 
-from numerics.arithmetic.ball import Ball, precision
+from numerics.arithmetic.ball import Ball, precision, widened
 
 ORDER = 24
 """Terms of alpha beyond the logarithm; beta has twice as many, as it runs in half powers of y."""
@@ -42,20 +42,10 @@ class AbelFunctions:
         self.q, self.r, self.order = q, 1 - q, order
         with _series_terms(2 * order + 8):
             self._compute_series()
-        self.radius, self._alpha_rim, self._beta_rim, self._slide_rim = self._bound_on_rim()
-
-    @property
-    def alpha_zero_order(self) -> int:
-        """Return the order of the zero of alpha(F) - alpha - 1 at theta = 0: its series begins at y^(order + 2).
-
-        That of slide(F) + slide - y + F begins there, too.
-        """
-        return 2 * self.order + 4
-
-    @property
-    def beta_zero_order(self) -> int:
-        """Return that of beta(F) - beta - pi - t: its part beyond pi alpha begins at epsilon^(2 order + 3)."""
-        return 2 * self.order + 3
+        self.radius, *self._rims = self._bound_on_rim()
+        # the zeros at theta = 0 of alpha(F) - alpha - 1 and of slide(F) + slide - y + F, which begin at y^(order + 2),
+        # and of beta(F) - beta - pi - t, whose part beyond pi alpha begins at epsilon^(2 order + 3)
+        self.alpha_zero_order, self.beta_zero_order = 2 * order + 4, 2 * order + 3
 
     @cached_property
     def largest_argument(self) -> Fraction:
@@ -93,18 +83,18 @@ class AbelFunctions:
         if not y <= Ball.number(self.largest_argument):
             raise ArithmeticError(f"y = {y.str(6)} is beyond the certified {float(self.largest_argument):g}")
         value = 1 / (arb(self.a) * y) + arb(self.log_coefficient) * y.log() + _polynomial(self.alpha_coefficients)(y)
-        return value + arb(0, self._missed(y, self._alpha_rim, self.alpha_zero_order).upper())
+        return widened(value, self._missed(y, self._rims[0], self.alpha_zero_order))
 
     def beta(self, y: arb) -> arb:
         """Return an enclosure of beta(y), the reduced time that iteration adds up."""
         epsilon = (y * Ball.number(self.q)).sqrt()
         value = arb.pi() * self.alpha(y) + _polynomial(self.beta_coefficients)(epsilon)
-        return value + arb(0, self._missed(y, self._beta_rim, self.beta_zero_order).upper())
+        return widened(value, self._missed(y, self._rims[1], self.beta_zero_order))
 
     def slide(self, y: arb) -> arb:
         """Return an enclosure of (y - y_1) - (y_1 - y_2) + (y_2 - y_3) - ..., y_k the iterates of y."""
-        value = _polynomial(self.slide_coefficients)(y)
-        return value + arb(0, self._missed(y, self._slide_rim, self.alpha_zero_order).upper())
+        missed = self._missed(y, self._rims[2], self.alpha_zero_order)
+        return widened(_polynomial(self.slide_coefficients)(y), missed)
 
     def slope(self, y: arb) -> arb:
         """Return alpha'(y) of the truncated series: what Newton's method steers by."""

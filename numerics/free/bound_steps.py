@@ -20,8 +20,9 @@ from numerics.arithmetic.compiled import compilable
 class Errors(NamedTuple):
     """Bounds on the errors at the start of a mode of motion.
 
-    Of its time; of the slip variables d and u (in stick: of the offset from the edge, and V); of w; of the sum of |dZ|
-    over all slips; of Z. The state is within `norm` of the true trajectory, shifted in time by at most `shift`.
+    Of its time; of the slip variables d and u (in stick: of the offset from the edge over q, and of V over sqrt q); of
+    w; of the sum of |dZ| over all slips; of Z. The state is within `norm` of the true trajectory, shifted in time by at
+    most `shift`.
     """
 
     late: float
@@ -38,7 +39,6 @@ class Linear(NamedTuple):
     """A slip from an exit ray to first order in w: what the stick phase after it needs to add both durations up.
 
     d(duration)/dw, d(offset)/dw, d(side V)/dw and d(w')/dw; the error of w before, and the roundings of the slip alone.
-    w < 0 says that there is none.
     """
 
     length: float
@@ -53,9 +53,9 @@ class Linear(NamedTuple):
 
 
 @compilable
-def no_linear(errors: Errors) -> Linear:
+def no_linear(q: float, errors: Errors) -> Linear:
     """Return the first-order part of a stick phase that does not follow a slip from a ray: there is none."""
-    return Linear(0.0, 0.0, 0.0, 1.0, 0.0, errors.late, errors.gap, errors.push, errors.w)
+    return Linear(0.0, 0.0, 0.0, 1.0, 0.0, errors.late, q * errors.gap, math.sqrt(q) * errors.push, errors.w)
 
 
 @compilable
@@ -111,9 +111,17 @@ def after_ray(
     norm = q * gap + sqrt_q * turn + 4.0 * unit
     w_error = own_w + abs(excess_w) * errors.w
     ended = Errors(late, gap, turn, w_error, errors.slide + slid, errors.place + slid + placed, late, norm)
-    slopes = sqrt_q * theta_w, -q * depth_w, sqrt_q * (push_w - theta_w), excess_w
-    own = errors.late + own_late, q * own_gap, sqrt_q * own_push, own_w
-    return ended, Linear(slopes[0], slopes[1], slopes[2], slopes[3], errors.w, own[0], own[1], own[2], own[3])
+    return ended, Linear(
+        sqrt_q * theta_w,
+        -q * depth_w,
+        sqrt_q * (push_w - theta_w),
+        excess_w,
+        errors.w,
+        errors.late + own_late,
+        q * own_gap,
+        sqrt_q * own_push,
+        own_w,
+    )
 
 
 @compilable
@@ -221,13 +229,6 @@ def after_stick(
     norm = errors.w / root + 4.0 * unit
     push = (errors.w / root + 4.0 * unit * root) / sqrt_q
     return Errors(late, 0.0, push, errors.w, errors.slide, errors.place, late, norm)
-
-
-@compilable
-def in_stick(errors: Errors, q: float, sqrt_q: float) -> Errors:
-    """Return the same errors with those of the offset from the edge and of V in the place of gap and push."""
-    offset, velocity = q * errors.gap, sqrt_q * errors.push
-    return Errors(errors.late, offset, velocity, errors.w, errors.slide, errors.place, errors.shift, errors.norm)
 
 
 @compilable

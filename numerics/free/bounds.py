@@ -17,7 +17,6 @@ from numerics.free.bound_steps import (
     after_stick,
     after_surface,
     in_crossing,
-    in_stick,
     lost,
     no_linear,
     speed,
@@ -54,52 +53,52 @@ def initial(at: Parameters, start: Start, V1: Number, V2: Number) -> Carried:
     unit = rounding(at.q)
     X_part, V1_part = abs(as_float(start.X)), as_float(at.sqrt_q) * abs(as_float(V1))
     norm = 4 * unit * (X_part + V1_part + math.sqrt(as_float(at.r)) * abs(as_float(V2)))
-    gap, push = 2 * unit * abs(as_float(start.gap)), 4 * unit * abs(as_float(start.push))
+    q, gap, push = as_float(at.q), 2 * unit * abs(as_float(start.gap)), 4 * unit * abs(as_float(start.push))
+    if start.kind == STICK:
+        gap, push = gap / q, push / math.sqrt(q)
     w, place = 2 * unit * abs(as_float(start.w)), 2 * unit * abs(as_float(start.Z))
     errors = Errors(0.0, gap, push, w, 0.0, place, 0.0, norm)
-    return Carried(errors, no_linear(errors))
+    return Carried(errors, no_linear(q, errors))
 
 
 @compilable
 def after_event(at: Parameters, before: Start, carried: Carried, end: Landing, after: Start) -> Carried:
     """Return the errors at the start of the motion `after`, which follows `before`."""
-    q, sqrt_q = as_float(at.q), as_float(at.sqrt_q)
+    errors, linear = _ended(at, before, carried, end)
     if before.kind == STICK:
-        return Carried(_leaving(at, before, carried), carried.linear)
-    errors, linear = _after_slip(at, before, carried.errors, end)
-    beyond = as_float(-(2 + at.q * end.gap))
+        return Carried(errors, linear)
+    q, beyond = as_float(at.q), as_float(-(2 + at.q * end.gap))
     unsure = not abs(beyond) > q * errors.gap or (beyond < 0.0 and not abs(as_float(end.w)) > errors.w)
     if unsure and not at.literal:
         errors = lost()
-    if after.kind == STICK:
-        errors = in_stick(errors, q, sqrt_q)
-        return Carried(errors, no_linear(errors) if linear.w < 0.0 else linear)
-    return Carried(in_crossing(rounding(at.q), errors, q, as_float(after.gap)), linear)
+    if after.kind != STICK:
+        errors = in_crossing(rounding(at.q), errors, q, as_float(after.gap))
+    return Carried(errors, linear)
 
 
 @compilable
-def _leaving(at: Parameters, start: Start, carried: Carried) -> Errors:
-    """Return the errors on the exit ray that ends a stick phase."""
-    end = stick_reach(start)
-    reached = as_float(end.below), as_float(end.root), as_float(end.reach)
-    same_edge = end.side == start.side
-    return after_stick(rounding(at.q), carried.errors, carried.linear, reached, as_float(at.sqrt_q), same_edge)
-
-
-@compilable
-def _after_slip(at: Parameters, start: Start, errors: Errors, end: Landing) -> tuple[Errors, Linear]:
-    """Return the errors at the end of a slip, and their linear part."""
+def _ended(at: Parameters, start: Start, carried: Carried, end: Landing) -> Carried:
+    """Return the errors at the end of a motion."""
     q, r, unit, w, w_after = as_float(at.q), as_float(at.r), rounding(at.q), as_float(start.w), as_float(end.w)
+    errors = carried.errors
+    if start.kind == STICK:
+        exit_at = stick_reach(start)
+        reached = as_float(exit_at.below), as_float(exit_at.root), as_float(exit_at.reach)
+        same_edge = exit_at.side == start.side
+        errors = after_stick(unit, errors, carried.linear, reached, as_float(at.sqrt_q), same_edge)
+        return Carried(errors, carried.linear)
     theta, depth, placed = as_float(end.theta), as_float(-end.gap), 4.0 * unit * abs(as_float(start.Z))
     if start.kind == RAY:
-        return after_ray(q, r, unit, errors, (w, w_after), (theta, depth, end.versine), placed)
+        errors, linear = after_ray(q, r, unit, errors, (w, w_after), (theta, depth, end.versine), placed)
+        return Carried(errors, linear)
     gap, push = as_float(start.gap), as_float(start.push)
-    none = Linear(0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 0.0)
     if start.kind == SURFACE:
         landing = theta, as_float(-end.gap - start.gap), end.versine
-        return after_surface(q, r, unit, errors, (gap, push, w), w_after, landing, placed), none
-    variables = (as_float(start.guard), gap, push, as_float(start.driven))
-    return after_free(q, r, unit, errors, variables, (theta, depth, end.spared), placed), none
+        errors = after_surface(q, r, unit, errors, (gap, push, w), w_after, landing, placed)
+    else:
+        variables = (as_float(start.guard), gap, push, as_float(start.driven))
+        errors = after_free(q, r, unit, errors, variables, (theta, depth, end.spared), placed)
+    return Carried(errors, no_linear(q, errors))
 
 
 @compilable
@@ -107,10 +106,7 @@ def before_horizon(
     at: Parameters, start: Start, carried: Carried, end: Landing, tau: Number, horizon: Number
 ) -> Carried:
     """Return the errors, lost where the event that was found at tau, after the horizon, may come before it."""
-    if start.kind == STICK:
-        late = _leaving(at, start, carried).late
-    else:
-        late = _after_slip(at, start, carried.errors, end)[0].late
+    late = _ended(at, start, carried, end).errors.late
     sure = as_float(tau - horizon) > late + 4.0 * rounding(at.q) * as_float(horizon)
     return carried if sure else Carried(lost(), carried.linear)
 
@@ -118,10 +114,9 @@ def before_horizon(
 @compilable
 def at_start(at: Parameters, start: Start, errors: Errors, here: State) -> Off:
     """Return the errors of the state with which a motion starts at an event."""
-    unit, in_slip = rounding(at.q), start.kind != STICK
-    scale_x, scale_v = (as_float(at.q), as_float(at.sqrt_q)) if in_slip else (1.0, 1.0)
-    x = scale_x * errors.gap + 2.0 * unit * abs(as_float(start.X))
-    v = scale_v * errors.push + 2.0 * unit * abs(as_float(here.V1))
+    unit = rounding(at.q)
+    x = as_float(at.q) * errors.gap + 2.0 * unit * abs(as_float(start.X))
+    v = as_float(at.sqrt_q) * errors.push + 2.0 * unit * abs(as_float(here.V1))
     spent = 2.0 * as_float(at.r) * errors.slide + 8.0 * unit * as_float(start.spent) + UNDERFLOW
     return Off(errors.late, x, v, v, errors.place, errors.w, spent, math.isfinite(errors.late))
 
@@ -144,7 +139,8 @@ def _in_stick_at(at: Parameters, start: Start, errors: Errors, late: float, shif
     """Return the errors during a stick phase: one rotation."""
     unit, X, V = rounding(at.q), as_float(start.X), as_float(start.push)
     turning = math.sqrt(X * X + V * V)
-    error = min(errors.norm + turning * shift, errors.gap + errors.push + turning * late) + 8.0 * unit * turning
+    moved = as_float(at.q) * errors.gap + as_float(at.sqrt_q) * errors.push
+    error = min(errors.norm + turning * shift, moved + turning * late) + 8.0 * unit * turning
     place = errors.place + 2.0 * unit * abs(as_float(start.Z))
     spent = 2.0 * as_float(at.r) * errors.slide + 8.0 * unit * as_float(start.spent) + UNDERFLOW
     return Off(0.0, error, error, error, place, errors.w, spent, math.isfinite(errors.late))

@@ -22,11 +22,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from flint import arb, ctx
 
-from numerics.arithmetic.ball import precision
+from numerics.arithmetic.ball import magnitude_bits, precision, widened
 from numerics.arithmetic.compiled import by_type, compilable
 from numerics.arithmetic.functions import (
     as_float,
@@ -39,14 +39,12 @@ from numerics.arithmetic.functions import (
 )
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.protocol import Number
-from numerics.free.contact_binary64 import binary64_contact, late_angle
+from numerics.free.contact_binary64 import binary64_contact, early_bracket, late_angle, late_bound
 from numerics.free.root import falling_root
 
 _SEED_BITS = 44
 _SMALLEST_SEED = 1e-90
 _SPARE_BITS = 12
-_EARLY_REACH, _LATE_REACH = 3.4, 5
-"""Up to 3.4 h' <= 5/4 and c' = h <= 2; for push <= 1 the root is below 3.3. For push > 1 eta is below 3 pi/2."""
 
 
 class EarlyPoint(NamedTuple):
@@ -147,38 +145,37 @@ def late_shift(at: LatePoint) -> Number:
 def bracketed_contact(gap: Number, push: Number) -> tuple[Number, Number, Number]:
     """Return the contact without binary64's root: by a bracket, for arguments of any size (see early_bracket)."""
 
-    def early(at: tuple[Number, Number], theta: Number) -> tuple[Number, Number]:
-        point = early_point(*at, theta)
-        return point.value, -point.steepness
+    def root(point_at: Callable[..., EarlyPoint | LatePoint], lower: Number, upper: Number) -> Number:
+        def value_and_slope(at: tuple[Number, Number], x: Number) -> tuple[Number, Number]:
+            point = point_at(*at, x)
+            return point.value, -point.steepness
 
-    def late(at: tuple[Number, Number], eta: Number) -> tuple[Number, Number]:
-        point = late_point(*at, eta)
-        return point.value, -point.steepness
+        return falling_root(lower, upper, value_and_slope, (gap, push))
 
-    half_turn = two_pi(gap) / 2
     if as_float(push) > 1.0:
-        # versine >= 2 eta^2/pi^2 and sin <= eta on (0, pi]: the root lies below that of 2 u eta^2/pi^2 - d eta - 2 pi
-        square = half_turn * half_turn / (4 * push)
-        upper = square * (gap + sqrt(gap * gap + 16 * push / half_turn))
-        upper = 3 * half_turn / 2 if as_float(upper) > 3.0 else 17 * upper / 16
-        eta = falling_root(like(gap, 0.0), upper, late, (gap, push))
-        point, theta = late_point(gap, push, eta), 2 * half_turn - eta
+        eta = root(late_point, like(gap, 0.0), late_bound(gap, push))
+        point, theta = late_point(gap, push, eta), two_pi(gap) - eta
         return theta, 2 + theta * point.half_cosine / point.half_sine, point.versine
-    lower = 15 * _positive_root(push - 2 * gap / half_turn, 4 * gap) / 16
-    upper = 3 * _positive_root(push, 8 * gap / 3) / 2
-    upper = 33 * half_turn / 32 if as_float(upper) > 3.0 else 17 * upper / 16
-    theta = falling_root(lower, upper, early, (gap, push))
+    theta = root(early_point, *early_bracket(gap, push))
     return theta, depth_and_cotangent(theta)[0], versine(theta)
 
 
-def _positive_root(b: Number, c: Number) -> Number:
-    """Return b + sqrt(b^2 + c), c >= 0, without cancellation."""
-    height = sqrt(b * b + c)
-    return b + height if as_float(b) >= 0.0 else c / (height - b)
+@compilable
+def _ray_contact_of_points(w: Number, push: Number, q: Number, r: Number, _: Number) -> tuple[Number, ...]:
+    theta, depth, drop = contact(like(w, 0.0), push)
+    return theta, depth, w - r * q * depth * depth, drop
 
 
-def enclosed_after_ray(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb, arb, arb]:
-    """Return theta, depth, the excess after it, and 1 - cos theta of a slip from an exit ray with excess w.
+@by_type(_ray_contact_of_points, _ray_contact_of_points)
+def ray_contact(w: Number, push: Number, q: Number, r: Number, sqrt_q: Number) -> tuple[Number, ...]:
+    """Return theta, depth, the excess after it, and 1 - cos theta of a slip from an exit ray with excess w = q u^2."""
+    if type(w) is not arb:
+        return _ray_contact_of_points(w, push, q, r, sqrt_q)
+    return _enclosed_ray_contact(w, q, r, sqrt_q)
+
+
+def _enclosed_ray_contact(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb, arb, arb]:
+    """Return the same in balls.
 
     The contact is located at the centre of w; along w, theta/u falls (h is convex), c' = h and
     dw'/dw = 1 - r (1 - cos theta), which lies in (-1, 1): so enclosures of w do not grow from one excursion to the
@@ -198,88 +195,50 @@ def enclosed_after_ray(w: arb, q: arb, r: arb, sqrt_q: arb) -> tuple[arb, arb, a
 
 def _enclosed_contact(gap: arb, push: arb) -> tuple[arb, arb, arb]:
     """Return the enclosed contact at flint's present precision. Raises EventUndecided."""
-    d, u, found = as_float(gap), as_float(push), None
-    if 0.0 <= d < math.inf and abs(u) < math.inf and (d > 0.0 or u > 0.0):
-        found = _enclosed_late(gap, push, u, d) if u > 1.0 else _enclosed_early(gap, push, u, d)
-    return found or bracketed_contact(gap, push)
+    return contact_next_to_binary64(gap, push) or bracketed_contact(gap, push)
 
 
-def _enclosed_early(gap: arb, push: arb, u: float, d: float) -> tuple[arb, arb, arb] | None:
-    """Return the contact for push <= 1; c and h grow at rates at most 2 and 5/4 below 3.4, the second derivative of
-
-    1 - cos is at most 1 and its first sin = (1 - cos) cot."""
-
-    def slope_over(at: EarlyPoint, around: arb) -> arb:
-        depth = at.depth + (at.rise + 5 * around / 4) * around
-        versine = 1 / at.reciprocal
-        return -(depth + at.gap) / (versine + versine * at.cotangent * around + around * around / 2)
-
-    found = _proved(
-        lambda: binary64_contact(d, u)[0],
-        lambda theta: early_point(gap, push, theta),
-        early_shift,
-        slope_over,
-        _EARLY_REACH,
-    )
-    if found is None:
+def contact_next_to_binary64(gap: arb, push: arb) -> tuple[arb, arb, arb] | None:
+    """Return the enclosed contact, proved next to the one that binary64 finds for the midpoints; None if it fails."""
+    d, u, bits = as_float(gap), as_float(push), ctx.prec
+    if not (0.0 <= d < math.inf and abs(u) < math.inf and (d > 0.0 or u > 0.0)):
         return None
-    at, shift = found
-    depth = at.depth + (at.rise + arb(0, (abs(shift) * 5 / 4).upper())) * shift
-    drop = (1 + at.cotangent * shift) / at.reciprocal + arb(0, (shift * shift / 2).upper())
-    return at.theta + shift, depth, drop
-
-
-def _enclosed_late(gap: arb, push: arb, u: float, d: float) -> tuple[arb, arb, arb] | None:
-    """Return the contact for push > 1; sine, cosine and versine change by at most |around|."""
-
-    def slope_over(at: LatePoint, around: arb) -> arb:
-        versine = at.versine + (at.sine + around) * around
-        return gap * (1 - versine) - push * (at.sine + around) - versine
-
-    found = _proved(
-        lambda: late_angle(d, u), lambda eta: late_point(gap, push, eta), late_shift, slope_over, _LATE_REACH
-    )
-    if found is None:
-        return None
-    at, shift = found
-    turn, around = 2 * arb.pi(), arb(0, abs(shift).upper())
-    versine_over = at.versine + at.sine * around + arb(0, (shift * shift / 2).upper())
-    rise = (turn - (at.eta + around) + at.sine + around) / versine_over
-    depth = 2 + (turn - at.eta) * at.half_cosine / at.half_sine - rise * shift
-    drop = at.versine + at.sine * shift + arb(0, (shift * shift / 2).upper())
-    return turn - (at.eta + shift), depth, drop
-
-
-def _proved(
-    seed: Callable[[], float],
-    point: Callable[[arb], Any],
-    shift_from: Callable[[Any], arb],
-    slope_over: Callable[[Any, arb], arb],
-    reach: float,
-) -> tuple[Any, arb] | None:
-    """Refine the seed, then prove the root next to it: return the point at full precision and the way to the root."""
     try:
-        near = seed()
+        near = late_angle(d, u) if u > 1.0 else binary64_contact(d, u)[0]
     except ArithmeticError:
         return None
     if not near > _SMALLEST_SEED:
         return None
-    bits = ctx.prec
-    half = bits // 2 + _SPARE_BITS
-    x, right = arb(near), _SEED_BITS
+    # next to a full turn the digits of what is missing to it count
+    spare = _SPARE_BITS + (2 * max(0, -magnitude_bits(arb(near))) if u > 1.0 else 0)
+    half, right = bits // 2 + _SPARE_BITS, _SEED_BITS
+    with precision(bits + spare):
+        x = (2 * arb.pi() - near).mid() if u > 1.0 else arb(near)
     while right < half:
         right = min(3 * right - 4, half)
-        with precision(right + _SPARE_BITS):
-            x = (x + shift_from(point(x))).mid()
-    with precision(bits + _SPARE_BITS):
-        at = point(x)
+        with precision(right + spare):
+            x = (x + early_shift(early_point(gap, push, x))).mid()
+    with precision(bits + spare):
+        at = early_point(gap, push, x)
         # a first guess of the distance: half the bits are right, more where the inputs are wide
         width = (2 * abs(at.value / at.steepness)).upper() + x * arb(2) ** -(bits + _SPARE_BITS)
         for _ in range(3):
-            around = arb(0, width.upper())
-            slope = slope_over(at, around)
-            inside = x + around > 0 and x + around < reach
-            if inside and slope < 0 and around.contains_interior(shift := -at.value / slope):
-                return at, shift
+            region = arb(x, width.upper())
+            if not (region > 0 and region < 2 * arb.pi()):
+                return None
+            with precision(half + spare):
+                steepness, bend = _over(gap, push, region)
+            shift = at.value / steepness
+            if steepness > 0 and region.contains_interior(x + shift):
+                square = shift * shift / 2
+                depth = at.depth + at.rise * shift + bend * square
+                return x + shift, depth, widened((1 + at.cotangent * shift) / at.reciprocal, square)
             width = 4 * width
     return None
+
+
+def _over(gap: arb, push: arb, region: arb) -> tuple[arb, arb]:
+    """Return minus the slope of the equation and h' over a ball of angles; c, h and h' = 1 - h cot > 0 grow there."""
+    low, high = (early_point(gap, push, end) for end in (region.lower(), region.upper()))
+    steepness = (low.depth.union(high.depth) + gap) / versine(region)
+    return steepness, arb(0).union(1 - high.rise * high.cotangent)

@@ -16,13 +16,17 @@ import math
 
 from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.elementary import depth, rise, sine_deficit, two_horners, versine
+from numerics.arithmetic.functions import as_float, sqrt, two_pi
+from numerics.arithmetic.protocol import Number
 
 TURN = 2.0 * math.pi
 _SMALL_STEP = 2.0**-19
 """Halley's steps shrink cubically: after one so much smaller than the angle the error is below its last bit."""
 _STEPS = 200
-_INVERSE_RISE_EVEN = (0.0065409791, 0.070592857, 0.17257569, 0.99999944)
-_INVERSE_RISE_ODD = (-0.030933036, -0.11482952, -0.29994229)
+_INVERSE_RISE = (
+    (0.0065409791, 0.070592857, 0.17257569, 0.99999944),
+    (-0.030933036, -0.11482952, -0.29994229),
+)
 """theta/(3 u) as a polynomial in u^2 where h(theta) = u <= 1, fitted to 6e-7: the first guess on an exit ray."""
 
 
@@ -33,9 +37,11 @@ def binary64_contact(gap: float, push: float) -> tuple[float, float, float]:
     Approximate, the angle to some 2 ulp times the condition of the equation; nan where the arguments are.
     """
     if push > 1.0:
-        return late_contact(gap, push)
+        eta = late_angle(gap, push)
+        theta = TURN - eta
+        return theta, 2.0 + theta * math.cos(0.5 * eta) / math.sin(0.5 * eta), versine(eta)
     if gap == 0.0:
-        guess = 3.0 * push * two_horners(_INVERSE_RISE_EVEN, _INVERSE_RISE_ODD, push * push)
+        guess = 3.0 * push * two_horners(_INVERSE_RISE, push * push)
         return early_contact(gap, push, guess, 2.0 * push, 3.3 * push)
     lower, upper = early_bracket(gap, push)
     # the root of (1/3 + d/6) theta^2 - u theta - 2 d, to which the equation tends for small angles
@@ -83,35 +89,39 @@ def early_contact(gap: float, push: float, guess: float, lower: float, upper: fl
 
 
 @compilable
-def early_bracket(gap: float, push: float) -> tuple[float, float]:
+def early_bracket(gap: Number, push: Number) -> tuple[Number, Number]:
     """Return angles on either side of the root for push <= 1, a factor of a few apart however small they are.
 
     On (0, pi]: theta/3 <= h <= theta/2 and 2/theta - 2/pi <= cot(theta/2) <= 2/theta, so the root lies between the
     positive roots of theta^2/2 - (u - 2 d/pi) theta - 2 d and of theta^2/3 - u theta - 2 d; both are widened by 1/16,
     as they touch the root for small angles. Beyond pi the root cannot lie: h(3.3) > 1 >= u and cot < 0 there.
     """
-    low = positive_root(push - 2.0 * gap / math.pi, 4.0 * gap)
-    high = 3.0 * positive_root(push, 8.0 * gap / 3.0) / 2.0
-    high = 33.0 * math.pi / 32.0 if high > 3.0 else 17.0 * high / 16.0
-    return 15.0 * low / 16.0, high
+    half_turn = two_pi(gap) / 2
+    low = positive_root(push - 2 * gap / half_turn, 4 * gap)
+    high = 3 * positive_root(push, 8 * gap / 3) / 2
+    high = 33 * half_turn / 32 if as_float(high) > 3.0 else 17 * high / 16
+    return 15 * low / 16, high
 
 
 @compilable
-def positive_root(b: float, c: float) -> float:
+def late_bound(gap: Number, push: Number) -> Number:
+    """Return an angle missing to 2 pi beyond the root for push > 1.
+
+    versine >= 2 eta^2/pi^2 and sin <= eta on (0, pi]: the root lies below that of 2 u eta^2/pi^2 - d eta - 2 pi.
+    """
+    half_turn = two_pi(gap) / 2
+    upper = half_turn * half_turn / (4 * push) * (gap + sqrt(gap * gap + 16 * push / half_turn))
+    return 3 * half_turn / 2 if as_float(upper) > 3.0 else 17 * upper / 16
+
+
+@compilable
+def positive_root(b: Number, c: Number) -> Number:
     """Return b + sqrt(b^2 + c), c >= 0, without cancellation.
 
     Within 3.5 ulp, u = 2^-53: the root 2 u, its difference from b < 0 1 u more, c over it 0.5 ulp.
     """
-    root = math.sqrt(b * b + c)
-    return b + root if b >= 0.0 else c / (root - b)
-
-
-@compilable
-def late_contact(gap: float, push: float) -> tuple[float, float, float]:
-    """Return the contact for push > 1; c = 2 + theta cot(eta/2)."""
-    eta = late_angle(gap, push)
-    theta = TURN - eta
-    return theta, 2.0 + theta * math.cos(0.5 * eta) / math.sin(0.5 * eta), versine(eta)
+    root = sqrt(b * b + c)
+    return b + root if as_float(b) >= 0.0 else c / (root - b)
 
 
 @compilable
@@ -120,10 +130,7 @@ def late_angle(gap: float, push: float) -> float:
 
     f = 2 pi + d sin eta - u (1 - cos eta) - (eta - sin eta) falls on 0 < eta < 3 pi/2, f'' = -(d + 1) sin - u cos.
     """
-    square = math.pi * math.pi / (4.0 * push)
-    upper = square * (gap + math.sqrt(gap * gap + 16.0 * push / math.pi))
-    upper = 1.5 * math.pi if upper > 3.0 else 17.0 * upper / 16.0
-    lower = 0.0
+    lower, upper = 0.0, late_bound(gap, push)
     eta = min((gap + math.sqrt(gap * gap + 2.0 * TURN * push)) / push, 0.5 * upper)
     previous = upper
     for _ in range(_STEPS):

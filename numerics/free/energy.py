@@ -16,13 +16,13 @@ from itertools import pairwise
 
 from flint import arb, fmpq
 
-from numerics.arithmetic.ball import Ball, digits_within
-from numerics.arithmetic.protocol import Arithmetic, Number, decide_sign
+from numerics.arithmetic.ball import Ball, digits_within, proved_sign, undecided
+from numerics.arithmetic.protocol import Number
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionExhausted
 from numerics.free.abel import AbelFunctions
 from numerics.free.engine import begin_exactly
 from numerics.free.frame import Frame
-from numerics.free.motion import State, state_at
+from numerics.free.motion import State, on_ray, state_at
 from numerics.free.walk import Walk
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import How
@@ -166,11 +166,11 @@ class _Way:
                 self.road = Road.ABEL
                 return
             self._refuse_countless(max_steps)
-            duration = self.walk.duration()
+            duration = self.walk.duration
             if duration is None:
                 self.road = Road.NO_MORE_SLIP
                 return
-            if self._passed(duration, "does the next event come before the time asked for?") > 0:
+            if self._ends_later(duration):
                 return
             if self.stepped == max_steps:
                 raise OutOfRange(f"more than {max_steps} events before the return map takes over; raise max_steps")
@@ -178,9 +178,10 @@ class _Way:
             self.walk.go_on()
             self.stepped += 1
 
-    def _passed(self, duration: Number, question: str) -> int:
-        """Return the sign of the end of the present motion less the target."""
-        return decide_sign(self.arithmetic, self.walk.start.tau + duration - self.target, question)
+    def _ends_later(self, duration: arb) -> bool:
+        """Return whether the present motion ends after the target; proved."""
+        question = "does the next event come before the time asked for?"
+        return proved_sign(self.walk.start.tau + duration - self.target, question) > 0
 
     def _refuse_countless(self, max_steps: int) -> None:
         """Raise OutOfRange at once where the cap on steps is certain to be met before a jump or the target.
@@ -210,17 +211,16 @@ class _Way:
         """Put the pair on the last exit ray before the target: alpha counts excursions, beta adds up their times."""
         start, q = self.walk.start, self.frame.q
         abel = abel_functions(self.share, order_for(self.digits))
-        count, y, elapsed = _last_exit_before(self.arithmetic, abel, start.w / q, self.target - start.tau)
+        count, y, elapsed = _last_exit_before(abel, start.w / q, self.target - start.tau)
         self.excursions += count
-        self.walk.leave_by(start.side if count % 2 == 0 else -start.side, y * q, start.tau + elapsed)
-        if self._passed(self.walk.duration(), "does the slip end before the time?") <= 0:
+        side = start.side if count % 2 == 0 else -start.side
+        self.walk.put(on_ray(self.walk.at, side, arb(0), y * q, start.tau + elapsed, arb(0), arb(0)))
+        if not self._ends_later(self.walk.duration):
             self.walk.go_on()
             assert self.walk.mode is Mode.STICK
 
 
-def _last_exit_before(
-    arithmetic: Arithmetic, abel: AbelFunctions, y: Number, elapsed: Number
-) -> tuple[int, Number, Number]:
+def _last_exit_before(abel: AbelFunctions, y: arb, elapsed: arb) -> tuple[int, arb, arb]:
     """Return (n, y_n, reduced time of n cycles) for the largest n whose time is at most `elapsed`; all proved."""
     alpha, beta = abel.alpha(y), abel.beta(y)
     count = max(0, _whole(elapsed / arb.pi()))
@@ -228,7 +228,7 @@ def _last_exit_before(
         try:
             here, next_one = (abel.alpha_inverse(alpha + n, y) if n else y for n in (count, count + 1))
         except ArithmeticError as error:
-            raise EventUndecided(str(error), arithmetic.text(y), arithmetic.digits) from None
+            raise undecided(str(error), y) from None
         time, next_time = abel.beta(here) - beta, abel.beta(next_one) - beta
         if time <= elapsed and next_time > elapsed:
             return count, here, time
@@ -238,8 +238,7 @@ def _last_exit_before(
             count += max(1, _whole((elapsed - next_time) / 4))
         else:
             break
-    question = "which is the last exit before the time asked for?"
-    raise EventUndecided(question, arithmetic.text(time - elapsed), arithmetic.digits)
+    raise undecided("which is the last exit before the time asked for?", time - elapsed)
 
 
 def _whole(x: Number) -> int:

@@ -7,11 +7,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from flint import fmpq
 from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import can_compile, compiled, compiles_now
@@ -24,8 +22,8 @@ from numerics.arithmetic.questions import BEFORE_HORIZON
 from numerics.errors import NoForceHere
 from numerics.free.bounds import initial
 from numerics.free.motion import Start, event_state, mode_of, order_of, state_at
-from numerics.free.rows import solve_row, solve_start
-from numerics.free.start import SI, Begun, begin, first_mode, in_si
+from numerics.free.rows import UNKNOWN, solve_row, solve_start
+from numerics.free.start import SI, Begun, begin, first_mode, in_si, narrowing, wide
 from numerics.free.walk import Walk, left_range
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.record import AT, END_ROW, ROW, How, Knot, Record
@@ -46,16 +44,13 @@ _runs = [0]
 
 def run_free(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene with a1 = 0, no force and constant b. Raises EventUndecided, OutOfRange, NoForceHere."""
-    if arithmetic.name == "float64":
-        return _run_float64(scene, arithmetic, max_events, progress)
-    if arithmetic.name == "double-double":
-        return _run_double_double(scene, max_events, progress)
-    return _run_exactly(scene, arithmetic, max_events, progress)
+    by_rows = arithmetic.name in {"float64", "double-double"}
+    return (_run_in_rows if by_rows else _run_exactly)(scene, arithmetic, max_events, progress)
 
 
 def mode_at_start(scene: Scene) -> Mode:
     """Return the mode that follows the initial state of a scene; exact, every tie decided by the rules of modes.py."""
-    return MODES[first_mode(_exact(scene), scene.law is Law.THREE_VALUED_SGN)[0]]
+    return MODES[first_mode(SI(*map(wide, si_numbers(scene))), scene.law is Law.THREE_VALUED_SGN)[0]]
 
 
 def si_numbers(scene: Scene) -> SI:
@@ -66,23 +61,14 @@ def si_numbers(scene: Scene) -> SI:
     return SI(pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
 
 
-def _exact(scene: Scene) -> SI:
-    """Return the SI numbers as fractions of flint, which calculates several times as fast."""
-    return SI(*(fmpq(one.numerator, one.denominator) for one in si_numbers(scene)))
-
-
 def begin_exactly(scene: Scene, arithmetic: Arithmetic) -> tuple[Begun, tuple[Number, ...]]:
     """Return how a scene begins, and x1, v1, x2, v2 and its horizon, in numbers of an arithmetic, in its context.
 
     Every sign is decided on exact rationals. Raises OutOfRange.
     """
-
-    def narrow(x: fmpq) -> Number:
-        return arithmetic.number(Fraction(int(x.p), int(x.q)))
-
-    at = scene.initial
-    given = tuple(arithmetic.number(one) for one in (at.x1, at.v1, at.x2, at.v2, scene.until))
-    return begin(_exact(scene), scene.law is Law.THREE_VALUED_SGN, narrow), given
+    si = si_numbers(scene)
+    given = tuple(arithmetic.number(one) for one in (si.x1, si.v1, si.x2, si.v2, si.until))
+    return begin(SI(*map(wide, si)), scene.law is Law.THREE_VALUED_SGN, narrowing(arithmetic)), given
 
 
 def scene_row(scene: Scene) -> NDArray[np.float64] | None:
@@ -91,19 +77,16 @@ def scene_row(scene: Scene) -> NDArray[np.float64] | None:
     It is made once and kept with the scene.
     """
     if "row" not in scene.made:
-        scene.made["row"] = halved(si_numbers(scene))
+        si = si_numbers(scene)
+        try:
+            halves = [half for number in si for half in nearest(number)]
+            # the halves may make two velocities equal that are not
+            row = np.array(halves) if (halves[10:12] == halves[14:16]) == (si.v1 == si.v2) else None
+        except OverflowError:
+            row = None
+        scene.made["row"] = row
     found: NDArray[np.float64] | None = scene.made["row"]
     return found
-
-
-def halved(si: SI) -> NDArray[np.float64] | None:
-    """Return SI numbers as halves; None where those would make two velocities equal that are not, or overflow."""
-    try:
-        halves = [half for number in si for half in nearest(number)]
-    except OverflowError:
-        return None
-    same = halves[10:12] == halves[14:16]
-    return np.array(halves) if same == (si.v1 == si.v2) else None
 
 
 def run_row(row: NDArray[np.float64], literal: bool, max_events: int, progress: Progress | None) -> Record | None:
@@ -111,32 +94,42 @@ def run_row(row: NDArray[np.float64], literal: bool, max_events: int, progress: 
     solve, end = compiled(solve_row), np.empty(END_ROW)
     turns = row.item(16) * math.sqrt(row.item(4) / row.item(0)) / math.pi
     room = int(min(max_events, 16 + _EVENTS_PER_TURN * min(turns, 1e6)))
+    rows = _with_room(room, lambda rows: solve(row, literal, max_events, rows, end))
+    return None if rows is None else _record(rows, end, Float64(), progress)
+
+
+def _with_room(room: int, solve: Callable[[NDArray[np.float64]], int]) -> NDArray[np.float64] | None:
+    """Return the rows of a run that is made again where there is no room for all its events; None for UNKNOWN."""
     while True:
         rows = np.empty((room + 1, ROW))
-        room = solve(row, literal, max_events, rows, end)
+        room = solve(rows)
         if room < len(rows):
-            break
-    return _record(rows[: room + 1], end, Float64(), progress) if room >= 0 else None
+            return rows[: room + 1] if room != UNKNOWN else None
 
 
-def _run_float64(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
-    _runs[0] += 1
-    row = scene_row(scene) if compiles_now() or (_runs[0] > _MANY and can_compile()) else None
-    found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events, progress)
-    if found is not None:
-        return found
-    rows, end = _from_start(*begin_exactly(scene, arithmetic), max_events, scene, progress)
+def _run_in_rows(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None) -> Record:
+    """Run in binary64, by its row where it can be, or in double-double."""
+    if isinstance(arithmetic, DoubleDouble):
+        _runs[0] += _WIDE_RUN
+        begun, given = _begun_wide(scene, arithmetic)
+    else:
+        _runs[0] += 1
+        row = scene_row(scene) if compiles_now() or (_runs[0] > _MANY and can_compile()) else None
+        found = None if row is None else run_row(row, scene.law is Law.THREE_VALUED_SGN, max_events, progress)
+        if found is not None:
+            return found
+        begun, given = begin_exactly(scene, arithmetic)
+    rows, end = _from_start(begun, given, max_events, scene, progress)
     return _record(rows, end, arithmetic, progress)
 
 
-def _run_double_double(scene: Scene, max_events: int, progress: Progress | None) -> Record:
-    arithmetic, _runs[0] = DoubleDouble(), _runs[0] + _WIDE_RUN
+def _begun_wide(scene: Scene, arithmetic: DoubleDouble) -> tuple[Begun, tuple[Pair, ...]]:
+    """Return how a scene begins, and its given numbers, in pairs; made once and kept with the scene."""
     if "wide" not in scene.made:
         with arithmetic.context():
             scene.made["wide"] = [in_halves(one, arithmetic.halves) for one in begin_exactly(scene, arithmetic)]
     begun, given = scene.made["wide"]
-    rows, end = _from_start(begun, given, max_events, scene, progress)
-    return _record(rows, end, arithmetic, progress)
+    return begun, given
 
 
 def in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
@@ -151,7 +144,7 @@ def in_halves(record: Any, halves: Callable[[Any], Any]) -> Any:
 
 def _from_start(
     begun: Begun, given: tuple[Number, ...], max_events: int, scene: Scene, progress: Progress | None
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
     """Return the rows of a run from a start: a short one by Python, which would wait for numba longer than it runs."""
     end, carried = np.empty(END_ROW), initial(begun.at, begun.start, begun.V1, begun.V2)
     if not (compiles_now() or (_runs[0] > _MANY and can_compile())):
@@ -164,12 +157,9 @@ def _from_start(
             return np.empty((0, ROW)), end
         if count < few or few == max_events:
             return np.array(growing.rows), np.array(plain)
+    solve = compiled(solve_start)
     room = min(max_events, 4 * _FEW)
-    while True:
-        rows = np.empty((room + 1, ROW))
-        room = compiled(solve_start)(begun, carried, given, max_events, rows, end)
-        if room < len(rows):
-            return rows[: room + 1], end
+    return _with_room(room, lambda rows: solve(begun, carried, given, max_events, rows, end)), end
 
 
 class _Growing:
@@ -208,7 +198,7 @@ def _run_exactly(scene: Scene, arithmetic: Arithmetic, max_events: int, progress
         zero = begun.start.tau
         knots = [_knot(walk.start, zero, zero, given[:4])]
         while True:
-            duration = walk.duration()
+            duration = walk.duration
             if duration is None:
                 how = How.STUCK
                 break

@@ -39,9 +39,9 @@ def excursions(frame: Frame, w: Number, side: int = 1) -> Iterator[Excursion]:
     while True:
         slip, start = zero, walk.start
         while walk.start.kind != STICK:
-            slip = slip + walk.duration()
+            slip = slip + walk.duration
             walk.go_on()
-        stick = walk.duration()
+        stick = walk.duration
         yield Excursion(start.w, int(start.side), slip, walk.start.w, stick)
         if stick is None:
             return

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any
 
 from flint import fmpq
 
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.motion import State
-from numerics.free.start import SI, in_si, parameters_of, units_of
+from numerics.free.start import SI, in_si, narrowing, parameters_of, units_of, wide
 from numerics.scene import Pair
 
 
@@ -21,14 +20,8 @@ class Frame:
 
     def __init__(self, arithmetic: Arithmetic, pair: Pair) -> None:
         """Convert the exact parameters once, in the arithmetic's context; raises OutOfRange if one does not fit."""
-
-        def narrow(x: fmpq) -> Number:
-            return arithmetic.number(Fraction(int(x.p), int(x.q)))
-
-        self.arithmetic, self.pair = arithmetic, pair
-        zero = fmpq(0)
-        m1, m2, a2, b = (fmpq(one.numerator, one.denominator) for one in (pair.m1, pair.m2, pair.a2, pair.b))
-        si = SI(m1, m2, a2, b, zero, zero, zero, zero, zero, zero)
+        self.arithmetic, self.pair, narrow = arithmetic, pair, narrowing(arithmetic)
+        si = SI(*map(wide, (pair.m1, pair.m2, pair.a2, pair.b)), *[fmpq(0)] * 6)
         self.q, self.r, self.sqrt_q, _ = parameters_of(si, False, narrow)
         self.units = units_of(si, narrow)
         self.length, self.rate, self.critical_energy = self.units

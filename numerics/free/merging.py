@@ -26,7 +26,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.centred_form import Cell, Centred
-from numerics.free.contact_binary64 import binary64_contact
+from numerics.free.contact import contact_next_to_binary64
 
 CRITICAL_SHARE = Fraction("0.557839090721526")
 """r* rounded down: for shares m2/M up to it nothing merges after a start on S0 above E_cr."""
@@ -137,11 +137,11 @@ class _CellRun:
     def _angle(self, start: _Start) -> Centred | None:
         """Return theta(d, u): dtheta = (du + cot(theta/2) dd) (1 - cos theta)/(c + d)."""
         gap, push = start.gap, start.push
-        near = _approximate_angle(gap.centre, push.centre)
-        centre = _enclose_angle(gap.centre, push.centre, near)
-        value = _enclose_angle(gap.value, push.value, near)
-        if centre is None or value is None:
+        at_centre = contact_next_to_binary64(gap.centre, push.centre)
+        over_cell = contact_next_to_binary64(gap.value, push.value)
+        if at_centre is None or over_cell is None:
             return None
+        centre, value = at_centre[0], over_cell[0]
         rate = 2 * (value / 2).sin() ** 2 / (_increasing(_depth, value) + gap.value)
         cotangent = (value / 2).cot()
         slopes = (rate * (du + cotangent * dd) for du, dd in zip(push.slopes, gap.slopes, strict=True))
@@ -209,31 +209,3 @@ def _rise(theta: arb) -> arb:
 def _increasing(function: Callable[[arb], arb], x: arb) -> arb:
     """Return the range of an increasing function over a ball."""
     return function(x) if x.is_exact() else function(x.lower()).union(function(x.upper()))
-
-
-def _approximate_angle(gap: arb, push: arb) -> arb:
-    """Return a point near the slip angle for the midpoints of gap and push; 0 if binary64 finds none."""
-    try:
-        return arb(binary64_contact(max(0.0, float(gap.mid())), float(push.mid()))[0])
-    except (ArithmeticError, ValueError):
-        return arb(0)
-
-
-def _enclose_angle(gap: arb, push: arb, near: arb) -> arb | None:
-    """Return a ball of all slip angles for these gaps and pushes, by one interval Newton step; None if it fails.
-
-    The guard over 1 - cos, u + d cot(theta/2) - h(theta), falls on (0, 2 pi), at the rate (c + d)/(1 - cos theta).
-    """
-    if not near > 0:
-        return None
-    lead = push + gap * (near / 2).cot() - _rise(near)
-    width = abs(lead) * 2 * (near / 2).sin() ** 2 / (_depth(near) + gap)
-    for factor in (1.25, 2, 4):
-        region = near + arb(0, (factor * width).upper() + 1e-15)
-        if not (region > 0 and region < 2 * arb.pi()):
-            return None
-        rate = (_increasing(_depth, region) + gap) / (2 * (region / 2).sin() ** 2)
-        step = near + lead / rate
-        if rate > 0 and region.contains_interior(step):
-            return step
-    return None

@@ -8,15 +8,13 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from flint import arb
-
-from numerics.arithmetic.compiled import by_type, compilable
+from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.functions import as_float, atan2, like, resolved, sign, signed, sine_cosine, sqrt
 from numerics.arithmetic.protocol import Number
 from numerics.arithmetic.questions import ABOVE_CRITICAL, ENDS_INSIDE, LEAVES_AT_ONCE, WHICH_WAY
-from numerics.free.contact import contact, enclosed_after_ray
+from numerics.free.contact import contact, ray_contact
 from numerics.free.crossing import first_contact
-from numerics.free.slip import Variables, gap_at, push_at, slid_at
+from numerics.free.slip import Variables, guard_and_gap, push_at, slid_at
 
 STICK, RAY, SURFACE, FREE = 0, 1, 2, 3
 """Kinds of motion: stick; slips from an exit ray, from elsewhere on the switching surface, from off it."""
@@ -145,35 +143,21 @@ def landing(at: Parameters, start: Start) -> Landing:
     the large w through every later crossing.
     """
     if start.kind == RAY:
-        return after_ray(start.w, start.push, at)
+        theta, depth, w, drop = ray_contact(start.w, start.push, at.q, at.r, at.sqrt_q)
+        return Landing(theta, -depth, depth * depth / 2, w, as_float(drop), math.inf)
     q, r, variables = at.q, at.r, Variables(start.guard, start.gap, start.push)
     if start.kind == SURFACE:
         theta, depth, drop = contact(start.gap, start.push)
         gap, slid, versine, spared = -(start.gap + depth), depth * (depth / 2 + start.gap), as_float(drop), math.inf
     else:
         theta, spared = first_contact(variables, start.turns)
-        gap, slid, versine = gap_at(variables, theta), slid_at(theta, variables), 0.0
+        gap, slid, versine = guard_and_gap(variables, theta)[1], slid_at(theta, variables), 0.0
     if as_float(start.w) <= 1.0:
         w = start.w - 2 * r * q * slid
     else:
         V, beyond = at.sqrt_q * (start.driven - theta), q * gap
         w = V * V + beyond * (2 + beyond)
     return Landing(theta, gap, slid, w, versine, spared)
-
-
-@compilable
-def _after_ray_of_points(w: Number, push: Number, at: Parameters) -> Landing:
-    theta, depth, versine = contact(like(w, 0.0), push)
-    return Landing(theta, -depth, depth * depth / 2, w - at.r * at.q * depth * depth, as_float(versine), math.inf)
-
-
-@by_type(_after_ray_of_points, _after_ray_of_points)
-def after_ray(w: Number, push: Number, at: Parameters) -> Landing:
-    """Return the end of a slip from an exit ray: everything is a function of the excess w = q u^2."""
-    if type(w) is not arb:
-        return _after_ray_of_points(w, push, at)
-    theta, depth, after, versine = enclosed_after_ray(w, at.q, at.r, at.sqrt_q)
-    return Landing(theta, -depth, depth * depth / 2, after, as_float(versine), math.inf)
 
 
 @compilable
@@ -222,6 +206,7 @@ def state_at(at: Parameters, start: Start, tau: Number) -> State:
     q, side, theta = at.q, start.side, tau / at.sqrt_q
     variables = Variables(start.guard, start.gap, start.push)
     slid, turned = slid_at(theta, variables), start.driven - theta
-    X, V1 = signed(side, 1 + q * gap_at(variables, theta)), signed(side, at.sqrt_q * push_at(variables, theta))
+    gap, push = guard_and_gap(variables, theta)[1], push_at(variables, theta)
+    X, V1 = signed(side, 1 + q * gap), signed(side, at.sqrt_q * push)
     V2, Z, lost = signed(side, at.sqrt_q * turned), start.Z - signed(side, q * slid), 2 * at.r * q * slid
     return State(X, V1, V2, Z, start.w - lost, start.spent + lost)

@@ -76,14 +76,12 @@ def leaves_of(
     """
     if not 1 <= depth <= MAX_DEPTH:
         raise InvalidMap(f"depth {depth}: give 1 to {MAX_DEPTH} cuts of each side in two")
-    corner = min(BLOCK_DEPTH, depth)
-    blocks = list(_parts(Leaf(window, 0, 0, 0, verdicts.undecided), corner))
+    root = Leaf(window, 0, 0, 0, verdicts.undecided)
+    blocks = [block for _, block in _walk(root, min(BLOCK_DEPTH, depth), lambda _: CUT) if block]
     checkpoint = Checkpoint(resume, title)
-    leaves: dict[int, tuple[Leaf, ...]] = {}
-    for index, block in enumerate(blocks):
-        if str(index) in checkpoint.finished:
-            leaves[index] = _decode(checkpoint.finished[str(index)], block, depth, verdicts)
-    tasks = [(index, block, depth - corner, verdicts) for index, block in enumerate(blocks) if index not in leaves]
+    before = {n: tree for n in range(len(blocks)) if (tree := checkpoint.finished.get(str(n)))}
+    leaves = {index: _decode(tree, blocks[index], depth, verdicts) for index, tree in before.items()}
+    tasks = [(index, block, depth, verdicts) for index, block in enumerate(blocks) if index not in leaves]
     for done, (index, tree) in enumerate(run_tasks(_compute_block, tasks, jobs=jobs, dask=dask), start=len(leaves) + 1):
         checkpoint.add(str(index), tree)
         leaves[index] = _decode(tree, blocks[index], depth, verdicts)
@@ -111,50 +109,39 @@ def raster(leaves: tuple[Leaf, ...], depth: int, order: list[Any]) -> Any:
     return grid
 
 
-def _parts(cell: Leaf, cuts: int) -> Iterator[Leaf]:
-    """Yield the cells of one level below a cell."""
-    if cuts == 0:
-        yield cell
-        return
-    for quarter in _quarters(cell):
-        yield from _parts(quarter, cuts - 1)
+def _walk(cell: Leaf, depth: int, letter_of: Callable[[Leaf], str]) -> Iterator[tuple[str, Leaf | None]]:
+    """Yield the letters of the quadtree of a cell in their order, each with its cell, if that is not cut."""
+    letter = letter_of(cell)
+    if letter == CUT and cell.level < depth:
+        yield CUT, None
+        for quarter in _quarters(cell):
+            yield from _walk(quarter, depth, letter_of)
+    else:
+        yield letter, cell
 
 
 def _compute_block(task: tuple[int, Leaf, int, Verdicts]) -> tuple[int, str]:
     """Return a block's index and the text of its quadtree."""
-    index, block, cuts, verdicts = task
-    return index, "".join(_tree(block, cuts, verdicts))
+    index, block, depth, verdicts = task
 
+    def decided(cell: Leaf) -> str:
+        found = verdicts.decide(cell.sides)
+        return CUT if found is verdicts.undecided and cell.level < depth else str(found.value)
 
-def _tree(cell: Leaf, cuts: int, verdicts: Verdicts) -> Iterator[str]:
-    found = verdicts.decide(cell.sides)
-    if found is not verdicts.undecided or cuts == 0:
-        yield found.value
-        return
-    yield CUT
-    for quarter in _quarters(cell):
-        yield from _tree(quarter, cuts - 1, verdicts)
+    return index, "".join(letter for letter, _ in _walk(block, depth, decided))
 
 
 def _decode(tree: str, block: Leaf, depth: int, verdicts: Verdicts) -> tuple[Leaf, ...]:
     """Return the cells that a block's text stands for. Raises InvalidMap if it is damaged."""
     letters = iter(tree)
     try:
-        cells = tuple(_leaves(letters, block, depth, verdicts.kinds))
+        walk = _walk(block, depth, lambda _: next(letters, ""))
+        cells = tuple(cell._replace(verdict=verdicts.kinds(letter)) for letter, cell in walk if cell)
     except ValueError:
         cells = ()
     if not cells or next(letters, None) is not None:
         raise InvalidMap(f"the checkpoint holds a damaged block ({tree[:40]!r}...); remove its line")
     return cells
-
-
-def _leaves(letters: Iterator[str], cell: Leaf, depth: int, kinds: type[Enum]) -> Iterator[Leaf]:
-    letter = next(letters, "")
-    if letter != CUT or cell.level == depth:
-        yield cell._replace(verdict=kinds(letter))
-        return
-    for quarter in _quarters(cell):
-        yield from _leaves(letters, quarter, depth, kinds)
 
 
 def _quarters(cell: Leaf) -> Iterator[Leaf]:
@@ -180,19 +167,22 @@ class Checkpoint:
         self._path = path
         if path is None:
             return
-        whole = _whole_lines(path)
-        if not whole:
-            path.write_text(_line(title), "utf-8")
-            return
-        if _parsed(whole[0], path, 1) != title:
-            raise InvalidMap(f"checkpoint {path.name} is of another map ({whole[0].strip()[:120]}); name another file")
-        for number, text in enumerate(whole[1:], start=2):
-            part = _parsed(text, path, number)
-            if set(part) != {"part", "result"} or not all(isinstance(one, str) for one in part.values()):
-                raise InvalidMap(f"checkpoint {path.name}, line {number} is no finished part; remove the line")
-            self.finished[part["part"]] = part["result"]
+        lines = path.read_bytes().decode("utf-8", errors="replace").splitlines(keepends=True) if path.exists() else []
+        whole = [line for line in lines if line.endswith("\n")]
+        for number, line in enumerate(whole):
+            match _parsed(line), number:
+                case dict() as found, 0 if found == title:
+                    pass
+                case dict(), 0:
+                    raise InvalidMap(f"checkpoint {path.name} is of another map ({line[:120]}); name another file")
+                case {"part": str(part), "result": str(result)}, _:
+                    self.finished[part] = result
+                case _:
+                    raise InvalidMap(
+                        f"checkpoint {path.name}, line {number + 1} is damaged; remove the line, or name another file"
+                    )
         # what is appended next must not continue a torn line
-        path.write_text("".join(whole), "utf-8")
+        path.write_text("".join(whole) or _line(title), "utf-8")
 
     def add(self, part: str, result: str) -> None:
         """Append a finished part as one whole line."""
@@ -205,19 +195,8 @@ def _line(record: dict[str, object]) -> str:
     return json.dumps(record) + "\n"
 
 
-def _whole_lines(path: Path) -> list[str]:
-    """Return the lines that end in a newline; none if there is no file."""
-    if not path.exists():
-        return []
-    lines = path.read_bytes().decode("utf-8", errors="replace").splitlines(keepends=True)
-    return [line for line in lines if line.endswith("\n")]
-
-
-def _parsed(text: str, path: Path, number: int) -> dict[str, str]:
+def _parsed(line: str) -> object:
     try:
-        record = json.loads(text)
+        return json.loads(line)
     except ValueError:
-        record = None
-    if not isinstance(record, dict):
-        raise InvalidMap(f"checkpoint {path.name}, line {number} is damaged; remove the line, or name another file")
-    return record
+        return None

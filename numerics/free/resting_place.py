@@ -15,7 +15,6 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.free.energy import abel_functions, order_for, reach_of
 from numerics.linear.modes import EventKind
-from numerics.linear.record import How
 from numerics.scene import Pair
 
 
@@ -32,21 +31,11 @@ class RestingPlace:
     speed: arb
 
 
-def resting_place(trajectory: Any, near: float) -> RestingPlace | None:
-    """Return the resting place of a free trajectory in balls; None if its horizon comes before it is known.
-
-    `near`: from the event on reach and speed are at most this, each in its SI unit. In the arithmetic's context.
-    """
-    if trajectory.record.how is How.STUCK:
-        x1, _, x2, _ = trajectory.final_state
-        return RestingPlace(x1 - x2, len(trajectory.events) - 1, arb(0), arb(0))
-    return creeping_place(trajectory, trajectory.scene.pair, near)
-
-
-def creeping_place(trajectory: Any, pair: Pair, near: float, since: Fraction = Fraction(0)) -> RestingPlace | None:
+def creeping_place(trajectory: Any, pair: Pair, near: float, since: Fraction) -> RestingPlace | None:
     """Return the resting place of a pair that creeps, read from an exit after the time `since` (s), or None.
 
-    From then on no force acts on the pair, or a constant one, which only shifts x1. a1 = 0.
+    From then on no force acts on the pair, or a constant one, which only shifts x1. a1 = 0. `near`: from the event on
+    reach and speed are at most this, each in its SI unit. The trajectory is of balls; in the arithmetic's context.
     """
     if pair.a1 > 0:
         return None

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from numerics.arithmetic.compiled import by_type, compilable
+from numerics.arithmetic.compiled import compilable
 from numerics.arithmetic.functions import as_float, clock, finite, nonnegative, rounding, sign
 from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.protocol import Number
@@ -41,28 +41,16 @@ _SUBNORMAL, _TINY = 1e-290, 2.0**-1060
 
 
 @compilable
-def _put_float(x: float, row: Any, column: int) -> None:
-    row[column], row[column + 1] = x, 0.0
-
-
-@compilable
-def _put_pair(x: Pair, row: Any, column: int) -> None:
-    row[column], row[column + 1] = x.high, x.low
-
-
-@by_type(_put_float, _put_pair)
 def put(x: Number, row: Any, column: int) -> None:
     """Write a number to the columns of its halves."""
-    if type(x) is Pair:
-        _put_pair(x, row, column)
-    else:
-        _put_float(x, row, column)
+    row[column] = as_float(x)
+    row[column + 1] = as_float(x - as_float(x))
 
 
 @compilable
-def _record(row: Any, mode: int, order: int, event: float, numbers: tuple[Number, ...], errors: Any) -> None:
+def _record(row: Any, start: Start, event: float, numbers: tuple[Number, ...], errors: Any) -> None:
     """Write a row: local, length, x1, v1, x2, v2, excess, and bounds on the errors of all but length."""
-    row[0], row[1], row[2], row[3], row[4] = mode, order, event, 0.0, 0.0
+    row[0], row[1], row[2], row[3], row[4] = mode_of(start), order_of(start), event, 0.0, 0.0
     column = _LOCAL
     for number in numbers:
         put(number, row, column)
@@ -95,8 +83,7 @@ def _record_state(
         _bound(by_x * by_t * off.v2, v2),
         off.w + 4 * rounding(here.w) * abs(as_float(here.w)),
     )
-    numbers = t, length / units.rate, x1, v1, x2, v2, here.w
-    _record(row, mode_of(start), order_of(start), event, numbers, errors)
+    _record(row, start, event, (t, length / units.rate, x1, v1, x2, v2, here.w), errors)
 
 
 @compilable
@@ -148,7 +135,7 @@ def solve_start(begun: Begun, carried: Carried, given: tuple[Number, ...], most:
             unit * abs(as_float(v2)),
             2 * unit * abs(as_float(w)),
         )
-        _record(rows[0], mode_of(start), order_of(start), 0.0, (zero, zero, x1, v1, x2, v2, w), errors)
+        _record(rows[0], start, 0.0, (zero, zero, x1, v1, x2, v2, w), errors)
     how, count, start, carried = _run(begun, carried, most, rows)
     if how == EVENT_LIMIT:
         t, length, here = start.tau / units.rate, start.rest - start.rest, event_state(at, start)
@@ -180,6 +167,11 @@ def _in_range(row: Any) -> bool:
 
 
 @compilable
+def _wide(row: Any, index: int) -> Pair:
+    return Pair(float(row[2 * index]), float(row[2 * index + 1]))
+
+
+@compilable
 def solve_row(row: Any, literal: bool, most: int, rows: Any, end: Any) -> int:
     """Solve ten SI numbers (start.SI), each as its halves, in binary64: write the first rows and the end.
 
@@ -188,22 +180,23 @@ def solve_row(row: Any, literal: bool, most: int, rows: Any, end: Any) -> int:
     if not _in_range(row):
         return UNKNOWN
     si = SI(
-        Pair(row[0], row[1]),
-        Pair(row[2], row[3]),
-        Pair(row[4], row[5]),
-        Pair(row[6], row[7]),
-        Pair(row[8], row[9]),
-        Pair(row[10], row[11]),
-        Pair(row[12], row[13]),
-        Pair(row[14], row[15]),
-        Pair(row[16], row[17]),
-        Pair(row[18], row[19]),
+        _wide(row, 0),
+        _wide(row, 1),
+        _wide(row, 2),
+        _wide(row, 3),
+        _wide(row, 4),
+        _wide(row, 5),
+        _wide(row, 6),
+        _wide(row, 7),
+        _wide(row, 8),
+        _wide(row, 9),
     )
     begun = begin(si, literal, as_float)
     if not begun.known or not math.isfinite(begun.start.w + begun.horizon):
         return UNKNOWN
     carried = initial(begun.at, begun.start, begun.V1, begun.V2)
-    return solve_start(begun, carried, (row[8], row[10], row[12], row[14], row[16]), most, rows, end)
+    given = si.x1.high, si.v1.high, si.x2.high, si.v2.high, si.until.high
+    return solve_start(begun, carried, given, most, rows, end)
 
 
 @compilable

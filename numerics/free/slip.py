@@ -41,12 +41,6 @@ def guard_and_gap(at: Variables, theta: Number) -> tuple[Number, Number]:
 
 
 @compilable
-def gap_at(at: Variables, theta: Number) -> Number:
-    """Return d(theta)."""
-    return at.gap + (at.push * sin(theta) - (1 + at.gap) * versine(theta))
-
-
-@compilable
 def push_at(at: Variables, theta: Number) -> Number:
     """Return u(theta)."""
     sine, cosine = sine_cosine(theta)

@@ -10,12 +10,10 @@ from numerics.free.motion import (
     OUT_OF_RANGE,
     RAY,
     STUCK,
-    Landing,
     Parameters,
     Start,
     mode_of,
     next_event,
-    on_ray,
     resolve,
 )
 from numerics.linear.modes import MODES, Mode
@@ -27,18 +25,20 @@ class Walk:
     Raises EventUndecided and OutOfRange, each for what is asked.
     """
 
+    duration: Number | None
+    """The reduced time to the next event, None if there is none."""
+
     def __init__(self, arithmetic: Arithmetic, at: Parameters, start: Start) -> None:
         """Begin with a motion (start.begin), or on a ray (motion.on_ray)."""
-        self.arithmetic, self.at, self.start = arithmetic, at, start
-        self._next: tuple[Number | None, Landing] | None = None
+        self.arithmetic, self.at = arithmetic, at
+        self.put(start)
 
-    def leave_by(self, side: float, w: Number, tau: Number) -> None:
-        """Put the pair on an exit ray with excess w > 0 at the reduced time tau."""
-        zero = self.arithmetic.number(0)
-        self._put(on_ray(self.at, side, zero, w, tau, zero, zero))
-
-    def _put(self, start: Start) -> None:
-        self.start, self._next = start, None
+    def put(self, start: Start) -> None:
+        """Put the pair where a motion starts, and locate the event that ends it."""
+        how, duration, self._end = next_event(self.at, start)
+        if how == OUT_OF_RANGE:
+            raise left_range(self.arithmetic)
+        self.start, self.duration = start, None if how == STUCK else duration
 
     @property
     def mode(self) -> Mode:
@@ -50,26 +50,13 @@ class Walk:
         """Return whether the motion is a slip that left S0 by an exit ray."""
         return self.start.kind == RAY
 
-    def duration(self) -> Number | None:
-        """Return the reduced time to the next event, None if there is none."""
-        return self._located()[0]
-
-    def _located(self) -> tuple[Number | None, Landing]:
-        if self._next is None:
-            how, duration, end = next_event(self.at, self.start)
-            if how == OUT_OF_RANGE:
-                raise left_range(self.arithmetic)
-            self._next = (None if how == STUCK else duration), end
-        return self._next
-
     def go_on(self) -> None:
         """Go on to the motion after the next event."""
-        duration, end = self._located()
-        tau, rest = clock(self.start.tau, self.start.rest, duration)
-        after = resolve(self.at, self.start, end, tau, rest)
+        tau, rest = clock(self.start.tau, self.start.rest, self.duration)
+        after = resolve(self.at, self.start, self._end, tau, rest)
         if not finite(after.w):
             raise left_range(self.arithmetic)
-        self._put(after)
+        self.put(after)
 
 
 def left_range(arithmetic: Arithmetic) -> Exception:

@@ -45,9 +45,7 @@ def legs(trajectory: Any) -> list[Leg]:
 
 def _state(knot: Knot) -> tuple[arb, arb, arb, arb]:
     """Return the state of a knot with its bounds."""
-    return (
-        widened(knot.x1, arb(knot.x1_error)),
-        widened(knot.v1, arb(knot.v1_error)),
-        widened(knot.x2, arb(knot.x2_error)),
-        widened(knot.v2, arb(knot.v2_error)),
+    x1, v1, x2, v2 = (
+        widened(getattr(knot, name), arb(getattr(knot, f"{name}_error"))) for name in ("x1", "v1", "x2", "v2")
     )
+    return x1, v1, x2, v2

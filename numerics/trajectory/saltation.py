@@ -18,7 +18,7 @@ not know, the bound grows by that of |v1 - v2| in a slip.
 
 from __future__ import annotations
 
-from bisect import bisect_left, bisect_right
+from bisect import bisect_left
 from collections.abc import Sequence
 from functools import reduce
 from typing import NamedTuple
@@ -64,7 +64,7 @@ class Chain:
         self.a2, self.m1, self.m2 = number(pair.a2), number(pair.m1), number(pair.m2)
         self.a1, self.mass = number(pair.a1), number(pair.mass)
         self.roots = [one.sqrt() for one in (self.a2, self.m1, self.m2)]
-        self._variations: dict[tuple[int, int], tuple[Variation, list[int]]] = {}
+        self._variations: dict[tuple[int, int], Variation] = {}
         self.t: list[Array] = []
         self.y: list[Array] = []
         self.before: list[Array] = []
@@ -81,14 +81,12 @@ class Chain:
 
         Where balls leave open which leg holds a time, all do.
         """
-        found = np.full((len(times), 4, len(self.column)), arb(0))
-        points, find = [one.mid() for one in begins], bisect_right if side == "right" else bisect_left
+        found, ends = np.full((len(times), 4, len(self.column)), arb(0)), [*begins[1:], arb("inf")]
         for k, t in enumerate(times):
-            near = {max(0, find(points, t.mid()) - 1)}
-            for index, begin in enumerate(begins[1:], start=1):
-                if begin.overlaps(t) and not (begin.is_exact() and t.is_exact()):
-                    near |= {index - 1, index}
-            found[k] = reduce(_union, (self.at(index, t) for index in sorted(near)))
+            near = [n for n, (begin, end) in enumerate(zip(begins, ends, strict=True)) if not (t < begin or end < t)]
+            if t.is_exact() and all(begins[n].is_exact() for n in near[1:]):
+                near = near[-1:] if side == "right" else near[:1]
+            found[k] = reduce(_union, (self.at(n, t) for n in near))
         return found
 
     def final(self, state: Sequence[arb]) -> Array:
@@ -110,11 +108,10 @@ class Chain:
             found[self.column[name]] += value * value / 2
         return found
 
-    def _variation(self, side: int, piece: int) -> tuple[Variation, list[int]]:
-        """Return a motion, and the columns of the numbers that act in it."""
+    def _variation(self, side: int, piece: int) -> Variation:
+        """Return a motion; it is made once."""
         if (side, piece) not in self._variations:
-            made = Variation(self.scene, self.pieces[piece], side)
-            self._variations[side, piece] = made, [self.column[name] for name in made.names]
+            self._variations[side, piece] = Variation(self.scene, self.pieces[piece], side, self.column)
         return self._variations[side, piece]
 
     def _zeros(self, *rows: int) -> Array:
@@ -133,11 +130,8 @@ class Chain:
         """Return the derivatives at a fixed time in a leg: of the point that is carried, and the bounds there."""
         leg, (y, norm, place) = self.legs[index], self.starts[index]
         tau = t - leg.start
-        variation, places = self._variation(leg.side, leg.piece)
-        flow, columns = variation.over(leg.state, leg.start, tau)
-        y = flow @ y
-        y[:, places] += columns
-        return Carried(y, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side))
+        flow, columns = self._variation(leg.side, leg.piece).over(leg.state, leg.start, tau)
+        return Carried(flow @ y + columns, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side))
 
     def _guard_by_norm(self, side: int) -> arb:
         """Return the most that |v1 - v2| in slip, or m2 x1'' in stick, can be for N = 1."""
@@ -177,11 +171,9 @@ class Chain:
         """Return the derivatives after an event by a guard."""
         u, b = self._force_and_friction(leg.piece, after.start)
         before, behind = (self._field(after.state, u, b, side) for side in (leg.side, after.side))
-        variation, places = self._variation(leg.side, leg.piece)
-        by_state, by_numbers, rate = variation.guard(after.state, after.start, before, after.side)
-        guard = by_state @ ended.y
-        guard[places] += by_numbers
-        t = -guard / rate
+        motion = self._variation(leg.side, leg.piece)
+        by_state, by_numbers, rate = motion.guard(after.state, after.start, before, after.side)
+        t = -(by_state @ ended.y + by_numbers) / rate
         late = _widened(t, ended.norm * self._guard_by_norm(leg.side) / abs(rate))
         y, total = self.before[-1] + np.outer(before, late), ended.y + np.outer(before, t)
         if leg.side:
@@ -243,7 +235,7 @@ class Chain:
 
     def _force_and_friction(self, piece: int, t: arb) -> tuple[arb, arb]:
         """Return u and b of a piece at a time (s)."""
-        return self._variation(0, piece)[0].force(t), Ball.number(self.pieces[piece].b)
+        return self._variation(0, piece).force(t), Ball.number(self.pieces[piece].b)
 
     def _field(self, state: Sequence[arb], u: arb, b: arb, side: int | None) -> Array:
         """Return (v1, v1', v2, v2') in a mode; None: in that which follows v1 = v2."""

@@ -133,10 +133,10 @@ def _require_smooth(trajectory: Trajectory) -> None:
 def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple[Array, ...]]) -> tuple[Array, ...]:
     """Return arrays of derivatives in balls, at a precision that gives them the digits that were asked for.
 
-    What is asked of a chain has samples along the first axis, whose largest is what digits are relative to, and the
-    numbers that act before the end along the last one. The others get 0.
+    What is asked of a chain has samples along the first axis, whose largest is what digits are relative to, and all
+    numbers of the scene along the last one.
     """
-    arithmetic, values = trajectory.arithmetic, parameters(trajectory.scene)
+    arithmetic = trajectory.arithmetic
     balls: Trajectory | None = None
     wanted: int | None = 17 if arithmetic.name == "float64" else arithmetic.digits
     digits = arithmetic.digits + 17
@@ -144,7 +144,9 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
         wanted, balls, digits = trajectory.digits, trajectory, arithmetic.digits
     for attempt in range(_TRIES):
         try:
-            balls = balls or _in_balls(trajectory, digits)
+            # one event more than were found shows a lost one
+            most = len(trajectory.event_times) + trajectory.reached
+            balls = balls or run_scene(trajectory.scene, Ball(digits), most)
         except EventUndecided:
             if attempt + 1 == _TRIES:
                 raise
@@ -154,10 +156,7 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
             count = len(balls.event_times)
             raise EventUndecided("are the events those of the trajectory?", f"{count} events", digits)
         with precision(Ball(digits).bits + _GUARD_BITS):
-            followed = legs(balls)
-            last = pieces_of(balls.scene)[followed[-1].piece].start
-            acting = [name for name in values if values.get(f"{name.partition('.')[0]}.from", 0) <= last]
-            found = asked(balls, Chain(balls.scene, followed, acting))
+            found = asked(balls, Chain(balls.scene, legs(balls), tuple(parameters(balls.scene))))
             right = _right_digits(found, digits)
         if wanted is None or right >= wanted:
             break
@@ -165,16 +164,7 @@ def _enclosed(trajectory: Trajectory, asked: Callable[[Trajectory, Chain], tuple
     for one in (one for array in found for one in array.flat):
         if not one.is_finite():
             raise EventUndecided("has the scene this derivative?", str(one), digits)
-    places = [index for index, name in enumerate(values) if name in set(acting)]
-    whole = [np.full((*array.shape[:-1], len(values)), arb(0)) for array in found]
-    for one, array in zip(whole, found, strict=True):
-        one[..., places] = array
-    return tuple(whole)
-
-
-def _in_balls(trajectory: Trajectory, digits: int) -> Trajectory:
-    """Return the same scene solved once in balls; one event more than were found shows a lost one."""
-    return run_scene(trajectory.scene, Ball(digits), len(trajectory.event_times) + trajectory.reached)
+    return found
 
 
 def _right_digits(arrays: tuple[Array, ...], digits: int) -> int:

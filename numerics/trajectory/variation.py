@@ -81,14 +81,15 @@ def _sine(piece: Piece, index: int, name: str) -> Part:
 class Variation:
     """The mode `side` (+1, -1: the sign of v1 - v2; 0: stick) in one piece; to be used in the balls' context.
 
-    Derivatives are by the numbers that act in it, `names`, q of them.
+    Derivatives are by all numbers of the scene, p of them; `column` says in which place.
     """
 
-    def __init__(self, scene: Scene, piece: ExactPiece, side: int) -> None:
+    def __init__(self, scene: Scene, piece: ExactPiece, side: int, column: dict[str, int]) -> None:
         """Take the numbers of the scene."""
         pair, force = scene.pair, bisect_right(scene.force.starts, piece.start) - 1
         friction = bisect_right(scene.friction.starts, piece.start) - 1
-        self.side, self.b_name = side, "b" if friction < 0 else f"friction[{friction}].b"
+        self.side, self.column = side, column
+        self.by_b = column["b" if friction < 0 else f"friction[{friction}].b"]
         self.m2, self.mass, self.a1, self.a2, self.b = map(
             Ball.number, (pair.m2, pair.m1 if side else pair.mass, pair.a1, pair.a2, piece.b)
         )
@@ -98,21 +99,20 @@ class Variation:
             sines = (_sine(given, index, name) for index in range(len(given.sines)))
             self.parts = [_polynomial(given, name), *sines]
         self.parts[0].own[0] -= side * self.b
-        self.parts[0].by[self.b_name] = [-side, *[0] * (len(self.parts[0].own) - 1)]
-        self.names = ["m1", "m2", "a2", "a1", *(name for part in self.parts for name in part.by)]
         self.oscillator = [[arb(0), arb(1)], [-self.a2 / self.mass, -self.a1 / self.mass]]
         self.systems, self.rows = zip(*map(self._system, self.parts), strict=True)
+        self.rows[0][2, self.by_b] -= side
 
     def _system(self, part: Part) -> tuple[Array, Array]:
-        """Return A of x, x' and a part (n, n), and the rows of all numbers (n, q)."""
-        size = 2 + len(part.own)
-        system, rows = np.full((size, size), arb(0)), np.full((size, len(self.names)), arb(0))
+        """Return A of x, x' and a part (n, n), and the rows of all numbers (n, p)."""
+        size, column = 2 + len(part.own), self.column
+        system, rows = np.full((size, size), arb(0)), np.full((size, len(column)), arb(0))
         system[:2, :2], system[2:, 2:] = self.oscillator, part.generator
         system[1, 2:] = np.array(part.own) / self.mass
-        by_mass, by_masses = -system[1], -system[1] * (self.side == 0)
-        rows[:, 0], rows[:, 1], rows[0, 2], rows[1, 3] = by_mass, by_masses, arb(-1), arb(-1)
+        rows[:, column["m1"]], rows[:, column["m2"]] = -system[1], -system[1] * (self.side == 0)
+        rows[0, column["a2"]] = rows[1, column["a1"]] = arb(-1)
         for name, row in part.by.items():
-            rows[2:, self.names.index(name)] = row
+            rows[2:, column[name]] = row
         return system, rows
 
     def _states(self, state: Sequence[arb], t: arb) -> list[Array]:
@@ -128,9 +128,9 @@ class Variation:
     def over(self, state: Sequence[arb], t: arb, tau: arb) -> tuple[Array, Array]:
         """Return the derivatives at tau (s) after the start of a motion, which is at t (s) with this state.
 
-        By (x1, v1, x2, v2) at the start, (4, 4), and by the numbers at a fixed start, (4, q).
+        By (x1, v1, x2, v2) at the start, (4, 4), and by the numbers at a fixed start, (4, p).
         """
-        flow, columns = np.full((4, 4), arb(0)), np.full((4, len(self.names)), arb(0))
+        flow, columns = np.full((4, 4), arb(0)), np.full((4, len(self.column)), arb(0))
         for system, rows, z in zip(self.systems, self.rows, self._states(state, t), strict=True):
             whole = np.full((2 + len(z), 2 + len(z)), arb(0))
             whole[:2, :2], whole[1, 2:], whole[2:, 2:] = self.oscillator, z / self.mass, system.T
@@ -139,28 +139,28 @@ class Variation:
         if self.side:
             flow[2:, 2:] = [[arb(1), tau], [arb(0), arb(1)]]
             slid = np.array([tau * tau / 2, tau]) * self.side / self.m2
-            columns[2:, self.names.index(self.b_name)] = slid
-            columns[2:, 1] = -slid * self.b / self.m2
+            columns[2:, self.by_b] = slid
+            columns[2:, self.column["m2"]] = -slid * self.b / self.m2
         else:
             flow[2:, :2], columns[2:] = flow[:2, :2], columns[:2]
             flow[2] += [-1, 0, 1, 0]
         return flow, columns
 
     def guard(self, state: Sequence[arb], t: arb, field: Array, exit_side: int) -> tuple[Array, Array, arb]:
-        """Return the derivatives of the guard by the state (4,) and by the numbers (q,), and its rate, where it is 0.
+        """Return the derivatives of the guard by the state (4,) and by the numbers (p,), and its rate, where it is 0.
 
         The guard of a slip is v1 - v2; that of a stick which ends in the slip s = `exit_side` is b - s m2 x1''. `field`
         is (v1, v1', v2, v2') there.
         """
-        by_numbers = np.full(len(self.names), arb(0))
+        by_numbers = np.full(len(self.column), arb(0))
         if self.side:
             return np.array([0, 1, 0, -1]), by_numbers, field[1] - field[3]
         later, share = arb(0), -exit_side * self.m2 / self.mass
         for part, rows, z in zip(self.parts, self.rows, self._states(state, t), strict=True):
             by_numbers += share * (z @ rows)
             later += np.array(part.own) @ (np.array(part.generator) @ z[2:])
-        by_numbers[1] -= exit_side * field[1]
-        by_numbers[self.names.index(self.b_name)] += 1
+        by_numbers[self.column["m2"]] -= exit_side * field[1]
+        by_numbers[self.by_b] += 1
         by_state = share * np.array([-self.a2, -self.a1, arb(0), arb(0)])
         return by_state, by_numbers, share * later + by_state[:2] @ field[:2]
 

@@ -108,7 +108,7 @@ def _enclosed_durations(w: Fraction = Fraction(1, 10**12)) -> Evidence:
         one = next(excursions(frame, arithmetic.number(w)))
         assert one.stick is not None  # it creeps: w is far below the merging level
         small = arithmetic.number(Fraction(1, 10**5))
-        right = abs(one.slip / (3 * arithmetic.sqrt(one.w)) - 1) < small and abs(one.stick - arb.pi()) < small
+        right = abs(one.slip / (3 * one.w.sqrt()) - 1) < small and abs(one.stick - arb.pi()) < small
         text = f"slip {one.slip.mid().str(12, radius=False)}, stick {one.stick.mid().str(15, radius=False)}"
     return Evidence(
         EvidenceKind.ENCLOSURE,

@@ -11,8 +11,7 @@ from functools import cache
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball
-from numerics.arithmetic.protocol import decide_sign
+from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 
@@ -83,7 +82,7 @@ def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
 
 def _sign(value: arb, question: str, step: int) -> int:
     """Return a sign that is proved; the question's whole text is made only where it is not."""
-    return 1 if value > ZERO else -1 if value < ZERO else decide_sign(BALL, value, f"{question} at Euler step {step}")
+    return 1 if value > ZERO else -1 if value < ZERO else proved_sign(value, f"{question} at Euler step {step}")
 
 
 @cache

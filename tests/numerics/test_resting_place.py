@@ -11,7 +11,7 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.engine import run_free
-from numerics.free.resting_place import resting_place
+from numerics.free.resting_place import creeping_place
 from numerics.linear.modes import MODES, event_kind
 from numerics.scene import Pair, Scene, State
 
@@ -38,7 +38,7 @@ def test_a_creeping_pair_stays_within_what_is_said(share):
     with BALLS.context():
         pair = Pair(m1=share, m2=1 - share, a2=1, b=1 - share)  # L = Omega = 1
         run = solved(pair, 60, Fraction(float(share * Fraction(12, 1000)) ** 0.5))
-        found = resting_place(run, near=1.0)
+        found = creeping_place(run, pair, 1.0, Fraction(0))
         assert found.index < 4
         later = [event.y for event in run.events[found.index :]]
         far = [abs(x1 - x2 - found.limit) for x1, _, x2, _ in later]
