@@ -10,13 +10,12 @@ from strategies import MODERATE, decimals, pairs
 
 from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball
-from numerics.control.guesses import exit_state
-from numerics.control.orbit import Drive
+from numerics.control.response import response as forced_response_of
 from numerics.control.thresholds import square_wave_response, thresholds
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
 from numerics.linear.modes import Mode
-from numerics.scene import Force, Piece, Sine
+from numerics.scene import Force, Piece
 from theory import forced
 from theory import forced_control as control
 from theory import forced_response as response
@@ -79,28 +78,21 @@ def test_at_resonance_both_have_four_b_over_pi():
     assert response.resonant_amplitude() == response.resonant_non_stop_amplitude()
 
 
-def test_the_two_stop_motion_meets_theorys_conditions():
+@pytest.mark.parametrize("part", [Fraction(1, 50), Fraction(1, 2), Fraction(49, 50)])
+def test_the_two_stop_motion_meets_theorys_conditions(part):
+    """At the exit to slip +, under forces from next to U* to next to U**."""
     omega = Fraction(5, 2)
-    drive = Drive(HEAVY, Piece(0, (), [Sine(1, omega)]))
-    with Ball(30).context():
-        for part in (Fraction(1, 100), Fraction(1, 2), Fraction(99, 100)):
-            length = arb.pi() / (arb(5) / 2) * arb(part.numerator) / part.denominator
-            place, speed, _, cosine = exit_state(drive, length)
-            at = {response.exit_place: place, response.exit_speed: speed, response.cosine_part: cosine}
-            condition = response.two_stop_conditions()[0].subs(letters(HEAVY, omega))
-            terms = sp.lambdify(list(at), condition)
-            assert abs(float(terms(*(float(one) for one in at.values())))) < 1e-12
-
-
-def test_the_stuck_response_is_where_the_two_stops_begin():
-    omega = Fraction(5, 2)
-    drive = Drive(HEAVY, Piece(0, (), [Sine(1, omega)]))
-    limits = thresholds(HEAVY, omega)
-    with Ball(40).context():
-        half = arb.pi() / (arb(5) / 2)
-        for length, limit in ((half / 10**6, limits.entrainment), (half * (1 - arb(10) ** -8), limits.non_stop)):
-            _, _, sine, cosine = exit_state(drive, length)
-            assert abs((sine * sine + cosine * cosine).sqrt() / limit - 1) < arb("1e-5")
+    low, high = (
+        Fraction(float(one)) for one in (thresholds(HEAVY, omega).entrainment, thresholds(HEAVY, omega).non_stop)
+    )
+    force = Force.sine(low + part * (high - low), omega)
+    found = forced_response_of(Scene(HEAVY, State(), 1, force=force), digits=20)
+    exit_, *others = found.orbit.legs
+    assert [exit_.side, *(one.side for one in others)] == [1, 0, -1, 0]
+    cosine = force(Fraction(float(exit_.t)))
+    at = {response.exit_place: exit_.x, response.exit_speed: exit_.v, response.cosine_part: cosine}
+    terms = sp.lambdify(list(at), response.two_stop_conditions()[0].subs(letters(HEAVY, omega)))
+    assert abs(float(terms(*(float(one) for one in at.values())))) < 1e-12
 
 
 @pytest.mark.parametrize("pair", [HEAVY, LIGHT])

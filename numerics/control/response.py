@@ -26,9 +26,9 @@ from numerics.control.answers import (
     to_digits,
     undecided,
 )
-from numerics.control.guesses import MAX_EVENTS, find_orbit
+from numerics.control.guesses import MAX_EVENTS, find_orbit, stuck_state
 from numerics.control.orbit import Drive, Orbit
-from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, stiffness, thresholds
+from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, thresholds
 from numerics.errors import InvalidScene
 from numerics.linear.system import ONE, is_positive_on
 from numerics.scene import Force, Law, Pair, Piece, Scene, Sine
@@ -192,20 +192,6 @@ def entrained(drive: Drive) -> bool:
     if None in held and False not in held:
         raise undecided("does friction hold the pair in its stuck response?", "load near b")
     return all(held)
-
-
-def stuck_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb] | None:
-    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0."""
-    pair = drive.pair
-    x, v = number(drive.rest), arb(0)
-    for one in drive.piece.sines:
-        if stiffness(pair, pair.mass, one.omega).is_zero():
-            return None
-        below = acb(number(pair.a2 - pair.mass * one.omega**2), number(pair.a1 * one.omega))
-        turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase)))
-        moved = turned * number(one.amplitude) / below
-        x, v = x + moved.imag, v + number(one.omega) * moved.real
-    return x, v, arb(0), v
 
 
 def others_stick(drive: Drive, known: Thresholds | None) -> bool:
