@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import write_figure
-from numerics.exits import INTERRUPTED, OK, USAGE, refuse, wrong_path
+from numerics.exits import INTERRUPTED, OK, refuse
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -57,9 +57,6 @@ def _side(options: argparse.Namespace, name: str) -> tuple[Fraction, Fraction]:
 
 def _chart(options: argparse.Namespace, compute: Callable[..., Map], draw: Callable[[Any], Any]) -> int:
     """Compute a map by the roads that were asked for, draw it, and print its cells or a summary."""
-    wrong = wrong_path(options.resume) or wrong_path(options.out, "--out")
-    if wrong is not None:
-        return refuse(wrong, USAGE)
     progress = _show_blocks if sys.stderr.isatty() else None
     try:
         found = compute(jobs=options.jobs, dask=options.dask, resume=options.resume, progress=progress)

@@ -1,9 +1,11 @@
-"""How enclosures and figures leave the commands: numbers with their radii, whole files."""
+"""How answers leave the commands: numbers with their radii, as JSON or as lines; whole files."""
 
 from __future__ import annotations
 
+import argparse
+import json
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -29,12 +31,27 @@ def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:
     return found
 
 
-def print_numbers(shown: dict[str, str], units: dict[str, str], sentences: dict[str, str]) -> None:
-    """Print numbers with unit and radius, each under its sentence or its name."""
-    for name, text in shown.items():
-        if not name.endswith("_radius"):
-            radius = f", within {shown[f'{name}_radius']}" if f"{name}_radius" in shown else ""
-            print(f"  {sentences.get(name, name)} = {text} {units.get(name, '')}".rstrip() + radius)
+def number_lines(shown: Mapping[str, Any], named: dict[str, tuple[str, str]]) -> list[str]:
+    """Return a line for each number that has a name and a unit, with its radius."""
+    return [
+        f"  {name} = {shown[key]} {unit}".rstrip() + (f", within {shown[radius]}" if radius in shown else "")
+        for key, (name, unit) in named.items()
+        if key in shown
+        for radius in [f"{key}_radius"]
+    ]
+
+
+def answer(options: argparse.Namespace, record: Mapping[str, Any], lines: Iterable[str]) -> None:
+    """Print an answer: as JSON where that was asked for, else as lines."""
+    print(json.dumps(record, indent=1) if options.json else "\n".join(lines))
+
+
+def draw(options: argparse.Namespace, name: str, *what: Any) -> None:
+    """Write the picture that --plot asks for, by the name of what draws it."""
+    if options.plot is not None:
+        from numerics.control import pictures
+
+        write_figure(getattr(pictures, name)(*what), options.plot)
 
 
 def write_figure(figure: Any, path: Path) -> None:

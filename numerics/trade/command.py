@@ -8,19 +8,18 @@ import sys
 from statistics import median
 from typing import Any
 
-from numerics.exits import OK, USAGE, refuse, wrong_path
+from numerics.exits import OK, USAGE, refuse
 
 
 def measure_trade(options: argparse.Namespace) -> int:
     """Measure speed against accuracy, or the public interface beside heyoka; print tables or JSON, write the figure."""
     from rich.console import Console
 
-    from numerics.trade.figure import write_figure
+    from numerics.cli.printing import write_figure
+    from numerics.trade.figure import draw_trade
     from numerics.trade.interface import ratios
     from numerics.trade.measure import NoSuchContender, trade
 
-    if wrong := wrong_path(options.out, "--out"):
-        return refuse(wrong, USAGE)
     console = Console(width=None if sys.stdout.isatty() else 200, highlight=False, markup=False)
     if options.interface:
         found = list(ratios())
@@ -35,7 +34,7 @@ def measure_trade(options: argparse.Namespace) -> int:
     except NoSuchContender as error:
         return refuse(str(error), USAGE)
     if options.out is not None:
-        write_figure(measured, options.out)
+        write_figure(draw_trade(measured), options.out)
     if options.json:
         print(measured.text(), end="")
     else:
