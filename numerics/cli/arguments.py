@@ -10,6 +10,7 @@ from typing import Any
 from numerics.cli import commands, maps, plans, responses, solving
 from numerics.cli.flags import natural, positive
 from numerics.exits import OneLineParser
+from numerics.trade.command import measure_trade
 
 _EPILOG = """exit codes: 0 solved; 1 undecided or out of reach (the message says what to do); 2 usage, or invalid scene
 SCENE is a TOML file or a shipped scene; `python -m numerics scenes` lists them."""
@@ -51,7 +52,7 @@ def parser() -> argparse.ArgumentParser:
     )
     what, left_out = "measure speed against accuracy, ours and other integrators'", "what is not installed is left out"
     epilog = f"{left_out} and named; a run that hangs or fails is stopped and shown as such"
-    _trade(command("trade", commands.measure_trade, what, epilog=epilog))
+    _trade(command("trade", measure_trade, what, epilog=epilog))
     shown: dict[str, Any] = {"epilog": _EPILOG, "formatter_class": argparse.RawDescriptionHelpFormatter}
     _solve(command("solve", solving.solve_scene, "solve one scene", **shown))
     return top

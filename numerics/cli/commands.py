@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 
-from numerics.cli.printing import shown_steps
 from numerics.cli.solving import LABELS
 from numerics.exits import FAILED, OK
+from numerics.shown import shown_steps
 
 
 def list_scenes(_: argparse.Namespace) -> int:
@@ -56,23 +55,15 @@ def print_energy(options: argparse.Namespace) -> int:
 def audit_numerics(options: argparse.Namespace) -> int:
     """Measure what the package claims of its numbers; FAILED if a row is not as required."""
     from numerics.audit.plan import SIZES, audit
-    from numerics.audit.table import as_record, print_decades, print_reasons, print_table
+    from numerics.audit.table import as_record, print_decades, print_reasons, print_rows
 
     with shown_steps() as say:
         rows = list(audit(SIZES[options.size], options.seed, say))
     if options.json:
         print(json.dumps(as_record(rows, options.seed, options.size), indent=1))
     else:
-        width = None if sys.stdout.isatty() else 200
         if options.decades:
-            print_decades(rows, width)
-        print_reasons(rows, width)
-        print_table(rows, width)
+            print_decades(rows)
+        print_reasons(rows)
+        print_rows(rows)
     return OK if all(row.passed for row in rows) else FAILED
-
-
-def measure_trade(options: argparse.Namespace) -> int:
-    """Measure speed against accuracy, ours and other integrators'."""
-    from numerics.trade.command import measure_trade as measure
-
-    return measure(options)

@@ -8,8 +8,8 @@ import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from numerics.cli.printing import write_figure
 from numerics.exits import INTERRUPTED, OK, refuse
+from numerics.shown import write_figure
 
 if TYPE_CHECKING:
     from fractions import Fraction

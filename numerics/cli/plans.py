@@ -5,9 +5,10 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from numerics.cli.printing import answer, draw, number_lines, numbers, shown_steps
+from numerics.cli.printing import answer, draw, number_lines, numbers
 from numerics.exits import FAILED, OK, refuse
 from numerics.files import whole_file
+from numerics.shown import shown_steps
 
 if TYPE_CHECKING:
     from numerics.scene import Scene

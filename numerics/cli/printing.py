@@ -1,14 +1,13 @@
-"""How answers leave the commands: numbers with their radii, as JSON or as lines; whole files."""
+"""How answers leave the commands: numbers with their radii, as JSON, as lines or drawn."""
 
 from __future__ import annotations
 
 import argparse
 import json
-import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
-from pathlib import Path
+from collections.abc import Iterable, Mapping
 from typing import Any
+
+from numerics.shown import write_figure
 
 _SPARE = 20
 
@@ -52,23 +51,3 @@ def draw(options: argparse.Namespace, name: str, *what: Any) -> None:
         from numerics.control import pictures
 
         write_figure(getattr(pictures, name)(*what), options.plot)
-
-
-def write_figure(figure: Any, path: Path) -> None:
-    """Write a matplotlib figure to a .svg, .pdf or .png file."""
-    from numerics.files import whole_file
-
-    with whole_file(path) as file:
-        figure.savefig(file, format=path.suffix[1:], dpi=200)
-
-
-@contextmanager
-def shown_steps() -> Iterator[Callable[[str], None]]:
-    """Yield what shows on stderr what is being done, one line that goes away at the end; on a terminal only."""
-    if not sys.stderr.isatty():
-        yield lambda _: None
-        return
-    try:
-        yield lambda what: print(f"\r\033[K{what}", end="", file=sys.stderr, flush=True)
-    finally:
-        print("\r\033[K", end="", file=sys.stderr, flush=True)

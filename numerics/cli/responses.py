@@ -5,8 +5,9 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from numerics.cli.printing import answer, draw, number_lines, numbers, shown_steps
+from numerics.cli.printing import answer, draw, number_lines, numbers
 from numerics.exits import OK
+from numerics.shown import shown_steps
 
 if TYPE_CHECKING:
     from flint import acb

@@ -7,8 +7,8 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
-from numerics.cli.printing import write_figure
 from numerics.exits import FAILED, OK, USAGE, refuse
+from numerics.shown import write_figure
 
 if TYPE_CHECKING:
     from numerics.trajectory.trajectory import Trajectory

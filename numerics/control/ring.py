@@ -22,16 +22,13 @@ from fractions import Fraction
 import flint
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, precision, sqrt, working_digits
+from numerics.arithmetic.ball import Ball, precision, working_digits
 from numerics.control.answers import Tell, most_digits, not_negative, number, silent, to_digits, undecided
 from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
-from numerics.control.guesses import stuck_state
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
-from numerics.control.thresholds import stiffness
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.resting_place import creeping_place
-from numerics.linear.modes import Mode
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import X1, X2, LinearMode, Row, W
 from numerics.scene import Piece, Scene
@@ -136,7 +133,7 @@ def _settled(
         if orbit is not None:
             found = periodic_settled(trajectory, orbit, near)
         else:
-            found = stuck_settled(trajectory, drive) or _creeping_settled(trajectory, drive, near)
+            found = stuck_settled(trajectory) or _creeping_settled(trajectory, drive, near)
         if found is not None:
             return trajectory, found
         if not trajectory.reached:
@@ -153,27 +150,14 @@ def _settled(
     )
 
 
-def stuck_settled(trajectory: Trajectory, drive: Drive) -> Settled | None:
+def stuck_settled(trajectory: Trajectory) -> Settled | None:
     """Return where a trajectory in balls sticks for ever from its last event on; None if that is not proved yet.
 
-    `drive` acts at the horizon and after it. In the arithmetic's context.
+    What acts at the horizon must act after it. In the arithmetic's context.
     """
-    if not trajectory.reached:
-        return None
-    x1, v1, x2, _ = trajectory.final_state
-    pair = drive.pair
     if trajectory.status is not Status.STUCK_FOR_EVER:
-        response_there = stuck_state(drive, number(trajectory.scene.until))
-        if trajectory.final_mode is not Mode.STICK or response_there is None:
-            return None
-        place, speed = x1 - response_there[0], v1 - response_there[1]
-        energy = number(pair.a2) * place * place + number(pair.mass) * speed * speed
-        root = number(pair.a2).sqrt() + number(pair.a1) / number(pair.mass).sqrt()
-        load = number(pair.m2 / pair.mass) * root * sqrt(energy)
-        for one in drive.piece.sines:
-            load += number(pair.m2 * abs(one.amplitude) * one.omega**2) / stiffness(pair, pair.mass, one.omega)
-        if not load < number(pair.b):
-            return None
+        return None
+    x1, _, x2, _ = trajectory.final_state
     since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
     return Settled(x1 - x2, since, "the pair has stuck for ever")
 

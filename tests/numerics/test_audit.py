@@ -43,8 +43,8 @@ def test_the_json_has_its_shape(small):
 
 
 def test_tables_are_printed(small, capsys):
-    for show in (table.print_table, table.print_decades, table.print_reasons):
-        show(small, 200)
+    for show in (table.print_rows, table.print_decades, table.print_reasons):
+        show(small)
     out = capsys.readouterr().out
     assert "FAIL" not in out
     assert "depth: 2 - x cot(x/2), double-double" in out

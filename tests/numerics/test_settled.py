@@ -51,7 +51,7 @@ def said(scene: Scene) -> bool | None:
     """Whether it is said to have stuck for ever; None if it slips at once."""
     with Ball(20).context():
         run = run_scene(scene, Ball(20), 10)
-        return None if len(run.events) else stuck_settled(run, last_drive(scene)) is not None
+        return None if len(run.events) else stuck_settled(run) is not None
 
 
 small = signed(decimals(-3, -2, 2))
