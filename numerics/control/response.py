@@ -91,8 +91,8 @@ def response(
 ) -> Response:
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
-    For a scene without a force both together are its force, amplitude sin(omega t). Where more than one sine acts, a
-    run of up to `max_events` events finds the motion; `tell` hears what is being done.
+    For a scene without a force both together are its force, amplitude sin(omega t). A run of up to `max_events` events
+    finds the motion; `tell` hears what is being done.
 
     Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits, by
     default 16 times as many as are asked for), NotSettled (no motion was found within max_events),

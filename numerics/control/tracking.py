@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -23,6 +23,7 @@ from flint import arb, fmpq, fmpq_poly
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import Claim, End, not_negative, rounded, to_digits, undecided
 from numerics.errors import InvalidScene
+from numerics.linear.pieces import pieces_of
 from numerics.scene import Force, Piece, Scene, Sine
 from numerics.scene.decimals import short
 
@@ -93,7 +94,7 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     planned, error = None, 0.0
     if all(one.possible for one in demands):
         force, error = _force(scene, reference)
-        planned = Scene(scene.pair, scene.initial, scene.until, scene.law, force, scene.friction)
+        planned = replace(scene, force=force)
     return Tracking(reference, demands, planned, share, error, digits)
 
 
@@ -124,11 +125,10 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
 
 def _parts(scene: Scene, reference: tuple[Piece, ...]) -> Iterator[tuple[int, Piece, Fraction, Fraction]]:
     """Yield the pieces up to the horizon, cut where b jumps: number, piece from there on, its end (s) and b (N)."""
-    starts, until = [one.start for one in reference], scene.until
-    cuts = sorted({*starts, *scene.friction.starts, until})
-    for start, end in pairwise(one for one in cuts if one <= until):
-        number, held = bisect_right(starts, start), [b for at, b in scene.friction.pieces if at <= start]
-        yield number, reference[number - 1].moved(start), end, held[-1] if held else scene.pair.b
+    starts = [one.start for one in reference]
+    for one in pieces_of(replace(scene, force=Force(reference))):
+        piece = Piece(one.start, one.polynomial, one.sines)
+        yield bisect_right(starts, one.start), piece, one.start + one.length, one.b
 
 
 def _demand(scene: Scene, number: int, piece: Piece, end: Fraction, b: Fraction, digits: int) -> Demand:
