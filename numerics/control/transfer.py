@@ -32,6 +32,7 @@ from numerics.control.answers import (
     rounded_up,
     to_digits,
 )
+from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.linear.system import V1, X1, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene
@@ -206,17 +207,11 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     exact = number(far / gain).sqrt()
     tau = rounded_up(exact, TIME_DIGITS)
     gain = far / tau**2
-    go = stuck_piece(pair, Fraction(0), (Fraction(0), Fraction(0), gain))
-    stop = stuck_piece(pair, tau, (far / 2, gain * tau, -gain))
+    go = stuck_force(pair, Piece(0, (0, 0, gain / 2)))
+    stop = stuck_force(pair, Piece(tau, (far / 2, gain * tau, -gain / 2)))
     force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
     limit = "no control is faster" if margin == 0 else "no control that keeps the margin is faster"
     return Road.STUCK, 2 * exact, f"{limit}: friction is at its limit all the time", force
-
-
-def stuck_piece(pair: Pair, start: Fraction, path: tuple[Fraction, Fraction, Fraction]) -> Piece:
-    """Return u = M x'' + a1 x' + a2 x of a stuck pair with a position, a velocity and a constant acceleration."""
-    x, v, a = path
-    return Piece(start, (pair.mass * a + pair.a1 * v + pair.a2 * x, pair.a1 * a + pair.a2 * v, pair.a2 * a / 2))
 
 
 def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:
@@ -233,7 +228,7 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> F
     x, v = rounded(_pushed(pair, push).at(number(tau))[X1, 0]), beta * tau
     rest = tau + v / slow
     held = pair.a2 * (x + v**2 / (2 * slow))
-    stop = stuck_piece(pair, tau, (x, v, -slow))
+    stop = stuck_force(pair, Piece(tau, (x, v, -slow / 2)))
     if held > most:
         return None
     return Force((Piece(0, (push,)), stop, Piece(rest, (held,))))

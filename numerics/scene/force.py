@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.decimals import Exact, exact_decimal, put, short
 from numerics.scene.pieces import Piece, Sine, require_order
 
 
@@ -31,7 +31,7 @@ class Force:
         if not all(isinstance(one, Piece) for one in kept):
             raise InvalidScene("a force is made of Piece(start, polynomial, sines); build them first")
         require_order("force", [one.start for one in kept])
-        object.__setattr__(self, "pieces", kept)
+        put(self, pieces=kept)
 
     @classmethod
     def step(cls, at: Exact, height: Exact) -> Force:
