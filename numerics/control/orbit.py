@@ -17,7 +17,7 @@ from typing import NamedTuple
 from flint import acb, acb_mat, arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, working_digits
-from numerics.control.answers import KEPT_DIGITS, Claim, End, Tell, number, rounded, rounded_up, silent, undecided
+from numerics.control.answers import KEPT_DIGITS, Claim, Tell, number, rounded, rounded_up, silent, undecided
 from numerics.linear.system import V1, V2, X1, X2, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.trajectory.legs import legs
@@ -132,9 +132,8 @@ class Orbit:
             x1, v1, x2, v2 = self.motion(leg).state(number(begin) - leg.t)
             scene = self.drive.one_period(begin, (x1, v1, x2, v2 if leg.side else v1), kept)
             near = (abs(x1) + abs(v1) + abs(v2)) * arb(10) ** (3 - digits)
-            state = (("x1", 0, x1), ("v1", 1, v1), ("v2", 3, v2))
-            ends = tuple(End(f"{name} after a period", place, one, near) for name, place, one in state)
-        return Claim(scene, ends, (*(one.side for one in self.legs), leg.side), digits)
+            ends = {"x1": (x1, near), "v1": (v1, near), "v2": (v2, near)}
+        return Claim(scene, "after a period", ends, (*(one.side for one in self.legs), leg.side), digits)
 
 
 def across(motion: Motion, length: arb, after: Motion) -> arb_mat:

@@ -21,7 +21,7 @@ from itertools import pairwise
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import Claim, End, not_negative, rounded, to_digits, undecided
+from numerics.control.answers import Claim, not_negative, rounded, to_digits, undecided
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
@@ -75,8 +75,10 @@ class Tracking:
             return None
         with Ball(self.digits + 20).context():
             path = Derivative(self.reference[self.demands[-1].number - 1])(Ball.number(self.scene.until))
-            ends = (End("x2 at the horizon", 2, path, abs(path).max(arb(1)) * arb("1e-12")),)
-        return Claim(self.scene, ends, None if self.is_at_limit and self.force_error > 0 else (0,), self.digits)
+            ends = {"x2": (path, abs(path).max(arb(1)) * arb("1e-12"))}
+        return Claim(
+            self.scene, "at the horizon", ends, None if self.is_at_limit and self.force_error > 0 else (0,), self.digits
+        )
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:

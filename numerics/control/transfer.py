@@ -25,7 +25,6 @@ from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
     Claim,
-    End,
     not_negative,
     number,
     rounded,
@@ -83,13 +82,11 @@ class Transfer:
             return None
         with Ball(self.digits + 20).context():
             near = abs(number(self.distance)) * arb("1e-12")
-            place = number(self.scene.initial.x2 + self.distance)
-            ends = [End("x2 at the end of the transfer", 2, place, near)]
-            ends += [End(f"{name} at the end of the transfer", k, arb(0), near / self.bound) for k, name in _AT_REST]
-        return Claim(self.scene, tuple(ends), None if self.road is Road.SLIP else (0,), self.digits)
-
-
-_AT_REST = ((1, "v1"), (3, "v2"))
+            at_rest = arb(0), near / self.bound
+            ends = {"x2": (number(self.scene.initial.x2 + self.distance), near), "v1": at_rest, "v2": at_rest}
+        return Claim(
+            self.scene, "at the end of the transfer", ends, None if self.road is Road.SLIP else (0,), self.digits
+        )
 
 
 def fastest_transfer(
