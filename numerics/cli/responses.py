@@ -87,6 +87,8 @@ def _complex_text(number: acb, digits: int) -> str:
 
 def _of_response(found: Response) -> dict[str, Any]:
     """Return a response for JSON."""
+    from numerics.linear.modes import MODES
+
     digits, known = found.digits, found.thresholds
     record: dict[str, Any] = {
         "regime": found.regime.name.lower().replace("_", "-"),
@@ -106,6 +108,7 @@ def _of_response(found: Response) -> dict[str, Any]:
     record["multipliers"] = [numbers({"re": one.real, "im": one.imag, "size": abs(one)}, digits) for one in multipliers]
     record["events"] = []
     for leg in found.orbit.legs if found.orbit is not None else ():
-        to = {1: "slip+", -1: "slip-", 0: "stick"}[leg.side]
-        record["events"].append({"to": to, **numbers({"t": leg.t, "x1": leg.x, "v1": leg.v}, digits)})
+        record["events"].append(
+            {"to": MODES[leg.side].value, **numbers({"t": leg.t, "x1": leg.x, "v1": leg.v}, digits)}
+        )
     return record

@@ -16,10 +16,11 @@ from typing import NamedTuple
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import working_digits
-from numerics.control.answers import number, rounded, rounded_up, undecided
+from numerics.control.answers import number, rounded, undecided
 from numerics.control.orbit import Orbit, one_round
 from numerics.linear.system import Motion
 from numerics.scene import Pair
+from numerics.trajectory.sensitivity import exact_middle
 
 _DOUBLINGS = 10
 """The period map is taken up to 2^n times in a row until it shrinks all distances."""
@@ -92,10 +93,12 @@ def _norm(pair: Pair, slopes: arb_mat) -> arb:
 
 
 def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:
-    """Return the derivative of (x1, v1, v2) after a period by that before, over the box within `reach` of the orbit."""
-    pair, begin = orbit.drive.pair, rounded_up(t)
-    x1, v1, _, v2 = passage_at(orbit, number(begin)).state(number(begin))
+    """Return the derivative of (x1, v1, v2) a period after t by that at t, over the box within `reach` of the orbit.
+
+    The middle of t counts.
+    """
+    pair, (x1, v1, _, v2) = orbit.drive.pair, passage_at(orbit, t.mid()).state(t.mid())
     start = [rounded(one, working_digits()) for one in (x1, v1, v2)]
     off = max(abs(one - number(near)).upper() for one, near in zip((x1, v1, v2), start, strict=True))
     radius = (off + reach / number(min(pair.a2, pair.m1, pair.m2)).sqrt()).upper()
-    return one_round(orbit.drive, begin, start, radius, len(orbit.legs)).slopes
+    return one_round(orbit.drive, exact_middle(t), start, radius, len(orbit.legs)).slopes

@@ -60,13 +60,12 @@ class Drive:
         """Return the mode `side` under this force."""
         return LinearMode(self.pair, self.pair.b, side, self.piece)
 
-    def one_period(self, begin: Fraction, state: Sequence[arb], digits: int) -> Scene:
-        """Return a period from a time (s) and a state (x1, v1, x2, v2) on as a scene, in decimals of so many digits."""
-        x1, v1, _, v2 = (rounded(one, digits) for one in state)
+    def one_period(self, begin: Fraction, state: State, digits: int) -> Scene:
+        """Return a period from a time (s) and a state on as a scene; a period is rounded up to so many digits."""
         # a constant part of a phase beyond a turn is kept: the sine is the same function of time
         sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in self.piece.sines]
         force = Force((Piece(0, self.piece.polynomial, sines),))
-        return Scene(self.pair, State(x1, v1, 0, v2), rounded_up(self.period, digits), force=force)
+        return Scene(self.pair, state, rounded_up(self.period, digits), force=force)
 
 
 @dataclass(frozen=True)
@@ -121,7 +120,7 @@ class Orbit:
         # where the pair sticks v2 goes with v1: w dies in a finite time
         return [*_eigenvalues(in_stick(total)), acb(0)]
 
-    def claim(self, digits: int = 15) -> Claim:
+    def claim(self, digits: int) -> Claim:
         """Return that one period, from inside the first leg on, has these modes and comes back.
 
         Time and state of that start are rounded to decimals; by the contraction of N nothing of it grows.
@@ -129,8 +128,9 @@ class Orbit:
         kept, (leg, after) = max(digits + 3, KEPT_DIGITS), self.turns[0]
         with Ball(2 * digits + 20).context():
             begin = rounded((leg.t + after.t) / 2)
-            x1, v1, x2, v2 = self.motion(leg).state(number(begin) - leg.t)
-            scene = self.drive.one_period(begin, (x1, v1, x2, v2 if leg.side else v1), kept)
+            x1, v1, _, v2 = self.motion(leg).state(number(begin) - leg.t)
+            start = State(*(rounded(one, kept) for one in (x1, v1, arb(0), v2 if leg.side else v1)))
+            scene = self.drive.one_period(begin, start, kept)
             near = (abs(x1) + abs(v1) + abs(v2)) * arb(10) ** (3 - digits)
             ends = {"x1": (x1, near), "v1": (v1, near), "v2": (v2, near)}
         return Claim(scene, "after a period", ends, (*(one.side for one in self.legs), leg.side), digits)
@@ -209,17 +209,16 @@ def one_round(drive: Drive, begin: Fraction, start: Sequence[Fraction], radius: 
 
     Raises EventUndecided unless they have the same events, at most so many, and come back to the mode they begin in.
     """
-    x1, v1, v2 = map(number, start)
-    scene = drive.one_period(begin, (x1, v1, arb(0), v2), working_digits())
+    x1, v1, v2 = start
+    scene = drive.one_period(begin, State(x1, v1, 0, v2), working_digits())
     run = run_scene(scene, Box(working_digits(), radius), most)
     parts, period, origin = legs(run), drive.period, number(begin)
-    if not run.reached or len(parts) < 2 or parts[-1].side != parts[0].side:
+    left = period - parts[-1].start
+    if not (run.reached and len(parts) > 1 and parts[-1].side == parts[0].side and left > 0):
         raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
     motions = [drive.mode(one.side).motion(one.state, origin + one.start) for one in parts]
-    left = period - parts[-1].start
-    maps = [
-        across(one, part.end - part.start, two) for part, one, two in zip(parts, motions, motions[1:], strict=False)
-    ]
+    ended = zip(parts, motions, motions[1:], strict=False)
+    maps = [across(one, part.end - part.start, two) for part, one, two in ended]
     maps.append(state_part(motions[-1].flow(left)))
     found = [Leg(one.side, origin + one.start, one.state[0], one.state[1]) for one in parts[1:]]
     end = motions[-1].state(left)

@@ -22,6 +22,7 @@ from numerics.control.answers import (
     most_digits,
     not_negative,
     number,
+    rounded,
     silent,
     to_digits,
     undecided,
@@ -31,7 +32,7 @@ from numerics.control.orbit import Drive, Orbit
 from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, thresholds
 from numerics.errors import InvalidScene
 from numerics.linear.system import ONE, is_positive_on
-from numerics.scene import Force, Law, Pair, Piece, Scene, Sine
+from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State
 from numerics.scene.decimals import Exact, exact_decimal, short
 
 
@@ -76,7 +77,8 @@ class Response:
             state = stuck_state(self.drive, arb(0)) if self.regime is Regime.ENTRAINED else None
             if state is not None and not entrained(self.drive):
                 state = flattened_state(self.drive, arb(0))
-            return None if state is None else self.drive.one_period(Fraction(0), state, KEPT_DIGITS)
+            start = None if state is None else State(*map(rounded, state))
+            return None if start is None else self.drive.one_period(Fraction(0), start, KEPT_DIGITS)
 
 
 def response(

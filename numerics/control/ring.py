@@ -5,10 +5,7 @@ The ring is (z - z*)^2 + (w/rate)^2 <= R^2. Where the bodies end up together, or
 it. The entry is the last time at which the motion is on the ring. Before a late time each stretch is searched backwards
 in balls for it; after that time the motion is inside by what is proved of all later times:
 
-    stuck for ever  under a constant and sines the motion is the stuck response and a free part (e, e') whose energy
-                    a2 e^2 + M e'^2 never grows. The load of the free part is at most (m2/M) (sqrt(a2) + a1/sqrt(M))
-                    times the root of it, that of the response at most the sum of m2 omega^2 |A|/Z(M): once both are
-                    below b together, the pair never slips
+    stuck for ever  what acts at the horizon goes on, and the engine proves that the load stays below b
     creeping        a1 = 0 and no sine: all slips to come are bounded (`creeping_place`)
     closing in      on a periodic motion: the period map shrinks distances (`attraction`)
 """
@@ -184,7 +181,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     end, kappa = number(trajectory.scene.until), number(pair.mass / (pair.m1 * pair.m2))
     limit, since = None, None
     for back in range(int(float(end / period)) if trajectory.reached else 0):
-        t = end - back * period
+        t = (end - back * period).mid()
         try:
             there = passage_at(orbit, t)
             here = next((one for one in parts if one.begin <= t and not t > one.end), None)

@@ -20,13 +20,12 @@ from typing import Any
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.linear.modes import MODES
 from numerics.scene import Scene
 from numerics.solver.solve import solve
 from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.contenders import MAX_EVENTS, answer_of
 from numerics.trajectory.comparison import as_fraction
-
-NAMES = {0: "stick", 1: "slip+", -1: "slip-"}
 
 
 def working_digits(digits: int) -> int:
@@ -86,7 +85,7 @@ def first_difference(found: PeerRun, truth: PeerRun) -> str | None:
     # the modes first: from an exchanged one on, times are compared with another event's
     for number, (one, other) in enumerate(zip(found.modes, truth.modes, strict=False)):
         if one != other:
-            return f"segment {number + 1} is {NAMES[one]}, not {NAMES[other]}"
+            return f"segment {number + 1} is {MODES[one].value}, not {MODES[other].value}"
     if len(found.modes) != len(truth.modes):
         return f"{len(found.times)} events, not {len(truth.times)}"
     times = [0.0, *(float(as_arb(one).mid()) for one in truth.times), math.inf]
