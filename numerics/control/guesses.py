@@ -18,15 +18,15 @@ from numerics.control.orbit import Drive, Orbit, solve_from, solve_orbit
 from numerics.control.thresholds import stiffness
 from numerics.errors import EventUndecided, NotSettled, OutOfRange, PrecisionExhausted
 from numerics.scene import Force, Scene, State
-from numerics.solver.solve import solve
+from numerics.solver.solve import ArithmeticName, solve
 
 MAX_EVENTS = 10_000
 """Cap on the events of a run that looks for a periodic motion."""
 _PERIODS = (2, 4, 16, 128, 1024)
 _SHARE = 5
 """One event in so many of a run may belong to one period: the equations of a period take longer than its run."""
-_DIGITS = 60
-"""To no more working digits a run climbs."""
+_SURE, _DIGITS = 16, 60
+"""Up to so many periods a run climbs where float64 leaves its events open, to so many working digits."""
 _PARTS = 8
 """Times of a period among which the one with the least load is taken."""
 
@@ -84,7 +84,8 @@ def _simulated(drive: Drive, count: int, max_events: int) -> tuple[Fraction, lis
     start, until = State(x1=2 * drive.pair.half_width), rounded(drive.period * count, 12)
     scene = Scene(drive.pair, start, until, force=Force((drive.piece,)))
     try:
-        run = solve(scene, max_events=max_events, max_digits=_DIGITS)
+        arithmetic: ArithmeticName | None = None if count <= _SURE else "float64"
+        run = solve(scene, arithmetic=arithmetic, max_events=max_events, max_digits=_DIGITS)
     except (EventUndecided, OutOfRange, PrecisionExhausted):
         return None
     if not run.reached:
