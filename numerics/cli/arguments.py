@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 from numerics.cli import commands, maps, plans, responses, solving
-from numerics.cli.flags import natural, positive
 from numerics.exits import OneLineParser
 from numerics.trade.command import measure_trade
 
@@ -167,3 +166,19 @@ def _trade(trade: argparse.ArgumentParser) -> None:
     trade.add_argument("--json", action="store_true", help="print every measurement as JSON")
     trade.add_argument("--out", metavar="FIGURE", **_FIGURE)
     trade.set_defaults(figures=("out",))
+
+
+def natural(text: str) -> int:
+    """Return a whole number >= 0 of a flag."""
+    return _whole(text, 0)
+
+
+def positive(text: str) -> int:
+    """Return a whole number > 0 of a flag."""
+    return _whole(text, 1)
+
+
+def _whole(text: str, least: int) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) >= least):
+        raise argparse.ArgumentTypeError(f"{text[:40]!r} must be a whole number from {least} to 999999999")
+    return int(text)
