@@ -66,6 +66,7 @@ FLOORS = {
     "numerics": (
         ("errors",),
         ("exits", "files", "tasks"),
+        ("shown",),
         ("scene",),
         ("arithmetic",),
         ("linear",),

@@ -16,7 +16,7 @@ from random import Random
 from statistics import median
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb
 
 from numerics.arithmetic.protocol import Number
 from numerics.audit.draws import KINDS
@@ -24,7 +24,7 @@ from numerics.audit.table import Progress, Row, counted
 from numerics.errors import NumericsError
 from numerics.scene import Scene
 from numerics.solver.solve import solve
-from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.comparison import as_fraction, distance
 from numerics.trajectory.trajectory import Trajectory
 
 Solver = Callable[[Scene], Trajectory]
@@ -121,8 +121,7 @@ def ratios(found: Trajectory, truth: Trajectory) -> Iterator[float]:
             if isinstance(value, arb):
                 yield 0.0 if value.overlaps(true) else math.inf
             else:
-                exact = as_fraction(value)
-                error = abs(arb(fmpq(exact.numerator, exact.denominator)) - true).lower()
+                error = distance(value, true).lower()
                 yield float(error / arb(float(bound))) if bound > 0 else math.inf if error > 0 else 0.0
 
 

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, TypeAlias
 
+from numerics.shown import print_table
+
 Progress: TypeAlias = Callable[[str], None]
 """Hears now and then, in a few words, what is being tried."""
 
@@ -51,40 +53,29 @@ def _finite(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
-def print_table(rows: Sequence[Row], width: int | None) -> None:
+def print_rows(rows: Sequence[Row]) -> None:
     """Print one line a row, grouped by section."""
     lines, before = [], ""
     for row in rows:
         found = ", ".join(f"{name} {_figure(value)}" for name, value in row.measured.items())
         section, before = "" if row.section == before else row.section, row.section
         lines.append((section, row.name, str(row.tried), found, row.required, "pass" if row.passed else "FAIL"))
-    _print(("section", "what", "tried", "found", "required", ""), lines, width)
+    print_table(("section", "what", "tried", "found", "required", ""), lines)
 
 
-def print_decades(rows: Sequence[Row], width: int | None) -> None:
+def print_decades(rows: Sequence[Row]) -> None:
     """Print the errors of every formula by the decade of its argument."""
     decades = [(row.name, one) for row in rows for one in row.details if "decade" in one]
     names = ("tried", "max ulp", "mean ulp", "worst at")
     lines = [(name, f"1e{one['decade']}", *(_figure(one[key]) for key in names)) for name, one in decades]
-    _print(("formula", "decade", *names), lines, width)
+    print_table(("formula", "decade", *names), lines)
 
 
-def print_reasons(rows: Sequence[Row], width: int | None) -> None:
+def print_reasons(rows: Sequence[Row]) -> None:
     """Print how often each reason for a refusal was given."""
     reasons = [(row.name, one["reasons"]) for row in rows for one in row.details if "reasons" in one]
     lines = [(name, str(count), reason) for name, found in reasons for reason, count in found.items()]
-    _print(("invalid scenes", "refused", "because"), lines, width)
-
-
-def _print(head: Sequence[str], lines: Sequence[Sequence[str]], width: int | None) -> None:
-    from rich.console import Console
-    from rich.markup import escape
-    from rich.table import Table
-
-    table = Table(*head, box=None, pad_edge=False)
-    for line in lines:
-        table.add_row(*map(escape, line))
-    Console(width=width, highlight=False).print(table)
+    print_table(("invalid scenes", "refused", "because"), lines)
 
 
 def _figure(value: float | int | str) -> str:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 
-from numerics.cli.printing import shown_steps
+from numerics.cli.printing import answer, number_lines
 from numerics.cli.solving import LABELS
 from numerics.exits import FAILED, OK
+from numerics.shown import shown_steps
 
 
 def list_scenes(_: argparse.Namespace) -> int:
@@ -34,45 +34,35 @@ def print_energy(options: argparse.Namespace) -> int:
     )
     x1, v1, _, v2 = found.si_state
     values = {"energy": found.energy, "energy_excess": found.energy_excess, "x1": x1, "v1": v1, "v2": v2}
-    record = {"t": options.at, "mode": found.mode.value}
+    shown = {"t": options.at, "mode": found.mode.value}
     with found.frame.arithmetic.context():
         for name, value in values.items():
-            record[name], record[f"{name}_radius"] = ball_text(value, options.digits)
+            shown[name], shown[f"{name}_radius"] = ball_text(value, options.digits)
     road = found.road.name.lower().replace("_", "-")
-    if options.json:
-        way = {"excursions": str(found.excursions), "road": road, "stepped": found.stepped, "digits": options.digits}
-        print(json.dumps(record | way, indent=1))
-        return OK
-    print(f"at t = {options.at} s, {found.mode.value}, after {found.excursions} excursions")
-    print(f"  energy = {record['energy']} J\n  {LABELS['energy_excess']} = {record['energy_excess']}")
-    for name, unit in (("x1", "m"), ("v1", "m/s"), ("v2", "m/s")):
-        print(f"  {name} = {record[name]} {unit}, within {record[f'{name}_radius']}")
-    print(f"{options.digits} right digits of the energy and its excess, proved")
-    if options.explain:
-        print(f"{found.road.value} ({found.stepped} events stepped)")
+    way = {"excursions": str(found.excursions), "road": road, "stepped": found.stepped, "digits": options.digits}
+    lines = [
+        f"at t = {options.at} s, {found.mode.value}, after {found.excursions} excursions",
+        f"  energy = {shown['energy']} J\n  {LABELS['energy_excess']} = {shown['energy_excess']}",
+        *number_lines(shown, {"x1": ("x1", "m"), "v1": ("v1", "m/s"), "v2": ("v2", "m/s")}),
+        f"{options.digits} right digits of the energy and its excess, proved",
+        *([f"{found.road.value} ({found.stepped} events stepped)"] if options.explain else []),
+    ]
+    answer(options, shown | way, lines)
     return OK
 
 
 def audit_numerics(options: argparse.Namespace) -> int:
     """Measure what the package claims of its numbers; FAILED if a row is not as required."""
     from numerics.audit.plan import SIZES, audit
-    from numerics.audit.table import as_record, print_decades, print_reasons, print_table
+    from numerics.audit.table import as_record, print_decades, print_reasons, print_rows
 
     with shown_steps() as say:
         rows = list(audit(SIZES[options.size], options.seed, say))
     if options.json:
         print(json.dumps(as_record(rows, options.seed, options.size), indent=1))
     else:
-        width = None if sys.stdout.isatty() else 200
         if options.decades:
-            print_decades(rows, width)
-        print_reasons(rows, width)
-        print_table(rows, width)
+            print_decades(rows)
+        print_reasons(rows)
+        print_rows(rows)
     return OK if all(row.passed for row in rows) else FAILED
-
-
-def measure_trade(options: argparse.Namespace) -> int:
-    """Measure speed against accuracy, ours and other integrators'."""
-    from numerics.trade.command import measure_trade as measure
-
-    return measure(options)

@@ -6,10 +6,11 @@ import argparse
 import json
 import sys
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from numerics.cli.printing import write_figure
-from numerics.exits import INTERRUPTED, OK, USAGE, refuse, wrong_path
+from numerics.exits import INTERRUPTED, OK, refuse
+from numerics.shown import write_figure
 
 if TYPE_CHECKING:
     from fractions import Fraction
@@ -24,10 +25,8 @@ def chart_merging(options: argparse.Namespace) -> int:
     """Compute the merging map of a window; print its summary or its cells, draw it."""
     from numerics.free.merging_map import Window, draw_map, merging_cells
 
-    def compute(**roads: Any) -> MergingMap:
-        return merging_cells(Window(_side(options, "ratio"), _side(options, "energy")), options.depth, **roads)
-
-    return _chart(options, compute, draw_map)
+    window = Window(_side(options, "ratio"), _side(options, "energy"))
+    return _chart(options, partial(merging_cells, window, options.depth), draw_map)
 
 
 def chart_response(options: argparse.Namespace) -> int:
@@ -35,16 +34,14 @@ def chart_response(options: argparse.Namespace) -> int:
     from numerics.control.response_map import response_map
     from numerics.scene.file import load_scene
 
-    def compute(**roads: Any) -> ResponseMap:
-        amplitude, omega = _side(options, "amplitude"), _side(options, "omega")
-        return response_map(load_scene(options.scene).pair, amplitude, omega, options.depth, **roads)
+    pair, amplitude, omega = load_scene(options.scene).pair, _side(options, "amplitude"), _side(options, "omega")
+    return _chart(options, partial(response_map, pair, amplitude, omega, options.depth), _drawn_response)
 
-    def draw(found: ResponseMap) -> Any:
-        from numerics.control.pictures import draw_response_map
 
-        return draw_response_map(found)
+def _drawn_response(found: ResponseMap) -> Any:
+    from numerics.control.pictures import draw_response_map
 
-    return _chart(options, compute, draw)
+    return draw_response_map(found)
 
 
 def _side(options: argparse.Namespace, name: str) -> tuple[Fraction, Fraction]:
@@ -57,9 +54,6 @@ def _side(options: argparse.Namespace, name: str) -> tuple[Fraction, Fraction]:
 
 def _chart(options: argparse.Namespace, compute: Callable[..., Map], draw: Callable[[Any], Any]) -> int:
     """Compute a map by the roads that were asked for, draw it, and print its cells or a summary."""
-    wrong = wrong_path(options.resume) or wrong_path(options.out, "--out")
-    if wrong is not None:
-        return refuse(wrong, USAGE)
     progress = _show_blocks if sys.stderr.isatty() else None
     try:
         found = compute(jobs=options.jobs, dask=options.dask, resume=options.resume, progress=progress)

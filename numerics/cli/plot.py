@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
-from numerics.files import whole_file
 from numerics.scene import Law, Scene
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.figures import draw
@@ -74,10 +72,3 @@ def _course(trajectory: Trajectory, end: float) -> str:
 
 def _quantity(name: str, value: Fraction, unit: str) -> str:
     return f"${name}$ = {float(value):g} {unit}"
-
-
-def write_plot(trajectory: Trajectory, path: Path) -> None:
-    """Write the overview to a .svg, .pdf or .png file."""
-    figure = overview(trajectory)
-    with whole_file(path) as file:
-        figure.savefig(file, format=path.suffix[1:], dpi=150)

@@ -1,12 +1,13 @@
-"""How enclosures and figures leave the commands: numbers with their radii, whole files."""
+"""How answers leave the commands: numbers with their radii, as JSON, as lines or drawn."""
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from pathlib import Path
+import argparse
+import json
+from collections.abc import Iterable, Mapping
 from typing import Any
+
+from numerics.shown import write_figure
 
 _SPARE = 20
 
@@ -29,29 +30,24 @@ def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:
     return found
 
 
-def print_numbers(shown: dict[str, str], units: dict[str, str], sentences: dict[str, str]) -> None:
-    """Print numbers with unit and radius, each under its sentence or its name."""
-    for name, text in shown.items():
-        if not name.endswith("_radius"):
-            radius = f", within {shown[f'{name}_radius']}" if f"{name}_radius" in shown else ""
-            print(f"  {sentences.get(name, name)} = {text} {units.get(name, '')}".rstrip() + radius)
+def number_lines(shown: Mapping[str, Any], named: dict[str, tuple[str, str]]) -> list[str]:
+    """Return a line for each number that has a name and a unit, with its radius."""
+    return [
+        f"  {name} = {shown[key]} {unit}".rstrip() + (f", within {shown[radius]}" if radius in shown else "")
+        for key, (name, unit) in named.items()
+        if key in shown
+        for radius in [f"{key}_radius"]
+    ]
 
 
-def write_figure(figure: Any, path: Path) -> None:
-    """Write a matplotlib figure to a .svg, .pdf or .png file."""
-    from numerics.files import whole_file
-
-    with whole_file(path) as file:
-        figure.savefig(file, format=path.suffix[1:], dpi=200)
+def answer(options: argparse.Namespace, record: Mapping[str, Any], lines: Iterable[str]) -> None:
+    """Print an answer: as JSON where that was asked for, else as lines."""
+    print(json.dumps(record, indent=1) if options.json else "\n".join(lines))
 
 
-@contextmanager
-def shown_steps() -> Iterator[Callable[[str], None]]:
-    """Yield what shows on stderr what is being done, one line that goes away at the end; on a terminal only."""
-    if not sys.stderr.isatty():
-        yield lambda _: None
-        return
-    try:
-        yield lambda what: print(f"\r\033[K{what}", end="", file=sys.stderr, flush=True)
-    finally:
-        print("\r\033[K", end="", file=sys.stderr, flush=True)
+def draw(options: argparse.Namespace, name: str, *what: Any) -> None:
+    """Write the picture that --plot asks for, by the name of what draws it."""
+    if options.plot is not None:
+        from numerics.control import pictures
+
+        write_figure(getattr(pictures, name)(*what), options.plot)

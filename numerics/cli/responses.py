@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import json
 from typing import TYPE_CHECKING, Any
 
-from numerics.cli.printing import numbers, print_numbers, shown_steps, write_figure
-from numerics.exits import OK, USAGE, refuse, wrong_path
+from numerics.cli.printing import answer, draw, number_lines, numbers
+from numerics.exits import OK
+from numerics.shown import shown_steps
 
 if TYPE_CHECKING:
     from flint import acb
@@ -21,51 +21,33 @@ def print_response(options: argparse.Namespace) -> int:
     from numerics.control.response import response
     from numerics.scene.file import load_scene
 
-    wrong = wrong_path(options.plot, "--plot")
-    if wrong is not None:
-        return refuse(wrong, USAGE)
     asked = {name: getattr(options, name) for name in ("amplitude", "omega", "digits", "max_digits", "max_events")}
     with shown_steps() as say:
         found = response(load_scene(options.scene), **asked, tell=say)
         say("solving one period of it again by events")
         solved_again(found)
-    if options.plot is not None:
-        from numerics.control.pictures import draw_response
-
-        write_figure(draw_response(found), options.plot)
+    draw(options, "draw_response", found)
     record = _of_response(found)
-    if options.json:
-        print(json.dumps(record, indent=1))
-        return OK
-    print(f"{record['sentence']}; {record['attraction']}")
-    shown = {name: text for name, text in record.items() if isinstance(text, str)}
-    labels = {
-        "entrainment": "U*",
-        "exception": "other motions stick up to U*/cos(pi omega/(2 Omega))",
-        "non_stop": "U**, necessary for no stops",
-        "drift": "mean velocity of body 2",
-        "growth": "v1's amplitude grows by",
-    }
-    units = {
-        "entrainment": "N",
-        "exception": "N",
-        "non_stop": "N",
-        "drift": "m/s",
-        "growth": "m/s^2 at least",
-        "decay": "of a distance left a period",
-    }
-    print_numbers({name: text for name, text in shown.items() if name.removesuffix("_radius") in units}, units, labels)
+    lines = [f"{record['sentence']}; {record['attraction']}", *number_lines(record, _NAMED)]
     if "slips_for_ever" in record:
-        print(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
+        lines.append(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
     for multiplier in found.multipliers or ():
         size = abs(multiplier).str(found.digits, radius=False)
-        print(f"  multiplier {_complex_text(multiplier, found.digits)}, size {size}")
+        lines.append(f"  multiplier {_complex_text(multiplier, found.digits)}, size {size}")
     for event in record["events"]:
-        print(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
-    print(f"{found.digits} right digits, proved")
+        lines.append(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
+    answer(options, record, [*lines, f"{found.digits} right digits, proved"])
     return OK
 
 
+_NAMED = {
+    "entrainment": ("U*", "N"),
+    "exception": ("other motions stick up to U*/cos(pi omega/(2 Omega))", "N"),
+    "non_stop": ("U**, necessary for no stops", "N"),
+    "drift": ("mean velocity of body 2", "m/s"),
+    "growth": ("v1's amplitude grows by", "m/s^2 at least"),
+    "decay": ("decay", "of a distance left a period"),
+}
 _SLIPS_FOR_EVER = {
     "yes": "no stops: at this amplitude the motion with two reversals a period keeps slipping",
     "below U**": "no stops: not at this amplitude, which is below U**",
@@ -105,6 +87,8 @@ def _complex_text(number: acb, digits: int) -> str:
 
 def _of_response(found: Response) -> dict[str, Any]:
     """Return a response for JSON."""
+    from numerics.linear.modes import MODES
+
     digits, known = found.digits, found.thresholds
     record: dict[str, Any] = {
         "regime": found.regime.name.lower().replace("_", "-"),
@@ -124,6 +108,7 @@ def _of_response(found: Response) -> dict[str, Any]:
     record["multipliers"] = [numbers({"re": one.real, "im": one.imag, "size": abs(one)}, digits) for one in multipliers]
     record["events"] = []
     for leg in found.orbit.legs if found.orbit is not None else ():
-        to = {1: "slip+", -1: "slip-", 0: "stick"}[leg.side]
-        record["events"].append({"to": to, **numbers({"t": leg.t, "x1": leg.x, "v1": leg.v}, digits)})
+        record["events"].append(
+            {"to": MODES[leg.side].value, **numbers({"t": leg.t, "x1": leg.x, "v1": leg.v}, digits)}
+        )
     return record

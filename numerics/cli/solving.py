@@ -7,7 +7,8 @@ import json
 import sys
 from typing import TYPE_CHECKING
 
-from numerics.exits import FAILED, OK, USAGE, refuse, wrong_path
+from numerics.exits import FAILED, OK, USAGE, refuse
+from numerics.shown import write_figure
 
 if TYPE_CHECKING:
     from numerics.trajectory.trajectory import Trajectory
@@ -39,9 +40,9 @@ def solve_scene(options: argparse.Namespace) -> int:
     if options.npz is not None:
         _write_npz(trajectory, options)
     elif options.plot is not None:
-        from numerics.cli.plot import write_plot
+        from numerics.cli.plot import overview
 
-        write_plot(trajectory, options.plot)
+        write_figure(overview(trajectory), options.plot)
     else:
         _print(trajectory, options)
     return OK if trajectory.success else refuse(trajectory.message, FAILED)
@@ -53,7 +54,7 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
         return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
     if options.sensitivity and (options.csv or options.plot is not None):
         return "--sensitivity goes with --json, --npz or the table; leave --csv or --plot out"
-    return wrong_path(options.npz) or wrong_path(options.plot, "--plot")
+    return None
 
 
 def _progress(events: int, fraction: float) -> None:

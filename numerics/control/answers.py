@@ -98,23 +98,16 @@ class SecondSolveDiffers(NumericsError):
     """The same scene solved by events does not do what an answer says of it: one of the two is wrong."""
 
 
-class End(NamedTuple):
-    """What a state has at the end of a scene: its place in (x1, v1, x2, v2), the value, and how far off it may be."""
-
-    name: str
-    place: int
-    value: arb
-    within: arb
-
-
 class Claim(NamedTuple):
     """What an answer says of a scene, solved to so many digits: its last state, and the signs of w on the way there.
 
-    `sides` is None where rounded decimals may add slips too short to matter.
+    `ends`: values by their names, and how far off they may be; `when` says when that is. `sides` is None where rounded
+    decimals may add slips too short to matter.
     """
 
     scene: Scene
-    ends: tuple[End, ...]
+    when: str
+    ends: dict[str, tuple[arb, arb]]
     sides: tuple[int, ...] | None
     digits: int
 
@@ -139,11 +132,11 @@ def solved_again(answer: Claiming) -> Trajectory | None:
     if claim.sides not in {None, sides}:
         raise SecondSolveDiffers(f"the signs of v1 - v2 are {sides} when solved by events, {claim.sides} by equations")
     with Ball(claim.digits + 20).context():
-        for one in claim.ends:
-            found = solved.final_state[one.place]
-            if not abs(found - one.value) <= one.within:
-                by_events, by_equations = (x.str(12) for x in (found, one.value))
+        state = dict(zip(("x1", "v1", "x2", "v2"), solved.final_state, strict=True))
+        for name, (value, within) in claim.ends.items():
+            found = state[name]
+            if not abs(found - value) <= within:
                 raise SecondSolveDiffers(
-                    f"{one.name} is {by_events} when solved by events, {by_equations} by equations"
+                    f"{name} {claim.when} is {found.str(12)} when solved by events, {value.str(12)} by equations"
                 )
     return solved

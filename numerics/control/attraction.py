@@ -1,8 +1,8 @@
 """How a pair closes in on its periodic motion for good: a contraction of the period map, proved over a neighbourhood.
 
 From a time at which a trajectory is in a leg of the orbit and within eps of it in the norm N, both are followed as one
-box of states, leg by leg: every state of the box has the same events. The derivative of the period map over the box
-bounds how much a period shrinks distances; N never grows in between. If k periods shrink it by theta < 1, then
+box of states that have the same events (`one_round`). The derivative of the period map over the box bounds how much a
+period shrinks distances; N never grows in between. If k periods shrink it by theta < 1, then
 
     int |w - w*| dt <= sqrt(kappa) k T eps/(1 - theta)    from then on, N(y) = sqrt(kappa) |w| at most.
 """
@@ -15,44 +15,43 @@ from typing import NamedTuple
 
 from flint import arb, arb_mat
 
-from numerics.control.answers import number, undecided
-from numerics.control.orbit import QUICK, Leg, Orbit, across, guard, require_mode, state_part
+from numerics.arithmetic.ball import working_digits
+from numerics.control.answers import number, rounded, undecided
+from numerics.control.orbit import Orbit, one_round
 from numerics.linear.system import Motion
 from numerics.scene import Pair
+from numerics.trajectory.sensitivity import exact_middle
 
 _DOUBLINGS = 10
 """The period map is taken up to 2^n times in a row until it shrinks all distances."""
 
 
 class Passage(NamedTuple):
-    """A leg of a periodic motion as it passes: its number, begin and end (s), motion, and x2 where it begins (m).
+    """One motion between two times (s): in one mode, under one piece of force and one friction."""
 
-    The motion counts its x2 from there; x2 is 0 at the first event of the orbit.
-    """
-
-    leg: int
     begin: arb
     end: arb
     motion: Motion
-    x2: arb
 
     def state(self, t: arb) -> tuple[arb, arb, arb, arb]:
         """Return (x1, v1, x2, v2) at a time, s."""
-        x1, v1, moved, v2 = self.motion.state(t - self.begin)
-        return x1, v1, self.x2 + moved, v2
+        return self.motion.state(t - self.begin)
 
 
 def passages(orbit: Orbit, start: arb, end: arb) -> Iterator[Passage]:
-    """Yield the legs of a periodic motion that meet [start, end], in order, and perhaps one at either edge."""
+    """Yield the legs of a periodic motion that meet [start, end], in order, and perhaps one at either edge.
+
+    x2 is 0 at the first event of the orbit.
+    """
     period = orbit.drive.period
     count = math.floor(float((start - orbit.legs[0].t) / period)) - 1
     while True:
-        for k, (leg, after) in enumerate(orbit.turns):
+        for place, (leg, after) in zip(orbit.places, orbit.turns, strict=False):
             begin, until = leg.t + count * period, after.t + count * period
             if begin > end:
                 return
             if until > start:
-                yield Passage(k, begin, until, orbit.motion(leg), orbit.places[k] + count * orbit.travel)
+                yield Passage(begin, until, orbit.motion(leg, place + count * orbit.travel))
         count += 1
 
 
@@ -94,36 +93,12 @@ def _norm(pair: Pair, slopes: arb_mat) -> arb:
 
 
 def _period_slopes(orbit: Orbit, t: arb, reach: arb) -> arb_mat:
-    """Return the derivative of (x1, v1, v2) after a period by that before, over the box within `reach` of the orbit."""
-    drive, start = orbit.drive, passage_at(orbit, t)
-    legs, since = [*orbit.turns[start.leg :], *orbit.turns[: start.leg]], t - start.begin
-    side, here = legs[0][0].side, legs[0][0].t + since
-    x1, v1, _, v2 = start.state(t)
-    x, v, other = (
-        one + arb(0, (reach / number(weight).sqrt()).upper())
-        for one, weight in ((x1, drive.pair.a2), (v1, drive.pair.m1), (v2, drive.pair.m2))
-    )
-    motion, zeros = drive.mode(side).motion((x, v, arb(0), other if side else v), here), 0
-    total = arb_mat([[1, 0, 0], [0, 1, 0], [0, int(side == 0), int(side != 0)]])
-    for leg, after in legs:
-        nominal = after.t if after.t > here else after.t + drive.period
-        end = _event_time(motion, nominal - here, after)
-        require_mode(motion, end, zeros, after.side, QUICK)
-        x, v, *_ = motion.state(end)
-        begun, zeros = drive.mode(after.side).motion((x, v, arb(0), v), here + end), 1 if leg.side else 2
-        total = across(motion, end, begun) * total
-        motion, here = begun, here + end
-    return state_part(motion.flow(since)) * total
+    """Return the derivative of (x1, v1, v2) a period after t by that at t, over the box within `reach` of the orbit.
 
-
-def _event_time(motion: Motion, near: arb, after: Leg) -> arb:
-    """Return an enclosure of when each state of a box meets its next event, by an interval Newton step."""
-    row, middle = guard(motion.mode, after.side), near.mid()
-    miss = motion.range(row, middle)
-    width = abs(miss / motion.range(row, middle, 1)).upper()
-    for factor in (2, 8, 32):
-        region = middle + arb(0, (factor * width).upper())
-        step = middle - miss / motion.range(row, region, 1)
-        if region.contains_interior(step):
-            return step
-    raise undecided("do all motions of the box meet this event?", miss)
+    The middle of t counts.
+    """
+    pair, (x1, v1, _, v2) = orbit.drive.pair, passage_at(orbit, t.mid()).state(t.mid())
+    start = [rounded(one, working_digits()) for one in (x1, v1, v2)]
+    off = max(abs(one - number(near)).upper() for one, near in zip((x1, v1, v2), start, strict=True))
+    radius = (off + reach / number(min(pair.a2, pair.m1, pair.m2)).sqrt()).upper()
+    return one_round(orbit.drive, exact_middle(t), start, radius, len(orbit.legs)).slopes

@@ -25,12 +25,13 @@ from numerics.control.transfer import Transfer
 from numerics.free.quadtree import raster
 from numerics.scene import Pair
 from numerics.solver.solve import solve
-from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE
+from numerics.trajectory.curve import Curve, sampled
+from numerics.trajectory.figures import BLUE, FIRST, GRAY, GREEN, ORANGE, SECOND
 from numerics.trajectory.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 _DIGITS = 16
-_POINTS, _RING_POINTS = 500, 6000
+_POINTS = 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
 LABELS = {
@@ -51,43 +52,51 @@ def draw_response(found: Response) -> Figure:
     figure = Figure(figsize=(12.6 if known else 8.4, 4.4), layout="constrained")
     axes = figure.subplots(1, 3 if known else 2)
     if scene is not None:
-        t, y, friction, side = _sampled(solve(scene))
-        axes[0].plot(t, y[1], color=BLUE, label="$v_1$")
-        axes[0].plot(t, y[3], color=ORANGE, ls="--", label="$v_2$")
-        axes[1].plot(t, friction / float(drive.pair.b), color=GREEN, label="friction on body 2 over b")
+        solved = solve(scene)
+        curve = sampled(solved)
+        _two(axes[0], curve, 1, "velocity (m/s)")
+        axes[1].plot(curve.t, _friction(solved, curve), color=GREEN, label="friction on body 2")
         for ax in axes[:2]:
-            _shade(ax, t, side == 0, "stick")
-    for edge in (-1, 1):
-        axes[1].axhline(edge, color=GRAY, lw=0.8, ls=":")
-    axes[0].set(xlabel="t (s)", ylabel="velocity (m/s)", title="The periodic motion, one period")
-    axes[1].set(xlabel="t (s)", ylabel="friction force / b", title="What the interface carries", ylim=(-1.15, 1.15))
+            _shade(ax, curve, curve.stick, "stick")
+    _limits(axes[1], drive.pair)
+    axes[0].set(xlabel="t (s)", title="The periodic motion, one period")
+    axes[1].set(xlabel="t (s)", ylabel="force (N)", title="What the interface carries")
     if known is not None:
         centre = float(known.omega)
-        draw_thresholds(drive.pair, np.geomspace(centre / 4, 4 * centre, 400), axes[2])
+        draw_thresholds(drive.pair, np.geomspace(centre / 4, 4 * centre, _POINTS), axes[2])
         axes[2].plot(centre, abs(float(drive.piece.sines[0].amplitude)), "o", color="black", label="this force")
     for ax in axes:
-        # under the axes it covers no curve
-        ax.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.16))
+        _legend_below(ax)
     figure.suptitle(found.regime.value)
     return figure
 
 
-def _sampled(solved: Trajectory) -> tuple[Floats, Floats, Floats, NDArray[np.int64]]:
-    """Return times (s), states, friction on body 2 (N) and the sign of v1 - v2 by the mode, up to the horizon."""
-    scene, pair = solved.scene, solved.scene.pair
-    t = float(scene.until) * np.linspace(0, 1 - 1e-12, _POINTS)
-    y = np.vectorize(solved.arithmetic.to_float, otypes=[float])(solved.sol(t))
-    # a slip may be so slow that the velocities are the same floats
-    sides = np.array([mode.sign for mode in solved.modes])
-    side = sides[np.searchsorted(np.array([float(event.t) for event in solved.events]), t, side="right")]
-    u = np.array([float(scene.force(float(one))) for one in t])
-    load = float(pair.m2 / pair.mass) * (u - float(pair.a2) * y[0] - float(pair.a1) * y[1])
-    return t, y, np.where(side == 0, load, float(pair.b) * side), side
+def _two(ax: Any, curve: Curve, row: int, label: str) -> None:
+    """Draw a coordinate of both bodies, x (row 0) or v (row 1)."""
+    ax.plot(curve.t, curve.y[row], **FIRST)
+    ax.plot(curve.t, curve.y[row + 2], **SECOND)
+    ax.set_ylabel(label)
 
 
-def _shade(ax: Any, t: Floats, where: NDArray[np.bool_], label: str) -> None:
+def _friction(solved: Trajectory, curve: Curve) -> Floats:
+    """Return the friction force on body 2, N."""
+    signs = np.array([mode.sign for mode in solved.modes])[curve.segment]
+    return np.where(curve.stick, curve.load(solved.scene.pair), curve.b * signs)
+
+
+def _limits(ax: Any, pair: Pair) -> None:
+    for edge in (-1, 1):
+        ax.axhline(edge * float(pair.b), color=GRAY, lw=0.8, ls=":")
+
+
+def _shade(ax: Any, curve: Curve, where: NDArray[np.bool_], label: str) -> None:
     over = ax.get_xaxis_transform()
-    ax.fill_between(t, 0, 1, where=where, transform=over, color=GRAY, alpha=0.22, lw=0, label=label)
+    ax.fill_between(curve.t, 0, 1, where=where, transform=over, color=GRAY, alpha=0.22, lw=0, label=label)
+
+
+def _legend_below(ax: Any) -> None:
+    """Put the legend where it covers no curve."""
+    ax.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.16))
 
 
 def threshold_curves(pair: Pair, omegas: Sequence[float]) -> tuple[Floats, Floats, Floats]:
@@ -149,17 +158,13 @@ def draw_response_map(found: ResponseMap) -> Figure:
     omegas = np.geomspace(edges[0][0], edges[0][-1], 600)
     lines = _draw_lines(axes, omegas, threshold_curves(found.pair, omegas.tolist()))
     _logarithmic(axes, *(one[[0, -1]] for one in edges))
-    handles: list[Any] = [
-        Patch(fc=COLOURS[one], ec="black", lw=0.5, label=f"{_proved(one)} ({share:.1%})")
-        for one, share in found.shares().items()
-    ]
+    handles: list[Any] = []
+    for one, share in found.shares().items():
+        proved = "" if one is Regimes.UNDECIDED else "proved: "
+        handles.append(Patch(fc=COLOURS[one], ec="black", lw=0.5, label=f"{proved}{LABELS[one]} ({share:.1%})"))
     figure.legend(handles=[*handles, *lines], loc="outside lower center", ncols=2, fontsize=9, frameon=False)
     axes.set_title("What a sine does to the pair: every decided cell is proved")
     return figure
-
-
-def _proved(one: Regimes) -> str:
-    return LABELS[one] if one is Regimes.UNDECIDED else f"proved: {LABELS[one]}"
 
 
 def draw_tracking(found: Tracking, pair: Pair) -> Figure:
@@ -167,7 +172,7 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
     figure = Figure(figsize=(8, 7.2), layout="constrained")
     rows = figure.subplots(3, 1, sharex=True)
     for one in found.demands:
-        t = np.linspace(float(one.start), float(one.end), 400)
+        t = np.linspace(float(one.start), float(one.end), _POINTS)
         piece = found.reference[one.number - 1]
         with Ball(_DIGITS).context():
             path, bend = ([float(Derivative(piece, k)(arb(at)).mid()) for at in t] for k in (0, 2))
@@ -188,25 +193,22 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
 
 def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
     """Return both positions, both velocities, and the force beside the friction that it asks for, of a solved scene."""
-    pair, until = solved.scene.pair, float(solved.scene.until)
-    t, y, friction, _ = _sampled(solved)
+    curve = sampled(solved)
     figure = Figure(figsize=(8, 7.2), layout="constrained")
     rows = figure.subplots(3, 1, sharex=True)
-    for ax, row, name, label in ((rows[0], 0, "x", "position (m)"), (rows[1], 1, "v", "velocity (m/s)")):
-        ax.plot(t, y[row], color=BLUE, label=f"${name}_1$")
-        ax.plot(t, y[row + 2], color=ORANGE, ls="--", label=f"${name}_2$")
-        ax.set_ylabel(label)
+    _two(rows[0], curve, 0, "position (m)")
+    _two(rows[1], curve, 1, "velocity (m/s)")
     rows[0].set_title(found.road.value, fontsize="medium")
-    rows[2].plot(t, [float(solved.scene.force(float(one))) for one in t], color=GREEN, label="force u on body 1")
-    rows[2].plot(t, friction, color="black", ls="-.", label="friction on body 2")
-    for edge in (-1, 1):
-        rows[2].axhline(edge * float(pair.b), color=GRAY, lw=0.8, ls=":")
-    rows[2].set(xlabel="t (s)", ylabel="force (N)", xlim=(0, until))
+    rows[2].plot(curve.t, curve.u, color=GREEN, label="force u on body 1")
+    rows[2].plot(curve.t, _friction(solved, curve), color="black", ls="-.", label="friction on body 2")
+    _limits(rows[2], solved.scene.pair)
+    rows[2].set(xlabel="t (s)", ylabel="force (N)", xlim=(0, curve.t[-1]))
     for ax in rows:
         ax.axvline(float(found.bound), color=GRAY, lw=1, label="no control arrives before")
         if found.time is not None:
             ax.axvline(float(found.time), color="black", lw=0.8, ls=":")
-        _shade(ax, t, abs(y[1] - y[3]) <= _TOGETHER * abs(y[1]).max(), "$v_1=v_2$")
+        apart = abs(curve.y[1] - curve.y[3])
+        _shade(ax, curve, apart <= _TOGETHER * abs(curve.y[1]).max(), "$v_1=v_2$")
         ax.legend(fontsize=9, loc="best")
     return figure
 
@@ -215,23 +217,22 @@ def draw_ring(found: Ring) -> Figure:
     """Return Fig. 1 for a scene: the relative plane and the distance from the limit over time, in float64."""
     entry, radius, rate = (float(one) for one in (found.entry, found.radius, found.rate))
     until = max(float(found.scene.until), 1.3 * entry)
-    t = np.union1d(np.linspace(0, until, _RING_POINTS), [entry])
-    y = solve(replace(found.scene, until=Fraction(until))).sol(t)
+    solved = solve(replace(found.scene, until=Fraction(until)))
+    curve = sampled(solved)
+    y = np.concatenate([curve.y, solved.sol(entry)[:, None]], axis=1)
     z, w = y[0] - y[2] - float(found.centre), y[1] - y[3]
-    inside = t >= entry
+    distance, inside = np.hypot(z, w / rate)[:-1], curve.t >= entry
     figure = Figure(figsize=(10.5, 5.2), layout="constrained")
     plane, time = figure.subplots(1, 2)
     for part, colour, width, label in ((~inside, ORANGE, 0.9, "before"), (inside, BLUE, 1.6, "inside for good")):
-        plane.plot(np.where(part, z, np.nan), np.where(part, w, np.nan), color=colour, lw=width, label=label)
+        kept = (np.where(part, one[:-1], np.nan) for one in (z, w))
+        plane.plot(*kept, color=colour, lw=width, label=label)
     plane.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
-    at = np.searchsorted(t, entry)
-    plane.plot(z[at], w[at], "o", color="black", ms=5, label=f"t = {entry:.6g} s")
+    plane.plot(z[-1], w[-1], "o", color="black", ms=5, label=f"t = {entry:.6g} s")
     plane.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
     plane.locator_params(axis="x", nbins=5)
-    # the motion fills the plane: the legend stands under it
-    plane.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2)
-    distance = np.hypot(z, w / rate)
-    time.semilogy(t, np.where(distance > 0, distance, np.nan), color=BLUE, lw=0.9)
+    _legend_below(plane)
+    time.semilogy(curve.t, np.where(distance > 0, distance, np.nan), color=BLUE, lw=0.9)
     time.axhline(radius, color="black", ls="--", lw=0.9)
     time.axvline(entry, color=GRAY, lw=1)
     time.set(xlabel="t (s)", ylabel="distance from the limit (m)", title="From the line on inside for good")

@@ -22,16 +22,17 @@ from numerics.control.answers import (
     most_digits,
     not_negative,
     number,
+    rounded,
     silent,
     to_digits,
     undecided,
 )
-from numerics.control.guesses import MAX_EVENTS, find_orbit
+from numerics.control.guesses import MAX_EVENTS, find_orbit, stuck_state
 from numerics.control.orbit import Drive, Orbit
-from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, stiffness, thresholds
+from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, thresholds
 from numerics.errors import InvalidScene
 from numerics.linear.system import ONE, is_positive_on
-from numerics.scene import Force, Law, Pair, Piece, Scene, Sine
+from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State
 from numerics.scene.decimals import Exact, exact_decimal, short
 
 
@@ -76,7 +77,8 @@ class Response:
             state = stuck_state(self.drive, arb(0)) if self.regime is Regime.ENTRAINED else None
             if state is not None and not entrained(self.drive):
                 state = flattened_state(self.drive, arb(0))
-            return None if state is None else self.drive.one_period(Fraction(0), state, KEPT_DIGITS)
+            start = None if state is None else State(*map(rounded, state))
+            return None if start is None else self.drive.one_period(Fraction(0), start, KEPT_DIGITS)
 
 
 def response(
@@ -91,8 +93,8 @@ def response(
 ) -> Response:
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
-    For a scene without a force both together are its force, amplitude sin(omega t). Where more than one sine acts, a
-    run of up to `max_events` events finds the motion; `tell` hears what is being done.
+    For a scene without a force both together are its force, amplitude sin(omega t). A run of up to `max_events` events
+    finds the motion; `tell` hears what is being done.
 
     Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits, by
     default 16 times as many as are asked for), NotSettled (no motion was found within max_events),
@@ -192,20 +194,6 @@ def entrained(drive: Drive) -> bool:
     if None in held and False not in held:
         raise undecided("does friction hold the pair in its stuck response?", "load near b")
     return all(held)
-
-
-def stuck_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb] | None:
-    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0."""
-    pair = drive.pair
-    x, v = number(drive.rest), arb(0)
-    for one in drive.piece.sines:
-        if stiffness(pair, pair.mass, one.omega).is_zero():
-            return None
-        below = acb(number(pair.a2 - pair.mass * one.omega**2), number(pair.a1 * one.omega))
-        turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase)))
-        moved = turned * number(one.amplitude) / below
-        x, v = x + moved.imag, v + number(one.omega) * moved.real
-    return x, v, arb(0), v
 
 
 def others_stick(drive: Drive, known: Thresholds | None) -> bool:

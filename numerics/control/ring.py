@@ -5,36 +5,32 @@ The ring is (z - z*)^2 + (w/rate)^2 <= R^2. Where the bodies end up together, or
 it. The entry is the last time at which the motion is on the ring. Before a late time each stretch is searched backwards
 in balls for it; after that time the motion is inside by what is proved of all later times:
 
-    stuck for ever  under a constant and sines the motion is the stuck response and a free part (e, e') whose energy
-                    a2 e^2 + M e'^2 never grows. The load of the free part is at most (m2/M) (sqrt(a2) + a1/sqrt(M))
-                    times the root of it, that of the response at most the sum of m2 omega^2 |A|/Z(M): once both are
-                    below b together, the pair never slips
+    stuck for ever  what acts at the horizon goes on, and the engine proves that the load stays below b
     creeping        a1 = 0 and no sine: all slips to come are bounded (`creeping_place`)
     closing in      on a periodic motion: the period map shrinks distances (`attraction`)
 """
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import flint
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, precision, sqrt, working_digits
+from numerics.arithmetic.ball import Ball, precision, working_digits
 from numerics.control.answers import Tell, most_digits, not_negative, number, silent, to_digits, undecided
 from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
 from numerics.control.orbit import Drive, Orbit
-from numerics.control.response import last_drive, response, stuck_state
-from numerics.control.thresholds import stiffness
+from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.resting_place import creeping_place
-from numerics.linear.modes import Mode
-from numerics.linear.system import X1, X2, LinearMode, Motion, Row, W
-from numerics.scene import Scene
+from numerics.linear.pieces import pieces_of
+from numerics.linear.system import X1, X2, LinearMode, Row, W
+from numerics.scene import Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
@@ -134,7 +130,7 @@ def _settled(
         if orbit is not None:
             found = periodic_settled(trajectory, orbit, near)
         else:
-            found = stuck_settled(trajectory, drive) or _creeping_settled(trajectory, drive, near)
+            found = stuck_settled(trajectory) or _creeping_settled(trajectory, drive, near)
         if found is not None:
             return trajectory, found
         if not trajectory.reached:
@@ -151,27 +147,14 @@ def _settled(
     )
 
 
-def stuck_settled(trajectory: Trajectory, drive: Drive) -> Settled | None:
+def stuck_settled(trajectory: Trajectory) -> Settled | None:
     """Return where a trajectory in balls sticks for ever from its last event on; None if that is not proved yet.
 
-    `drive` acts at the horizon and after it. In the arithmetic's context.
+    What acts at the horizon must act after it. In the arithmetic's context.
     """
-    if not trajectory.reached:
-        return None
-    x1, v1, x2, _ = trajectory.final_state
-    pair = drive.pair
     if trajectory.status is not Status.STUCK_FOR_EVER:
-        response_there = stuck_state(drive, number(trajectory.scene.until))
-        if trajectory.final_mode is not Mode.STICK or response_there is None:
-            return None
-        place, speed = x1 - response_there[0], v1 - response_there[1]
-        energy = number(pair.a2) * place * place + number(pair.mass) * speed * speed
-        root = number(pair.a2).sqrt() + number(pair.a1) / number(pair.mass).sqrt()
-        load = number(pair.m2 / pair.mass) * root * sqrt(energy)
-        for one in drive.piece.sines:
-            load += number(pair.m2 * abs(one.amplitude) * one.omega**2) / stiffness(pair, pair.mass, one.omega)
-        if not load < number(pair.b):
-            return None
+        return None
+    x1, _, x2, _ = trajectory.final_state
     since = trajectory.events[-1].t if len(trajectory.events) else arb(0)
     return Settled(x1 - x2, since, "the pair has stuck for ever")
 
@@ -194,17 +177,17 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
     the motion stays within `near` of the limit (m, and m/s) is `since`. While more can still slide than that is
     sharp and the balls of both motions are apart, a later horizon is sharper: None.
     """
-    parts, pair, period = list(stretches(trajectory)), orbit.drive.pair, orbit.drive.period
+    parts, pair, period = stretches(trajectory), orbit.drive.pair, orbit.drive.period
     end, kappa = number(trajectory.scene.until), number(pair.mass / (pair.m1 * pair.m2))
     limit, since = None, None
     for back in range(int(float(end / period)) if trajectory.reached else 0):
-        t = end - back * period
+        t = (end - back * period).mid()
         try:
             there = passage_at(orbit, t)
-            here = next((one for one in parts if one.begin <= t and not t > one.begin + one.length), None)
+            here = next((one for one in parts if one.begin <= t and not t > one.end), None)
             if here is None or here.motion.mode.side != there.motion.mode.side:
                 break
-            state, other = here.motion.state(t - here.begin), there.state(t)
+            state, other = here.state(t), there.state(t)
             reach = distance(pair, state, other)
             left = slide_left(orbit, t, reach)
         except EventUndecided:
@@ -225,44 +208,27 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 # the last time on the ring
 
 
-@dataclass(frozen=True)
-class Stretch:
-    """One motion from the time `begin` (s) for `length` (s): one mode under one piece of force and one friction."""
-
-    begin: arb
-    length: arb
-    motion: Motion
-
-
-def stretches(trajectory: Trajectory) -> Iterator[Stretch]:
-    """Yield the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
-    scene, at = trajectory.scene, trajectory.scene.initial
-    starts = scene.friction.starts
-    jumps = sorted({one for one in (*scene.force.starts, *starts) if 0 < one < scene.until}, reverse=True)
-    state: Sequence[arb] = [number(one) for one in (at.x1, at.v1, at.x2, at.v2)]
-    now, since = arb(0), Fraction(0)
-    ends = [(event.t, event.y) for event in trajectory.events] + [(number(scene.until), None)]
-    for mode, (end, known) in zip(trajectory.modes, ends, strict=False):
-        is_inside = True
-        while is_inside:
-            jump = number(jumps[-1]) if jumps else arb.pos_inf()
-            is_inside, held = bool(jump < end), bisect_right(starts, since)
-            b = scene.friction.pieces[held - 1][1] if held else scene.pair.b
-            until = jump if is_inside else end
-            motion = LinearMode(scene.pair, b, mode.sign, scene.force.piece_at(since)).motion(state, now)
-            yield Stretch(now, until - now, motion)
-            state, now = motion.state(until - now) if is_inside or known is None else known, until
-            if not jump > end:  # an event may be the jump itself
-                since = jumps.pop()
+def stretches(trajectory: Trajectory) -> list[Passage]:
+    """Return the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
+    pair, pieces, found = trajectory.scene.pair, pieces_of(trajectory.scene), []
+    for leg in legs(trajectory):
+        piece = pieces[leg.piece]
+        mode = LinearMode(pair, piece.b, leg.side, Piece(piece.start, piece.polynomial, piece.sines))
+        found.append(Passage(leg.start, leg.end, mode.motion(leg.state, leg.start)))
+    return found
 
 
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:
     """Return the last time (s) at which the motion is on the ring before the time from which on it is inside; or 0."""
     squared, weight = number(radius**2), number(1 / rate**2)
-    for one in reversed(list(stretches(trajectory))):
+    for one in reversed(stretches(trajectory)):
         if one.begin < known.since:
-            for begin, length, off in reversed(list(_distances(one, known))):
-                found = _last_in(off, length, squared, weight)
+            there = list(passages(known.orbit, one.begin, one.end)) if known.orbit is not None else [None]
+            for other in reversed(there):
+                begin, end = one.begin, one.end
+                if other is not None:
+                    begin, end = _later(other.begin, begin), -_later(-other.end, -end)
+                found = _last_in(_distance(one, begin, other, known.limit), end - begin, squared, weight)
                 if found is not None:
                     return begin + found
     return arb(0)
@@ -272,29 +238,14 @@ Distance = Callable[[arb], list[arb]]
 """z - z*, w - w* and their derivatives over a ball of times."""
 
 
-def _distances(one: Stretch, known: Settled) -> Iterator[tuple[arb, arb, Distance]]:
-    """Yield the parts of a stretch in which the periodic motion has one mode: begin, length, and the distance in it."""
-    end = one.begin + one.length
-    if known.orbit is None:
-        yield one.begin, one.length, _distance(one, one.begin, None, known.limit)
-        return
-    for there in passages(known.orbit, one.begin, end):
-        first, last = _later(there.begin, one.begin), -_later(-there.end, -end)
-        yield first, last - first, _distance(one, first, there, known.limit)
-
-
-def _distance(one: Stretch, first: arb, there: Passage | None, limit: arb) -> Distance:
+def _distance(one: Passage, first: arb, there: Passage | None, limit: arb) -> Distance:
     """Return the distance of a motion from a limit of z, or from a periodic motion too, t from a time on."""
 
     def distance_over(t: arb) -> list[arb]:
-        here = one.motion.over(first - one.begin + t)
-        found = [here.range(row, order) for order, row in _ROWS]
-        found[0] -= limit
-        if there is not None:
-            other = there.motion.over(first - there.begin + t)
-            found = [a - other.range(row, n) for a, (n, row) in zip(found, _ROWS, strict=True)]
-            found[0] += there.x2
-        return found
+        both = [part.motion.over(first - part.begin + t) for part in (one, there) if part is not None]
+        here, *other = [[part.range(row, order) for order, row in _ROWS] for part in both]
+        here[0] -= limit
+        return [a - b for a, b in zip(here, *other, strict=True)] if other else here
 
     return distance_over
 

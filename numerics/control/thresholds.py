@@ -22,9 +22,9 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import arb
+from flint import acb, arb
 
-from numerics.arithmetic.ball import Ball, sqrt
+from numerics.arithmetic.ball import Ball
 from numerics.control.answers import number, to_digits
 from numerics.errors import InvalidScene
 from numerics.linear.system import is_positive_on
@@ -92,8 +92,8 @@ def entrainment_threshold(pair: Pair, omega: Fraction | arb) -> arb:
 def stiffness(pair: Pair, mass: Fraction, omega: Fraction | arb) -> arb:
     """Return an enclosure of Z(mass) = |a2 - mass omega^2 + i a1 omega|, N/m; exactly 0 at an exact resonance."""
     if isinstance(omega, arb):
-        return hypot(number(pair.a2) - number(mass) * omega * omega, number(pair.a1) * omega)
-    return hypot(number(pair.a2 - mass * omega**2), number(pair.a1 * omega))
+        return abs(acb(number(pair.a2) - number(mass) * omega * omega, number(pair.a1) * omega))
+    return abs(acb(number(pair.a2 - mass * omega**2), number(pair.a1 * omega)))
 
 
 def non_stop_threshold(pair: Pair, omega: Fraction) -> arb:
@@ -140,7 +140,7 @@ class NonStop:
     @property
     def threshold(self) -> arb:
         """Return U**, N."""
-        return self.reach * hypot(self.V, self.least)
+        return self.reach * abs(acb(self.V, self.least))
 
     def relative(self, t: arb, R: arb) -> tuple[arb, arb]:
         """Return w (m/s) and its rate (m/s^2) at a time since the reversal, s."""
@@ -180,7 +180,7 @@ class NonStop:
         may lie a little too low. Not finite where U** is not.
         """
         least = [-self.relative(t, arb(0))[0] / (self.omega * t).sin() for t in self._times()]
-        return float(self.reach * hypot(self.V, max([self.least, *least], key=float)))
+        return float(self.reach * abs(acb(self.V, max([self.least, *least], key=float))))
 
     def _times(self) -> list[arb]:
         return [(self.half * (2 * k + 1) / (2 * _TIMES)).mid() for k in range(_TIMES)]
@@ -208,13 +208,6 @@ def cosine_and_sine(squared_rate: Fraction, time: arb) -> tuple[arb, arb]:
     if squared_rate > 0:
         return angle.cos(), angle.sin() / rate
     return angle.cosh(), angle.sinh() / rate
-
-
-def hypot(x: arb, y: arb) -> arb:
-    """Return an enclosure of sqrt(x^2 + y^2), an exact |x| where y is exactly 0."""
-    if y.is_zero():
-        return abs(x)
-    return abs(y) if x.is_zero() else sqrt(x * x + y * y)
 
 
 def _ball(omega: Fraction | arb) -> arb:

@@ -13,17 +13,20 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 
-from flint import arb, fmpq, fmpq_poly
+from flint import arb
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import Claim, End, not_negative, rounded, to_digits, undecided
+from numerics.control.answers import Claim, not_negative, rounded, to_digits, undecided
 from numerics.errors import InvalidScene
-from numerics.scene import Force, Piece, Scene, Sine
+from numerics.linear.pieces import pieces_of, polynomial_at
+from numerics.linear.polynomial_root import first_crossing
+from numerics.linear.sine_form import SineForm
+from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import short
 
 _PHASE_DIGITS = 60
@@ -72,8 +75,10 @@ class Tracking:
             return None
         with Ball(self.digits + 20).context():
             path = Derivative(self.reference[self.demands[-1].number - 1])(Ball.number(self.scene.until))
-            ends = (End("x2 at the horizon", 2, path, abs(path).max(arb(1)) * arb("1e-12")),)
-        return Claim(self.scene, ends, None if self.is_at_limit and self.force_error > 0 else (0,), self.digits)
+            ends = {"x2": (path, abs(path).max(arb(1)) * arb("1e-12"))}
+        return Claim(
+            self.scene, "at the horizon", ends, None if self.is_at_limit and self.force_error > 0 else (0,), self.digits
+        )
 
 
 def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_digits: int | None = None) -> Tracking:
@@ -93,7 +98,7 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     planned, error = None, 0.0
     if all(one.possible for one in demands):
         force, error = _force(scene, reference)
-        planned = Scene(scene.pair, scene.initial, scene.until, scene.law, force, scene.friction)
+        planned = replace(scene, force=force)
     return Tracking(reference, demands, planned, share, error, digits)
 
 
@@ -107,7 +112,7 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")
     for order, name, body in ((0, "r", at.x2), (1, "r'", at.v2)):
         signals = [Derivative(one, order) for one in reference]
-        if signals[0].at(Fraction(0)) != ({Fraction(0): body} if body else {}):
+        if signals[0].at(Fraction(0)) != body:
             value = float(signals[0](arb(0)).mid())
             raise InvalidScene(
                 f"{name}(0) = {value:g} must be exactly {('x2', 'v2')[order]}(0) = {short(body)}; change either"
@@ -124,11 +129,10 @@ def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
 
 def _parts(scene: Scene, reference: tuple[Piece, ...]) -> Iterator[tuple[int, Piece, Fraction, Fraction]]:
     """Yield the pieces up to the horizon, cut where b jumps: number, piece from there on, its end (s) and b (N)."""
-    starts, until = [one.start for one in reference], scene.until
-    cuts = sorted({*starts, *scene.friction.starts, until})
-    for start, end in pairwise(one for one in cuts if one <= until):
-        number, held = bisect_right(starts, start), [b for at, b in scene.friction.pieces if at <= start]
-        yield number, reference[number - 1].moved(start), end, held[-1] if held else scene.pair.b
+    starts = [one.start for one in reference]
+    for one in pieces_of(replace(scene, force=Force(reference))):
+        piece = Piece(one.start, one.polynomial, one.sines)
+        yield bisect_right(starts, one.start), piece, one.start + one.length, one.b
 
 
 def _demand(scene: Scene, number: int, piece: Piece, end: Fraction, b: Fraction, digits: int) -> Demand:
@@ -143,23 +147,29 @@ def _demand(scene: Scene, number: int, piece: Piece, end: Fraction, b: Fraction,
 def _force(scene: Scene, reference: tuple[Piece, ...]) -> tuple[Force, float]:
     """Return the force of the stuck motion, and a bound on the integral of what rounded phases change in it."""
     pair, error, pieces = scene.pair, 0.0, {}
-    with Ball(_PHASE_DIGITS + 20).context():
-        quarter = rounded(arb.pi() / 2, _PHASE_DIGITS)
     for number, _, end, _ in _parts(scene, reference):
         piece = reference[number - 1]
-        parts = [Derivative(piece, order) for order in range(3)]
-        terms = [Fraction(0)] * max(len(piece.polynomial), 1)
-        for factor, part in zip((pair.a2, pair.a1, pair.mass), parts, strict=True):
-            for k, c in enumerate(part.polynomial):
-                terms[k] += factor * c
-        terms[0] += pair.a2 * (scene.initial.x1 - scene.initial.x2)
-        sines = []
-        for one in piece.sines:
-            sines.append(Sine((pair.a2 - pair.mass * one.omega**2) * one.amplitude, one.omega, one.phase))
-            sines.append(Sine(pair.a1 * one.omega * one.amplitude, one.omega, one.phase + quarter))
-            error += abs(float(sines[-1].amplitude)) * 10.0 ** (1 - _PHASE_DIGITS) * float(end - piece.start)
-        pieces[number] = Piece(piece.start, terms, sines)
+        first, *others = piece.polynomial or (Fraction(0),)
+        path = Piece(piece.start, (first + scene.initial.x1 - scene.initial.x2, *others), piece.sines)
+        pieces[number] = stuck_force(pair, path)
+        rounded_away = sum(abs(float(pair.a1 * one.omega * one.amplitude)) for one in piece.sines)
+        error += rounded_away * 10.0 ** (1 - _PHASE_DIGITS) * float(end - piece.start)
     return Force(pieces.values()), error
+
+
+def stuck_force(pair: Pair, path: Piece) -> Piece:
+    """Return u = M x'' + a1 x' + a2 x of a stuck pair on a path x (m), cosines as sines whose phase is rounded."""
+    terms = [Fraction(0)] * len(path.polynomial)
+    for order, factor in enumerate((pair.a2, pair.a1, pair.mass)):
+        for k, c in enumerate(Derivative(path, order).polynomial):
+            terms[k] += factor * c
+    with Ball(_PHASE_DIGITS + 20).context():
+        quarter = rounded(arb.pi() / 2, _PHASE_DIGITS)
+    sines = []
+    for one in path.sines:
+        sines.append(Sine((pair.a2 - pair.mass * one.omega**2) * one.amplitude, one.omega, one.phase))
+        sines.append(Sine(pair.a1 * one.omega * one.amplitude, one.omega, one.phase + quarter))
+    return Piece(path.start, terms, sines)
 
 
 @dataclass(frozen=True)
@@ -190,24 +200,14 @@ class Derivative:
             total += number(amplitude) * (sine, cosine, -sine, -cosine)[self.order % 4]
         return total
 
-    def at(self, t: Fraction) -> dict[Fraction, Fraction]:
-        """Return the value at t as coefficients: of 1 under the key 0, else of the sine (or cosine) of a key > 0.
-
-        By Lindemann and Weierstrass 1 and the sines (the cosines) of distinct rationals > 0 are independent over the
-        rationals: two such values are equal exactly if their coefficients are.
-        """
-        terms = [
-            (Fraction(0), sum((c * (t - self.piece.start) ** k for k, c in enumerate(self.polynomial)), Fraction(0)))
-        ]
-        is_sine = self.order % 2 == 0
+    def at(self, t: Fraction) -> SineForm:
+        """Return the value at t, exact."""
+        value = SineForm(polynomial_at(self.polynomial, t - self.piece.start))
         for amplitude, omega, phase in self.sines:
-            angle = omega * t + phase
-            signed = amplitude * (-1 if self.order % 4 > 1 else 1) * (-1 if is_sine and angle < 0 else 1)
-            terms.append((abs(angle), Fraction(0) if is_sine and angle == 0 else signed))
-        found: dict[Fraction, Fraction] = {}
-        for key, coefficient in terms:
-            found[key] = found.get(key, Fraction(0)) + coefficient
-        return {key: coefficient for key, coefficient in found.items() if coefficient}
+            signed, none = amplitude * (-1) ** (self.order // 2), Fraction(0)
+            parts = (none, signed) if self.order % 2 else (signed, none)
+            value += SineForm.turned(omega * t + phase, *parts)
+        return value
 
     def is_within(self, limit: Fraction, length: Fraction) -> bool | None:
         """Return whether |f| <= limit over [start, start + length] as far as that is decided exactly, else None.
@@ -251,30 +251,15 @@ def largest_size(function: Derivative, start: Fraction, end: Fraction, digits: i
 
 
 def is_never_negative(coefficients: Sequence[Fraction], length: Fraction) -> bool:
-    """Return whether sum c_k t^k >= 0 for all 0 <= t <= length, double zeros included; exact, by Sturm's theorem.
+    """Return whether sum c_k t^k >= 0 for all 0 <= t <= length, double zeros included; exact.
 
     >>> is_never_negative([Fraction(1), Fraction(-2), Fraction(1)], Fraction(2))  # (1 - t)^2
     True
     >>> is_never_negative([Fraction(1), Fraction(-2), Fraction(999, 1000)], Fraction(2))
     False
     """
-    *terms, end = (fmpq(one.numerator, one.denominator) for one in (*coefficients, length))
-    polynomial = fmpq_poly(terms)
-    if polynomial.is_zero():
-        return True
-    _, factors = polynomial.factor_squarefree()
-    if any(power % 2 == 1 and _zeros_inside(factor, end) for factor, power in factors):
+    if first_crossing([coefficients], Fraction(0), length)[0] < length:
         return False
     # it keeps its sign inside, and one of so many points is no zero
-    many = polynomial.degree() + 2
-    return all(polynomial(end * k / many) >= 0 for k in range(1, many))
-
-
-def _zeros_inside(polynomial: fmpq_poly, end: fmpq) -> int:
-    """Return how many zeros a polynomial without double zeros has in 0 < t < end."""
-    chain = [polynomial, polynomial.derivative()]
-    while chain[-1].degree() > 0:
-        chain.append(-(chain[-2] % chain[-1]))
-    signs = [[value > 0 for one in chain if (value := one(at)) != 0] for at in (fmpq(0), end)]
-    changes = [sum(one != two for one, two in pairwise(some)) for some in signs]
-    return changes[0] - changes[1] - int(polynomial(end) == 0)
+    many = len(coefficients) + 1
+    return all(polynomial_at(coefficients, length * k / many) >= 0 for k in range(1, many))

@@ -25,13 +25,13 @@ from numerics.control.answers import (
     KEPT_DIGITS,
     TIME_DIGITS,
     Claim,
-    End,
     not_negative,
     number,
     rounded,
     rounded_up,
     to_digits,
 )
+from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.linear.system import V1, X1, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene
@@ -82,13 +82,11 @@ class Transfer:
             return None
         with Ball(self.digits + 20).context():
             near = abs(number(self.distance)) * arb("1e-12")
-            place = number(self.scene.initial.x2 + self.distance)
-            ends = [End("x2 at the end of the transfer", 2, place, near)]
-            ends += [End(f"{name} at the end of the transfer", k, arb(0), near / self.bound) for k, name in _AT_REST]
-        return Claim(self.scene, tuple(ends), None if self.road is Road.SLIP else (0,), self.digits)
-
-
-_AT_REST = ((1, "v1"), (3, "v2"))
+            at_rest = arb(0), near / self.bound
+            ends = {"x2": (number(self.scene.initial.x2 + self.distance), near), "v1": at_rest, "v2": at_rest}
+        return Claim(
+            self.scene, "at the end of the transfer", ends, None if self.road is Road.SLIP else (0,), self.digits
+        )
 
 
 def fastest_transfer(
@@ -206,17 +204,11 @@ def _stuck(pair: Pair, far: Fraction, margin: Fraction) -> Choice:
     exact = number(far / gain).sqrt()
     tau = rounded_up(exact, TIME_DIGITS)
     gain = far / tau**2
-    go = stuck_piece(pair, Fraction(0), (Fraction(0), Fraction(0), gain))
-    stop = stuck_piece(pair, tau, (far / 2, gain * tau, -gain))
+    go = stuck_force(pair, Piece(0, (0, 0, gain / 2)))
+    stop = stuck_force(pair, Piece(tau, (far / 2, gain * tau, -gain / 2)))
     force = Force((go, stop, Piece(2 * tau, (pair.a2 * far,))))
     limit = "no control is faster" if margin == 0 else "no control that keeps the margin is faster"
     return Road.STUCK, 2 * exact, f"{limit}: friction is at its limit all the time", force
-
-
-def stuck_piece(pair: Pair, start: Fraction, path: tuple[Fraction, Fraction, Fraction]) -> Piece:
-    """Return u = M x'' + a1 x' + a2 x of a stuck pair with a position, a velocity and a constant acceleration."""
-    x, v, a = path
-    return Piece(start, (pair.mass * a + pair.a1 * v + pair.a2 * x, pair.a1 * a + pair.a2 * v, pair.a2 * a / 2))
 
 
 def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> Force | None:
@@ -233,7 +225,7 @@ def _slip_then_stick(pair: Pair, far: Fraction, most: Fraction, least: arb) -> F
     x, v = rounded(_pushed(pair, push).at(number(tau))[X1, 0]), beta * tau
     rest = tau + v / slow
     held = pair.a2 * (x + v**2 / (2 * slow))
-    stop = stuck_piece(pair, tau, (x, v, -slow))
+    stop = stuck_force(pair, Piece(tau, (x, v, -slow / 2)))
     if held > most:
         return None
     return Force((Piece(0, (push,)), stop, Piece(rest, (held,))))

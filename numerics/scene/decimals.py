@@ -52,8 +52,13 @@ def exact_decimal(value: object, name: str) -> Fraction:
 
 def keep(record: object, **values: Exact) -> None:
     """Store values in a frozen record, as exact rationals."""
+    put(record, **{name: exact_decimal(value, name) for name, value in values.items()})
+
+
+def put(record: object, **values: Any) -> None:
+    """Store values in a frozen record."""
     for name, value in values.items():
-        object.__setattr__(record, name, exact_decimal(value, name))
+        object.__setattr__(record, name, value)
 
 
 def short(value: Fraction) -> str:

@@ -40,10 +40,6 @@ def _names_in(folder: str) -> tuple[str, ...]:
     return tuple(sorted(one.name.removesuffix(".toml") for one in files if one.name.endswith(".toml")))
 
 
-def _shipped_text(folder: str, name: str) -> str:
-    return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8")
-
-
 def load_scene(name_or_path: str | Path) -> Scene:
     """Return the scene of a shipped short name such as "velocities", or of a TOML file.
 
@@ -52,11 +48,15 @@ def load_scene(name_or_path: str | Path) -> Scene:
     >>> load_scene("velocities").pair.b
     Fraction(1, 20)
     """
-    name = str(name_or_path)
-    if name in shipped_scenes():
-        return parse_scene(_shipped_text("shipped", name))
-    known = ", ".join(shipped_scenes())
-    return parse_scene(_text_of(Path(name_or_path), "scene", f"give a TOML file or one of: {known}"), name)
+    return parse_scene(*_text_and_file(name_or_path, "shipped", "scene", "a TOML file"))
+
+
+def _text_and_file(name_or_path: str | Path, folder: str, what: str, form: str) -> tuple[str, str]:
+    """Return the text of a shipped file, or of one that somebody named and that name. Raises InvalidScene."""
+    name, known = str(name_or_path), _names_in(folder)
+    if name in known:
+        return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8"), ""
+    return _text_of(Path(name_or_path), what, f"give {form} or one of: {', '.join(known)}"), name
 
 
 def _text_of(path: Path, what: str, remedy: str) -> str:
@@ -81,11 +81,8 @@ def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
 
     They are written as those of a force. Raises InvalidScene.
     """
-    name = str(name_or_path)
-    if name in shipped_references():
-        return parse_reference(_shipped_text("references", name))
-    remedy = f"give a TOML file of [[reference]] tables or one of: {', '.join(shipped_references())}"
-    return parse_reference(_text_of(Path(name_or_path), "reference", remedy), name)
+    form = "a TOML file of [[reference]] tables"
+    return parse_reference(*_text_and_file(name_or_path, "references", "reference", form))
 
 
 def parse_reference(text: str, file: str = "") -> tuple[Piece, ...]:

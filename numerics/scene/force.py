@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.decimals import Exact, exact_decimal, put, short
 from numerics.scene.pieces import Piece, Sine, require_order
 
 
@@ -31,7 +31,7 @@ class Force:
         if not all(isinstance(one, Piece) for one in kept):
             raise InvalidScene("a force is made of Piece(start, polynomial, sines); build them first")
         require_order("force", [one.start for one in kept])
-        object.__setattr__(self, "pieces", kept)
+        put(self, pieces=kept)
 
     @classmethod
     def step(cls, at: Exact, height: Exact) -> Force:
@@ -41,8 +41,15 @@ class Force:
     @classmethod
     def ramp(cls, start: Exact, end: Exact, height: Exact) -> Force:
         """Return the force that grows linearly from 0 at `start` to `height` (N) at `end` > start, and stays there."""
-        first, last, top = (exact_decimal(one, name) for one, name in _named(start=start, end=end, height=height))
-        return cls((Piece(first, (0, top / _length(last - first, "end - start"))), Piece(last, (top,))))
+        first = exact_decimal(start, "start")
+        return cls._edge(first, _length(exact_decimal(end, "end") - first, "end - start"), height)
+
+    @classmethod
+    def _edge(cls, at: Fraction, length: Fraction, height: Exact) -> Force:
+        """Return the force that gets from 0 to a height within a time, at once if that is 0, and stays there."""
+        top = exact_decimal(height, "height")
+        rise = (Piece(at, (0, top / length)),) if length else ()
+        return cls((*rise, Piece(at + length, (top,))))
 
     @classmethod
     def trapezoid(cls, start: Exact, rise: Exact, hold: Exact, fall: Exact, height: Exact) -> Force:
@@ -50,19 +57,15 @@ class Force:
 
         rise, hold, fall >= 0, not all 0; where one of them is 0 that part is left out.
         """
-        numbers = _named(start=start, rise=rise, hold=hold, fall=fall, height=height)
-        at, up, stay, down, top = (exact_decimal(one, name) for one, name in numbers)
-        for name, length in (("rise", up), ("hold", stay), ("fall", down)):
-            if length < 0:
-                raise InvalidScene(f"{name} = {short(length)} must be >= 0; give a duration in seconds")
+        parts = {"rise": rise, "hold": hold, "fall": fall}
+        lengths = {name: exact_decimal(one, name) for name, one in parts.items()}
+        for name, one in lengths.items():
+            if one < 0:
+                raise InvalidScene(f"{name} = {short(one)} must be >= 0; give a duration in seconds")
+        up, stay, down = lengths.values()
         _length(up + stay + down, "rise + hold + fall")
-        parts = ((up, (Fraction(0), top)), (stay, (top, top)), (down, (top, Fraction(0))))
-        pieces = []
-        for length, (first, last) in parts:
-            if length > 0:
-                pieces.append(Piece(at, (first, (last - first) / length)))
-                at += length
-        return cls((*pieces, Piece(at)))
+        at = exact_decimal(start, "start")
+        return cls._edge(at, up, height) + -cls._edge(at + up + stay, down, height)
 
     @classmethod
     def sine(cls, amplitude: Exact, omega: Exact, phase: Exact = 0, start: Exact = 0) -> Force:
@@ -162,7 +165,3 @@ def _length(value: Fraction, name: str) -> Fraction:
     if value <= 0:
         raise InvalidScene(f"{name} = {short(value)} must be > 0; give a duration in seconds")
     return value
-
-
-def _named(**values: Exact) -> list[tuple[Exact, str]]:
-    return [(value, name) for name, value in values.items()]

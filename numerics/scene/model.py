@@ -11,7 +11,7 @@ from fractions import Fraction
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, keep, short
+from numerics.scene.decimals import Exact, keep, put, short
 from numerics.scene.force import Force
 from numerics.scene.pieces import Friction
 
@@ -83,7 +83,7 @@ class State:
     def __init__(self, x1: Exact = 0, v1: Exact = 0, x2: Exact = 0, v2: Exact = 0) -> None:
         """Read every coordinate as an exact decimal."""
         keep(self, x1=x1, v1=v1, x2=x2, v2=v2)
-        object.__setattr__(self, "row", None)
+        put(self, row=None)
 
 
 NO_FORCE, SAME_FRICTION = Force(), Friction()
@@ -124,15 +124,10 @@ class Scene:
             raise InvalidScene("a scene is made of a Pair and a State; build them first")
         if not isinstance(force, Force) or not isinstance(friction, Friction):
             raise InvalidScene("force must be a Force and friction a Friction; build them first")
-        object.__setattr__(self, "force", force)
-        object.__setattr__(self, "friction", friction)
-        object.__setattr__(self, "pair", pair)
-        object.__setattr__(self, "initial", initial)
+        put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, made={})
         keep(self, until=until)
         if self.until <= 0:
             raise InvalidScene(f"until = {short(self.until)} must be > 0; give the horizon in seconds")
-        object.__setattr__(self, "law", read_law(law))
-        object.__setattr__(self, "made", {})
 
     @classmethod
     def of(
@@ -146,10 +141,7 @@ class Scene:
     ) -> Scene:
         """Return a scene of parts that are checked already."""
         scene: Scene = object.__new__(cls)
-        for name, value in (("pair", pair), ("initial", initial), ("until", until), ("law", law), ("made", {})):
-            object.__setattr__(scene, name, value)
-        object.__setattr__(scene, "force", force)
-        object.__setattr__(scene, "friction", friction)
+        put(scene, pair=pair, initial=initial, until=until, law=law, force=force, friction=friction, made={})
         return scene
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene.decimals import Exact, exact_decimal, keep, short
+from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
 
 MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 """The first two in one piece of force; the last in one force or friction."""
@@ -59,8 +59,7 @@ class Piece:
                 raise InvalidScene(f"a piece of force has {count} {name}; at most {most} are read; use more pieces")
         while coefficients and coefficients[-1] == 0:
             coefficients.pop()
-        object.__setattr__(self, "polynomial", tuple(coefficients))
-        object.__setattr__(self, "sines", tuple(one for one in kept if one.amplitude != 0))
+        put(self, polynomial=tuple(coefficients), sines=tuple(one for one in kept if one.amplitude != 0))
 
     def moved(self, start: Fraction) -> Piece:
         """Return the same function of time as a piece that begins at another time; exact."""
@@ -85,7 +84,7 @@ class Friction:
             if kept[-1][1] <= 0:
                 raise InvalidScene(f"b = {short(kept[-1][1])} must be > 0; give a positive b")
         require_order("friction", [start for start, _ in kept])
-        object.__setattr__(self, "pieces", tuple(kept))
+        put(self, pieces=tuple(kept))
 
     @property
     def starts(self) -> tuple[Fraction, ...]:

@@ -3,21 +3,13 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any
 
-from numerics.files import whole_file
 from numerics.trade.recorded import Trade
 from numerics.trade.scenes import LONG
 
 MARKERS = "osD^vP*X"
 """Contenders are told apart by them also without colour."""
-
-
-def write_figure(trade: Trade, path: Path) -> None:
-    """Write the figure of a trade to `path`, in the format of its suffix."""
-    with whole_file(path) as file:
-        draw_trade(trade).savefig(file, format=path.suffix[1:], dpi=150)
 
 
 def draw_trade(trade: Trade, columns: int = 4, panel_size: tuple[float, float] = (4.6, 3.2)) -> Any:

@@ -14,17 +14,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
-from flint import arb, fmpq
+from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.linear.modes import MODES
 from numerics.scene import Scene
 from numerics.solver.solve import solve
 from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.contenders import MAX_EVENTS, answer_of
-
-NAMES = {0: "stick", 1: "slip+", -1: "slip-"}
+from numerics.trajectory.comparison import as_fraction
 
 
 def working_digits(digits: int) -> int:
@@ -51,7 +52,7 @@ def judge(found: PeerRun, truth: PeerRun, scene: Scene, digits: int = 0) -> Verd
     """Hold a run against the `proved` reference of as many digits."""
     difference, pair = first_difference(found, truth), scene.pair
     with Ball(working_digits(digits)).context():
-        length, square = (arb(fmpq(*one.as_integer_ratio())) for one in (pair.half_width, pair.a2 / pair.mass))
+        length, square = Ball.number(pair.half_width), Ball.number(pair.a2 / pair.mass)
         parts = list(zip(found.final, truth.final, (length, length * square.sqrt()) * 2, strict=True))
         if difference is None:
             parts += [(one, true, truth.times[-1]) for one, true in zip(found.times, truth.times, strict=True)]
@@ -75,9 +76,8 @@ def as_arb(value: Any) -> arb:
     if not math.isfinite(value):
         return arb("nan")
     if hasattr(value, "man_exp"):
-        mantissa, exponent = value.man_exp
-        return arb(int(mantissa) if value > 0 else -int(mantissa)) * arb(2) ** int(exponent)
-    return arb(fmpq(*value.as_integer_ratio()))
+        return Ball.number(as_fraction(value))
+    return Ball.number(Fraction(*value.as_integer_ratio()))
 
 
 def first_difference(found: PeerRun, truth: PeerRun) -> str | None:
@@ -85,7 +85,7 @@ def first_difference(found: PeerRun, truth: PeerRun) -> str | None:
     # the modes first: from an exchanged one on, times are compared with another event's
     for number, (one, other) in enumerate(zip(found.modes, truth.modes, strict=False)):
         if one != other:
-            return f"segment {number + 1} is {NAMES[one]}, not {NAMES[other]}"
+            return f"segment {number + 1} is {MODES[one].value}, not {MODES[other].value}"
     if len(found.modes) != len(truth.modes):
         return f"{len(found.times)} events, not {len(truth.times)}"
     times = [0.0, *(float(as_arb(one).mid()) for one in truth.times), math.inf]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -13,29 +12,32 @@ from hypothesis import strategies as st
 from strategies import decimals
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import solved_again
-from numerics.control.orbit import Orbit, prove_modes, solve_orbit
+from numerics.control.answers import rounded, solved_again
+from numerics.control.orbit import Orbit, one_round, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
 from numerics.errors import EventUndecided, NotSettled
 from numerics.linear.system import LinearMode, W
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
 
-@pytest.mark.parametrize("planted", ["side", "late"])
-def test_a_false_mode_is_not_proved(planted):
+@pytest.mark.parametrize("radius", ["0.1", "1"])
+def test_a_box_whose_motions_have_other_events_is_not_followed(radius):
     orbit = response(under(DAMPED, "0.5")).orbit
-    legs = list(orbit.legs)
-    legs[0] = replace(legs[0], side=-1) if planted == "side" else replace(legs[0], t=legs[1].t + 1)
-    with pytest.raises(EventUndecided), Ball(20).context():
-        prove_modes(Orbit(orbit.drive, tuple(legs)))
+    with Ball(20).context():
+        leg, after = orbit.turns[0]
+        begin = rounded((leg.t + after.t) / 2)
+        x1, v1, _, v2 = orbit.motion(leg).state(Ball.number(begin) - leg.t)
+        start = [rounded(one) for one in (x1, v1, v2)]
+        assert one_round(orbit.drive, begin, start, arb("1e-6"), 4).slopes.nrows() == 3
+        with pytest.raises(EventUndecided):
+            one_round(orbit.drive, begin, start, arb(radius), 4)
 
 
-@pytest.mark.parametrize("amplitude", ["0.2", "5"])
-def test_events_that_no_motion_has_are_not_proved(amplitude):
-    """Those of a stick-slip motion, under a force for which there is none of the kind."""
+def test_events_that_no_motion_has_are_not_proved():
+    """Those of a stick-slip motion, under a force for which the pair is entrained."""
     legs = response(under(DAMPED, "0.5")).orbit.legs
     with Ball(20).context(), pytest.raises(EventUndecided):
-        solve_orbit(Orbit(steady_drive(under(DAMPED, amplitude)), legs))
+        solve_orbit(Orbit(steady_drive(under(DAMPED, "0.2")), legs))
 
 
 def test_many_events_in_a_period_are_solved_together():

@@ -18,8 +18,9 @@ from strategies import decimals, signed
 from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
 from numerics.control.attraction import distance, passage_at
+from numerics.control.guesses import stuck_state
 from numerics.control.orbit import Orbit
-from numerics.control.response import last_drive, response, stuck_state
+from numerics.control.response import last_drive, response
 from numerics.control.ring import Settled, periodic_settled, ring_entry, stretches, stuck_settled
 from numerics.errors import EventUndecided
 from numerics.scene import Force, Pair, Piece, Scene, State
@@ -50,7 +51,7 @@ def said(scene: Scene) -> bool | None:
     """Whether it is said to have stuck for ever; None if it slips at once."""
     with Ball(20).context():
         run = run_scene(scene, Ball(20), 10)
-        return None if len(run.events) else stuck_settled(run, last_drive(scene)) is not None
+        return None if len(run.events) else stuck_settled(run) is not None
 
 
 small = signed(decimals(-3, -2, 2))
@@ -120,13 +121,11 @@ def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monke
     pair, arithmetic, near = orbit.drive.pair, Ball(24), 1e-3
     since = known("0.3", near).since
     with arithmetic.context():
-        parts = list(stretches(run_scene(replace(scene, until=Fraction("0.3")), arithmetic, 2_000)))
+        parts = stretches(run_scene(replace(scene, until=Fraction("0.3")), arithmetic, 2_000))
         kappa = Ball.number(pair.mass / (pair.m1 * pair.m2))
         apart = []
         for t in (since, since - orbit.drive.period):
-            [state] = [
-                one.motion.state(t - one.begin) for one in parts if 0 <= float(t - one.begin) < float(one.length)
-            ]
+            [state] = [one.state(t) for one in parts if float(one.begin) <= float(t) < float(one.end)]
             apart.append(float(kappa.sqrt() * distance(pair, state, passage_at(orbit, t).state(t))))
     assert apart[0] < near <= apart[1]
 

@@ -15,13 +15,11 @@ from strategies import decimals, pairs
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import to_digits
-from numerics.control.guesses import exit_state
-from numerics.control.orbit import Drive
 from numerics.control.pictures import threshold_curves
 from numerics.control.response_map import Regimes, response_map
 from numerics.control.thresholds import NonStop, load_margin, thresholds
 from numerics.errors import InvalidScene, PrecisionExhausted
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Pair, Scene, State
 
 PAIR = Pair(1, 1, 200, "0.5", 3)
 
@@ -112,16 +110,6 @@ def test_the_edge_of_entrainment_is_decided_exactly(k, side):
     edge = abs(pair.b / pair.m2 * (pair.a2 - 2 * omega**2) / omega**2)
     assert load_margin(pair, edge, omega) == 0
     assert load_margin(pair, edge + Fraction(side, 10**30), omega) * side < 0
-
-
-def test_the_two_stop_branch_joins_both_thresholds():
-    omega = Fraction(12)
-    drive = Drive(PAIR, Piece(0, (), [Sine(1, omega)]))
-    with Ball(60).context():
-        known, half = thresholds(PAIR, omega, digits=40), drive.period / 2
-        for ts, edge in ((half * arb(10) ** -12, known.entrainment), (half * (1 - arb(10) ** -12), known.non_stop)):
-            _, _, S, C = exit_state(drive, ts)
-            assert abs((S * S + C * C).sqrt() - edge) < 1e-9
 
 
 def test_bad_frequencies_are_refused():

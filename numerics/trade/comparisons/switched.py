@@ -15,14 +15,15 @@ exactly, so a slip of any length can be computed to full relative accuracy, and 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from enum import Enum
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from numerics.scene import Law, Scene
+from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.scene import Law, Pair, Scene
 from numerics.trade.comparisons.peer import Call, PeerFailed, PeerRun, Unsupported
 
 Number = Any
@@ -83,13 +84,14 @@ class SwitchedPair:
         self.waves: Any = (math.sin, math.cos) if kind is float else (np.sin, np.cos)
         self.viscous = [self.zero] if pair.a1 > 0 else []
         """Where the integral of v^2 starts, if there is viscosity."""
-        self.spans = self._spans(scene)
+        pieces = pieces_of(scene)
+        self.spans = self._spans(pair, pieces)
         self.driven = self.spans[0].terms > 1 or len(self.spans[0].numbers) > 3 + self.spans[0].terms
         self.quick = 0.5 * math.sqrt(pair.m1 / pair.a2)
         """Half a radian of slip, s."""
         # exactly, lest a start on the edge misses it by a rounding error
         load = Fraction(scene.force(0)) - pair.a2 * at.x1 - pair.a1 * at.v1
-        held = dict(scene.friction.pieces).get(Fraction(0), pair.b) * pair.mass / pair.m2
+        held = pieces[0].b * pair.mass / pair.m2
         self.load, self.v1, self.gap, self.apart = self.numbers(load, at.v1, at.v1 - at.v2, at.x1 - at.x2)
         side = 1 if load > 0 else -1
         parts = slips(abs(load) - held, side * self.load_rate(self.spans[0], self.zero, self.load, self.v1))
@@ -103,17 +105,14 @@ class SwitchedPair:
         """Return rationals in the integrator's format."""
         return [self.kind(str(one.numerator)) / self.kind(str(one.denominator)) for one in values]
 
-    def _spans(self, scene: Scene) -> list[Span]:
-        jumps = {Fraction(0), *scene.force.starts, *scene.friction.starts}
-        starts = sorted(one for one in jumps if one < scene.until)
-        pieces, frictions = [scene.force.piece_at(one) for one in starts], dict(scene.friction.pieces)
-        b, spans = scene.pair.b, []
-        terms, sines = max(len(one.polynomial) for one in pieces), max(3 * len(one.sines) for one in pieces)
-        for piece, start, end in zip(pieces, starts, [*starts[1:], scene.until], strict=True):
-            b = frictions.get(start, b)
+    def _spans(self, pair: Pair, pieces: Sequence[ExactPiece]) -> list[Span]:
+        terms, sines, spans = max(len(one.polynomial) for one in pieces), max(len(one.sines) for one in pieces), []
+        for piece in pieces:
             waves: list[Any] = [part for one in piece.sines for part in (one.amplitude, one.omega, one.phase)]
-            u = [piece.start, *[*piece.polynomial, *[0] * terms][:terms], *(waves + [0] * sines)[:sines]]
-            spans.append(Span(self.numbers(end)[0], terms, self.numbers(b * scene.pair.mass / scene.pair.m2, b, *u)))
+            powers = [*piece.polynomial, *[0] * (terms - len(piece.polynomial))]
+            u = [piece.start, *powers, *waves, *[0] * (3 * sines - len(waves))]
+            end, held = piece.start + piece.length, piece.b * pair.mass / pair.m2
+            spans.append(Span(self.numbers(end)[0], terms, self.numbers(held, piece.b, *u)))
         return spans
 
     def load_rate(self, span: Span, t: Number, load: Number, v1: Number) -> Number:
