@@ -17,7 +17,7 @@ from numerics.linear.table import FIRST, FRICTION, Tables
 
 UNIT, WIDE_UNIT = 2.0**-53, 2.0**-101
 """A rounding of float64; one of double-double, with what its operations lose."""
-FAST = {"fastmath": {"contract", "reassoc"}}
+FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding."""
 

@@ -18,7 +18,7 @@ from numerics.arithmetic.compiled import compilable_with
 
 SLACK = 1.0 + 1e-9
 """The bounds' own rounding."""
-_CONTRACT = {"fastmath": {"contract"}}
+_CONTRACT: dict[str, Any] = {"fastmath": {"contract"}}
 
 
 @compilable_with(forceinline=False, **_CONTRACT)

@@ -21,7 +21,7 @@ DEGREE = 7
 CLEAR, ROOT, UNDECIDED = 0, 1, 2
 """No root up to where it was looked; one, isolated; not decided by these numbers."""
 _HALVINGS, _NEWTON = 40, 12
-_FREE = {"fastmath": {"contract", "reassoc", "nnan", "nsz"}}
+_FREE: dict[str, Any] = {"fastmath": {"contract", "reassoc", "nnan", "nsz"}}
 """Sums may be taken in any order: the margin counts every rounding."""
 
 BERNSTEIN = np.array(
