@@ -1,4 +1,5 @@
-"""Command line: python -m numerics solve SCENE [--digits N] [--arithmetic A] [--json | --csv | --npz F | --plot F]."""
+"""Command line: python -m numerics solve SCENE [--digits N] [--arithmetic A] [--json | --csv | --npz F | --plot F |
+--proof F]."""
 
 from __future__ import annotations
 
@@ -72,6 +73,9 @@ def _add_solve(subcommands: _Subcommands[argparse.ArgumentParser]) -> None:
     output.add_argument("--csv", action="store_true", help="print events and final state as CSV")
     output.add_argument("--npz", type=Path, metavar="F", help="write a NumPy archive")
     output.add_argument("--plot", type=Path, metavar="F", help="write a figure: .svg, .pdf or .png")
+    output.add_argument(
+        "--proof", type=Path, metavar="F", help="write a theorem for `python -m paper_checks.proofs F`, which checks it"
+    )
 
 
 def _add_caps(asked: argparse.ArgumentParser, flag: str, most: int, what: str) -> None:

@@ -119,7 +119,11 @@ CONTROL = [
     ("Nonstop", "b * ((m1 + m2) / m2 - a2 * h", "b * (m1 / m2 - a2 * h", "U** below the load that breaks adhesion"),
     ("Undamped", "(2 * om)) + PI * m1 / (2 * m2)) ^ 2", "(2 * om)) - PI * m1 / (2 * m2)) ^ 2", "a sign in U**"),
     ("Undamped", "0 <= F -> a2 < m1 * om ^ 2 ->", "0 <= F -> m1 * om ^ 2 < a2 ->", "U** alone below resonance"),
-    ("Damped", "- (sinh (fade * (PI / om)) - fade", "- (sinh (fade * (PI / om)) + fade", "a sign in the damped turn"),
+    ("Damped", "(PI / om)) - fade m1 a1 / ring", "(PI / om)) + fade m1 a1 / ring", "a sign in the damped turn"),
+    ("Waves", "Wave c 0 (x - c) (v + fade", "Wave c 0 (x - c) (v - fade", "a swing that starts with another speed"),
+    ("Adhesion", "tb < u < tc -> v1 u < v2 u", "tb < u < tc -> v2 u < v1 u", "the slip at 4.7 s the other way round"),
+    ("Filippov", "(v2 t < v1 t -> g = 1)", "(v2 t < v1 t -> g = -1)", "friction that drives at almost all times"),
+    ("Almost", "(f' t) /\\ 0 <= f' t.", "(f' t) /\\ -1 <= f' t.", "a falling function that does not decrease"),
     (
         "Damped",
         "s' : 0 < m1 -> 0 < m2 -> 0 < a1 ->",
