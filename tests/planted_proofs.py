@@ -122,7 +122,7 @@ CONTROL = [
     ("Damped", "(PI / om)) - fade m1 a1 / ring", "(PI / om)) + fade m1 a1 / ring", "a sign in the damped turn"),
     ("Waves", "Wave c 0 (x - c) (v + fade", "Wave c 0 (x - c) (v - fade", "a swing that starts with another speed"),
     ("Adhesion", "tb < u < tc -> v1 u < v2 u", "tb < u < tc -> v2 u < v1 u", "the slip at 4.7 s the other way round"),
-    ("Filippov", "(v2 t < v1 t -> g = 1)", "(v2 t < v1 t -> g = -1)", "friction that drives at almost all times"),
+    ("Filippov", "g = -1) /\\ is_derive x", "g = 1) /\\ is_derive x", "friction that drives at almost all times"),
     ("Almost", "(f' t) /\\ 0 <= f' t.", "(f' t) /\\ -1 <= f' t.", "a falling function that does not decrease"),
     (
         "Damped",

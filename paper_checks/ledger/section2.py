@@ -74,7 +74,7 @@ SECTION_2 = (
             clause(
                 "unique",
                 r"from every initial state there is exactly one such solution, forward in time.",
-                kernel=("well-posed",),
+                kernel=("filippov-well-posed",),
             ),
         ),
     ),

@@ -26,7 +26,9 @@ SCENES = {
     "other units": Scene(Pair("1e-9", "2e-9", "0.3", "1e-8"), State(v1="1e-3"), until="1e-3"),
 }
 
-WEAKER = "Definition unfolds (x v1 v2 : R -> R) (t : R) (l : list event) (e : ending) := True."
+WEAKER = """Definition unfolds (x v1 v2 : R -> R) (t : R) (l : list event) (e : ending) := True.
+Theorem trajectory x v1 v2 s : motion the_scene x v1 v2 s -> unfolds x v1 v2 0 the_events the_ending.
+Proof. intros. exact I. Qed."""
 
 needs_kernel = pytest.mark.usefixtures("needs_kernel")
 
@@ -109,7 +111,7 @@ def test_nothing_false_is_accepted(judge, planted):
         (r"Proof\. exact .*", "Admitted.\n", "Admitted stands where a proof is needed"),
         (r"Lemma accepted : (.*?)\.\nProof.*?Qed\.", r"Parameter accepted : \1.", "Parameter stands where"),
         (r"Theorem trajectory.*", "Theorem trajectory : True. Proof. exact I. Qed.", "is no theorem of"),
-        (r"Theorem trajectory", f"{WEAKER}\n\\g<0>", "is no theorem of"),
+        (r"Theorem trajectory.*", WEAKER, "is no theorem of"),
         (r"Require Import Trajectory", "Require Import Trajectory Nowhere", "Nowhere, which is not a file of"),
     ],
 )
