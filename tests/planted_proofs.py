@@ -123,6 +123,7 @@ CONTROL = [
     ("Waves", "Wave c 0 (x - c) (v + fade", "Wave c 0 (x - c) (v - fade", "a swing that starts with another speed"),
     ("Adhesion", "tb < u < tc -> v1 u < v2 u", "tb < u < tc -> v2 u < v1 u", "the slip at 4.7 s the other way round"),
     ("Filippov", "g = -1) /\\ is_derive x", "g = 1) /\\ is_derive x", "friction that drives at almost all times"),
+    ("Switching", "* (1 - sgn (Rabs a", "* (1 + sgn (Rabs a", "adhesion only beyond what friction holds"),
     ("Almost", "(f' t) /\\ 0 <= f' t.", "(f' t) /\\ -1 <= f' t.", "a falling function that does not decrease"),
     (
         "Damped",

@@ -20,6 +20,10 @@ _FREE: dict[str, tuple[str, str]] = {
         "Filippov.filippov_iff",
         "A solution is what Filippov calls one: absolutely continuous, and in the differential inclusion at almost all times.",
     ),
+    "switching-iff": (
+        "Switching.switching_iff",
+        "The solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.",
+    ),
     "filippov-well-posed": (
         "Filippov.filippov_well_posed",
         "From every start there is one Filippov solution, and only one, with damping or without.",
