@@ -120,7 +120,7 @@ ENTRAINMENT = theorem(
             * ((sp.pi / (2 * m2 * omega) - K_RATE) ** 2 + ((MASS / m2 - a2 * K - a1 * K_RATE) / (m1 * omega)) ** 2),
             equals(response.non_stop_amplitude_squared, lambda: {GAIN: _gain(), **WAVE}),
         ),
-        kernel=("nonstop-iff", "nonstop-damped", "nonstop-attracts"),
+        kernel=("nonstop-iff", "nonstop-by-halves", "nonstop-damped", "nonstop-attracts"),
     ),
     clause(
         "non-stop-undamped",

@@ -60,7 +60,7 @@ MERGING = (
             r"«after».",
             before=in_angle("w", q * H**2, lambda: q * return_map_of_angle()[0]),
             after=in_angle("w'", q * (H**2 - R * C**2), lambda: q * return_map_of_angle()[1]),
-            kernel=("merging-set-first-slip",),
+            kernel=("merging-set",),
         ),
         clause(
             "crossings",
@@ -105,7 +105,7 @@ MERGING = (
             "lighter",
             r"If $m_1/m_2<\mu^*$, an interval of energies on $S_0$ merges where the pair first meets $S$ after it left $S_0$; if they "
             r"are equal, just one energy does.",
-            kernel=("merging-set-first-slip",),
+            kernel=("merging-set",),
         ),
     ),
 )
