@@ -14,8 +14,7 @@ Lemma slips_first x v1 v2 e later : forall slips t, (forall m, In m slips -> mod
 Proof.
   assert (Ll : forall r s (l : list R), List.last (r :: l) s = List.last l r).
   { intros r s l. revert r s. induction l as [|y l IH]; intros r s; auto.
-    change (List.last (y :: l) s = List.last (y :: l)
-    r). rewrite !IH. auto. }
+    change (List.last (y :: l) s = List.last (y :: l) r). rewrite !IH. auto. }
   induction slips as [|now slips IH]; intros t S U.
   - exists []. split; [auto|]. split; [intros r []|]. split; [simpl; intros u Hu; lra|auto].
   - destruct U as (t1 & Ht1 & W & _ & _ & Ev & Md & U).

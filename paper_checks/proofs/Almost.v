@@ -54,9 +54,8 @@ Proof.
   specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
   cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear. induction l as [|(p, q) l IH]; simpl;
     [lra|].
-  replace (f q + g q - (f p + g p)) with ((f q - f p) + (g q - g p)) by ring. pose proof (Rabs_triang (f q - f p) (g
-    q - g
-    p)). lra.
+  replace (f q + g q - (f p + g p)) with ((f q - f p) + (g q - g p)) by ring.
+    pose proof (Rabs_triang (f q - f p) (g q - g p)). lra.
 Qed.
 (** a multiple *)
 Lemma ac_scal c f : ac f -> ac (fun t => c * f t).
@@ -182,8 +181,7 @@ Proof.
     - rewrite !clamp_inside by lra. lra.
     - rewrite !(clamp_inside (a (S n)) (b (S n))) by lra.
       pose proof (sum_Rle (fun i => clamp (a i) (b i) r) (fun i => clamp (a i) (b i) t) n
-        (fun i _ => clamp_grows (a i) (b i)
-        r t Ht)). lra. }
+        (fun i _ => clamp_grows (a i) (b i) r t Ht)). lra. }
   assert (LaS : forall n, La n q - La n p <= d).
   { intros n. apply Rle_trans with (2 := Sm n). unfold La. rewrite <- minus_sum. apply sum_Rle. intros i _.
     apply clamp_range; auto. }

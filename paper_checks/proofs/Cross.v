@@ -1,5 +1,5 @@
-(** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and which slips from S0 merge where they
-    land. *)
+(** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and which slips from S0 merge where
+    they land. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap.

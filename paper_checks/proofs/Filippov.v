@@ -64,8 +64,8 @@ Qed.
 
 (** *** And the other way round *)
 (** a continuous right derivative is a derivative *)
-Lemma derive_of_rderiv f g t : cont f -> cont g -> (forall u, 0 <= u -> rderiv f u (g u)) -> 0 < t -> is_derive f t
-  (g t).
+Lemma derive_of_rderiv f g t : cont f -> cont g -> (forall u, 0 <= u -> rderiv f u (g u)) -> 0 < t ->
+  is_derive f t (g t).
 Proof.
   intros F G D Ht. apply is_derive_Reals. intros e He. destruct (G t ltac:(lra) (e / 2) ltac:(lra)) as (d & Hd & K).
   assert (Hd' : 0 < Rmin d t) by (apply Rmin_glb_lt; auto). exists (mkposreal _ Hd'). simpl. intros h Nh Hh.
@@ -84,8 +84,7 @@ Proof.
     - apply (dini_slope f); [auto|lra|]. intros u Hu. specialize (B u Hu). apply rderiv_dini with (g u); [lra|].
       apply D; lra. }
   apply Rle_lt_trans with (e / 2); [|lra]. replace ((f (t + h) - f t) / h - g t)
-    with ((f (t + h) - f t - g t * h) / h) by
-    (field; auto).
+    with ((f (t + h) - f t - g t * h) / h) by (field; auto).
   apply Rabs_def2 in Hh. unfold Rdiv at 1. rewrite Rabs_mult, Rbasic_fun.Rabs_inv. apply Rmult_le_reg_r with (Rabs h);
     [apply Rabs_pos_lt; auto|].
   rewrite Rmult_assoc, Rinv_l, Rmult_1_r by (apply Rabs_no_R0; auto). apply Rabs_le.
@@ -139,8 +138,7 @@ Proof.
   assert (AcE : forall f f', (forall u, 0 <= u -> f u = f' u) -> ac f -> ac f').
   { intros f f' E F T HT e He. destruct (F T HT e He) as (d & Hd & K). exists d; split; auto. intros l Ch L.
     replace (moves f' l) with (moves f l); [auto|]. clear - E Ch. assert (G : forall l lo, 0 <= lo -> chain l lo T ->
-      moves f
-      l = moves f' l).
+      moves f l = moves f' l).
     { clear Ch l. induction l as [|(p, q) l IH]; simpl; auto. intros lo Hlo (Hp & Ch). rewrite (IH q), !E; auto; lra.
       }
     apply (G l 0); auto; lra. }
@@ -174,8 +172,7 @@ Proof.
     assert (Dx : is_derive x t (v1 t)) by (apply derive_of_rderiv; auto; [exact (s_x _ _ _ _ _ _ _ _ _ H)|lra]).
     assert (Dp : is_derive P t (g t)) by (apply derive_of_rderiv; auto; lra).
     assert (Slip : forall k, k = 1 \/ k = -1 -> (forall u, p i < u < p (S i) -> 0 < k * (v1 u - v2 u)) ->
-      included x v1 v2
-      t).
+      included x v1 v2 t).
     { intros k Hk W. exists k. specialize (W t Hpi) as Wt. split; [lra|]. split; [destruct Hk; subst k; lra|].
       split; [destruct Hk; subst k; lra|]. split; auto.
       assert (Ds : is_derive s t k).
@@ -185,9 +182,8 @@ Proof.
         - auto_derive; auto. ring. }
       split.
       - apply (derive_near (fun u => / m1 * (P u + - b * s u)) v1 t d); auto; [intros; unfold P; field; lra|].
-        replace ((- a2 * x t - a1 * v1 t - b * k) / m1) with (/ m1 * (plus (g t) (- b * k))) by (unfold plus, g; simpl;
-          field;
-          lra).
+        replace ((- a2 * x t - a1 * v1 t - b * k) / m1) with (/ m1 * (plus (g t) (- b * k))) by (unfold plus, g;
+          simpl; field; lra).
         apply (is_derive_scal (fun u => P u + - b * s u)). apply (is_derive_plus P (fun u => - b * s u)); auto.
         apply (is_derive_scal s t (- b) _ Ds).
       - apply (derive_near (fun u => b / m2 * s u + c / m2) v2 t d); auto; [intros u Hu; rewrite V2 by lra; field;
@@ -208,11 +204,9 @@ Proof.
       { apply (is_derive_scal (fun u => P u + c)). replace (g t) with (plus (g t) 0) by (unfold plus; simpl; ring).
         apply (is_derive_plus P (fun _ => c)); auto. apply @is_derive_const. }
       assert (D1 : is_derive v1 t (/ M * g t)) by (apply (derive_near (fun u => / M * (P u + c)) v1 t d); auto;
-        intros u Hu;
-        apply Ev; auto).
+        intros u Hu; apply Ev; auto).
       assert (D2 : is_derive v2 t (/ M * g t)) by (apply (derive_near (fun u => / M * (P u + c)) v2 t d); auto;
-        intros u Hu;
-        apply Ev; auto).
+        intros u Hu; apply Ev; auto).
       assert (Ds : rderiv s t k).
       { apply rderiv_ext with (fun u => m2 / b * v2 u + - (c / b)); [intros u Hu; rewrite V2 by lra; field; lra|].
         apply rderiv_eq with (m2 / b * (/ M * g t) + 0); [unfold k; field; lra|].
@@ -220,9 +214,8 @@ Proof.
       assert (Bk : -1 <= k <= 1).
       { assert (B : forall e, 0 < e -> Rabs k <= 1 + e).
         { intros e He. destruct (Ds e He) as (h & Hh & K). specialize (K (h / 2) ltac:(lra)).
-          pose proof (s_lip _ _ _ _ _ _ _ _ _ H t (t + h / 2) ltac:(lra)) as L. replace (t + h / 2 - t) with (h / 2)
-            in L by
-            ring.
+          pose proof (s_lip _ _ _ _ _ _ _ _ _ H t (t + h / 2) ltac:(lra)) as L. replace (t + h / 2 - t)
+            with (h / 2) in L by ring.
           apply Rabs_inv in L. apply Rabs_inv in K. apply Rabs_le. split; nra. }
         apply Rabs_inv. apply le_epsilon. exact B. }
       pose proof (St t Hpi) as Et. exists k. split; auto. split; [lra|]. split; [lra|]. split; auto. split.

@@ -368,7 +368,8 @@ Definition step K st m h : option state :=
   match m with
   | Slip k =>
       let F := guards K k (at_x st) (at_v1 st) (at_v2 st) in
-      if Qle_bool (least h) (most h) && begins (how st) k F (least h) && nonneg (I.neg (value p F (rat p (most h)))) then
+      if Qle_bool (least h) (most h) && begins (how st) k F (least h) && nonneg (I.neg (value p F (rat p (most h))))
+      then
         let v := drives K k (at_v2 st) u in
         Some (State (I.add p (clock st) u) (value p (slides K k (at_x st) (at_v1 st)) u) v v Touch)
       else None

@@ -98,8 +98,8 @@ Proof.
   specialize (S c ltac:(lra)). nra.
 Qed.
 (** a concave one, from both *)
-Lemma concave_positive : (forall u, p <= u <= q -> val (slope (slope f)) u <= 0) -> forall u, p <= u <= q -> 0 < val
-  f u.
+Lemma concave_positive : (forall u, p <= u <= q -> val (slope (slope f)) u <= 0) -> forall u, p <= u <= q ->
+  0 < val f u.
 Proof.
   intros S u Hu. destruct (Rlt_dec 0 (val f u)); auto. exfalso.
   assert (u <> p) by (intros ->; lra). assert (u <> q) by (intros ->; lra).
@@ -248,8 +248,8 @@ Lemma along X V1 V2 g T : 0 <= T -> forced_arc m1 m2 a1 a2 b T (fun _ => 0) X V1
   x t0 = X 0 -> v1 t0 = V1 0 -> v2 t0 = V2 0 ->
   forall u, 0 <= u <= T -> x (t0 + u) = X u /\ v1 (t0 + u) = V1 u /\ v2 (t0 + u) = V2 u.
 Proof.
-  intros HT A. apply (follow_arc m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (fun _ => 0) (fun _ => 0) x v1 v2 s X V1 V2 g T t0);
-    auto.
+  intros HT A. apply (follow_arc m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (fun _ => 0) (fun _ => 0) x v1 v2 s X V1 V2 g T
+    t0); auto.
   - intros t _. apply rderiv_const.
   - apply free_case; auto.
 Qed.
@@ -342,9 +342,8 @@ Proof.
   assert (F := stick_phase u ltac:(lra) Ev Both). exists u. split; [lra|].
   destruct (F u ltac:(lra)) as (Fx & F1 & _). repeat split; auto.
   - intros r Hr. destruct (F r Hr) as (_ & -> & ->). auto.
-  - rewrite Fx, F1. rewrite val_grip in E. pose proof (swing_law M 0 (x t0) (v1 t0) u HM) as L. fold (stuck (x t0)
-    (v1
-    t0)) in L.
+  - rewrite Fx, F1. rewrite val_grip in E. pose proof (swing_law M 0 (x t0) (v1 t0) u HM) as L.
+    fold (stuck (x t0) (v1 t0)) in L.
     set (acc := val (slope (slope (stuck (x t0) (v1 t0)))) u) in *.
     replace (k * (b * M / m2)) with (M * (k * (b / m2))) by (field; lra).
     replace (k * (b / m2)) with (k * (k * acc)) by (f_equal; lra). destruct Hk; subst k; lra.
