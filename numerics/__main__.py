@@ -1,4 +1,4 @@
-"""Command line: python -m numerics solve SCENE [--digits N] [--arithmetic A] [--json | --csv | --npz F | --plot F]."""
+"""Command line: python -m numerics solve SCENE [--digits N] [--arithmetic A] [--json | --csv | --npz F | --plot F | ...]."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser().parse_args(arguments)
     from numerics.errors import InvalidScene, NoForceHere, NumericsError
 
-    files = {name: getattr(options, name, None) for name in ("npz", "resume", "out", "plot")}
+    files = {name: getattr(options, name, None) for name in ("npz", "proof", "resume", "out", "plot")}
     wrong = (wrong_path(one, f"--{name}" if name in options.figures else "") for name, one in files.items())
     try:
         said = next(filter(None, wrong), None)

@@ -47,6 +47,10 @@ class NotDifferentiable(NumericsError, ValueError):
     """A scene whose motion has no derivative by its data: it differs to first order on either side of what it meets."""
 
 
+class NoProof(NumericsError):
+    """A trajectory that is not written as a theorem: the message says what the checker does not cover."""
+
+
 class InvalidMap(InvalidScene):
     """A map that cannot be computed: its window, its depth or its checkpoint; the message says what to give instead."""
 

@@ -76,6 +76,8 @@ def _solve(asked: argparse.ArgumentParser) -> None:
     output.add_argument("--csv", action="store_true", help="print events and final state as CSV")
     output.add_argument("--npz", type=Path, metavar="F", help="write a NumPy archive")
     output.add_argument("--plot", metavar="F", **_FIGURE)
+    proof = "write a theorem for `python -m paper_checks.proofs F`, which checks it"
+    output.add_argument("--proof", type=Path, metavar="F", help=proof)
 
 
 def _count(asked: argparse.ArgumentParser, flag: str, default: int | None, what: str) -> None:

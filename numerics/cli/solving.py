@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from numerics.exits import FAILED, OK, USAGE, refuse
@@ -39,6 +40,8 @@ def solve_scene(options: argparse.Namespace) -> int:
         print(explanation(trajectory), file=sys.stderr)
     if options.npz is not None:
         _write_npz(trajectory, options)
+    elif options.proof is not None:
+        _write_proof(trajectory, options.proof)
     elif options.plot is not None:
         from numerics.cli.plot import overview
 
@@ -52,8 +55,9 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
         return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
-    if options.sensitivity and (options.csv or options.plot is not None):
-        return "--sensitivity goes with --json, --npz or the table; leave --csv or --plot out"
+    for name, given in (("csv", options.csv), ("plot", options.plot is not None), ("proof", options.proof is not None)):
+        if options.sensitivity and given:
+            return f"--sensitivity goes with --json, --npz or the table; leave --{name} out"
     return None
 
 
@@ -70,6 +74,15 @@ def _write_npz(trajectory: Trajectory, options: argparse.Namespace) -> None:
     from numerics.trajectory.sensitivity_export import sensitivity_arrays
 
     write_npz(trajectory, options.npz, sensitivity_arrays(trajectory))
+
+
+def _write_proof(trajectory: Trajectory, path: Path) -> None:
+    from numerics.files import whole_file
+    from numerics.trajectory.theorem import theorem
+
+    text = theorem(trajectory)
+    with whole_file(path) as file:
+        file.write(text.encode())
 
 
 def _print(trajectory: Trajectory, options: argparse.Namespace) -> None:

@@ -112,11 +112,12 @@ SECTION_2 = (
                 "same",
                 r"For $u=0$ the solutions of (3)–(4) (absolutely continuous, equations met at almost every time) are those of "
                 r"(5)–(7) in Filippov's sense, where $\mathrm{sgn}(0)$ is the whole interval $[-1,1]$;",
+                kernel=("switching-iff",),
             ),
             clause(
                 "unique",
                 r"from every initial state there is exactly one such solution, forward in time.",
-                kernel=("well-posed",),
+                kernel=("filippov-well-posed",),
             ),
             *under_a_force(),
         ),

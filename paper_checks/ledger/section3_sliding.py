@@ -78,6 +78,7 @@ SLIDING = (
                 "same-solutions",
                 r"With $a_1=u=0$, the solutions of (2)–(4) (absolutely continuous, equations met at almost every time) "
                 r"are exactly the solutions of (5)–(7) in Filippov's sense.",
+                kernel=("switching-iff",),
             ),
         ),
     ),

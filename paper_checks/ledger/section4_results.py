@@ -207,6 +207,7 @@ NUMERICAL_RESULTS = (
                 from_=_time("t", "4.5497", "velocities", 20),
                 to=_time("t", "4.5795", "velocities", 21),
                 again=_time("t", "4.7717", "velocities", 22),
+                kernel=("first-adhesion",),
             ),
             clause(
                 "for-ever",

@@ -129,6 +129,12 @@ ENTRAINMENT = theorem(
         kernel=("nonstop-damped", "nonstop-undamped", "nonstop-attracts"),
     ),
     clause(
+        "halves",
+        r"A motion of the force's period that slips for ever, one way for half a period and then the other way, exists exactly if one "
+        r"that is its own negative half a period later does; each for some phase of the force.",
+        kernel=("nonstop-by-halves",),
+    ),
+    clause(
         "below",
         r"Below $U_{**}$ no motion of the force's period slips for ever, one way for half a period and then the other way, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
     ),

@@ -56,7 +56,7 @@ MERGING = (
             "interval",
             r"Let $r=m_2/M$ exceed $r^*$ of critical-mass-ratio. There are $0<w_a<w_b$ such that a trajectory from $S_0$ with $w=E/E_{cr}-1>0$ merges where it first meets "
             r"$S$ after it left $S_0$ exactly if $w_a\leqslant w\leqslant w_b$.",
-            kernel=("merging-set-first-slip",),
+            kernel=("merging-set",),
         ),
         clause(
             "roots",
@@ -64,6 +64,7 @@ MERGING = (
             r"from «before» to «after».",
             before=in_angle("w", q * H**2, lambda: q * return_map_of_angle()[0]),
             after=in_angle("w'", q * (H**2 - R * C**2), lambda: q * return_map_of_angle()[1]),
+            kernel=("merging-set",),
         ),
         clause(
             "crossings",
@@ -73,6 +74,7 @@ MERGING = (
         clause(
             "same",
             r"and it is the same one: where a trajectory crosses $S$, once or more often, its first re-entry is above $E_{cr}$.",
+            kernel=("merging-set",),
         ),
         clause("below", r"Below $w_a$ it never merges."),
         clause(
@@ -110,9 +112,9 @@ MERGING = (
         clause(
             "lighter",
             r"If $m_1/m_2<\mu^*$, an interval of energies on $S_0$ merges where the pair first meets $S$ after it left $S_0$, and some energy does if they are equal:",
-            kernel=("merging-set-first-slip",),
+            kernel=("merging-set",),
         ),
-        clause("equal", r"then just one."),
+        clause("equal", r"then just one.", kernel=("merging-set",)),
     ),
 )
 

@@ -1,8 +1,8 @@
-(** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and the exact set of energies that
-    merge after the first slip. *)
+(** Solutions after one slip: re-entries into S0 and crossings, exits on the rays, and which slips from S0 merge where
+    they land. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap MergeSet.
+From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap.
 Local Open Scope R_scope.
 
 (** with no gap the level is that of the return map *)
@@ -204,70 +204,3 @@ Proof.
   repeat (split; [auto; fail|]). split; [rewrite P; lra|]. split; [exact C|exact F].
 Qed.
 End Cross.
-
-(** The set of half angles that merge at the first landing, for solutions: with the threshold phi* of Turning.v,
-    none if m1/m2 > - cos (2 phi* ), and otherwise exactly one closed interval around phi*. *)
-Theorem merging_set_ray : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1 -> 0 < m2 ->
-  (- cos (2 * ps) < m1 / m2 -> forall a2 b x v1 v2 s k t0 p, 0 < a2 -> 0 < b -> solution m1 m2 0 a2 b x v1 v2 s ->
-     k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
-     ~ forall u, 0 <= u -> v1 (t0 + 2 * p / o1 m1 a2 + u) = v2 (t0 + 2 * p / o1 m1 a2 + u)) /\
-  (m1 / m2 <= - cos (2 * ps) -> exists pl pu, 0 < pl /\ pl <= ps /\ ps <= pu /\ pu < PI /\
-     hh pl = sqrt (m2 / (m1 + m2)) * depth pl /\ hh pu = sqrt (m2 / (m1 + m2)) * depth pu /\
-     (m1 / m2 < - cos (2 * ps) -> pl < ps < pu) /\
-     forall a2 b x v1 v2 s k t0 p, 0 < a2 -> 0 < b -> solution m1 m2 0 a2 b x v1 v2 s ->
-       k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
-       ((forall u, 0 <= u -> v1 (t0 + 2 * p / o1 m1 a2 + u) = v2 (t0 + 2 * p / o1 m1 a2 + u)) <-> pl <= p <= pu)).
-Proof.
-  destruct merging_angles as (ps & Hps & Z & Main). exists ps. split; [auto|]. split; [auto|]. intros m1 m2 H1 H2.
-  destruct (Main m1 m2 H1 H2) as (None & Some). split.
-  - intros Hr a2 b x v1 v2 s k t0 p Ha Hb H Hk Ht Hp HR S.
-    destruct (merges_at_first_landing m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H k t0 p Hk Ht Hp HR) as (_ & _ & _ & _ &
-      Iff & _).
-    apply (None Hr p Hp), Iff, S.
-  - intros Hr. destruct (Some Hr) as (pl & pu & A1 & A2 & A3 & A4 & A5 & A6 & A7 & A8). exists pl, pu.
-    repeat (split; [auto; fail|]).
-    intros a2 b x v1 v2 s k t0 p Ha Hb H Hk Ht Hp HR.
-    destruct (merges_at_first_landing m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H k t0 p Hk Ht Hp HR) as (_ & _ & _ & _ &
-      Iff & _).
-    rewrite <- (A8 p Hp). exact Iff.
-Qed.
-
-(** The same from S0, in the energy: after the first slip it sticks for ever exactly for El <= E <= Eu. *)
-Theorem merging_set_S0 : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2 a2 b, 0 < m1 -> 0 < m2 -> 0 < a2 -> 0 < b ->
-  m1 / m2 <= - cos (2 * ps) -> exists El Eu, Ecr m1 m2 a2 b < El <= Eu /\ (m1 / m2 < - cos (2 * ps) -> El < Eu) /\
-  forall x v1 v2 s t0, solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
-    - L m1 m2 a2 b <= x t0 <= L m1 m2 a2 b ->
-  Ecr m1 m2 a2 b < energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) ->
-  exists t1 t2, t0 <= t1 /\ t1 < t2 /\ (forall t, t0 <= t <= t1 -> v1 t = v2 t) /\ (forall t, t1 < t < t2 ->
-    v1 t <> v2 t) /\ v1 t2 = v2 t2 /\
-    ((forall u, 0 <= u -> v1 (t2 + u) = v2 (t2 + u)) <-> El <= energy m1 m2 a2 (x t0) (v1 t0) (v2 t0) <= Eu).
-Proof.
-  destruct merging_angles as (ps & Hps & Z & Main). exists ps. split; [auto|]. split; [auto|].
-    intros m1 m2 a2 b H1 H2 Ha Hb Hr.
-  destruct (Main m1 m2 H1 H2) as (_ & Some). destruct (Some Hr) as (pl & pu & A1 & A2 & A3 & A4 & _ & _ & A7 & A8).
-  pose proof (q_pos m1 m2 H1 H2) as Q0. pose proof (Ecr_pos m1 m2 a2 b H1 H2 Ha Hb) as E0.
-    set (q := m1 / (m1 + m2)) in *. set (Ec := Ecr m1 m2 a2 b) in *.
-  set (lev := fun p => Ec * (1 + q * hh p ^ 2)).
-  assert (Inc : forall p p', 0 < p < PI -> 0 < p' < PI -> p < p' -> lev p < lev p').
-  { intros p p' Hp Hp' Lt. pose proof (hh_incr p p' ltac:(lra) Lt ltac:(lra)). pose proof (hh_pos p Hp). unfold lev.
-    apply Rmult_lt_compat_l; auto. apply Rplus_lt_compat_l, Rmult_lt_compat_l; auto. nra. }
-  assert (Le : forall p p', 0 < p < PI -> 0 < p' < PI -> (lev p <= lev p' <-> p <= p')).
-  { intros p p' Hp Hp'. split; intros Q.
-    - destruct (Rle_dec p p') as [|n]; auto. pose proof (Inc p' p Hp' Hp ltac:(lra)). lra.
-    - destruct (Req_dec p p') as [->|]; [lra|]. apply Rlt_le, Inc; auto; lra. }
-  exists (lev pl), (lev pu). split.
-  { split; [|apply Le; lra]. unfold lev. pose proof (pow_lt _ 2 (hh_pos pl ltac:(lra))) as P.
-    pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ Q0 P)). lra. }
-  split; [intros Hlt; specialize (A7 Hlt); apply Inc; lra|].
-  intros x v1 v2 s t0 H Ht Ev Hx HE. set (E := energy m1 m2 a2 (x t0) (v1 t0) (v2 t0)) in *.
-  set (u := sqrt ((E - Ec) / (Ec * q))). assert (EQ : 0 < Ec * q) by (apply Rmult_lt_0_compat; auto).
-  assert (U : 0 < (E - Ec) / (Ec * q)) by (apply Rdiv_lt_0_compat; lra).
-  assert (U2 : u ^ 2 = (E - Ec) / (Ec * q)). { unfold u.
-    replace (sqrt ((E - Ec) / (Ec * q)) ^ 2) with (sqrt ((E - Ec) / (Ec * q)) * sqrt ((E - Ec) / (Ec * q))) by
-    ring. apply sqrt_sqrt; lra. }
-  destruct (half_ex u ltac:(apply sqrt_lt_R0; auto)) as (p & Hp & Hu).
-  assert (En : E = lev p). { unfold lev. rewrite Hu, U2. field. lra. }
-  destruct (first_slip m1 m2 a2 b H1 H2 Ha Hb x v1 v2 s H t0 p Ht Ev Hx Hp En) as (t1 & t2 & B1 & B2 & B3 & B4 &
-    B5 & B6).
-  exists t1, t2. repeat (split; [auto; fail|]). rewrite B6, (A8 p Hp), En, !Le by lra. tauto.
-Qed.

@@ -2,7 +2,8 @@
     form, and the motion that slips for ever, which then attracts every motion. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Nonstop Undamped.
+From InertialPair Require Import Waves Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Nonstop.
+From InertialPair Require Import Undamped.
 Local Open Scope R_scope.
 
 (** z <= sinh z and 1 < cosh z for z > 0 *)
@@ -30,18 +31,16 @@ Variables m1 m2 a1 a2 b om : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b) (Hom : 0 < om).
 Hypothesis Hosc : a1 ^ 2 < 4 * m1 * a2.
 
-(** the rate at which body 1's free swing decays *)
-Definition fade := a1 / (2 * m1).
-(** and its frequency *)
-Definition ring_frequency := sqrt (a2 / m1 - fade ^ 2).
-Let la := fade.
+(** the frequency of body 1's free swing, which decays at the rate [fade m1 a1] *)
+Definition ring_frequency := sqrt (a2 / m1 - fade m1 a1 ^ 2).
+Let la := fade m1 a1.
 Let od := ring_frequency.
 Let T := PI / om.
 (** the denominator of both: cosh (lambda T) + cos (omegad T), T half a period *)
-Definition weight := cosh (fade * (PI / om)) + cos (ring_frequency * (PI / om)).
+Definition weight := cosh (fade m1 a1 * (PI / om)) + cos (ring_frequency * (PI / om)).
 (** the place at the turn *)
-Definition turn_place := - (sinh (fade * (PI / om)) - fade / ring_frequency * sin (ring_frequency * (PI / om))) / (a2
-  * weight).
+Definition turn_place := - (sinh (fade m1 a1 * (PI / om)) - fade m1 a1 / ring_frequency *
+  sin (ring_frequency * (PI / om))) / (a2 * weight).
 (** the speed at the turn *)
 Definition turn_speed := - sin (ring_frequency * (PI / om)) / (m1 * ring_frequency * weight).
 Let h := turn_place.
@@ -65,7 +64,7 @@ Qed.
 (** its frequency without damping *)
 Lemma od_sq : m1 * (od * od + la * la) = a2.
 Proof.
-  pose proof od_pos as O. unfold od, ring_frequency in *. destruct (Rle_dec (a2 / m1 - fade ^ 2) 0) as [N|N].
+  pose proof od_pos as O. unfold od, ring_frequency in *. destruct (Rle_dec (a2 / m1 - fade m1 a1 ^ 2) 0) as [N|N].
   - rewrite sqrt_neg_0 in O by auto. lra.
   - rewrite sqrt_sqrt by lra. unfold la. field; lra.
 Qed.
@@ -83,7 +82,7 @@ Lemma weight_pos : 0 < weight.
 Proof.
   unfold weight. pose proof la_pos. pose proof T_pos. assert (0 < la * T) by nra. pose proof (sinh_above _ H1) as S.
   pose proof (COS_bound (od * T)). unfold la, T, od in *.
-  set (z := fade * (PI / om)) in *. pose proof (exp_pos (- z)). unfold sinh, cosh in *.
+  set (z := fade m1 a1 * (PI / om)) in *. pose proof (exp_pos (- z)). unfold sinh, cosh in *.
     pose proof (exp_ineq1 z ltac:(lra)).
   assert (exp z * exp (- z) = 1) by (rewrite <- exp_plus, Rplus_opp_r, exp_0; auto).
   assert (1 < (exp z + exp (- z)) / 2); [|lra]. assert (0 < (exp z - 1) ^ 2) by (apply pow_lt; lra). nra.

@@ -69,23 +69,3 @@ Proof.
     + exfalso. specialize (Dp Q). rewrite <- Dc in Dp. pose proof (depth_incr pc p ltac:(lra) Lg ltac:(lra)). lra.
 Qed.
 End Equivalence.
-
-(** The merging set of the first re-entry: one closed interval of half angles, for m1/m2 <= - cos (2 phi* ). *)
-Theorem merging_set : exists ps, 0 < ps < PI /\ K ps = 0 /\ forall m1 m2, 0 < m1 -> 0 < m2 ->
-  m1 / m2 <= - cos (2 * ps) ->
-  exists pl pu, 0 < pl /\ pl <= ps /\ ps <= pu /\ pu < PI /\ (m1 / m2 < - cos (2 * ps) -> pl < ps < pu) /\
-  forall a2 b x v1 v2 s k t0 t p, 0 < a2 -> 0 < b -> solution m1 m2 0 a2 b x v1 v2 s -> k = 1 \/ k = -1 ->
-    0 <= t0 -> 0 < p < PI ->
-  on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 -> first_reentry (L m1 m2 a2 b) x v1 v2 t0 t ->
-  ((forall u, 0 <= u -> v1 (t + u) = v2 (t + u)) <-> pl <= p <= pu).
-Proof.
-  destruct merging_angles as (ps & Hps & Z & Main). exists ps. split; [auto|]. split; [auto|]. intros m1 m2 H1 H2 Hr.
-  destruct (Main m1 m2 H1 H2) as (_ & Some). destruct (Some Hr) as (pl & pu & A1 & A2 & A3 & A4 & _ & _ & A7 & A8).
-  exists pl, pu. repeat (split; [auto; fail|]). intros a2 b x v1 v2 s k t0 t p Ha Hb H Hk Ht Hp HR F.
-  assert (Q : 0 < m1 / (m1 + m2) < 1). { split; [apply Rdiv_lt_0_compat; lra|].
-    apply Rmult_lt_reg_r with (m1 + m2); [lra|]. replace (m1 / (m1 + m2) * (m1 + m2)) with m1 by (field; lra).
-    lra. }
-  destruct (pc_ex _ Q) as (pc & Hpc & Dc). pose proof (kappa_large m1 m2 ps pc H1 H2 Hps Z Hr Hpc Dc) as HK.
-  rewrite (first_reentry_iff m1 m2 a2 b H1 H2 Ha Hb pc Hpc Dc (Rlt_le _ _ HK) x v1 v2 s H k t0 t p Hk Ht Hp HR F).
-    apply A8; auto.
-Qed.

@@ -1,27 +1,51 @@
-"""`python -m paper_checks.proofs [check | pin | list]`: compile the proofs; write the pins anew; name the theorems."""
+"""`python -m paper_checks.proofs [check | pin | list | F.v]`: compile the proofs; write the pins anew; name the theorems;
+judge a proof file that `python -m numerics solve --proof F.v` has written."""
 
 from __future__ import annotations
 
 import sys
 import time
+from pathlib import Path
 
-from numerics.exits import OneLineParser
+from numerics.exits import USAGE, OneLineParser, refuse
 from paper_checks import atomic
-from paper_checks.proofs import cited, library
+from paper_checks.proofs import cited, library, submitted
 from paper_checks.proofs.pins import PINS, Pin, Pins, pinned, written
 
 
 def main() -> int:
-    """Run a command; 0 if every theorem is proved as pinned, 1 if one is not, 3 without the kernel."""
+    """Run a command; 0 if all is proved (as pinned), 1 if something is not, 2 for bad usage, 3 without the kernel."""
     parser = OneLineParser(prog="python -m paper_checks.proofs", description=__doc__)
-    parser.add_argument("command", nargs="?", choices=("check", "pin", "list"), default="check")
+    parser.add_argument(
+        "command", nargs="?", default="check", help="check, pin, list, or a proof file: a name that ends in .v"
+    )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="files that are compiled at a time (2)")
     options = parser.parse_args()
+    if options.command.endswith(".v"):
+        return _judge(Path(options.command), options.jobs)
+    if options.command not in ("check", "pin", "list"):
+        parser.error(f"{options.command!r} is neither check, pin or list nor a proof file, whose name ends in .v")
     if options.command == "list":
         for one, (name, sentence) in cited.CITED.items():
             print(f"{one:28} {name:34} {sentence}")
         return 0
     return _pin(options.jobs) if options.command == "pin" else _check(options.jobs)
+
+
+def _judge(path: Path, jobs: int) -> int:
+    began = time.monotonic()
+    try:
+        found = submitted.judged(path, jobs=jobs)
+    except (OSError, UnicodeDecodeError) as error:
+        return refuse(f"cannot read {path}: {getattr(error, 'strerror', None) or 'it is not UTF-8 text'}", USAGE)
+    if found.holds is None:
+        print(f"unchecked: {found.reason}", file=sys.stderr)
+        return 3
+    if not found.holds:
+        print(f"refused: {found.reason}", file=sys.stderr)
+        return 1
+    print(f"accepted: {found.reason}; {time.monotonic() - began:.1f} s")
+    return 0
 
 
 def _progress(done: int, total: int, name: str) -> None:

@@ -16,6 +16,18 @@ _FREE: dict[str, tuple[str, str]] = {
         "Existence.well_posed",
         "From every start there is a solution, and only one, with damping or without.",
     ),
+    "filippov-iff": (
+        "Filippov.filippov_iff",
+        "A solution is what Filippov calls one: absolutely continuous, and in the differential inclusion at almost all times.",
+    ),
+    "switching-iff": (
+        "Switching.switching_iff",
+        "The solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.",
+    ),
+    "filippov-well-posed": (
+        "Filippov.filippov_well_posed",
+        "From every start there is one Filippov solution, and only one, with damping or without.",
+    ),
     "contraction": ("Pair.contraction", "The energy distance of two solutions never grows, with damping or without."),
     "uniqueness": ("Pair.unique", "Two solutions that meet are the same from there on, with damping or without."),
     "energy-rate": ("Pair.energy_rate", r"$\dot E=-b|v_1-v_2|-a_1v_1^2$ at every time, from the right."),
@@ -193,6 +205,16 @@ _FREE: dict[str, tuple[str, str]] = {
     "sticks-from-5-mm": (
         "Example.five_millimetres",
         "Case study, $b=0.5$: released at rest up to 5 mm every solution sticks for ever.",
+    ),
+    # one motion
+    "trajectory-velocities": (
+        "Velocities.trajectory",
+        "The scene of Fig. 5 until 5 s: 24 events of every solution, with bounds of their times, places and velocities.",
+    ),
+    "first-adhesion": (
+        "Adhesion.first_adhesion",
+        "The scene of Fig. 5: every solution sticks from 4.549769479... s to 4.579537997... s, not before, slips until "
+        "4.771754480... s, 4.7 s among it, and sticks again.",
     ),
     # damping
     "captive-sticks": ("Viscous.captive_sticks", "On $S$ below the captive level the pair sticks for ever."),

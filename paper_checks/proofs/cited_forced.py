@@ -150,6 +150,11 @@ FORCED: dict[str, tuple[str, str]] = {
         r"$a_1\geqslant 0$: a motion that slips one way for half a period and then the other way exists exactly "
         "from $U_{**}$ on, if its relative velocity keeps its sign at $U_{**}$.",
     ),
+    "nonstop-by-halves": (
+        "Halves.by_halves_iff",
+        "A motion with the force's period that slips one way for half of it and then the other way exists exactly where one "
+        "exists that also repeats with the opposite sign.",
+    ),
     "nonstop-undamped": (
         "Undamped.undamped_iff",
         "$a_1=0$: the same with $U_{**}$ in closed form, off the resonances of body 1.",

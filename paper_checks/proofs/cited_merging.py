@@ -30,10 +30,6 @@ MERGING: dict[str, tuple[str, str]] = {
         "Cross.ray_crossing",
         "From a ray with depth above $2/q$ the pair crosses $S$ and slips on with the other sign.",
     ),
-    "merging-set-first-slip": (
-        "Cross.merging_set_S0",
-        "The energies on $S_0$ that merge after the first slip are exactly one interval.",
-    ),
     "no-first-merging": (
         "Alternation.no_first_merging",
         r"If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ merges after its first slip.",
@@ -44,19 +40,16 @@ MERGING: dict[str, tuple[str, str]] = {
         "Kappa.kappa_large",
         r"Where merging is possible, the longest slip that lands in $S_0$ is longer than the angle $4\pi/3$.",
     ),
-    "merging-set-at-re-entry": (
-        "Equivalence.merging_set",
-        "At the first re-entry after any number of crossings the pair merges exactly if its slip angle is in one interval.",
-    ),
     "first-re-entry": (
         "Return.returns",
         "From beyond $S_0$, or from an exit ray, a solution comes back to $S_0$ after finitely many slips, for "
         "every mass ratio.",
     ),
     "merging-set": (
-        "Merging.merging_set_energies",
-        r"For $m_1/m_2\leqslant-\cos 2\varphi^*$: the energies on $S_0$ that merge at the first re-entry, which "
-        "exists, are exactly one interval.",
+        "Merging.merging_set",
+        r"For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the "
+        "energies on $S_0$ between those of both roots, and no others, merge at the first contact and at the first re-entry, "
+        "after any number of crossings.",
     ),
     "no-low-level": (
         "Levels.no_low_level",

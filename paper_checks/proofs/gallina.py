@@ -6,7 +6,16 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-FUNCTIONS = {sp.sin: "(sin {0})", sp.cos: "(cos {0})", sp.cot: "(cos {0} / sin {0})", sp.tan: "(tan {0})"}
+from theory.symbols import sgn
+
+FUNCTIONS = {
+    sp.sin: "(sin {0})",
+    sp.cos: "(cos {0})",
+    sp.cot: "(cos {0} / sin {0})",
+    sp.tan: "(tan {0})",
+    sp.Abs: "(Rabs {0})",
+    sgn: "(Switching.sgn {0})",
+}
 CONSTANTS = {sp.pi: "PI"}
 
 

@@ -16,9 +16,10 @@ from paper_checks.proofs.sources import LIBRARY
 Graph = Mapping[str, frozenset[str]]
 """From "File.name" to all that its text refers to directly, in this library."""
 
-_REFERENCE = re.compile(rf"R(\d+):\d+ {LIBRARY}\.(\w+) \S+ ([^\s:]+) \w+")
+_REFERENCE = re.compile(rf"R(\d+):\d+ {LIBRARY}\.(\w+) (\S+) ([^\s:]+) \w+")
 _STATEMENT = re.compile(r"(\w+) (\d+):\d+ (\S+) (\S+)")
-# a section's variables and local lemmas ("var") are named with their section, all else without it
+# a section's variables and local lemmas ("var") are named with their section, what is in a module with the module, all
+# else by itself; what an applied functor has is named as if the file that applies it had said it
 _DEFINITIONS = {"def", "rec", "ind"}
 _STATEMENTS = {"prf", "def", "rec", "ind", "proj", "constr", "ax", "var"}
 
@@ -27,24 +28,31 @@ def references(folders: Mapping[str, Path]) -> tuple[Graph, frozenset[str]]:
     """The graph of all compiled files, given the folder of each; and which of its names are definitions."""
     found: dict[str, set[str]] = {}
     definitions: set[str] = set()
+    in_modules: dict[str, str] = {}
     for file, folder in folders.items():
-        definitions |= _read((folder / f"{file}.glob").read_text("utf-8"), file, found)
-    return {name: frozenset(used - {name}) for name, used in found.items()}, frozenset(definitions)
+        definitions |= _read((folder / f"{file}.glob").read_text("utf-8"), file, found, in_modules)
+
+    def meant(name: str) -> str:
+        return name if name in found else in_modules.get(name.rsplit(".", maxsplit=1)[-1], name)
+
+    return {name: frozenset(map(meant, used - {name})) for name, used in found.items()}, frozenset(definitions)
 
 
-def _read(record: str, file: str, found: dict[str, set[str]]) -> set[str]:
+def _read(record: str, file: str, found: dict[str, set[str]], in_modules: dict[str, str]) -> set[str]:
     places: list[int] = []
     names: list[str] = []
     used: list[tuple[int, str]] = []
     definitions: set[str] = set()
     for line in record.splitlines():
         if match := _REFERENCE.match(line):
-            place, other, name = match.groups()
-            used.append((int(place), f"{other}.{name}"))
+            place, other, path, name = match.groups()
+            used.append((int(place), f"{other}.{name}" if path == "<>" else f"{other}.{path}.{name}"))
         elif (match := _STATEMENT.match(line)) and match[1] in _STATEMENTS:
             places.append(int(match[2]))
-            names.append(f"{file}.{match[3]}.{match[4]}" if match[1] == "var" else f"{file}.{match[4]}")
-            if match[1] in _DEFINITIONS:
+            names.append(f"{file}.{match[4]}" if match[3] == "<>" else f"{file}.{match[3]}.{match[4]}")
+            if match[1] != "var" and match[3] != "<>":  # what a functor has is nothing until it is applied
+                in_modules[match[4]] = names[-1]
+            elif match[1] in _DEFINITIONS:
                 definitions.add(names[-1])
     order = sorted(range(len(places)), key=places.__getitem__)
     starts = [places[one] for one in order]

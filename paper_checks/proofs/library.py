@@ -163,8 +163,10 @@ def _facts(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> _F
 
 
 def _by_intervals(file: str, sources: Mapping[str, Source]) -> bool:
-    """Whether a file rests on the library for interval arithmetic, which computes with machine integers."""
-    return any("From Interval" in sources[one].text for one in {file, *all_required(file, sources)})
+    """Whether a file rests on the tactic for interval arithmetic, which computes with machine integers."""
+    return any(
+        "From Interval Require Import Tactic" in sources[one].text for one in {file, *all_required(file, sources)}
+    )
 
 
 def _judged(one: str, broken: Mapping[str, str], facts: _Facts, pins: Pins) -> Proved:

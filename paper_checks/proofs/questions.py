@@ -27,6 +27,7 @@ MACHINE_INTEGERS = ("PrimInt63.", "Uint63.")
 
 _MARK = re.compile(r"^@@ (.*)\n", re.MULTILINE)
 _AXIOM = re.compile(r"^([A-Za-z_][\w.']*)\s*(?::|$)", re.MULTILINE)
+_VALUE = re.compile(r"\s*= (.*?)(?:%\w+)?\s*: .*", re.DOTALL)
 _HEADER = f"""From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From {LIBRARY} Require %s.
@@ -72,6 +73,19 @@ def ask(
             alone = _run(compiled, [_assumptions(name, [name]) for name in group])
             axioms |= {name: _axioms(text) for name, text in alone.items()}
     return Answers({name: _trimmed(name, text) for name, text in printed.items()}, axioms)
+
+
+def taken(
+    compiled: Compiled, theorem: str, statement: str, terms: Mapping[str, str]
+) -> tuple[tuple[str, ...], dict[str, str]]:
+    """The axioms behind a theorem, taken to say what `statement` does, and the value of each term, as the kernel prints it.
+
+    Raises RuntimeError, in one line, if the theorem does not say that.
+    """
+    lines = [f"Definition taken : {statement} := {theorem}.", _said("taken", "Print Assumptions taken.")]
+    lines += ["From Coq Require Import QArith."]  # from here on rational numbers are printed as decimals
+    answers = _run(compiled, lines + [_said(name, f"Eval cbv in {term}.") for name, term in terms.items()])
+    return _axioms(answers["taken"]), {name: _VALUE.sub(r"\1", answers[name]) for name in terms}
 
 
 def _said(mark: str, command: str) -> str:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from paper_checks.proofs import ties_excursion, ties_forced, ties_pair
+from paper_checks.proofs import ties_excursion, ties_forced, ties_pair, ties_switching
 from paper_checks.proofs.sources import LIBRARY
 from paper_checks.proofs.tie import Tie
 
@@ -24,22 +24,24 @@ Ltac circle p := let SC := fresh "SC" in pose proof (sin2_cos2 p) as SC; unfold 
 """
 
 
-UNDER_A_FORCE = f"""(** What follows is about the pair under a force. *)
+UNDER_A_FORCE = f"""(** What follows needs derivatives, or is about the pair under a force. *)
 From Coquelicot Require Import Coquelicot.
 From {LIBRARY} Require Import Forced Entrain Nonstop Undamped Damped Transfer Arrival.
+From {LIBRARY} Require Switching.
 """
 
 
-FREE = (ties_pair, ties_excursion)
+FREE, FORCED = (ties_pair, ties_excursion), (ties_forced, ties_switching)
 
 
 def text() -> str:
     """The whole file."""
     free = (tie.text for part in FREE for tie in part.ties())
-    return "\n".join([HEADER, *free, UNDER_A_FORCE, *(tie.text for tie in ties_forced.ties())])
+    forced = (tie.text for part in FORCED for tie in part.ties())
+    return "\n".join([HEADER, *free, UNDER_A_FORCE, *forced])
 
 
 def ties() -> Iterator[Tie]:
     """Yield all of them."""
-    for part in (*FREE, ties_forced):
+    for part in (*FREE, *FORCED):
         yield from part.ties()

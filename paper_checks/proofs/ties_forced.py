@@ -18,9 +18,9 @@ LETTERS = NAMES | {
     response.square_place: "h",
     response.square_speed: "h'",
     response.natural: "(sqrt (a2 / m1))",
-    response.decline: "(fade m1 a1)",
+    response.decline: "(Waves.fade m1 a1)",
     response.swing: "(ring_frequency m1 a1 a2)",
-    response.decayed: "(exp (- (fade m1 a1 * (PI / om))))",
+    response.decayed: "(exp (- (Waves.fade m1 a1 * (PI / om))))",
     forced_control.path: "D",
     forced_control.r_place: "(x0 + run m2 b (half_time m2 b D) t)",
     forced_control.r_speed: "(bang m2 b (half_time m2 b D) t)",
@@ -127,20 +127,20 @@ def _square_wave() -> Iterator[Tie]:
     place, speed = response.square_wave()
     swings = f"{SINE}0 <= a1 -> a1 ^ 2 < 4 * (m1 * a2) -> 0 < weight m1 a1 a2 om -> "
     proof = """intros; unfold {0}, weight, cosh, sinh in *.
-  assert (O : 0 < ring_frequency m1 a1 a2) by (apply sqrt_lt_R0; unfold fade;
+  assert (O : 0 < ring_frequency m1 a1 a2) by (apply sqrt_lt_R0; unfold Waves.fade;
     replace (a2 / m1 - (a1 / (2 * m1)) ^ 2) with ((4 * (m1 * a2) - a1 ^ 2) * / (4 * m1 ^ 2)) by (field; lra);
     apply Rmult_lt_0_compat; [lra|apply Rinv_0_lt_compat; nra]).
-  assert (A : a2 = m1 * (fade m1 a1 ^ 2 + ring_frequency m1 a1 a2 ^ 2)) by (unfold ring_frequency;
-    rewrite pow2_sqrt by (unfold fade; replace (a2 / m1 - (a1 / (2 * m1)) ^ 2) with ((4 * (m1 * a2) - a1 ^ 2) * / (4 * m1 ^ 2))
+  assert (A : a2 = m1 * (Waves.fade m1 a1 ^ 2 + ring_frequency m1 a1 a2 ^ 2)) by (unfold ring_frequency;
+    rewrite pow2_sqrt by (unfold Waves.fade; replace (a2 / m1 - (a1 / (2 * m1)) ^ 2) with ((4 * (m1 * a2) - a1 ^ 2) * / (4 * m1 ^ 2))
       by (field; lra); apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; nra]); field; lra).
-  assert (E : 0 < exp (- (fade m1 a1 * (PI / om)))) by apply exp_pos.
-  assert (I : exp (fade m1 a1 * (PI / om)) = / exp (- (fade m1 a1 * (PI / om)))) by (rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos).
+  assert (E : 0 < exp (- (Waves.fade m1 a1 * (PI / om)))) by apply exp_pos.
+  assert (I : exp (Waves.fade m1 a1 * (PI / om)) = / exp (- (Waves.fade m1 a1 * (PI / om)))) by (rewrite exp_Ropp; field; apply Rgt_not_eq, exp_pos).
   rewrite I in *.
   match goal with W : 0 < _ + cos ?x |- _ => set (c := cos x) in *; set (s := sin x) in *;
     repeat match goal with |- context [cos ?z] => replace (cos z) with c by (unfold c; f_equal; field; lra) end;
     repeat match goal with |- context [sin ?z] => replace (sin z) with s by (unfold s; f_equal; field; lra) end;
     clearbody c s end.
-  set (d := exp (- (fade m1 a1 * (PI / om)))) in *; set (o := ring_frequency m1 a1 a2) in *; set (l := fade m1 a1) in *.
+  set (d := exp (- (Waves.fade m1 a1 * (PI / om)))) in *; set (o := ring_frequency m1 a1 a2) in *; set (l := Waves.fade m1 a1) in *.
   clearbody d o l.
   match goal with W : 0 < (/ d + d) / 2 + c |- _ => assert (N : 0 < 1 + 2 * d * c + d ^ 2) by
     (replace (1 + 2 * d * c + d ^ 2) with (2 * d * ((/ d + d) / 2 + c)) by (field; lra); nra) end.

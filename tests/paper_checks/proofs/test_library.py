@@ -99,6 +99,7 @@ def test_nothing_rests_on_an_axiom_beyond_the_classical_reals_but_where_interval
     beyond = {one.file for one in built.theorems.values() if set(one.axioms) - questions.CLASSICAL_REALS}
     assert built.theorem("sharp-law").file not in beyond
     assert built.theorem("margin").file in beyond
+    assert not {built.theorem(one).file for one in ("first-adhesion", "switching-iff", "filippov-iff")} & beyond
     assert all(one.axioms for one in built.theorems.values())
 
 
@@ -122,6 +123,7 @@ def test_what_a_proof_uses_is_known_and_has_no_circle(built):
         below(one)
     assert "convergence" in built.theorem("sharp-law").uses
     assert "uniqueness" in built.theorem("capture").uses
+    assert "follow-forced-arc" in built.theorem("trajectory-velocities").uses  # by way of an applied functor
 
 
 @pytest.mark.slow

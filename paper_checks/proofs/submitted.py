@@ -1,0 +1,69 @@
+"""A proof file from outside, as `python -m numerics solve --proof` writes it: does the kernel accept its trajectory?
+
+The file is compiled on top of the library. What it calls its theorem does not count: the kernel is asked whether
+`trajectory` says of `the_scene`, `the_events` and `the_ending` what Trajectory.v means by these words, and on which axioms
+it rests.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from paper_checks.proofs import kernel, questions
+from paper_checks.proofs.sources import Source, all_required, read
+
+NAME = "Submitted"
+"""What the file is called while it is judged, whatever its own name is."""
+_STATEMENT = (
+    f"forall x v1 v2 s, Trajectory.motion {NAME}.the_scene x v1 v2 s -> "
+    f"Trajectory.unfolds x v1 v2 0 {NAME}.the_events {NAME}.the_ending"
+)
+_NUMBERS = {
+    name.replace("_0", "(0)"): f"Trajectory.{name} {NAME}.the_scene"
+    for name in ("m1", "m2", "a1", "a2", "b", "x_0", "v1_0", "v2_0")
+}
+_TOLD = _NUMBERS | {
+    "count": f"List.length {NAME}.the_events",
+    "last": f"Trajectory.last {NAME}.the_ending",
+}
+
+
+@dataclass(frozen=True)
+class Judged:
+    """What the kernel says of a file: True (accepted), False (refused) or None (the kernel was not run), and why."""
+
+    holds: bool | None
+    reason: str
+
+
+def judged(path: Path, store: Path | None = None, jobs: int = 2) -> Judged:
+    """Compile a file with all that it rests on, and ask what its theorem says. Raises OSError, ValueError for no text."""
+    text = path.read_text("utf-8")
+    store = kernel.cache_folder() if store is None else store
+    if reason := kernel.why_not(os.environ.get("PATH")) or kernel.cannot_keep(store):
+        return Judged(None, reason)
+    file, library = Source(NAME, text), read()
+    if missing := [one for one in file.requires if one not in library]:
+        return Judged(False, f"it requires {missing[0]}, which is not a file of the library")
+    if unproved := file.unproved():
+        return Judged(False, unproved[0])
+    needed = {one: library[one] for one in all_required(NAME, library | {NAME: file})}
+    with kernel.locked(store):
+        kernel.compile_all(needed, None, jobs, store)
+    compiled = kernel.compile_all(needed | {NAME: file}, None, 1, store)
+    if compiled.broken:
+        return Judged(False, next(iter(compiled.broken.values())))
+    return _asked(compiled)
+
+
+def _asked(compiled: kernel.Compiled) -> Judged:
+    try:
+        axioms, told = questions.taken(compiled, f"{NAME}.trajectory", _STATEMENT, _TOLD)
+    except RuntimeError as error:
+        return Judged(False, f"its `trajectory` is no theorem of `the_scene`, `the_events` and `the_ending`: {error}")
+    if beyond := sorted(set(axioms) - questions.CLASSICAL_REALS):
+        return Judged(False, f"its theorem rests on {', '.join(beyond)}, beyond the classical reals")
+    numbers = ", ".join(f"{one} = {told[one]}" for one in _NUMBERS)
+    return Judged(True, f"{told['count']} events until t = {told['last']}, of every motion with {numbers} (SI units)")

@@ -1,0 +1,149 @@
+"""A trajectory as a theorem: what the solver writes is accepted by the kernel, and nothing false is."""
+
+import re
+from decimal import Decimal
+
+import pytest
+
+from numerics import Pair, Scene, State, solve
+from numerics.scene.file import load_scene
+from numerics.trajectory.theorem import theorem
+from paper_checks.proofs.__main__ import main
+from paper_checks.proofs.sources import FOLDER
+from paper_checks.proofs.submitted import judged
+
+SMALL = Scene(Pair(1, 1, 200, "0.05"), State(x1="0.00035", v1="0.0055", v2="0.0055"), until="0.4")
+"""Stick, slip, stick, slip."""
+SCENES = {
+    "no event at all": Scene(Pair(1, 1, 200, "0.5"), State(), until=1),
+    "slips that cross": Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), until=1),
+    "below critical damping": Scene(Pair(1, 1, 200, "0.05", a1="0.3"), State(v1="0.15"), until="4.9"),
+    "at critical damping": Scene(Pair(2, 1, 200, "0.05", a1=40), State(x1="0.01", v1="0.5", v2="-0.3"), until=7),
+    "beyond critical damping": Scene(Pair(1, 1, 200, "0.05", a1=40), State("0.01", "0.15", 0, "-0.1"), until=5),
+    "body 1 beyond it, both below": Scene(Pair(1, 9, 100, 3, a1=30), State("0.05", "0.1", 0, "-0.1"), until=3),
+    "from an edge into the sliding region": Scene(Pair(1, 2, 100, "0.4", a1="0.5"), State(x1="0.006"), until=1),
+    "from an edge into a slip": Scene(Pair(1, 1, 200, "0.5"), State("0.005", "0.1", 0, "0.1"), until=1),
+    "other units": Scene(Pair("1e-9", "2e-9", "0.3", "1e-8"), State(v1="1e-3"), until="1e-3"),
+}
+
+WEAKER = """Definition unfolds (x v1 v2 : R -> R) (t : R) (l : list event) (e : ending) := True.
+Theorem trajectory x v1 v2 s : motion the_scene x v1 v2 s -> unfolds x v1 v2 0 the_events the_ending.
+Proof. intros. exact I. Qed."""
+
+needs_kernel = pytest.mark.usefixtures("needs_kernel")
+
+
+def proof(scene):
+    return theorem(solve(scene, arithmetic="ball", digits=15))
+
+
+@pytest.fixture
+def judge(tmp_path):
+    """What the kernel says of the text of a proof file."""
+
+    def said(text):
+        path = tmp_path / "of any-name.v"
+        path.write_text(text, "utf-8")
+        return judged(path)
+
+    return said
+
+
+def changed(text, pattern, new):
+    found, count = re.subn(pattern, new, text, count=1, flags=re.DOTALL)
+    assert count == 1
+    return found
+
+
+def later(match):
+    return f"{match[1]}({Decimal(match[2]) + Decimal('1e-10')}, {Decimal(match[3]) + Decimal('1e-10')})"
+
+
+FALSE = {
+    "a digit": lambda text: changed(text, r"(Event Stick )\((\S+), (\S+)\)", later),
+    "a time off by 1e-10": lambda text: changed(text, r"(\(Slip false\) )\((\S+), (\S+)\)", later),
+    "a sign": lambda text: changed(text, r"\(0.000155723243408, 0.000155723243409\)", "(-0.0001557233, -0.0001557232)"),
+    "the friction": lambda text: changed(text, r"200 0\.05 ", "200 0.0501 "),
+    "the last mode": lambda text: changed(text, r"Ending \(Slip true\)", "Ending Stick"),
+    "a stick for a slip": lambda text: changed(text, r"Event \(Slip false\)", "Event Stick"),
+    "a missing event": lambda text: changed(
+        changed(text, r"  Event \(Slip false\).*?;\n", ""), r";\n  Hint [^\n]*?\n", ";\n"
+    ),
+}
+
+
+def test_the_shipped_table_is_what_the_solver_writes():
+    assert proof(load_scene("velocities")) == (FOLDER / "Velocities.v").read_text("utf-8")
+
+
+@needs_kernel
+def test_a_trajectory_is_accepted_and_with_one_digit_changed_it_is_refused(judge):
+    text = proof(SMALL)
+    said = judge(text)
+    assert said.holds is True
+    assert said.reason.startswith(
+        "3 events until t = 0.4, of every motion with m1 = 1, m2 = 1, a1 = 0, a2 = 200, b = 0.05"
+    )
+    assert judge(FALSE["a digit"](text)).holds is False
+
+
+@pytest.mark.long
+@needs_kernel
+@pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
+def test_trajectories_of_every_kind_are_accepted(judge, scene):
+    assert judge(proof(scene)).holds is True
+
+
+@pytest.mark.long
+@needs_kernel
+@pytest.mark.parametrize("planted", FALSE.values(), ids=FALSE)
+def test_nothing_false_is_accepted(judge, planted):
+    said = judge(planted(proof(SMALL)))
+    assert said.holds is False
+    assert said.reason.startswith("Submitted.accepted is not proved")
+
+
+@pytest.mark.long
+@needs_kernel
+@pytest.mark.parametrize(
+    ("pattern", "new", "said"),
+    [
+        (r"Proof\. exact .*", "Admitted.\n", "Admitted stands where a proof is needed"),
+        (r"Lemma accepted : (.*?)\.\nProof.*?Qed\.", r"Parameter accepted : \1.", "Parameter stands where"),
+        (r"Theorem trajectory.*", "Theorem trajectory : True. Proof. exact I. Qed.", "is no theorem of"),
+        (r"Theorem trajectory.*", WEAKER, "is no theorem of"),
+        (r"Require Import Trajectory", "Require Import Trajectory Nowhere", "Nowhere, which is not a file of"),
+    ],
+)
+def test_a_file_that_proves_less_is_refused(judge, pattern, new, said):
+    found = judge(changed(proof(SMALL), pattern, new))
+    assert found.holds is False
+    assert said in found.reason
+
+
+@pytest.fixture
+def command(monkeypatch, capsys):
+    def run(name):
+        monkeypatch.setattr("sys.argv", ["paper_checks.proofs", str(name)])
+        try:
+            code = main()
+        except SystemExit as stop:
+            code = stop.code
+        return code, *capsys.readouterr()
+
+    return run
+
+
+def test_without_the_kernel_a_file_is_unchecked(command, monkeypatch, tmp_path):
+    (tmp_path / "a.v").write_text("", "utf-8")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    code, out, err = command(tmp_path / "a.v")
+    assert (code, out) == (3, "")
+    assert err.startswith("unchecked: kernel not run: coqc is not installed")
+
+
+@pytest.mark.parametrize("name", ["nowhere.v", "chekc"])
+def test_a_name_that_is_no_file_is_bad_usage(command, name):
+    code, out, err = command(name)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert name in err
