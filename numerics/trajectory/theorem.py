@@ -106,7 +106,10 @@ class _Writer:
             events.append(f"Event {_said(mode)} {bounds}")
             hints.append(f"Hint {_number(low)} {_number(high)} {_truth(k > 0)}")
         left = self.wide.number(self.scene.until) - now
+        if not left > 0:  # the last event may be at the end
+            raise _TooCoarse
         least = _outward(left, int(self.bits * 0.3))[1]
+        self._require_room(modes[-1], at, least)
         hints.append(f"Hint {_number(least)} {_number(least)} true")
         place, speed = self.places.place, self.places.speed
         ends = self._bounds(self._end(modes[-1], at, left), (place, speed, speed, speed))
@@ -153,6 +156,13 @@ class _Writer:
                 spare = Fraction((steps + 7) // 8, 10**places)  # the kernel's bounds are not these to the last bit
                 return low - spare, high + spare
             steps += (steps + 3) // 4
+
+    def _require_room(self, mode: Mode, at: _State, least: Fraction) -> None:
+        """Raise _TooCoarse unless the last mode surely lasts to the end."""
+        signs = (1, -1) if mode is Mode.STICK else (mode.sign,)
+        guards = (self._guards(mode, k, at)[1](self.wide.number(least)) for k in signs)
+        if not all(guard > 0 for guard in guards):
+            raise _TooCoarse
 
     def _between(self, low: Fraction, high: Fraction) -> Value:
         ends = self.wide.number(low), self.wide.number(high)

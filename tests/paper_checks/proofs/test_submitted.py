@@ -19,6 +19,7 @@ SCENES = {
     "slips that cross": Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), until=1),
     "below critical damping": Scene(Pair(1, 1, 200, "0.05", a1="0.3"), State(v1="0.15"), until="4.9"),
     "at critical damping": Scene(Pair(2, 1, 200, "0.05", a1=40), State(x1="0.01", v1="0.5", v2="-0.3"), until=7),
+    "an event 3e-24 s before the end": Scene(Pair(2, 1, 200, "0.05", 40), State("0.01", "0.5", 0, "-0.3"), until=6),
     "beyond critical damping": Scene(Pair(1, 1, 200, "0.05", a1=40), State("0.01", "0.15", 0, "-0.1"), until=5),
     "body 1 beyond it, both below": Scene(Pair(1, 9, 100, 3, a1=30), State("0.05", "0.1", 0, "-0.1"), until=3),
     "from an edge into the sliding region": Scene(Pair(1, 2, 100, "0.4", a1="0.5"), State(x1="0.006"), until=1),
