@@ -4,12 +4,16 @@ from fractions import Fraction
 
 import pytest
 import sympy as sp
+from flint import arb
 from hypothesis import given
 from strategies import MODERATE, decimals, pairs
 
 from numerics import Pair, Scene, State, solve
-from numerics.control.thresholds import thresholds
+from numerics.arithmetic.ball import Ball
+from numerics.control.response import response as forced_response_of
+from numerics.control.thresholds import square_wave_response, thresholds
 from numerics.control.tracking import track
+from numerics.control.transfer import fastest_transfer
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Piece
 from theory import forced
@@ -34,10 +38,87 @@ def close(found, expected, digits=12):
     return abs(sp.Float(found.str(25, radius=False), 30) - value) <= abs(value) * 10**-digits
 
 
+def swing_letters(pair, omega):
+    """Return decay, frequency and what half a period leaves, for a pair whose body 1 swings."""
+    lam = sp.Rational(str(pair.a1)) / (2 * sp.Rational(str(pair.m1)))
+    nu = sp.sqrt(sp.Rational(str(pair.a2)) / sp.Rational(str(pair.m1)) - lam**2)
+    left = sp.exp(-sp.pi * lam / sp.Rational(str(omega)))
+    return {response.decline: lam, response.swing: nu, response.decayed: left}
+
+
 @given(pairs(damped=None), decimals(*MODERATE))
 def test_the_stuck_response_breaks_at_the_same_amplitude(pair, omega):
     expected = response.entrained_amplitude().subs(letters(pair, omega))
     assert close(thresholds(pair, omega).entrainment, expected)
+
+
+@pytest.mark.parametrize("pair", [HEAVY, LIGHT])
+@pytest.mark.parametrize("omega", [Fraction(1, 3), Fraction(5, 2), Fraction(40)])
+def test_permanent_slip_begins_at_the_same_amplitude(pair, omega):
+    values = letters(pair, omega)
+    if pair.a1:
+        # the letters of the swing are put in together: a1 is one of them
+        place, speed = (one.subs(swing_letters(pair, omega)).subs(values) for one in response.square_wave())
+        known = {response.square_place: place, response.square_speed: speed}
+        squared = response.non_stop_amplitude_squared().subs(known).subs(values)
+        with Ball(30).context():
+            found = square_wave_response(pair, arb(omega.numerator) / omega.denominator)
+        assert close(found[0], place)
+        assert close(found[1], speed)
+    else:
+        natural = sp.sqrt(values[a2] / values[m1])
+        squared = response.undamped_non_stop_amplitude_squared().subs({response.natural: natural}).subs(values)
+    assert close(thresholds(pair, omega).non_stop, sp.sqrt(squared))
+
+
+def test_at_resonance_both_have_four_b_over_pi():
+    pair = Pair(m1=2, m2=3, a2=18, b="0.7")
+    found = thresholds(pair, 3).non_stop
+    assert close(found, response.resonant_amplitude().subs(b, sp.Rational(7, 10)))
+    assert response.resonant_amplitude() == response.resonant_non_stop_amplitude()
+
+
+@pytest.mark.parametrize("part", [Fraction(1, 50), Fraction(1, 2), Fraction(49, 50)])
+def test_the_two_stop_motion_meets_theorys_conditions(part):
+    """At the exit to slip +, under forces from next to U* to next to U**."""
+    omega = Fraction(5, 2)
+    low, high = (
+        Fraction(float(one)) for one in (thresholds(HEAVY, omega).entrainment, thresholds(HEAVY, omega).non_stop)
+    )
+    force = Force.sine(low + part * (high - low), omega)
+    found = forced_response_of(Scene(HEAVY, State(), 1, force=force), digits=20)
+    exit_, *others = found.orbit.legs
+    assert [exit_.side, *(one.side for one in others)] == [1, 0, -1, 0]
+    cosine = force(Fraction(float(exit_.t)))
+    at = {response.exit_place: exit_.x, response.exit_speed: exit_.v, response.cosine_part: cosine}
+    terms = sp.lambdify(list(at), response.two_stop_conditions()[0].subs(letters(HEAVY, omega)))
+    assert abs(float(terms(*(float(one) for one in at.values())))) < 1e-12
+
+
+@pytest.mark.parametrize("pair", [HEAVY, LIGHT])
+@pytest.mark.parametrize("by", [Fraction(1, 100), Fraction(1, 3)])
+def test_a_transfer_takes_theorys_time_and_amplitude(pair, by):
+    found = fastest_transfer(Scene(pair, State(), until=1), by)
+    values = letters(pair) | {control.path: sp.Rational(str(by))}
+    assert close(found.bound, control.least_time().subs(values))
+    turn, hold, late = (one.subs(values) for one in control.stuck_amplitudes())
+    inside = control.late_peak().subs(values) >= 0
+    assert close(found.stuck_amplitude, max([turn, hold, *([late] if inside else [])], key=sp.N))
+    tau = sp.sqrt(values[m2] * values[control.path] / values[b])
+    swing = swing_letters(pair, 1)
+    g = control.impulse_response().subs(control.t, tau).subs(swing).subs(values)
+    slope = sp.diff(control.impulse_response(), control.t).subs(control.t, tau).subs(swing).subs(values)
+    if found.least_amplitude is not None:
+        assert sp.N(slope) > 0
+        known = {sp.Symbol("g", positive=True): g, control.half_time: tau}
+        assert close(found.least_amplitude, control.slipping_amplitude().subs(known).subs(values))
+
+
+def test_a_weak_force_takes_the_time_of_both_arcs():
+    pair = Pair(m1=1, m2=2, a2=3, b=4)
+    found = fastest_transfer(Scene(pair, State(), until=1), "0.2", amplitude=1)
+    first, second = (one.subs(control.reduced, sp.Rational(3, 5)) for one in control.switching())
+    assert close(found.time, (first + second) / sp.sqrt(1))
 
 
 def test_the_force_of_a_reference_is_that_of_the_stuck_pair():
