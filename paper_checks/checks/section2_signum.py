@@ -122,7 +122,7 @@ def sgn_three_valued(_: Context) -> Finding:
         counterexample="$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. (5)–(7) with $\\mathrm{sgn}(0)=0$ from $x_1=0.004$ at "
         f"rest: $\\dot v_1={value_at(literal[1], INSIDE)}$ and $\\dot v_2=0$ on $S$, while off $S$ both fields lead back: no "
         "solution. (11)–(12) from $x_1=0.006$ at rest: $x_1=0.006\\cos 10t$ with $\\dot z=0$ for ever, and a slip with "
-        f"$\\dot z<0$ until $t_1=$ {text(first_contact)} s: two solutions. (3)–(4) with $u=1+50t^2$ from rest at 0: none.",
+        f"$\\dot z<0$ until $t_1=$ {text(first_contact)} s: two of its solutions. (3)–(4) with $u=1+50t^2$ from rest at 0: none.",
         derivation=(
             *solutions.ARGUMENT,
             equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{\dot{z}=0}", sliding_field(damped=True).T),

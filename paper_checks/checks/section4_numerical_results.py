@@ -84,7 +84,7 @@ def permanent_stiction(context: Context, start: Fraction = Fraction(6, 1000)) ->
     )
     return conclude(
         Verdict.REFUTED,
-        f"That is one of two solutions of (11)–(12), and none of (3)–(4) or Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
+        f"That is a solution of (11)–(12), not their only one, and none of (3)–(4) or Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
         f"{value_at(sp.Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
         f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
         "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "

@@ -55,7 +55,7 @@ def synchronisation_time(
     )
     return conclude(
         Verdict.REFUTED,
-        f"At $t={float(time):g}$ s the bodies slip at {slipping} mm/s, almost the fastest that they ever slip after {ends} s. They stick first "
+        f"Read as: no slip after about that time. At $t={float(time):g}$ s the bodies slip at {slipping} mm/s, almost the fastest that they ever slip after {ends} s. They stick first "
         f"from {begins} s to {ends} s, again from {again} s, and so on for ever: no time of lasting synchronisation exists, and "
         f"$\\dot z\\to 0$ only as $t\\to\\infty$. Under (11)–(12) read literally they stick for ever, but from {first_contact(friction)} s on. "
         f"Forward Euler with steps of $10^{{-4}}$ s or $2\\cdot 10^{{-4}}$ s misses the first adhesion and first sticks at {euler} s "

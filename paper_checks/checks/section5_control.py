@@ -96,7 +96,7 @@ def damping_for_tracking(context: Context) -> Finding:  # noqa: ARG001
     offset = off_the_place()
     return conclude(
         Verdict.HOLDS_CORRECTED,
-        "The velocity of body 2 tracks, its place is left with an offset. Under the force of trackable-references one motion follows the reference. With a damper and a bounded "
+        "The velocity of body 2 tracks, its place may be left with an offset. Under the force of trackable-references one motion follows the reference. With a damper and a bounded "
         "force every other motion approaches it in $(x_1,v_1,v_2)$; without a damper a free oscillation stays. But no force depends on $x_2$, of which the paper says that it is a variable of interest. The damper costs "
         "$a_1\\dot x_{\\mathrm{ref}}$ in that force. It does not speed up every motion: see damping-can-desynchronise.",
         *(item.as_counterexample() for item in offset),

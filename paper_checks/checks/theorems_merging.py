@@ -75,6 +75,7 @@ def merging_set(context: Context) -> Finding:  # noqa: ARG001
         "turn, and its re-entry, at the end of a short one, is above $E_{cr}$.",
         carried("interval", first_landing()),
         carried("roots", first_landing(), *threshold(), *one_turning_point()),
+        carried("leads", first_landing()),
         carried(
             "crossings",
             argument("The first re-entry after crossings does not merge.", reentry_above_critical(), first_landing()),

@@ -87,7 +87,7 @@ SECTION_2 = (
         correction=(
             clause(
                 "tangential",
-                r"Friction is no normal loading, nor does it cause one: it is tangential, the one force on body 2 along its motion, «force», and takes the power «power» in slip.",
+                r"Friction is no normal loading, nor does it cause one: it is tangential, the one force on body 2 along its motion, «force», and adds the power «power», which is negative in slip.",
                 force=Formula(r"m_2\ddot x_2", "=", b * sigma, equals(lambda: m2 * forced_system(sigma)[2])),
                 power=Formula(
                     "P", "=", -b * sigma * (v1 - v2), equals(lambda: forced_energy_rate() - u * v1 + a1 * v1**2)
@@ -111,7 +111,7 @@ SECTION_2 = (
             clause(
                 "same",
                 r"For $u=0$ the solutions of (3)–(4) (absolutely continuous, equations met at almost every time) are those of "
-                r"(5)–(7) in Filippov's sense, where $\mathrm{sgn}(0)$ is the whole interval $[-1,1]$;",
+                r"(5)–(7), with the damper of (3) kept in (6), in Filippov's sense, where $\mathrm{sgn}(0)$ is the whole interval $[-1,1]$;",
                 kernel=("switching-iff",),
             ),
             clause(
@@ -156,7 +156,7 @@ SECTION_2 = (
             clause(
                 "branches",
                 r"For $\dot z\neq 0$ (3), (4) are mode (ii). For $\dot z=0$ they are mode (i) where $|\ddot x_1|<b/m_2$; where $|\ddot x_1|>b/m_2$ body 2 is left without "
-                r"acceleration, and where $|\ddot x_1|=b/m_2$ with half of it.",
+                r"acceleration, and where $|\ddot x_1|=b/m_2$ with half of $\ddot x_1$.",
             ),
             clause("instants", r"The free system is in these two branches at isolated instants only."),
             *under_a_force(),

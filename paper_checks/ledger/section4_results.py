@@ -127,7 +127,7 @@ NUMERICAL_RESULTS = (
             ),
             clause(
                 "literal",
-                r"(3)–(4) have this motion only. (11)–(12) as printed, without the bracket of (4), have two solutions from there: the stuck $x_1=0.006\cos 10t$ that the paper shows, and that slip.",
+                r"(3)–(4) have this motion only. (11)–(12) as printed, without the bracket of (4), have at least two solutions from there: the stuck $x_1=0.006\cos 10t$ that the paper shows, and that slip.",
             ),
         ),
     ),
@@ -193,7 +193,7 @@ NUMERICAL_RESULTS = (
         "synchronisation-time",
         SECTION,
         "Fig. 5 (a)",
-        r"Both bodies synchronize as $\dot{z}$ approaches zero at the time $t\approx 4.7$ sec: no slip after about that time.",
+        r"Both bodies synchronize as $\dot{z}$ approaches zero at the time $t\approx 4.7$ sec.",
         Verdict.REFUTED,
         correction=(
             clause(

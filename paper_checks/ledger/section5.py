@@ -67,13 +67,13 @@ SECTION_5 = (
             ),
             clause(
                 "one-mode",
-                r"A pair that starts on $S$ with $E\leqslant E_{cr}$ is synchronised in one mode, stick, for ever; so no alternation follows once it moves on a synchronised "
+                r"Without a damper, $a_1=0$, a pair that starts on $S$ with $E\leqslant E_{cr}$ is synchronised in one mode, stick, for ever; so no alternation follows once it moves on a synchronised "
                 r"orbit $\{E=E_0\}\cap S_0$, $E_0\leqslant E_{cr}$.",
                 kernel=("sticks-iff", "capture"),
             ),
             clause(
                 "alternates",
-                r"For every pair some motion sticks and slips in turn for ever;",
+                r"For every such pair, $a_1=0$, some motion sticks and slips in turn for ever;",
                 kernel=("stick-slip-for-ever",),
             ),
             clause(
@@ -133,12 +133,12 @@ SECTION_5 = (
             ),
             clause(
                 "place",
-                r"The place $x_2$ does not: a motion with another $x_2(0)$ keeps the difference for ever,",
-                kernel=("displacement-unseen",),
+                r"The place $x_2$ does not: a motion that differs in $x_2(0)$ only keeps that difference for ever,",
+                kernel=("displacement-unseen", "forced-well-posed"),
             ),
             clause(
                 "offset",
-                r"and one that starts with the place and the velocity of the reference, but with another motion of body 1, is left with an offset.",
+                r"and one that starts with the place and the velocity of the reference, but with another motion of body 1, can be left with an offset.",
             ),
         ),
         open=(
@@ -158,7 +158,7 @@ SECTION_5 = (
         correction=(
             clause(
                 "same",
-                r"(2)–(4) with $u=0$ have the same solutions as (5)–(7) in Filippov's sense, one from each start.",
+                r"(2)–(4) with $a_1=u=0$ have the same solutions as (5)–(7) in Filippov's sense, one from each start.",
             ),
             clause(
                 "example",

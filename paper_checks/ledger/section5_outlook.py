@@ -77,7 +77,9 @@ OUTLOOK = (
                 r"What carries over is the friction in the direction of the slip, $\mathbf f=b\,\mathbf w/|\mathbf w|$, $\mathbf w=\mathbf v_1-\mathbf v_2$, and any $|\mathbf f|\leqslant b$ in stick, which is not "
                 r"(4) by components: with scalar masses, spring and damper $\dot E=-b|\mathbf w|-a_1|\mathbf v_1|^2$ for $u=0$, there is one motion from every start, and two never move apart.",
             ),
-            clause("line", r"Along a line it is the pair of (2)–(4) exactly."),
+            clause(
+                "line", r"Along a line it is the pair with Coulomb's law exactly, and so for $u=0$ that of (2)–(4)."
+            ),
         ),
         open=(
             "What set of forces and moments a contact patch that turns can give, and with it which vector of coefficients is appropriate for a rotation, is not derived here.",
@@ -125,7 +127,7 @@ OUTLOOK = (
             ),
             clause(
                 "rate",
-                r"so it is with pieces without end, finitely many in every bounded time, «contraction»;",
+                r"so it is with pieces without end, finitely many in every bounded time, with «contraction»;",
                 contraction=Formula(
                     r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
                     "=",
@@ -136,7 +138,7 @@ OUTLOOK = (
             clause("rule", r"the mode rule stays as it is, with the values of $b$ from the right."),
             clause(
                 "state",
-                r"For $b$ that depends on the place only the contraction is lost: for two slips of one sign $s$ under $b$ and $\tilde b$, $a_1=0$, it becomes «rate», "
+                r"Where $b$ depends on the place the contraction is lost: for two slips of one sign $s$ under $b$ and $\tilde b$, $a_1=0$, it becomes «rate», "
                 r"which can be positive.",
                 rate=Formula(
                     r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
@@ -148,7 +150,7 @@ OUTLOOK = (
             clause(
                 "unique",
                 r"One motion from every start there is all the same: if $|b-\tilde b|\leqslant\ell\,|x_1-\tilde x_1|$, $N(t)\leqslant e^{\gamma t}N(0)$ with «place». For $b$ that depends on $z$ so it is with "
-                r"$(z-\tilde z)^2$ added to $N^2$ and another $\gamma$, and for $b(|\dot z|)$ that falls by at most $\ell$ times the speed with «speed»: $N$ never grows where it does not fall.",
+                r"$(z-\tilde z)^2$ added to $N^2$ and another $\gamma$, and for $b(|\dot z|)$ that falls by at most $\ell$ times the increase of the speed with «speed»: where $b$ does not fall with the speed, $\ell=0$, $N$ never grows.",
                 place=Formula(
                     r"\gamma",
                     "=",
@@ -169,7 +171,7 @@ OUTLOOK = (
         ),
         open=(
             "What the long-run motion is for a friction that depends on the state (who merges, how fast the others settle) is not decided here.",
-            "A friction that jumps down where a stick ends (static above kinetic) is not covered: stick and slip are then both motions from one start.",
+            "For a friction that jumps down where a stick ends (static above kinetic) there is not one motion from a start, stick and slip both are: which of them is meant is not decided here.",
         ),
     ),
 )

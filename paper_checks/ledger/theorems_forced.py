@@ -61,7 +61,7 @@ RULE = theorem(
     ),
     clause(
         "tie",
-        r"Where $\Lambda=sb$ and $u$ is smooth from there on, the first of $s\dot p,s\ddot p,sp^{(3)},\ldots$ that is not zero decides: slip of sign $s$ if it is positive, stick if "
+        r"Where $\Lambda=sb$ and $u$ agrees for a while from there on with a function that is smooth on all of $\mathbb R$, the first of $s\dot p,s\ddot p,sp^{(3)},\ldots$ that is not zero decides: slip of sign $s$ if it is positive, stick if "
         r"negative. Here «first», «second», «third», and $p^{(k)}=u^{(k)}$ from then on.",
         first=Formula(r"\dot p", "=", U_RATES[0] - a2 * v1 - S * a1 * b / m2, either_sign(tie(1))),
         second=Formula(r"\ddot p", "=", U_RATES[1] - S * a2 * b / m2, either_sign(tie(2))),
@@ -160,7 +160,7 @@ CONTRACTION = theorem(
     ),
     clause(
         "interface-rates",
-        r"The rate of the energy and the bound under two forces then hold with $b(t)$ in the place of $b$,",
+        r"The rate of the energy holds with $b(t)$ in the place of $b$, and the bound under two forces as it is,",
         kernel=("varying-energy-rate", "varying-input-to-state"),
     ),
     clause("interface-contraction", r"and so does the rate of $N^2$;"),

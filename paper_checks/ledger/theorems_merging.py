@@ -60,15 +60,19 @@ MERGING = (
         ),
         clause(
             "roots",
-            r"They are $w_{a,b}=w(\theta_{a,b})$ with the two roots $\theta_a<\theta_b$ in $(0,2\pi)$ of $h(\theta)=\sqrt r\,c(\theta)$, which has no others: a slip from a ray leads "
-            r"from «before» to «after».",
-            before=in_angle("w", q * H**2, lambda: q * return_map_of_angle()[0]),
-            after=in_angle("w'", q * (H**2 - R * C**2), lambda: q * return_map_of_angle()[1]),
+            r"They are $w_{a,b}=w(\theta_{a,b})$ with the two roots $\theta_a<\theta_b$ in $(0,2\pi)$ of $h(\theta)=\sqrt r\,c(\theta)$, which has no others:",
             kernel=("merging-set",),
         ),
         clause(
+            "leads",
+            r"a slip from a ray leads "
+            r"from «before» to «after».",
+            before=in_angle("w", q * H**2, lambda: q * return_map_of_angle()[0]),
+            after=in_angle("w'", q * (H**2 - R * C**2), lambda: q * return_map_of_angle()[1]),
+        ),
+        clause(
             "crossings",
-            r"At the first re-entry of $S_0$, after any number of crossings of $S$, just one interval of energies merges, too;",
+            r"At the first re-entry of $S_0$, after any number of crossings of $S$, exactly the energies of one interval merge, too;",
             kernel=("merging-set",),
         ),
         clause(

@@ -52,8 +52,8 @@ RESPONSE = theorem(
     clause(
         "jump",
         r"Where $u$ jumps at the exit, that may fail. For $m_1=m_2=a_2=b=1$, $a_1=0$, let «push» for the time «slip», $u=0$ for the time «stick» after it, and "
-        r"then the same with the opposite sign, again and again. From «place», $v_1=v_2=v$, every $v$ with «slowest» and «fastest» starts a motion of that "
-        r"period with $\omega_1t_s=\pi/2$: a slip and a stick in each half period. Two of them are «apart» from each other for ever: none attracts another.",
+        r"then the same with the opposite sign, again and again. From «place», $v_1=v_2=v$, every $v$ with «slowest» and «fastest» starts a motion of the "
+        r"period $2(t_s+t_h)$ with $\omega_1t_s=\pi/2$: a slip and a stick in each half period. Two of them keep the distance «apart» for ever: none attracts another.",
         push=Formula("u", "=", 1 - sp.pi / 4, equals(lambda: jumping.PUSH)),
         slip=Formula("t_s", "=", sp.pi / 2, equals(lambda: jumping.SLIP_TIME)),
         stick=Formula("t_h", "=", 2 * sp.sqrt(2) * sp.atan(sp.sqrt(2)), equals(jumping.stick_time)),
