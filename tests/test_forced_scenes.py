@@ -192,7 +192,7 @@ KINDS = {
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_any_scene_agrees_with_the_reference(kind):
-    """For six hundred radians of the fastest motion, three hundred steps of the reference; or it is refused at a touch."""
+    """For six hundred radians of the fastest motion, 300 steps of the reference; or it is refused at a touch."""
 
     @reaching
     @given(KINDS[kind])
