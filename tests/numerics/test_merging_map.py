@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from numerics.arithmetic.ball import Ball
 from numerics.free import merging as merging_cell
 from numerics.free import merging_map
+from numerics.free.contact import contact_next_to_binary64
 from numerics.free.excursions import excursions
 from numerics.free.frame import Frame
 from numerics.free.merging import CRITICAL_SHARE, Rectangle, Verdict, creeping_excess, verdict
@@ -196,11 +197,10 @@ def points(low, high):
 def angle_misses(gap, push):
     """Points of a ball of gaps and pushes whose slip angle is not in the enclosure; None where there is none."""
     gaps, pushes = ball(*gap), ball(*push)
-    near = merging_cell._approximate_angle(gaps, pushes)
-    found = merging_cell._enclose_angle(gaps, pushes, near)
+    found = contact_next_to_binary64(gaps, pushes)
     if found is None:
         return None
-    return [(d, u) for d, u in product(points(*gap), points(*push)) if outside(found, slip_angle(d, u))]
+    return [(d, u) for d, u in product(points(*gap), points(*push)) if outside(found[0], slip_angle(d, u))]
 
 
 hundredths = st.integers(1, 300).map(lambda n: n / 100)
