@@ -91,8 +91,9 @@ def check_wrong_tie(compiled, store, name):
 
 
 def made_wrong(block):
-    """A tie with twice the right side of its last equation, or with one more in its last bound."""
+    """A tie with twice the right side of its last equation, 1 in place of 0, or with one more in its last bound."""
     statement, proof = block.split(".\nProof.", maxsplit=1)
     before, sign, after = max((statement.rpartition(sign) for sign in (" = ", " <= F")), key=lambda cut: len(cut[0]))
-    changed = f"{sign}2 * {after}" if sign == " = " else f"{sign} + 1{after}"
+    right = "1" if after.strip() == "0" else f"2 * {after}"
+    changed = f"{sign}{right}" if sign == " = " else f"{sign} + 1{after}"
     return f"{before}{changed}.\nProof.{proof}"
