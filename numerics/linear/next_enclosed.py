@@ -21,6 +21,8 @@ from numerics.linear.ties import MARGINAL
 _LONG, _PATIENCE, _PACE, _MOST_STEPS = 4 * REACH, 5, 1_000, 200_000
 """From how many radians on long steps are tried, and after how many short ones; after how many steps it is asked
 whether those up to the end of the piece are too many; how many are."""
+_RESOLVED = 16
+"""A step must be longer than the last bits of time, so many."""
 _COARSE = 192
 """With as many bits and more a root is refined to half of them first."""
 _FINE = arb((1, 40))
@@ -78,6 +80,8 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
             return at, None
         # a little before the step ends: what is before it is proved
         local = path.numbers.middle(at.local + path.numbers.point(step * SHY))
+        if arb(local - at.local) < arb(local) * arb((1, _RESOLVED - path.numbers.bits)):
+            raise path.undecided(at)  # so short a step is in the rounding of time
         at, ready = path.evolved(at, local), ready + 1
     row = flow.few(z, path.numbers.bits)
     if not all(one.offset + one.sign * row[0] > one.margin / _NEAR for one in guards_of(path, at, row)):
