@@ -219,6 +219,7 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
     """Come by the rows, with progress on stderr where that is a terminal."""
+    from numerics.files import cache_refused
     from numerics.tasks import available_cores
     from paper_checks.checks.registry import Context
     from paper_checks.report.formats.progress import progress
@@ -227,6 +228,8 @@ def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
 
     manner = rows.Manner(options.jobs or (available_cores() if options.program else 1))
     if options.program:
+        if refused := cache_refused():
+            _complain(refused)
         manner = rows.Manner(manner.jobs, Kept(options.seed), options.fresh)
     with progress(len(claims)) as shown:
         return rows.rows(claims, Context(options.seed, options.debug), manner, shown)

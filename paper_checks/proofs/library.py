@@ -10,13 +10,13 @@ from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 
-from paper_checks import atomic
 from paper_checks.proofs import graph, kernel, questions, tied
 from paper_checks.proofs.cited import CITED
 from paper_checks.proofs.kernel import Compiled, Progress
 from paper_checks.proofs.pins import Pin, Pins, pinned
 from paper_checks.proofs.sources import FOLDER, Source, all_required, digest, keys, read
 from paper_checks.proofs.tied import TIES
+from paper_checks.store import Store
 
 
 @dataclass(frozen=True)
@@ -141,13 +141,13 @@ def _answers(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> 
 
 def _facts(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> _Facts:
     """Ask the kernel about all that compiled, or take its answers from the cache."""
-    named = keys(sources, kernel.version(os.environ.get("PATH")))
+    named = keys(sources, kernel.identity(os.environ.get("PATH")))
     asked = {one: name for one, name in names().items() if name.split(".")[0] in compiled.folders}
-    wording = Path(questions.__file__).read_text("utf-8") + Path(graph.__file__).read_text("utf-8")
-    title = digest([wording, *sorted(asked.values()), *(named[file] for file in sorted(compiled.folders))])
-    kept = store / f"answers-{title}.json"
-    if kept.exists():
-        return _Facts(**json.loads(kept.read_text("utf-8")))
+    wording = [Path(one).read_text("utf-8") for one in (questions.__file__, graph.__file__, __file__)]
+    title = digest([*wording, *sorted(asked.values()), *(named[file] for file in sorted(compiled.folders))])
+    kept = Store("answers", title, store)
+    if body := kept.get("answers.json"):
+        return _Facts(**json.loads(body))
     references, definitions = graph.references(compiled.folders)
     present = [name for name in asked.values() if name in references]
     by_integers = [name for name in present if _by_intervals(name.split(".")[0], sources)]
@@ -158,7 +158,7 @@ def _facts(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> _F
         dict(answers.axioms),
         {name: graph.nearest(name, present, references) for name in present},
     )
-    atomic.write(kept, json.dumps(asdict(facts)))
+    kept.put("answers.json", json.dumps(asdict(facts)).encode())
     return facts
 
 
