@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 
-from paper_checks.proofs import graph, kernel, questions, tied
+from paper_checks.proofs import graph, kernel, questions, signed, tied
 from paper_checks.proofs.cited import CITED
 from paper_checks.proofs.kernel import Compiled, Progress
 from paper_checks.proofs.pins import Pin, Pins, pinned
@@ -193,7 +193,16 @@ def _problem(
     if found.statement != pins.theorems[one].statement:
         return f"{name} does not say what is pinned"
     changed = [other for other, text in definitions.items() if pins.definitions.get(other) != text]
-    return f"{name} rests on {changed[0]}, which is not defined as pinned" if changed else ""
+    if changed:
+        return f"{name} rests on {changed[0]}, which is not defined as pinned"
+    return _unsigned(one, found, definitions)
+
+
+def _unsigned(one: str, pin: Pin, definitions: Mapping[str, str]) -> str:
+    """Say that the sentence of a cited theorem was not read beside what is pinned; of a tie nobody reads one."""
+    if one not in CITED or signed.is_signed(one, signed.of_theorem(CITED[one][1], pin.statement, definitions)):
+        return ""
+    return f"{names()[one]} and its sentence were not signed together: python -m paper_checks sign {one}"
 
 
 def definitions_of(text: str, printed: Mapping[str, str]) -> dict[str, str]:
@@ -212,9 +221,11 @@ def _not_run(reason: str, pins: Pins) -> Built:
     def proved(one: str) -> Proved:
         pin = pins.theorems.get(one)
         definitions = {name: pins.definitions[name] for name in pin.definitions} if pin else {}
-        return _proved(one, pin, definitions, (), None, reason)
+        problem = _unsigned(one, pin, definitions) if pin else ""
+        return _proved(one, pin, definitions, (), False if problem else None, problem or reason)
 
-    return Built(reason, False, {one: proved(one) for one in names()})
+    theorems = {one: proved(one) for one in names()}
+    return Built(reason, False, theorems, tuple(one.problem for one in theorems.values() if one.holds is False))
 
 
 def _proved(
