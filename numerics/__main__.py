@@ -13,6 +13,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
     options = parser().parse_args(arguments)
     from numerics.errors import InvalidScene, NoForceHere, NumericsError
+    from numerics.files import cache_refused
+
+    if refused := cache_refused():
+        print(refused, file=sys.stderr)
 
     files = {name: getattr(options, name, None) for name in ("npz", "proof", "resume", "out", "plot")}
     wrong = (wrong_path(one, f"--{name}" if name in options.figures else "") for name, one in files.items())

@@ -80,6 +80,7 @@ FLOORS = {
     ),
     "paper_checks": (
         ("errors", "atomic"),
+        ("store",),
         ("evidence", "proofs"),
         ("solvers",),
         ("engines",),

@@ -101,12 +101,13 @@ def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch)
     assert found == [1, 2, 3, 4, 5, 5]
 
 
-def test_a_damaged_form_is_not_read(tmp_path):
-    kept = Finished(folder=tmp_path)
-    kept.keep_files("one.html", {"report.html": b"whole"})
-    assert kept.files("one.html") == {"report.html": b"whole"}
-    (entry,) = (path for path in tmp_path.rglob("*") if path.is_file())
-    entry.write_bytes(entry.read_bytes()[:-1])
+@pytest.mark.parametrize("place", ["one.html", "one.html.report.html", "one.html.figures/sine.svg"])
+def test_a_damaged_form_is_not_read(tmp_path, place):
+    kept, whole = Finished(folder=tmp_path), {"figures/sine.svg": b"<svg/>", "report.html": b"whole"}
+    kept.keep_files("one.html", whole)
+    assert list(kept.files("one.html").items()) == list(whole.items())
+    (folder,) = tmp_path.iterdir()
+    (folder / place).write_bytes((folder / place).read_bytes()[:-1])
     assert kept.files("one.html") is None
 
 
