@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import difflib
 import os
+import sys
 import tomllib
+from contextlib import nullcontext
 from fractions import Fraction
 from importlib import resources
 from pathlib import Path
@@ -32,6 +34,14 @@ def shipped_scenes() -> tuple[str, ...]:
     return _names_in("shipped")
 
 
+def described_scenes() -> dict[str, str]:
+    """Return the shipped scenes by their names, with the sentence that each file begins with."""
+    folder = resources.files("numerics") / "scene" / "shipped"
+    return {
+        name: (folder / f"{name}.toml").read_text("utf-8").partition("\n")[0].lstrip("# ") for name in shipped_scenes()
+    }
+
+
 def shipped_references() -> tuple[str, ...]:
     """Return the short names of the references in the repository, sorted."""
     return _names_in("references")
@@ -43,7 +53,7 @@ def _names_in(folder: str) -> tuple[str, ...]:
 
 
 def load_scene(name_or_path: str | Path) -> Scene:
-    """Return the scene of a shipped short name such as "velocities", or of a TOML file.
+    """Return the scene of a shipped short name such as "velocities", or of a TOML file, "-" for standard input.
 
     Raises InvalidScene (one line, with the remedy) if there is no such file or it describes no scene.
 
@@ -67,9 +77,9 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
 
 
 def _text_of(path: Path, what: str, remedy: str) -> str:
-    """Return the text of a file that somebody named. Raises InvalidScene."""
+    """Return the text of a file that somebody named, "-" for standard input. Raises InvalidScene."""
     try:
-        with path.open("rb") as file:
+        with nullcontext(sys.stdin.buffer) if str(path) == "-" else path.open("rb") as file:
             data = file.read(MAX_FORCED_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
