@@ -12,10 +12,11 @@ from numerics.shown import shown_steps
 
 
 def list_scenes(_: argparse.Namespace) -> int:
-    """Print the short names of the shipped scenes."""
-    from numerics.scene.file import shipped_scenes
+    """Print the short names of the shipped scenes, and what each is, a line each."""
+    from numerics.scene.file import described_scenes
 
-    print("\n".join(shipped_scenes()))
+    for name, what in described_scenes().items():
+        print(f"{name:28}{what}")
     return OK
 
 

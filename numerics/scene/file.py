@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import difflib
+import os
+import sys
 import tomllib
+from contextlib import nullcontext
 from fractions import Fraction
 from importlib import resources
 from pathlib import Path
@@ -30,6 +34,14 @@ def shipped_scenes() -> tuple[str, ...]:
     return _names_in("shipped")
 
 
+def described_scenes() -> dict[str, str]:
+    """Return the shipped scenes by their names, with the sentence that each file begins with."""
+    folder = resources.files("numerics") / "scene" / "shipped"
+    return {
+        name: (folder / f"{name}.toml").read_text("utf-8").partition("\n")[0].lstrip("# ") for name in shipped_scenes()
+    }
+
+
 def shipped_references() -> tuple[str, ...]:
     """Return the short names of the references in the repository, sorted."""
     return _names_in("references")
@@ -41,7 +53,7 @@ def _names_in(folder: str) -> tuple[str, ...]:
 
 
 def load_scene(name_or_path: str | Path) -> Scene:
-    """Return the scene of a shipped short name such as "velocities", or of a TOML file.
+    """Return the scene of a shipped short name such as "velocities", or of a TOML file, "-" for standard input.
 
     Raises InvalidScene (one line, with the remedy) if there is no such file or it describes no scene.
 
@@ -51,18 +63,23 @@ def load_scene(name_or_path: str | Path) -> Scene:
     return parse_scene(*_text_and_file(name_or_path, "shipped", "scene", "a TOML file"))
 
 
-def _text_and_file(name_or_path: str | Path, folder: str, what: str, form: str) -> tuple[str, str]:
+def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tuple[str, str]:
     """Return the text of a shipped file, or of one that somebody named and that name. Raises InvalidScene."""
-    name, known = str(name_or_path), _names_in(folder)
+    if not isinstance(name_or_path, (str, os.PathLike)):
+        shown = f"{str(name_or_path)[:40]!r}, {type(name_or_path).__name__}"
+        raise InvalidScene(f"a {what} is named by text or a path, not {shown}; give {form} or a shipped name")
+    name, known = os.fspath(name_or_path), _names_in(folder)
     if name in known:
         return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8"), ""
-    return _text_of(Path(name_or_path), what, f"give {form} or one of: {', '.join(known)}"), name
+    near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
+    remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of: {', '.join(known)}"
+    return _text_of(Path(name), what, remedy), name
 
 
 def _text_of(path: Path, what: str, remedy: str) -> str:
-    """Return the text of a file that somebody named. Raises InvalidScene."""
+    """Return the text of a file that somebody named, "-" for standard input. Raises InvalidScene."""
     try:
-        with path.open("rb") as file:
+        with nullcontext(sys.stdin.buffer) if str(path) == "-" else path.open("rb") as file:
             data = file.read(MAX_FORCED_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
@@ -80,6 +97,9 @@ def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
     """Return the pieces of a reference r(t) (m), of a shipped short name or a TOML file of [[reference]] tables.
 
     They are written as those of a force. Raises InvalidScene.
+
+    >>> [float(piece.start) for piece in load_reference("s-curve")]
+    [0.0, 2.0]
     """
     form = "a TOML file of [[reference]] tables"
     return parse_reference(*_text_and_file(name_or_path, "references", "reference", form))

@@ -11,7 +11,12 @@ from numerics.scene.pieces import Piece
 
 
 def scene_text(scene: Scene) -> str:
-    """Return TOML that `parse_scene` reads as the same scene: decimals where a number has one, else ratios; exact."""
+    """Return TOML that `parse_scene` reads as the same scene: decimals where a number has one, else ratios; exact.
+
+    >>> from numerics import load_scene
+    >>> scene_text(load_scene("at-rest")).splitlines()[:6]
+    ['[pair]', 'm1 = 1', 'm2 = 1', 'a1 = 0', 'a2 = 200', 'b = 0.5']
+    """
     pair, at = scene.pair, scene.initial
     lines = ["[pair]", *(f"{name} = {_number(getattr(pair, name))}" for name in ("m1", "m2", "a1", "a2", "b"))]
     lines += ["[initial]", *(f"{name} = {_number(getattr(at, name))}" for name in ("x1", "v1", "x2", "v2"))]

@@ -32,10 +32,12 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     logarithmic axis; "energy", what is left of it and who took the rest. Raises ValueError for any other kind,
     MissingTool. `curve` saves sampling the trajectory for every picture of it.
     """
-    if kind not in _KINDS:
+    if not isinstance(kind, str) or kind not in _KINDS:
         raise ValueError(f"kind = {kind!r} is not one of {', '.join(_KINDS)}")
     if ax is None:
-        ax = _new_axes()
+        ax = new_axes()
+    elif not hasattr(ax, "set_title"):
+        raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
     curve = curve or sampled(trajectory)
     title, drawn = _KINDS[kind]
     ax.set_title(title, fontsize="medium")
@@ -55,11 +57,12 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     return ax
 
 
-def _new_axes() -> Any:
+def new_axes() -> Any:
+    """Return new matplotlib axes. Raises MissingTool."""
     try:
         from matplotlib import pyplot as plt
     except ImportError:
-        raise MissingTool("a plot needs matplotlib, which is not installed") from None
+        raise MissingTool("a plot needs matplotlib, which is not installed; python -m pip install matplotlib") from None
     return plt.subplots(layout="constrained")[1]
 
 

@@ -77,6 +77,12 @@ def test_list_prints_every_claim(capsys):
     assert printed == {claim.id: claim.recorded.value for claim in CLAIMS}
 
 
+def test_list_in_a_pipe_has_one_line_for_each_claim(capsys):
+    assert main(["list"]) == 0
+    lines = [line.split()[0] for line in capsys.readouterr().out.splitlines()]
+    assert lines[1 : 1 + len(CLAIMS)] == [claim.id for claim in CLAIMS]
+
+
 @pytest.mark.parametrize("form", ["html", "latex", "html,latex"])
 def test_report_writes_and_complains(small, capsys, tmp_path, form):
     assert main(["report", "--out", str(tmp_path), "--format", form]) == 1
@@ -112,10 +118,22 @@ def test_a_file_is_compared_with_the_source(capsys, tmp_path):
     assert "cannot be read: No such file or directory" in capsys.readouterr().err
 
 
-def test_a_folder_that_cannot_be_written_is_one_line(small, capsys, tmp_path):
+@pytest.mark.parametrize("command", [["report", "--out", "file"], ["report", "--out", "file/in"]])
+def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(monkeypatch, capsys, tmp_path, command):
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("")
-    assert main(["report", "--out", str(tmp_path / "file")]) == 2
-    assert capsys.readouterr().err.count("\n") == 1
+    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
+    assert main(command) == 2
+    told = "the report cannot be written: 'file' is a file; choose another folder with --out"
+    assert capsys.readouterr().err == f"paper_checks: {told}\n"
+
+
+@pytest.mark.parametrize("module", ["sympy", "rich", "matplotlib"])
+def test_a_missing_tool_is_named_before_anything_runs(monkeypatch, capsys, module):
+    monkeypatch.setitem(sys.modules, module, None)
+    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
+    assert main(["report"]) == 3
+    assert f"this needs {module}" in capsys.readouterr().err
 
 
 def test_the_report_takes_another_trade_and_is_the_same_on_every_run(small, capsys, tmp_path):

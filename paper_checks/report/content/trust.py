@@ -16,7 +16,7 @@ from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 
 SOFTWARE = "inertial-pair"
-INSTALL = "python3 -m venv .venv && .venv/bin/python -m pip install -e . && .venv/bin/python -m paper_checks"
+INSTALL = "python3 -m venv .venv && .venv/bin/python -m pip install -e '.[checks]' && .venv/bin/python -m paper_checks"
 """The first command of the README."""
 TRUST, GRAPH, PROVENANCE = "trust", "what-rests-on-what", "provenance"
 GUARANTEES = {
