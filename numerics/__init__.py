@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from numerics.control.thresholds import thresholds
     from numerics.control.tracking import track
     from numerics.control.transfer import fastest_transfer
-    from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+    from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
     from numerics.scene.file import load_reference, load_scene
     from numerics.scene.writing import scene_text
     from numerics.solver.many import solve_many, solve_scenes
@@ -30,6 +30,7 @@ __all__ = [
     "Sine",
     "Solver",
     "State",
+    "Weakening",
     "fastest_transfer",
     "load_reference",
     "load_scene",

@@ -10,6 +10,7 @@ from typing import Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
+from numerics.scene.weakening import Weakening
 
 MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 """The first two in one piece of force; the last in one force or friction."""
@@ -70,12 +71,18 @@ class Piece:
 
 @dataclass(frozen=True, slots=True, init=False)
 class Friction:
-    """The friction force b by pieces, (start in s, b in N), in order; before the first one the pair's b. Exact."""
+    """The friction force b by pieces, (start in s, b in N), in order; before the first one the pair's b. Exact.
+
+    `weakening` says how friction depends on speed and place besides; b is then what it is at rest, for C = 0.
+    """
 
     pieces: tuple[tuple[Fraction, Fraction], ...]
+    weakening: Weakening | None
 
-    def __init__(self, pieces: Iterable[tuple[Exact, Exact]] = ()) -> None:
+    def __init__(self, pieces: Iterable[tuple[Exact, Exact]] = (), weakening: Weakening | None = None) -> None:
         """Read the pieces; raises InvalidScene unless every b > 0 and each starts after the one before it."""
+        if not isinstance(weakening, Weakening | None):
+            raise InvalidScene("weakening must be a Weakening(speed, last_slope, place); build it first")
         kept = []
         for one in pieces:
             start, b = _two(one)
@@ -84,7 +91,7 @@ class Friction:
             if kept[-1][1] <= 0:
                 raise InvalidScene(f"b = {short(kept[-1][1])} must be > 0; give a positive b")
         require_order("friction", [start for start, _ in kept])
-        put(self, pieces=tuple(kept))
+        put(self, pieces=tuple(kept), weakening=weakening)
 
     @property
     def starts(self) -> tuple[Fraction, ...]:
