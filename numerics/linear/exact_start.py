@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from numerics.linear.cells import cells_of
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, particular, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
@@ -44,7 +45,9 @@ def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
     """Return the segments that are known exactly, in order; the last one goes on in numbers."""
     at = scene.initial
     x1, v1, x2, v2 = (SineForm(one) for one in (at.x1, at.v1, at.x2, at.v2))
-    gap = (at.v1 > at.v2) - (at.v1 < at.v2)
+    gap, cells = (at.v1 > at.v2) - (at.v1 < at.v2), cells_of(scene)
+    if cells and not gap:
+        pieces = cells.stuck_pieces(pieces, at.x1 - at.x2)
     knot = ExactKnot(0, Fraction(0), x1, v1, x2, v2, gap, 0, False, True, Fraction(0))
     after: ExactKnot | None = knot if gap else _decided(scene, pieces, knot)._replace(is_event=False)
     found: list[ExactKnot] = []
@@ -139,7 +142,8 @@ def _derivative(polynomial: list[Fraction]) -> list[Fraction]:
 def _followed(scene: Scene, pieces: Sequence[ExactPiece], knot: ExactKnot) -> tuple[Fraction, ExactKnot | None]:
     """Return up to when a mode does not end after a knot, and the next knot if it is exact."""
     piece, is_root = pieces[knot.piece], False
-    motion = exact_motion(scene, piece, knot)
+    by_state = knot.mode != 0 and scene.friction.weakening is not None  # a slip that is followed in numbers only
+    motion = None if by_state else exact_motion(scene, piece, knot)
     if motion is None:
         return piece.length if _touches_at_most(scene, piece, knot) else knot.local, None
     if knot.mode == 0 and (scene.law is Law.THREE_VALUED_SGN or _stays_below(motion)):

@@ -13,8 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from numerics.errors import InvalidScene
-from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import exact_decimal
+from numerics.scene.weakening import two_coefficients
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
 """Of a scene without a force, and of one with."""
@@ -22,8 +23,10 @@ _KEYS = {
     "pair": {"m1", "m2", "a1", "a2", "b"},
     "initial": {"x1", "v1", "x2", "v2"},
     "run": {"law", "until"},
+    "weakening": {"speed", "last_slope", "place"},
 }
 _PIECES = {"force": {"from", "polynomial", "sines"}, "friction": {"from", "b"}}
+_TWO_COEFFICIENTS = {"b_s", "b_k", "b_static", "b_kinetic", "mu_s", "mu_k"}
 _SINE = {"amplitude", "omega", "phase"}
 _REFERENCE = "reference"
 _REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("run", "until"))
@@ -128,7 +131,7 @@ def parse_scene(text: str, file: str = "") -> Scene:
     """Return the Scene that TOML `text` describes, numbers read as exact decimals. Raises InvalidScene."""
     tables = _parsed(text, "scene", file)
     _check_keys(tables)
-    pair, initial, run = (tables.get(name, {}) for name in _KEYS)
+    pair, initial, run, weakening = (tables.get(name, {}) for name in _KEYS)
     force, friction = (_pieces_of(tables, name) for name in _PIECES)
     return Scene(
         Pair(**pair),
@@ -137,7 +140,8 @@ def parse_scene(text: str, file: str = "") -> Scene:
         law=run.get("law", Law.FILIPPOV),
         force=Force(_in_place(_force_piece, one, number) for number, one in enumerate(force, start=1)),
         friction=Friction(
-            _in_place(_friction_piece, one, number, "friction") for number, one in enumerate(friction, start=1)
+            (_in_place(_friction_piece, one, number, "friction") for number, one in enumerate(friction, start=1)),
+            Weakening(**weakening) if "weakening" in tables else None,
         ),
     )
 
@@ -199,7 +203,8 @@ def _check_keys(tables: dict[str, Any]) -> None:
             continue
         if table not in _KEYS:
             raise InvalidScene(
-                f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial], [run], [[force]], [[friction]]"
+                f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial], [run], "
+                "[weakening], [[force]], [[friction]]"
             )
         if not isinstance(content, dict):
             raise InvalidScene(f"{table} must be a table; write [{table}] on a line of its own")
@@ -211,5 +216,7 @@ def _check_keys(tables: dict[str, Any]) -> None:
 
 def _require_known(content: dict[str, Any], keys: set[str], where: str) -> None:
     for key in content:
+        if key in _TWO_COEFFICIENTS:
+            raise two_coefficients(key)
         if key not in keys:
             raise InvalidScene(f"unknown key {key[:40]!r} in {where}; it takes {', '.join(sorted(keys))}")

@@ -11,7 +11,7 @@ from numerics.trajectory.export import dataframe
 from numerics.trajectory.saved import load, save
 from numerics.trajectory.solution import Solution
 
-Kind = Literal["velocities", "positions", "load", "force", "phase", "excess", "energy"]
+Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "excess", "energy"]
 
 
 class Trajectory(Solution):
