@@ -178,6 +178,7 @@ def steady_drive(scene: Scene) -> Drive:
 
 def last_drive(scene: Scene) -> Drive | None:
     """Return what acts from the last piece of force and friction on; None unless that is a constant and sines."""
+    scene.require_one_b("what happens in the long run")
     last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
     if len(last.polynomial) > 1:
         return None

@@ -130,7 +130,7 @@ class Cells:
     def vanishing(self, w: float | Fraction, z: float | Fraction, at: str = "") -> InvalidScene:
         """Return the error for a motion that gets to a place where friction is not positive."""
         return InvalidScene(
-            f"B + C = 0 at |w| = {short(Fraction(w))} m/s, z = x1 - x2 = {short(Fraction(z))} m{at}: friction must be "
+            f"B + C <= 0 at |w| = {short(Fraction(w))} m/s, z = x1 - x2 = {short(Fraction(z))} m{at}: friction must be "
             "positive wherever the motion goes; raise B or C there"
         )
 
@@ -146,6 +146,9 @@ class Cells:
             return Start((0, j), (order, 0, at * (side > 0), at * (side < 0)))
         j, tie = self.place_line(z, side), int(z in self.places)
         k = bisect_right(self.speeds, w) - 1
+        (p, slope), (q, pull) = self.by_speed[k], self.by_place[j]
+        if p + q + slope * w + pull * z <= 0:
+            raise self.vanishing(w, z, " at t = 0")
         orders = [0, 0, tie * (side > 0), tie * (side < 0)]
         if w == self.speeds[k]:
             rising, m = self._leaves(self.mode(piece, side, (k, j)), piece, local, state)

@@ -177,6 +177,13 @@ class Scene(ShortRepr):
         """Return whether anything acts on the paper's free pair: a force, or a friction that is not one number b."""
         return bool(self.force.pieces or self.friction.pieces or self.friction.weakening)
 
+    def require_one_b(self, what: str) -> None:
+        """Raise InvalidScene, for what is worked out for Coulomb friction only, if friction depends on the state."""
+        if self.friction.weakening:
+            raise InvalidScene(
+                f"{what} is not worked out for friction that depends on the state; leave [weakening] out"
+            )
+
     @property
     def energy(self) -> Fraction:
         """E = (a2 x1^2 + m1 v1^2 + m2 v2^2)/2 at t = 0, J, exact."""
