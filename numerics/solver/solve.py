@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, cast
 
 import numpy as np
 
@@ -15,6 +15,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange, PrecisionExhausted
 from numerics.scene import Scene
 from numerics.scene.decimals import require_whole
+from numerics.scene.plane import PlaneScene
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.run import MAX_EVENTS, Progress, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
@@ -46,7 +47,7 @@ class _Limits(NamedTuple):
 
 
 def solve(
-    scene: Scene,
+    scene: Scene | PlaneScene,
     *,
     digits: int | None = None,
     arithmetic: ArithmeticName | None = None,
@@ -56,6 +57,8 @@ def solve(
     progress: Progress | None = None,
 ) -> Trajectory:
     """Solve a scene and return its Trajectory; `arithmetic.name` says what answered, `tried` what did not, and why.
+
+    Of a PlaneScene it is a PlaneTrajectory (plane/solve.py).
 
     Without `digits` and arithmetic: float64 with its own error bounds (Trajectory.accuracy). Only where these leave the
     sequence of events open it climbs: to double-double, then to balls of 34, 68, 136 and 560 working digits.
@@ -75,6 +78,11 @@ def solve(
     Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
     reached), OutOfRange (a number does not fit float64), TypeError (no scene), ValueError (bad arguments).
     """
+    if isinstance(scene, PlaneScene):
+        from numerics.plane.solve import solve_plane
+
+        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
+        return cast("Trajectory", solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits))
     if not isinstance(scene, Scene):
         raise TypeError(
             f"solve takes a Scene, not a {type(scene).__name__}; build Scene(Pair(...), State(...), until=...)"
