@@ -72,6 +72,7 @@ FLOORS = {
         ("linear",),
         ("free",),
         ("trajectory",),
+        ("plane",),
         ("solver",),
         ("control",),
         ("audit", "trade"),
