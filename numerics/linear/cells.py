@@ -19,8 +19,10 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from flint import arb
 from numpy.typing import NDArray
 
+from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.sine_form import SineForm
@@ -70,8 +72,10 @@ class Cells:
         if weakening.place:
             self.by_place.append((flat[-1][1], Fraction(0)))
         self.falling = max(Fraction(0), *(-slope for _, slope in self.by_speed))
-        """The greatest -B', N s/m, and the greatest |C'|, N/m, for b itself."""
+        """The greatest -B', N s/m, and the greatest |C'|, N/m."""
         self.pulling = max(abs(slope) for _, slope in self.by_place)
+        most = max((b for _, b in scene.friction.pieces), default=self.pair.b) / self.pair.b
+        self.falling, self.pulling = (one * max(Fraction(1), most) for one in (self.falling, self.pulling))
 
     def scale(self, piece: ExactPiece) -> Fraction:
         """Return b(t)/b of a piece."""
@@ -87,6 +91,53 @@ class Cells:
         offset, slope, pull = self.branch(piece, side, cell)
         driven = Piece(piece.start, piece.polynomial, piece.sines)
         return LinearMode(self.pair, offset, side, driven, slope, pull)
+
+    def by_numbers(self, piece: ExactPiece, side: int, cell: tuple[int, int], b: str) -> dict[str, Branch]:
+        """Return the derivatives of friction in a cell by the numbers in it; `b` is the name of the piece's b."""
+        (k, j), (w, z), last = cell, (self.speeds, self.places), len(self.speeds) - 1
+        (p, slope), (q, pull), scale = self.by_speed[k], self.by_place[j], self.scale(piece)
+        speeds = ["", *(f"weakening.speed[{n}]" for n in range(last))]
+        found: dict[str, tuple[Fraction, Fraction, Fraction]] = {}
+        if k < last:
+            for n, (name_w, name_b) in ((n, (f"{speeds[n]}.w", f"{speeds[n]}.b" if n else "b")) for n in (k, k + 1)):
+                line = _by_height(w[k : k + 2], n - k)
+                found[name_b] = (*line, Fraction(0))
+                found[name_w] = (-slope * line[0], -slope * line[1], Fraction(0))
+        else:
+            found["weakening.last_slope"] = (-w[k], Fraction(1), Fraction(0))
+            found[f"{speeds[k]}.b" if k else "b"] = (Fraction(1), Fraction(0), Fraction(0))
+            found[f"{speeds[k]}.w"] = (-slope, Fraction(0), Fraction(0))
+        ends = [n for n in (j - 1, j) if 0 <= n < len(z)]
+        for n in ends:
+            line = _by_height([z[one] for one in ends], n - ends[0]) if len(ends) == 2 else (Fraction(1), Fraction(0))
+            found[f"weakening.place[{n}].c"] = (line[0], Fraction(0), line[1])
+            found[f"weakening.place[{n}].z"] = (-pull * line[0], Fraction(0), -pull * line[1])
+        found.pop(".w", None)  # w = 0 is no number of the scene
+        scaled = {
+            name: Branch(scale * one, scale * two, scale * side * three) for name, (one, two, three) in found.items()
+        }
+        if b != "b":
+            whole = Branch(p + q, slope, side * pull)
+            scaled[b] = Branch(*(one / self.pair.b for one in whole))
+            own = scaled.get("b", Branch(Fraction(0), Fraction(0), Fraction(0)))
+            scaled["b"] = Branch(*(one - scale / self.pair.b * two for one, two in zip(own, whole, strict=True)))
+        return scaled
+
+    def growth(self, branch: Branch) -> arb:
+        """Return the greatest rate, 1/s, at which N of a difference of two motions in one cell grows."""
+        kappa2, g = self.pair.mass / (self.pair.m1 * self.pair.m2), self.pulling
+        rate = Ball.number(kappa2 * max(Fraction(0), -branch.slope))
+        return rate + Ball.number(kappa2 * (g - branch.pull) ** 2 / (4 * g)).sqrt() if g else rate
+
+    def held(self, piece: ExactPiece, z: arb) -> arb:
+        """Return B(0) + C over a ball of places x1 - x2."""
+        found: arb | None = None
+        for j, (q, pull) in enumerate(self.by_place):
+            _, _, low, high = self.ends((0, j))
+            if not ((low is not None and z < Ball.number(low)) or (high is not None and z > Ball.number(high))):
+                one = Ball.number(self.pair.b + q) + Ball.number(pull) * z
+                found = one if found is None else found.union(one)
+        return (arb("nan") if found is None else found) * Ball.number(self.scale(piece))
 
     def place_line(self, z: float | Fraction, side: int = 1) -> int:
         """Return the interval of a place; at a knot that towards which z moves."""
@@ -176,6 +227,12 @@ def cells_of(scene: Scene) -> Cells | None:
         scene.made["cells"] = Cells(scene)
     found: Cells = scene.made["cells"]
     return found
+
+
+def _by_height(ends: Sequence[Fraction], which: int) -> Line:
+    """Return the derivative of the line between two points by the height of one of them."""
+    slope = 1 / (ends[which] - ends[1 - which])
+    return -slope * ends[1 - which], slope
 
 
 def mode_in(scene: Scene, piece: ExactPiece, side: int, cell: tuple[int, int]) -> LinearMode:

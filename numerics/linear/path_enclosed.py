@@ -73,12 +73,10 @@ class Path:
         pair, number = scene.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
         self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
-        self.cells, most = cells_of(scene), max(one.b for one in self.pieces) / pair.b
-        self.pulling, self.falling = (
-            number(most * one) for one in ((self.cells.pulling, self.cells.falling) if self.cells else (0, 0))
-        )
-        self.root_g = self.pulling.sqrt()
-        self.steepest = self.kappa * self.kappa * self.falling + self.kappa * self.root_g
+        self.cells = cells_of(scene)
+        falling, pulling = (self.cells.falling, self.cells.pulling) if self.cells else (0, 0)
+        self.pulling, self.root_g = number(pulling), number(pulling).sqrt()
+        self.steepest = self.kappa * self.kappa * number(falling) + self.kappa * self.root_g
         self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
 
     def drive(self, index: int) -> Drive:
@@ -128,16 +126,10 @@ class Path:
 
     def held(self, at: At, z: arb) -> arb:
         """Return the same for a ball of places x1 - x2. Raises InvalidScene, EventUndecided where it is not > 0."""
-        cells, number = self.cells, Ball.number
+        cells, piece = self.cells, self.pieces[at.piece]
         if cells is None:
-            return Ball.number(self.pieces[at.piece].b)
-        found: arb | None = None
-        for j, (q, pull) in enumerate(cells.by_place):
-            _, _, low, high = cells.ends((0, j))
-            if not ((low is not None and z < number(low)) or (high is not None and z > number(high))):
-                one = number(self.pair.b + q) + number(pull) * z
-                found = one if found is None else found.union(one)
-        edge = (arb(0) if found is None else found) * number(cells.scale(self.pieces[at.piece]))
+            return Ball.number(piece.b)
+        edge = cells.held(piece, z)
         if edge <= 0:
             raise cells.vanishing(0.0, float(z.mid()), f" at t = {self.time(at):.6g} s")
         if not edge > 0:
@@ -147,12 +139,9 @@ class Path:
     def growth(self, at: At, t: arb) -> arb:
         """Return by which factor N may grow in a time in the mode of a point, while the true motion is in its cell."""
         branch = self.branch(at.mode, at.piece, at.cell)
-        if branch is None or not self.is_ball:
+        if branch is None or self.cells is None or not self.is_ball:
             return arb(1)
-        rate = self.kappa * self.kappa * Ball.number(max(Fraction(0), -branch.slope))
-        if self.pulling > 0:
-            rate += self.kappa * abs(self.pulling - Ball.number(branch.pull)) / (2 * self.root_g)
-        return (rate * t.abs_upper()).exp().upper()
+        return (self.cells.growth(branch) * t.abs_upper()).exp().upper()
 
     def left(self, at: At) -> arb:
         """Return the time that is left of the piece."""

@@ -125,7 +125,6 @@ def _require_smooth(trajectory: Trajectory) -> None:
     if not isinstance(trajectory, Trajectory):
         raise TypeError(f"sensitivities takes a trajectory, not {type(trajectory).__name__}: give it solve(scene)")
     scene = trajectory.scene
-    scene.require_one_b("a derivative")
     until = math.inf if trajectory.reached else trajectory.arithmetic.to_float(trajectory.event_times[-1])
     what = corner(scene, pieces_of(scene), until) if scene.is_forced else None
     if what is not None:
