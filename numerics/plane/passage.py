@@ -72,7 +72,7 @@ def drawn_to(system: System, drive: Drive, load: Balls, s: Balls) -> tuple[Balls
     inverse = [1 / k for k in system.kappa]
     e = [x.mid() for x in _critical(system, drive, load, s)]
     length = sum((c * x * x for c, x in zip(inverse, s, strict=True)), arb(0)).sqrt()
-    far = sum((c * (x / length - y) ** 2 for c, x, y in zip(inverse, s, e, strict=True)), arb(0)).sqrt()
+    far = sum((c.sqrt() * abs(x / length - y) for c, x, y in zip(inverse, s, e, strict=True)), arb(0))
     a = (2 * far + arb(1) / 32).upper()  # twice: what the path may be off
     wide = [x + arb(0, (a / c.sqrt()).upper()) for x, c in zip(e, inverse, strict=True)]
     f, size = drive.friction(wide)

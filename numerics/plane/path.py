@@ -14,7 +14,7 @@ from flint import arb, arb_poly
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided
 from numerics.plane.defect import Curve, Defect
-from numerics.plane.polynomial import first_root, total
+from numerics.plane.polynomial import first_root, midpoints, total
 from numerics.plane.series import Point
 from numerics.plane.system import Balls, System
 
@@ -152,6 +152,13 @@ class Path:
         found = system.load(system.pieces[at.piece].force(at.t), at.q1, at.v1)
         return [x + arb(0, (e * self.norm).upper()) for x, e in zip(found, system.load_error, strict=True)]
 
+    def loads_along(self, found: Defect) -> Balls:
+        """Return enclosures of the true motion's Lam along a short curve that begins or ends at the point."""
+        return [
+            x + arb(0, (total(p - p[0]) + e).upper())
+            for x, p, e in zip(self.load(), found.load, found.load_error, strict=True)
+        ]
+
     def step(self, groups: Sequence[tuple[Sequence[arb], arb]]) -> arb:
         """Return how far coefficients reach: there their last two terms are 2^-bits of a size."""
         found = math.inf
@@ -165,10 +172,7 @@ class Path:
     def apart_of(self, s: Sequence[arb_poly], t: arb_poly) -> tuple[arb_poly, ...]:
         """Return z = q1 - q2 along a slip."""
         rate = t.derivative()
-        return tuple(
-            arb_poly([one.mid() for one in ((x * rate).integral() + z).coeffs()])
-            for x, z in zip(s, self.at.z, strict=True)
-        )
+        return tuple(midpoints((x * rate).integral() + z) for x, z in zip(s, self.at.z, strict=True))
 
     def exit(
         self, curve: Curve, found: Defect, norm: arb, h: arb, of: Sequence[int] | None = None

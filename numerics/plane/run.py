@@ -20,7 +20,7 @@ from numerics.plane.defect import Curve, Defect, defect, onset_defect, slip_defe
 from numerics.plane.onset import onset
 from numerics.plane.passage import drawn_to, end_direction
 from numerics.plane.path import SLIP, STICK, Path, log2, max_of, two_to
-from numerics.plane.polynomial import at_one, rise, scaled, total
+from numerics.plane.polynomial import at_one, midpoints, rise, scaled
 from numerics.plane.series import slip_series, stick_series
 from numerics.plane.system import Balls, System
 
@@ -139,19 +139,14 @@ class Run(Path):
         impulse = tuple(arb_poly([x.mid() * h]) for x in f)
         v2 = tuple(arb_poly([x, (y * h / m).mid()]) for x, y, m in zip(at.v2, f, system.m2, strict=True))
         v1 = [x + y for x, y in zip(v2, s, strict=True)]
-        q1 = tuple(
-            arb_poly([c.mid() for c in ((x * h).integral() + q).coeffs()]) for x, q in zip(v1, at.q1, strict=True)
-        )
+        q1 = tuple(midpoints((x * h).integral() + q) for x, q in zip(v1, at.q1, strict=True))
         curve = Curve(at.piece, t, q1, v2, s, self.apart_of(s, t), impulse)
         found = defect(system, curve, [h * x.rad() for x in f])
         norm = (self.norm + found.norm).upper()
         limit = 2 * drive.reach * norm
         if not (found.norm < 2 * enough and limit < size):
             return
-        near = [
-            x + arb(0, (total(p - p[0]) + e).upper())
-            for x, p, e in zip(load, found.load, found.load_error, strict=True)
-        ]
+        near = self.loads_along(found)
         if not drive.strain(near) < 1 and drawn_to(system, drive, near, at.s) is None:
             return
         direction = at.s
@@ -165,10 +160,7 @@ class Run(Path):
         at, load = self.at, self.load()
         left = sum((x * x / k for x, k in zip(at.s, system.kappa, strict=True)), arb(0)).sqrt() + self.norm
         weak = min_of([b * root for b, root in zip(drive.b, system.apart, strict=True)])
-        near = [
-            x + arb(0, (total(p - p[0]) + e).upper())
-            for x, p, e in zip(load, found.load, found.load_error, strict=True)
-        ]
+        near = self.loads_along(found)
         strain = drive.strain(near)
         if strain < 1:
             rate = (1 - strain.sqrt()) * weak
