@@ -16,9 +16,9 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import NotSettled
 from numerics.plane.answer import PlaneTrajectory, Working
 from numerics.plane.defect import Curve, Defect, defect
+from numerics.plane.path import SLIP, Path
 from numerics.plane.polynomial import first_root, least, scaled
 from numerics.plane.reduced import reduced
-from numerics.plane.run import SLIP, Run
 from numerics.plane.series import Forcing, Point, Series
 from numerics.plane.states import States
 from numerics.plane.system import Balls, System
@@ -51,7 +51,7 @@ def coupled(
         return PlaneTrajectory(scene, Working(working, name), status, events, modes, states.end(), states.at)
 
 
-class BoxRun(Run):
+class BoxRun(Path):
     """The path of a box; `young` are the axes that begin to slip at the point, with the order of the zero of s_i."""
 
     first = ""

@@ -45,7 +45,8 @@ def _critical(system: System, drive: Drive, load: Balls, s: Balls) -> Balls:
         gap = [f[i] - load[i].mid() - psi * inverse[i] * e[i] for i in range(n)]
         gap.append(sum((c * x * x for c, x in zip(inverse, e, strict=True)), arb(0)) - 1)
         try:
-            moved = arb_mat([[x.mid() for x in row] for row in rows]).solve(arb_mat([[x.mid()] for x in gap]))
+            matrix = arb_mat([[x.mid() for x in row] for row in rows])
+            moved = matrix.solve(arb_mat([[x.mid()] for x in gap]))
         except ZeroDivisionError:
             return start
         before, e = change, [(x - moved[i, 0]).mid() for i, x in enumerate(e)]
@@ -53,7 +54,11 @@ def _critical(system: System, drive: Drive, load: Balls, s: Balls) -> Balls:
         if change < arb((1, 8 - system.bits)) or (before and change >= before and change < arb((1, -system.bits // 2))):
             break
     far = sum((c * (x - y) ** 2 for c, x, y in zip(inverse, e, start, strict=True)), arb(0))
-    return start if not far < arb(0.5) else [x + arb(0, change.upper()) for x in e]
+    if not far < 0.5:
+        return start
+    bent = matrix.inv()  # how far the critical point moves with the load, to first order, twice
+    off = [2 * system.row_sum([bent[i, j] for j in range(system.n)], [x.rad() for x in load]) for i in range(system.n)]
+    return [x + arb(0, (change + y).upper()) for x, y in zip(e, off, strict=True)]
 
 
 def hessian(drive: Drive, e: Sequence[arb], f: Balls, size: arb) -> list[Balls]:
@@ -67,7 +72,7 @@ def drawn_to(system: System, drive: Drive, load: Balls, s: Balls) -> tuple[Balls
     inverse = [1 / k for k in system.kappa]
     e = [x.mid() for x in _critical(system, drive, load, s)]
     length = sum((c * x * x for c, x in zip(inverse, s, strict=True)), arb(0)).sqrt()
-    far = sum((c * (x / length - y) ** 2 for c, x, y in zip(inverse, s, e, strict=True)), arb(0)).sqrt()
+    far = sum((c.sqrt() * abs(x / length - y) for c, x, y in zip(inverse, s, e, strict=True)), arb(0))
     a = (2 * far + arb(1) / 32).upper()  # twice: what the path may be off
     wide = [x + arb(0, (a / c.sqrt()).upper()) for x, c in zip(e, inverse, strict=True)]
     f, size = drive.friction(wide)

@@ -20,6 +20,11 @@ def scaled(coefficients: Sequence[arb], by: arb) -> arb_poly:
     return arb_poly(found)
 
 
+def midpoints(p: arb_poly) -> arb_poly:
+    """Return the polynomial with the midpoints of the coefficients."""
+    return arb_poly([one.mid() for one in p.coeffs()])
+
+
 def total(p: arb_poly) -> arb:
     """Return a bound on |p| on [0, 1]."""
     return sum(map(abs, p.coeffs()), arb(0))

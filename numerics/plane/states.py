@@ -10,8 +10,8 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.plane.answer import PlaneEvent, PlaneState
+from numerics.plane.path import SLIP, Happening, Leg, Path
 from numerics.plane.polynomial import rise
-from numerics.plane.run import SLIP, Happening, Leg, Run
 from numerics.plane.series import Point
 from numerics.plane.system import Balls
 from numerics.scene.plane import Matrix, PlaneScene
@@ -20,7 +20,7 @@ from numerics.scene.plane import Matrix, PlaneScene
 class States:
     """The states of a run, as enclosures of the true ones."""
 
-    def __init__(self, scene: PlaneScene, run: Run) -> None:
+    def __init__(self, scene: PlaneScene, run: Path) -> None:
         """Take a scene and its run."""
         self.scene, self.run, self.system = scene, run, run.system
         self.starts = [(leg.curve.piece, float(leg.curve.t[0].mid())) for leg in run.legs]

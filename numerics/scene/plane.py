@@ -176,7 +176,7 @@ def is_plane(tables: dict[str, Any]) -> bool:
     content = [one for table in named if isinstance(table, dict) for one in table.values()]
     pieces = tables.get("force", [])
     axes = isinstance(pieces, list) and any(isinstance(one, dict) and "axis" in one for one in pieces)
-    return axes or any(isinstance(one, list) for one in content) or "shape" in (named[0] or {})
+    return axes or any(isinstance(one, list) for one in content) or (isinstance(named[0], dict) and "shape" in named[0])
 
 
 def plane_scene(tables: dict[str, Any], read_piece: Callable[[dict[str, Any], int], Piece]) -> PlaneScene:
