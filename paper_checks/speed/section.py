@@ -71,18 +71,14 @@ def told(ratios: Mapping[str, float]) -> str:
     """Say who wins, from the ratios of scenes: how many times as fast as the peer ours is."""
     if not ratios:
         return "nobody was measured beside ours."
-    lost, most = {name: one for name, one in ratios.items() if one < 1}, max(ratios, key=lambda name: ratios[name])
-    middle = f"{median(ratios.values()):.3g} times as fast in the median"
+    ordered = sorted(ratios, key=lambda name: ratios[name])
+    (least, low), high, middle = (ordered[0], ratios[ordered[0]]), ratios[ordered[-1]], median(ratios.values())
+    typical = f"in the median {'ours' if middle >= 1 else PEER} is {max(middle, 1 / middle):.3g} times as fast"
+    lost, every = sum(one < 1 for one in ratios.values()), len(ratios)
     if not lost:
-        least = min(ratios, key=lambda name: ratios[name])
-        return f"ours wins on all {len(ratios)} scenes: {middle}, {ratios[least]:.3g} times at least (on {least})."
-    worst = min(lost, key=lambda name: lost[name])
-    won = (
-        f"; ours wins on {len(ratios) - len(lost)}, by up to {ratios[most]:.3g} times"
-        if len(lost) < len(ratios)
-        else ""
-    )
-    return f"heyoka wins on {len(lost)} of {len(ratios)} scenes, by up to {1 / lost[worst]:.3g} times (on {worst}){won}: ours is {middle}."
+        return f"ours wins on all {every} scenes, by at least {low:.3g} times (on {least}); {typical}."
+    won = f"ours wins on {every - lost}, by up to {high:.3g} times; " if lost < every else ""
+    return f"{PEER} wins on {lost} of {every} scenes, by up to {1 / low:.3g} times (on {least}); {won}{typical}."
 
 
 def lines(trade: Trade) -> Iterator[tuple[str, ...]]:

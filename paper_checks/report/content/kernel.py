@@ -26,6 +26,10 @@ FILIPPOV = (
     "This is Filippov's notion, and that is a theorem: three functions are, for some $s$, such a solution exactly if they are absolutely continuous "
     "and satisfy the differential inclusion, friction anywhere in $[-b,b]$ while $v_1=v_2$, at almost every time."
 )
+NAMES = (
+    "Names without a dot are those of Coq's library of real numbers, `R` the numbers themselves, `Rabs` the size of one, `PI`, `sqrt`; and of Coquelicot: "
+    "`is_lim f p_infty l` says that $f$ tends to $l$ at infinity. An arrow is an implication: all before the last one is assumed."
+)
 SAME = "filippov-iff"
 """The theorem that says so."""
 WORDS = {
@@ -83,6 +87,7 @@ def section(rows: Sequence[Row]) -> Section:
             Paragraph(FILIPPOV),
             Code(notion.statement),
             Paragraph(_axioms(found.values())),
+            Paragraph(NAMES),
             Heading("Definitions that most statements use"),
             *(block for name in WORDS if name in used for block in _definition(name)),
             Folded(f"{len(used) - len(WORDS.keys() & used)} more definitions", others),

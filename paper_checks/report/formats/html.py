@@ -17,12 +17,12 @@ from paper_checks.report.content import blocks
 from paper_checks.report.content.document import ROWS, ROWS_TITLE, Document
 from paper_checks.report.content.phrases import in_short, kind, section_title, sections
 from paper_checks.report.formats import colours
-from paper_checks.report.formats.html_blocks import HtmlWriter, figure_file
+from paper_checks.report.formats.html_blocks import FRONT, HtmlWriter, figure_file
 from paper_checks.report.mathematics import font
 from paper_checks.report.mathematics.prose import plain
 from paper_checks.running.runner import Row
 
-FRONT, STYLE, SCRIPT, EXPLORE = "report.html", "pages/report.css", "pages/report.js", "pages/explore.html"
+STYLE, SCRIPT, EXPLORE = "pages/report.css", "pages/report.js", "pages/explore.html"
 
 
 def render(report: Document, figures: Mapping[str, str]) -> dict[str, str]:

@@ -11,6 +11,7 @@ from paper_checks.report.content import blocks
 from paper_checks.report.formats.writer import Writer
 from paper_checks.report.mathematics import prose
 
+FRONT = "report.html"
 BROAD = 500
 """Pixels from which on a figure takes two places of a row of cards."""
 _WORD = re.compile(r"[A-Z]\w*\.[\w']+")
@@ -19,7 +20,7 @@ _WORD = re.compile(r"[A-Z]\w*\.[\w']+")
 class HtmlWriter(Writer):
     """Writes blocks as HTML. `figures` maps names to SVG texts, `homes` each anchor to the file of its page; `page` is this one's."""
 
-    def __init__(self, figures: Mapping[str, str], homes: Mapping[str, str], page: str = "report.html") -> None:
+    def __init__(self, figures: Mapping[str, str], homes: Mapping[str, str], page: str = FRONT) -> None:
         """Take the figures, where each anchor is, and the page that is written."""
         super().__init__(figures, homes)
         self._homes, self._page = homes, page
@@ -52,7 +53,8 @@ class HtmlWriter(Writer):
 
     def _heading(self, text: str, anchor: str) -> str:
         mark = f' id="{anchor}"' if anchor else ""
-        return f"<h3{mark}>{self.text(text)}</h3>"
+        level = 3 if self._page == FRONT else 2  # below the heading of its section, or of its page
+        return f"<h{level}{mark}>{self.text(text)}</h{level}>"
 
     def _paragraph(self, block: blocks.Paragraph) -> str:
         label = f"<strong>{escape(block.label)}.</strong> " if block.label else ""

@@ -19,8 +19,8 @@ document.addEventListener("toggle", planMarking, true);
 document.fonts.ready.then(planMarking);
 
 /* A row's page in a frame gives its contents to the first page, which shows them in place: files may not be fetched. */
-if (parent !== self) {
-  const row = document.querySelector("article.row");
+const row = document.querySelector("main > article.row");
+if (parent !== self && row) {
   for (const one of row.querySelectorAll("a")) one.href = one.href;
   for (const one of row.querySelectorAll("img")) one.src = one.src;
   parent.postMessage(row.outerHTML, "*");
