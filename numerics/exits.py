@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import os
+import re
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -35,7 +38,7 @@ def wrong_path(path: Path | None, figure_flag: str = "") -> str | None:
         return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
     if figure_flag and path.suffix not in FIGURES:
         return f"{figure_flag} {path.name}: the name must end in one of {', '.join(FIGURES)}"
-    return None
+    return wrong_folder(path.parent)
 
 
 def wrong_folder(path: Path) -> str | None:
@@ -43,9 +46,11 @@ def wrong_folder(path: Path) -> str | None:
     there = next((one for one in (path, *path.parents) if one.exists()), path)
     if not there.is_dir():
         return f"{str(there)!r} is a file; choose another folder"
-    if not os.access(there, os.W_OK | os.X_OK):
-        return f"folder {str(there)!r} cannot be written to; choose another one"
-    return None
+    try:
+        with tempfile.TemporaryFile(dir=there):
+            return None
+    except OSError as error:
+        return f"folder {str(there)!r} cannot be written to: {error.strerror}; choose another one"
 
 
 def program_name(script: str, module: str) -> str:
@@ -88,5 +93,9 @@ class OneLineParser(argparse.ArgumentParser):
     """A parser, with its subparsers, that tells bad usage in one line on stderr; --help shows the usage."""
 
     def error(self, message: str) -> NoReturn:
-        """Print the one error line and exit with USAGE."""
+        """Print the one error line, with the nearest word for one that is mistyped, and exit with USAGE."""
+        mistyped = re.search(r"invalid choice: '([^']*)' \(choose from (.*)\)", message)
+        if mistyped is not None:
+            near = difflib.get_close_matches(mistyped[1], re.findall(r"[\w-]+", mistyped[2]), n=1, cutoff=0.5)
+            message = f"{mistyped[1]!r} is not known; did you mean {near[0]}?" if near else message
         self.exit(refuse(message, USAGE))

@@ -74,11 +74,13 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
         shown = f"{str(name_or_path)[:40]!r}, {type(name_or_path).__name__}"
         raise InvalidScene(f"a {what} is named by text or a path, not {shown}; give {form} or a shipped name")
     name, known = os.fspath(name_or_path), _names_in(folder)
+    if not name:
+        raise InvalidScene(f"the name of the {what} is empty; give {form} or one of: {', '.join(known)}")
     if name in known:
         return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8"), ""
     near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
     remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of: {', '.join(known)}"
-    return _text_of(Path(name), what, remedy), name
+    return _text_of(Path(name), what, remedy), "standard input" if name == "-" else repr(name)
 
 
 def _text_of(path: Path, what: str, remedy: str) -> str:
@@ -126,7 +128,7 @@ def _parsed(text: str, what: str, file: str) -> dict[str, Any]:
         return tomllib.loads(text, parse_float=_float_text)
     except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
         reason = " ".join(str(error).split())[:200]
-        raise InvalidScene(f"{f'{file!r} is ' if file else ''}not a TOML {what}: {reason}") from None
+        raise InvalidScene(f"{f'{file} is ' if file else ''}not a TOML {what}: {reason}") from None
 
 
 def parse_scene(text: str, file: str = "") -> Scene:

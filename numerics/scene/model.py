@@ -202,5 +202,5 @@ def read_law(law: object) -> Law:
         return Law(law)
     except ValueError:
         names = ", ".join(f'"{one.value}"' for one in Law)
-        given = repr(law) if isinstance(law, str) else f"a {type(law).__name__}"  # a huge int has no text
+        given = repr(law) if isinstance(law, str) else f"what is of type {type(law).__name__}"  # a huge int has no text
         raise InvalidScene(f"law = {given[:40]} is not one of {names}") from None

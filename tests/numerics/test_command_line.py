@@ -127,6 +127,7 @@ def test_a_scene_is_read_from_standard_input(capsys, monkeypatch, scene_file, co
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"m1 = ")))
     code, out, err = run(capsys, *command)
     assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "standard input is not a TOML scene" in err
 
 
 def test_the_version_is_that_of_the_project(capsys):
@@ -134,10 +135,21 @@ def test_the_version_is_that_of_the_project(capsys):
     assert (code, out.split()[0]) == (0, "inertial-pair")
 
 
-def test_a_mistyped_scene_is_told_the_nearest(capsys):
-    code, out, err = run(capsys, "solve", "velocites")
-    assert (code, out) == (2, "")
-    assert "did you mean velocities" in err
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["solve", "velocites"], "did you mean velocities"),
+        (["slove", "velocities"], "did you mean solve"),
+        (["solve", "velocities", "--arithmetic", "flaot64"], "did you mean float64"),
+        (["track", "at-rest", "--reference", "s-curv"], "did you mean s-curve"),
+        (["solve", ""], "the name of the scene is empty"),
+        (["solve", "velocities", "--plot", "/proc/x.svg"], "cannot be written to"),
+    ],
+)
+def test_a_mistake_is_told_with_what_was_meant(capsys, words, said):
+    code, out, err = run(capsys, *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert said in err
 
 
 @pytest.mark.parametrize(
