@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 from functools import partial
+from typing import cast
 
 from flint import acb, arb
 
@@ -32,8 +33,10 @@ from numerics.control.orbit import Drive, Orbit
 from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, thresholds
 from numerics.errors import InvalidScene
 from numerics.linear.system import ONE, is_positive_on
+from numerics.plane.rotating import rotating_force, rotating_response
 from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State
 from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.plane import PlaneScene
 
 
 class Regime(Enum):
@@ -82,7 +85,7 @@ class Response:
 
 
 def response(
-    scene: Scene,
+    scene: Scene | PlaneScene,
     *,
     amplitude: Exact | None = None,
     omega: Exact | None = None,
@@ -93,13 +96,19 @@ def response(
 ) -> Response:
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
-    For a scene without a force both together are its force, amplitude sin(omega t). A run of up to `max_events` events
+    For a scene without a force both together are its force, amplitude sin(omega t). On a surface the force goes round,
+    and the answer is a RotatingResponse (plane/rotating.py). A run of up to `max_events` events
     finds the motion; `tell` hears what is being done.
 
     Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits, by
     default 16 times as many as are asked for), NotSettled (no motion was found within max_events),
     PrecisionExhausted.
     """
+    if isinstance(scene, PlaneScene):
+        if amplitude is None or omega is None:
+            size, rate = rotating_force(scene, digits)
+            amplitude, omega = (size if amplitude is None else amplitude), (rate if omega is None else omega)
+        return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
     drive = _drive_under(scene, amplitude, omega)
     known, orbit = None, None
     if len(drive.piece.sines) == 1:

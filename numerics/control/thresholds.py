@@ -28,8 +28,10 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.answers import number, to_digits
 from numerics.errors import InvalidScene
 from numerics.linear.system import is_positive_on
+from numerics.plane.rotating import rotating_threshold
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.plane import PlanePair
 
 _PARTS = 64
 """Into so many parts half a period is cut before w > 0 counts as undecided."""
@@ -55,7 +57,7 @@ class Thresholds:
     digits: int
 
 
-def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int | None = None) -> Thresholds:
+def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_digits: int | None = None) -> Thresholds:
     """Return both thresholds at the frequency omega (rad/s) > 0. Raises InvalidScene, PrecisionExhausted.
 
     >>> from numerics import Pair
@@ -66,6 +68,9 @@ def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int | 
     rate = exact_decimal(omega, "omega")
     if rate <= 0:
         raise InvalidScene(f"omega = {short(rate)} must be > 0; give a frequency in rad/s")
+    if isinstance(pair, PlanePair):  # under a force that goes round both are one
+        both = rotating_threshold(pair, rate, digits)
+        return Thresholds(rate, both, both, None, digits)
 
     def attempt(_: Ball) -> tuple[Thresholds, list[arb]]:
         low, high = entrainment_threshold(pair, rate), non_stop_threshold(pair, rate)
