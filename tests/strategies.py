@@ -11,6 +11,7 @@ from numerics.arithmetic.pair import two_sum
 from numerics.control.response import Regime
 from numerics.control.thresholds import thresholds
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.scene.plane import PlanePair, PlaneScene
 
 MODERATE = (-2, 2)
 EXTREME = (-12, 12)
@@ -336,3 +337,24 @@ def elementary_expressions(draw, depth: int = 3):
     if kind == "inverse":
         return 1 / (1 + one**2)
     return Rational(draw(st.integers(-9, 9)), draw(st.integers(1, 9))) * one
+
+
+@st.composite
+def plane_scenes(draw, shape: str = "ellipsoid"):
+    """Scenes on a surface, of two axes or three: round or not, with or without couplings, damper and force."""
+    n = draw(st.sampled_from([2, 2, 3]))
+
+    def thousandths(low, high):
+        return Fraction(draw(st.integers(low, high)), 1000)
+
+    def several(low, high):
+        return [thousandths(low, high) for _ in range(n)]
+
+    springs = several(80_000, 200_000)
+    coupling = thousandths(-50_000, 50_000) if draw(st.booleans()) else Fraction(0)
+    a2 = [[springs[i] if i == j else coupling if i + j == 1 else Fraction(0) for j in range(n)] for i in range(n)]
+    b = several(200, 1000) if draw(st.booleans()) else thousandths(200, 1000)
+    pair = PlanePair(several(500, 2000), several(500, 2000), a2, b, draw(st.sampled_from([0, 1])), shape)
+    force = [Force.sine(thousandths(200, 2000), thousandths(2000, 9000), thousandths(0, 3000)) for _ in range(n)]
+    start = {"x1": several(-20, 20), "v1": several(-200, 200), "v2": several(-200, 200)}
+    return PlaneScene(pair, Fraction(1, 2), **start, force=force if draw(st.booleans()) else ())

@@ -16,7 +16,7 @@ from typing import Any, cast
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import exact_decimal
-from numerics.scene.plane import is_plane, plane_scene
+from numerics.scene.plane import PlaneScene, is_plane, plane_scene
 from numerics.scene.weakening import two_coefficients
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
@@ -66,6 +66,16 @@ def load_scene(name_or_path: str | Path) -> Scene:
     Fraction(1, 20)
     """
     return parse_scene(*_text_and_file(name_or_path, "shipped", "scene", "a TOML file"))
+
+
+def load_line(name_or_path: str | Path) -> Scene:
+    """Return a scene of one line, as `load_scene`; one on a surface is refused."""
+    scene: Scene | PlaneScene = load_scene(name_or_path)
+    if isinstance(scene, PlaneScene):
+        raise InvalidScene(
+            "a scene on a surface can be solved, and asked for its response; this is known on one line only"
+        )
+    return scene
 
 
 def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tuple[str, str]:
