@@ -105,7 +105,7 @@ def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
     scene = trajectory.scene
     ax.plot(curve.t, curve.y[0], **FIRST)
     ax.plot(curve.t, curve.y[2], **SECOND)
-    if scene.pair.a1 == 0:
+    if scene.pair.a1 == 0 and not scene.friction.weakening:
         stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
         t, centre, half = curve.t, curve.u / stiffness, curve.b * share / stiffness
         ax.plot(t, centre + half, color="black", lw=0.8, ls=":", label="edges of $S_0$, for $x_1$")
