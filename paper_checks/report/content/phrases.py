@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 
 from paper_checks.engines.kernel import PROVED
 from paper_checks.evidence.finding import Verdict
@@ -41,11 +40,6 @@ def section_title(name: str) -> str:
     ('Section III', 'Theorems')
     """
     return f"Section {name}" if set(name) <= set("IVX") else name
-
-
-def sections(rows: Sequence[Row]) -> list[str]:
-    """Return the sections that the rows come from, in their order."""
-    return list(dict.fromkeys(row.claim.section for row in rows))
 
 
 def kind(row: Row) -> str:
