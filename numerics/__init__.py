@@ -7,6 +7,7 @@ A scene, exact:
     Force               the force u(t) on body 1, N, by pieces; Force.sine, .step, .ramp, .trapezoid, .sweep
     Piece, Sine         what a force is made of
     Friction            the friction force b by pieces, N
+    Weakening           how friction depends on the speed of the slip and on the place
     Law                 how sgn(0) is read where v1 = v2
     load_scene          the scene of a TOML file, or a shipped one such as "velocities"
     scene_text          a scene as TOML text
@@ -70,6 +71,7 @@ if TYPE_CHECKING:
     from numerics.scene import Scene as Scene
     from numerics.scene import Sine as Sine
     from numerics.scene import State as State
+    from numerics.scene import Weakening as Weakening
     from numerics.scene.file import load_reference as load_reference
     from numerics.scene.file import load_scene as load_scene
     from numerics.scene.writing import scene_text as scene_text
@@ -83,7 +85,7 @@ if TYPE_CHECKING:
 
 # without __all__, in whose presence help() would print every method of every class here
 _NAMES = {
-    "scene": "Force Friction Law Pair Piece Scene Sine State",
+    "scene": "Force Friction Law Pair Piece Scene Sine State Weakening",
     "scene.file": "load_reference load_scene",
     "scene.writing": "scene_text",
     "solver.solve": "solve",

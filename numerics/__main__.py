@@ -18,6 +18,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     complete(known)
     options = known.parse_args(arguments)
     from numerics.errors import InvalidScene, MissingTool, NoForceHere, NumericsError
+    from numerics.files import cache_refused
+
+    if refused := cache_refused():
+        print(refused, file=sys.stderr)
 
     try:
         said = _wrong_path(options)

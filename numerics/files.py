@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,18 +13,60 @@ from typing import BinaryIO
 
 
 def cache_folder() -> Path:
-    """Return `inertial-pair` in the user's cache: that of XDG_CACHE_HOME, of LOCALAPPDATA (Windows), or ~/.cache.
+    """Return `inertial-pair` in the user's cache, where the system has it (platformdirs).
 
-    A relative path is ignored, as the XDG specification asks. A user without a home has a folder that cannot be made.
+    What is kept there is believed: a folder that others own or can write is not used, as if it could not be made, and
+    `cache_refused` says why. A user without a home has a folder that cannot be made either.
     """
-    for variable in ("XDG_CACHE_HOME", "LOCALAPPDATA"):
-        named = Path(os.environ.get(variable, ""))
-        if named.is_absolute():
-            return named / "inertial-pair"
+    folder = _user_cache()
+    return NOWHERE if folder is None or _fault(folder) else folder
+
+
+def cache_refused() -> str:
+    """Return in one sentence why the user's cache is not used though it is there; "" where nothing is wrong with it."""
+    folder = _user_cache()
+    fault = "" if folder is None else _fault(folder)
+    return fault and f"the cache is not used: {fault}; correct its mode, or set XDG_CACHE_HOME to a folder of your own"
+
+
+NOWHERE = Path(os.devnull) / "inertial-pair"
+"""A folder that cannot be made."""
+
+
+def _user_cache() -> Path | None:
+    from platformdirs import user_cache_path
+
     try:
-        return Path.home() / ".cache" / "inertial-pair"
+        found = user_cache_path("inertial-pair", appauthor=False)
     except RuntimeError:  # neither HOME nor an entry in the list of users
-        return Path(os.devnull) / "inertial-pair"
+        return None
+    return found if found.is_absolute() else None
+
+
+def _fault(folder: Path) -> str:
+    """Return what lets others change what is in a folder; "" where nothing does, or the system has no such owners.
+
+    In a folder above that anybody can write (and not only add to, as to /tmp), another one could take its place. A
+    folder that is not there yet is made by us, for us alone.
+    """
+    if not hasattr(os, "getuid"):
+        return ""
+    real = Path(os.path.realpath(folder))
+    if real.exists() and real.stat().st_uid != os.getuid():
+        return f"{real} belongs to another user"
+    if real.exists() and real.stat().st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+        return f"others can write {real}"
+    for above in (one for one in real.parents if one.exists()):
+        if above.stat().st_mode & (stat.S_IWOTH | stat.S_ISVTX) == stat.S_IWOTH:
+            return f"anybody can put another folder in the place of {real}, as anybody can write {above}"
+    return ""
+
+
+def make_private(folder: Path) -> None:
+    """Make a folder of the cache, with those above it, so that nobody else can write it. Raises OSError."""
+    for place in (*reversed(folder.parents), folder):
+        if not place.is_dir():
+            place.mkdir(mode=0o700, exist_ok=True)
 
 
 @contextmanager

@@ -1,5 +1,5 @@
 # PYTHON_ARGCOMPLETE_OK
-"""The command line: `python -m paper_checks [run] [ID ...]`, `list`, `report`, `plant`, `source`."""
+"""The command line: `python -m paper_checks [run] [ID ...]`, `list`, `report`, `plant`, `sign`, `source`."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 # Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
 
 SCRIPT = "inertial-pair-checks"
-COMMANDS = ("run", "list", "report", "explore", "plant", "source")
+COMMANDS = ("run", "list", "report", "explore", "plant", "sign", "source")
 USAGE, UNCHECKED, INTERRUPTED = 2, 3, 130
 EPILOGUE = (
     "Exit codes: 0 every verdict is the recorded one; 1 some verdict differs; 2 usage; "
@@ -102,7 +102,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog=EPILOGUE,
     )
     parser.add_argument("--version", action=Version, nargs=0, help="print the version and exit")
-    commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant,source}")
+    commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant,sign,source}")
     run = commands.add_parser("run", help="check the claims, print verdicts and evidence", epilog=EPILOGUE)
     run.add_argument("ids", nargs="*", metavar="ID", help="claims to check; all without it (see list)")
     run.add_argument("--json", action="store_true", help="print a JSON list")
@@ -128,6 +128,11 @@ def _parser() -> argparse.ArgumentParser:
     )
     plant.add_argument("ids", nargs="*", metavar="ID", help="claims to plant faults in; all without it")
     plant.set_defaults(command=_plant)
+    sign = commands.add_parser("sign", help="show sentences and the kernel's statements behind them; sign them by key")
+    sign.add_argument(
+        "keys", nargs="*", metavar="KEY", help="pairs to sign; without it those are shown that nobody has"
+    )
+    sign.set_defaults(command=_sign)
     source = commands.add_parser("source", help="say whether a file is the text of the paper that was checked")
     source.add_argument("file", type=Path, metavar="FILE")
     source.set_defaults(command=_source)
@@ -211,6 +216,13 @@ def _plant(options: argparse.Namespace) -> int:
     return 0 if turned == len(found) else 1
 
 
+def _sign(options: argparse.Namespace) -> int:
+    from paper_checks.ledger import CLAIMS
+    from paper_checks.running import signing
+
+    return signing.sign(CLAIMS, options.keys)
+
+
 def _report(options: argparse.Namespace) -> int:
     if (wrong := wrong_folder(options.out)) is not None:
         _complain(f"the report cannot be written: {wrong} with --out")
@@ -258,6 +270,7 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
 
 def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
     """Come by the rows, with progress on stderr where that is a terminal."""
+    from numerics.files import cache_refused
     from numerics.tasks import available_cores
     from paper_checks.checks.registry import Context
     from paper_checks.report.formats.progress import progress
@@ -266,6 +279,8 @@ def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
 
     manner = rows.Manner(options.jobs or (available_cores() if options.program else 1))
     if options.program:
+        if refused := cache_refused():
+            _complain(refused)
         manner = rows.Manner(manner.jobs, Kept(options.seed), options.fresh)
     with progress(len(claims)) as shown:
         return rows.rows(claims, Context(options.seed, options.debug), manner, shown)

@@ -2,31 +2,24 @@
 
 import os
 import signal
-from multiprocessing.connection import Connection
 
 from numerics.trade.recorded import Trade
-from paper_checks.checks.registry import Context, load_checks
-from paper_checks.ledger import claim_named
+from paper_checks.checks.registry import Context
 from paper_checks.reporting import parts
-from paper_checks.running.plain import plain
-from paper_checks.running.runner import run
+from paper_checks.running import workers
+from paper_checks.running.plain import Plain
 
 
-def dies_of_energy_rate(connection: Connection, context: Context) -> None:
-    """Decide rows, and end without a word when asked for the row `energy-rate`."""
-    while (name := connection.recv()) != "energy-rate":
-        connection.send(plain(run([claim_named(name)], load_checks(), context)[0]))
-    os._exit(7)
+def dies_of_energy_rate(name: str, context: Context) -> Plain:
+    """Decide a row, and end without a word when asked for the row `energy-rate`."""
+    return os._exit(7) if name == "energy-rate" else workers.decided(name, context)
 
 
-def tells_what_ctrl_c_does(connection: Connection, context: Context) -> None:
-    """Answer each row with whether Ctrl-C was ignored before anything of ours ran in this process."""
-    while connection.recv():
-        connection.send(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)
+def tells_what_ctrl_c_does(name: str, context: Context) -> bool:
+    """Answer each row with whether Ctrl-C is ignored, though nothing of ours has said so in this process."""
+    return signal.getsignal(signal.SIGINT) is signal.SIG_IGN
 
 
-def dies_of_two_bodies(connection: Connection, trade: Trade) -> None:
-    """Draw figures, and end without a word when asked for the figure `two-bodies`."""
-    while (part := connection.recv()).name != "two-bodies":
-        connection.send(dict(parts.made([part], trade))[part])
-    os._exit(7)
+def dies_of_two_bodies(part: parts.Part, trade: Trade) -> parts.Made:
+    """Draw a figure, and end without a word when asked for the figure `two-bodies`."""
+    return os._exit(7) if part.name == "two-bodies" else dict(parts.made([part], trade))[part]

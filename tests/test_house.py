@@ -69,6 +69,7 @@ FLOORS = {
         ("linear",),
         ("free",),
         ("trajectory",),
+        ("plane",),
         ("solver",),
         ("control",),
         ("audit", "trade"),
@@ -77,6 +78,7 @@ FLOORS = {
     ),
     "paper_checks": (
         ("errors", "atomic"),
+        ("store",),
         ("evidence", "proofs"),
         ("solvers",),
         ("engines",),

@@ -24,7 +24,7 @@ from types import FunctionType
 from typing import Any, TypeVar
 
 from numerics.arithmetic import pair
-from numerics.files import cache_folder
+from numerics.files import cache_folder, make_private
 
 try:
     import fcntl
@@ -123,7 +123,7 @@ def _one_process_at_a_time(compile_for: Callable[..., Any], path: Path) -> Calla
     def locked(types: Any) -> Any:
         with ExitStack() as stack:
             with suppress(OSError):  # a folder that cannot be written keeps no compiled code either
-                path.parent.mkdir(parents=True, exist_ok=True)
+                make_private(path.parent)  # what numba keeps there is code
                 file = stack.enter_context(path.open("wb"))
                 if fcntl is not None:
                     fcntl.flock(file, fcntl.LOCK_EX)  # closing the file ends it

@@ -23,11 +23,11 @@ def list_scenes(_: argparse.Namespace) -> int:
 def print_energy(options: argparse.Namespace) -> int:
     """Print the energy of a scene at one time, however late."""
     from numerics.free.energy import energy_at
-    from numerics.scene.file import load_scene
+    from numerics.scene.file import load_line
     from numerics.trajectory.rendering import ball_text
 
     found = energy_at(
-        load_scene(options.scene),
+        load_line(options.scene),
         options.at,
         digits=options.digits,
         max_steps=options.max_steps,

@@ -129,6 +129,7 @@ def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margi
         raise InvalidScene(f"amplitude = {short(amplitude)} must be > 0; leave it out for a force without bound")
     if any((at.x1, at.v1, at.v2)):
         raise InvalidScene("a transfer starts at rest with the spring unloaded; set x1 = v1 = v2 = 0")
+    scene.require_one_b("a transfer")
     if scene.is_forced:
         raise InvalidScene("a transfer brings its own force, at one friction; leave [[force]] and [[friction]] out")
 

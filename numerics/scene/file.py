@@ -6,15 +6,18 @@ import difflib
 import os
 import sys
 import tomllib
+from collections.abc import Set
 from contextlib import nullcontext
 from fractions import Fraction
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from numerics.errors import InvalidScene
-from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import exact_decimal
+from numerics.scene.plane import PlaneScene, is_plane, plane_scene
+from numerics.scene.weakening import two_coefficients
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
 """Of a scene without a force, and of one with."""
@@ -22,8 +25,10 @@ _KEYS = {
     "pair": {"m1", "m2", "a1", "a2", "b"},
     "initial": {"x1", "v1", "x2", "v2"},
     "run": {"law", "until"},
+    "weakening": {"speed", "last_slope", "place"},
 }
 _PIECES = {"force": {"from", "polynomial", "sines"}, "friction": {"from", "b"}}
+_TWO_COEFFICIENTS = {"b_s", "b_k", "b_static", "b_kinetic", "mu_s", "mu_k"}
 _SINE = {"amplitude", "omega", "phase"}
 _REFERENCE = "reference"
 _REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("run", "until"))
@@ -61,6 +66,16 @@ def load_scene(name_or_path: str | Path) -> Scene:
     Fraction(1, 20)
     """
     return parse_scene(*_text_and_file(name_or_path, "shipped", "scene", "a TOML file"))
+
+
+def load_line(name_or_path: str | Path) -> Scene:
+    """Return a scene of one line, as `load_scene`; one on a surface is refused."""
+    scene: Scene | PlaneScene = load_scene(name_or_path)
+    if isinstance(scene, PlaneScene):
+        raise InvalidScene(
+            "a scene on a surface can be solved, and asked for its response; this is known on one line only"
+        )
+    return scene
 
 
 def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tuple[str, str]:
@@ -127,11 +142,19 @@ def _parsed(text: str, what: str, file: str) -> dict[str, Any]:
 
 
 def parse_scene(text: str, file: str = "") -> Scene:
-    """Return the Scene that TOML `text` describes, numbers read as exact decimals. Raises InvalidScene."""
+    """Return the Scene that TOML `text` describes, numbers read as exact decimals; of lists a PlaneScene.
+
+    Raises InvalidScene.
+    """
     tables = _parsed(text, "scene", file)
-    _check_keys(tables)
-    pair, initial, run = (tables.get(name, {}) for name in _KEYS)
-    force, friction = (_pieces_of(tables, name) for name in _PIECES)
+    on_surface = is_plane(tables)
+    _check_keys(tables, {"shape"} if on_surface else set())
+    pair, initial, run, weakening = (tables.get(name, {}) for name in _KEYS)
+    force, friction = (_pieces_of(tables, name, {"axis"} if on_surface else set()) for name in _PIECES)
+    if on_surface:  # what is asked of a Scene is refused by its type
+        if weakening:
+            raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
+        return cast("Scene", plane_scene(tables, lambda one, number: _in_place(_force_piece, one, number)))
     return Scene(
         Pair(**pair),
         State(**initial),
@@ -139,18 +162,19 @@ def parse_scene(text: str, file: str = "") -> Scene:
         law=run.get("law", Law.FILIPPOV),
         force=Force(_in_place(_force_piece, one, number) for number, one in enumerate(force, start=1)),
         friction=Friction(
-            _in_place(_friction_piece, one, number, "friction") for number, one in enumerate(friction, start=1)
+            (_in_place(_friction_piece, one, number, "friction") for number, one in enumerate(friction, start=1)),
+            Weakening(**weakening) if "weakening" in tables else None,
         ),
     )
 
 
-def _pieces_of(tables: dict[str, Any], name: str) -> list[dict[str, Any]]:
+def _pieces_of(tables: dict[str, Any], name: str, more: Set[str] = frozenset()) -> list[dict[str, Any]]:
     """Return the tables [[name]], in their order; none is an empty list."""
     found = tables.get(name, [])
     if not isinstance(found, list) or not all(isinstance(one, dict) for one in found):
         raise InvalidScene(f"{name} must be tables of its pieces; write [[{name}]] on a line of its own for each")
     for one in found:
-        _require_known(one, _PIECES.get(name, _PIECES["force"]), f"[[{name}]]")
+        _require_known(one, _PIECES.get(name, _PIECES["force"]) | more, f"[[{name}]]")
     return found
 
 
@@ -195,23 +219,26 @@ def _float_text(text: str) -> str:
     return text.replace("_", "")
 
 
-def _check_keys(tables: dict[str, Any]) -> None:
+def _check_keys(tables: dict[str, Any], more: Set[str]) -> None:
     for table, content in tables.items():
         if table in _PIECES:
             continue
         if table not in _KEYS:
             raise InvalidScene(
-                f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial], [run], [[force]], [[friction]]"
+                f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial], [run], "
+                "[weakening], [[force]], [[friction]]"
             )
         if not isinstance(content, dict):
             raise InvalidScene(f"{table} must be a table; write [{table}] on a line of its own")
-        _require_known(content, _KEYS[table], f"[{table}]")
+        _require_known(content, _KEYS[table] | (more if table == "pair" else set()), f"[{table}]")
     for table, key in _REQUIRED:
         if key not in tables.get(table, {}):
             raise InvalidScene(f"missing key {key} in [{table}]; every scene must give it")
 
 
-def _require_known(content: dict[str, Any], keys: set[str], where: str) -> None:
+def _require_known(content: dict[str, Any], keys: Set[str], where: str) -> None:
     for key in content:
+        if key in _TWO_COEFFICIENTS:
+            raise two_coefficients(key)
         if key not in keys:
             raise InvalidScene(f"unknown key {key[:40]!r} in {where}; it takes {', '.join(sorted(keys))}")

@@ -115,8 +115,8 @@ NO_FORCE, SAME_FRICTION = Force(), Friction()
 class Scene(ShortRepr):
     """A pair, its state at t = 0, the horizon `until` (s) > 0, the friction law, and what changes in time.
 
-    `force` is u(t) on body 1, `friction` the pieces of b from their time on; most scenes
-    have neither. Raises InvalidScene.
+    `force` is u(t) on body 1, `friction` the pieces of b from their time on and how it depends on the state; most
+    scenes have neither. Raises InvalidScene.
 
     >>> scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.005"), until=5)
     >>> scene.pair.half_width, scene.energy_excess, scene.energy
@@ -174,8 +174,15 @@ class Scene(ShortRepr):
 
     @property
     def is_forced(self) -> bool:
-        """Return whether anything acts in time: a piece of force, or one of friction."""
-        return bool(self.force.pieces or self.friction.pieces)
+        """Return whether anything acts on the paper's free pair: a force, or a friction that is not one number b."""
+        return bool(self.force.pieces or self.friction.pieces or self.friction.weakening)
+
+    def require_one_b(self, what: str) -> None:
+        """Raise InvalidScene, for what is worked out for Coulomb friction only, if friction depends on the state."""
+        if self.friction.weakening:
+            raise InvalidScene(
+                f"{what} is not worked out for friction that depends on the state; leave [weakening] out"
+            )
 
     @property
     def energy(self) -> Fraction:

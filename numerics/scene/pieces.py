@@ -11,6 +11,7 @@ from typing import Any
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
 from numerics.scene.short_repr import ShortRepr
+from numerics.scene.weakening import Weakening
 
 MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 """The first two in one piece of force; the last in one force or friction."""
@@ -84,15 +85,20 @@ class Piece(ShortRepr):
 class Friction(ShortRepr):
     """The friction force b by pieces, (start in s, b in N), in order; before the first one the pair's b. Exact.
 
+    `weakening` says how friction depends on speed and place besides; b is then what it is at rest, for C = 0.
+
     >>> friction = Friction([(4, "0.08")])
     >>> friction.pieces, friction.starts
     (((Fraction(4, 1), Fraction(2, 25)),), (Fraction(4, 1),))
     """
 
     pieces: tuple[tuple[Fraction, Fraction], ...]
+    weakening: Weakening | None
 
-    def __init__(self, pieces: Iterable[tuple[Exact, Exact]] = ()) -> None:
+    def __init__(self, pieces: Iterable[tuple[Exact, Exact]] = (), weakening: Weakening | None = None) -> None:
         """Read the pieces; raises InvalidScene unless every b > 0 and each starts after the one before it."""
+        if not isinstance(weakening, Weakening | None):
+            raise InvalidScene("weakening must be a Weakening(speed, last_slope, place); build it first")
         kept = []
         for one in pieces:
             start, b = _two(one)
@@ -101,7 +107,7 @@ class Friction(ShortRepr):
             if kept[-1][1] <= 0:
                 raise InvalidScene(f"b = {short(kept[-1][1])} must be > 0; give a positive b")
         require_order("friction", [start for start, _ in kept])
-        put(self, pieces=tuple(kept))
+        put(self, pieces=tuple(kept), weakening=weakening)
 
     @property
     def starts(self) -> tuple[Fraction, ...]:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from numerics.scene.decimals import decimal_text
 from numerics.scene.model import Law, Scene
 from numerics.scene.pieces import Piece
+from numerics.scene.weakening import Weakening
 
 
 def scene_text(scene: Scene) -> str:
@@ -23,11 +24,20 @@ def scene_text(scene: Scene) -> str:
     lines += ["[run]", f"until = {_number(scene.until)}"]
     if scene.law is not Law.FILIPPOV:
         lines.append(f'law = "{scene.law.value}"')
+    lines += _weakening_lines(scene.friction.weakening)
     for piece in scene.force.pieces:
         lines += _force_lines(piece)
     for start, b in scene.friction.pieces:
         lines += ["[[friction]]", f"from = {_number(start)}", f"b = {_number(b)}"]
     return "\n".join(lines) + "\n"
+
+
+def _weakening_lines(given: Weakening | None) -> Iterator[str]:
+    if given is not None:
+        yield "[weakening]"
+        yield f"last_slope = {_number(given.last_slope)}"
+        for name in ("speed", "place"):
+            yield f"{name} = [{', '.join(f'[{_number(one)}, {_number(two)}]' for one, two in getattr(given, name))}]"
 
 
 def _force_lines(piece: Piece) -> Iterator[str]:

@@ -66,7 +66,8 @@ def solve_many(
 ) -> Batch:
     """Solve the scenes of all numbers in arrays that broadcast together, in SI units as in Pair, State and Scene.
 
-    Every scene runs as by solve(scene, arithmetic="float64"); an event that its bounds leave open is a status.
+    Every scene runs as by solve(scene, arithmetic="float64"); an event that its bounds leave open is a status. Where
+    friction depends on the state it runs in balls, one after the other.
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
@@ -125,6 +126,8 @@ def solve_scenes(
     """
     scenes = _scenes(scenes)
     laws = {scene.law for scene in scenes}
+    if any(scene.friction.weakening for scene in scenes):
+        jobs = 1  # they are solved in balls, whose precision all threads share
     limits = _limits(next(iter(laws), Law.FILIPPOV), max_events, keep_events, jobs, progress)
     table = np.array([_halves(scene) for scene in scenes]).reshape(len(scenes), 2 * len(SI))
     columns = Columns(table, np.zeros((len(scenes), 0)), np.zeros((len(scenes), 0, 3)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, cast
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
@@ -14,6 +14,7 @@ from numerics.errors import EventUndecided, NumericsError, OutOfRange, Precision
 from numerics.scene import Scene
 from numerics.scene.decimals import require_function, require_whole
 from numerics.scene.model import BUILD, require_kind
+from numerics.scene.plane import PlaneScene
 from numerics.trajectory.dense import require_times
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.run import MAX_EVENTS, Progress, free_scene, run_scene
@@ -46,7 +47,7 @@ class _Limits(NamedTuple):
 
 
 def solve(
-    scene: Scene,
+    scene: Scene | PlaneScene,
     *,
     digits: int | None = None,
     arithmetic: ArithmeticName | None = None,
@@ -56,6 +57,8 @@ def solve(
     progress: Progress | None = None,
 ) -> Trajectory:
     """Solve a scene and return its Trajectory; `arithmetic.name` says what answered, `tried` what did not, and why.
+
+    Of a PlaneScene it is a PlaneTrajectory (plane/solve.py).
 
     Without `digits` and arithmetic: float64 with its own error bounds (Trajectory.accuracy). Only where these leave the
     sequence of events open it climbs: to double-double, then to balls of 34, 68, 136 and 560 working digits.
@@ -86,6 +89,11 @@ def solve(
     >>> solve(scene, t_eval=[0, 0.5, 1]).y.shape
     (4, 3)
     """
+    if isinstance(scene, PlaneScene):
+        from numerics.plane.solve import solve_plane
+
+        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
+        return cast("Trajectory", solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits))
     require_kind("solve", scene, Scene, BUILD)
     if digits is not None or max_events is not MAX_EVENTS or max_digits is not MAX_DIGITS:
         for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):

@@ -4,6 +4,25 @@ One is shipped, with the machine that it was measured on, since what the report 
 the extras `comparisons` and `compiled` it is made by
 
     python -m numerics trade --json > trade.json && mv trade.json numerics/trade/recorded.json
+
+Its form is becoming this one. Every cost is a ratio that was taken in one process, in turns, by processor time, so that
+a busy machine changes little of it:
+
+    {"command": "python -m numerics trade --json",
+     "machine": {"processor": text, "cores": n, "load": at the start, "python": version, "packages": {name: version}},
+     "left_out": {name: what it needs},
+     "scenes": {name: why it is measured},
+     "seconds": {name: processor time of one warm solve(scene), read as a user reads it, s},
+     "columns": ["scene", "who", "setting", "cost", "digits", "right", "note"],
+     "runs": [one list a run],
+     "sweeps": [[scene, how many times as fast as heyoka solve_many is, scenes at once, digits of ours, of heyoka]],
+     "sine_cosines": those of 10,000 digits that an event takes in balls of as many}
+
+`cost` is the processor time of a run by that of `solve(scene)` on the same scene (1 for `solve`, setting 0), null
+where nothing was timed; `digits` is -log10 of the worst error, `right` whether the events are, `note` what is wrong. In
+Python: `Trade.machine`, `.left_out`, `.scenes`, `.seconds`, `.runs` (of `Run`, with the property `ours`), `.sweeps` (of
+`Sweep`: scene, ratio, size, digits, peer_digits), `.sine_cosines`; `Trade.of(scene, who)`, `.names(forced=...)`,
+`.leads(scene)` and `Lead` as now; `Trade.time(run)` is cost * seconds[scene], or None.
 """
 
 from __future__ import annotations

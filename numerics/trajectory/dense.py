@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
+from numerics.linear.cells import mode_in
 from numerics.linear.modes import MODES
 from numerics.scene.decimals import short
 from numerics.trajectory.flow import Knots, losses, moved
@@ -141,7 +142,8 @@ class Dense:
             of = self.of
             start = of.row_times[row], of.row_states[:, row].tolist()
             piece = of.pieces[of.row_pieces[row]]
-            self._motions[row] = Moving(self.arithmetic, of.scene.pair, piece, int(of.row_signs[row]), start)
+            mode = mode_in(of.scene, piece, int(of.row_signs[row]), of.row_cells[row])
+            self._motions[row] = Moving(self.arithmetic, mode, start)
         return self._motions[row]
 
     def floats(self, rows: NDArray[np.int64], since: NDArray[Any]) -> NDArray[np.float64]:

@@ -18,7 +18,7 @@ from functools import cache
 from pathlib import Path
 
 from numerics import files
-from paper_checks.proofs.sources import LIBRARY, Source, all_required, in_order, keys
+from paper_checks.proofs.sources import LIBRARY, Source, all_required, digest, in_order, keys
 
 try:
     import fcntl
@@ -50,8 +50,12 @@ def why_not(search_path: str | None) -> str:
 
 def cannot_keep(store: Path) -> str:
     """Why nothing that is compiled can be kept in a store, in one line; empty if it can."""
+    if store == cache_folder() and files.cache_refused():
+        return (
+            "kernel not run: the user's cache is not used, as others can change it; its folder must be the user's alone"
+        )
     try:
-        store.mkdir(parents=True, exist_ok=True)
+        files.make_private(store)
         with tempfile.TemporaryFile(dir=store) as file:
             file.write(b"a full disk refuses this")
     except OSError as error:  # the folder itself is not named: a report says the same everywhere
@@ -67,6 +71,16 @@ def version(search_path: str | None) -> str:
     return subprocess.run([coqc, "--print-version"], capture_output=True, encoding="utf-8", check=True).stdout.strip()
 
 
+@cache
+def identity(search_path: str | None) -> str:
+    """The compiler's version and a hash of the compiled libraries beside it: a proof rests on those that it requires."""
+    coqc = shutil.which("coqc", path=search_path) or "coqc"
+    asked = subprocess.run([coqc, "-where"], capture_output=True, encoding="utf-8", check=True)
+    seen = (path for path in (Path(asked.stdout.strip()) / "user-contrib").rglob("*.vo"))
+    sizes = (f"{path.parent.name}/{path.name} {path.stat().st_size} {path.stat().st_mtime_ns}" for path in seen)
+    return f"{version(search_path)} {digest(sorted(sizes))}"
+
+
 def cache_folder() -> Path:
     """Where compiled proofs are kept: `inertial-pair/proofs` in the user's cache."""
     return files.cache_folder() / "proofs"
@@ -75,7 +89,7 @@ def cache_folder() -> Path:
 @contextmanager
 def locked(store: Path) -> Iterator[None]:
     """Let one process at a time compile into a store, where the system can: a second one then finds all done."""
-    store.mkdir(parents=True, exist_ok=True)
+    files.make_private(store)
     with (store / "lock").open("wb") as file:
         if fcntl is not None:
             fcntl.flock(file, fcntl.LOCK_EX)
@@ -107,8 +121,8 @@ def compile_all(
     A file that fails does not stop those that do not rest on it. On an interrupt the compilers that run are ended.
     """
     store = cache_folder() if store is None else store
-    store.mkdir(parents=True, exist_ok=True)
-    named = keys(sources, version(os.environ.get("PATH")))
+    files.make_private(store)
+    named = keys(sources, identity(os.environ.get("PATH")))
     found = Compiled()
     waiting = list(in_order(sources))
     running: list[_Run] = []

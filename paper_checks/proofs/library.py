@@ -10,13 +10,13 @@ from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 
-from paper_checks import atomic
-from paper_checks.proofs import graph, kernel, questions, tied
+from paper_checks.proofs import graph, kernel, questions, signed, tied
 from paper_checks.proofs.cited import CITED
 from paper_checks.proofs.kernel import Compiled, Progress
 from paper_checks.proofs.pins import Pin, Pins, pinned
 from paper_checks.proofs.sources import FOLDER, Source, all_required, digest, keys, read
 from paper_checks.proofs.tied import TIES
+from paper_checks.store import Store
 
 
 @dataclass(frozen=True)
@@ -141,13 +141,13 @@ def _answers(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> 
 
 def _facts(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> _Facts:
     """Ask the kernel about all that compiled, or take its answers from the cache."""
-    named = keys(sources, kernel.version(os.environ.get("PATH")))
+    named = keys(sources, kernel.identity(os.environ.get("PATH")))
     asked = {one: name for one, name in names().items() if name.split(".")[0] in compiled.folders}
-    wording = Path(questions.__file__).read_text("utf-8") + Path(graph.__file__).read_text("utf-8")
-    title = digest([wording, *sorted(asked.values()), *(named[file] for file in sorted(compiled.folders))])
-    kept = store / f"answers-{title}.json"
-    if kept.exists():
-        return _Facts(**json.loads(kept.read_text("utf-8")))
+    wording = [Path(one).read_text("utf-8") for one in (questions.__file__, graph.__file__, __file__)]
+    title = digest([*wording, *sorted(asked.values()), *(named[file] for file in sorted(compiled.folders))])
+    kept = Store("answers", title, store)
+    if body := kept.get("answers.json"):
+        return _Facts(**json.loads(body))
     references, definitions = graph.references(compiled.folders)
     present = [name for name in asked.values() if name in references]
     by_integers = [name for name in present if _by_intervals(name.split(".")[0], sources)]
@@ -158,7 +158,7 @@ def _facts(compiled: Compiled, sources: Mapping[str, Source], store: Path) -> _F
         dict(answers.axioms),
         {name: graph.nearest(name, present, references) for name in present},
     )
-    atomic.write(kept, json.dumps(asdict(facts)))
+    kept.put("answers.json", json.dumps(asdict(facts)).encode())
     return facts
 
 
@@ -193,7 +193,16 @@ def _problem(
     if found.statement != pins.theorems[one].statement:
         return f"{name} does not say what is pinned"
     changed = [other for other, text in definitions.items() if pins.definitions.get(other) != text]
-    return f"{name} rests on {changed[0]}, which is not defined as pinned" if changed else ""
+    if changed:
+        return f"{name} rests on {changed[0]}, which is not defined as pinned"
+    return _unsigned(one, found, definitions)
+
+
+def _unsigned(one: str, pin: Pin, definitions: Mapping[str, str]) -> str:
+    """Say that the sentence of a cited theorem was not read beside what is pinned; of a tie nobody reads one."""
+    if one not in CITED or signed.is_signed(one, signed.of_theorem(CITED[one][1], pin.statement, definitions)):
+        return ""
+    return f"{names()[one]} and its sentence were not signed together: python -m paper_checks sign {one}"
 
 
 def definitions_of(text: str, printed: Mapping[str, str]) -> dict[str, str]:
@@ -212,9 +221,11 @@ def _not_run(reason: str, pins: Pins) -> Built:
     def proved(one: str) -> Proved:
         pin = pins.theorems.get(one)
         definitions = {name: pins.definitions[name] for name in pin.definitions} if pin else {}
-        return _proved(one, pin, definitions, (), None, reason)
+        problem = _unsigned(one, pin, definitions) if pin else ""
+        return _proved(one, pin, definitions, (), False if problem else None, problem or reason)
 
-    return Built(reason, False, {one: proved(one) for one in names()})
+    theorems = {one: proved(one) for one in names()}
+    return Built(reason, False, theorems, tuple(one.problem for one in theorems.values() if one.holds is False))
 
 
 def _proved(

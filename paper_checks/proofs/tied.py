@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import re
-from hashlib import sha256
-from importlib.metadata import version
 from pathlib import Path
 
-from paper_checks import atomic
 from paper_checks.proofs import kernel
 from paper_checks.proofs.kernel import Compiled, Progress
 from paper_checks.proofs.sources import FOLDER, Source
+from paper_checks.store import Store, digest, version
 
 TIES = "Tie"
 
@@ -19,20 +17,15 @@ def text(store: Path) -> str:
     """The generated file. Deriving it takes seconds, so its text is kept under a hash of all that it is made from."""
     import theory
 
-    made_from = [
-        *sorted(Path(theory.__file__).parent.glob("*.py")),
-        *sorted(FOLDER.glob("tie*.py")),
-        FOLDER / "gallina.py",
-    ]
-    seen = sha256(version("sympy").encode())
-    for path in made_from:
-        seen.update(path.name.encode() + path.read_bytes())
-    kept = store / f"ties-{seen.hexdigest()[:20]}.v"
-    if not kept.exists():
-        from paper_checks.proofs import ties
+    made_from = [*sorted(Path(theory.__file__).parent.rglob("*.py")), *sorted(FOLDER.glob("*.py"))]
+    kept = Store("ties", digest(made_from, [f"sympy {version('sympy')}"]), store)
+    if body := kept.get(f"{TIES}.v"):
+        return body.decode()
+    from paper_checks.proofs import ties
 
-        atomic.write(kept, ties.text())
-    return kept.read_text("utf-8")
+    found = ties.text()
+    kept.put(f"{TIES}.v", found.encode())
+    return found
 
 
 def compiled(

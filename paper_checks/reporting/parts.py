@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from multiprocessing.connection import Connection
 
 from numerics.trade.recorded import Trade
 from paper_checks.drawing.figures import FIGURES
@@ -57,8 +56,7 @@ def made(parts: Sequence[Part], trade: Trade, jobs: int = 1) -> Iterator[tuple[P
     if min(jobs, len(parts)) < 2:
         yield from ((part, _made(part, trade)) for part in parts)
         return
-    processes.begin([__name__])
-    for part, answer in processes.answers(sorted(parts, key=_place), jobs, _serve, trade):
+    for part, answer in processes.answers(sorted(parts, key=_place), jobs, _made, trade):
         yield part, _here(part, trade, answer) if isinstance(answer, processes.Ended) else answer
 
 
@@ -81,8 +79,3 @@ def _here(part: Part, trade: Trade, ended: processes.Ended) -> Made:
         return _made(part, trade)
     why = f"the figure {part.name} was not drawn: its process ended with exit code {ended.exit_code}"
     return dict.fromkeys(part.forms, Undrawn(why))
-
-
-def _serve(connection: Connection, trade: Trade) -> None:
-    """Make the parts that come by the connection, until it is closed."""
-    processes.serve_each(connection, lambda part: _made(part, trade))

@@ -10,6 +10,7 @@ from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, weakest
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger.claim import Claim
+from paper_checks.running import signing
 
 SETTLED = (Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED)
 
@@ -68,7 +69,7 @@ def proofs(claim: Claim, finding: Finding) -> tuple[Proof, ...]:
     for clause, about in clauses(claim, finding):
         steps = named.get(clause.id) or _by_reason(finding, about, used)
         theorems = tuple(kernel.step(name) for name in clause.kernel)
-        bindings = tuple(formula.evidence() for formula in clause.formulas.values())
+        bindings = (*(one.evidence() for one in clause.formulas.values()), *signing.bindings(claim, clause))
         quoted = about is Subject.CLAIM and finding.counterexample is not None
         found.append(Proof(clause, about, steps, theorems, tuple(_about(one, about) for one in bindings), quoted))
     return tuple(found)

@@ -7,14 +7,13 @@ or asked, the kernel and its version, and the seed. Only rows that another run w
 from __future__ import annotations
 
 import os
-import pickle
 import platform
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from paper_checks.proofs import kernel
-from paper_checks.running.store import ROOT, Store, all_sources, digest, version
+from paper_checks.store import ROOT, Store, all_sources, digest, version
 
 if TYPE_CHECKING:
     from paper_checks.running.plain import Plain
@@ -41,7 +40,7 @@ def tools() -> tuple[str, ...]:
     """Return the versions of the kernel, or why it was not run, and of Python, and the machine's kind."""
     search_path = os.environ.get("PATH")
     missing = kernel.why_not(search_path) or kernel.cannot_keep(kernel.cache_folder())
-    return missing or kernel.version(search_path), platform.python_version(), platform.machine()
+    return missing or kernel.identity(search_path), platform.python_version(), platform.machine()
 
 
 class Kept:
@@ -58,11 +57,17 @@ class Kept:
 
     def row(self, name: str) -> Plain | None:
         """Return the row of a claim; None where it is not kept, or not as it was written."""
-        body = self._store.get(f"{name}.row")
-        found: Plain | None = pickle.loads(body) if body else None
-        return found
+        from paper_checks.running import plain
+
+        body = self._store.get(f"{name}.json")
+        try:
+            return plain.from_json(body.decode()) if body else None
+        except ValueError:
+            return None
 
     def keep(self, row: Plain) -> None:
         """Keep a row that another run would find again; a cache that cannot be written keeps none."""
+        from paper_checks.running import plain
+
         if row.lasting:
-            self._store.put(f"{row.claim}.row", pickle.dumps(row))
+            self._store.put(f"{row.claim}.json", plain.as_json(row).encode())

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
-from paper_checks.evidence.finding import Finding
+from paper_checks.evidence.finding import Carried, Finding, Verdict
 from paper_checks.ledger import Claim
-from paper_checks.running.graph import SETTLED, Proof, clauses
+from paper_checks.running.graph import SETTLED, Proof, clauses, judged
 from paper_checks.running.runner import Row
 
 
@@ -23,9 +26,14 @@ class Plain:
     @property
     def lasting(self) -> bool:
         """Whether running it again would find the same: it is settled, and every solver that was asked answered."""
-        steps = closure((*self.finding.evidence, *(one for proof in self.proofs for part in proof for one in part)))
-        silent = any(step.kind is EvidenceKind.SMT and step.passed is None for step in steps)
+        silent = any(step.kind is EvidenceKind.SMT and step.passed is None for step in self.steps)
         return self.finding.verdict in SETTLED and not silent
+
+    @property
+    def steps(self) -> tuple[Evidence, ...]:
+        """Every step, each once, those that others rest on first."""
+        of_clauses = (*(one.steps for one in self.finding.carried), *(part for proof in self.proofs for part in proof))
+        return closure((*self.finding.evidence, *(step for part in of_clauses for step in part)))
 
 
 def plain(row: Row) -> Plain:
@@ -35,7 +43,10 @@ def plain(row: Row) -> Plain:
 
 
 def row(claim: Claim, found: Plain) -> Row:
-    """Return the row again. Raises ValueError where it is another claim's, or the clauses are not those it had."""
+    """Return the row again, its verdict judged again.
+
+    Raises ValueError where it is another claim's, the clauses are not those it had, or its steps do not carry its verdict.
+    """
     if found.claim != claim.id:
         raise ValueError(f"the row of {found.claim} is not one of {claim.id}")
     of_clauses = clauses(claim, found.finding) if found.proofs else ()
@@ -44,4 +55,59 @@ def row(claim: Claim, found: Plain) -> Row:
         Proof(clause, about, *parts, quoted=fails and about is Subject.CLAIM)
         for (clause, about), parts in zip(of_clauses, found.proofs, strict=True)
     )
+    if judged(found.finding, proofs).verdict is not found.finding.verdict:
+        raise ValueError(f"the steps of {found.claim} do not carry its verdict")
     return Row(claim, found.finding, found.seconds, proofs)
+
+
+def as_json(one: Plain) -> str:
+    """Return a row as JSON: its steps by number, those below first, then what refers to them."""
+    steps = one.steps
+    number = {step: place for place, step in enumerate(steps)}
+
+    def numbers(some: Iterable[Evidence]) -> list[int]:
+        return [number[step] for step in some]
+
+    finding = one.finding.__dict__ | {
+        "verdict": one.finding.verdict.value,
+        "evidence": numbers(one.finding.evidence),
+        "carried": [(part.clause, numbers(part.steps)) for part in one.finding.carried],
+    }
+    shown = [
+        step.__dict__ | {"kind": step.kind.value, "about": step.about.value, "rests_on": numbers(step.rests_on)}
+        for step in steps
+    ]
+    proofs = [[numbers(part) for part in proof] for proof in one.proofs]
+    return json.dumps(
+        {"claim": one.claim, "steps": shown, "finding": finding, "seconds": one.seconds, "proofs": proofs}
+    )
+
+
+def from_json(text: str) -> Plain:
+    """Return the row; its finding is judged as any other. Raises ValueError for what is not one."""
+    try:
+        data = json.loads(text)
+        steps: list[Evidence] = []
+        for one in data["steps"]:
+            steps.append(_step(one, steps))
+        named = _named(steps)
+        finding = data["finding"] | {
+            "verdict": Verdict(data["finding"]["verdict"]),
+            "evidence": named(data["finding"]["evidence"]),
+            "derivation": tuple(data["finding"]["derivation"]),
+            "carried": tuple(Carried(clause, named(some)) for clause, some in data["finding"]["carried"]),
+        }
+        proofs = tuple((named(a), named(b), named(c)) for a, b, c in data["proofs"])
+        return Plain(str(data["claim"]), Finding(**finding), float(data["seconds"]), proofs)
+    except (KeyError, IndexError, TypeError, AttributeError) as error:
+        raise ValueError(f"no row: {error}") from None
+
+
+def _named(steps: Sequence[Evidence]) -> Callable[[Iterable[int]], tuple[Evidence, ...]]:
+    return lambda numbers: tuple(steps[number] for number in numbers)
+
+
+def _step(data: dict[str, Any], below: Sequence[Evidence]) -> Evidence:
+    words = {name: tuple(data[name]) for name in ("assumptions", "cites")}
+    kind, about = EvidenceKind(data["kind"]), Subject(data["about"])
+    return Evidence(**data | words | {"kind": kind, "about": about, "rests_on": _named(below)(data["rests_on"])})

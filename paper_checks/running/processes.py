@@ -1,6 +1,6 @@
-"""Tasks in several processes, each of which is given one at a time: rows are decided so, figures drawn.
+"""Tasks in several processes (concurrent.futures), each of which is given one at a time: rows are decided so, figures drawn.
 
-A process that ends without an answer costs its own task only, and another takes its place.
+A process that ends without an answer costs its own task only, and another takes its place: each is a pool of one.
 """
 
 from __future__ import annotations
@@ -10,21 +10,22 @@ import signal
 import threading
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
-from multiprocessing.connection import Connection, wait
 from typing import Any, TypeVar
 
 Task = TypeVar("Task")
-Serve = Callable[[Connection, Any], None]
-"""What runs in a process: it answers what comes by the connection, until that is closed."""
+Answer = Callable[[Any, Any], object]
+"""What runs in a process, a function of a module: of a task, and of what is given for all."""
 
 
 @dataclass(frozen=True)
 class Ended:
     """What stands for an answer where the process ended without one."""
 
-    exit_code: int
+    exit_code: int | None
 
 
 def method() -> Any:
@@ -40,16 +41,11 @@ def begin(modules: Sequence[str]) -> None:
     """
     context = method()
     if context.get_start_method() == "forkserver":
+        from multiprocessing.forkserver import ensure_running  # there is none on Windows
+
         context.set_forkserver_preload(list(modules))
-        _start_from()
-
-
-def _start_from() -> None:
-    """Start the process that the others are started from, where none runs."""
-    from multiprocessing.forkserver import ensure_running  # there is none on Windows
-
-    with _deaf():
-        ensure_running()
+        with _deaf():
+            ensure_running()
 
 
 @contextmanager
@@ -68,69 +64,58 @@ def _deaf() -> Iterator[None]:
         signal.signal(signal.SIGINT, before or signal.SIG_DFL)
 
 
-def answers(tasks: Sequence[Task], jobs: int, serve: Serve, given: object) -> Iterator[tuple[Task, Any]]:
+def answers(tasks: Sequence[Task], jobs: int, answer: Answer, given: object) -> Iterator[tuple[Task, Any]]:
     """Yield each task and its answer, or that its process has `Ended`, as soon as that is there, in any order.
 
-    `serve` runs with `given` in each of the `jobs` processes. One takes tasks from the front, the others from the back.
-    Whatever ends the loop, an interrupt among it, ends the processes.
+    One of the `jobs` processes takes tasks from the front, the others from the back. What a task raises is raised here;
+    whatever ends the loop, an interrupt among it, ends the processes.
     """
-    free = [_Process(serve, given, at_front=not number) for number in range(min(jobs, len(tasks)))]
-    waiting = deque(tasks)
-    busy: dict[Connection, tuple[_Process, Task]] = {}
+    begin([answer.__module__])
+    free = [_Process(at_front=not number) for number in range(min(jobs, len(tasks)))]
+    waiting, busy = deque(tasks), dict[Future[object], tuple[_Process, Task]]()
     try:
         while waiting or busy:
             while waiting and free:
                 process = free.pop()
                 task = waiting.popleft() if process.at_front else waiting.pop()
-                process.connection.send(task)
-                busy[process.connection] = process, task
-            for connection in wait(list(busy)):
-                process, task = busy[connection]  # type: ignore[index]
+                busy[process.submit(answer, task, given)] = process, task
+            for future in wait(busy, return_when=FIRST_COMPLETED).done:
+                process, task = busy[future]
                 try:
-                    answer = process.connection.recv()
-                except (EOFError, OSError):
-                    answer = Ended(process.end())
-                    process = _Process(serve, given, process.at_front)
-                del busy[connection]  # type: ignore[arg-type]
+                    found = future.result()
+                except BrokenProcessPool:
+                    found = Ended(process.end())
+                    process = _Process(process.at_front)
+                del busy[future]
                 free.append(process)
-                yield task, answer
+                yield task, found
     finally:
         for process in [*free, *(one for one, _ in busy.values())]:
             process.end()
 
 
-def serve_each(connection: Connection, answer: Callable[[Any], object]) -> None:
-    """Answer the tasks that come by the connection, until it is closed."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all; the process that asks ends this one
-    while True:
-        try:
-            task = connection.recv()
-        except EOFError:
-            return
-        connection.send(answer(task))
-
-
 class _Process:
-    """One process, and our end of the pipe to it."""
+    """A pool of one process, which starts with its first task and does not hear Ctrl-C: it reaches all, and this one ends it."""
 
-    def __init__(self, serve: Serve, given: object, at_front: bool) -> None:
-        """Start it; it takes tasks from the front of those that wait, or from the back."""
+    def __init__(self, at_front: bool) -> None:
+        """Make the pool; it takes tasks from the front of those that wait, or from the back."""
         self.at_front = at_front
-        started = method()
-        self.connection, theirs = started.Pipe()
-        self._process = started.Process(target=serve, args=(theirs, given), daemon=True)
-        if started.get_start_method() == "forkserver":
-            _start_from()  # what is forked off it does not hear Ctrl-C either
-            self._process.start()
-        else:
-            with _deaf():
-                self._process.start()
-        theirs.close()
+        self._pool = ProcessPoolExecutor(1, method())
+        self._process: Any = None
 
-    def end(self) -> int:
-        """End it, at once, and return its exit code."""
-        self.connection.close()
-        self._process.join(0.1)
-        self._process.terminate()
-        self._process.join()
-        return int(self._process.exitcode)
+    def submit(self, answer: Answer, task: object, given: object) -> Future[object]:
+        """Give it a task."""
+        if self._process is not None:
+            return self._pool.submit(answer, task, given)
+        others = set(multiprocessing.active_children())
+        with _deaf():
+            future = self._pool.submit(answer, task, given)
+        self._process = next(iter(set(multiprocessing.active_children()) - others), None)
+        return future
+
+    def end(self) -> int | None:
+        """End it, at once, and return its exit code; None where it has not begun."""
+        if self._process is not None:
+            self._process.terminate()
+        self._pool.shutdown(cancel_futures=True)
+        return None if self._process is None else self._process.exitcode

@@ -49,16 +49,24 @@ def rows(claims: Sequence[Claim], context: Context, manner: Manner, progress: Pr
 
 def kept(claims: Sequence[Claim], store: Kept) -> dict[str, runner.Row]:
     """Return by id the rows that are kept, deciding none."""
-    return {claim.id: plain.row(claim, one) for claim in claims if (one := store.row(claim.id))}
+    return {claim.id: one for claim in claims if (one := _kept(claim, store))}
+
+
+def _kept(claim: Claim, store: Kept) -> runner.Row | None:
+    one = store.row(claim.id)
+    try:
+        return plain.row(claim, one) if one else None
+    except ValueError:  # of other clauses, or of steps that do not carry it: nothing of ours wrote that
+        return None
 
 
 def _rows(claims: Sequence[Claim], context: Context, manner: Manner, progress: Progress) -> Iterator[runner.Row]:
     store = manner.store
     missing = []
     for claim in claims:
-        kept = store.row(claim.id) if store and not manner.fresh else None
+        kept = _kept(claim, store) if store and not manner.fresh else None
         if kept:
-            yield plain.row(claim, kept)
+            yield kept
         else:
             missing.append(claim)
     for row in _decided(missing, context, manner.jobs, progress):

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import gc
 from collections.abc import Iterator, Sequence
-from multiprocessing.connection import Connection
+from functools import cache
 
-from paper_checks.checks.registry import Context, load_checks
+from paper_checks.checks.registry import Context, Registry, load_checks
 from paper_checks.ledger import Claim, claim_named
 from paper_checks.running import early, processes
 from paper_checks.running.plain import Plain, plain
@@ -31,19 +31,19 @@ ALONE = ("section4_euler", "theorems_share")
 
 
 def found(
-    claims: Sequence[Claim], context: Context, jobs: int, serve: processes.Serve | None = None
+    claims: Sequence[Claim], context: Context, jobs: int, answer: processes.Answer | None = None
 ) -> Iterator[Row | Plain]:
     """Decide the claims in `jobs` processes, and yield each as soon as it is found, in any order.
 
-    `serve` is what runs in each of them.
+    `answer` is what runs in each of them.
     """
     early.begin()
     named = {claim.id: claim for claim in sorted(claims, key=_place)}
-    for name, answer in processes.answers(list(named), jobs, serve or _serve, context):
-        if isinstance(answer, processes.Ended):
-            yield Row(named[name], failed(RuntimeError(f"its process ended with exit code {answer.exit_code}")))
+    for name, found in processes.answers(list(named), jobs, answer or decided, context):
+        if isinstance(found, processes.Ended):
+            yield Row(named[name], failed(RuntimeError(f"its process ended with exit code {found.exit_code}")))
         else:
-            yield answer
+            yield found
 
 
 def _place(claim: Claim) -> int:
@@ -53,10 +53,15 @@ def _place(claim: Claim) -> int:
     return next((order.index(module) for module in modules if module in order), order.index(""))
 
 
-def _serve(connection: Connection, context: Context) -> None:
-    """Decide the claims that come by the connection, until it is closed."""
+def decided(name: str, context: Context) -> Plain:
+    """Decide a claim, in a process that has loaded the checks."""
+    return plain(run([claim_named(name)], _loaded(), context)[0])
+
+
+@cache
+def _loaded() -> Registry:
     registry = load_checks()
     # what is loaded stays; of the expressions that are made most go by themselves, and looking for the others takes 3 %
     gc.freeze()
     gc.set_threshold(100_000, 20, 20)
-    processes.serve_each(connection, lambda name: plain(run([claim_named(name)], registry, context)[0]))
+    return registry

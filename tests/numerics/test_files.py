@@ -1,11 +1,10 @@
 """Where what is needed again is kept, and files that are written whole or not at all."""
 
 import os
-from pathlib import Path
 
 import pytest
 
-from numerics.files import cache_folder, whole_file
+from numerics.files import cache_folder, cache_refused, make_private, whole_file
 from numerics.scene.file import load_scene, parse_scene
 
 SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.05\n[run]\nuntil = 5\n"
@@ -46,12 +45,63 @@ def test_a_relative_cache_is_ignored(nobody, tmp_path):
 
 
 def test_a_user_without_a_home_keeps_nothing(nobody):
-    def unknown(*_):
+    def unknown(*_, **__):
         raise RuntimeError("Could not determine home directory.")
 
-    nobody.setattr(Path, "home", unknown)
+    nobody.setattr("platformdirs.user_cache_path", unknown)
+    assert cache_refused() == ""
     with pytest.raises(OSError, match=os.path.basename(os.devnull)):
-        cache_folder().mkdir(parents=True)
+        make_private(cache_folder())
+
+
+@pytest.fixture
+def cache(nobody, tmp_path):
+    nobody.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return tmp_path / "cache" / "inertial-pair"
+
+
+def test_what_is_made_in_the_cache_is_the_user_s_alone(cache):
+    before = os.umask(0)
+    try:
+        make_private(cache / "rows")
+    finally:
+        os.umask(before)
+    assert [place.stat().st_mode & 0o777 for place in (cache, cache / "rows")] == [0o700] * 2
+    assert (cache_folder(), cache_refused()) == (cache, "")
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="the system has no owners of this kind")
+@pytest.mark.parametrize(
+    ("place", "mode", "said"),
+    [
+        (".", 0o720, "others can write"),
+        (".", 0o702, "others can write"),
+        ("..", 0o777, "anybody can write"),
+        ("../..", 0o777, "anybody can write"),
+        (".", 0o755, ""),
+        ("..", 0o770, ""),
+        ("..", 0o1777, ""),
+    ],
+)
+def test_a_cache_that_others_can_change_is_refused(cache, place, mode, said):
+    make_private(cache)
+    (cache / place).resolve().chmod(mode)
+    assert said in cache_refused()
+    assert bool(said) == bool(cache_refused()) == (cache_folder() != cache)
+    (cache / place).resolve().chmod(0o700)
+    assert cache_folder() == cache
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="the system has no owners of this kind")
+def test_so_is_one_that_belongs_to_another_user_by_a_link_too(cache, tmp_path, nobody):
+    make_private(tmp_path / "theirs")
+    cache.parent.mkdir()
+    cache.symlink_to(tmp_path / "theirs")
+    assert cache_folder() == cache
+    owner = os.getuid()
+    nobody.setattr(os, "getuid", lambda: owner + 1)
+    assert "theirs belongs to another user" in cache_refused()
+    assert cache_folder() != cache
 
 
 def test_a_byte_order_mark_is_no_part_of_a_scene(tmp_path):

@@ -7,7 +7,7 @@ trade that is shown; a form of the report also under its rows and options.
 from __future__ import annotations
 
 import hashlib
-import pickle
+import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -15,9 +15,9 @@ from pathlib import Path
 from paper_checks import atomic
 from paper_checks.running import kept, plain
 from paper_checks.running.runner import Row
-from paper_checks.running.store import Store, all_sources, digest, version
+from paper_checks.store import Store, all_sources, digest, version
 
-DRAWN_WITH = ("matplotlib", "latex2mathml", "fonttools", "typst")
+DRAWN_WITH = ("matplotlib", "latex2mathml", "fonttools")
 Files = Mapping[str, bytes]
 """The files of one form by name, the main one last."""
 
@@ -42,20 +42,23 @@ class Finished:
 
     def files(self, name: str) -> Files | None:
         """Return the files of a form, by what `name_of` calls it."""
-        body = self._store.get(name)
-        found: Files | None = pickle.loads(body) if body else None
-        return found
+        names = self._store.get(name)
+        found = {one: self._store.get(f"{name}.{one}") for one in json.loads(names)} if names else {}
+        whole = {one: content for one, content in found.items() if content is not None}
+        return whole if names and len(whole) == len(found) else None
 
     def keep_files(self, name: str, files: Files) -> None:
-        """Keep the files of a form."""
-        self._store.put(name, pickle.dumps(dict(files)))
+        """Keep the files of a form, and last their names."""
+        for one, content in files.items():
+            self._store.put(f"{name}.{one}", content)
+        self._store.put(name, json.dumps(list(files)).encode())
 
 
 def name_of(rows: Sequence[Row], form: str, options: Iterable[object]) -> str:
     """Return a name for a form of the report on these rows: a hash of what they say, and not of how long they took."""
     said = hashlib.sha256(repr((form, *options)).encode())
     for row in rows:
-        said.update(pickle.dumps(replace(plain.plain(row), seconds=0.0)))
+        said.update(plain.as_json(replace(plain.plain(row), seconds=0.0)).encode() + b"\n")
     return f"{said.hexdigest()[:32]}.{form}"
 
 

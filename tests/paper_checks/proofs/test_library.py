@@ -6,12 +6,15 @@ import os
 import re
 import shutil
 import subprocess
+from pathlib import Path
 
 import pytest
 
-from paper_checks.proofs import cited, graph, kernel, library, pins, questions, tied
+import theory
+from paper_checks.proofs import cited, graph, kernel, library, pins, questions, tied, ties
 from paper_checks.proofs.__main__ import main
 from paper_checks.proofs.library import build
+from paper_checks.proofs.sources import Source
 
 MACHINERY = {"Dini.cont", "Dini.little", "Dini.rderiv"}
 
@@ -156,6 +159,17 @@ def test_a_statement_that_is_not_the_pinned_one_turns_that_theorem_alone(planted
 
 
 @pytest.mark.usefixtures("needs_kernel")
+def test_so_does_a_sentence_that_was_not_signed_beside_its_statement(monkeypatch):
+    name, sentence = cited.CITED["sharp-law"]
+    monkeypatch.setitem(cited.CITED, "sharp-law", (name, sentence.replace("never", "ever")))
+    turned = build()
+    assert turned.problems == (
+        "Law.sharp_law and its sentence were not signed together: python -m paper_checks sign sharp-law",
+    )
+    assert [one.id for one in turned.theorems.values() if not one.holds] == ["sharp-law"]
+
+
+@pytest.mark.usefixtures("needs_kernel")
 def test_a_definition_that_is_not_the_pinned_one_turns_all_that_rest_on_it(planted):
     def change(facts):
         said = facts.printed["Sharp.rate"].replace("9", "8")
@@ -165,6 +179,66 @@ def test_a_definition_that_is_not_the_pinned_one_turns_all_that_rest_on_it(plant
     assert "Law.sharp_law rests on Sharp.rate, which is not defined as pinned" in turned.problems
     assert turned.theorem("trichotomy").holds is False
     assert turned.theorem("contraction").holds is True
+
+
+def test_definitions_beneath_definitions_belong_to_a_statement():
+    """What a definition names is found in its text, at any depth; what is not of this library, or unknown, is not."""
+    printed = {"One.a": "fun x => Two.b x + Reals.R", "Two.b": "fun x => Three.c' x", "Three.c'": "0", "Four.d": "1"}
+    assert library.definitions_of("forall x, One.a x = x", printed) == {
+        one: printed[one] for one in ("One.a", "Three.c'", "Two.b")
+    }
+
+
+@pytest.mark.parametrize("changed", ["gallina.py", "ties_pair.py", "theory", "sympy"])
+def test_the_text_of_the_ties_is_made_again_where_what_it_was_made_from_changes(tmp_path, monkeypatch, changed):
+    """@example of a found fault: it was kept though gallina.py had changed."""
+    made = []
+    monkeypatch.setattr(ties, "text", lambda: made.append(1) or f"Tie {len(made)}")
+    assert [tied.text(tmp_path), tied.text(tmp_path)] == ["Tie 1"] * 2
+    if changed == "sympy":
+        monkeypatch.setattr(tied, "version", lambda _: "0.0")
+    else:
+        folder = Path(theory.__file__).parent if changed == "theory" else library.FOLDER
+        target, content = folder / "energy.py" if changed == "theory" else folder / changed, Path.read_bytes
+        monkeypatch.setattr(Path, "read_bytes", lambda path: content(path) + b" " * (path == target))
+    assert tied.text(tmp_path) == "Tie 2"
+
+
+@pytest.mark.parametrize("changed", ["questions", "graph", "library", "a proof file", "the kernel"])
+def test_the_kernel_is_asked_again_where_what_its_answers_rest_on_changes(tmp_path, monkeypatch, changed):
+    asked = []
+    monkeypatch.setattr(kernel, "identity", lambda _: "one of a kind")
+    monkeypatch.setattr(graph, "references", lambda _: ({}, frozenset()))
+    monkeypatch.setattr(questions, "ask", lambda *_: asked.append(1) or questions.Answers({}, {}))
+
+    def facts(text="Lemma."):
+        return library._facts(kernel.Compiled({"Low": tmp_path}), {"Low": Source("Low", text)}, tmp_path)
+
+    facts(), facts()
+    assert len(asked) == 1
+    kind = {"questions": questions, "graph": graph, "library": library}.get(changed)
+    if changed == "the kernel":
+        monkeypatch.setattr(kernel, "identity", lambda _: "another")
+    elif kind:
+        content = Path.read_text
+        monkeypatch.setattr(Path, "read_text", lambda path, *a: content(path, *a) + " " * (path == Path(kind.__file__)))
+    facts("Lemma. " if changed == "a proof file" else "Lemma.")
+    assert len(asked) == 2
+
+
+def test_damaged_answers_are_asked_again(tmp_path, monkeypatch):
+    answers = {"Low.two": "one", "Low.one": "0 = 0"}
+    monkeypatch.setattr(kernel, "identity", lambda _: "one of a kind")
+    monkeypatch.setattr(graph, "references", lambda _: ({}, frozenset()))
+    monkeypatch.setattr(questions, "ask", lambda *_: questions.Answers(answers, {}))
+
+    def facts():
+        return library._facts(kernel.Compiled({"Low": tmp_path}), {"Low": Source("Low", "")}, tmp_path)
+
+    first = facts()
+    (entry,) = tmp_path.rglob("answers.json")
+    entry.write_bytes(entry.read_bytes().replace(b"0 = 0", b"0 = 1"))
+    assert facts() == first
 
 
 @pytest.mark.usefixtures("needs_kernel")

@@ -64,18 +64,16 @@ def test_a_figure_that_fails_is_told_once_and_not_kept(tmp_path):
 
 
 def test_a_name_knows_rows_form_and_options_and_not_how_long_it_took(rows):
-    first = name_of(rows, "html", (False, False))
+    first = name_of(rows, "html", (False,))
     others = [
-        name_of(rows[:-1], "html", (False, False)),
-        name_of(rows[::-1], "html", (False, False)),
-        name_of(rows, "pdf", (False, False)),
-        name_of(rows, "html", (True, False)),
-        name_of(
-            [replace(rows[0], finding=replace(rows[0].finding, reason="Another.")), *rows[1:]], "html", (False, False)
-        ),
+        name_of(rows[:-1], "html", (False,)),
+        name_of(rows[::-1], "html", (False,)),
+        name_of(rows, "pdf", (False,)),
+        name_of(rows, "html", (True,)),
+        name_of([replace(rows[0], finding=replace(rows[0].finding, reason="Another.")), *rows[1:]], "html", (False,)),
     ]
     assert len({first, *others}) == 6
-    assert name_of([replace(row, seconds=row.seconds + 1) for row in rows], "html", (False, False)) == first
+    assert name_of([replace(row, seconds=row.seconds + 1) for row in rows], "html", (False,)) == first
 
 
 def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch):
@@ -101,23 +99,22 @@ def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch)
     assert found == [1, 2, 3, 4, 5, 5]
 
 
-def test_a_damaged_form_is_not_read(tmp_path):
-    kept = Finished(folder=tmp_path)
-    kept.keep_files("one.html", {"report.html": b"whole"})
-    assert kept.files("one.html") == {"report.html": b"whole"}
-    (entry,) = (path for path in tmp_path.rglob("*") if path.is_file())
-    entry.write_bytes(entry.read_bytes()[:-1])
+@pytest.mark.parametrize("place", ["one.html", "one.html.report.html", "one.html.figures/sine.svg"])
+def test_a_damaged_form_is_not_read(tmp_path, place):
+    kept, whole = Finished(folder=tmp_path), {"figures/sine.svg": b"<svg/>", "report.html": b"whole"}
+    kept.keep_files("one.html", whole)
+    assert list(kept.files("one.html").items()) == list(whole.items())
+    (folder,) = tmp_path.iterdir()
+    (folder / place).write_bytes((folder / place).read_bytes()[:-1])
     assert kept.files("one.html") is None
 
 
 def reported(rows, out, *, fresh=False, program=True, form=("html",)):
-    options = argparse.Namespace(
-        trade=None, format=form, program=program, summary=False, steps=False, fresh=fresh, out=out, jobs=1
-    )
+    options = argparse.Namespace(trade=None, format=form, program=program, steps=False, fresh=fresh, out=out, jobs=1)
     complaints = []
     code = command_line.report(options, rows, lambda claims: rows, complaints.append)
     assert complaints == []
-    return code, {path.name: path.read_bytes() for path in Path(out).iterdir()}
+    return code, {path.name: path.read_bytes() for path in Path(out).rglob("*.*")}
 
 
 @pytest.mark.usefixtures("cache")

@@ -12,8 +12,9 @@ from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, weakest
 from paper_checks.evidence.finding import Finding, Verdict, carried, conclude
 from paper_checks.ledger import Claim
+from paper_checks.proofs import signed
 from paper_checks.proofs.library import Proved
-from paper_checks.running.graph import Proof, established_by
+from paper_checks.running.graph import Proof, established_by, proofs
 from paper_checks.running.runner import exit_code, row
 
 SMT = Evidence(EvidenceKind.SMT, "z3", "a < b", True)
@@ -67,6 +68,22 @@ def test_a_clause_whose_steps_are_not_named_is_an_argument():
     assert of(conclude(Verdict.HOLDS, "r", carried("statement", EXACT))).established_by is EvidenceKind.EXACT
 
 
+@pytest.mark.parametrize("weak", [BALL, argument("by hand", cites=("Filippov",)), SILENT])
+def test_a_clause_by_reason_needs_every_step(weak):
+    """Each of them, wherever it stands; what another clause is carried by is not among them."""
+    for steps in ((SMT, weak), (weak, SMT), (EXACT, weak, SMT)):
+        finding = Finding(Verdict.HOLDS, "So it is.", tuple(step for step in steps if step.passed))
+        (proof,) = proofs(claim(), replace_evidence(finding, steps))
+        assert set(proof.steps[0].rests_on) == set(steps)
+        assert proof.established_by is (None if weak is SILENT else EvidenceKind.ARGUMENT)
+
+
+def replace_evidence(finding, steps):
+    """The finding with other evidence, not judged."""
+    object.__setattr__(finding, "evidence", steps)
+    return finding
+
+
 def test_a_row_is_as_strong_as_its_weakest_clause():
     finding = conclude(Verdict.HOLDS, "r", carried("one", SMT), carried("two", BALL))
     assert of(finding, clause("one", "A,"), clause("two", "B.")).established_by is EvidenceKind.ENCLOSURE
@@ -99,6 +116,8 @@ def theorem(status):
 
 @pytest.fixture
 def theorems(monkeypatch):
+    monkeypatch.setattr(signed, "is_signed", lambda *_: True)
+
     def plant(status):
         monkeypatch.setattr(kernel, "theorem", theorem(status))
         kernel.step.cache_clear()
@@ -137,6 +156,16 @@ def test_a_theorem_about_something_else_than_the_theory_proves_nothing(monkeypat
     kernel.step.cache_clear()
     assert found.passed is holds
     assert ("tie-ray" in found.value) == (holds is not True)
+
+
+def test_a_theorem_of_the_kernel_rests_on_those_that_it_uses(monkeypatch):
+    said = {"sharp-law": replace(proved("sharp-law", True), uses=("rate",)), "rate": proved("rate", True)}
+    monkeypatch.setattr(kernel, "theorem", said.__getitem__)
+    kernel.step.cache_clear()
+    found = kernel.step("sharp-law")
+    kernel.step.cache_clear()
+    assert [kernel.name_of(one) for one in found.rests_on] == ["rate"]
+    assert [kernel.name_of(one) for one in closure([found])] == ["rate", "sharp-law"]
 
 
 def test_a_finding_that_is_open_is_not_established():

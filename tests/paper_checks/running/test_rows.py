@@ -2,6 +2,8 @@
 
 import ast
 import json
+import os
+import pickle
 import re
 import signal
 import subprocess
@@ -23,11 +25,11 @@ from paper_checks.running import kept, plain, processes, workers
 from paper_checks.running import rows as running
 from paper_checks.running.kept import Kept
 from paper_checks.running.runner import decide
-from paper_checks.running.store import digest as hashed
+from paper_checks.store import digest as hashed
 
 QUICK = ("energy-rate", "stiction-bracket", "vector-fields", "two-descriptions")
 ROOT = Path(kept.__file__).parents[2]
-SHOWN_WITH = {"matplotlib", "rich", "latex2mathml"}
+SHOWN_WITH = {"matplotlib", "rich", "latex2mathml", "platformdirs"}
 
 
 @pytest.fixture
@@ -41,7 +43,7 @@ def store(tmp_path):
 
 
 def entries(folder):
-    return sorted(folder.rglob("*.row"))
+    return sorted(folder.rglob("*.json"))
 
 
 def test_a_row_comes_back_as_it_was(rows, store, settled):
@@ -107,10 +109,52 @@ def test_half_an_entry_is_not_read(settled, store, tmp_path, length):
     assert store.row(settled[0].claim.id) is None
 
 
+class Shell:
+    """What a pickle runs when it is read."""
+
+    def __reduce__(self):
+        return os.system, ("touch ran",)
+
+
+def test_a_planted_entry_runs_nothing_and_is_no_row(settled, store, tmp_path, monkeypatch):
+    """@example of a found fault: the cache was pickles, and one that was planted ran a shell command."""
+    monkeypatch.chdir(tmp_path)
+    true = plain.as_json(plain.plain(settled[0]))
+    for planted in (pickle.dumps(Shell()), b"{}", b"[]", b"null", b"\xff", true.encode()[:-2]):
+        store._store.put(f"{settled[0].claim.id}.json", planted)
+        assert store.row(settled[0].claim.id) is None
+    assert not (tmp_path / "ran").exists()
+
+
+def forged(row, *changes):
+    data = json.loads(plain.as_json(plain.plain(row)))
+    for change in changes:
+        change(data)
+    return json.dumps(data)
+
+
+def test_a_forged_verdict_is_judged_as_any_other(settled, store):
+    """Its steps must carry it: what was found false or left open, or rests on nothing, does not."""
+    row = next(one for one in settled if one.finding.verdict is Verdict.HOLDS)
+
+    def outcome(passed):
+        return lambda data: [step.update(passed=passed) for step in data["steps"]]
+
+    changes = [outcome(None), outcome(False), lambda data: data["finding"].update(evidence=[])]
+    changes += [lambda data: data["finding"].update(verdict="refuted"), lambda data: data.update(claim="another")]
+    changes += [lambda data: data.update(proofs=[[[], [], []] for _ in data["proofs"]])]
+    changes += [lambda data: data["steps"][0].update(rests_on=[0])]
+    for change in changes:
+        store._store.put(f"{row.claim.id}.json", forged(row, change).encode())
+        assert running.kept([row.claim], store) == {}
+    store._store.put(f"{row.claim.id}.json", forged(row).encode())
+    assert running.kept([row.claim], store) == {row.claim.id: row}
+
+
 def test_an_entry_under_another_name_or_of_another_state_is_not_read(settled, store, tmp_path):
     store.keep(plain.plain(settled[0]))
     (entry,) = entries(tmp_path)
-    entry.with_name("stiction-bracket.row").write_bytes(entry.read_bytes())
+    entry.with_name("stiction-bracket.json").write_bytes(entry.read_bytes())
     assert store.row("stiction-bracket") is None
     other = Kept(1, tmp_path)
     folder = tmp_path / kept.state(1)
@@ -147,7 +191,7 @@ def test_the_state_knows_seed_kernel_versions_and_sources(monkeypatch, tmp_path)
     states.append(kept.state(0))
     for kernel in ("1 of a kind", "2 of a kind"):
         monkeypatch.setattr(kept.kernel, "why_not", lambda _: "")
-        monkeypatch.setattr(kept.kernel, "version", lambda _, kernel=kernel: kernel)
+        monkeypatch.setattr(kept.kernel, "identity", lambda _, kernel=kernel: kernel)
         states.append(kept.state(0))
     for name in ("python_version", "machine"):
         monkeypatch.setattr(kept.platform, name, lambda: "another")

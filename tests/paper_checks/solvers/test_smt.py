@@ -121,9 +121,14 @@ def test_one_solver_alone_proves_nothing(monkeypatch, solver, negation):
     assert f"{negation} ({solver})" in evidence.value
 
 
-def test_a_control_without_answer_proves_nothing(monkeypatch):
-    monkeypatch.setattr(smt, "ask", lambda *_: Answers("unknown", "unsat"))
-    assert prove("a square", [x > 1], x**2 > 1).passed is None
+@pytest.mark.parametrize("silent", [("z3",), ("cvc5",), ("z3", "cvc5")])
+@pytest.mark.parametrize("control", ["unknown", "unsat"])
+def test_a_control_without_answer_proves_nothing(monkeypatch, silent, control):
+    monkeypatch.setattr(smt, "ask", lambda name, *_: Answers(control if name in silent else "sat", "unsat"))
+    evidence = prove("a square", [x > 1], x**2 > 1)
+    assert evidence.passed is None
+    assert not evidence.decides
+    assert f"{control} ({silent[0]})" in evidence.value
 
 
 def test_a_solver_that_is_ended_for_its_time_proves_nothing(monkeypatch):

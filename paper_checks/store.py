@@ -1,4 +1,8 @@
-"""Sealed files in the user's cache, under a hash of all that they rest on: what is damaged, or of another state, is not read."""
+"""Sealed files in the user's cache, under a hash of all that they rest on: what is damaged, or of another state, is not read.
+
+What is kept is data (JSON, pictures), never code: whatever stands there, reading it runs nothing. It is believed all the
+same, so a folder that others can change is not used (`numerics.files.cache_refused`).
+"""
 
 from __future__ import annotations
 
@@ -9,10 +13,10 @@ import shutil
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from numerics.files import cache_folder
+from numerics.files import cache_folder, make_private
 from paper_checks import atomic
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[1]
 PACKAGES = ("theory", "numerics", "paper_checks")
 _GENERATIONS = 8
 """How many states of the sources are kept; the oldest goes."""
@@ -68,6 +72,7 @@ class Store:
     def put(self, name: str, body: bytes) -> None:
         """Keep bytes under a name; a cache that cannot be written keeps nothing."""
         try:
+            make_private(self._folder)
             atomic.write(self._folder / name, self._seal(name, body) + b"\n" + body)
         except OSError:
             return

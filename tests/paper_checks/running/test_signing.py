@@ -1,0 +1,116 @@
+"""A sentence that is shown and the statement behind it are bound: one that is changed alone turns its rows."""
+
+from dataclasses import replace
+
+import pytest
+
+from paper_checks.__main__ import main
+from paper_checks.checks.registry import Context, load_checks
+from paper_checks.engines import kernel
+from paper_checks.evidence.clause import Clause
+from paper_checks.evidence.finding import Verdict
+from paper_checks.ledger import CLAIMS, claim_named
+from paper_checks.proofs import library, pins, signed
+from paper_checks.running import signing
+from paper_checks.running.runner import decide, row
+
+THEOREM, ROWS = "ring-factor", ("ring-of-tolerance", "tolerance-ring")
+
+
+@pytest.fixture
+def accepting(monkeypatch):
+    """A kernel that accepts whatever is pinned, and pins that were changed."""
+
+    def plant(**statements):
+        there = pins.pinned()
+        changed = {one: replace(there.theorems[one], statement=text) for one, text in statements.items()}
+        planted = replace(there, theorems={**there.theorems, **changed})
+        for module in (library, signed, signing):
+            monkeypatch.setattr(module, "pinned", lambda: planted)
+        found = library.build()
+        theorems = {name: replace(one, holds=one.holds is not False) for name, one in found.theorems.items()}
+        monkeypatch.setattr(kernel, "theorem", theorems.__getitem__)
+        kernel.step.cache_clear()
+        return found
+
+    monkeypatch.setenv("PATH", "")
+    yield plant
+    kernel.step.cache_clear()
+
+
+@pytest.fixture(scope="module")
+def findings():
+    return {name: decide(load_checks().of(name), Context()) for name in ROWS}
+
+
+def weakened():
+    """@example of a found fault: 'no smaller factor will do' weakened to 0 <= c in its file, and pinned again."""
+    true = pins.pinned().theorems[THEOREM].statement
+    weak = true.replace(" (m1 + m2) / (m1 * m2) <= c)", " 0 <= c)")
+    assert weak != true
+    return weak
+
+
+def test_all_pairs_that_are_shown_are_signed(capsys):
+    assert main(["sign"]) == 0, "read what this prints, then sign it by key"
+    assert capsys.readouterr().out == ""
+    known = signing.pairs(CLAIMS)
+    assert set(signed.signatures()) == set(known)
+    assert {THEOREM, "tolerance-ring/ring"} <= set(known)
+
+
+def test_a_theorem_that_is_weakened_and_pinned_again_turns_itself_and_its_rows(accepting, findings):
+    for turns, statements in ((False, {}), (True, {THEOREM: weakened()})):
+        found = accepting(**statements)
+        assert [one.id for one in found.theorems.values() if one.holds is False] == [THEOREM] * turns
+        assert found.problems == (f"Relative.ring_factor and its sentence were not signed together: "
+                                  f"python -m paper_checks sign {THEOREM}",) * turns  # fmt: skip
+        for name, finding in findings.items():
+            verdict = row(claim_named(name), finding, 0.0).finding.verdict
+            assert (verdict is Verdict.UNDECIDED) is turns, name
+
+
+def test_so_does_a_sentence_that_is_changed_alone(accepting, monkeypatch):
+    name, sentence = library.CITED[THEOREM]
+    monkeypatch.setitem(library.CITED, THEOREM, (name, sentence.replace("no smaller", "no larger")))
+    assert accepting().theorem(THEOREM).holds is False
+
+
+def test_and_the_words_of_a_clause(accepting, findings):
+    accepting()
+    claim = claim_named("tolerance-ring")
+
+    def changed(clause):
+        return Clause(clause.id, clause.text.replace("no smaller", "no larger"), clause.formulas, clause.kernel)
+
+    turned = row(replace(claim, said=tuple(map(changed, claim.clauses))), findings[claim.id], 0.0)
+    assert turned.finding.verdict is Verdict.UNDECIDED
+    assert "the words of the clause ring were read beside what the theorems ring-factor say" in turned.finding.reason
+
+
+def test_a_definition_beneath_is_part_of_what_is_signed():
+    one = pins.pinned().theorems[THEOREM]
+    there = {name: pins.pinned().definitions[name] for name in one.definitions}
+    sentence, said = library.CITED[THEOREM][1], one.statement
+    assert signed.is_signed(THEOREM, signed.of_theorem(sentence, said, there))
+    changed = {name: text.replace("2", "3") for name, text in there.items()}
+    assert changed != there
+    assert not signed.is_signed(THEOREM, signed.of_theorem(sentence, said, changed))
+
+
+def test_both_sides_are_shown_and_only_what_is_named_is_signed(accepting, monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(signed, "FILE", tmp_path / "signed.json")
+    accepting(**{THEOREM: weakened()})
+    assert main(["sign", "no-such-pair"]) == 2
+    signed.signatures.cache_clear()
+    signed.sign({}, ())
+    capsys.readouterr()
+    assert main(["sign", THEOREM]) == 0
+    shown = capsys.readouterr().out
+    assert library.CITED[THEOREM][1] in shown
+    assert "0 <= c)" in shown
+    assert set(signed.signatures()) == {THEOREM}
+    assert library.build().theorem(THEOREM).holds is None
+    assert main(["sign"]) == 1
+    assert THEOREM not in capsys.readouterr().out.splitlines()
+    signed.signatures.cache_clear()
