@@ -23,6 +23,8 @@ class Force(ShortRepr):
     >>> (Force.step(1, 2) + Force.ramp(0, 2, 4))(Fraction(3, 2))
     Fraction(5, 1)
     >>> force = 2 * Force.sine("0.35", 5) + Force.trapezoid(2, 1, 1, 0, "0.2")
+    >>> force.piece_at(Fraction(5, 2)).polynomial, force.pieces[0].sines
+    ((Fraction(0, 1), Fraction(1, 5)), (Sine(amplitude=0.7, omega=5),))
     >>> force.starts, force.frequency, Force.sweep(1, [5, 6], 2).pieces[1]
     ((Fraction(0, 1), Fraction(2, 1), Fraction(3, 1), Fraction(4, 1)), None, Piece(start=2, sines=(Sine(...),)))
     """

@@ -21,8 +21,9 @@ MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 class Sine(ShortRepr):
     """amplitude sin(omega t + phase): N, rad/s > 0, rad; t (s) is counted from the start of the run. Exact.
 
-    >>> Sine("0.35", 5), Sine(1, 2, "1/3").phase
-    (Sine(amplitude=0.35, omega=5), Fraction(1, 3))
+    >>> sine = Sine("0.35", 5)
+    >>> sine, sine.amplitude, sine.omega, sine.phase
+    (Sine(amplitude=0.35, omega=5), Fraction(7, 20), Fraction(5, 1), Fraction(0, 1))
     """
 
     amplitude: Fraction

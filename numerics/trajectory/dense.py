@@ -215,10 +215,19 @@ def require_times(t_eval: Any, until: Fraction) -> None:
     if _depth(t_eval) != 1:
         raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
     end = max(until, Fraction(float(until))) if until < 10**300 else until
-    points = [one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]") for k, one in enumerate(t_eval)]
+    given = np.asarray(t_eval)
+    if given.dtype.kind in "fiu":  # all at once; only the first wrong one is looked at exactly
+        times = given.astype(float)
+        wrong = ~((times >= 0) & (times <= (float(until) if until < 10**300 else np.inf)))
+        wrong[1:] |= times[1:] < times[:-1]
+        if not wrong.any():
+            return
+        t_eval = given[: int(np.argmax(wrong)) + 1]
+    asked = list(t_eval)
+    points = [one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]") for k, one in enumerate(asked)]
     for k, one in enumerate(points):
         if isinstance(one, Fraction) and not 0 <= one <= end:
-            shown = f"t_eval[{k}] = {short(one)} s is outside the run, [0, {short(until)}] s"
+            shown = f"t_eval[{k}] = {str(asked[k])[:40]} s is outside the run, [0, {short(until)}] s"
             raise ValueError(f"{shown}; give times within it, or a later until")
     _require_order(points)
 
@@ -231,7 +240,9 @@ def _depth(values: Any) -> int:
         return 2
 
 
-def _require_order(points: Sequence[Any]) -> None:
+def _require_order(points: Sequence[Any] | NDArray[Any]) -> None:
+    if isinstance(points, np.ndarray) and points.dtype == float and not (points[1:] < points[:-1]).any():
+        return
     for k, (one, two) in enumerate(pairwise(points), start=1):
         if type(one) is type(two) and two < one:
             raise ValueError(f"t_eval[{k}] comes after a later time; put the times in order")
@@ -240,5 +251,5 @@ def _require_order(points: Sequence[Any]) -> None:
 def sorted_times(dense: Dense, t_eval: Sequence[Any]) -> NDArray[Any]:
     """Return times that were asked for as numbers of the arithmetic. Raises ValueError unless they are in order."""
     times = dense.times(t_eval)
-    _require_order([dense.middle(one) for one in times])
+    _require_order(times if dense.in_floats else [dense.middle(one) for one in times])
     return times

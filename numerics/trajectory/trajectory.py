@@ -8,7 +8,6 @@ from typing import Any, Literal, Self
 from numerics.arithmetic.by_name import arithmetic_named
 from numerics.trajectory.columns import plain, restored, restored_record
 from numerics.trajectory.export import dataframe
-from numerics.trajectory.saved import load, save
 from numerics.trajectory.solution import Solution
 
 Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "excess", "energy"]
@@ -78,11 +77,15 @@ class Trajectory(Solution):
         ...     Trajectory.load(f"{folder}/run.npz") == run
         True
         """
+        from numerics.trajectory.saved import save
+
         save(self, file)
 
     @classmethod
     def load(cls, file: str | Path) -> Self:
         """Return the trajectory that `save` wrote to a file. Raises OSError, InvalidFile (what is no such file)."""
+        from numerics.trajectory.saved import load
+
         found: Self = load(file, cls)
         return found
 
