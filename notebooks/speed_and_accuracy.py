@@ -21,7 +21,7 @@
 # %config InlineBackend.figure_formats = ["svg"]
 import matplotlib.pyplot as plt
 import numpy as np
-from IPython.display import Markdown
+from IPython.display import HTML, Markdown
 
 from numerics import Scene, Solver, State, load_scene, solve, solve_many
 from numerics.trade.command import seconds_text
@@ -30,8 +30,8 @@ from numerics.trade.judge import judge, proved
 from numerics.trade.measure import total_time
 from numerics.trade.recorded import recorded
 from numerics.trade.scenes import HEADLINE
-from paper_checks.report.content.blocks import Picture, Section
-from paper_checks.report.formats.markdown import markdown
+from paper_checks.report.content.blocks import Picture
+from paper_checks.report.formats.html_blocks import HtmlWriter
 from paper_checks.speed import section
 
 # %% [markdown]
@@ -43,7 +43,7 @@ from paper_checks.speed import section
 # %%
 trade = recorded()
 chapter = section.section(trade)
-Markdown(markdown(Section("measured", "What follows", tuple(b for b in chapter.blocks if not isinstance(b, Picture)))))
+HTML(HtmlWriter({}, {}).body([block for block in chapter.blocks if not isinstance(block, Picture)]))
 
 # %%
 section.figures(trade)[section.WORK_PRECISION]()

@@ -1,34 +1,38 @@
+# PYTHON_ARGCOMPLETE_OK
 """Command line: python -m numerics solve SCENE [--digits N] [--arithmetic A] [--json | --csv | --npz F | --plot F]."""
 
 from __future__ import annotations
 
+import argparse
+import importlib.util
 import sys
 from collections.abc import Sequence
 
 from numerics.cli.arguments import parser
-from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, drop_output, refuse, wrong_path
+from numerics.exits import FAILED, INTERRUPTED, OK, USAGE, complete, drop_output, missing, refuse, wrong_path
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
-    options = parser().parse_args(arguments)
-    from numerics.errors import InvalidScene, NoForceHere, NumericsError
+    known = parser()
+    complete(known)
+    options = known.parse_args(arguments)
+    from numerics.errors import InvalidScene, MissingTool, NoForceHere, NumericsError
     from numerics.files import cache_refused
 
     if refused := cache_refused():
         print(refused, file=sys.stderr)
 
-    files = {name: getattr(options, name, None) for name in ("npz", "proof", "resume", "out", "plot")}
-    wrong = (wrong_path(one, f"--{name}" if name in options.figures else "") for name, one in files.items())
     try:
-        said = next(filter(None, wrong), None)
+        said = _wrong_path(options)
+        for module in options.needs if said is None else ():
+            if importlib.util.find_spec(module) is None:
+                raise MissingTool(missing(module))
         code: int = options.run(options) if said is None else refuse(said, USAGE)
         sys.stdout.flush()  # here a full disk or a reader that left can still be answered
         return code
-    except (InvalidScene, NoForceHere) as error:
-        return refuse(str(error), USAGE)
     except NumericsError as error:
-        return refuse(str(error), FAILED)
+        return refuse(str(error), USAGE if isinstance(error, (InvalidScene, NoForceHere)) else FAILED)
     except BrokenPipeError:
         drop_output()  # the reader left; nothing more can be said
         return OK
@@ -38,8 +42,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
             drop_output()
         code = FAILED if file is None else USAGE
         return refuse(f"cannot write {file or 'the output'}: {error.strerror}", code)
+    except ModuleNotFoundError as error:
+        if error.name is None or error.name.startswith("numerics"):
+            raise
+        return refuse(missing(error.name), FAILED)
     except KeyboardInterrupt:
         return refuse("interrupted; nothing was written", INTERRUPTED)
+
+
+def _wrong_path(options: argparse.Namespace) -> str | None:
+    """Return what is wrong with a file to be written; a figure needs matplotlib."""
+    for name in ("npz", "proof", "resume", "out", "plot"):
+        path, is_figure = getattr(options, name, None), name in options.figures
+        if path is not None and is_figure:
+            options.needs = (*options.needs, "matplotlib")
+        said = wrong_path(path, f"--{name}" if is_figure else "")
+        if said is not None:
+            return said
+    return None
 
 
 if __name__ == "__main__":

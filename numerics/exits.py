@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import os
+import re
 import sys
+import tempfile
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 OK, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
 """Done; undecided, out of reach or a tool that is missing; bad usage or an invalid scene; stopped by the user."""
@@ -35,12 +38,64 @@ def wrong_path(path: Path | None, figure_flag: str = "") -> str | None:
         return f"folder {str(path.parent)!r} does not exist; make it, or write elsewhere"
     if figure_flag and path.suffix not in FIGURES:
         return f"{figure_flag} {path.name}: the name must end in one of {', '.join(FIGURES)}"
-    return None
+    return wrong_folder(path.parent)
+
+
+def wrong_folder(path: Path) -> str | None:
+    """Return why a folder, made if need be, cannot take files; None if it can."""
+    there = next((one for one in (path, *path.parents) if one.exists()), path)
+    if not there.is_dir():
+        return f"{str(there)!r} is a file; choose another folder"
+    try:
+        with tempfile.TemporaryFile(dir=there):
+            return None
+    except OSError as error:
+        return f"folder {str(there)!r} cannot be written to: {error.strerror}; choose another one"
+
+
+def program_name(script: str, module: str) -> str:
+    """Return how a program was called: as the installed script, or as a module."""
+    return script if Path(sys.argv[0]).stem == script else f"python -m {module}"
+
+
+def complete(parser: argparse.ArgumentParser) -> None:
+    """Answer a shell that asks what may follow; argcomplete, if it is installed, does that."""
+    if "_ARGCOMPLETE" in os.environ:
+        try:
+            import argcomplete
+        except ImportError:
+            return
+        argcomplete.autocomplete(parser)
+
+
+def missing(module: str) -> str:
+    """Return the sentence that says that a module is not installed, and what to do."""
+    return (
+        f"this needs {module}, which is not installed: python -m pip install 'inertial-pair[checks]' brings all tools"
+    )
+
+
+class Version(argparse.Action):
+    """`--version`: the version of the installed package, looked up when it is asked for."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> NoReturn:
+        """Print the version and exit."""
+        from importlib.metadata import PackageNotFoundError, version
+
+        try:
+            print(f"inertial-pair {version('inertial-pair')}")
+        except PackageNotFoundError:
+            print("inertial-pair, from sources that are not installed")
+        parser.exit(OK)
 
 
 class OneLineParser(argparse.ArgumentParser):
     """A parser, with its subparsers, that tells bad usage in one line on stderr; --help shows the usage."""
 
     def error(self, message: str) -> NoReturn:
-        """Print the one error line and exit with USAGE."""
+        """Print the one error line, with the nearest word for one that is mistyped, and exit with USAGE."""
+        mistyped = re.search(r"invalid choice: '([^']*)' \(choose from (.*)\)", message)
+        if mistyped is not None:
+            near = difflib.get_close_matches(mistyped[1], re.findall(r"[\w-]+", mistyped[2]), n=1, cutoff=0.5)
+            message = f"{mistyped[1]!r} is not known; did you mean {near[0]}?" if near else message
         self.exit(refuse(message, USAGE))

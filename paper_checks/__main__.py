@@ -1,16 +1,27 @@
+# PYTHON_ARGCOMPLETE_OK
 """The command line: `python -m paper_checks [run] [ID ...]`, `list`, `report`, `plant`, `sign`, `source`."""
 
 from __future__ import annotations
 
 import argparse
 import difflib
+import importlib.util
 import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from numerics.exits import OneLineParser, drop_output
+from numerics.exits import (
+    OneLineParser,
+    Version,
+    complete,
+    drop_output,
+    missing,
+    program_name,
+    wrong_folder,
+    wrong_path,
+)
 from paper_checks.reporting import command_line
 from paper_checks.running import early
 
@@ -22,8 +33,9 @@ if TYPE_CHECKING:
 
 # Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
 
+SCRIPT = "inertial-pair-checks"
 COMMANDS = ("run", "list", "report", "explore", "plant", "sign", "source")
-USAGE, INTERRUPTED = 2, 130
+USAGE, UNCHECKED, INTERRUPTED = 2, 3, 130
 EPILOGUE = (
     "Exit codes: 0 every verdict is the recorded one; 1 some verdict differs; 2 usage; "
     "3 something stays unchecked, as a tool or a figure is missing."
@@ -36,9 +48,11 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
     As a program, rows come from the user's cache and from several processes; called from Python, from this process.
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
-    if not words or words[0] not in (*COMMANDS, "-h", "--help"):
+    if not words or words[0] not in (*COMMANDS, "-h", "--help", "--version"):
         words.insert(0, "run")
-    options = _parser().parse_args(words, argparse.Namespace(program=program))
+    parser = _parser()
+    complete(parser)
+    options = parser.parse_args(words, argparse.Namespace(program=program))
     if program:
         # some thousand short scenes: Python solves them, to the same bits, before numba has come or compiled anything
         os.environ.setdefault("NUMBA_DISABLE_JIT", "1")
@@ -46,6 +60,14 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
         os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
     if hasattr(sys.stdout, "reconfigure"):
         sys.stdout.reconfigure(errors="backslashreplace")
+    for module in (
+        "sympy",
+        "rich",
+        *(("matplotlib", "latex2mathml") if options.command in (_report, _explore) else ()),
+    ):
+        if importlib.util.find_spec(module) is None:  # before anything is decided
+            _complain(missing(module))
+            return UNCHECKED
     try:
         code: int = options.command(options)
         sys.stdout.flush()
@@ -60,15 +82,26 @@ def main(arguments: Sequence[str] | None = None, *, program: bool = False) -> in
             drop_output()
         _complain(f"cannot read or write {error.filename or 'the output'}: {error.strerror or error}")
         return USAGE
+    except ModuleNotFoundError as error:
+        if error.name is None or error.name.split(".")[0] in {"paper_checks", "numerics", "theory"}:
+            raise
+        _complain(missing(error.name))
+        return UNCHECKED
     return code
+
+
+def script() -> int:
+    """Run as the installed program."""
+    return main(program=True)
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = OneLineParser(
-        prog="python -m paper_checks",
+        prog=program_name(SCRIPT, "paper_checks"),
         description="Check every claim of the paper. Without a command: run.",
         epilog=EPILOGUE,
     )
+    parser.add_argument("--version", action=Version, nargs=0, help="print the version and exit")
     commands = parser.add_subparsers(required=True, metavar="{run,list,report,explore,plant,sign,source}")
     run = commands.add_parser("run", help="check the claims, print verdicts and evidence", epilog=EPILOGUE)
     run.add_argument("ids", nargs="*", metavar="ID", help="claims to check; all without it (see list)")
@@ -164,7 +197,7 @@ def _list(options: argparse.Namespace) -> int:
     else:
         from paper_checks.report.formats.terminal import print_claims
 
-        print_claims(_console(), CLAIMS, found)
+        print_claims(_console(whole_lines=not sys.stdout.isatty()), CLAIMS, found)
     return 0
 
 
@@ -191,6 +224,9 @@ def _sign(options: argparse.Namespace) -> int:
 
 
 def _report(options: argparse.Namespace) -> int:
+    if (wrong := wrong_folder(options.out)) is not None:
+        _complain(f"the report cannot be written: {wrong} with --out")
+        return USAGE
     early.begin_for(options)
     claims = _chosen(options.ids)
     if claims is None:
@@ -203,6 +239,9 @@ def _source(options: argparse.Namespace) -> int:
 
 
 def _explore(options: argparse.Namespace) -> int:
+    if (wrong := wrong_path(options.out) if options.out.is_dir() else wrong_folder(options.out.parent)) is not None:
+        _complain(f"the page cannot be written: {wrong}")
+        return USAGE
     from paper_checks import atomic
     from paper_checks.explore.page import page
 
@@ -247,10 +286,11 @@ def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
         return rows.rows(claims, Context(options.seed, options.debug), manner, shown)
 
 
-def _console() -> Console:
+def _console(*, whole_lines: bool = False) -> Console:
+    """Return what prints to stdout, as wide as the terminal, or so wide that no line is broken: grep reads lines."""
     from rich.console import Console
 
-    return Console(highlight=False, soft_wrap=False)
+    return Console(highlight=False, soft_wrap=False, width=1000 if whole_lines else None)
 
 
 def _complain(message: str) -> None:
@@ -258,4 +298,4 @@ def _complain(message: str) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main(program=True))
+    sys.exit(script())

@@ -11,7 +11,7 @@ from flint import arb, fmpq
 
 from numerics.errors import InvalidScene
 from numerics.linear.modes import Mode
-from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.solver.solve import solve
 from numerics.trajectory.derivatives import parameters
 from numerics.trajectory.sensitivity import sensitivities
@@ -36,6 +36,7 @@ def moved(scene: Scene, by: Mapping[str, Fraction]) -> Scene | None:
     pair = {key: getattr(scene.pair, key) for key in Pair.__slots__}
     state = {key: getattr(scene.initial, key) for key in ("x1", "v1", "x2", "v2")}
     until, force, friction = scene.until, list(scene.force.pieces), list(scene.friction.pieces)
+    weakening = scene.friction.weakening
     try:
         for name, change in by.items():
             value = values[name] + change
@@ -45,6 +46,8 @@ def moved(scene: Scene, by: Mapping[str, Fraction]) -> Scene | None:
                 state[name] = value
             elif name == "until":
                 until = value
+            elif name.startswith("weakening"):
+                weakening = weakening_with(weakening, name, value)
             else:
                 kind, index, what = re.fullmatch(r"(force|friction)\[(\d+)\]\.(.+)", name).groups()
                 if kind == "friction":
@@ -52,9 +55,19 @@ def moved(scene: Scene, by: Mapping[str, Fraction]) -> Scene | None:
                     friction[int(index)] = (value, b) if what == "from" else (start, value)
                 else:
                     force[int(index)] = piece_with(force[int(index)], what, value)
-        return Scene(Pair(**pair), State(**state), until, scene.law, Force(force), Friction(friction))
+        return Scene(Pair(**pair), State(**state), until, scene.law, Force(force), Friction(friction, weakening))
     except InvalidScene:
         return None
+
+
+def weakening_with(given: Weakening, name: str, value: Fraction) -> Weakening:
+    """A friction of the state with one number changed."""
+    tables = {table: [list(point) for point in getattr(given, table)] for table in ("speed", "place")}
+    if name.endswith("last_slope"):
+        return Weakening(tables["speed"], value, tables["place"])
+    table, index, key = re.fullmatch(r"weakening\.(\w+)\[(\d+)\]\.(\w)", name).groups()
+    tables[table][int(index)][key in "bc"] = value
+    return Weakening(tables["speed"], given.last_slope, tables["place"])
 
 
 def piece_with(piece: Piece, what: str, value: Fraction) -> Piece:

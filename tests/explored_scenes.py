@@ -26,6 +26,27 @@ TIES = [
     for ratio in ("1", "1/4")
     for x, v in (("1", "0"), ("-1", "0"), ("1", "0.001"), ("1", "-0.25"), ("-1", "-2"), ("-1", "1"), ("1.2", "0"))
 ]
+EDGES = [
+    # ratio, zeta, X, V1, V2: 1e-9 inside the edge or outside it, at rest and moving either way
+    (Fraction(1), Fraction(0), Fraction(x), Fraction(v), Fraction(v))
+    for x, v in product(("0.999999999", "1.000000001", "-0.999999999"), ("0", "0.25", "-0.25"))
+] + [
+    # on the edge with a damper, X + 2 zeta V = 1 or -1 in binary64 too, where spring and damper pull either way
+    (Fraction(1), Fraction(zeta), side - 2 * Fraction(zeta) * Fraction(v), Fraction(v), Fraction(v))
+    for zeta, side, v in product(("1/4", "3/2"), (1, -1), ("-2", "-1/4", "1/4", "2"))
+]
+CRITICAL = [
+    # next to the critical damping of stick, zeta = 1, and of slip, zeta^2 = q = 1/4
+    (Fraction(ratio), base + Fraction(beside), Fraction("0.5"), Fraction(3), Fraction(-2))
+    for ratio, base in (("1", Fraction(1)), ("1/3", Fraction(1, 2)))
+    for beside in ("0", "1e-10", "1e-9", "-1e-9", "1e-6", "-1e-6")
+]
+DRIVEN_EDGES = [
+    # on the edge under a sine: p = -X - 2 zeta V = 1, and p' = r A omega - V - 2 zeta is positive, 0, negative
+    (Fraction(1), zeta, -1 - 2 * zeta * v, v, v, Fraction(0), Fraction(amplitude), Fraction(1, 2))
+    for zeta, v in ((Fraction(0), Fraction(1, 4)), (Fraction(1, 4), Fraction(-1, 4)))
+    for amplitude in ("1.5", "1", "0.5", "-1")
+]
 DRIVEN = [
     (Fraction(ratio), Fraction(zeta), *(Fraction(one) for one in start), *(Fraction(one) for one in force))
     for ratio, zeta, start, force in product(
@@ -79,7 +100,7 @@ class GridScene:
         return Scene(pair, State(self.X, self.V1, 0, self.V2), UNTIL, law, force=driven)
 
 
-SCENES = [GridScene(*row) for row in (*GRID, *TIES, *DRIVEN)] + [
+SCENES = [GridScene(*row) for row in (*GRID, *TIES, *EDGES, *CRITICAL, *DRIVEN, *DRIVEN_EDGES)] + [
     GridScene(*GRID[0], literal=True),
     GridScene(*TIES[-1], literal=True),
 ]

@@ -225,5 +225,14 @@ CONTROL = [
     ),
 ]
 
-PLANTED = FREE + FORCED + PAST + CONTROL
+BEYOND = [
+    ("Robust", "(Hk : 0 < bk) (Hs : bk < bs)", "(Hk : 0 < bk) (Hs : bk <= bs)", "no creeping where nothing drops"),
+    ("Robust", "(stick_load (x t) (v1 t)) < bs ->", "(stick_load (x t) (v1 t)) < bk ->", "sticks left at will"),
+    ("Inclusion", "y' r t : monotone A -> motion", "y' r t : motion", "contraction with a drive that parts"),
+    ("Inclusion", "beta * (J t - J 0) <= E 0)", "beta * (J t - J 0) <= E 0 / 2)", "half the path"),
+    ("Systems", "k_form : inner (fun v w => dot (K v) w);", "k_form : inner dot;", "springs of no symmetry"),
+    ("Systems", "0 <= dot (minus (C v) (C w)) (minus v w);", "True;", "dampers that drive"),
+]
+
+PLANTED = FREE + FORCED + PAST + CONTROL + BEYOND
 QUICK = {"half the longest stay", "a decimal", "slipping from 5 mm"}

@@ -10,7 +10,8 @@ from numerics.arithmetic.pair import Pair as WideNumber
 from numerics.arithmetic.pair import two_sum
 from numerics.control.response import Regime
 from numerics.control.thresholds import thresholds
-from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.scene.plane import PlanePair, PlaneScene
 
 MODERATE = (-2, 2)
 EXTREME = (-12, 12)
@@ -123,6 +124,41 @@ def long_slips(draw, damped: bool | None = False, turns: tuple[int, int] = (0, 3
     slow = scaled_speed(pair, draw(signed(decimals(-1, 1))))
     lasts = abs(fast) * pair.m2 / pair.b
     return Scene(pair, State(draw(signed(decimals(-1, 1))) * pair.half_width, slow, 0, fast), until=2 * lasts + 1)
+
+
+def thousandths(low: float, high: float) -> st.SearchStrategy[Fraction]:
+    """Decimals of three places in a range."""
+    return st.builds(Fraction, st.integers(round(1000 * low), round(1000 * high)), st.just(1000))
+
+
+@st.composite
+def weakenings(draw, b: Fraction) -> Weakening:
+    """Friction that falls and rises with speed, from 1/10 of b on, and changes by place by up to 3/5 of b, upwards."""
+    gaps = draw(st.lists(thousandths(0.002, 0.15), max_size=4))
+    heights = draw(st.lists(thousandths(0.1, 1.3), min_size=len(gaps), max_size=len(gaps)))
+    speed = [(sum(gaps[: k + 1]), b * height) for k, height in enumerate(heights)]
+    places = [sum(draw(st.lists(thousandths(0.01, 0.04), min_size=k, max_size=k)), Fraction(-1, 30)) for k in range(3)]
+    place = [(z, b * draw(thousandths(0, 0.6))) for z in sorted(set(places))] if draw(st.booleans()) else []
+    return Weakening(speed, draw(thousandths(0, 0.5)), place)
+
+
+@st.composite
+def weakened_scenes(draw) -> Scene:
+    """Pairs whose friction depends on the state, free or under a sine or a trapezoid, some with pieces of b."""
+    b = draw(st.sampled_from([Fraction(3, 10), Fraction(1, 2), Fraction(1)]))
+    a1 = draw(st.sampled_from([Fraction(0), Fraction(3, 10), Fraction(2)]))
+    pair = Pair(draw(thousandths(0.3, 2)), draw(thousandths(0.3, 2)), draw(st.sampled_from([20, 50, 200])), b, a1)
+    forces = st.one_of(
+        st.just(Force()),
+        st.builds(Force.sine, thousandths(0.3, 3), thousandths(3, 15), thousandths(0, 6)),
+        st.builds(lambda height: Force.trapezoid("0.3", "0.5", "0.7", "0.4", height), thousandths(0.5, 3)),
+    )
+    pieces = draw(st.sampled_from([(), (("0.7", b * Fraction(13, 10)), ("1.9", b * Fraction(7, 10)))]))
+    moving = [thousandths(-0.02, 0.02), thousandths(-0.6, 0.6), st.just(Fraction(0)), thousandths(-0.6, 0.6)]
+    at = State(*map(draw, moving)) if draw(st.booleans()) else State(draw(moving[0]))
+    return Scene(
+        pair, at, draw(st.sampled_from([1, 2, 3])), force=draw(forces), friction=Friction(pieces, draw(weakenings(b)))
+    )
 
 
 def free_scenes() -> st.SearchStrategy[Scene]:
@@ -301,3 +337,24 @@ def elementary_expressions(draw, depth: int = 3):
     if kind == "inverse":
         return 1 / (1 + one**2)
     return Rational(draw(st.integers(-9, 9)), draw(st.integers(1, 9))) * one
+
+
+@st.composite
+def plane_scenes(draw, shape: str = "ellipsoid"):
+    """Scenes on a surface, of two axes or three: round or not, with or without couplings, damper and force."""
+    n = draw(st.sampled_from([2, 2, 3]))
+
+    def thousandths(low, high):
+        return Fraction(draw(st.integers(low, high)), 1000)
+
+    def several(low, high):
+        return [thousandths(low, high) for _ in range(n)]
+
+    springs = several(80_000, 200_000)
+    coupling = thousandths(-50_000, 50_000) if draw(st.booleans()) else Fraction(0)
+    a2 = [[springs[i] if i == j else coupling if i + j == 1 else Fraction(0) for j in range(n)] for i in range(n)]
+    b = several(200, 1000) if draw(st.booleans()) else thousandths(200, 1000)
+    pair = PlanePair(several(500, 2000), several(500, 2000), a2, b, draw(st.sampled_from([0, 1])), shape)
+    force = [Force.sine(thousandths(200, 2000), thousandths(2000, 9000), thousandths(0, 3000)) for _ in range(n)]
+    start = {"x1": several(-20, 20), "v1": several(-200, 200), "v2": several(-200, 200)}
+    return PlaneScene(pair, Fraction(1, 2), **start, force=force if draw(st.booleans()) else ())

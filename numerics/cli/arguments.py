@@ -8,21 +8,24 @@ from pathlib import Path
 from typing import Any
 
 from numerics.cli import commands, maps, plans, responses, solving
-from numerics.exits import OneLineParser
+from numerics.exits import OneLineParser, Version, program_name
 from numerics.trade.command import measure_trade
 
 _EPILOG = """exit codes: 0 solved; 1 undecided or out of reach (the message says what to do); 2 usage, or invalid scene
-SCENE is a TOML file or a shipped scene; `python -m numerics scenes` lists them."""
-_SCENE = "TOML file, or the short name of a shipped scene"
+SCENE is a TOML file, - for standard input, or a shipped scene; the command `scenes` lists them."""
+_SCENE = "TOML file, - for standard input, or the short name of a shipped scene"
 _FIGURE: dict[str, Any] = {"type": Path, "help": "write a figure: .svg, .pdf or .png"}
 
 
 def parser() -> argparse.ArgumentParser:
     """Return the argument parser; `figures` are the options that name a figure."""
     top: argparse.ArgumentParser = OneLineParser(
-        prog="python -m numerics", description="Solve scenes of the inertial pair exactly.", allow_abbrev=False
+        prog=program_name("inertial-pair", "numerics"),
+        description="Solve scenes of the inertial pair exactly.",
+        allow_abbrev=False,
     )
-    top.set_defaults(figures=("plot",))
+    top.add_argument("--version", action=Version, nargs=0, help="print the version and exit")
+    top.set_defaults(figures=("plot",), needs=())
     subcommands = top.add_subparsers(dest="command", required=True)
 
     def command(name: str, run: Callable[[argparse.Namespace], int], what: str, **more: Any) -> argparse.ArgumentParser:
@@ -30,7 +33,7 @@ def parser() -> argparse.ArgumentParser:
         made.set_defaults(run=run)
         return made
 
-    command("scenes", commands.list_scenes, "list the shipped scenes")
+    command("scenes", commands.list_scenes, "list the shipped scenes, a line each")
     _energy(command("energy", commands.print_energy, "the energy at one time, however late, without stepping there"))
     chart = command("map", maps.chart_merging, "which mass ratios merge from which energies on S0, in proved cells")
     chart.add_argument("--ratio", nargs=2, metavar=("A", "B"), default=["0.8", "100"], help="range of m2/m1")
@@ -40,7 +43,7 @@ def parser() -> argparse.ArgumentParser:
     _response(command("response", responses.print_response, what))
     what = "which regime a sine brings, over frequency and amplitude, in proved cells"
     chart = command("response-map", maps.chart_response, what)
-    chart.add_argument("scene", metavar="SCENE", help="scene whose pair is taken; its force is ignored")
+    _scene(chart, "scene whose pair is taken; its force is ignored")
     chart.add_argument("--amplitude", nargs=2, required=True, metavar=("A", "B"), help="range of the amplitude, N")
     chart.add_argument("--omega", nargs=2, required=True, metavar=("A", "B"), help="range of the frequency, rad/s")
     _of_a_map(chart)
@@ -57,8 +60,19 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
+def _scene(asked: argparse.ArgumentParser, what: str = _SCENE) -> None:
+    """Add the scene; a shell completes the names of shipped ones."""
+    asked.add_argument("scene", metavar="SCENE", help=what).completer = _names  # type: ignore[attr-defined]
+
+
+def _names(**_: Any) -> tuple[str, ...]:
+    from numerics.scene.file import shipped_scenes
+
+    return shipped_scenes()
+
+
 def _solve(asked: argparse.ArgumentParser) -> None:
-    asked.add_argument("scene", metavar="SCENE", help=_SCENE)
+    _scene(asked)
     _count(asked, "--digits", None, "right digits wanted, in the cheapest arithmetic that has them")
     asked.add_argument(
         "--arithmetic",
@@ -73,7 +87,7 @@ def _solve(asked: argparse.ArgumentParser) -> None:
     asked.add_argument("--sensitivity", action="store_true", help=derivatives)
     output = asked.add_mutually_exclusive_group()
     output.add_argument("--json", action="store_true", help="print the trajectory as JSON")
-    output.add_argument("--csv", action="store_true", help="print events and final state as CSV")
+    output.add_argument("--csv", action="store_true", help="print events and final state as CSV, with units")
     output.add_argument("--npz", type=Path, metavar="F", help="write a NumPy archive")
     output.add_argument("--plot", metavar="F", **_FIGURE)
     proof = "write a theorem for `python -m paper_checks.proofs F`, which checks it"
@@ -87,7 +101,7 @@ def _count(asked: argparse.ArgumentParser, flag: str, default: int | None, what:
 
 
 def _energy(asked: argparse.ArgumentParser) -> None:
-    asked.add_argument("scene", metavar="SCENE", help=_SCENE)
+    _scene(asked)
     asked.add_argument("--at", required=True, metavar="T", help="time in s, a decimal such as 1e100")
     _count(asked, "--digits", 15, "right digits wanted")
     asked.add_argument("--json", action="store_true", help="print the answer as JSON")
@@ -109,7 +123,7 @@ def _of_a_map(chart: argparse.ArgumentParser) -> None:
 
 def _of_a_scene(asked: argparse.ArgumentParser) -> None:
     """Add what a question about one scene takes: it is answered to some digits, printed or drawn."""
-    asked.add_argument("scene", metavar="SCENE", help=_SCENE)
+    _scene(asked)
     _count(asked, "--digits", 15, "right digits wanted")
     most = "cap on the working digits (16 times the right digits wanted; 2000 where that takes milliseconds)"
     _count(asked, "--max-digits", None, most)
@@ -150,6 +164,7 @@ def _plans(command: Callable[..., argparse.ArgumentParser]) -> None:
 def _audit(audit: argparse.ArgumentParser) -> None:
     audit.add_argument("--seed", type=natural, default=0, metavar="N", help="other cases (%(default)s)")
     _size(audit, "about 10 s, 2 min or 10 min")
+    audit.set_defaults(needs=("rich",))
     audit.add_argument("--json", action="store_true", help="print every figure as JSON, also by decade and by reason")
     audit.add_argument("--decades", action="store_true", help="print the errors of each formula by decade as well")
 
@@ -167,7 +182,7 @@ def _trade(trade: argparse.ArgumentParser) -> None:
     trade.add_argument("--interface", action="store_true", help=what)
     trade.add_argument("--json", action="store_true", help="print every measurement as JSON")
     trade.add_argument("--out", metavar="FIGURE", **_FIGURE)
-    trade.set_defaults(figures=("out",))
+    trade.set_defaults(figures=("out",), needs=("rich",))
 
 
 def natural(text: str) -> int:

@@ -12,21 +12,22 @@ from numerics.shown import shown_steps
 
 
 def list_scenes(_: argparse.Namespace) -> int:
-    """Print the short names of the shipped scenes."""
-    from numerics.scene.file import shipped_scenes
+    """Print the short names of the shipped scenes, and what each is, a line each."""
+    from numerics.scene.file import described_scenes
 
-    print("\n".join(shipped_scenes()))
+    for name, what in described_scenes().items():
+        print(f"{name:28}{what}")
     return OK
 
 
 def print_energy(options: argparse.Namespace) -> int:
     """Print the energy of a scene at one time, however late."""
     from numerics.free.energy import energy_at
-    from numerics.scene.file import load_scene
+    from numerics.scene.file import load_line
     from numerics.trajectory.rendering import ball_text
 
     found = energy_at(
-        load_scene(options.scene),
+        load_line(options.scene),
         options.at,
         digits=options.digits,
         max_steps=options.max_steps,

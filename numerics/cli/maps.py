@@ -32,9 +32,9 @@ def chart_merging(options: argparse.Namespace) -> int:
 def chart_response(options: argparse.Namespace) -> int:
     """Compute the response map of a scene's pair; print its summary or its cells, draw it."""
     from numerics.control.response_map import response_map
-    from numerics.scene.file import load_scene
+    from numerics.scene.file import load_line
 
-    pair, amplitude, omega = load_scene(options.scene).pair, _side(options, "amplitude"), _side(options, "omega")
+    pair, amplitude, omega = load_line(options.scene).pair, _side(options, "amplitude"), _side(options, "omega")
     return _chart(options, partial(response_map, pair, amplitude, omega, options.depth), _drawn_response)
 
 

@@ -20,9 +20,9 @@ def print_tracking(options: argparse.Namespace) -> int:
     from numerics.control.answers import solved_again
     from numerics.control.tracking import track
     from numerics.scene.decimals import decimal_text
-    from numerics.scene.file import load_reference, load_scene
+    from numerics.scene.file import load_line, load_reference
 
-    scene = load_scene(options.scene)
+    scene = load_line(options.scene)
     found = track(scene, load_reference(options.reference), digits=options.digits, max_digits=options.max_digits)
     solved_again(found)
     draw(options, "draw_tracking", found, scene.pair)
@@ -48,10 +48,10 @@ def print_transfer(options: argparse.Namespace) -> int:
     """Print the fastest transfer from rest to rest, and write its force as a scene."""
     from numerics.control.answers import solved_again
     from numerics.control.transfer import Road, fastest_transfer
-    from numerics.scene.file import load_scene
+    from numerics.scene.file import load_line
 
     asked = {name: getattr(options, name) for name in ("amplitude", "margin", "digits", "max_digits")}
-    found = fastest_transfer(load_scene(options.scene), options.distance, **asked)
+    found = fastest_transfer(load_line(options.scene), options.distance, **asked)
     solved = solved_again(found)
     if solved is not None:
         draw(options, "draw_transfer", found, solved)
@@ -96,11 +96,11 @@ def _hand_over(scene: Scene | None, options: argparse.Namespace, otherwise: str)
 def print_ring(options: argparse.Namespace) -> int:
     """Print when the relative motion of a scene enters its tolerance ring for good."""
     from numerics.control.ring import ring_entry
-    from numerics.scene.file import load_scene
+    from numerics.scene.file import load_line
 
     asked = {name: getattr(options, name) for name in ("rate", "digits", "max_digits")}
     with shown_steps() as say:
-        found = ring_entry(load_scene(options.scene), options.radius, **asked, tell=say)
+        found = ring_entry(load_line(options.scene), options.radius, **asked, tell=say)
     draw(options, "draw_ring", found)
     shown = numbers({"entry": found.entry, "centre": found.centre}, found.digits)
     around, less = ("limit", "") if found.orbit is None else ("periodic motion", " less that of the periodic motion")

@@ -26,6 +26,8 @@ def overview(trajectory: Trajectory) -> Any:
     figure, curve = Figure(figsize=(11, 11), layout="constrained"), sampled(trajectory)
     common: dict[str, Any] = {}
     kinds = FORCED if trajectory.scene.is_forced else FREE
+    if trajectory.scene.friction.weakening:
+        kinds = ("friction", *FORCED[1:])
     for kind, ax in zip(kinds, figure.subplots(3, 2).flat, strict=True):
         draw(trajectory, kind, ax, curve)
         common |= _moved_out(ax)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from numerics.cli.printing import answer, draw, number_lines, numbers
 from numerics.exits import OK
@@ -13,17 +13,26 @@ if TYPE_CHECKING:
     from flint import acb
 
     from numerics.control.response import Response
+    from numerics.plane.rotating import RotatingResponse
 
 
 def print_response(options: argparse.Namespace) -> int:
     """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
     from numerics.control.answers import solved_again
     from numerics.control.response import response
+    from numerics.scene import Scene
     from numerics.scene.file import load_scene
+    from numerics.scene.plane import PlaneScene
 
     asked = {name: getattr(options, name) for name in ("amplitude", "omega", "digits", "max_digits", "max_events")}
+    scene: Scene | PlaneScene = load_scene(options.scene)
+    if isinstance(scene, PlaneScene):
+        from numerics.cli.surface import print_rotating
+
+        print_rotating(cast("RotatingResponse", response(scene, **asked)), options)
+        return OK
     with shown_steps() as say:
-        found = response(load_scene(options.scene), **asked, tell=say)
+        found = response(scene, **asked, tell=say)
         say("solving one period of it again by events")
         solved_again(found)
     draw(options, "draw_response", found)

@@ -6,12 +6,13 @@ import argparse
 import json
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import write_figure
 
 if TYPE_CHECKING:
+    from numerics.plane.answer import PlaneTrajectory
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
@@ -22,20 +23,27 @@ SHOWN = 20
 
 def solve_scene(options: argparse.Namespace) -> int:
     """Solve one scene and print or write what was asked for."""
+    from numerics.scene import Scene
     from numerics.scene.file import load_scene
+    from numerics.scene.plane import PlaneScene
     from numerics.solver.solve import solve
 
     wrong = _wrong_use(options)
     if wrong is not None:
         return refuse(wrong, USAGE)
+    scene: Scene | PlaneScene = load_scene(options.scene)
     trajectory = solve(
-        load_scene(options.scene),
+        scene,
         digits=options.digits,
         arithmetic=options.arithmetic or (None if options.digits else "ball"),
         max_events=options.max_events,
         max_digits=options.max_digits,
         progress=_progress if sys.stderr.isatty() else None,
     )
+    if isinstance(scene, PlaneScene):
+        from numerics.cli.surface import print_surface
+
+        return print_surface(cast("PlaneTrajectory", trajectory), options)
     if options.explain:
         print(explanation(trajectory), file=sys.stderr)
     if options.npz is not None:

@@ -20,6 +20,7 @@ from numerics.arithmetic.ball import Ball, working_digits
 from numerics.control.answers import KEPT_DIGITS, Claim, Tell, number, rounded, rounded_up, silent, undecided
 from numerics.linear.system import V1, V2, X1, X2, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
 
@@ -29,8 +30,8 @@ STATE = X1, V1, V2
 """What a force by pieces acts on: x2 follows from these."""
 
 
-@dataclass(frozen=True)
-class Drive:
+@dataclass(frozen=True, repr=False)
+class Drive(ShortRepr):
     """A pair under a periodic force: sines and a constant (N), t from the start of the run."""
 
     pair: Pair
@@ -68,8 +69,8 @@ class Drive:
         return Scene(self.pair, state, rounded_up(self.period, digits), force=force)
 
 
-@dataclass(frozen=True)
-class Leg:
+@dataclass(frozen=True, repr=False)
+class Leg(ShortRepr):
     """One mode of a periodic motion: its side (0 sticks), the time of its first event (s), x1 and v1 = v2 there."""
 
     side: int
@@ -78,8 +79,8 @@ class Leg:
     v: arb
 
 
-@dataclass(frozen=True)
-class Orbit:
+@dataclass(frozen=True, repr=False)
+class Orbit(ShortRepr):
     """A periodic motion by its legs in order of time; the first begins again a period after it began."""
 
     drive: Drive

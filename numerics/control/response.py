@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
 from functools import partial
+from typing import Any, cast
 
 from flint import acb, arb
 
@@ -30,10 +31,14 @@ from numerics.control.answers import (
 from numerics.control.guesses import MAX_EVENTS, find_orbit, stuck_state
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, thresholds
-from numerics.errors import InvalidScene
+from numerics.errors import InvalidScene, MissingTool
 from numerics.linear.system import ONE, is_positive_on
+from numerics.plane.rotating import rotating_force, rotating_response
 from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State
 from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.model import BUILD, require_kind
+from numerics.scene.plane import PlaneScene
+from numerics.scene.short_repr import ShortRepr
 
 
 class Regime(Enum):
@@ -45,8 +50,8 @@ class Regime(Enum):
     GROWS = "grows without bound: friction cannot take what the force brings at resonance"
 
 
-@dataclass(frozen=True)
-class Response:
+@dataclass(frozen=True, repr=False)
+class Response(ShortRepr):
     """The long-time behaviour of a scene under its periodic force; numbers are enclosures with `digits` right digits.
 
     `thresholds` (one sine only); `orbit`: the events of the periodic motion, None if it has none; `multipliers`:
@@ -63,6 +68,17 @@ class Response:
     growth: arb
     attraction: str
     digits: int
+
+    def plot(self) -> Any:
+        """Return a matplotlib figure: a period of the motion, the friction in it, and the thresholds over frequency.
+
+        Raises MissingTool.
+        """
+        try:
+            from numerics.control.response_picture import draw_response
+        except ModuleNotFoundError as error:
+            raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
+        return draw_response(self)
 
     def claim(self) -> Claim | None:
         """Return that its periodic motion comes back after a period, None without events."""
@@ -82,7 +98,7 @@ class Response:
 
 
 def response(
-    scene: Scene,
+    scene: Scene | PlaneScene,
     *,
     amplitude: Exact | None = None,
     omega: Exact | None = None,
@@ -93,13 +109,25 @@ def response(
 ) -> Response:
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
-    For a scene without a force both together are its force, amplitude sin(omega t). A run of up to `max_events` events
+    For a scene without a force both together are its force, amplitude sin(omega t). On a surface the force goes round,
+    and the answer is a RotatingResponse (plane/rotating.py). A run of up to `max_events` events
     finds the motion; `tell` hears what is being done.
 
     Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits, by
     default 16 times as many as are asked for), NotSettled (no motion was found within max_events),
-    PrecisionExhausted.
+    PrecisionExhausted, TypeError (no scene).
+
+    >>> from numerics import load_scene
+    >>> found = response(load_scene("forced-sine-stick-slip"), digits=8)
+    >>> found.regime.name, found.attraction, found.thresholds.entrainment.str(6, radius=False)
+    ('STICK_SLIP', 'every motion tends to it', '0.300167')
     """
+    if isinstance(scene, PlaneScene):
+        if amplitude is None or omega is None:
+            size, rate = rotating_force(scene, digits)
+            amplitude, omega = (size if amplitude is None else amplitude), (rate if omega is None else omega)
+        return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
+    require_kind("response", scene, Scene, BUILD)
     drive = _drive_under(scene, amplitude, omega)
     known, orbit = None, None
     if len(drive.piece.sines) == 1:
@@ -158,6 +186,7 @@ def steady_drive(scene: Scene) -> Drive:
 
 def last_drive(scene: Scene) -> Drive | None:
     """Return what acts from the last piece of force and friction on; None unless that is a constant and sines."""
+    scene.require_one_b("what happens in the long run")
     last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
     if len(last.polynomial) > 1:
         return None

@@ -26,7 +26,9 @@ from numerics.control.thresholds import NonStop, entrainment_threshold, flattest
 from numerics.errors import InvalidMap
 from numerics.free.quadtree import Leaf, Progress, Side, Sides, Verdicts, leaves_of, shares
 from numerics.scene import Pair
-from numerics.scene.decimals import decimal_text
+from numerics.scene.decimals import decimal_text, exact_decimal
+from numerics.scene.model import require_kind
+from numerics.scene.short_repr import ShortRepr
 
 _DIGITS = 16
 _SLICES = 8
@@ -43,8 +45,8 @@ class Regimes(Enum):
     UNDECIDED = "u"
 
 
-@dataclass(frozen=True)
-class ResponseMap:
+@dataclass(frozen=True, repr=False)
+class ResponseMap(ShortRepr):
     """The leaves that cover a window of amplitudes (N) and frequencies (rad/s) of a sine on one pair."""
 
     pair: Pair
@@ -82,8 +84,15 @@ def response_map(
     """Return the map of a window of amplitudes (N) and frequencies (rad/s), cells down to 2^-depth of its sides.
 
     The roads (`jobs`, `dask`) and the checkpoint `resume` are those of every map; they change nothing in the result.
-    Raises InvalidMap, MissingTool.
+    Raises InvalidMap, MissingTool, TypeError.
+
+    >>> from numerics import Pair
+    >>> found = response_map(Pair(1, 1, 200, "0.05", a1=1), ("0.1", 1), (4, 8), depth=3)
+    >>> {regime.name: round(share, 3) for regime, share in found.shares().items()}
+    {'ENTRAINED': 0.234, 'BETWEEN': 0.344, 'NON_STOP': 0.094, 'UNDECIDED': 0.328}
     """
+    require_kind("response_map", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
+    amplitude, omega = _side("amplitude", amplitude), _side("omega", omega)
     for name, (low, high) in (("amplitude", amplitude), ("omega", omega)):
         if not 0 < low * _NARROWEST <= high:
             raise InvalidMap(
@@ -93,6 +102,15 @@ def response_map(
     title = _title(pair, amplitude, omega, depth)
     roads: dict[str, Any] = {"jobs": jobs, "dask": dask, "resume": resume, "progress": progress}
     return ResponseMap(pair, amplitude, omega, depth, leaves_of((omega, amplitude), depth, verdicts, title, **roads))
+
+
+def _side(name: str, ends: Any) -> Side:
+    """Return two numbers, exact. Raises InvalidMap."""
+    try:
+        low, high = ends
+    except (TypeError, ValueError):
+        raise InvalidMap(f"{name} = {str(ends)[:40]!r} must be two numbers: from, to") from None
+    return exact_decimal(low, name), exact_decimal(high, name)
 
 
 def _title(pair: Pair, amplitude: Side, omega: Side, depth: int) -> dict[str, object]:

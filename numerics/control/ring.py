@@ -30,6 +30,8 @@ from numerics.linear.pieces import pieces_of
 from numerics.linear.system import X1, X2, LinearMode, Row, W
 from numerics.scene import Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.model import BUILD, require_kind
+from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
@@ -42,8 +44,8 @@ _FREE, _FORCED = (24, 100_000), (7, 2_000)
 _SEARCH_BITS = 96
 
 
-@dataclass(frozen=True)
-class Ring:
+@dataclass(frozen=True, repr=False)
+class Ring(ShortRepr):
     """When the relative motion of a scene enters its ring for good.
 
     `entry` (s), exactly 0 if it never leaves it; `centre` (m): z*, less the z of the periodic motion if there is an
@@ -72,8 +74,13 @@ def ring_entry(
     """Return when the relative motion enters for good the ring of a radius (m) > 0; w counts as w/rate, rate (1/s) > 0.
 
     `tell` hears what is being done. Raises InvalidScene, EventUndecided (the motion touches the ring), NotSettled (it
-    settles too late, or not for certain), PrecisionExhausted. max_digits is as in `response`.
+    settles too late, or not for certain), PrecisionExhausted, TypeError. max_digits is as in `response`.
+
+    >>> from numerics import load_scene
+    >>> ring_entry(load_scene("velocities"), "0.001").entry.str(8, radius=False)
+    '4.7556413'
     """
+    require_kind("ring_entry", scene, Scene, BUILD)
     size, per = exact_decimal(radius, "radius"), exact_decimal(rate, "rate")
     for name, one in (("radius", size), ("rate", per)):
         if one <= 0:

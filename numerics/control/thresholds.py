@@ -28,8 +28,12 @@ from numerics.arithmetic.ball import Ball
 from numerics.control.answers import number, to_digits
 from numerics.errors import InvalidScene
 from numerics.linear.system import is_positive_on
+from numerics.plane.rotating import rotating_threshold
 from numerics.scene import Pair
 from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.model import require_kind
+from numerics.scene.plane import PlanePair
+from numerics.scene.short_repr import ShortRepr
 
 _PARTS = 64
 """Into so many parts half a period is cut before w > 0 counts as undecided."""
@@ -37,8 +41,8 @@ _TIMES = 96
 """Times in half a period at which w is looked at where nothing is proved."""
 
 
-@dataclass(frozen=True)
-class Thresholds:
+@dataclass(frozen=True, repr=False)
+class Thresholds(ShortRepr):
     """U* and U** (N) of a pair at one frequency omega (rad/s): enclosures with `digits` right digits.
 
     `non_stop` is infinite where a1 = 0 and omega1/omega is an odd whole number > 1: there friction and body 1 are in
@@ -55,17 +59,22 @@ class Thresholds:
     digits: int
 
 
-def thresholds(pair: Pair, omega: Exact, *, digits: int = 15, max_digits: int | None = None) -> Thresholds:
-    """Return both thresholds at the frequency omega (rad/s) > 0. Raises InvalidScene, PrecisionExhausted.
+def thresholds(pair: Pair | PlanePair, omega: Exact, *, digits: int = 15, max_digits: int | None = None) -> Thresholds:
+    """Return both thresholds at the frequency omega (rad/s) > 0. Raises InvalidScene, PrecisionExhausted, TypeError.
 
     >>> from numerics import Pair
     >>> found = thresholds(Pair(m1=1, m2=1, a2=200, b="0.5"), 12)
     >>> found.entrainment.str(6, radius=False), found.non_stop.str(6, radius=False)
     ('0.305556', '0.471990')
     """
+    if not isinstance(pair, PlanePair):
+        require_kind("thresholds", pair, Pair, "build Pair(m1=..., m2=..., a2=..., b=...)")
     rate = exact_decimal(omega, "omega")
     if rate <= 0:
         raise InvalidScene(f"omega = {short(rate)} must be > 0; give a frequency in rad/s")
+    if isinstance(pair, PlanePair):  # under a force that goes round both are one
+        both = rotating_threshold(pair, rate, digits)
+        return Thresholds(rate, both, both, None, digits)
 
     def attempt(_: Ball) -> tuple[Thresholds, list[arb]]:
         low, high = entrainment_threshold(pair, rate), non_stop_threshold(pair, rate)

@@ -28,13 +28,15 @@ from numerics.linear.polynomial_root import first_crossing
 from numerics.linear.sine_form import SineForm
 from numerics.scene import Force, Pair, Piece, Scene, Sine
 from numerics.scene.decimals import short
+from numerics.scene.model import BUILD, require_kind
+from numerics.scene.short_repr import ShortRepr
 
 _PHASE_DIGITS = 60
 _MOST_PARTS = 20_000
 
 
-@dataclass(frozen=True)
-class Demand:
+@dataclass(frozen=True, repr=False)
+class Demand(ShortRepr):
     """What a piece of the reference asks of the interface between two times (s) at one b (N).
 
     `force`: the largest m2 |r''| there, N, an enclosure; `at`: a time (s) at which it is all but reached.
@@ -49,8 +51,8 @@ class Demand:
     possible: bool
 
 
-@dataclass(frozen=True)
-class Tracking:
+@dataclass(frozen=True, repr=False)
+class Tracking(ShortRepr):
     """The demands of a reference, and the scene whose force makes body 2 follow it, None if some demand is too much.
 
     `share`: the largest m2 |r''|/b of all, an enclosure. `force_error`: int |u - exact u| dt at most (N s), from phases
@@ -85,8 +87,14 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
     """Return how body 2 of a scene follows a reference (pieces in m) until the scene's horizon.
 
     The scene's own force is replaced, its friction in time counts. Raises InvalidScene (a jump of r or r', another
-    start), EventUndecided (an acceleration that touches the limit where that cannot be decided exactly).
+    start), EventUndecided (an acceleration that touches the limit where that cannot be decided exactly), TypeError.
+
+    >>> from numerics import load_reference, load_scene
+    >>> found = track(load_scene("at-rest"), load_reference("s-curve"))
+    >>> found.scene.force.starts, found.share.str(6, radius=False)
+    ((Fraction(0, 1), Fraction(2, 1)), '0.288675')
     """
+    require_kind("track", scene, Scene, BUILD)
     _require(scene, reference)
 
     def attempt(_: Ball) -> tuple[tuple[Demand, ...], list[arb]]:
@@ -104,9 +112,12 @@ def track(scene: Scene, reference: tuple[Piece, ...], *, digits: int = 15, max_d
 
 def _require(scene: Scene, reference: tuple[Piece, ...]) -> None:
     """Raise InvalidScene unless the reference is continuous with its velocity and starts where body 2 is."""
+    if not isinstance(reference, Sequence) or not all(isinstance(one, Piece) for one in reference):
+        raise TypeError("track takes a reference, a tuple of Pieces in m; give it load_reference(...)")
     if not reference or reference[0].start != 0:
         raise InvalidScene("a reference must begin at from = 0; give its first piece there")
     Force(reference)  # in order of time
+    scene.require_one_b("a tracking")
     at = scene.initial
     if at.v1 != at.v2:
         raise InvalidScene(f"v1 = {short(at.v1)} and v2 = {short(at.v2)} must be equal: body 2 follows a stuck body 1")

@@ -36,6 +36,8 @@ from numerics.errors import InvalidScene
 from numerics.linear.system import V1, X1, LinearMode, Motion
 from numerics.scene import Force, Pair, Piece, Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.model import BUILD, require_kind
+from numerics.scene.short_repr import ShortRepr
 
 _MET = Fraction(1, 10**20)
 """By this part the slip transfer stays inside the limits, so that the bodies meet and stick beyond doubt."""
@@ -53,8 +55,8 @@ class Road(Enum):
     OPEN = "open: no least time is known for this amplitude"
 
 
-@dataclass(frozen=True)
-class Transfer:
+@dataclass(frozen=True, repr=False)
+class Transfer(ShortRepr):
     """A transfer over `distance` (m): enclosures with `digits` right digits, and its force as a scene if there is one.
 
     `bound` (s) no control beats; `time` (s) this transfer takes; `stuck_amplitude` (N) sticking at the limit needs;
@@ -101,8 +103,14 @@ def fastest_transfer(
     """Return the transfer of a scene's pair over a distance (m) from its initial state, which must be at rest.
 
     `amplitude` bounds |u| (N), else u is free; 0 <= margin < 1. Raises InvalidScene, EventUndecided (an amplitude on a
-    boundary), PrecisionExhausted.
+    boundary), PrecisionExhausted, TypeError (no scene).
+
+    >>> from numerics import load_scene
+    >>> found = fastest_transfer(load_scene("at-rest"), "0.01")
+    >>> found.time.str(8, radius=False), found.scene.force.starts[0]
+    ('0.28284271', Fraction(0, 1))
     """
+    require_kind("fastest_transfer", scene, Scene, BUILD)
     by, part = exact_decimal(distance, "distance"), exact_decimal(margin, "margin")
     most = None if amplitude is None else exact_decimal(amplitude, "amplitude")
     _require(scene, by, most, part)
@@ -121,6 +129,7 @@ def _require(scene: Scene, distance: Fraction, amplitude: Fraction | None, margi
         raise InvalidScene(f"amplitude = {short(amplitude)} must be > 0; leave it out for a force without bound")
     if any((at.x1, at.v1, at.v2)):
         raise InvalidScene("a transfer starts at rest with the spring unloaded; set x1 = v1 = v2 = 0")
+    scene.require_one_b("a transfer")
     if scene.is_forced:
         raise InvalidScene("a transfer brings its own force, at one friction; leave [[force]] and [[friction]] out")
 

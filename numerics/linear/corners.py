@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from numerics.linear.exact_start import ExactKnot, exact_knots, exact_motion
+from numerics.linear.exact_start import ExactKnot, exact_knots, exact_motion, held_pieces
 from numerics.linear.pieces import ExactPiece
 from numerics.linear.polynomial_root import touches
 from numerics.linear.ties import MARGINAL, load_form
@@ -30,7 +30,7 @@ _REGULAR = 2
 
 def corner(scene: Scene, pieces: Sequence[ExactPiece], until: float) -> str | None:
     """Return what leaves a scene without derivatives, and when, if its motion meets that up to a time (s); exact."""
-    knots = exact_knots(scene, pieces)
+    knots, pieces = exact_knots(scene, pieces), held_pieces(scene, pieces)
     for knot, after in zip(knots, [*knots[1:], None], strict=True):
         begun = pieces[knot.piece].start + knot.local
         if begun > until:

@@ -29,6 +29,8 @@ _MOST_ORDER = 7
 def run_linear(scene: Scene, arithmetic: Arithmetic, max_events: int, progress: Progress | None = None) -> Record:
     """Solve a scene once, at the arithmetic's working precision. Raises EventUndecided, OutOfRange."""
     if arithmetic.name in {"float64", "double-double"}:
+        if scene.friction.weakening:
+            raise OutOfRange('friction that depends on the state is solved in balls only; use arithmetic="ball"')
         return run_pairs(scene, wide=arithmetic.name == "double-double", max_events=max_events, progress=progress)
     from numerics.linear.enclosed import run_enclosed
 

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from numerics.linear.cells import cells_of
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, particular, pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing
@@ -44,7 +45,7 @@ def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
     """Return the segments that are known exactly, in order; the last one goes on in numbers."""
     at = scene.initial
     x1, v1, x2, v2 = (SineForm(one) for one in (at.x1, at.v1, at.x2, at.v2))
-    gap = (at.v1 > at.v2) - (at.v1 < at.v2)
+    gap, pieces = (at.v1 > at.v2) - (at.v1 < at.v2), held_pieces(scene, pieces)
     knot = ExactKnot(0, Fraction(0), x1, v1, x2, v2, gap, 0, False, True, Fraction(0))
     after: ExactKnot | None = knot if gap else _decided(scene, pieces, knot)._replace(is_event=False)
     found: list[ExactKnot] = []
@@ -53,6 +54,12 @@ def exact_knots(scene: Scene, pieces: Sequence[ExactPiece]) -> list[ExactKnot]:
         found.append(after._replace(quiet=quiet))
         after = follows
     return found
+
+
+def held_pieces(scene: Scene, pieces: Sequence[ExactPiece]) -> Sequence[ExactPiece]:
+    """Return the pieces with what friction can hold for b, if it depends on the place and the bodies begin stuck."""
+    cells, at = cells_of(scene), scene.initial
+    return cells.stuck_pieces(pieces, at.x1 - at.x2) if cells and at.v1 == at.v2 else pieces
 
 
 def mode_at_start(scene: Scene) -> Mode:
@@ -114,6 +121,8 @@ class ExactMotion(NamedTuple):
 
 def exact_motion(scene: Scene, piece: ExactPiece, knot: ExactKnot) -> ExactMotion | None:
     """Return the particular motion of the mode if the state lies on it exactly, else None."""
+    if knot.mode and scene.friction.weakening:
+        return None  # followed in numbers only
     motion = _particular_motion(scene, piece, knot)
     return motion if motion is not None and motion.body_1(knot.local) == (knot.x1, knot.v1) else None
 

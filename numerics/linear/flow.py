@@ -184,14 +184,13 @@ class Flow:
     def __init__(self, numbers: Numbers, pair: Pair, slips: bool, count: int, omegas: tuple[Fraction, ...]) -> None:
         """Build the tables."""
         self.numbers, self.pair, self.slips, self.count, self.omegas = numbers, pair, slips, count, omegas
-        sines = [Sine(1, one) for one in omegas]
-        self.mode = LinearMode(pair, Fraction(1), int(slips), Piece(0, (1,) * count, sines))
+        self.mode = self.mode_of(Piece(0, (1,) * count, [Sine(1, one) for one in omegas]))
         rows, number, mass = self.mode.generator(), Ball.number, self.mode.mass
         self.generator = [[(j, numbers.number(c)) for j, c in enumerate(row) if c] for row in rows]
         self.size, self.places = self.mode.size, list(self.mode.sine_places)
         self.mass, self.m2, self.root_stiff = number(mass), number(pair.m2), number(pair.a2 / mass).sqrt()
         self.heights: dict[tuple[int, int], list[arb]] = {}
-        self.rate = number(pair.a1 / mass) + self.root_stiff
+        self.rate = self.rate_of(number(pair.a1 / mass) + self.root_stiff)
         self.fastest = self.rate
         for omega in omegas:
             self.fastest = self.fastest.max(number(omega))
@@ -200,6 +199,19 @@ class Flow:
             (arb((1, -min(numbers.bits, _FINEST))) / self.fastest).mid(),
         )
         self.terms = max(_terms(numbers.bits + 8), FEW + 2)
+        self.begin_rows()
+
+    def mode_of(self, piece: Piece) -> LinearMode:
+        """Return the mode in which the constant in z is the friction force."""
+        return LinearMode(self.pair, Fraction(1), int(self.slips), piece)
+
+    def rate_of(self, rate: arb) -> arb:
+        """Return a bound on the mode's own rates from those of body 1 on its spring."""
+        return rate
+
+    def begin_rows(self) -> None:
+        """Form the rows in front of z."""
+        numbers, slips = self.numbers, self.slips
         apart: Row = ((X2, Fraction(1)),) if slips else ((X2, Fraction(1)), (X1, Fraction(-1)))
         self.x1, self.x2 = (numbers.products(self.powers(row, self.terms)) for row in (((X1, Fraction(1)),), apart))
         self._first = self.powers(W if slips else self.mode.load, FEW + 1)
@@ -231,6 +243,18 @@ class Flow:
             if bits not in self._few:
                 self._few[bits] = BallNumbers.products([[+arb(c) for c in row] for row in self._first])
             return self._few[bits]([+arb(c) for c in z])
+
+    def rows(self, z: list[Any], bits: int) -> list[list[arb]]:
+        """Return the coefficients of every row of which there are guards: here of one."""
+        return [self.few(z, bits)]
+
+    def rests(self, rows: Sequence[Sequence[arb]], z: list[Any], h: arb) -> list[arb]:
+        """Return R of these rows from order FEW on, up to h."""
+        return [self.guard_rest(rows[0], FEW, z, h)]
+
+    def expansion(self, z: list[Any]) -> Expansion:
+        """Return the motion from z on."""
+        return Expansion(self, z)
 
     def rest(self, last: Sequence[Any], order: int, pushed: arb) -> arb:
         """Return R: a Taylor polynomial without its terms from t^order on is off by R t^order at most.
@@ -273,12 +297,17 @@ class Expansion:
             self.y = self.x + self.y
         self.v, self.w = self.x.derivative(), self.y.derivative()
 
-    @property
-    def guard(self) -> Any:
-        """Return the guard's row: v1 - v2 in a slip, m2 v2' in stick."""
+    def row(self, _: int) -> Any:
+        """Return a guard's row: v1 - v2 in a slip, m2 v2' in stick."""
         if self.flow.slips:
             return self.v + self.w * -1
         return self.w.derivative() * self.flow.numbers.number(self.flow.pair.m2)
+
+    def row_off(self, _: int, h: arb, derivative: int) -> arb:
+        """Return a bound on what this derivative of a row leaves out up to h."""
+        if self.flow.slips:
+            return self.left_out(h, 1 + derivative)
+        return self.flow.m2 * self.left_out(h, 2 + derivative)
 
     def rest(self, h: arb) -> arb:
         """Return R of x up to h (Flow.rest)."""

@@ -20,7 +20,11 @@ from numerics.arithmetic.compiled import compilable
 
 
 class Mode(Enum):
-    """A mode of motion; the sign is that of v1 - v2."""
+    """A mode of motion; the sign is that of v1 - v2.
+
+    >>> Mode.SLIP_PLUS.sign, Mode.SLIP_MINUS.sign, Mode.STICK.sign, Mode.STICK.value
+    (1, -1, 0, 'stick')
+    """
 
     SLIP_PLUS = "slip+"
     SLIP_MINUS = "slip-"

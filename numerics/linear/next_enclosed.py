@@ -13,6 +13,9 @@ from flint import arb, arb_poly, ctx
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import OutOfRange
+from numerics.linear.cells import CEILING, FLOOR, FORCE, LEFT, RIGHT
+from numerics.linear.coupled import FORCE as FORCE_ROW
+from numerics.linear.coupled import PLACE, SPEED
 from numerics.linear.flow import FEW, REACH, Expansion, Flow
 from numerics.linear.path_enclosed import At, Path
 from numerics.linear.scan import CLEAR, UNKNOWN, Guard, Split, scan, sharpest, splits
@@ -21,6 +24,8 @@ from numerics.linear.ties import MARGINAL
 _LONG, _PATIENCE, _PACE, _MOST_STEPS = 4 * REACH, 5, 1_000, 200_000
 """From how many radians on long steps are tried, and after how many short ones; after how many steps it is asked
 whether those up to the end of the piece are too many; how many are."""
+_RESOLVED = 16
+"""A step must be longer than the last bits of time, so many."""
 _COARSE = 192
 """With as many bits and more a root is refined to half of them first."""
 _FINE = arb((1, 40))
@@ -32,19 +37,19 @@ SHY of the time that is proved."""
 
 
 class Bracket(NamedTuple):
-    """Which guard falls through zero between two times after a point, once, and the coefficients of its row there."""
+    """Which guard falls through zero between two times after a point, once, and the coefficients of the rows there."""
 
     guard: int
     low: arb
     high: arb
-    row: list[arb]
+    rows: list[list[arb]]
 
 
 class Root(NamedTuple):
     """Where a guard vanishes after a point: which one, when, how far off that is for the path, for the true one."""
 
     motion: Expansion
-    guard: int
+    guard: Guard
     tau: Any
     window: arb
     late: arb
@@ -55,7 +60,7 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
     """Return the last point before a mode ends and the root of its guard; None where the piece ends before."""
     if path.literal and at.mode == 0:
         return at, None
-    flow, ready = path.flow(at.mode, at.piece), _PATIENCE if at.mode == 0 else 0
+    flow, ready = path.flow(at.mode, at.piece, at.cell), _PATIENCE if at.mode == 0 else 0
     short, far, begun = flow.reach, path.left(at), at.local
     if flow.fastest * far > _TOO_FAST:
         raise OutOfRange(
@@ -63,10 +68,10 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
             "omega and 1/until closer to each other"
         )
     for n in range(_MOST_STEPS):
-        left, z, step = path.left(at), path.vector(at.mode, at.piece, at.local, at.state), None
+        left, z, step = path.left(at), path.here(at)[1], None
         if n % _PACE == _PACE - 1 and arb(at.local - begun) * (_MOST_STEPS // n) < left:
             break
-        if ready >= _PATIENCE and flow.fastest * left > _LONG:
+        if ready >= _PATIENCE and not (path.cells and at.mode) and flow.fastest * left > _LONG:
             step = long_step(path, at, flow, z, left.min(far))
             ready, far = (ready, 64 * step) if step is not None else (0, left)
         if step is None:
@@ -78,9 +83,11 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
             return at, None
         # a little before the step ends: what is before it is proved
         local = path.numbers.middle(at.local + path.numbers.point(step * SHY))
+        if arb(local - at.local) < arb(local) * arb((1, _RESOLVED - path.numbers.bits)):
+            raise path.undecided(at)  # so short a step is in the rounding of time
         at, ready = path.evolved(at, local), ready + 1
-    row = flow.few(z, path.numbers.bits)
-    if not all(one.offset + one.sign * row[0] > one.margin / _NEAR for one in guards_of(path, at, row)):
+    rows = flow.rows(z, path.numbers.bits)
+    if not all(one.value(rows) > one.margin / _NEAR for one in guards_of(path, at, rows)):
         raise path.undecided(at)  # more digits lead closer to the root
     raise OutOfRange(
         f"the mode at t = {path.time(at):.6g} s would take more than {_MOST_STEPS} steps; shorten the horizon, "
@@ -88,17 +95,48 @@ def next_event(path: Path, at: At) -> tuple[At, Root | None]:
     )
 
 
-def guards_of(path: Path, at: At, row: Sequence[arb]) -> list[Guard]:
-    """Return the guards of a mode, from the coefficients of its row; one of them may vanish here to some order."""
+def guards_of(path: Path, at: At, rows: Sequence[Sequence[arb]]) -> list[Guard]:
+    """Return the guards of a mode, from the coefficients of its rows; some of them may vanish here to some order."""
+    if path.cells and at.mode:
+        return _guards_of_cell(path, at)
     flow, order, margin = path.flow(at.mode, at.piece), at.order, path.margin(at)
     # derivatives of two motions of one mode part by no more than this
     apart = flow.rate**order * at.norm if order else margin
     if at.mode:
         return [Guard(at.mode, arb(0), order, apart / path.root_m1 if order else margin)]
-    b, nearer = Ball.number(path.pieces[at.piece].b), 1 if row[0].mid() > 0 else -1
+    b, nearer = path.edge(at), 1 if rows[0][0].mid() > 0 else -1
+    if path.cells:
+        b, margin = b.mid(), (margin + b.rad()).upper()
     found = [Guard(-side, b, 0, margin) for side in (1, -1)]
     if order:
         found[(1 - nearer) // 2] = Guard(-nearer, b, order, apart * flow.rate * flow.m2 / flow.mass.sqrt())
+    return found
+
+
+def _guards_of_cell(path: Path, at: At) -> list[Guard]:
+    """Return the guards of a slip in a cell: the ends of its intervals of |w| and of x1 - x2, and B + C > 0."""
+    cells, flow, number = path.cells, path.flow(at.mode, at.piece, at.cell), Ball.number
+    if cells is None:
+        return []
+    norm = at.norm * path.growth(at, flow.reach)
+    place = at.place + path.kappa * norm * flow.reach
+    orders = list(at.orders) or [0] * 4
+    if at.cell[0] == 0:
+        orders[FLOOR] = at.order
+    found, side = [], at.mode
+    for kind, end, sign in zip((FLOOR, CEILING, LEFT, RIGHT), cells.ends(at.cell), (1, -1, 1, -1), strict=True):
+        if end is None:
+            continue
+        order, of_speed = orders[kind], kind in {FLOOR, CEILING}
+        margin = path.kappa * flow.rate ** (order if of_speed else max(order - 1, 0)) * norm
+        if not of_speed and order == 0:
+            margin = place
+        turned = sign * side if of_speed else sign
+        found.append(Guard(turned, number(-sign * end), order, margin, SPEED if of_speed else PLACE, kind))
+    if cells.may_vanish(at.cell):
+        branch = cells.branch(path.pieces[at.piece], side, at.cell)
+        margin = number(abs(branch.slope)) * path.kappa * norm + number(abs(branch.pull)) * place
+        found.append(Guard(side, arb(0), 0, margin, FORCE_ROW, FORCE))
     return found
 
 
@@ -107,43 +145,50 @@ def short_step(path: Path, at: At, flow: Flow, z: list[Any], reach: arb, short: 
 
     With the time comes the last interval that was looked at as one; `short` is that of the step before.
     """
-    for bits in (_SCAN_BITS, min(path.numbers.bits, _SHARP_BITS)) if at.order < MARGINAL else ():
+    for bits in (_SCAN_BITS, min(path.numbers.bits, _SHARP_BITS)) if max(at.order, *at.orders, 0) < MARGINAL else ():
         with ctx.workprec(bits):
-            found = scanned(path, at, flow, flow.few(z, bits), z, reach, short)
+            found = scanned(path, at, flow, flow.rows(z, bits), z, reach, short)
         if found is not None:
             return found
     raise path.undecided(at)
 
 
 def scanned(
-    path: Path, at: At, flow: Flow, row: list[arb], z: list[Any], reach: arb, short: arb
+    path: Path, at: At, flow: Flow, rows: list[list[arb]], z: list[Any], reach: arb, short: arb
 ) -> tuple[arb, arb] | Bracket | None:
-    """Return the same from the row of the guards; None where its digits do not tell anything."""
-    guards, rest = guards_of(path, at, row), flow.guard_rest(row, FEW, z, reach)
-    near, since, h = row[:FEW], arb(0), reach if 64 * short > reach else 4 * short
-    h = h / 4 if at.order else h
+    """Return the same from the rows of the guards; None where their digits do not tell anything."""
+    guards, rests = guards_of(path, at, rows), flow.rests(rows, z, reach)
+    used = range(len(rests))
+    near, since, h = [rows[k][:FEW] for k in used], arb(0), reach if 64 * short > reach else 4 * short
+    h = h / 4 if any(one.order for one in guards) else h
     for _ in range(2 * ctx.prec):
         if not h > flow.tiny:
             break
-        guard = scan(near, guards, rest, h, since)
+        guard = scan(near, guards, rests, h, since)
         if guard == UNKNOWN:
             # from nearer by a polynomial leaves out less
             if since > h and not all(
-                abs(one.offset + one.sign * near[0]) > rest * (since + h) ** FEW / _NEAR for one in guards
+                abs(one.value(near)) > rests[one.row] * (since + h) ** FEW / _NEAR for one in guards
             ):
                 return since, h
             h = (h * _RATIO).mid()
             continue
         if guard != CLEAR:
-            return Bracket(guard, since, since + h, row)
+            return Bracket(guard, since, since + h, rows)
         if not since + h < reach:
             return reach, reach
-        guards = [one._replace(order=0, margin=path.margin(at)) for one in guards] if at.order else guards
+        if any(one.order for one in guards):
+            guards = guards_of(path, at._replace(order=0, orders=()), rows)
         since, h = (since + h).mid(), 4 * h
-        near, left = arb_poly(row[:FEW])(arb_poly([since, 1])).coeffs(), (reach - since).upper()
-        near += [arb(0)] * (FEW - len(near))
+        near, left = [_moved(rows[k][:FEW], since) for k in used], (reach - since).upper()
         h = left if left < 2 * h else h
     return (since, h) if since * _FINE > reach else None
+
+
+def _moved(row: list[arb], since: arb) -> list[arb]:
+    """Return the coefficients of a row at a later point."""
+    found = arb_poly(row)(arb_poly([since, 1])).coeffs()
+    return found + [arb(0)] * (len(row) - len(found))
 
 
 def long_step(path: Path, at: At, flow: Flow, z: list[Any], h: arb) -> arb | None:
@@ -163,10 +208,10 @@ def longest(path: Path, at: At, flow: Flow, split: Split, h: arb) -> arb | None:
         polynomial, row = row, flow.few(slow, path.numbers.bits)
         for k, c in enumerate(polynomial):
             row[k] += c
-    guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, row)]
+    guards = [one._replace(margin=one.margin + amplitude) for one in guards_of(path, at, [row])]
     if not all(one.offset + one.sign * row[0] > one.margin for one in guards):
         return None
-    for sign, offset, _, margin in guards:
+    for sign, offset, _, margin, *_ in guards:
         # up to next to where the slow part comes down to the amplitude, if it does
         above = arb_poly(row[:count]) * sign + (offset - 4 * margin)
         if above(0) > 0 and above(h) < 0:
@@ -174,7 +219,7 @@ def longest(path: Path, at: At, flow: Flow, split: Split, h: arb) -> arb | None:
     while flow.fastest * h > _LONG:
         if slow is not None:
             count, rest = sharpest(flow, row, slow, h)
-        if scan(row[:count], guards, rest, h) == CLEAR:
+        if scan([row[:count]], guards, [rest], h) == CLEAR:
             return h
         h = (h * _RATIO).mid()
     return None
@@ -182,12 +227,13 @@ def longest(path: Path, at: At, flow: Flow, split: Split, h: arb) -> arb | None:
 
 def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Root:
     """Return the root of a guard in its bracket, by Newton's method."""
-    numbers, (guard, since, h, row) = path.numbers, found
-    sign, offset, *_ = guards_of(path, at, row)[guard]
-    near = arb_poly(row) * sign + offset
+    numbers, (index, since, h, rows) = path.numbers, found
+    guard = guards_of(path, at._replace(order=0, orders=()), rows)[index]
+    sign, offset, which = guard.sign, guard.offset, guard.row
+    near = arb_poly(rows[which]) * sign + offset
     guess = _newton(near, near.derivative(), since, h, (since + h) / 2, arb.mid, h * _NEAR)
-    motion = Expansion(flow, z)
-    curve, edge = motion.guard * sign, 0 if at.mode else path.drive(at.piece).b
+    motion = flow.expansion(z)
+    curve, edge = motion.row(which) * sign, offset if path.is_ball else numbers.point(offset)
     slope, tau, low, high = curve.derivative(), *map(numbers.point, (guess, since, h))
     for bits in reversed([numbers.bits >> k for k in range(8) if k == 0 or numbers.bits >> k > _COARSE]):
         with numbers.context(bits):
@@ -196,11 +242,11 @@ def refined(path: Path, at: At, flow: Flow, z: list[Any], found: Bracket) -> Roo
     if not path.is_ball:
         return Root(motion, guard, tau, arb(0), arb(0), arb(0))
     # the true root is where the guard is between -reached and reached; between both ends its slope is known
-    scale, order, until = arb(1) if at.mode else flow.m2, 1 if at.mode else 2, 2 * h
-    off = (edge + curve(tau)).abs_upper() + scale * motion.left_out(h, order)
-    reached = off + path.margin(at)
+    until = 2 * h
+    off = (edge + curve(tau)).abs_upper() + motion.row_off(which, h, 0)
+    reached = off + guard.margin
     around = tau + arb(0, (2 * reached / abs(slope(tau))).upper())
-    steepness = (-slope(around) - scale * motion.left_out(until, order + 1)).lower()
+    steepness = (-slope(around) - motion.row_off(which, until, 1)).lower()
     late = (reached / steepness).upper()
     if not (steepness > 0 and late < around.rad() and around < until):
         raise path.undecided(at)

@@ -7,6 +7,12 @@ but for the short times by which an event may be misplaced. Two motions under th
 
 so the path's error is at most the sum of the local ones; in stick, where both obey one linear equation, it shrinks with
 its solutions. While friction is off by 2 b for a time d, N grows by 2 b sqrt(M/(m1 m2)) d at most.
+
+Where friction depends on the state, N^2 has G (x1 - x2)^2 besides, G the greatest |C'|, and with kappa^2 = M/(m1 m2)
+
+    (N^2/2)' <= -(dF/dw) w^2 + (G - dF/dz) w z <= (kappa^2 max(0, -dF/dw) + kappa |G - dF/dz|/(2 sqrt G)) N^2
+
+of differences while both are in one cell; for as long as that is not known B falls as steeply as it does anywhere.
 """
 
 from __future__ import annotations
@@ -20,7 +26,9 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
-from numerics.linear.flow import REACH, Drive, Expansion, Flow, Numbers, flow_of
+from numerics.linear.cells import PLAIN, Branch, cells_of
+from numerics.linear.coupled import coupled_flow_of
+from numerics.linear.flow import REACH, Drive, Flow, Numbers, flow_of
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import X1, X2
 from numerics.scene import Law, Scene
@@ -33,7 +41,8 @@ class At(NamedTuple):
     """A point of the path: the mode, how many derivatives of its guard vanish here, the time in the piece, the state.
 
     The state is a point; `norm` bounds N of its distance to the true one, `far` that of x1, `place` that of x1 - x2.
-    The true motion sticks from up to `late` (s) after the path on.
+    The true motion sticks from up to `late` (s) after the path on. Where friction depends on the state: the `cell` of a
+    slip, how many derivatives of its guards at knots vanish here, and x1 - x2 if it is known exactly.
     """
 
     mode: int
@@ -45,6 +54,9 @@ class At(NamedTuple):
     far: arb
     place: arb
     late: arb
+    cell: tuple[int, int] = PLAIN
+    orders: tuple[int, ...] = ()
+    apart: Fraction | None = None
 
 
 class Path:
@@ -61,6 +73,10 @@ class Path:
         pair, number = scene.pair, Ball.number
         self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
         self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
+        self.cells = cells_of(scene)
+        falling, pulling = (self.cells.falling, self.cells.pulling) if self.cells else (0, 0)
+        self.pulling, self.root_g = number(pulling), number(pulling).sqrt()
+        self.steepest = self.kappa * self.kappa * number(falling) + self.kappa * self.root_g
         self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
 
     def drive(self, index: int) -> Drive:
@@ -69,8 +85,17 @@ class Path:
             self.driven = index, Drive.of(self.numbers, self.pieces[index])
         return self.driven[1]
 
-    def flow(self, mode: int, index: int) -> Flow:
-        """Return the flow of a mode in a piece."""
+    def branch(self, mode: int, index: int, cell: tuple[int, int]) -> Branch | None:
+        """Return friction in a cell of a slip; None in stick, and where friction does not depend on the state."""
+        return self.cells.branch(self.pieces[index], mode, cell) if self.cells and mode else None
+
+    def flow(self, mode: int, index: int, cell: tuple[int, int] = PLAIN) -> Flow:
+        """Return the flow of a mode in a piece, and in a cell."""
+        branch = self.branch(mode, index, cell)
+        if branch is not None:
+            piece = self.pieces[index]
+            count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
+            return coupled_flow_of(self.numbers, self.pair, count, omegas, branch)
         if self.flowing[0] != index:
             piece = self.pieces[index]
             count, omegas = max(len(piece.polynomial), self.count), tuple(one.omega for one in piece.sines)
@@ -78,10 +103,45 @@ class Path:
             self.flowing = index, flows
         return self.flowing[1][mode != 0]
 
-    def vector(self, mode: int, index: int, local: Any, state: Sequence[Any]) -> list[Any]:
+    def vector(
+        self, mode: int, index: int, local: Any, state: Sequence[Any], cell: tuple[int, int] = PLAIN
+    ) -> list[Any]:
         """Return z."""
-        drive = self.drive(index)
-        return [*state, mode * drive.b, *drive.force(self.numbers, local, self.flow(mode, index).count)]
+        drive, branch = self.drive(index), self.branch(mode, index, cell)
+        b = drive.b if branch is None else self.numbers.number(branch.offset)
+        return [*state, mode * b, *drive.force(self.numbers, local, self.flow(mode, index, cell).count)]
+
+    def here(self, at: At) -> tuple[Flow, list[Any]]:
+        """Return the flow at a point, and z."""
+        return self.flow(at.mode, at.piece, at.cell), self.vector(at.mode, at.piece, at.local, at.state, at.cell)
+
+    def edge(self, at: At) -> arb:
+        """Return the greatest friction force at rest where a point sticks, N, enclosed for the true motion."""
+        if self.cells is None:
+            return Ball.number(self.pieces[at.piece].b)
+        if at.apart is not None:
+            return Ball.number(self.cells.at_rest(at.apart) * self.cells.scale(self.pieces[at.piece]))
+        x1, x2 = (arb(at.state[k]) for k in (X1, X2))
+        return self.held(at, x1 - x2 + arb(0, at.place))
+
+    def held(self, at: At, z: arb) -> arb:
+        """Return the same for a ball of places x1 - x2. Raises InvalidScene, EventUndecided where it is not > 0."""
+        cells, piece = self.cells, self.pieces[at.piece]
+        if cells is None:
+            return Ball.number(piece.b)
+        edge = cells.held(piece, z)
+        if edge <= 0:
+            raise cells.vanishing(0.0, float(z.mid()), f" at t = {self.time(at):.6g} s")
+        if not edge > 0:
+            raise self.undecided(at)
+        return edge
+
+    def growth(self, at: At, t: arb) -> arb:
+        """Return by which factor N may grow in a time in the mode of a point, while the true motion is in its cell."""
+        branch = self.branch(at.mode, at.piece, at.cell)
+        if branch is None or self.cells is None or not self.is_ball:
+            return arb(1)
+        return (self.cells.growth(branch) * t.abs_upper()).exp().upper()
 
     def left(self, at: At) -> arb:
         """Return the time that is left of the piece."""
@@ -93,11 +153,10 @@ class Path:
 
     def evolved(self, at: At, local: Any) -> At:
         """Return the path at a later time in the piece, in the same mode."""
-        flow, t = self.flow(at.mode, at.piece), local - at.local
-        z = self.vector(at.mode, at.piece, at.local, at.state)
+        (flow, z), t = self.here(at), local - at.local
         is_near = flow.fastest * arb(t).upper() <= 1.01 * REACH
-        state = Expansion(flow, z).state(t) if is_near else self.evolved_far(flow, z, t)
-        return self.settled(at, state, t)._replace(local=local, order=0)
+        state = flow.expansion(z).state(t) if is_near else self.evolved_far(flow, z, t)
+        return self.settled(at, state, t)._replace(local=local, order=0, orders=())
 
     def evolved_far(self, flow: Flow, z: list[Any], t: Any) -> list[Any]:
         """Return the state after a time of many radians: the answers to the sines one by one."""
@@ -122,11 +181,14 @@ class Path:
         """Return a point in the midst of an enclosure, after a time in one mode; its errors grow by the radii."""
         place, t, norm = at.place, arb(t), at.norm
         if at.mode:
+            norm = norm * self.growth(at, t) if self.cells else norm
             place = place + self.kappa * norm * t
-        elif self.pair.a1:
+        elif self.pair.a1 and not self.cells:
             norm = self.shrunk(norm, (t - at.late).lower())
         x1, v1, x2, v2 = (self.numbers.radius(one) for one in state)
         norm = (norm + self.root_a2 * x1 + self.root_m1 * v1 + self.root_m2 * v2).upper()
+        if self.cells:
+            norm = (norm + self.root_g * (x1 + x2)).upper()
         if not norm.is_finite():
             raise OutOfRange("a number of this scene left the range of its arithmetic")
         points = tuple(map(self.numbers.middle, state))

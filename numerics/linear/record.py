@@ -101,6 +101,8 @@ class Knot(NamedTuple):
     x2_error: Any = 0
     v2_error: Any = 0
     excess_error: Any = 0
+    cell: Any = (0, 0)
+    """Of a slip whose friction depends on the state (cells.py); a row starts at a crossing of a knot, too."""
 
 
 class Record(NamedTuple):

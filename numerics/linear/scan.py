@@ -28,13 +28,20 @@ CLEAR, UNKNOWN = -1, -2
 class Guard(NamedTuple):
     """offset + sign row, which is positive in a mode; how many of its derivatives vanish at the start of a scan.
 
-    `margin` bounds how far the derivative of this order may be from that of the true motion.
+    `margin` bounds how far the derivative of this order may be from that of the true motion; `row` says of which row it
+    is, `kind` what it means (cells.py).
     """
 
     sign: int
     offset: arb
     order: int
     margin: arb
+    row: int = 0
+    kind: int = 0
+
+    def value(self, rows: Sequence[Sequence[arb]]) -> arb:
+        """Return it at the point at which rows have these coefficients."""
+        return self.offset + self.sign * rows[self.row][0]
 
 
 def bernstein(row: Sequence[arb], h: arb, order: int) -> list[arb]:
@@ -54,26 +61,32 @@ def _bernstein_matrix(degree: int, _: int) -> arb_mat:
     return arb_mat([[number(Fraction(math.comb(i, k), math.comb(degree, k))) for k in row] for i in row])
 
 
-def scan(row: Sequence[arb], guards: Sequence[Guard], rest: arb, h: arb, since: arb | None = None) -> int:
+def scan(
+    rows: Sequence[Sequence[arb]], guards: Sequence[Guard], rests: Sequence[arb], h: arb, since: arb | None = None
+) -> int:
     """Return whether no guard vanishes in (0, h], or which one falls through zero there, once.
 
-    `row` are Taylor coefficients, `rest` what they leave out (Flow), formed at a point a time `since` before. At an end
-    that counts the sign is proved, too.
+    `rows` are Taylor coefficients, `rests` what they leave out (Flow), formed at a point a time `since` before. At an
+    end that counts the sign is proved, too.
     """
-    known: dict[int, tuple[list[arb], arb]] = {}
-    far, count, hit = h if since is None else h + since, len(row), CLEAR
-    for index, (sign, offset, order, margin) in enumerate(guards):
-        if order not in known:
-            known[order] = bernstein(row, h, order), rest * (far ** (count - order) * math.perm(count, order))
-        values, off = known[order]
+    known: dict[tuple[int, int], tuple[list[arb], arb]] = {}
+    far, hit = h if since is None else h + since, CLEAR
+
+    def derived(which: int, order: int) -> tuple[list[arb], arb]:
+        if (which, order) not in known:
+            row, count = rows[which], len(rows[which])
+            off = rests[which] * (far ** (count - order) * math.perm(count, order))
+            known[which, order] = bernstein(row, h, order), off
+        return known[which, order]
+
+    for index, (sign, offset, order, margin, which, _) in enumerate(guards):
+        values, off = derived(which, order)
         least = off + margin - (0 if order else offset)
         if all(one > least for one in values) if sign > 0 else all(one < -least for one in values):
             continue
         if order:
             return UNKNOWN
-        if 1 not in known:
-            known[1] = bernstein(row, h, 1), rest * (far ** (count - 1) * count)
-        slopes, slack = known[1]
+        slopes, slack = derived(which, 1)
         if not (all(one < -slack for one in slopes) if sign > 0 else all(one > slack for one in slopes)):
             return UNKNOWN
         end = offset + sign * values[-1]

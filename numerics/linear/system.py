@@ -2,7 +2,8 @@
 
 z = (x1, v1, x2, v2, 1, p0, ..., pd, s1, c1, ...): the state in SI units, the constant, the polynomial of the piece with
 its derivatives, and each sine beside its cosine. A is exact, resonance is no special case, and a flow over a ball of
-times encloses the flow at each of them. This is an evidence of its own: it shares no closed form with flows/.
+times encloses the flow at each of them. Friction on body 2 in a slip is side b + slope (v1 - v2) + pull (x1 - x2),
+where it depends on the state (cells.py).
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import flint
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, precision, sqrt
+from numerics.linear.sine_form import SineForm
 from numerics.scene import Pair, Piece
 
 X1, V1, X2, V2, ONE, FIRST = range(6)
@@ -31,12 +33,17 @@ MOST_CUTS = 2_000
 
 @dataclass(frozen=True)
 class LinearMode:
-    """A pair in the mode `side` (+1, -1: the sign of w; 0: stick) at friction b, under one piece of force."""
+    """A pair in the mode `side` (+1, -1: the sign of w; 0: stick) at friction b, under one piece of force.
+
+    `slope` (N s/m) and `pull` (N/m, for this side) are those of friction by w and by x1 - x2 in a slip.
+    """
 
     pair: Pair
     b: Fraction
     side: int
     piece: Piece
+    slope: Fraction = Fraction(0)
+    pull: Fraction = Fraction(0)
 
     @property
     def size(self) -> int:
@@ -49,6 +56,12 @@ class LinearMode:
         first = FIRST + len(self.piece.polynomial)
         sines = [(first + 2 * k, Fraction(1)) for k in range(len(self.piece.sines))]
         return (*([(FIRST, Fraction(1))] if self.piece.polynomial else []), *sines)
+
+    @property
+    def friction(self) -> Row:
+        """Return F, the friction force on body 2, N; of a slip."""
+        by_state = ((V1, self.slope), (V2, -self.slope), (X1, self.pull), (X2, -self.pull))
+        return (ONE, self.side * self.b), *(one for one in by_state if one[1])
 
     @property
     def load(self) -> Row:
@@ -67,10 +80,12 @@ class LinearMode:
         rows = [[Fraction(0)] * self.size for _ in range(self.size)]
         pair = self.pair
         rows[X1][V1] = rows[X2][V2] = Fraction(1)
-        for place, factor in ((X1, -pair.a2), (V1, -pair.a1), (ONE, -self.side * self.b), *self.force):
+        for place, factor in ((X1, -pair.a2), (V1, -pair.a1), *self.force):
             rows[V1][place] += factor / self.mass
         if self.side:
-            rows[V2][ONE] = self.side * self.b / pair.m2
+            for place, factor in self.friction:
+                rows[V1][place] -= factor / pair.m1
+                rows[V2][place] += factor / pair.m2
         else:
             rows[V2] = list(rows[V1])
         for k in range(len(self.piece.polynomial) - 1):
@@ -103,6 +118,20 @@ class LinearMode:
             parts = (number(sine.omega) * t + number(sine.phase)).sin_cos()
             z.extend(number(sine.amplitude) * one for one in parts)
         return arb_mat([[one] for one in z])
+
+    def exact_start(self, state: Sequence[SineForm], t: Fraction) -> list[SineForm]:
+        """Return z at time t (s) with the state, exact."""
+        since, terms = t - self.piece.start, self.piece.polynomial
+        z = [*state, SineForm(1)]
+        for order in range(len(terms)):
+            derived = [math.perm(k, order) * c for k, c in enumerate(terms)][order:]
+            z.append(SineForm(sum((c * since**k for k, c in enumerate(derived)), Fraction(0))))
+        for sine in self.piece.sines:
+            angle = sine.omega * t + sine.phase
+            z += [
+                SineForm.turned(angle, *one) for one in ((sine.amplitude, Fraction(0)), (Fraction(0), sine.amplitude))
+            ]
+        return z
 
     def motion(self, state: Sequence[arb], t: arb) -> Motion:
         """Return the motion that starts at time t (s) with the state (x1, v1, x2, v2)."""
@@ -151,7 +180,8 @@ class Stretched:
 
         m y'' + a1 y' + a2 y = u^(n),    so that    sqrt(a2 y^2 + m y'^2) grows by int |u^(n)| dt/sqrt(m) at most
 
-    (m = m1 in slip, M in stick). A light body 1, whose own rates are large, then costs no finer parts for ever.
+    (m = m1 in slip, M in stick). A light body 1, whose own rates are large, then costs no finer parts for ever. Where
+    friction depends on the state, N of all components takes its place, which may grow (LocalNorm).
     """
 
     def __init__(self, mode: LinearMode, matrix: arb_mat, begin: arb_mat, h: arb) -> None:
@@ -200,6 +230,14 @@ class Stretched:
         for place in mode.sine_places:
             amplitude = sqrt(z[place, 0] * z[place, 0] + z[place + 1, 0] * z[place + 1, 0]).upper()
             bent[place, 0] = bent[place + 1, 0] = arb(0, amplitude)
+        if mode.slope or mode.pull:
+            norm = LocalNorm(mode)
+            reached = norm.grown(abs(self.h).upper(), norm.of(z.entries()[:4]), abs(value(mode.force, bent)))
+            sizes = [(reached / one).upper() for one in (norm.root_a2, norm.root_m1, norm.root_m2)]
+            apart = abs(z[X1, 0] - z[X2, 0]) + norm.kappa * reached * abs(self.h)
+            for place, size in ((X1, sizes[0]), (V1, sizes[1]), (X2, (sizes[0] + apart).upper()), (V2, sizes[2])):
+                bent[place, 0] = arb(0, size)
+            return bent
         mass, spring = number(mode.mass), number(mode.pair.a2)
         energy = spring * z[X1, 0] * z[X1, 0] + mass * z[V1, 0] * z[V1, 0]
         grown = sqrt(energy) + abs(self.h) * abs(value(mode.force, bent)) / mass.sqrt()
@@ -207,6 +245,35 @@ class Stretched:
         if mode.side == 0:  # else body 2 has a constant acceleration, and z says all
             bent[X2, 0], bent[V2, 0] = bent[X1, 0], bent[V1, 0]
         return bent
+
+
+class LocalNorm:
+    """N^2 = a2 x1^2 + m1 v1^2 + m2 v2^2 + g (x1 - x2)^2, g = |pull|: how fast it grows in one cell, where u = 0.
+
+    With kappa^2 = M/(m1 m2): |v1 - v2| <= kappa N, and (N^2/2)' = -a1 v1^2 - slope w^2 + (g - pull) w z: N grows like
+    exp(mu t) at most, mu = kappa^2 max(0, -slope) + kappa sqrt(max(0, -pull)). A itself is at most `rate` in N.
+    """
+
+    def __init__(self, mode: LinearMode) -> None:
+        """Form the constants, in the present precision."""
+        pair, number = mode.pair, Ball.number
+        self.root_a2, self.root_m1, self.root_m2 = (number(one).sqrt() for one in (pair.a2, pair.m1, pair.m2))
+        self.root_g, self.kappa = number(abs(mode.pull)).sqrt(), number(pair.mass / (pair.m1 * pair.m2)).sqrt()
+        square, coupling = self.kappa * self.kappa, self.kappa * self.root_g
+        self.mu = square * number(max(Fraction(0), -mode.slope)) + (coupling if mode.pull < 0 else 0)
+        self.rate = (
+            number(pair.a1 / pair.m1) + self.root_a2 / self.root_m1 + square * number(abs(mode.slope)) + coupling
+        )
+
+    def of(self, state: Sequence[arb]) -> arb:
+        """Return N of (x1, v1, x2, v2)."""
+        x1, v1, x2, v2 = state
+        parts = self.root_a2 * x1, self.root_m1 * v1, self.root_m2 * v2, self.root_g * (x1 - x2)
+        return sum((one * one for one in parts), arb(0)).abs_upper().sqrt().upper()
+
+    def grown(self, h: arb, norm: arb, pushed: arb) -> arb:
+        """Return a bound on N after a time up to h, under a force of `pushed` at most."""
+        return ((self.mu * h).exp() * (norm + h * pushed / self.root_m1)).upper()
 
 
 def _power(h: arb, order: int) -> arb:

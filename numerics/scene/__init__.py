@@ -3,5 +3,6 @@
 from numerics.scene.force import Force
 from numerics.scene.model import Law, Pair, Scene, State, read_law
 from numerics.scene.pieces import Friction, Piece, Sine
+from numerics.scene.weakening import Weakening
 
-__all__ = ["Force", "Friction", "Law", "Pair", "Piece", "Scene", "Sine", "State", "read_law"]
+__all__ = ["Force", "Friction", "Law", "Pair", "Piece", "Scene", "Sine", "State", "Weakening", "read_law"]

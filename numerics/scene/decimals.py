@@ -101,6 +101,12 @@ def require_whole(name: str, value: Any, least: int) -> None:
         raise ValueError(f"{name} = {str(value)[:40]} must be at least {least} and at most 2^62")
 
 
+def require_function(name: str, value: Any, of: str) -> None:
+    """Raise TypeError, naming the argument, unless it can be called."""
+    if not callable(value):
+        raise TypeError(f"{name} = {_shown(value)} must be a function of {of}; leave it out for none")
+
+
 def _from_ratio(text: str, name: str) -> Fraction:
     """Return the number of a decimal text, or of a ratio of two such as "50/3"."""
     above, slash, below = text.partition("/")

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import difflib
+import os
+import sys
 import tomllib
+from collections.abc import Set
+from contextlib import nullcontext
 from fractions import Fraction
 from importlib import resources
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from numerics.errors import InvalidScene
-from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import exact_decimal
+from numerics.scene.plane import PlaneScene, is_plane, plane_scene
+from numerics.scene.weakening import two_coefficients
 
 MAX_BYTES, MAX_FORCED_BYTES = 65536, 2**25
 """Of a scene without a force, and of one with."""
@@ -18,8 +25,10 @@ _KEYS = {
     "pair": {"m1", "m2", "a1", "a2", "b"},
     "initial": {"x1", "v1", "x2", "v2"},
     "run": {"law", "until"},
+    "weakening": {"speed", "last_slope", "place"},
 }
 _PIECES = {"force": {"from", "polynomial", "sines"}, "friction": {"from", "b"}}
+_TWO_COEFFICIENTS = {"b_s", "b_k", "b_static", "b_kinetic", "mu_s", "mu_k"}
 _SINE = {"amplitude", "omega", "phase"}
 _REFERENCE = "reference"
 _REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("run", "until"))
@@ -28,6 +37,14 @@ _REQUIRED = (("pair", "m1"), ("pair", "m2"), ("pair", "a2"), ("pair", "b"), ("ru
 def shipped_scenes() -> tuple[str, ...]:
     """Return the short names of the scenes in the repository, sorted: the paper's examples and a few more."""
     return _names_in("shipped")
+
+
+def described_scenes() -> dict[str, str]:
+    """Return the shipped scenes by their names, with the sentence that each file begins with."""
+    folder = resources.files("numerics") / "scene" / "shipped"
+    return {
+        name: (folder / f"{name}.toml").read_text("utf-8").partition("\n")[0].lstrip("# ") for name in shipped_scenes()
+    }
 
 
 def shipped_references() -> tuple[str, ...]:
@@ -41,7 +58,7 @@ def _names_in(folder: str) -> tuple[str, ...]:
 
 
 def load_scene(name_or_path: str | Path) -> Scene:
-    """Return the scene of a shipped short name such as "velocities", or of a TOML file.
+    """Return the scene of a shipped short name such as "velocities", or of a TOML file, "-" for standard input.
 
     Raises InvalidScene (one line, with the remedy) if there is no such file or it describes no scene.
 
@@ -51,18 +68,35 @@ def load_scene(name_or_path: str | Path) -> Scene:
     return parse_scene(*_text_and_file(name_or_path, "shipped", "scene", "a TOML file"))
 
 
-def _text_and_file(name_or_path: str | Path, folder: str, what: str, form: str) -> tuple[str, str]:
+def load_line(name_or_path: str | Path) -> Scene:
+    """Return a scene of one line, as `load_scene`; one on a surface is refused."""
+    scene: Scene | PlaneScene = load_scene(name_or_path)
+    if isinstance(scene, PlaneScene):
+        raise InvalidScene(
+            "a scene on a surface can be solved, and asked for its response; this is known on one line only"
+        )
+    return scene
+
+
+def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tuple[str, str]:
     """Return the text of a shipped file, or of one that somebody named and that name. Raises InvalidScene."""
-    name, known = str(name_or_path), _names_in(folder)
+    if not isinstance(name_or_path, (str, os.PathLike)):
+        shown = f"{str(name_or_path)[:40]!r}, {type(name_or_path).__name__}"
+        raise InvalidScene(f"a {what} is named by text or a path, not {shown}; give {form} or a shipped name")
+    name, known = os.fspath(name_or_path), _names_in(folder)
+    if not name:
+        raise InvalidScene(f"the name of the {what} is empty; give {form} or one of: {', '.join(known)}")
     if name in known:
         return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8"), ""
-    return _text_of(Path(name_or_path), what, f"give {form} or one of: {', '.join(known)}"), name
+    near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
+    remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of: {', '.join(known)}"
+    return _text_of(Path(name), what, remedy), "standard input" if name == "-" else repr(name)
 
 
 def _text_of(path: Path, what: str, remedy: str) -> str:
-    """Return the text of a file that somebody named. Raises InvalidScene."""
+    """Return the text of a file that somebody named, "-" for standard input. Raises InvalidScene."""
     try:
-        with path.open("rb") as file:
+        with nullcontext(sys.stdin.buffer) if str(path) == "-" else path.open("rb") as file:
             data = file.read(MAX_FORCED_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
@@ -80,6 +114,9 @@ def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:
     """Return the pieces of a reference r(t) (m), of a shipped short name or a TOML file of [[reference]] tables.
 
     They are written as those of a force. Raises InvalidScene.
+
+    >>> [float(piece.start) for piece in load_reference("s-curve")]
+    [0.0, 2.0]
     """
     form = "a TOML file of [[reference]] tables"
     return parse_reference(*_text_and_file(name_or_path, "references", "reference", form))
@@ -101,15 +138,23 @@ def _parsed(text: str, what: str, file: str) -> dict[str, Any]:
         return tomllib.loads(text, parse_float=_float_text)
     except (tomllib.TOMLDecodeError, ValueError, RecursionError) as error:
         reason = " ".join(str(error).split())[:200]
-        raise InvalidScene(f"{f'{file!r} is ' if file else ''}not a TOML {what}: {reason}") from None
+        raise InvalidScene(f"{f'{file} is ' if file else ''}not a TOML {what}: {reason}") from None
 
 
 def parse_scene(text: str, file: str = "") -> Scene:
-    """Return the Scene that TOML `text` describes, numbers read as exact decimals. Raises InvalidScene."""
+    """Return the Scene that TOML `text` describes, numbers read as exact decimals; of lists a PlaneScene.
+
+    Raises InvalidScene.
+    """
     tables = _parsed(text, "scene", file)
-    _check_keys(tables)
-    pair, initial, run = (tables.get(name, {}) for name in _KEYS)
-    force, friction = (_pieces_of(tables, name) for name in _PIECES)
+    on_surface = is_plane(tables)
+    _check_keys(tables, {"shape"} if on_surface else set())
+    pair, initial, run, weakening = (tables.get(name, {}) for name in _KEYS)
+    force, friction = (_pieces_of(tables, name, {"axis"} if on_surface else set()) for name in _PIECES)
+    if on_surface:  # what is asked of a Scene is refused by its type
+        if weakening:
+            raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
+        return cast("Scene", plane_scene(tables, lambda one, number: _in_place(_force_piece, one, number)))
     return Scene(
         Pair(**pair),
         State(**initial),
@@ -117,18 +162,19 @@ def parse_scene(text: str, file: str = "") -> Scene:
         law=run.get("law", Law.FILIPPOV),
         force=Force(_in_place(_force_piece, one, number) for number, one in enumerate(force, start=1)),
         friction=Friction(
-            _in_place(_friction_piece, one, number, "friction") for number, one in enumerate(friction, start=1)
+            (_in_place(_friction_piece, one, number, "friction") for number, one in enumerate(friction, start=1)),
+            Weakening(**weakening) if "weakening" in tables else None,
         ),
     )
 
 
-def _pieces_of(tables: dict[str, Any], name: str) -> list[dict[str, Any]]:
+def _pieces_of(tables: dict[str, Any], name: str, more: Set[str] = frozenset()) -> list[dict[str, Any]]:
     """Return the tables [[name]], in their order; none is an empty list."""
     found = tables.get(name, [])
     if not isinstance(found, list) or not all(isinstance(one, dict) for one in found):
         raise InvalidScene(f"{name} must be tables of its pieces; write [[{name}]] on a line of its own for each")
     for one in found:
-        _require_known(one, _PIECES.get(name, _PIECES["force"]), f"[[{name}]]")
+        _require_known(one, _PIECES.get(name, _PIECES["force"]) | more, f"[[{name}]]")
     return found
 
 
@@ -173,23 +219,26 @@ def _float_text(text: str) -> str:
     return text.replace("_", "")
 
 
-def _check_keys(tables: dict[str, Any]) -> None:
+def _check_keys(tables: dict[str, Any], more: Set[str]) -> None:
     for table, content in tables.items():
         if table in _PIECES:
             continue
         if table not in _KEYS:
             raise InvalidScene(
-                f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial], [run], [[force]], [[friction]]"
+                f"unknown table or key [{table[:40]!r}]; a scene has [pair], [initial], [run], "
+                "[weakening], [[force]], [[friction]]"
             )
         if not isinstance(content, dict):
             raise InvalidScene(f"{table} must be a table; write [{table}] on a line of its own")
-        _require_known(content, _KEYS[table], f"[{table}]")
+        _require_known(content, _KEYS[table] | (more if table == "pair" else set()), f"[{table}]")
     for table, key in _REQUIRED:
         if key not in tables.get(table, {}):
             raise InvalidScene(f"missing key {key} in [{table}]; every scene must give it")
 
 
-def _require_known(content: dict[str, Any], keys: set[str], where: str) -> None:
+def _require_known(content: dict[str, Any], keys: Set[str], where: str) -> None:
     for key in content:
+        if key in _TWO_COEFFICIENTS:
+            raise two_coefficients(key)
         if key not in keys:
             raise InvalidScene(f"unknown key {key[:40]!r} in {where}; it takes {', '.join(sorted(keys))}")

@@ -11,16 +11,20 @@ from fractions import Fraction
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, put, short
 from numerics.scene.pieces import Piece, Sine, require_order
+from numerics.scene.short_repr import ShortRepr
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class Force:
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class Force(ShortRepr):
     """The force u(t) on body 1, N: pieces in order of their start (s); before the first one, and with none, u = 0.
 
     Exact. f + g and c f are forces again. Raises InvalidScene.
 
     >>> (Force.step(1, 2) + Force.ramp(0, 2, 4))(Fraction(3, 2))
     Fraction(5, 1)
+    >>> force = 2 * Force.sine("0.35", 5) + Force.trapezoid(2, 1, 1, 0, "0.2")
+    >>> force.starts, force.frequency, Force.sweep(1, [5, 6], 2).pieces[1]
+    ((Fraction(0, 1), Fraction(2, 1), Fraction(3, 1), Fraction(4, 1)), None, Piece(start=2, sines=(Sine(...),)))
     """
 
     pieces: tuple[Piece, ...]

@@ -14,10 +14,15 @@ from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, keep, put, short
 from numerics.scene.force import Force
 from numerics.scene.pieces import Friction
+from numerics.scene.short_repr import ShortRepr
 
 
 class Law(Enum):
-    """How sgn(0) is read on the switching surface v1 = v2."""
+    """How sgn(0) is read on the switching surface v1 = v2.
+
+    >>> Law.FILIPPOV.value, Law.THREE_VALUED_SGN.value
+    ('filippov', 'three-valued-sgn')
+    """
 
     FILIPPOV = "filippov"
     """Set-valued: the pair sticks where friction can hold it, |a2 x1 + a1 v1| <= b (m1+m2)/m2 (Section III)."""
@@ -25,12 +30,18 @@ class Law(Enum):
     """sgn(0) = 0 as in eqs (11)-(12): whenever v1 = v2 the pair sticks, whatever force that takes (Section IV)."""
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class Pair:
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class Pair(ShortRepr):
     """The two bodies and what joins them.
 
     m1, m2 (kg) > 0; a1 (N s/m) >= 0 viscous damper and a2 (N/m) > 0 spring, both from body 1 to the ground;
     b (N) > 0 the Coulomb force of the interface. Exact. Raises InvalidScene.
+
+    >>> pair = Pair(m1=1, m2=1, a2=200, b="0.05")
+    >>> pair, pair.a1, pair.mass, pair.share
+    (Pair(m1=1, m2=1, a2=200, b=0.05), Fraction(0, 1), Fraction(2, 1), Fraction(1, 2))
+    >>> pair.half_width, pair.critical_energy  # m, J
+    (Fraction(1, 2000), Fraction(1, 40000))
     """
 
     m1: Fraction
@@ -69,9 +80,13 @@ class Pair:
         return self.a2 * self.half_width**2 / 2
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class State:
-    """Positions x1, x2 (m) and velocities v1, v2 (m/s) of the two bodies, exact. Raises InvalidScene."""
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class State(ShortRepr):
+    """Positions x1, x2 (m) and velocities v1, v2 (m/s) of the two bodies, exact. Raises InvalidScene.
+
+    >>> State(x1="1/200", v1=0.15), State(v2=1).x2
+    (State(x1=0.005, v1=0.15), Fraction(0, 1))
+    """
 
     x1: Fraction
     v1: Fraction
@@ -86,19 +101,28 @@ class State:
         put(self, row=None)
 
 
+def require_kind(asking: str, value: object, kind: type, remedy: str) -> None:
+    """Raise TypeError, naming what was asked, unless a value is of a kind."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{asking} takes a {kind.__name__}, not {type(value).__name__}; {remedy}")
+
+
+BUILD = "build Scene(Pair(...), State(...), until=...), or take load_scene(...)"
 NO_FORCE, SAME_FRICTION = Force(), Friction()
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class Scene:
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class Scene(ShortRepr):
     """A pair, its state at t = 0, the horizon `until` (s) > 0, the friction law, and what changes in time.
 
-    `force` is u(t) on body 1, `friction` the pieces of b from their time on; most scenes
-    have neither. Raises InvalidScene.
+    `force` is u(t) on body 1, `friction` the pieces of b from their time on and how it depends on the state; most
+    scenes have neither. Raises InvalidScene.
 
     >>> scene = Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(x1="0.005"), until=5)
-    >>> scene.pair.half_width, scene.energy_excess
-    (Fraction(1, 200), Fraction(0, 1))
+    >>> scene.pair.half_width, scene.energy_excess, scene.energy
+    (Fraction(1, 200), Fraction(0, 1), Fraction(1, 400))
+    >>> scene.initial, scene.until, scene.law.value, scene.force, scene.friction, scene.is_forced
+    (State(x1=0.005), Fraction(5, 1), 'filippov', Force(), Friction(), False)
     """
 
     pair: Pair
@@ -150,8 +174,15 @@ class Scene:
 
     @property
     def is_forced(self) -> bool:
-        """Return whether anything acts in time: a piece of force, or one of friction."""
-        return bool(self.force.pieces or self.friction.pieces)
+        """Return whether anything acts on the paper's free pair: a force, or a friction that is not one number b."""
+        return bool(self.force.pieces or self.friction.pieces or self.friction.weakening)
+
+    def require_one_b(self, what: str) -> None:
+        """Raise InvalidScene, for what is worked out for Coulomb friction only, if friction depends on the state."""
+        if self.friction.weakening:
+            raise InvalidScene(
+                f"{what} is not worked out for friction that depends on the state; leave [weakening] out"
+            )
 
     @property
     def energy(self) -> Fraction:
@@ -171,5 +202,5 @@ def read_law(law: object) -> Law:
         return Law(law)
     except ValueError:
         names = ", ".join(f'"{one.value}"' for one in Law)
-        given = repr(law) if isinstance(law, str) else f"a {type(law).__name__}"  # a huge int has no text
+        given = repr(law) if isinstance(law, str) else f"what is of type {type(law).__name__}"  # a huge int has no text
         raise InvalidScene(f"law = {given[:40]} is not one of {names}") from None

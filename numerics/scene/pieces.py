@@ -10,14 +10,20 @@ from typing import Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
+from numerics.scene.short_repr import ShortRepr
+from numerics.scene.weakening import Weakening
 
 MAX_COEFFICIENTS, MAX_SINES, MAX_PIECES = 64, 1000, 100_000
 """The first two in one piece of force; the last in one force or friction."""
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class Sine:
-    """amplitude sin(omega t + phase): N, rad/s > 0, rad; t (s) is counted from the start of the run. Exact."""
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class Sine(ShortRepr):
+    """amplitude sin(omega t + phase): N, rad/s > 0, rad; t (s) is counted from the start of the run. Exact.
+
+    >>> Sine("0.35", 5), Sine(1, 2, "1/3").phase
+    (Sine(amplitude=0.35, omega=5), Fraction(1, 3))
+    """
 
     amplitude: Fraction
     omega: Fraction
@@ -32,11 +38,17 @@ class Sine:
             )
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class Piece:
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class Piece(ShortRepr):
     """u(t) from `start` (s) until the next piece: sum_k polynomial[k] (t - start)^k plus the sines. Exact, N.
 
     Raises InvalidScene for a start < 0 and for more terms than a piece may have.
+
+    >>> piece = Piece(2, (0, "1/2"), (Sine("0.35", 5),))  # from 2 s on: (t - 2)/2 N and a sine
+    >>> piece, piece.start, piece.polynomial[1], len(piece.sines)
+    (Piece(start=2, polynomial=(0, 0.5), sines=(Sine(amplitude=0.35, omega=5),)), Fraction(2, 1), Fraction(1, 2), 1)
+    >>> piece.moved(Fraction(4)).polynomial
+    (Fraction(1, 1), Fraction(1, 2))
     """
 
     start: Fraction
@@ -68,14 +80,24 @@ class Piece:
         return Piece(start, shifted(self.polynomial, start - self.start), self.sines)
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class Friction:
-    """The friction force b by pieces, (start in s, b in N), in order; before the first one the pair's b. Exact."""
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class Friction(ShortRepr):
+    """The friction force b by pieces, (start in s, b in N), in order; before the first one the pair's b. Exact.
+
+    `weakening` says how friction depends on speed and place besides; b is then what it is at rest, for C = 0.
+
+    >>> friction = Friction([(4, "0.08")])
+    >>> friction.pieces, friction.starts
+    (((Fraction(4, 1), Fraction(2, 25)),), (Fraction(4, 1),))
+    """
 
     pieces: tuple[tuple[Fraction, Fraction], ...]
+    weakening: Weakening | None
 
-    def __init__(self, pieces: Iterable[tuple[Exact, Exact]] = ()) -> None:
+    def __init__(self, pieces: Iterable[tuple[Exact, Exact]] = (), weakening: Weakening | None = None) -> None:
         """Read the pieces; raises InvalidScene unless every b > 0 and each starts after the one before it."""
+        if not isinstance(weakening, Weakening | None):
+            raise InvalidScene("weakening must be a Weakening(speed, last_slope, place); build it first")
         kept = []
         for one in pieces:
             start, b = _two(one)
@@ -84,7 +106,7 @@ class Friction:
             if kept[-1][1] <= 0:
                 raise InvalidScene(f"b = {short(kept[-1][1])} must be > 0; give a positive b")
         require_order("friction", [start for start, _ in kept])
-        put(self, pieces=tuple(kept))
+        put(self, pieces=tuple(kept), weakening=weakening)
 
     @property
     def starts(self) -> tuple[Fraction, ...]:

@@ -8,21 +8,36 @@ from fractions import Fraction
 from numerics.scene.decimals import decimal_text
 from numerics.scene.model import Law, Scene
 from numerics.scene.pieces import Piece
+from numerics.scene.weakening import Weakening
 
 
 def scene_text(scene: Scene) -> str:
-    """Return TOML that `parse_scene` reads as the same scene: decimals where a number has one, else ratios; exact."""
+    """Return TOML that `parse_scene` reads as the same scene: decimals where a number has one, else ratios; exact.
+
+    >>> from numerics import load_scene
+    >>> scene_text(load_scene("at-rest")).splitlines()[:6]
+    ['[pair]', 'm1 = 1', 'm2 = 1', 'a1 = 0', 'a2 = 200', 'b = 0.5']
+    """
     pair, at = scene.pair, scene.initial
     lines = ["[pair]", *(f"{name} = {_number(getattr(pair, name))}" for name in ("m1", "m2", "a1", "a2", "b"))]
     lines += ["[initial]", *(f"{name} = {_number(getattr(at, name))}" for name in ("x1", "v1", "x2", "v2"))]
     lines += ["[run]", f"until = {_number(scene.until)}"]
     if scene.law is not Law.FILIPPOV:
         lines.append(f'law = "{scene.law.value}"')
+    lines += _weakening_lines(scene.friction.weakening)
     for piece in scene.force.pieces:
         lines += _force_lines(piece)
     for start, b in scene.friction.pieces:
         lines += ["[[friction]]", f"from = {_number(start)}", f"b = {_number(b)}"]
     return "\n".join(lines) + "\n"
+
+
+def _weakening_lines(given: Weakening | None) -> Iterator[str]:
+    if given is not None:
+        yield "[weakening]"
+        yield f"last_slope = {_number(given.last_slope)}"
+        for name in ("speed", "place"):
+            yield f"{name} = [{', '.join(f'[{_number(one)}, {_number(two)}]' for one, two in getattr(given, name))}]"
 
 
 def _force_lines(piece: Piece) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +33,25 @@ class Batch:
 
     Digits count as in trajectory/digits.py: times relative to themselves, positions and velocities to the largest
     of each at the start, at the kept events and at the end.
+
+    >>> from numerics import solve_many
+    >>> found = solve_many(1, 1, 200, 0.5, v1=[0.05, 0.15], until=5, keep_events=2, jobs=1)
+    >>> found
+    Batch of 2 scenes, shape (2,): 1 REACHED_HORIZON, 1 STUCK_FOR_EVER; 33 events
+    >>> len(found), found.shape, found.success.tolist(), found.status.tolist(), found.certain.tolist()
+    (2, (2,), [True, True], [1, 0], [True, True])
+    >>> found.events.tolist(), found.mode.tolist(), found.t.tolist(), found.inputs["v1"].tolist()
+    ([1, 32], [0, 0], [5.0, 5.0], [0.05, 0.15])
+    >>> found.y.shape, bool((found.y_error < 1e-12).all()), bool((found.digits > 9).all())
+    ((4, 2), True, True)
+    >>> found.dissipated.round(6).tolist(), bool((found.dissipated_error < 1e-12).all())
+    ([0.000555, 0.008682], True)
+    >>> found.energy_excess.round(6).tolist(), bool((found.energy_excess_error < 1e-9).all())
+    ([-0.721931, 0.027012], True)
+    >>> found.event_t.round(6).tolist(), found.event_mode.tolist()
+    ([[0.042495, nan], [0.076879, 0.276303]], [[0, 0], [-1, 0]])
+    >>> found.event_y.shape, found.event_t_error.shape, found.event_y_error.shape
+    ((4, 2, 2), (2, 2), (4, 2, 2))
     """
 
     def __init__(self, table: Table, ends: Table, kept: Table, shape: tuple[int, ...]) -> None:
@@ -48,10 +68,27 @@ class Batch:
     def __repr__(self) -> str:
         """Return a short summary."""
         ends = ", ".join(f"{np.sum(self.status == one)} {one.name}" for one in Status if np.any(self.status == one))
-        return f"Batch of {len(self)} scenes, shape {self.shape}: {ends}; {int(np.sum(self.events))} events"
+        ended = f": {ends}; {int(np.sum(self.events))} events" if len(self) else ""
+        return f"Batch of {len(self)} scenes, shape {self.shape}{ended}"
+
+    @property
+    def inputs(self) -> dict[str, Table]:
+        """Return m1, m2, a2, b, x1, v1, x2, v2, until and a1 of the scenes (SI units), each in the shape."""
+        return {name: self._given(name) for name in SI}
 
     def _given(self, name: str) -> Table:
         return self.table[:, 2 * SI.index(name)].reshape(self.shape)
+
+    def plot(self, answer: str = "dissipated", along: Any = None, ax: Any = None) -> Any:
+        """Draw one answer over the inputs that vary, one or the first two of them, and return the matplotlib axes.
+
+        `answer`: dissipated, energy_excess, events, mode, digits, t, or x1, v1, x2, v2 at the end. `along`: an input by
+        its name, or an array of the shape, such as the amplitudes of a force. Runs that did not succeed are crossed
+        out. Raises ValueError, MissingTool.
+        """
+        from numerics.solver.batch_picture import draw_batch
+
+        return draw_batch(self, answer, along, ax)
 
     def _end(self, name: str) -> Table:
         return np.where(self._gone, np.nan, self.ends[:, AT[name]].reshape(self.shape))

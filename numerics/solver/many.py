@@ -6,7 +6,7 @@ Python only hands out chunks of rows to compiled code, where numba is installed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -18,7 +18,7 @@ from numerics.arithmetic.compiled import can_compile
 from numerics.arithmetic.pair import nearest
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
-from numerics.scene.decimals import require_whole
+from numerics.scene.decimals import require_function, require_whole
 from numerics.solver.batch import SI, Batch
 from numerics.solver.rows import Chunk, Columns, room
 from numerics.tasks import available_cores
@@ -66,7 +66,8 @@ def solve_many(
 ) -> Batch:
     """Solve the scenes of all numbers in arrays that broadcast together, in SI units as in Pair, State and Scene.
 
-    Every scene runs as by solve(scene, arithmetic="float64"); an event that its bounds leave open is a status.
+    Every scene runs as by solve(scene, arithmetic="float64"); an event that its bounds leave open is a status. Where
+    friction depends on the state it runs in balls, one after the other.
 
     The force on body 1: `polynomial`, arrays of u's coefficients (N, N/s, ...) in powers of t, and `sines`, triples of
     arrays (amplitude in N, omega in rad/s > 0, phase in rad); t from the start of the run. They broadcast with the
@@ -85,9 +86,12 @@ def solve_many(
     ([1, 32], [0, 0], True)
     """
     named = dict(zip(SI, (m1, m2, a2, b, x1, v1, x2, v2, until, a1), strict=True))
+    for name, given in (("polynomial", polynomial), ("sines", sines)):
+        if not isinstance(given, Sequence | np.ndarray):
+            raise InvalidScene(f"{name} = {str(given)[:40]!r} must be a list: of coefficients, or of triples of a sine")
     named |= {f"polynomial[{k}]": one for k, one in enumerate(polynomial)}
     for k, sine in enumerate(sines):
-        if len(sine) != 3:
+        if not isinstance(sine, Sequence | np.ndarray) or len(sine) != 3:
             raise InvalidScene(f"sines[{k}] must be a triple: amplitude, omega, phase")
         named |= {f"sines[{k}].{name}": one for name, one in zip(("amplitude", "omega", "phase"), sine, strict=True)}
     limits = _limits(read_law(law), max_events, keep_events, jobs, progress)
@@ -112,8 +116,18 @@ def solve_scenes(
     jobs: int | None = None,
     progress: Progress | None = None,
 ) -> Batch:
-    """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),)."""
+    """Solve scenes as `solve_many` does, from their exact decimals; arrays of shape (len(scenes),).
+
+    Raises TypeError for what is no list of scenes, ValueError for bad arguments.
+
+    >>> from numerics import load_scene
+    >>> solve_scenes([load_scene("velocities"), load_scene("at-rest")], jobs=1).events.tolist()
+    [24, 0]
+    """
+    scenes = _scenes(scenes)
     laws = {scene.law for scene in scenes}
+    if any(scene.friction.weakening for scene in scenes):
+        jobs = 1  # they are solved in balls, whose precision all threads share
     limits = _limits(next(iter(laws), Law.FILIPPOV), max_events, keep_events, jobs, progress)
     table = np.array([_halves(scene) for scene in scenes]).reshape(len(scenes), 2 * len(SI))
     columns = Columns(table, np.zeros((len(scenes), 0)), np.zeros((len(scenes), 0, 3)))
@@ -121,10 +135,20 @@ def solve_scenes(
     return _solved(columns if plain else None, scenes.__getitem__, table, (len(scenes),), limits)
 
 
+def _scenes(given: Any) -> Sequence[Scene]:
+    """Return what was given as a list of scenes. Raises TypeError."""
+    kept = list(given) if isinstance(given, Iterable) else [given]
+    if not isinstance(given, Iterable) or not all(isinstance(one, Scene) for one in kept):
+        raise TypeError("solve_scenes takes a list of Scenes; for one scene there is solve, for arrays solve_many")
+    return kept
+
+
 def _limits(law: Law, max_events: int, keep_events: int, jobs: int | None, progress: Progress | None) -> _Limits:
     require_whole("max_events", max_events, 1)
     require_whole("keep_events", keep_events, 0)
     require_whole("jobs", 1 if jobs is None else jobs, 1)
+    if progress is not None:
+        require_function("progress", progress, "(done, all)")
     return _Limits(law, max_events, keep_events, jobs, progress)
 
 
@@ -158,7 +182,9 @@ def _solve_objects(
         for name, array in zip(named, floats, strict=True):
             _refuse(name, array)
         given = [np.vectorize(Fraction, otypes=[object])(array) if array.size else array for array in floats]
-    arrays = np.broadcast_arrays(*[np.asarray(one, dtype=object) for one in (*given, *(acts or ()))])
+    objects = [np.asarray(one, dtype=object) for one in (*given, *(acts or ()))]
+    shape = _common_shape(dict(zip((*named, "force", "friction"), objects, strict=False)))
+    arrays = [np.broadcast_to(one, shape) for one in objects]
     scenes = []
     for row in zip(*[one.ravel() for one in arrays], strict=True):
         scene = _scene(row[: len(named)], terms, limits.law)
@@ -222,7 +248,7 @@ def _chunk(count: int, jobs: int | None) -> int:
 def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[int, ...]]:
     """Return numbers as columns, and the shape that their arrays have together; checked."""
     arrays = {name: np.asarray(_numbers(name, values)) for name, values in named.items()}
-    shape = np.broadcast_shapes(*[array.shape for array in arrays.values()])
+    shape = _common_shape(arrays)
     wide = np.zeros((*shape, len(arrays)))
     for index, (name, array) in enumerate(arrays.items()):
         wide[..., index] = array
@@ -233,6 +259,15 @@ def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[in
     rest = flat[:, len(SI) :]
     count = (len(arrays) - len(SI) - terms) // 3
     return Columns(table, rest[:, :terms], rest[:, terms:].reshape(len(flat), count, 3)), shape
+
+
+def _common_shape(arrays: dict[str, NDArray[Any]]) -> tuple[int, ...]:
+    """Return the shape to which arrays broadcast. Raises ValueError, which names them."""
+    try:
+        return np.broadcast_shapes(*[array.shape for array in arrays.values()])
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
+        raise ValueError(f"these shapes do not broadcast together: {shapes}; give arrays of one shape") from None
 
 
 def _numbers(name: str, values: Any) -> Table | float:

@@ -41,12 +41,16 @@ class Solver:
     def __init__(self, pair: Pair, law: Law | str = Law.FILIPPOV, *, max_events: int = MAX_EVENTS) -> None:
         """Read the pair. Raises InvalidScene, ValueError."""
         if not isinstance(pair, Pair):
-            raise InvalidScene(f"a Solver takes a Pair, not a {type(pair).__name__}; build Pair(m1=..., m2=..., ...)")
+            raise InvalidScene(f"a Solver takes a Pair, not {type(pair).__name__}; build Pair(m1=..., m2=..., ...)")
         require_whole("max_events", max_events, 1)
         self.pair, self.law, self.max_events = pair, read_law(law), max_events
         any_scene = Scene(pair, State(), 1, self.law)
         self._row = scene_row(any_scene) if free_scene(any_scene) and can_compile() else None
-        self._until: tuple[Any, Fraction, Any] = None, Fraction(0), None
+        self._until: tuple[Any, Fraction, Any] = object(), Fraction(0), None
+
+    def __repr__(self) -> str:
+        """Return a short text."""
+        return f"Solver({self.pair!r}, law={self.law.value!r})"
 
     def __call__(self, state: State | Sequence[float], until: Exact) -> Trajectory:
         """Solve from a state up to `until` (s).

@@ -9,18 +9,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.rows import UNKNOWN, solve_rows
 from numerics.linear.batch import run_rows
 from numerics.linear.pieces import pieces_of
-from numerics.linear.record import AT, END_ROW, ROW, How
+from numerics.linear.record import AT, BOUNDS, CODES, END_ROW, ROW, How, Knot
 from numerics.scene import Scene
 from numerics.trajectory.run import run_scene
 
 Table = NDArray[np.float64]
-_FLOAT64 = Float64()
+_FLOAT64, _DIGITS = Float64(), 68
+"""Where friction depends on the state a batch, too, is solved in balls, of so many digits."""
 
 
 @dataclass
@@ -81,6 +83,9 @@ def _free_rows(columns: Columns, literal: bool, max_events: int, kept: Table, en
 def _solve_one(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
     """Solve one scene, and write its first events and its end."""
     try:
+        if scene.friction.weakening:
+            _solve_in_balls(scene, max_events, kept, end)
+            return
         found = run_scene(scene, _FLOAT64, max_events)
     except (EventUndecided, OutOfRange) as error:
         end[:] = np.nan
@@ -95,6 +100,32 @@ def _solve_one(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
         for row in (*kept[: len(rows)], end):
             row[AT["local"]] += starts[int(row[AT["piece"]])]
             row[AT["piece"]] = 0.0
+
+
+def _solve_in_balls(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
+    """Do the same for a scene that has no other arithmetic: the middles, and as bounds radii and rounding."""
+    found = run_scene(scene, Ball(_DIGITS), max_events)
+    with found.arithmetic.context():
+        taken = found.ledger
+        end[AT["how"]], end[AT["events"]], end[AT["certain"]] = found.record.how, found.record.events, 1.0
+        end[AT["friction"]], end[AT["viscous"]] = float(taken.friction), float(taken.viscous)
+        end[AT["dissipated_error"]] = 2.0**-50 * (end[AT["friction"]] + end[AT["viscous"]])
+        knots = [found.record.rows[row] for row in np.append(0, found.event_rows)[: len(kept)]]
+        for row, knot in [*zip(kept, knots, strict=False), (end, found.record.end)]:
+            _write(row, knot, float(found.pieces[knot.piece].start))
+
+
+def _write(row: Table, knot: Knot, start: float) -> None:
+    """Write one row of balls as floats; its time counts from the start of the run."""
+    for name in CODES:
+        row[AT[name]] = float(getattr(knot, name))
+    for name, bound in zip(("local", "length", "x1", "v1", "x2", "v2"), ("late", "", *BOUNDS[1:5]), strict=True):
+        value = getattr(knot, name)
+        row[AT[name]], row[AT[f"{name}_low"]] = float(value.mid()), 0.0
+        if bound:
+            row[AT[bound]] = float(value.rad()) + abs(float(value.mid())) * 2.0**-52
+    row[AT["local"]], row[AT["piece"]] = row[AT["local"]] + start, 0.0
+    row[AT["excess"]] = row[AT["excess_low"]] = row[AT["excess_error"]] = np.nan
 
 
 def room(count: int, keep: int) -> tuple[Table, Table]:

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal, NamedTuple
-
-import numpy as np
+from typing import Any, Literal, NamedTuple, cast
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
@@ -14,7 +12,10 @@ from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange, PrecisionExhausted
 from numerics.scene import Scene
-from numerics.scene.decimals import require_whole
+from numerics.scene.decimals import require_function, require_whole
+from numerics.scene.model import BUILD, require_kind
+from numerics.scene.plane import PlaneScene
+from numerics.trajectory.dense import require_times
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.run import MAX_EVENTS, Progress, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
@@ -46,7 +47,7 @@ class _Limits(NamedTuple):
 
 
 def solve(
-    scene: Scene,
+    scene: Scene | PlaneScene,
     *,
     digits: int | None = None,
     arithmetic: ArithmeticName | None = None,
@@ -56,6 +57,8 @@ def solve(
     progress: Progress | None = None,
 ) -> Trajectory:
     """Solve a scene and return its Trajectory; `arithmetic.name` says what answered, `tried` what did not, and why.
+
+    Of a PlaneScene it is a PlaneTrajectory (plane/solve.py).
 
     Without `digits` and arithmetic: float64 with its own error bounds (Trajectory.accuracy). Only where these leave the
     sequence of events open it climbs: to double-double, then to balls of 34, 68, 136 and 560 working digits.
@@ -74,17 +77,32 @@ def solve(
 
     Raises EventUndecided (what could not be decided, at the cap on precision), PrecisionExhausted (N digits were not
     reached), OutOfRange (a number does not fit float64), TypeError (no scene), ValueError (bad arguments).
+
+    >>> from numerics import load_scene
+    >>> scene = load_scene("velocities")
+    >>> run = solve(scene)
+    >>> run.arithmetic.name, len(run.events), round(run.events[0].t, 6), run.y.shape
+    ('float64', 24, 0.106887, (4, 26))
+    >>> proved = solve(scene, digits=40)
+    >>> proved.arithmetic.name, proved.events[0].t.str(40, radius=False)
+    ('ball', '0.1068865420206447367884349575982909425797')
+    >>> solve(scene, t_eval=[0, 0.5, 1]).y.shape
+    (4, 3)
     """
-    if not isinstance(scene, Scene):
-        raise TypeError(
-            f"solve takes a Scene, not a {type(scene).__name__}; build Scene(Pair(...), State(...), until=...)"
-        )
+    if isinstance(scene, PlaneScene):
+        from numerics.plane.solve import solve_plane
+
+        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
+        return cast("Trajectory", solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits))
+    require_kind("solve", scene, Scene, BUILD)
     if digits is not None or max_events is not MAX_EVENTS or max_digits is not MAX_DIGITS:
         for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
             if value is not None:
                 require_whole(name, value, 1)
-    if t_eval is not None and np.ndim(t_eval) != 1:
-        raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
+    if progress is not None:
+        require_function("progress", progress, "(events, fraction)")
+    if t_eval is not None:
+        require_times(t_eval, scene.until)
     limits = _Limits(max_events, max_digits, progress)
     found = _solve(scene, digits, arithmetic, limits)
     return found if t_eval is None else found.but(t_eval=t_eval)
@@ -93,6 +111,8 @@ def solve(
 def _solve(scene: Scene, digits: int | None, arithmetic: str | None, limits: _Limits) -> Trajectory:
     if arithmetic is None:
         return _solve_surely(scene, limits) if digits is None else _solve_cheaply(scene, digits, limits)
+    if not isinstance(arithmetic, str):
+        raise ValueError(f"arithmetic = {str(arithmetic)[:40]!r} is not one of float64, double-double, mpmath, ball")
     if arithmetic in _HAS:
         if digits is not None:
             raise ValueError(f"{arithmetic} has the digits that it has; leave digits out, or the choice of arithmetic")

@@ -76,7 +76,7 @@ def sums(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[mpmath.mpf
 def plain(value: Any) -> Any:
     """Return a record, its rows or numbers in a form that can be compared and pickled; flint has neither for balls."""
     if isinstance(value, arb):
-        return ("ball", *_parts(value.mid()), *_parts(value.rad()))
+        return ("ball", *parts_of(value.mid()), *parts_of(value.rad()))
     if isinstance(value, np.ndarray) and value.dtype != object:
         return ("floats", value.shape, value.tobytes())
     if isinstance(value, (list, tuple, np.ndarray)):
@@ -89,7 +89,7 @@ def restored(value: Any) -> Any:
     if not isinstance(value, tuple):
         return value
     if value[:1] == ("ball",):
-        return _ball(*value[1:])
+        return ball_of(*value[1:])
     if value[:1] == ("floats",):
         return np.frombuffer(value[2]).reshape(value[1])
     return [restored(one) for one in value]
@@ -103,12 +103,14 @@ def restored_record(value: Any) -> Record:
     return Record(rows, end, How(how), *rest)
 
 
-def _parts(point: arb) -> tuple[int, int]:
+def parts_of(point: arb) -> tuple[int, int]:
+    """Return mantissa and exponent of 2 of a ball without a radius."""
     mantissa, exponent = point.man_exp()
     return int(mantissa), int(exponent)
 
 
-def _ball(middle: int, middle_exponent: int, radius: int, radius_exponent: int) -> arb:
+def ball_of(middle: int, middle_exponent: int, radius: int, radius_exponent: int) -> arb:
+    """Return the ball of these parts of its middle and its radius, the very same one."""
     with precision(max(53, middle.bit_length())):  # flint rounds what it is given
         point = arb((middle, middle_exponent))
         if radius == 0:

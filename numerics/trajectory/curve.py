@@ -7,10 +7,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
 from numerics.trajectory.dense import of_rows
-from numerics.trajectory.flow import Knots, losses, moved
+from numerics.trajectory.flow import Knots, coupled, losses, moved
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
@@ -40,7 +41,7 @@ class Curve(NamedTuple):
     u: NDArray[np.float64]
     """Force on body 1, N; where it jumps there are two points."""
     b: NDArray[np.float64]
-    """Friction that the interface can give, N."""
+    """Friction that the interface gives in slip, and can give in stick, N."""
 
     def load(self, pair: Pair) -> NDArray[np.float64]:
         """Return the friction force on body 2 that sticking needs, m2 (u - a2 x1 - a1 v1)/M, N."""
@@ -58,6 +59,7 @@ def sampled(trajectory: Rows) -> Curve:
 
     At a jump of u or b, as at an event, there are two points.
     """
+    cells = cells_of(trajectory.scene)
     pair, number = trajectory.scene.pair, np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
     with trajectory.arithmetic.context():
         lengths = number(trajectory.row_lengths)
@@ -74,9 +76,19 @@ def sampled(trajectory: Rows) -> Curve:
     for piece in np.unique(pieces):
         chosen, acting = pieces[at] == piece, trajectory.pieces[piece]
         begun = Knots(*(part[..., chosen] for part in knots))
-        y[:, chosen] += moved(pair, acting, begun, since[chosen])
-        taken[:, chosen] = losses(pair, acting, begun, since[chosen])[:2]
         u[chosen], b[chosen] = force_of(acting, begun.local + since[chosen]), float(acting.b)
+        if cells is None:
+            y[:, chosen] += moved(pair, acting, begun, since[chosen])
+            taken[:, chosen] = losses(pair, acting, begun, since[chosen])[:2]
+            continue
+        for sign, cell in {(int(trajectory.row_signs[row]), trajectory.row_cells[row]) for row in rows}:
+            own = chosen & np.array([trajectory.row_cells[row] == cell for row in rows])[at] & (knots.sign == sign)
+            begun = Knots(*(part[..., own] for part in knots))
+            mode = mode_in(trajectory.scene, acting, sign, cell)
+            changes, losses_there = coupled(mode, begun, since[own])
+            y[:, own] += changes
+            taken[:, own] = losses_there[:2]
+        b[chosen] *= cells.relative(y[1, chosen] - y[3, chosen], y[0, chosen] - y[2, chosen])
     before = np.cumsum(taken[:, np.cumsum(parts + 1) - 1], axis=1)
     lost = np.concatenate([np.zeros((2, 1)), before], axis=1)[:, at] + taken
     segment, t = np.searchsorted(trajectory.event_rows, at, side="right"), starts[at] + since

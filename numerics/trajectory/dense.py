@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
+from numerics.linear.cells import mode_in
 from numerics.linear.modes import MODES
+from numerics.scene.decimals import short
 from numerics.trajectory.flow import Knots, losses, moved
 from numerics.trajectory.motions import Moving
 from numerics.trajectory.rows import Rows
@@ -32,7 +34,10 @@ class Dense:
 
     def times(self, t: Any) -> NDArray[Any]:
         """Return times (s) as numbers of the arithmetic, in their shape. Raises ValueError outside [0, end]."""
-        given = np.asarray(t)
+        try:
+            given = np.asarray(t)
+        except ValueError:
+            raise ValueError("t must be a time in seconds or an array of times; its rows differ in length") from None
         if self.in_floats and given.dtype.kind in "fiu":
             given = given.astype(float)
             end = self.of.end_time
@@ -75,6 +80,7 @@ class Dense:
 
     def rows(self, times: NDArray[Any], side: Side) -> NDArray[np.int64]:
         """Return the row whose segment holds each time; at an event that on the given side."""
+        require_side(side)
         points = np.array([self.middle(one) for one in times], dtype=object) if self.is_ball else times
         return np.maximum(np.searchsorted(self.starts, points, side=side) - 1, 0)
 
@@ -136,7 +142,8 @@ class Dense:
             of = self.of
             start = of.row_times[row], of.row_states[:, row].tolist()
             piece = of.pieces[of.row_pieces[row]]
-            self._motions[row] = Moving(self.arithmetic, of.scene.pair, piece, int(of.row_signs[row]), start)
+            mode = mode_in(of.scene, piece, int(of.row_signs[row]), of.row_cells[row])
+            self._motions[row] = Moving(self.arithmetic, mode, start)
         return self._motions[row]
 
     def floats(self, rows: NDArray[np.int64], since: NDArray[Any]) -> NDArray[np.float64]:
@@ -187,23 +194,51 @@ def of_rows(trajectory: Rows, rows: NDArray[np.int64]) -> Knots:
     return Knots(trajectory.row_signs[rows].astype(float), local.astype(float), y.astype(float))
 
 
-def exact_time(t: Any) -> Fraction:
-    """Return a time as an exact rational: text as a decimal, a float as its binary value."""
+def exact_time(t: Any, name: str = "t") -> Fraction:
+    """Return a time as an exact rational: text as a decimal, a float as its binary value. Raises ValueError."""
     try:
         if hasattr(t, "as_integer_ratio"):
             return Fraction(*t.as_integer_ratio())
         return Fraction(t if isinstance(t, str) else operator.index(t))
     except (TypeError, ValueError, OverflowError, ZeroDivisionError):
-        raise ValueError(f"t = {str(t)[:40]!r} is not a time in seconds; give a finite number >= 0") from None
+        raise ValueError(f"{name} = {str(t)[:40]!r} is not a time in seconds; give a finite number >= 0") from None
+
+
+def require_side(side: Any) -> None:
+    """Raise ValueError for what is no side of an event."""
+    if not isinstance(side, str) or side not in ("left", "right"):
+        raise ValueError(f"side = {str(side)[:40]!r} is not one of left, right")
+
+
+def require_times(t_eval: Any, until: Fraction) -> None:
+    """Raise ValueError unless these are times (s) of a run, in order; balls and mpmath's are looked at later."""
+    if _depth(t_eval) != 1:
+        raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
+    end = max(until, Fraction(float(until))) if until < 10**300 else until
+    points = [one if hasattr(one, "man_exp") else exact_time(one, f"t_eval[{k}]") for k, one in enumerate(t_eval)]
+    for k, one in enumerate(points):
+        if isinstance(one, Fraction) and not 0 <= one <= end:
+            shown = f"t_eval[{k}] = {short(one)} s is outside the run, [0, {short(until)}] s"
+            raise ValueError(f"{shown}; give times within it, or a later until")
+    _require_order(points)
+
+
+def _depth(values: Any) -> int:
+    """Return the number of dimensions; 2 for rows that differ in length."""
+    try:
+        return np.ndim(values)
+    except ValueError:
+        return 2
+
+
+def _require_order(points: Sequence[Any]) -> None:
+    for k, (one, two) in enumerate(pairwise(points), start=1):
+        if type(one) is type(two) and two < one:
+            raise ValueError(f"t_eval[{k}] comes after a later time; put the times in order")
 
 
 def sorted_times(dense: Dense, t_eval: Sequence[Any]) -> NDArray[Any]:
     """Return times that were asked for as numbers of the arithmetic. Raises ValueError unless they are in order."""
-    if np.ndim(t_eval) != 1:
-        raise ValueError(f"t_eval = {str(t_eval)[:40]!r} must be a sequence of times in seconds")
     times = dense.times(t_eval)
-    points = [dense.middle(one) for one in times]
-    for k, (one, two) in enumerate(pairwise(points), start=1):
-        if two < one:
-            raise ValueError(f"t_eval[{k}] comes after a later time; put the times in order")
+    _require_order([dense.middle(one) for one in times])
     return times

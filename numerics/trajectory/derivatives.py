@@ -49,7 +49,7 @@ def parameters(scene: Scene) -> dict[str, Fraction]:
 
     Without a force those of `WRT`, else `until` too. Pieces and what is in them are counted from 0, as in Python:
     `force[0].from`, `force[0].polynomial[1]`, `force[0].sines[0].amplitude` (`omega`, `phase`), `friction[0].from`,
-    `friction[0].b`.
+    `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
     """
     found = {name: getattr(scene.initial if name in WRT[:4] else scene.pair, name) for name in WRT}
     if not scene.is_forced:
@@ -63,4 +63,10 @@ def parameters(scene: Scene) -> dict[str, Fraction]:
             found |= {f"{name}.sines[{k}].{key}": getattr(sine, key) for key in ("amplitude", "omega", "phase")}
     for index, (start, b) in enumerate(scene.friction.pieces):
         found |= {f"friction[{index}].from": start, f"friction[{index}].b": b}
+    if scene.friction.weakening is not None:
+        given = scene.friction.weakening
+        for name, keys, points in (("speed", "wb", given.speed), ("place", "zc", given.place)):
+            for index, point in enumerate(points):
+                found |= {f"weakening.{name}[{index}].{key}": one for key, one in zip(keys, point, strict=True)}
+        found["weakening.last_slope"] = given.last_slope
     return found

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, digits_within
 from numerics.linear.record import AT, ROW
+from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.rows import Rows
 
 Floats = NDArray[np.float64]
@@ -60,8 +61,8 @@ def _enclosed(trajectory: Rows) -> Iterator[tuple[arb, arb]]:
     yield energy / frame.critical_energy - 1 if excess is None else excess, trajectory.arithmetic.number(1)
 
 
-@dataclass(frozen=True)
-class Accuracy:
+@dataclass(frozen=True, repr=False)
+class Accuracy(ShortRepr):
     """Error bounds of a float64 or double-double trajectory in SI units: what rounding can have done at each event.
 
     `t` (k,) s and `y` (k, 4) at the events, `final` (4,), `energy` and `dissipated` (J) and `energy_excess` at the end.

@@ -6,13 +6,14 @@ from dataclasses import dataclass, field
 
 from numerics.arithmetic.protocol import Number
 from numerics.linear.modes import EventKind, Mode
+from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.dense import Dense
 from numerics.trajectory.ledger import losses_of_rows
 from numerics.trajectory.reduced import ReducedState
 
 
-@dataclass(frozen=True, slots=True)
-class Event:
+@dataclass(frozen=True, slots=True, repr=False)
+class Event(ShortRepr):
     """A change of mode: time t (s), its kind, the modes it joins, and (x1, v1, x2, v2) in SI units.
 
     `cause`: "guard", a velocity or a load got there; or "jump", of the force or of b.
@@ -23,12 +24,12 @@ class Event:
     before: Mode
     after: Mode
     y: tuple[Number, Number, Number, Number]
-    reduced: ReducedState
+    reduced: ReducedState = field(repr=False)
     cause: str = "guard"
 
 
-@dataclass(frozen=True, slots=True)
-class Segment:
+@dataclass(frozen=True, slots=True, repr=False)
+class Segment(ShortRepr):
     """One mode of motion from `start` to `end` (s); u and b may jump in it.
 
     `length` (s) is kept apart: next to a late start the difference of both would round a short slip away.

@@ -139,15 +139,22 @@ def _compared_writer(trajectory: Solution, truth: Any) -> Writer:
     return write
 
 
+def unit_of(column: str) -> str:
+    """Return the SI unit of a column of a record, or of its radius; none for modes and what is dimensionless."""
+    return {"t": "s", "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J"}.get(
+        column.removesuffix("_radius"), ""
+    )
+
+
 def as_csv(record: dict[str, Any]) -> str:
-    """Return the events and the final state of a record as CSV text, the columns of the JSON records."""
+    """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
     rows = [{"from": "", "to": "", **event} for event in record["events"]]
     last = dict(record["final"])
     rows.append({"from": last.pop("mode"), "to": "", **last})
     columns = list(dict.fromkeys(key for row in rows for key in row))
     buffer = io.StringIO()
     writer = csv.DictWriter(buffer, columns, restval="", lineterminator="\n")
-    writer.writeheader()
+    writer.writerow({name: f"{name} ({unit})" if (unit := unit_of(name)) else name for name in columns})
     writer.writerows(rows)
     return buffer.getvalue()
 

@@ -28,19 +28,21 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     """Draw into matplotlib axes, new ones if none are given, and return them.
 
     Kinds: "velocities" and "positions" of both bodies against time; "load", the friction that sticking needs, and what
-    the interface can give; "force", u(t); "phase", x1 against v1, with S0 shaded; "excess", |E/E_cr - 1| on a
-    logarithmic axis; "energy", what is left of it and who took the rest. Raises ValueError for any other kind,
-    MissingTool. `curve` saves sampling the trajectory for every picture of it.
+    the interface can give; "force", u(t); "friction", what it is against v1 - v2; "phase", x1 against v1, with S0
+    shaded; "excess", |E/E_cr - 1| on a logarithmic axis; "energy", what is left of it and who took the rest. Raises
+    ValueError for any other kind, MissingTool. `curve` saves sampling the trajectory for every picture of it.
     """
-    if kind not in _KINDS:
+    if not isinstance(kind, str) or kind not in _KINDS:
         raise ValueError(f"kind = {kind!r} is not one of {', '.join(_KINDS)}")
     if ax is None:
-        ax = _new_axes()
+        ax = new_axes()
+    elif not hasattr(ax, "set_title"):
+        raise TypeError(f"ax = {str(ax)[:40]!r} must be matplotlib axes; leave it out for new ones")
     curve = curve or sampled(trajectory)
     title, drawn = _KINDS[kind]
     ax.set_title(title, fontsize="medium")
     drawn(trajectory, curve, ax)
-    if kind != "phase":
+    if kind not in {"phase", "friction"}:
         _shade_stick(trajectory, curve, ax)
         _against_time(trajectory, curve, ax)
     if ax.get_legend_handles_labels()[0]:
@@ -55,11 +57,12 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     return ax
 
 
-def _new_axes() -> Any:
+def new_axes() -> Any:
+    """Return new matplotlib axes. Raises MissingTool."""
     try:
         from matplotlib import pyplot as plt
     except ImportError:
-        raise MissingTool("a plot needs matplotlib, which is not installed") from None
+        raise MissingTool("a plot needs matplotlib, which is not installed; python -m pip install matplotlib") from None
     return plt.subplots(layout="constrained")[1]
 
 
@@ -102,7 +105,7 @@ def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
     scene = trajectory.scene
     ax.plot(curve.t, curve.y[0], **FIRST)
     ax.plot(curve.t, curve.y[2], **SECOND)
-    if scene.pair.a1 == 0:
+    if scene.pair.a1 == 0 and not scene.friction.weakening:
         stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
         t, centre, half = curve.t, curve.u / stiffness, curve.b * share / stiffness
         ax.plot(t, centre + half, color="black", lw=0.8, ls=":", label="edges of $S_0$, for $x_1$")
@@ -123,6 +126,17 @@ def _force(trajectory: Solution, curve: Curve, ax: Any) -> None:
         label = "a jump of u or b changes the mode" if number == 0 else None
         ax.axvline(trajectory.arithmetic.to_float(t), color=ORANGE, lw=1.0, ls=":", label=label)
     ax.set_ylabel("u (N)")
+
+
+def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
+    """Draw friction against the relative speed: in stick it is what sticking needs."""
+    w = curve.y[1] - curve.y[3]
+    given = np.where(curve.stick, curve.load(trajectory.scene.pair), np.sign(w) * curve.b)
+    for kept, how in ((~curve.stick, {"color": ORANGE, "lw": 0.8}), (curve.stick, {"color": BLUE, "lw": 2.0})):
+        if kept.any():
+            label = "slip" if how["color"] == ORANGE else "friction in stick"
+            ax.plot(np.where(kept, w, np.nan), np.where(kept, given, np.nan), label=label, **how)
+    ax.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)")
 
 
 def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
@@ -210,6 +224,7 @@ _KINDS = {
     "positions": ("Positions of both bodies", _positions),
     "load": ("The friction that sticking needs, and can get", _load),
     "force": ("Force on body 1", _force),
+    "friction": ("Friction against the relative speed", _friction),
     "phase": ("Phase portrait of body 1", _phase),
     "excess": ("Distance from the critical energy", _excess),
     "energy": ("Where the energy went", _energy),

@@ -8,12 +8,14 @@ evaluation is that of motions.py.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.linear.pieces import ExactPiece
+from numerics.linear.system import V1, LinearMode, Row, W
 from numerics.scene import Pair
 
 Floats = NDArray[np.float64]
@@ -156,6 +158,31 @@ def losses(pair: Pair, piece: ExactPiece, at: Knots, tau: Floats) -> Floats:
         both = v1[:, :, None] * drive
         work = rates.mass * rates.size * tau * _integral(J, (both + both.swapaxes(1, 2)) / 2, z)
         found[2] = work + at.sign * float(piece.b) * x1
+    return found
+
+
+def coupled(mode: LinearMode, at: Knots, tau: Floats) -> tuple[Floats, Floats]:
+    """Return the same two, `moved` and `losses`, for motions in one mode whose friction depends on the state."""
+    A, z = np.array(mode.generator(), dtype=float), np.zeros((len(tau), mode.size))
+    z[:, :4], z[:, 4] = at.y.T, 1.0
+    terms = np.array([float(one) for one in mode.piece.polynomial] or [0.0])
+    for place in mode.polynomial_places:
+        z[:, place], terms = np.polynomial.polynomial.polyval(at.local, terms), np.polynomial.polynomial.polyder(terms)
+    for place, sine in zip(mode.sine_places, mode.piece.sines, strict=True):
+        phase = float(sine.omega) * at.local + float(sine.omega * mode.piece.start + sine.phase)
+        z[:, place], z[:, place + 1] = float(sine.amplitude) * np.sin(phase), float(sine.amplitude) * np.cos(phase)
+    J, found = A * tau[:, None, None], np.zeros((3, len(tau)))
+    w, v, force, friction = (_vector(row, mode.size) for row in (W, ((V1, Fraction(1)),), mode.force, mode.friction))
+    for k, (one, two) in enumerate(((friction, w), (float(mode.pair.a1) * v, v), (force, v))):
+        form = np.outer(one, two) * (mode.side != 0 or k > 0)
+        found[k] = tau * _integral(J, np.broadcast_to((form + form.T) / 2, J.shape), z)
+    return np.einsum("nij,nj->in", exponential_less_one(J)[:, :4], z), found
+
+
+def _vector(row: Row, size: int) -> Floats:
+    found = np.zeros(size)
+    for place, factor in row:
+        found[place] += float(factor)
     return found
 
 

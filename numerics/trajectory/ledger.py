@@ -14,12 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
+from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.dense import Dense, of_rows
 from numerics.trajectory.flow import Knots, losses
 
 
-@dataclass(frozen=True, slots=True)
-class EnergyLedger:
+@dataclass(frozen=True, slots=True, repr=False)
+class EnergyLedger(ShortRepr):
     """Where the energy went, J: initial - final against b int |v1 - v2| dt + a1 int v1^2 dt.
 
     `work` is what a force has put in, int u v1 dt. `residual` = initial + work - final - friction - viscous: rounding

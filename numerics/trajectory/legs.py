@@ -26,6 +26,8 @@ class Leg(NamedTuple):
     """Whether the mode changes at its start."""
     begins_piece: bool
     """Whether its piece begins there."""
+    cell: tuple[int, int]
+    """Of a slip whose friction depends on the state (linear/cells.py)."""
 
 
 def legs(trajectory: Any) -> list[Leg]:
@@ -38,7 +40,7 @@ def legs(trajectory: Any) -> list[Leg]:
         ends = [*starts[1:], last]
         begins = [True, *(one.piece != two.piece for one, two in pairwise(knots))]
         return [
-            Leg(one.mode, one.piece, start, end, _state(one), one.event, first)
+            Leg(one.mode, one.piece, start, end, _state(one), one.event, first, one.cell)
             for one, start, end, first in zip(knots, starts, ends, begins, strict=True)
         ]
 

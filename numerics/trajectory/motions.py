@@ -12,9 +12,7 @@ from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, precision
 from numerics.arithmetic.protocol import Arithmetic, Number
-from numerics.linear.pieces import ExactPiece
-from numerics.linear.system import V1, LinearMode, matrix, value
-from numerics.scene import Pair, Piece
+from numerics.linear.system import V1, LinearMode, Motion, Row, W, matrix, value
 
 _SPARE_BITS = 24
 _STATE = tuple(((place, Fraction(1)),) for place in range(4))
@@ -36,16 +34,13 @@ def from_ball(x: arb) -> Any:
 
 
 class Moving:
-    """One motion: from a state (m, m/s) at a time of the run (s), in a mode (the sign of v1 - v2) under a piece."""
+    """One motion: from a state (m, m/s) at a time of the run (s), in a mode."""
 
-    def __init__(
-        self, arithmetic: Arithmetic, pair: Pair, piece: ExactPiece, sign: int, start: tuple[Number, Sequence[Number]]
-    ) -> None:
+    def __init__(self, arithmetic: Arithmetic, mode: LinearMode, start: tuple[Number, Sequence[Number]]) -> None:
         """Keep where it begins; to be used in the arithmetic's context."""
         self.points = arithmetic.name != "ball"
         self.bits = mpmath.mp.prec + _SPARE_BITS if self.points else flint.ctx.prec
-        self.mode = LinearMode(pair, piece.b, sign, Piece(piece.start, piece.polynomial, piece.sines))
-        self.begin, self.pair, self.piece = start, pair, piece
+        self.mode, self.begin, self.pair = mode, start, mode.pair
 
     def _numbers(self, found: Sequence[arb]) -> tuple[Number, ...]:
         return tuple(map(from_ball, found)) if self.points else tuple(+one for one in found)
@@ -71,26 +66,35 @@ class Moving:
         return x1, v1, x2, v2 if self.mode.side else v1
 
     def losses(self, tau: Number) -> tuple[Number, Number, Number]:
-        """Return b int |v1 - v2|, a1 int v1^2 and int u v1 up to tau (s), J; enclosures for balls."""
-        mode, since, half = self.mode, as_ball(tau), Fraction(1, 2)
+        """Return what friction (b int |v1 - v2|) and viscosity (a1 int v1^2) took and int u v1 up to tau (s), J.
+
+        Enclosures for balls.
+        """
+        mode, since = self.mode, as_ball(tau)
         own, driven = bool(self.pair.a1), bool(mode.force)
         with precision(self.bits + self._lost(since)):
             t, state = self.begin
             motion = mode.motion([as_ball(one) for one in state], as_ball(t))
             friction = viscous = work = arb(0)
             over = motion.over(since)
-            if mode.side:
+            if mode.side and (mode.slope or mode.pull):
+                friction = self._product(mode.friction, W, motion, since)
+            elif mode.side:
                 slid = [over.range(row) - value(row, motion.begin) for row in _STATE]
-                friction = Ball.number(mode.side * self.piece.b) * (slid[0] - slid[2])
+                friction = Ball.number(mode.side * mode.b) * (slid[0] - slid[2])
             if own:
                 viscous = self._integral(motion.begin, since, [(V1, V1, self.pair.a1)])
                 viscous += since.rad() * arb(0, 1) * Ball.number(self.pair.a1) * over.range(_STATE[V1]) ** 2
             if driven:
-                both = [(p, q, half * factor) for place, factor in mode.force for p, q in ((place, V1), (V1, place))]
-                work = self._integral(motion.begin, since, both)
-                work += since.rad() * arb(0, 1) * over.range(mode.force) * over.range(_STATE[V1])
+                work = self._product(mode.force, _STATE[V1], motion, since)
         friction, viscous, work = self._numbers((friction, viscous, work))
         return friction, viscous, work
+
+    def _product(self, one: Row, two: Row, motion: Motion, tau: arb) -> arb:
+        """Return int one two dt up to tau, of two rows; a ball of times adds what the product may be there."""
+        form = [(p, q, f * g / 2) for place, f in one for other, g in two for p, q in ((place, other), (other, place))]
+        over = motion.over(tau)
+        return self._integral(motion.begin, tau, form) + tau.rad() * arb(0, 1) * over.range(one) * over.range(two)
 
     def _integral(self, z: arb_mat, tau: arb, form: list[tuple[int, int, Fraction]]) -> arb:
         """Return int_0^tau z' Q z dt up to the middle of tau, Q given by its entries.

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.linear.cells import PLAIN
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, How, Record
@@ -62,6 +63,13 @@ class Rows:
     def row_pieces(self) -> NDArray[np.int64]:
         """Return the piece in which each row is."""
         return self.columns.code("piece").astype(np.int64)
+
+    @cached_property
+    def row_cells(self) -> list[tuple[int, int]]:
+        """Return the cell of friction in which each row begins (linear/cells.py)."""
+        if isinstance(self.record.rows, np.ndarray):
+            return [PLAIN] * len(self.record.rows)
+        return [(k, j) for k, j in (row.cell for row in self.record.rows)]
 
     @cached_property
     def row_times(self) -> NDArray[Any]:

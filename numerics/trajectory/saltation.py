@@ -13,7 +13,8 @@ At a fixed time two solutions of the linearised equations never part in the norm
     N^2 = a2 y1^2 + m1 y2^2 + m2 y4^2
 
 across all events. So what is carried on are points, with bounds that are sums of local radii; of x1 - x2, which N does
-not know, the bound grows by that of |v1 - v2| in a slip.
+not know, the bound grows by that of |v1 - v2| in a slip. Where friction depends on the state N grows at the rate of
+each cell (cells.py), and a crossing of a knot, where the field is continuous, is no jump.
 """
 
 from __future__ import annotations
@@ -28,12 +29,13 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
+from numerics.linear.cells import PLAIN, cells_of
 from numerics.linear.pieces import pieces_of
 from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Law, Scene
 from numerics.trajectory.legs import Leg
-from numerics.trajectory.variation import Array, Variation
+from numerics.trajectory.variation import Array, CoupledVariation, Variation
 
 _radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
 _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
@@ -64,7 +66,8 @@ class Chain:
         self.a2, self.m1, self.m2 = number(pair.a2), number(pair.m1), number(pair.m2)
         self.a1, self.mass = number(pair.a1), number(pair.mass)
         self.roots = [one.sqrt() for one in (self.a2, self.m1, self.m2)]
-        self._variations: dict[tuple[int, int], Variation] = {}
+        self.cells = cells_of(scene)
+        self._variations: dict[tuple[int, int, tuple[int, int]], Variation] = {}
         self.t: list[Array] = []
         self.y: list[Array] = []
         self.before: list[Array] = []
@@ -96,7 +99,7 @@ class Chain:
             return self.y[-1]
         y = self.at(len(self.legs) - 1, last.end)
         if "until" in self.column:
-            u, b = self._force_and_friction(last.piece, last.end)
+            u, b = self._force_and_friction(last.piece, last.end, last, state)
             y[:, self.column["until"]] += self._field(state, u, b, last.side)
         return y
 
@@ -108,11 +111,13 @@ class Chain:
             found[self.column[name]] += value * value / 2
         return found
 
-    def _variation(self, side: int, piece: int) -> Variation:
+    def _variation(self, side: int, piece: int, cell: tuple[int, int] = PLAIN) -> Variation:
         """Return a motion; it is made once."""
-        if (side, piece) not in self._variations:
-            self._variations[side, piece] = Variation(self.scene, self.pieces[piece], side, self.column)
-        return self._variations[side, piece]
+        key = side, piece, cell
+        if key not in self._variations:
+            given = self.scene, self.pieces[piece], side, self.column
+            self._variations[key] = CoupledVariation(*given, cell) if self.cells and side else Variation(*given)
+        return self._variations[key]
 
     def _zeros(self, *rows: int) -> Array:
         return np.full((*rows, len(self.column)), arb(0))
@@ -130,7 +135,10 @@ class Chain:
         """Return the derivatives at a fixed time in a leg: of the point that is carried, and the bounds there."""
         leg, (y, norm, place) = self.legs[index], self.starts[index]
         tau = t - leg.start
-        flow, columns = self._variation(leg.side, leg.piece).over(leg.state, leg.start, tau)
+        flow, columns = self._variation(leg.side, leg.piece, leg.cell).over(leg.state, leg.start, tau)
+        if self.cells and leg.side:
+            rate = self.cells.growth(self.cells.branch(self.pieces[leg.piece], leg.side, leg.cell))
+            norm = norm * (rate * tau.abs_upper()).exp()
         return Carried(flow @ y + columns, norm, place + norm * self._guard_by_norm(1) * abs(tau) * abs(leg.side))
 
     def _guard_by_norm(self, side: int) -> arb:
@@ -143,6 +151,8 @@ class Chain:
         """Return the middles of balls, their radii added to the bounds."""
         x1, v1, x2, v2 = _radius(found.y)
         norm = found.norm + x1 * self.roots[0] + v1 * self.roots[1] + v2 * self.roots[2]
+        if self.cells:
+            norm = norm + (x1 + x2) * Ball.number(self.cells.pulling).sqrt()
         return Carried(_middle(found.y), norm, found.place + x1 + x2)
 
     def _enclosed(self, found: Carried) -> Array:
@@ -169,12 +179,16 @@ class Chain:
 
     def _after_guard(self, leg: Leg, after: Leg, ended: Carried) -> Carried:
         """Return the derivatives after an event by a guard."""
-        u, b = self._force_and_friction(leg.piece, after.start)
+        u, b = self._force_and_friction(leg.piece, after.start, leg, after.state)
         before, behind = (self._field(after.state, u, b, side) for side in (leg.side, after.side))
-        motion = self._variation(leg.side, leg.piece)
+        motion = self._variation(leg.side, leg.piece, leg.cell)
         by_state, by_numbers, rate = motion.guard(after.state, after.start, before, after.side)
+        held = arb(0)
+        if self.cells and leg.side == 0:
+            held = self._add_the_edge(by_state, by_numbers, after)
         t = -(by_state @ ended.y + by_numbers) / rate
-        late = _widened(t, ended.norm * self._guard_by_norm(leg.side) / abs(rate))
+        off = ended.norm * self._guard_by_norm(leg.side) + ended.place * abs(held)
+        late = _widened(t, off / abs(rate))
         y, total = self.before[-1] + np.outer(before, late), ended.y + np.outer(before, t)
         if leg.side:
             y[1], total[1] = y[3], total[3]  # a slip ends where both velocities are one
@@ -182,6 +196,19 @@ class Chain:
         self.t.append(late)
         self.y.append(y)
         return self._pointed(ended)
+
+    def _add_the_edge(self, by_state: Array, by_numbers: Array, after: Leg) -> arb:
+        """Put B(0) + C(z) for b into the derivatives of the guard of stick; return its derivative by z."""
+        assert self.cells is not None
+        piece, cell = self.pieces[after.piece], (0, after.cell[1])
+        motion, z = self._variation(0, after.piece), after.state[0] - after.state[2]
+        by_numbers[motion.by_b] -= 1
+        name = next(name for name, place in self.column.items() if place == motion.by_b)
+        for key, one in self.cells.by_numbers(piece, 1, cell, name).items():
+            by_numbers[self.column[key]] += Ball.number(one.offset) + Ball.number(one.pull) * z
+        pull = Ball.number(self.cells.branch(piece, 1, cell).pull)
+        by_state[0], by_state[2] = by_state[0] + pull, by_state[2] - pull
+        return pull
 
     def _into_piece(self, found: Carried, index: int) -> Carried:
         """Return the derivatives at the start of a leg that begins a piece."""
@@ -201,12 +228,13 @@ class Chain:
         if not jumping:
             return found
         literal = self.scene.law is Law.THREE_VALUED_SGN
-        (u, b), side = self._force_and_friction(leg.piece, leg.start), leg.side
+        (u, b), side = self._force_and_friction(leg.piece, leg.start, leg, leg.state), leg.side
         if index:
-            side = self.legs[index - 1].side
-            u_before, b_before = self._force_and_friction(self.legs[index - 1].piece, leg.start)
+            before = self.legs[index - 1]
+            side = before.side
+            u_before, b_before = self._force_and_friction(before.piece, leg.start, before, leg.state)
         else:  # before the run there is no force, and the pair's own b
-            u_before, b_before = arb(0), Ball.number(self.scene.pair.b)
+            u_before, b_before = arb(0), b * Ball.number(self.scene.pair.b / self.pieces[leg.piece].b)
         from_rest = index == 0 and self.scene.initial.v1 == self.scene.initial.v2 and not literal
         pushes = {"force": (u_before, b), "friction": (u, b_before)}
         if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal)):
@@ -233,9 +261,16 @@ class Chain:
             kinds.append(("friction", self.scene.friction.starts))
         return {kind: f"{kind}[{bisect_left(starts, here.start)}].from" for kind, starts in kinds}
 
-    def _force_and_friction(self, piece: int, t: arb) -> tuple[arb, arb]:
-        """Return u and b of a piece at a time (s)."""
-        return self._variation(0, piece).force(t), Ball.number(self.pieces[piece].b)
+    def _force_and_friction(self, piece: int, t: arb, leg: Leg, state: Sequence[arb]) -> tuple[arb, arb]:
+        """Return u and what friction is, or can be in stick, in a leg and a piece at a time (s) and a state."""
+        u, given = self._variation(0, piece).force(t), self.pieces[piece]
+        if self.cells is None:
+            return u, Ball.number(given.b)
+        x1, v1, x2, v2 = state
+        if leg.side == 0:
+            return u, self.cells.held(given, x1 - x2)
+        offset, slope, pull = map(Ball.number, self.cells.branch(given, leg.side, leg.cell))
+        return u, offset + leg.side * (slope * (v1 - v2) + pull * (x1 - x2))
 
     def _field(self, state: Sequence[arb], u: arb, b: arb, side: int | None) -> Array:
         """Return (v1, v1', v2, v2') in a mode; None: in that which follows v1 = v2."""

@@ -33,7 +33,7 @@ from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
 from numerics.trajectory.comparison import as_fraction
-from numerics.trajectory.dense import Side, exact_time
+from numerics.trajectory.dense import Side, exact_time, require_side
 from numerics.trajectory.derivatives import Sensitivity, parameters
 from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
@@ -58,9 +58,9 @@ def sensitivities(trajectory: Trajectory, t: Any, side: Side = "right") -> Array
 def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -> Sensitivity | Array:
     """Return the sensitivities of a trajectory; with `t`, the derivatives of (x1, v1, x2, v2) at the time(s) t (s).
 
-    With `t` an array of shape (4, p) for a number, (4, p, n) for a sequence: partial derivatives at that fixed time by
-    the names of `parameters(scene)`, in their order (0 by `until`). At an event they jump, and `side` says which of
-    both is meant; a time is given as to `Trajectory.sol`.
+    With `t` an array of shape (4, p) for a number, (4, p, ...) for an array of any shape: partial derivatives at that
+    fixed time by the names of `parameters(scene)`, in their order (0 by `until`). At an event they jump, and `side`
+    says which of both is meant; a time is given as to `Trajectory.sol`.
 
     Enclosed for a trajectory of balls, else rounded: right to 16 digits in float64, to those of the arithmetic
     otherwise. Digits count relative to the largest derivative of the same quantity by the same number; the precision is
@@ -88,19 +88,20 @@ def sensitivities(trajectory: Trajectory, t: Any = None, side: Side = "right") -
         arrays = (found.t, found.y, found.final, found.energy)
         return Sensitivity(found.wrt, *(_as_numbers(arithmetic, one) for one in arrays))
     _require_smooth(trajectory)
-    arithmetic = trajectory.arithmetic
+    require_side(side)
+    arithmetic, asked = trajectory.arithmetic, np.asarray(t, dtype=object)
 
     def at_times(_: Trajectory, chain: Chain) -> tuple[Array, ...]:
-        times = [_time(trajectory, one) for one in ([t] if np.ndim(t) == 0 else t)]
+        times = [_time(trajectory, one) for one in asked.flat]
         begins = [leg.start for leg in chain.legs]
         if arithmetic.name != "ball":  # an event is where the trajectory has it, as rounded as that is
             own = iter(trajectory.event_times)
             begins = [_ball(next(own)) if leg.is_event else leg.start for leg in chain.legs]
         return (np.array([*chain.at_times(times, begins, side), *chain.before]),)
 
-    rows = _enclosed(trajectory, at_times)[0][: np.size(t)]
+    rows = _enclosed(trajectory, at_times)[0][: asked.size]
     states = _as_numbers(arithmetic, np.moveaxis(rows, 0, -1))
-    return states[:, :, 0] if np.ndim(t) == 0 else states
+    return states.reshape(*states.shape[:2], *asked.shape)
 
 
 def enclosures(trajectory: Trajectory) -> Sensitivity:

@@ -73,7 +73,7 @@ def _uncovered(trajectory: Solution) -> str:
     """Return why the checker does not cover a trajectory, or nothing."""
     scene, at = trajectory.scene, trajectory.scene.initial
     if scene.is_forced:
-        return "the checker does not cover a force or a friction that changes in time yet"
+        return "the checker does not cover a force, or a friction that is not one number b, yet"
     if scene.law is not Law.FILIPPOV:
         return 'the checker knows the law "filippov" only'
     if not trajectory.success:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from pathlib import Path
+from typing import Any, Literal, Self
 
 from numerics.arithmetic.by_name import arithmetic_named
 from numerics.trajectory.columns import plain, restored, restored_record
 from numerics.trajectory.export import dataframe
+from numerics.trajectory.saved import load, save
 from numerics.trajectory.solution import Solution
 
-Kind = Literal["velocities", "positions", "load", "force", "phase", "excess", "energy"]
+Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "excess", "energy"]
 
 
 class Trajectory(Solution):
@@ -18,6 +20,35 @@ class Trajectory(Solution):
     Rows of `y` are x1, v1 (m, m/s) and x2, v2; columns belong to `t` (s): start, events, end; with t_eval, those times
     instead. With float64 they are float arrays, otherwise object arrays of the arithmetic's numbers (enclosures for
     balls). Two trajectories are equal if every number is.
+
+    How it ended, its events (k of them, m = k + 2 columns), any time, how sure it is, and the energy (J):
+
+    >>> from numerics import Pair, Scene, State, solve
+    >>> run = solve(Scene(Pair(m1=1, m2=1, a2=200, b="0.5"), State(v1="0.15"), until=5))
+    >>> run.success, run.status.name, run.message, run.reached, run.tried
+    (True, 'REACHED_HORIZON', 'reached the horizon', True, '')
+    >>> run.t.shape, run.y.shape, run.energy.shape, run.event_times.shape, run.event_states.shape
+    ((34,), (4, 34), (34,), (32,), (4, 32))
+    >>> run.events[0].kind.value, run.event_kinds[1].value, run.modes[0].value, run.final_mode.value
+    ('crossing', 'entry', 'slip+', 'stick')
+    >>> run.segments[0]
+    Segment(mode='slip+', start=0, end=0.0768788, length=0.0768788)
+    >>> [len(one) for one in run.t_events], [one.shape for one in run.y_events]  # entries, exits, crossings
+    ([16, 15, 1], [(16, 4), (15, 4), (1, 4)])
+    >>> run.sol([[0.5, 1.0], [1.5, 2.0]]).shape, run.mode_at(0.5).value
+    ((4, 2, 2), 'slip+')
+    >>> run.arithmetic.name, run.right_digits == run.accuracy.digits, run.certain, run.phase_lost
+    ('float64', True, True, False)
+    >>> solve(run.scene, digits=20).digits, solve(run.scene, t_eval=[0, 1]).t_eval
+    (20, [0, 1])
+    >>> round(run.dissipated, 9), round(run.final_energy, 9), abs(run.ledger.residual) < 1e-15
+    (0.00868247, 0.00256753, True)
+    >>> run.end_time, [round(one, 6) for one in run.final_state]
+    (5.0, [0.002483, 0.044169, 0.001745, 0.044169])
+    >>> [round(one, 6) for one in run.units]  # L (m), Omega (1/s) and E_cr (J) of reduced coordinates
+    [0.005, 10.0, 0.0025]
+    >>> round(run.final.w, 6), float(run.initial.X), round(run.reduced(0.5).w, 6)
+    (0.027012, 0.0, 0.247939)
     """
 
     def plot(self, kind: Kind = "velocities", ax: Any = None) -> Any:
@@ -25,6 +56,35 @@ class Trajectory(Solution):
         from numerics.trajectory.figures import draw
 
         return draw(self, kind, ax)
+
+    def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 25) -> Any:
+        """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
+
+        `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
+        MP4 needs ffmpeg. Raises MissingTool, OSError, ValueError for other files or numbers that are not above 0.
+        """
+        from numerics.trajectory.animation import animate
+
+        return animate(self, file, duration, frames_per_second)
+
+    def save(self, file: str | Path) -> None:
+        """Write this trajectory to a file, exactly: no pickle, no digit lost. Raises OSError.
+
+        >>> import tempfile
+        >>> from numerics import load_scene, solve
+        >>> run = solve(load_scene("start-with-speed"), digits=40)
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     run.save(f"{folder}/run.npz")
+        ...     Trajectory.load(f"{folder}/run.npz") == run
+        True
+        """
+        save(self, file)
+
+    @classmethod
+    def load(cls, file: str | Path) -> Self:
+        """Return the trajectory that `save` wrote to a file. Raises OSError, InvalidFile (what is no such file)."""
+        found: Self = load(file, cls)
+        return found
 
     def to_dataframe(self) -> Any:
         """Return t, mode, x1, v1, x2, v2 and energy at start, events and end as a pandas DataFrame."""

@@ -19,6 +19,7 @@ from __future__ import annotations
 import operator
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import accumulate
 from typing import Any, NamedTuple
@@ -29,7 +30,9 @@ from flint import arb, arb_mat
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball, magnitude_bits, precision
+from numerics.linear.cells import cells_of
 from numerics.linear.pieces import ExactPiece
+from numerics.linear.system import Row
 from numerics.scene import Piece, Scene
 
 Array = NDArray[Any]
@@ -163,6 +166,58 @@ class Variation:
         by_numbers[self.by_b] += 1
         by_state = share * np.array([-self.a2, -self.a1, arb(0), arb(0)])
         return by_state, by_numbers, share * later + by_state[:2] @ field[:2]
+
+
+class CoupledVariation(Variation):
+    """The same for a slip in one cell of a friction that depends on the state: x1 and x2 are coupled.
+
+    With Z = (x1, v1, x2, v2, parts) and Z' = A Z the numbers act on v1' and on v2': y' = S y + e1 R1 Z/m1 + e3 R3 Z/m2.
+    """
+
+    def __init__(
+        self, scene: Scene, piece: ExactPiece, side: int, column: dict[str, int], cell: tuple[int, int]
+    ) -> None:
+        """Take the numbers of the scene."""
+        cells = cells_of(scene)
+        assert cells is not None
+        super().__init__(scene, replace(piece, b=Fraction(0)), side, column)
+        mode, size = cells.mode(piece, side, cell), 4 + sum(len(part.own) for part in self.parts)
+        name = next(name for name, place in column.items() if place == self.by_b)
+        self.system, self.inputs = np.full((size, size), arb(0)), np.full((2, size, len(column)), arb(0))
+        A, inputs, friction = self.system, self.inputs, _over(mode.friction, size)
+        A[0, 1] = A[2, 3] = arb(1)
+        A[1, :2], at = [-self.a2, -self.a1], 4
+        for part in self.parts:
+            own = slice(at, at + len(part.own))
+            A[1, own], A[own, own], at = part.own, part.generator, own.stop
+            for key, row in part.by.items():
+                inputs[0, own, column[key]] = row
+        A[1], A[3] = (A[1] - friction) / self.mass, friction / self.m2
+        inputs[0, :, column["m1"]], inputs[1, :, column["m2"]] = -A[1], -A[3]
+        inputs[0, 0, column["a2"]] = inputs[0, 1, column["a1"]] = arb(-1)
+        for key, branch in cells.by_numbers(piece, side, cell, name).items():
+            acting = _over(replace(mode, b=branch.offset, slope=branch.slope, pull=branch.pull).friction, size)
+            inputs[0, :, column[key]] -= acting
+            inputs[1, :, column[key]] += acting
+
+    def over(self, state: Sequence[arb], t: arb, tau: arb) -> tuple[Array, Array]:
+        """Return the derivatives at tau (s) after the start of a motion, as `Variation.over`."""
+        z = np.array([*state, *(one for part in self.parts for one in part.values(t))])
+        columns, size = np.full((4, len(self.column)), arb(0)), len(z)
+        for place, mass, inputs in ((1, self.mass, self.inputs[0]), (3, self.m2, self.inputs[1])):
+            whole = np.full((4 + size, 4 + size), arb(0))
+            whole[:4, :4], whole[place, 4:], whole[4:, 4:] = self.system[:4, :4], z / mass, self.system.T
+            block = _exponential(whole * tau)
+            columns = columns + block[:4, 4:] @ inputs
+        return block[:4, :4], columns
+
+
+def _over(row: Row, size: int) -> Array:
+    """Return a row over z as a vector."""
+    found = np.full(size, arb(0))
+    for place, factor in row:
+        found[place] += Ball.number(factor)
+    return found
 
 
 def _exponential(matrix: Array) -> Array:

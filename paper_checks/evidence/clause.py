@@ -15,7 +15,6 @@ import sympy as sp
 from paper_checks.errors import LedgerError
 from paper_checks.evidence import formula
 from paper_checks.evidence.evidence import Evidence
-from theory.symbols import a2
 
 RELATIONS = {
     "=": "=",
@@ -107,9 +106,9 @@ def clause(id: str, text: str, *, kernel: tuple[str, ...] = (), **formulas: Form
 
 
 def latex(expression: sp.Basic | str | int) -> str:
-    """Return LaTeX in the paper's letters (a for a2); a text is LaTeX already, a column is written as a row."""
+    """Return LaTeX; a text is LaTeX already, a column is written as a row."""
     if isinstance(expression, str):
         return expression
     if isinstance(expression, sp.MatrixBase):
         return r"\bigl(" + r",\,".join(latex(entry) for entry in expression) + r"\bigr)"
-    return formula.latex(expression, {a2: "a"})
+    return formula.latex(expression)

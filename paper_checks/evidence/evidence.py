@@ -72,6 +72,8 @@ class Evidence:
     """Theorems of others that an argument uses."""
     supports: bool = False
     """Whether it stands beside a proof without being a step of it."""
+    counted: str = "cases"
+    """What its cases are."""
 
     def __post_init__(self) -> None:
         """Take the pass from evidence that is vacuous or not finite; what cannot settle a claim only supports it."""

@@ -51,9 +51,9 @@ function tell() {
   strips.setAttribute("aria-label", `Velocities, load, itinerary and energy over time. ${title}. The table of motions below has the numbers.`);
 }
 
-/* Where a sentence is proved: a link, if the row is on this page. */
+/* Where a sentence is proved: a link, if the row's page stands beside this one. */
 function proofIn(row) {
-  const name = document.getElementById(row) ? Object.assign(document.createElement("a"), { href: `#${row}` }) : document.createElement("code");
+  const name = EXPLORE.beside.includes(row) ? Object.assign(document.createElement("a"), { href: `${row}.html` }) : document.createElement("code");
   name.textContent = row;
   return ["See row ", name, "."];
 }

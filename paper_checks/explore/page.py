@@ -31,8 +31,8 @@ class Slider:
 
 START = (
     Slider("X", "x₁/L, spring", "signed", -40, 40, -1000, 1000),
-    Slider("V1", "v₁/(LΩ), driven body", "signed", -40, 40, -1000, 1000),
-    Slider("V2", "v₂/(LΩ), other body", "signed", -40, 40, -1000, 1000),
+    Slider("V1", "v₁/(LΩ), driving body 1", "signed", -40, 40, -1000, 1000),
+    Slider("V2", "v₂/(LΩ), driven body 2", "signed", -40, 40, -1000, 1000),
 )
 PAIR = (
     Slider("ratio", "mass ratio m₁/m₂", "log", 0.02, 50, 1e-4, 1e4),
@@ -50,11 +50,19 @@ def source(names: Iterable[str] = SCRIPTS) -> str:
     return "\n".join(_beside(f"{name}.js") for name in names)
 
 
-def section() -> str:
-    """Return style, body and program as one `<section id="explore">`; every id in it begins with `explore`."""
+def section(beside: Iterable[str] = ()) -> str:
+    """Return style, body and program as one `<section id="explore">`; every id in it begins with `explore`.
+
+    `beside` names rows whose pages stand in the same folder: what is said of all runs links to them.
+    """
     paper = paper_buttons()
     data = json.dumps(
-        {"scenes": [one.data() for one in (*paper, *OWN)], "criticalRatio": critical_ratio()}, ensure_ascii=False
+        {
+            "scenes": [one.data() for one in (*paper, *OWN)],
+            "criticalRatio": critical_ratio(),
+            "beside": [*beside],
+        },
+        ensure_ascii=False,
     )
     body = _beside("explore.html").format(
         paper=_buttons(paper, 0),
@@ -68,14 +76,14 @@ def section() -> str:
     return f"<style>\n{_beside('explore.css')}</style>\n{body}<script>\n{program}\n</script>\n"
 
 
-def page() -> str:
-    """Return a whole page with nothing but the section."""
+def page(beside: Iterable[str] = ()) -> str:
+    """Return a whole page with nothing but the section, `beside` which pages of rows it stands."""
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         '<meta name="color-scheme" content="light dark">\n'
         f"<title>{escape(TITLE)}</title>\n<style>\n{_beside('page.css')}</style>\n</head>\n<body>\n<main>\n"
-        f"<h1>{escape(TITLE)}</h1>\n{section()}</main>\n</body>\n</html>\n"
+        f"<h1>{escape(TITLE)}</h1>\n{section(beside)}</main>\n</body>\n</html>\n"
     )
 
 

@@ -7,6 +7,7 @@ and pinned in `pins.json`; a sentence here is for the reader and carries nothing
 
 from __future__ import annotations
 
+from paper_checks.proofs.cited_beyond import BEYOND
 from paper_checks.proofs.cited_forced import FORCED
 from paper_checks.proofs.cited_merging import MERGING
 
@@ -233,4 +234,4 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
 }
 
-CITED = _FREE | MERGING | FORCED
+CITED = _FREE | MERGING | FORCED | BEYOND

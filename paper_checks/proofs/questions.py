@@ -59,7 +59,7 @@ def ask(
     named. Raises RuntimeError, in one line, if the kernel does not answer.
     """
     filled = [tuple(group) for group in groups if group]
-    lines = [_said(name, f"Check {name}.") for name in theorems]
+    lines = [_said(name, f"Check @{name}.") for name in theorems]  # @: with what is implicit
     lines += [_said(name, f"Print {name}.") for name in definitions]
     with ThreadPoolExecutor(2) as pool:  # each waits for a process of its own
         together = [pool.submit(_run, compiled, [_assumptions("all", group)]) for group in filled]
@@ -93,9 +93,9 @@ def _said(mark: str, command: str) -> str:
 
 
 def _assumptions(mark: str, names: Sequence[str]) -> str:
-    together = names[-1]
+    together = f"@{names[-1]}"
     for name in reversed(names[:-1]):
-        together = f"({name}, {together})"
+        together = f"(@{name}, {together})"
     label = re.sub(r"\W", "_", mark)
     return f"Definition together_{label} := {together}.\n" + _said(mark, f"Print Assumptions together_{label}.")
 
@@ -123,7 +123,12 @@ def _axioms(text: str) -> tuple[str, ...]:
 def _trimmed(name: str, text: str) -> str:
     """Without the name in front, the notes on arguments behind, and the indentation of the whole."""
     body = (
-        text.split("\n\nArguments ", maxsplit=1)[0].rstrip().removeprefix(f"{name} = ").removeprefix(name).lstrip("\n")
+        text.split("\n\nArguments ", maxsplit=1)[0]
+        .rstrip()
+        .removeprefix("@")
+        .removeprefix(f"{name} = ")
+        .removeprefix(name)
+        .lstrip("\n")
     )
     lines = body.splitlines()
     if lines and lines[0].lstrip().startswith(": "):  # a statement: "     : forall ...", further lines beneath "forall"

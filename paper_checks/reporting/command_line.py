@@ -42,9 +42,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--format", type=forms, default=("html",), metavar="F[,F]", help=f"of {', '.join(FORMS)}; default: html"
     )
-    parser.add_argument("--summary", action="store_true", help="the report on two pages: summary.html, .tex or .pdf")
     parser.add_argument(
-        "--steps", action="store_true", help="print all steps in LaTeX and PDF; the HTML page has them folded"
+        "--steps", action="store_true", help="print all steps in LaTeX and PDF; the HTML pages have them folded"
     )
     parser.add_argument(
         "--trade", type=Path, metavar="F", help="output of `python -m numerics trade --json`; default: the shipped one"
@@ -60,7 +59,7 @@ def report(
     """Write the report on these claims, which `run` decides, and return the exit code."""
     from numerics.trade.recorded import UnreadableTrade, recorded
     from paper_checks.errors import ToolMissingError
-    from paper_checks.report.formats import pdf
+    from paper_checks.report.formats import latex
     from paper_checks.running.runner import exit_code
 
     try:
@@ -68,7 +67,7 @@ def report(
     except UnreadableTrade as error:
         complain(str(error))
         return USAGE
-    if "pdf" in options.format and (remedy := pdf.missing()):
+    if "pdf" in options.format and (remedy := latex.missing()):
         complain(remedy)
         return UNCHECKED
     rows = run(claims)
@@ -92,7 +91,7 @@ def _written(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, com
     from paper_checks.report.output.finished import Finished, name_of, placed
 
     kept = Finished(options.trade) if options.program else None
-    names = {form: name_of(rows, form, (options.summary, options.steps)) for form in options.format}
+    names = {form: name_of(rows, form, (options.steps,)) for form in options.format}
     files: dict[str, Files] = {}
     if kept and not options.fresh:
         files = {form: found for form, name in names.items() if (found := kept.files(name)) is not None}
@@ -102,7 +101,7 @@ def _written(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, com
 
         report, pictures = _drawable(options, rows, trade, wanted, complaints, kept)
         for form in wanted:
-            made = writing.made(form, report, pictures, "summary" if options.summary else "report", options.steps)
+            made = writing.made(form, report, pictures, options.steps)
             files[form] = made
             if kept and not complaints:
                 kept.keep_files(names[form], made)
@@ -124,13 +123,14 @@ def _drawable(
     from paper_checks.report.content import document
     from paper_checks.report.output.pictures import Pictures
     from paper_checks.reporting import parts
+    from paper_checks.speed import section
 
-    whole = len(rows) == len(CLAIMS) and not options.summary
+    whole = len(rows) == len(CLAIMS)
     figures, chapters = parts.figures(trade), list(parts.chapters(trade)) if whole else []
-    report = document.summary(rows) if options.summary else None if whole else document.document(rows)
+    report = None if whole else document.document(rows)
     pictures = Pictures(report.pictures if report else list(figures), figures, complaints.append, kept, options.fresh)
     sections = _sections_and_pictures(options, trade, wanted, chapters, pictures)
-    report = report or document.document(rows, [sections[name] for name in chapters])
+    report = report or document.document(rows, [sections[name] for name in chapters], section.answers(trade))
     pictures.names = report.pictures
     return report, pictures
 

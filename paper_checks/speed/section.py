@@ -5,17 +5,17 @@ A sentence that other numbers would make false says what the numbers say: who is
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
+from statistics import median
 
 from matplotlib.figure import Figure
 
 from numerics.scene.file import load_scene
-from numerics.trade.command import seconds_text
 from numerics.trade.euler import STEPS, EulerFigure, euler_figure, stick_energy
 from numerics.trade.figure import draw_trade
-from numerics.trade.recorded import Lead, Run, Trade
-from numerics.trade.scenes import HEADLINE, LONG
+from numerics.trade.recorded import Run, Trade
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
 
@@ -31,18 +31,21 @@ EULER_SCENES = {
 """The shipped scene that a figure of the paper shows."""
 
 
+PEER = "heyoka"
+"""Whom ours is measured against: the fastest integrator of its kind that we know."""
+ASKED = {0: "`solve(scene)`, float64", 12: "`digits=12`", 20: "`digits=20`"}
+"""Our settings, as a user writes them."""
+
+
 def section(trade: Trade) -> Section:
     """Return the whole chapter; who is faster comes first."""
-    free, forced = (trade.names(forced=one) for one in (False, True))
     blocks: list[Block] = [
-        Points((
-            f"Without a force, {race(trade, free, beyond=False)}",
-            f"Under a force, {race(trade, forced, beyond=False)}",
-            f"With more digits than float64 has, {race(trade, [*free, *forced], beyond=True)}",
-            *events(trade),
-            *costs(trade),
-        )),
-        *(table(trade, names, what) for names, what in ((free, "without a force"), (forced, "under a force")) if names),
+        Points((*answers(trade), *events(trade))),
+        Table(
+            ("ours", "scenes", "as fast as heyoka: least", "median", "heyoka is faster on"),
+            tuple(lines(trade)),
+            "How many times as fast as heyoka, at its coarsest setting that is as accurate (or at its most accurate one, where none is)",
+        ),
         Picture(
             WORK_PRECISION,
             "One panel for each scene: the further up and to the left, the better. Filled: the events are right; hollow: they are wrong, "
@@ -56,6 +59,62 @@ def section(trade: Trade) -> Section:
     return Section(ID, TITLE, tuple(blocks))
 
 
+def answers(trade: Trade) -> tuple[str, ...]:
+    """Say in a sentence each who is faster without a force and under one, with the digits that float64 has."""
+    return tuple(
+        f"{what}, {told(beside(trade, trade.names(forced=forced), 0))}"
+        for what, forced in (("Without a force", False), ("Under a force", True))
+    )
+
+
+def told(ratios: Mapping[str, float]) -> str:
+    """Say who wins, from the ratios of scenes: how many times as fast as the peer ours is."""
+    if not ratios:
+        return "nobody was measured beside ours."
+    ordered = sorted(ratios, key=lambda name: ratios[name])
+    (least, low), high, middle = (ordered[0], ratios[ordered[0]]), ratios[ordered[-1]], median(ratios.values())
+    typical = f"in the median {'ours' if middle >= 1 else PEER} is {max(middle, 1 / middle):.3g} times as fast"
+    lost, every = sum(one < 1 for one in ratios.values()), len(ratios)
+    if not lost:
+        return f"ours wins on all {every} scenes, by at least {low:.3g} times (on {least}); {typical}."
+    won = f"ours wins on {every - lost}, by up to {high:.3g} times; " if lost < every else ""
+    return f"{PEER} wins on {lost} of {every} scenes, by up to {1 / low:.3g} times (on {least}); {won}{typical}."
+
+
+def lines(trade: Trade) -> Iterator[tuple[str, ...]]:
+    """Yield a line for each setting of ours, without a force and under one, and for many scenes at once."""
+    for forced, what in ((False, "without a force"), (True, "under a force")):
+        for setting, name in ASKED.items():
+            yield from _line(f"{name}, {what}", beside(trade, trade.names(forced=forced), setting))
+    swept = {one.scene: one.ratio for one in getattr(trade, "sweeps", ())}
+    yield from _line("`solve_many`, one core each", swept)
+
+
+def _line(name: str, ratios: Mapping[str, float]) -> Iterator[tuple[str, ...]]:
+    if ratios:
+        lost = listed([scene for scene, one in ratios.items() if one < 1])
+        yield name, str(len(ratios)), f"{min(ratios.values()):.3g}", f"{median(ratios.values()):.3g}", lost
+
+
+def beside(trade: Trade, names: Iterable[str], setting: int) -> dict[str, float]:
+    """Return by scene the peer's time over that of ours with this setting (dimensionless), both with the right events."""
+    found = {}
+    for name in names:
+        timed = [one for one in trade.of(name) if one.right and one.seconds and one.digits]
+        ours = next((one for one in timed if one.who == "solve" and one.setting == setting), None)
+        peers = [one for one in timed if one.who.startswith(PEER)]
+        if ours and peers:
+            needed = min(setting or ours.digits or 0.0, ours.digits or 0.0)
+            enough = [one for one in peers if (one.digits or 0.0) >= needed]
+            best = min(enough, key=_seconds) if enough else max(peers, key=lambda one: one.digits or 0.0)
+            found[name] = _seconds(best) / _seconds(ours)
+    return found
+
+
+def _seconds(one: Run) -> float:
+    return one.seconds or math.inf
+
+
 def figures(trade: Trade) -> Figures:
     """Return how the figure of a trade is drawn in the house style, two panels a row."""
 
@@ -64,28 +123,6 @@ def figures(trade: Trade) -> Figures:
         return draw_trade(trade, columns=2, panel_size=(4.1, 2.5))
 
     return {WORK_PRECISION: draw}
-
-
-def race(trade: Trade, names: Sequence[str], *, beyond: bool) -> str:
-    """Say who is faster at equal or better accuracy, among runs that are no finer than our float64, or finer."""
-    found: dict[str, Lead] = {}
-    for name in names:
-        own = max((one.digits or 0.0 for one in trade.of(name, "solve") if one.setting == 0), default=0.0)
-        some = [one for one in trade.leads(name) if ((one.peer.digits or 0.0) > own) is beyond]
-        found |= {name: some[0]} if some else {}
-    lost = {name: one for name, one in found.items() if one.ratio < 1}
-    count = f"{len(found)} scenes where a peer has the events right"
-    if not found:
-        return "no peer was measured that has the events right."
-    if not lost:
-        name, least = min(found.items(), key=lambda item: item[1].ratio)
-        return f"ours is the fastest on all {count}: at least {least.ratio:.3g} times as fast as {least.peer.who}, on {name}."
-    who = listed(dict.fromkeys(one.peer.who for one in lost.values()))
-    most = max((1 / one.ratio for one in lost.values() if one.ratio), default=0.0)
-    finer = [name for name, one in lost.items() if one.ours is None]
-    factor = f", by a factor of up to {most:.3g}" if most else ""
-    more = f"; on {listed(finer)} nobody of ours is as accurate" if finer else ""
-    return f"ours is beaten on {len(lost)} of {count}, by {who}{factor}{more}."
 
 
 def events(trade: Trade) -> Iterator[str]:
@@ -97,53 +134,6 @@ def events(trade: Trade) -> Iterator[str]:
     yield f"Of {len(judged)} runs that ended {len(wrong)} have the events wrong; never one of {listed(good)}."
     for one in (one for one in wrong if one.ours):
         yield f"Ours is wrong: {one.who} with {one.setting:g} digits on {one.scene} ({one.note})."
-
-
-def costs(trade: Trade) -> Iterator[str]:
-    """Say what our digits cost, and long horizons."""
-    balls = [one for one in trade.of(HEADLINE, "ball") if one.right and one.seconds]
-    plain = [one for one in trade.of(HEADLINE, "solve") if one.right and one.seconds]
-    if plain and balls:
-        first, last = plain[0], balls[-1]
-        yield (
-            f"On {HEADLINE} `solve(scene)` takes {time(first)} and has {first.digits or 0:.0f} digits right; balls take "
-            f"{time(balls[0])} with {balls[0].setting:,.0f} digits asked for, and {time(last)} with {last.setting:,.0f}, every radius proved."
-        )
-    far = [
-        one
-        for one in trade.runs
-        if one.who == "solve" and one.setting == 0 and one.scene.startswith(LONG) and one.seconds
-    ]
-    each = sorted((int(one.scene.removeprefix(LONG)), one.seconds or 0.0) for one in far)
-    if len(each) > 1:
-        (few, short), *_, (many, long) = each
-        yield f"An excursion costs {seconds_text(short / few)} where there are {few:,}, and {seconds_text(long / many)} where there are {many:,}."
-
-
-def table(trade: Trade, names: Sequence[str], what: str) -> Table:
-    """Return who has the events right where, with how many digits and how fast beside ours."""
-    shown = [name for name in names if len({one.who for one in trade.of(name)}) > 1]
-    who = dict.fromkeys(one.who for name in shown for one in trade.of(name))
-    rows = tuple((one, *(cell(trade, name, one) for name in shown)) for one in who)
-    caption = (
-        f"Scenes {what}: runs with the right events, of those measured; the most right digits of these; and the time of that run, "
-        "of a peer as a multiple of our fastest one that is as accurate (– if none is)"
-    )
-    return Table(("who", *shown), rows, caption)
-
-
-def cell(trade: Trade, scene: str, who: str) -> str:
-    """Return how many runs are right, and of the best of them its digits and its time, of a peer beside ours."""
-    runs = trade.of(scene, who)
-    right = [one for one in runs if one.right and one.digits is not None]
-    judged = [one for one in runs if one.right is not None]
-    if not right:
-        return f"0/{len(judged)}" if judged else next((one.note.partition(" ")[0] for one in runs), "–")
-    best = max(right, key=lambda one: one.digits or 0.0)
-    ratios = {one.peer: one for one in trade.leads(scene)}
-    lead = ratios.get(best)
-    took = time(best) if best.ours else f"{lead.ratio:.3g}×" if lead and lead.ours else "–"
-    return f"{len(right)}/{len(judged)}: {best.digits:,.0f}, {took}"
 
 
 def provenance(trade: Trade) -> Iterator[Block]:
@@ -200,11 +190,6 @@ def misled(found: dict[str, EulerFigure]) -> Iterator[Block]:
 def step(found: float | None) -> str:
     """Return a step, or that none of those tried is fine enough."""
     return "finer than tried" if found is None else f"{found:g}"
-
-
-def time(one: Run) -> str:
-    """Return the time of a run with its unit."""
-    return seconds_text(one.seconds).replace(" us", " µs")
 
 
 def listed(names: Sequence[str] | dict[str, None]) -> str:

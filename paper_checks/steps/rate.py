@@ -77,8 +77,9 @@ def enclosed_limit(share: Fraction, speed: Fraction, time: str, tolerance: Fract
         f"is within {float(tolerance):g} of 1",
         bool(near),
         found.excursions,
-        f"ratio - 1 = {(scaled - 1).str(8)} after {found.excursions} excursions",
+        f"ratio - 1 = {(scaled - 1).str(8)}",
         supports=True,
+        counted="excursions",
     )
 
 

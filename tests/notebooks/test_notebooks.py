@@ -60,6 +60,7 @@ def test_the_notebooks_of_the_house_are_there():
     assert [name.removesuffix(".py") for name in NOTEBOOKS] == [
         "critical_energy_and_sliding_region",
         "explore_one_scene",
+        "fit_to_measurement",
         "one_over_t_law",
         "paper_figures",
         "past_the_paper",

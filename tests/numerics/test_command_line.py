@@ -11,7 +11,10 @@ import numpy as np
 import pytest
 
 from numerics.__main__ import main
+from numerics.cli import solving
+from numerics.cli.arguments import parser
 from numerics.scene import Pair, Scene, State
+from numerics.scene.file import shipped_scenes
 from numerics.solver.solve import solve
 from numerics.trajectory.export import as_record
 
@@ -82,7 +85,8 @@ def test_csv_has_a_row_for_each_event_and_the_end(capsys, scene_file):
     found = as_record(solve(Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=2), digits=15, arithmetic="ball"))
     assert code == 0
     assert len(rows) == len(found["events"]) + 1
-    assert [row["t"] for row in rows] == [row["t"] for row in [*found["events"], found["final"]]]
+    assert [row["t (s)"] for row in rows] == [row["t"] for row in [*found["events"], found["final"]]]
+    assert {"from", "to", "x1 (m)", "x1_radius (m)", "v2 (m/s)", "energy (J)", "energy_excess"} <= set(rows[0])
 
 
 def test_npz_holds_plain_arrays(capsys, scene_file, tmp_path):
@@ -109,7 +113,75 @@ def test_the_table_and_the_list(capsys):
     assert "entry" in out or "stick" in out
     code, out, _ = run(capsys, "scenes")
     assert code == 0
-    assert "start-at-6mm" in out.split()
+    names = [line.split()[0] for line in out.splitlines()]
+    assert names == list(shipped_scenes())
+    assert all(len(line.split()) > 4 and "#" not in line for line in out.splitlines())  # each is told in a sentence
+
+
+@pytest.mark.parametrize("command", [["solve", "-", "--json"], ["energy", "-", "--at", "2", "--json"]])
+def test_a_scene_is_read_from_standard_input(capsys, monkeypatch, scene_file, command):
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(SCENE.encode())))
+    piped = run(capsys, *command)
+    assert piped == run(capsys, command[0], scene_file, *command[2:])
+    assert piped[0] == 0
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"m1 = ")))
+    code, out, err = run(capsys, *command)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert "standard input is not a TOML scene" in err
+
+
+def test_the_version_is_that_of_the_project(capsys):
+    code, out, _ = run(capsys, "--version")
+    assert (code, out.split()[0]) == (0, "inertial-pair")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["solve", "velocites"], "did you mean velocities"),
+        (["slove", "velocities"], "did you mean solve"),
+        (["solve", "velocities", "--arithmetic", "flaot64"], "did you mean float64"),
+        (["track", "at-rest", "--reference", "s-curv"], "did you mean s-curve"),
+        (["solve", ""], "the name of the scene is empty"),
+        (["solve", "velocities", "--plot", "/proc/x.svg"], "cannot be written to"),
+    ],
+)
+def test_a_mistake_is_told_with_what_was_meant(capsys, words, said):
+    code, out, err = run(capsys, *words)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert said in err
+
+
+@pytest.mark.parametrize(
+    ("module", "command"),
+    [
+        ("matplotlib", ["solve", "velocities", "--plot", "figure.svg"]),
+        ("matplotlib", ["map", "--out", "figure.svg"]),
+        ("rich", ["audit"]),
+        ("rich", ["trade"]),
+    ],
+)
+def test_a_missing_tool_is_named_before_anything_runs(capsys, monkeypatch, tmp_path, module, command):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, module, None)
+    monkeypatch.setattr(solving, "solve_scene", lambda _: pytest.fail("it was solved"))
+    code, out, err = run(capsys, *command)
+    assert (code, out, err.count("\n")) == (1, "", 1)
+    assert f"needs {module}" in err
+    assert "pip install" in err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_shell_completes_commands_flags_and_scenes(monkeypatch):
+    finders = pytest.importorskip("argcomplete.finders")
+    finder = finders.CompletionFinder(parser())
+
+    def completed(*words):
+        return {one.strip() for one in finder._get_completions([*words[:-1]], words[-1], "", None)}
+
+    assert "solve" in completed("inertial-pair", "so")
+    assert "velocities" in completed("inertial-pair", "solve", "velo")
+    assert "--arithmetic" in completed("inertial-pair", "solve", "velocities", "--ar")
 
 
 def test_output_to_a_folder_is_refused(capsys, scene_file, tmp_path):

@@ -1,18 +1,40 @@
 """What a user meets: one place to import from, short texts, equality, pickles, tables, kinds of numbers."""
 
 import copy
+import doctest
+import inspect
+import json
 import pickle
+import pydoc
+import re
 import sys
 from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
 import pytest
+from PIL import Image
 from three_scenes import ARITHMETICS, DAMPED, PAPER, STUCK
 
 import numerics
-from numerics import Pair, Scene, Solver, State, solve, solve_many
-from numerics.errors import InvalidScene, MissingTool
+from numerics import (
+    Force,
+    Pair,
+    Scene,
+    Solver,
+    State,
+    Trajectory,
+    fastest_transfer,
+    load_scene,
+    response,
+    ring_entry,
+    sensitivities,
+    solve,
+    solve_many,
+    solve_scenes,
+    thresholds,
+)
+from numerics.errors import InvalidFile, InvalidScene, MissingTool, NumericsError
 from numerics.scene.file import parse_scene
 
 HOW = [*ARITHMETICS, {"digits": 12}, {"max_events": 3}]
@@ -26,9 +48,48 @@ def runs(scene=PAPER):
 
 
 def test_everything_a_user_needs_is_in_one_place():
-    assert all(callable(getattr(numerics, name)) for name in numerics.__all__)
+    names = dir(numerics)
+    assert all(callable(getattr(numerics, name)) for name in names)
+    assert {"Pair", "Scene", "State", "Trajectory", "Batch", "Mode", "solve", "solve_many", "InvalidScene"} <= set(
+        names
+    )
     with pytest.raises(AttributeError, match="solv"):
         numerics.solv  # noqa: B018
+    assert dir(numerics) == names  # what was imported since is not listed
+
+
+def test_help_has_one_line_for_each_name_and_no_more():
+    told = re.findall(r"^    (\w+(?:, \w+)*)  +\S.*$", numerics.__doc__, re.MULTILINE)
+    assert sorted(name for names in told for name in names.split(", ")) == dir(numerics)
+    assert len(pydoc.render_doc(numerics).splitlines()) < 80
+
+
+def public(kind):
+    """The public attributes of a class, and those that its instances get."""
+    return [name for name in dir(kind) if not name.startswith("_")]
+
+
+CLASSES = [one for name in dir(numerics) if inspect.isclass(one := getattr(numerics, name))]
+FOR_THE_HOUSE = {"but", "columns", "dense", "energy_of", "event_rows", "frame", "made", "of", "pieces", "row"}
+FOR_THE_HOUSE |= {f"row_{name}" for name in ("lengths", "pieces", "signs", "states", "times")} | {"signs"}
+SHOWN_IN_THE_GUIDE = {"animate", "plot", "to_dataframe", "load", "save", "piece_at", "ramp"}
+
+
+@pytest.mark.parametrize("kind", [one for one in CLASSES if not issubclass(one, Exception)])
+def test_every_attribute_of_what_a_user_meets_is_told_and_shown_in_an_example_that_runs(kind):
+    examples = "".join(one.source for one in doctest.DocTestFinder().find(kind, kind.__name__) for one in one.examples)
+    assert examples
+    for name in set(public(kind)) - FOR_THE_HOUSE:
+        static = inspect.getattr_static(kind, name)
+        assert not callable(static) or inspect.getdoc(static)
+        assert name in SHOWN_IN_THE_GUIDE or re.search(rf"\b{name}\b", examples + kind.__doc__), name
+
+
+@pytest.mark.parametrize("name", [one for one in dir(numerics) if inspect.isfunction(getattr(numerics, one))])
+def test_every_function_says_what_it_raises_and_has_an_example(name):
+    told = getattr(numerics, name).__doc__
+    assert ">>>" in told
+    assert "Raise" in told or name == "scene_text"
 
 
 @pytest.mark.parametrize("given", [PAPER.pair, None, "velocities"])
@@ -75,6 +136,151 @@ def test_two_equal_solves_are_equal_and_come_back_from_a_pickle(scene):
             assert [str(a) for a in back.sol("0.1")] == [str(a) for a in one.sol("0.1")]
 
 
+# files
+
+
+@pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK, load_scene("forced-friction-by-pieces")])
+def test_what_was_saved_comes_back_to_the_last_bit(scene, tmp_path):
+    times = [0, "1/3", 0.5, 2]
+    answers = [*runs(scene), solve(scene, t_eval=times), solve(scene, digits=20, t_eval=times)]
+    for one in [*answers, Solver(PAPER.pair)((0.0, 0.15, 0.0, 0.0), until=3)]:
+        one.save(tmp_path / "run.npz")
+        back = Trajectory.load(tmp_path / "run.npz")
+        assert back == one
+        assert repr(back) == repr(one)
+        assert back.scene == one.scene
+        assert [str(a) for a in back.sol("0.1")] == [str(a) for a in one.sol("0.1")]
+    assert [path.name for path in tmp_path.iterdir()] == ["run.npz"]
+
+
+def spoilt(path, **changes):
+    """Change entries of the header of a saved trajectory, or its arrays by functions."""
+    with np.load(path) as archive:
+        arrays = {name: archive[name] for name in archive}
+    header = json.loads(arrays["header"].tobytes())
+    for name, change in changes.items():
+        (arrays if name in arrays else header)[name] = change(arrays[name]) if name in arrays else change
+    arrays["header"] = np.frombuffer(json.dumps(header).encode(), dtype=np.uint8)
+    np.savez(path, **arrays)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"format": "another"},
+        {"arithmetic": ["decimal", 3]},
+        {"arithmetic": ["ball", 20]},
+        {"digits": "x"},
+        {"how": 17},
+        {"rest": []},
+        {"rest": [10**9, True, 0, 0, 0]},
+        {"scene": "[pair]"},
+        {"t_eval": [99]},
+        {"rows": lambda rows: rows[:0]},
+        {"rows": lambda rows: rows[:, :3]},
+        {"rows": lambda rows: rows * np.nan},
+        {"end": lambda end: end[:3]},
+    ],
+)
+def test_a_file_that_holds_no_trajectory_is_refused_in_a_sentence(tmp_path, changes):
+    path = tmp_path / "run.npz"
+    solve(PAPER).save(path)
+    spoilt(path)
+    assert Trajectory.load(path).success
+    spoilt(path, **changes)
+    with pytest.raises(InvalidFile, match="holds no saved trajectory") as refused:
+        Trajectory.load(path)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_file_of_another_kind_is_no_trajectory(tmp_path):
+    (tmp_path / "text").write_text("hello")
+    with pytest.raises(InvalidFile, match="no NumPy archive"):
+        Trajectory.load(tmp_path / "text")
+    with pytest.raises(FileNotFoundError):
+        Trajectory.load(tmp_path / "absent")
+    np.savez(tmp_path / "other.npz", header=np.array([{}], dtype=object))  # a pickle
+    with pytest.raises(InvalidFile):
+        Trajectory.load(tmp_path / "other.npz")
+
+
+# what is wrong is said in one sentence
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: solve(PAPER, progress=3), "progress = 3 must be a function"),
+        (lambda: solve(PAPER, arithmetic=["ball"]), "is not one of float64"),
+        (lambda: sensitivities(PAPER), r"give it solve\(scene\)"),
+        (lambda: sensitivities(solve(PAPER), 1, side="x"), "side = 'x' is not one of left, right"),
+        (lambda: load_scene(3), "a scene is named by text or a path"),
+        (lambda: load_scene("velocitees"), "did you mean velocities"),
+        (lambda: solve(PAPER).sol(1, side="middle"), "not one of left, right"),
+        (lambda: solve(PAPER).sol([1, [2, 3]]), "rows differ in length"),
+        (lambda: solve(PAPER).plot("phases"), "is not one of velocities"),
+        (lambda: solve(PAPER).plot("phase", ax=3), "must be matplotlib axes"),
+        (lambda: solve(PAPER).animate("film.avi"), "must end in .gif or .mp4"),
+        (lambda: solve(PAPER).animate(duration=float("nan")), "duration = 'nan' must be"),
+        (lambda: solve(PAPER).animate(duration=1e9), "frames"),
+        (lambda: Solver(PAPER.pair)(State(), until=None), "until must be a decimal number"),
+        (lambda: solve_many(1, 1, 200, [1, 2], v1=[1, 2, 3], until=5), r"b \(2,\), v1 \(3,\)"),
+        (lambda: solve_many(1, 1, 200, 1, until=5, progress=3), "progress = 3 must be a function"),
+        (lambda: solve_many(1, 1, 200, 1, until=5, sines=[1]), "must be a triple"),
+        (lambda: solve_many(1, 1, 200, 1, until=5, sines=3), "must be a list"),
+        (lambda: solve_many(1, 1, 200, 1, until=5, polynomial=3), "must be a list"),
+        (lambda: solve_many(1, 1, 200, 1, until=5).plot("heat"), "is not one of dissipated"),
+        (lambda: solve_many(1, 1, 200, 1, until=5).plot(along=[1, 2, 3, 4]), "along must be"),
+        (lambda: solve_scenes(3), "takes a list of Scenes"),
+        (lambda: solve_scenes([3]), "takes a list of Scenes"),
+        (lambda: response(3), "response takes a Scene, not int"),
+        (lambda: ring_entry(3, 1), "ring_entry takes a Scene, not int"),
+        (lambda: thresholds(PAPER, 1), "thresholds takes a Pair, not Scene"),
+        (lambda: fastest_transfer(PAPER.pair, 1), "fastest_transfer takes a Scene, not Pair"),
+    ],
+)
+def test_a_mistake_is_told_in_one_sentence(call, said):
+    with pytest.raises((NumericsError, ValueError, TypeError), match=said) as refused:
+        call()
+    assert "\n" not in str(refused.value)
+
+
+# short texts of records, pictures and films
+
+
+def test_every_record_is_shown_in_one_short_line():
+    forced = load_scene("forced-sine-stick-slip")
+    found = response(forced, digits=8)
+    run = solve(PAPER)
+    records = [PAPER.pair, PAPER.initial, PAPER, forced, load_scene("forced-sweep"), Force.sine(1, 2), run.events[0]]
+    records += [run.segments[0], run.ledger, run.accuracy, found, found.thresholds, found.orbit, Solver(PAPER.pair)]
+    records += [fastest_transfer(load_scene("at-rest"), "0.01"), ring_entry(load_scene("velocities"), "0.001")]
+    for one in records:
+        assert repr(one).startswith(type(one).__name__)
+        assert len(repr(one)) < 260
+        assert "\n" not in repr(one)
+    shown = Pair(m1="1/3", m2=0.1, a2=200, b=5)
+    assert eval(repr(shown)) == shown
+    assert repr(Pair("1." + "3" * 400, 1, 2, 3)) == "Pair(m1=1.33333, m2=1, a2=2, b=3)"
+
+
+@pytest.mark.slow
+def test_batches_and_responses_are_drawn_and_a_run_becomes_a_film(tmp_path):
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    speeds = np.linspace(0.01, 0.3, 12)
+    line = solve_many(1, 1, 200, 0.05, v1=speeds, until=5, max_events=20, jobs=1).plot()
+    assert (line.get_xlabel(), line.get_ylabel()) == ("v1 (m/s)", "dissipated (J)")
+    assert line.get_legend() is not None  # some were cut off
+    chart = solve_many(1, 1, 200, [[0.05], [0.1]], v1=speeds, until=1, jobs=1).plot("events")
+    assert (chart.get_xlabel(), chart.get_ylabel()) == ("b (N)", "v1 (m/s)")
+    assert len(response(load_scene("forced-sine-stick-slip"), digits=8).plot().axes) == 3
+    solve(PAPER).animate(tmp_path / "run.gif", duration=0.3, frames_per_second=10)
+    with Image.open(tmp_path / "run.gif") as film:
+        assert film.n_frames == 3
+    assert [path.name for path in tmp_path.iterdir()] == ["run.gif"]
+    pyplot.close("all")
+
+
 # times asked for
 
 
@@ -93,7 +299,13 @@ def test_t_eval_gives_state_and_energy_at_those_times(how):
 @pytest.mark.parametrize("how", HOW[:4])
 @pytest.mark.parametrize(
     ("times", "said"),
-    [([1, 4], "outside the solved time"), ([0.5, "nan"], "nan"), ([1, float("nan")], "nan"), ([1, 0.5], "in order")],
+    [
+        ([1, 4], "outside the run"),
+        ([-1, 0], "outside the run"),
+        ([0.5, "nan"], "nan"),
+        ([1, float("nan")], "nan"),
+        ([1, 0.5], "in order"),
+    ],
 )
 def test_times_that_cannot_be_answered_are_refused_when_they_are_given(how, times, said):
     with pytest.raises(ValueError, match=said):
@@ -111,6 +323,10 @@ def test_mode_at_takes_arrays(how):
     run = solve(PAPER, **how)
     times = np.linspace(0, 3, 40)
     modes = run.mode_at(times)
+    square = run.sol(times[:6].reshape(2, 3))
+    assert square.shape == (4, 2, 3)
+    assert [str(one) for one in square[:, 1, 2]] == [str(one) for one in run.sol(times[5])]
+    assert sensitivities(run, times[:4].reshape(2, 2)).shape == (4, 9, 2, 2)
     assert list(modes) == [run.mode_at(one) for one in times]
     assert run.mode_at([]).shape == (0,)
     assert list(run.mode_at(run.event_times, "left")) == [event.before for event in run.events]

@@ -19,7 +19,7 @@ from paper_checks.checks import registry as registry_module
 from paper_checks.ledger import CLAIMS
 from paper_checks.report.content import under_a_force
 from paper_checks.report.content.blocks import Section
-from paper_checks.report.formats import pdf
+from paper_checks.report.formats import latex
 from paper_checks.speed import section as section_module
 
 
@@ -77,6 +77,12 @@ def test_list_prints_every_claim(capsys):
     assert printed == {claim.id: claim.recorded.value for claim in CLAIMS}
 
 
+def test_list_in_a_pipe_has_one_line_for_each_claim(capsys):
+    assert main(["list"]) == 0
+    lines = [line.split()[0] for line in capsys.readouterr().out.splitlines()]
+    assert lines[1 : 1 + len(CLAIMS)] == [claim.id for claim in CLAIMS]
+
+
 @pytest.mark.parametrize("form", ["html", "latex", "html,latex"])
 def test_report_writes_and_complains(small, capsys, tmp_path, form):
     assert main(["report", "--out", str(tmp_path), "--format", form]) == 1
@@ -85,23 +91,22 @@ def test_report_writes_and_complains(small, capsys, tmp_path, form):
     assert captured.err == "paper_checks: the figure lost is not known\n"
 
 
-def test_the_report_tells_some_rows_or_the_whole_in_short(small, capsys, tmp_path):
+def test_the_report_tells_some_rows_or_the_whole(small, capsys, tmp_path):
     assert main(["report", "stiction-bracket", "--out", str(tmp_path)]) == 0
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
-    assert 'id="stiction-bracket"' in page
-    assert 'id="energy-rate"' not in page
+    assert 'data-row="stiction-bracket"' in page
+    assert 'data-row="energy-rate"' not in page
     assert "Speed and accuracy" not in page
-    assert main(["report", "--summary", "--out", str(tmp_path)]) == 1
-    assert "Claims that do not hold as written" in (tmp_path / "summary.html").read_text(encoding="utf-8")
+    assert (tmp_path / "pages" / "stiction-bracket.html").exists()
     assert main(["report", "stiction-brackets"]) == 2
     assert "did you mean stiction-bracket?" in capsys.readouterr().err
 
 
-def test_without_typst_a_pdf_is_refused_before_anything_runs(monkeypatch, capsys):
+def test_without_tex_a_pdf_is_refused_before_anything_runs(monkeypatch, capsys):
     monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
-    monkeypatch.setattr(pdf, "missing", lambda: pdf.REMEDY)
+    monkeypatch.setattr(latex, "missing", lambda: latex.REMEDY)
     assert main(["report", "--format", "html,pdf"]) == 3
-    assert capsys.readouterr().err == f"paper_checks: {pdf.REMEDY}\n"
+    assert capsys.readouterr().err == f"paper_checks: {latex.REMEDY}\n"
 
 
 def test_a_file_is_compared_with_the_source(capsys, tmp_path):
@@ -112,10 +117,22 @@ def test_a_file_is_compared_with_the_source(capsys, tmp_path):
     assert "cannot be read: No such file or directory" in capsys.readouterr().err
 
 
-def test_a_folder_that_cannot_be_written_is_one_line(small, capsys, tmp_path):
+@pytest.mark.parametrize("command", [["report", "--out", "file"], ["report", "--out", "file/in"]])
+def test_a_folder_that_cannot_be_written_is_refused_before_anything_runs(monkeypatch, capsys, tmp_path, command):
+    monkeypatch.chdir(tmp_path)
     (tmp_path / "file").write_text("")
-    assert main(["report", "--out", str(tmp_path / "file")]) == 2
-    assert capsys.readouterr().err.count("\n") == 1
+    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
+    assert main(command) == 2
+    told = "the report cannot be written: 'file' is a file; choose another folder with --out"
+    assert capsys.readouterr().err == f"paper_checks: {told}\n"
+
+
+@pytest.mark.parametrize("module", ["sympy", "rich", "matplotlib"])
+def test_a_missing_tool_is_named_before_anything_runs(monkeypatch, capsys, module):
+    monkeypatch.setitem(sys.modules, module, None)
+    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
+    assert main(["report"]) == 3
+    assert f"this needs {module}" in capsys.readouterr().err
 
 
 def test_the_report_takes_another_trade_and_is_the_same_on_every_run(small, capsys, tmp_path):
@@ -123,10 +140,10 @@ def test_the_report_takes_another_trade_and_is_the_same_on_every_run(small, caps
     folders = [tmp_path / name for name in ("one", "two")]
     for folder in folders:
         main(["report", "--out", str(folder), "--trade", str(tmp_path / "planted.json")])
-    pages = [(folder / "report.html").read_bytes() for folder in folders]
+    pages = [{one.name: one.read_bytes() for one in folder.rglob("*.*")} for folder in folders]
     assert pages[0] == pages[1]
-    assert b"Measured once: Abacus" in pages[0]
-    assert b"Slide rule" not in pages[0]
+    assert b"Measured once: Abacus" in pages[0]["speed-and-accuracy.html"]
+    assert b"Without a force, nobody was measured beside ours." in pages[0]["report.html"]
 
 
 def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatch, capsys, tmp_path):

@@ -20,32 +20,19 @@ class Heading:
 
 @dataclass(frozen=True)
 class Paragraph:
-    """A paragraph."""
+    """A paragraph; the marked one is what a reader should see first."""
 
     text: str
-
-
-@dataclass(frozen=True)
-class Labelled:
-    """A paragraph with a label before it; the marked one is what a reader should see first."""
-
-    label: str
-    text: str
+    label: str = ""
     marked: bool = False
 
 
 @dataclass(frozen=True)
 class Points:
-    """A list of sentences."""
+    """A list of sentences, or of steps in their order."""
 
     items: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Numbered:
-    """A list of steps in their order."""
-
-    items: tuple[str, ...]
+    numbered: bool = False
 
 
 @dataclass(frozen=True)
@@ -68,31 +55,24 @@ class Picture:
 
 
 @dataclass(frozen=True)
-class Command:
-    """A command that a reader can run."""
+class Cards:
+    """Findings side by side, each a title, a text and a picture."""
+
+    items: tuple[tuple[str, str, Picture], ...]
+
+
+@dataclass(frozen=True)
+class Code:
+    """Lines of fixed width: a command, or a statement of the kernel; a name in it that is an anchor is a link."""
 
     text: str
 
 
 @dataclass(frozen=True)
-class Symbols:
-    """Links to the meaning of symbols, by their ids in `paper_checks.report.content.notation`."""
+class Markup:
+    """What only a page can show, as HTML; paper has nothing in its place."""
 
-    ids: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Result:
-    """A finding: what the paper says, what is true, one number and what it is, a picture; and its row."""
-
-    title: str
-    row: str
-    where: str
-    says: str
-    truth: str
-    number: str
-    what: str
-    picture: Picture
+    html: str
 
 
 @dataclass(frozen=True)
@@ -103,29 +83,7 @@ class Folded:
     blocks: tuple[Block, ...]
 
 
-@dataclass(frozen=True)
-class Node:
-    """A node of a graph: the anchor that it points to, its text, its kind, and the anchors that it rests on."""
-
-    anchor: str
-    text: str
-    kind: str
-    below: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class Graph:
-    """Rows on the left, what they rest on on the right; drawn where it can be clicked, else its table says the same."""
-
-    rows: tuple[Node, ...]
-    steps: tuple[Node, ...]
-    kinds: tuple[str, ...]
-    caption: str
-
-
-Block = (
-    Heading | Paragraph | Labelled | Points | Numbered | Table | Picture | Command | Symbols | Result | Folded | Graph
-)
+Block = Heading | Paragraph | Points | Table | Picture | Cards | Code | Markup | Folded
 
 
 @dataclass(frozen=True)
@@ -160,8 +118,8 @@ def pictures(blocks: tuple[Block, ...]) -> Iterator[Picture]:
     for block in every(blocks):
         if isinstance(block, Picture):
             yield block
-        elif isinstance(block, Result):
-            yield block.picture
+        elif isinstance(block, Cards):
+            yield from (picture for _, _, picture in block.items)
 
 
 def anchors(section: Section) -> Iterator[str]:

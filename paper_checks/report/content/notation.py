@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from paper_checks.report.content.blocks import Section, Table
+from paper_checks.drawing.captions import caption
+from paper_checks.report.content.blocks import Picture, Section, Table
 
 ID, TITLE = "notation", "Notation"
 
@@ -58,8 +59,6 @@ SYMBOLS = {
     "thresholds": Symbol("U_*,\\,U_{**}", "amplitudes of $u=U\\sin\\omega t$ up to which the pair may stick for ever, and which slip without a stop needs", "N", r"U_\{?\*"),
 }  # fmt: skip
 """The symbols by name, in the order in which a reader meets them."""
-SIX = ("masses", "states", "spring", "b", "L", "Ecr")
-"""Those of the first screen."""
 _MATHEMATICS = re.compile(r"(?<!\\)\$+([^$]+)\$+")
 
 
@@ -76,7 +75,9 @@ def used(texts: Iterable[str]) -> tuple[str, ...]:
 
 def section() -> Section:
     """Return the section that explains every symbol."""
-    return Section(ID, TITLE, (table(SYMBOLS, "The letters of this page, in SI units; – stands for dimensionless"),))
+    title, text = caption("two-bodies")
+    letters = table(SYMBOLS, "The letters of this report, in SI units; – stands for dimensionless")
+    return Section(ID, TITLE, (Picture("two-bodies", text, title), letters))
 
 
 def table(names: Iterable[str], caption: str, *, anchored: bool = True) -> Table:

@@ -1,34 +1,38 @@
-"""The first screen: what the paper models, what was found, and the three findings of most consequence."""
+"""What a reader meets first: the pair, what fails, what is new, how sure it is, and what is often asked."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
+from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
 from paper_checks.drawing.captions import caption
+from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import Kind
-from paper_checks.report.content import notation
-from paper_checks.report.content.blocks import Block, Paragraph, Picture, Section, Table
-from paper_checks.report.content.highlights import HIGHLIGHTS
-from paper_checks.report.content.phrases import first_sentence
+from paper_checks.explore import motion
+from paper_checks.ledger import Kind, claim_named, source
+from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
+from paper_checks.report.content.phrases import formula, in_short, kind
 from paper_checks.running.runner import Row
 
-ID, TITLE = "found", "What was found"
 MODEL = (
     "The paper models two bodies. One hangs on a spring. The other is joined to it by nothing but dry friction, as a box on a "
-    "moving table is. The pair either sticks and swings as one mass, or slips. The paper says how the free pair moves in the long run."
+    "moving table is. The pair either sticks and swings as one mass, or slips. The paper says how the free pair moves in the long run; "
+    "its claims, and more, are checked here."
 )
 LAW = (
     "All verdicts are under Coulomb's law, with the whole interval $[-b,b]$ as friction while the bodies stick (Filippov's reading). "
-    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no motion where a stuck pair stays at the limit $b$ (`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they "
-    "allow another motion, the row says so."
+    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no motion where a stuck pair stays at the limit $b$ "
+    "(`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they allow another motion, the row says so."
 )
 STRENGTHS = {
     "a theorem of the proof kernel": (EvidenceKind.KERNEL,),
-    "checked by solvers, exact algebra or enclosures": (EvidenceKind.SMT, EvidenceKind.EXACT, EvidenceKind.ENCLOSURE),
-    "an argument that a person wrote": (EvidenceKind.ARGUMENT,),
+    "solvers, exact algebra or enclosures": (EvidenceKind.SMT, EvidenceKind.EXACT, EvidenceKind.ENCLOSURE),
+    "an argument that a person wrote, over such steps": (EvidenceKind.ARGUMENT,),
 }
 """Kinds of steps, from the strongest; together they are all that can settle a row."""
 _WORDS = {
@@ -38,13 +42,70 @@ _WORDS = {
     Verdict.UNDECIDED: ("is undecided", "are undecided"),
     Verdict.UNCHECKED: ("is unchecked, as a tool is missing", "are unchecked, as a tool is missing"),
 }
+FREE = "No damper and no force: $a_1=0$, $u=0$, $b$ constant."
+DRIVEN = "A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless it says more."
+NEW: dict[str, tuple[str, str, str]] = {
+    "sharp-rate-constant": (
+        "rate-bounds",
+        "One 1/t law",
+        "Without damper and force, a pair that never merges has $«limit/limit»$, from every start",
+    ),
+    "critical-mass-ratio": (
+        "merging-window",
+        "Heavy driving bodies never merge",
+        "If $m_1/m_2>\\mu^*$, no slip from $S$ above $E_{cr}$ ends below it; $«root/digits»$",
+    ),
+    "merging-share": (
+        "merging-share",
+        "Merging is the common case",
+        "Up to $r^*$ nearly all states just above $E_{cr}$ merge, though none on $S_0$ does; their share is an integral, and falls like $1/E$",
+    ),
+    "entrainment-threshold": (
+        "thresholds-over-frequency",
+        "Three regimes under a sine",
+        "Stuck for ever, with stops, and without a stop: both amplitudes that part them are closed forms",
+    ),
+    "uniform-rate": (
+        "uniform-rate",
+        "What the start fixes",
+        "$E(0)$ alone fixes an upper bound $c_2/t$ of $E/E_{cr}-1$, for all trajectories that never merge, and no lower one",
+    ),
+}
+"""Results past the paper that the first page shows, by their rows: figure, title, and a sentence with formulas of the row."""
+_SLOT = re.compile("«([a-z]+)/([a-z]+)»")
 
 
-def model() -> tuple[Block, ...]:
-    """Return what the paper models: the two bodies, and six symbols."""
-    title, text = caption("two-bodies")
-    table = notation.table(notation.SIX, "Six symbols; the others are in the notation", anchored=False)
-    return Paragraph(MODEL), Picture("two-bodies", text, title), table
+def front(rows: Sequence[Row], answers: Sequence[str] = ()) -> tuple[Section, ...]:
+    """Return the sections of the first page, those that have something to say."""
+    shown = {row.claim.id: row for row in rows}
+    past = tuple(
+        (title, f"{_filled(name, text)} (`{name}`).", picture(figure))
+        for name, (figure, title, text) in NEW.items()
+        if name in shown and shown[name].as_recorded
+    )
+    sections = (
+        Section("model", "The pair", (Paragraph(MODEL), Markup(motion.section()), Paragraph(counts(rows)))),
+        Section("refuted", "What fails", tuple(_refuted(rows))),
+        Section(
+            "results",
+            "What is new",
+            (Cards(past), Paragraph("Everything past the paper, in one list: `new`.")) if past else (),
+        ),
+        Section("sure", "How sure it is", tuple(_sure(rows))),
+        Section("questions", "Asked often", (Table(("question", "answer"), tuple(_questions(shown, answers)), ""),)),
+    )
+    return tuple(one for one in sections if one.blocks)
+
+
+def _filled(row: str, text: str) -> str:
+    """Return a sentence with the formulas of a row in their places."""
+    return _SLOT.sub(lambda place: formula(row, place[1], place[2]), text)
+
+
+def picture(name: str) -> Picture:
+    """Return a figure with its title and caption."""
+    title, text = caption(name)
+    return Picture(name, text, title)
 
 
 def counts(rows: Sequence[Row]) -> str:
@@ -63,62 +124,121 @@ def counts(rows: Sequence[Row]) -> str:
     missing = sum(theorems.values()) - proved
     past = f"Past the paper {proved} {'theorem is' if proved == 1 else 'theorems are'} proved here." if proved else ""
     still = f"{missing} more {'is' if missing == 1 else 'are'} not settled." if missing else ""
-    return " ".join(filter(None, [of_claims, past, still, open_parts(rows)]))
-
-
-def open_parts(rows: Sequence[Row]) -> str:
-    """Say how many of the rows leave a part open; nothing where none does."""
     some = sum(bool(row.open) for row in rows)
-    return (
-        f"{some} {'row leaves' if some == 1 else 'rows leave'} a part open, and {'says' if some == 1 else 'say'} which."
-        if some
-        else ""
-    )
-
-
-def strengths(rows: Sequence[Row]) -> str:
-    """Return how many verdicts rest on what, each by the weakest step that it needs; nothing where none is settled."""
-    counted = Counter((row.established_by, row.claim.kind) for row in rows)
-    parts = []
-    for name, kinds in STRENGTHS.items():
-        claims, theorems = (sum(counted[one, kind] for one in kinds) for kind in (Kind.CLAIM, Kind.THEOREM))
-        numbers = [f"{n} {noun}{'s' if n != 1 else ''}" for n, noun in ((claims, "claim"), (theorems, "theorem")) if n]
-        if numbers:
-            parts.append(f"{name}: {' and '.join(numbers)}")
-    return f"The weakest step that a verdict needs is {'; '.join(parts)}." if parts else ""
+    part = f"{some} {'row leaves' if some == 1 else 'rows leave'} a part open." if some else ""
+    return " ".join(filter(None, [of_claims, past, still, part]))
 
 
 def _joined(parts: Sequence[str]) -> str:
     return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
-def section(rows: Sequence[Row]) -> Section:
-    """Return the counts, what the verdicts rest on, and those of the three findings whose rows are there with the verdict on record."""
-    shown = {row.claim.id: row for row in rows if row.as_recorded}
-    results = [make() for name, make in HIGHLIGHTS.items() if name in shown]
-    texts = filter(None, (counts(rows), strengths(rows)))
-    return Section(ID, TITLE, (*map(Paragraph, texts), *results, Paragraph(LAW)))
+def _refuted(rows: Sequence[Row]) -> Iterator[Block]:
+    """Yield a line for each of the paper's claims that is false as such, and the pictures of two."""
+    failed = [row for row in rows if row.claim.kind is Kind.CLAIM and row.finding.verdict is Verdict.REFUTED]
+    lines = ((f"`{one.claim.id}`\n{one.claim.where}", one.claim.statement, in_short(one)) for one in failed)
+    if failed:
+        yield Table(("row", "the paper says", "what is true"), tuple(lines), "False as such, not only in a detail")
+    known = {row.claim.id for row in failed if row.as_recorded}
+    cards = (
+        make()
+        for name, make in (("synchronisation-time", _synchronisation), ("start-at-6mm-sticks", _start_at_6mm))
+        if name in known
+    )
+    if found := tuple(cards):
+        yield Cards(found)
 
 
-def exceptions(rows: Sequence[Row]) -> Section:
-    """Return one line for each of the paper's claims that does not hold as written."""
+def _synchronisation() -> tuple[str, str, Picture]:
+    run = solve(load_scene("velocities"), digits=12, arithmetic="ball")
+    _, v1, _, v2 = run.sol(PRINTED)
+    slip = 1000 * abs(float(v1 - v2))
+    return (
+        f"At {PRINTED} s they slip",
+        f"The relative velocity is {slip:.2f} mm/s at the time of the paper's synchronisation.",
+        picture("relative-velocity"),
+    )
+
+
+def _start_at_6mm() -> tuple[str, str, Picture]:
+    scene = load_scene("start-at-6mm")
+    pair, start = scene.pair, Fraction(scene.initial.x1)
+    needed = float(pair.m2 * pair.a2 / pair.mass * start)
+    text = f"Carrying body 2 along takes {needed:g} N; friction gives at most {float(pair.b):g} N."
+    return f"From {float(start):g} m they slip at once", text, picture("force-needed")
+
+
+def strengths(rows: Sequence[Row]) -> tuple[tuple[str, ...], ...]:
+    """Return how many verdicts rest on what, each by the weakest step that it needs."""
+    counted = Counter((row.established_by, row.claim.kind) for row in rows)
+    lines = ((name, *(str(sum(counted[one, of] for one in kinds)) for of in Kind)) for name, kinds in STRENGTHS.items())
+    return tuple(lines)
+
+
+def _sure(rows: Sequence[Row]) -> Iterator[Block]:
+    some = [row.claim.id for row in rows if row.open]
+    yield Table(("weakest step that the verdict needs", "claims", "theorems"), strengths(rows), "")
+    yield Paragraph(
+        f"A part is left open in {', '.join(f'`{one}`' for one in some)}: see `open`."
+        if some
+        else "No row leaves a part open."
+    )
+    yield Paragraph(f"{LAW} What each kind of step guarantees, and what you have to believe: `trust`.")
+
+
+def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[str, str]]:
+    if "sharp-rate-constant" in shown:
+        law = claim_named("sharp-rate-constant").clauses[0]
+        text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes: no damper, $a_1=0$; no force, $u=0$; $b$ constant. Nothing else."
+        yield "Which theorem carries the 1/t law, and what does it assume?", text
+    if any(row.open for row in shown.values()):
+        yield "What is not known?", "One list, from the rows: `open`."
+    if any(row.claim.kind is Kind.THEOREM for row in shown.values()):
+        yield "What is new past the paper?", "One list: `new`."
+    if answers:
+        yield "How fast is it beside heyoka?", " ".join(answers)
+    yield (
+        "Does the paper's version on arXiv say the same?",
+        f"Not known. {source.PREPRINT[:1].upper()}{source.PREPRINT[1:]}: see `provenance`.",
+    )
+
+
+def new(rows: Sequence[Row]) -> Section:
+    """Return everything past the paper in one list: what it is, what it assumes, how it is established."""
     lines = tuple(
-        (f"`{row.claim.id}`\n{row.claim.where}", row.finding.verdict.value, first_sentence(row.finding.reason))
+        (f"`{row.claim.id}`", in_short(row), DRIVEN if row.claim.id in _driven() else FREE, kind(row))
         for row in rows
-        if row.claim.kind is Kind.CLAIM and row.finding.verdict is not Verdict.HOLDS
+        if row.claim.kind is Kind.THEOREM
     )
-    table = Table(("row, and where in the paper", "verdict", "in short"), lines, "Claims that do not hold as written")
-    return Section("exceptions", "Claims that need a correction, or fail", (table,) if lines else (Paragraph("None."),))
+    table = Table(("theorem", "in a sentence", "assumes", "weakest step"), lines, "Theorems past the paper")
+    return Section("new", "New past the paper", (table,) if lines else ())
 
 
-def refuted(rows: Sequence[Row]) -> tuple[Section, ...]:
-    """Return one line for each of the paper's claims that is refuted; nothing where none is."""
-    lines = tuple(
-        (f"`{row.claim.id}`\n{row.claim.where}", row.claim.statement, first_sentence(row.finding.reason))
-        for row in rows
-        if row.claim.kind is Kind.CLAIM and row.finding.verdict is Verdict.REFUTED
+def hypotheses(name: str) -> str:
+    """Return what a theorem past the paper assumes besides what its statement says."""
+    return f"$m_1,m_2,a_2,b>0$. {DRIVEN if name in _driven() else FREE}"
+
+
+def _driven() -> frozenset[str]:
+    """Return the theorems that speak of a force or a damper."""
+    return frozenset(
+        {
+            "forced-mode-rule",
+            "forced-no-zeno",
+            "forced-contraction",
+            "forced-periodic-response",
+            "forced-resonance-bound",
+        }
+        | {"entrainment-threshold", "trackable-references", "minimum-transfer-time", "tolerance-ring"}
+        | {"damping-can-desynchronise"}
     )
-    table = Table(
-        ("row", "the paper says", "what is true"), lines, "Claims that are false as such, not only in a detail"
-    )
-    return (Section("refuted", "What fails", (table,)),) if lines else ()
+
+
+def still_open(rows: Sequence[Row]) -> Section:
+    """Return all that rows leave open, sentence by sentence, and what is not settled at all."""
+    kinds = {
+        "Beside what is decided": tuple(f"{text} (`{row.claim.id}`)" for row in rows for text in row.open),
+        "Not settled here": tuple(f"`{row.claim.id}`: {row.finding.missing}" for row in rows if row.finding.missing),
+    }
+    parts = (block for title, items in kinds.items() if items for block in (Heading(title), Points(items)))
+    return Section("open", "Open", tuple(parts))

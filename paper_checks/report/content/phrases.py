@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from paper_checks.engines.kernel import PROVED
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import Claim, Kind
+from paper_checks.ledger import Claim, Kind, claim_named
 from paper_checks.running.runner import Row
 
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
@@ -16,6 +16,12 @@ OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
 def is_new_theorem(row: Row) -> bool:
     """Return whether the row is a theorem past the paper that holds."""
     return row.claim.kind is Kind.THEOREM and row.finding.verdict is Verdict.HOLDS
+
+
+def formula(row: str, clause: str, name: str) -> str:
+    """Return LaTeX of a formula of a row: what stands there is what is checked."""
+    found = next(one for one in claim_named(row).clauses if one.id == clause)
+    return found.formulas[name].latex
 
 
 def speaker(claim: Claim) -> str:
@@ -46,6 +52,12 @@ def kind(row: Row) -> str:
     """Return the weakest kind of step that the verdict needs, or a dash; and that the kernel was not run."""
     text = row.established_by.value if row.established_by else "–"
     return text if row.kernel in (None, PROVED) else f"{text} (kernel {row.kernel})"
+
+
+def in_short(row: Row) -> str:
+    """Return the first sentence of a row's reason that says what is true, not how the claim is read."""
+    reason = row.finding.reason
+    return first_sentence(reason.partition(". ")[2] if reason.startswith("Read as") else reason)
 
 
 def first_sentence(text: str) -> str:

@@ -1,56 +1,84 @@
-"""What stands behind a row: the decisive step first, then why, then all steps, folded."""
+"""What stands behind a row: the statement, the decisive step, why, then all steps, folded."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+import re
+from collections.abc import Collection, Iterator, Mapping
 
 from paper_checks.drawing.captions import caption
 from paper_checks.engines import kernel
 from paper_checks.engines.exhibit import ENGINE as EXHIBITED
 from paper_checks.engines.kernel import PROVED
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
-from paper_checks.report.content import notation, under_a_force
-from paper_checks.report.content.blocks import Block, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table
-from paper_checks.report.content.phrases import OUTCOMES
-from paper_checks.report.content.trust import PROVENANCE
-from paper_checks.running.graph import Proof, numbered
+from paper_checks.evidence.clause import Clause
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject
+from paper_checks.ledger import Kind
+from paper_checks.report.content import notation, shared, under_a_force
+from paper_checks.report.content.blocks import Block, Code, Folded, Paragraph, Picture, Points, Table
+from paper_checks.report.content.opening import hypotheses
+from paper_checks.report.content.phrases import place
+from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 
 SHORT = 80
 """Characters up to which the value of an enclosure is shown with the decisive step."""
+LONG = 60
+"""Characters of LaTeX from which on a formula of a theorem stands in a line of its own."""
+_SLOT = re.compile("«([a-z0-9_]+)»([.,;:]?)")
 
 
-def story(row: Row, elsewhere: Collection[str] = ()) -> tuple[Block, ...]:
-    """Return what a row tells after the statement and the verdict, as blocks; `elsewhere` are anchors of chapters beside it."""
-    return tuple(_story(row, elsewhere))
+def story(row: Row, common: Mapping[Evidence, str], elsewhere: Collection[str] = ()) -> tuple[Block, ...]:
+    """Return what a row tells, as blocks; `common` names steps that stand elsewhere, `elsewhere` are anchors of chapters."""
+    return tuple(_story(row, common, elsewhere))
 
 
-def _story(row: Row, elsewhere: Collection[str]) -> Iterator[Block]:
+def _story(row: Row, common: Mapping[Evidence, str], elsewhere: Collection[str]) -> Iterator[Block]:
     finding = row.finding
+    yield from _statement(row)
     if not row.as_recorded:
-        yield Labelled("Attention", f"This differs from the verdict on record, {row.claim.recorded.value}", marked=True)
+        yield Paragraph(f"This differs from the verdict on record, {row.claim.recorded.value}.", "Attention", True)
     if text := _decisive(row):
-        yield Labelled("Decisive step", text, marked=True)
+        yield Paragraph(text, "Decisive step", True)
     texts = {
         "Why": finding.reason,
         "Counterexample": finding.counterexample,
         "What is true": finding.corrected,
         "Missing for a proof": finding.missing,
     }
-    yield from (Labelled(label, text) for label, text in texts.items() if text)
-    yield from (Labelled("Open", text) for text in row.open)
+    yield from (Paragraph(text, label) for label, text in texts.items() if text)
+    yield from (Paragraph(text, "Open") for text in row.open)
     yield from _picture(row, elsewhere)
     if symbols := notation.used([row.claim.statement, *filter(None, texts.values())]):
-        yield Symbols(symbols)
-    yield Labelled("Run it again", f"`python -m paper_checks run {row.claim.id}`, installed as `{PROVENANCE}` says.")
-    yield from _folded(row)
+        yield Folded("Symbols", (notation.table(symbols, "", anchored=False),))
+    yield from _folded(row, common)
+    yield Code(f"python -m paper_checks run {row.claim.id}")
+
+
+def _statement(row: Row) -> Iterator[Block]:
+    """Yield what is claimed; a theorem as a textbook has it, its hypotheses first and each part by itself."""
+    if row.claim.kind is Kind.CLAIM:
+        yield Paragraph(row.claim.statement, f"The paper says {place(row.claim)}")
+        return
+    yield Paragraph(hypotheses(row.claim.id), "Hypotheses")
+    several = len(row.claim.clauses) > 1
+    for number, clause in enumerate(row.claim.clauses, start=1):
+        yield Paragraph(displayed(clause), f"({number}) {clause.id.replace('-', ' ')}" if several else "Theorem")
+
+
+def displayed(clause: Clause) -> str:
+    """Return the text of a clause, its long formulas in lines of their own, with the sign after them."""
+
+    def shown(match: re.Match[str]) -> str:
+        formula, sign = clause.formulas[match[1]].latex, match[2]
+        return f"$${formula}{sign}$$" if len(formula) > LONG else f"${formula}${sign}"
+
+    return _SLOT.sub(shown, clause.text)
 
 
 def _picture(row: Row, elsewhere: Collection[str]) -> Iterator[Block]:
     """Yield the row's figure, or where a chapter shows it."""
     figure, anchor = under_a_force.PICTURED.get(row.claim.id, (row.finding.figure, ""))
     if figure and anchor in elsewhere:
-        yield Labelled("Picture", f"{caption(figure)[0]}, drawn under `{anchor}`.")
+        yield Paragraph(f"{caption(figure)[0]}, drawn under `{anchor}`.", "Picture")
     elif figure:
         yield Picture(figure, *reversed(caption(figure)))
 
@@ -85,55 +113,50 @@ def _decisive(row: Row) -> str | None:
         return _told(step)
     if row.established_by is None:
         return None
-    checked = len(_names(row))
+    checked = len(list(shared.of_row(row)))
     return f"The inference that follows, over {checked} checked step{'s' if checked != 1 else ''} ({row.established_by.value})."
 
 
 def _told(step: Evidence) -> str:
-    cases = f", {step.cases} cases" if step.cases != 1 else ""
+    cases = ", ".join(filter(None, [step.engine, shared.cases(step)]))
     statement = (step.statement[:1].upper() + step.statement[1:]).rstrip(".")
     if step.kind is EvidenceKind.KERNEL:
-        statement = _theorem(step)
+        statement = f"Theorem `{kernel.name_of(step)}`: {step.statement.partition('): ')[2].rstrip('.')}"
     shown = step.engine == EXHIBITED or (step.kind is EvidenceKind.ENCLOSURE and len(step.value) < SHORT)
     value = f": {step.value}" if shown and any(map(str.isdigit, step.value)) else ""
-    return f"{statement}{value} ({step.kind.value}: {step.engine}{cases})."
+    return f"{statement}{value} ({step.kind.value}: {cases})."
 
 
-def _theorem(step: Evidence) -> str:
-    """Return what a theorem of the kernel says, its name as a link."""
-    return f"Theorem `{kernel.name_of(step)}`: {step.statement.partition('): ')[2].rstrip('.')}"
-
-
-def _folded(row: Row) -> Iterator[Block]:
+def _folded(row: Row, common: Mapping[Evidence, str]) -> Iterator[Block]:
     """Yield the clauses, the steps and the derivation, as far as there are any."""
-    names = _names(row)
+    steps = list(shared.of_row(row))
+    own = [step for step in steps if shared.plain(step) not in common]
+    numbers = {step: str(number) for number, step in enumerate(own, start=1)}
+    names = {step: common.get(shared.plain(step)) or numbers[step] for step in steps}
     inside: list[Block] = []
-    shown = [proof for proof in row.proofs if proof.steps or proof.kernel or proof.bindings]
-    if shown:
+    if shown := [proof for proof in row.proofs if proof.steps or proof.kernel or proof.bindings]:
         head = ("clause", "what it says", "established by", "steps")
-        lines = tuple(_clause(proof, names) for proof in shown)
-        inside.append(Table(head, lines, "Clauses: what the verdict stands on"))
-    if names:
-        lines = tuple(_step(step, names) for step in reversed(names))
         inside.append(
-            Table(("step", "kind", "checked statement", "result"), lines, "Steps, each above those it rests on")
+            Table(head, tuple(_clause(proof, names) for proof in shown), "Clauses: what the verdict stands on")
+        )
+    if own:
+        lines = (
+            (names[one], *shared.cells(one, (names[below] for below in one.rests_on if below in names)))
+            for one in reversed(own)
+        )
+        inside.append(Table(shared.HEAD[:-1], tuple(lines), "Steps, each above those it rests on"))
+    if elsewhere := [f"`{names[step]}`" for step in steps if step not in numbers]:
+        inside.append(
+            Paragraph(
+                f"{', '.join(dict.fromkeys(elsewhere))}.", "Steps that several rows use, and theorems of the kernel"
+            )
         )
     if row.finding.derivation:
-        inside += [Paragraph("Derivation:"), Numbered(row.finding.derivation)]
+        inside += [Paragraph("Derivation:"), Points(row.finding.derivation, numbered=True)]
     if inside:
-        what = "1 step" if len(names) == 1 else f"{len(names)} steps"
+        what = "1 step" if len(steps) == 1 else f"{len(steps)} steps"
         derivation = ", with the derivation" if row.finding.derivation else ""
-        yield Folded(f"All {what}{derivation}" if names else "Derivation", tuple(inside))
-
-
-def _names(row: Row) -> dict[Evidence, str]:
-    """Return the name of each step: its theorem's, or a number; first those that others rest on."""
-    found = numbered(row.claim.id, row.proofs)
-    own = {step: name for step, name in found.items() if "/" not in name}
-    rest = [step for step in closure((*found, *row.finding.evidence)) if step.statement != row.finding.reason]
-    unnamed = [step for step in rest if step not in own]
-    numbers = {step: str(index) for index, step in enumerate(unnamed, start=1)}
-    return {step: own.get(step) or numbers[step] for step in rest}
+        yield Folded(f"All {what}{derivation}" if steps else "Derivation", tuple(inside))
 
 
 def _clause(proof: Proof, names: Mapping[Evidence, str]) -> tuple[str, ...]:
@@ -141,7 +164,8 @@ def _clause(proof: Proof, names: Mapping[Evidence, str]) -> tuple[str, ...]:
     status = "" if proof.kernel_status in (None, PROVED) else f", kernel {proof.kernel_status}"
     direct = [names[step] for step in (*proof.kernel, *proof.steps, *proof.bindings) if step in names]
     below = [names[step] for step in _reasoned(proof, names) if step in names]
-    return proof.clause.id, proof.clause.shown, f"{by}{status}", ", ".join(dict.fromkeys([*direct, *below])) or "–"
+    steps = ", ".join(f"`{name}`" for name in dict.fromkeys([*direct, *below]))
+    return proof.clause.id, proof.clause.shown, f"{by}{status}", steps or "–"
 
 
 def _reasoned(proof: Proof, names: Mapping[Evidence, str]) -> Iterator[Evidence]:
@@ -149,22 +173,3 @@ def _reasoned(proof: Proof, names: Mapping[Evidence, str]) -> Iterator[Evidence]
     for step in proof.steps:
         if step not in names:
             yield from step.rests_on
-
-
-def _step(step: Evidence, names: Mapping[Evidence, str]) -> tuple[str, ...]:
-    about = "" if step.about is Subject.CLAIM else f"{step.about.value.capitalize()}: "
-    beside = "Beside the proof. " if step.supports else ""
-    remarks = [f"Given {', '.join(step.assumptions)}"] if step.assumptions and step.engine != "Coq" else []
-    remarks += [f"Rests on {', '.join(_listed(step.rests_on, names))}"] if step.rests_on else []
-    remarks += [f"Cites {'; '.join(step.cites)}"] if step.cites else []
-    cases = f"{step.cases} cases" if step.cases != 1 else ""
-    return (
-        names[step],
-        f"{step.kind.value}\n{step.engine}",
-        "\n".join([f"{beside}{about}{step.statement}", *remarks]),
-        "\n".join(filter(None, [OUTCOMES[step.passed], cases, step.value])),
-    )
-
-
-def _listed(steps: Sequence[Evidence], names: Mapping[Evidence, str]) -> Iterator[str]:
-    return (names[step] for step in steps if step in names)

@@ -22,8 +22,8 @@ from paper_checks.drawing.captions import caption
 from paper_checks.drawing.jumping_force import jumping_force
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.engines.enclosure import rounded
-from paper_checks.ledger import claim_named
-from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
+from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Section, Table
+from paper_checks.report.content.phrases import formula
 from theory.forced import breaking_damping
 from theory.forced_response import harmonic_amplitude, multiple, resonant_amplitude
 from theory.symbols import b, m1, m2, v1
@@ -37,7 +37,7 @@ SPEED = sp.Rational("0.03")
 
 def section() -> Section:
     """Return the whole chapter."""
-    parts = (_model, _regimes, _resonance, _tracking, _transfer, _ring, _drift, _jump, _damping, _open)
+    parts = (_model, _regimes, _resonance, _tracking, _transfer, _ring, _drift, _jump, _damping)
     return Section(ID, TITLE, tuple(block for part in parts for block in part()))
 
 
@@ -73,9 +73,8 @@ def _picture(name: str) -> Picture:
 
 
 def _formula(row: str, clause: str, name: str) -> str:
-    """Return a formula of a row, displayed: what stands there is what is checked."""
-    found = next(one for one in claim_named(row).clauses if one.id == clause)
-    return f"$${found.formulas[name].latex}$$"
+    """Return a formula of a row, displayed."""
+    return f"$${formula(row, clause, name)}$$"
 
 
 def _of(pair: Pair) -> dict[sp.Symbol, sp.Rational]:
@@ -220,15 +219,3 @@ def _damping() -> Iterator[Block]:
         f"(`damping-can-desynchronise`): at {float(SPEED):g} m/s by more than {_digits(edge)} N s/m. Without a damper it would have stuck for ever."
         + _formula("damping-can-desynchronise", "breaks", "strong")
     )
-
-
-def _open() -> Iterator[Block]:
-    yield Heading("What is open")
-    rows = (
-        "forced-resonance-bound",
-        "entrainment-threshold",
-        "minimum-transfer-time",
-        "damping-for-tracking",
-        "varying-interface",
-    )
-    yield Points(tuple(f"{text} (`{name}`)" for name in rows for text in claim_named(name).open))

@@ -4,26 +4,22 @@ from __future__ import annotations
 
 import colorsys
 import re
-from collections.abc import Iterable
 
 _HEX = re.compile(r"#([0-9a-fA-F]{6})\b")
-_PAGE = {"ffffff": "var(--paper)", "000000": "var(--ink)"}
-"""White and black are the page's own."""
+_PAGE = {"ffffff": "#fdfcf9", "000000": "#1b1b1a"}
+"""White and black are those of the page."""
 _INK, _PAPER = 0.90, 0.10
 """Lightness of what is black and of what is white on a light page, on a dark one (HLS, dimensionless)."""
 
 
 def themed(svg: str) -> str:
-    """Return the SVG with each colour as `var(--c-rrggbb)`; what has no colour of its own is black, and turns too."""
-    return _HEX.sub(lambda match: f"var(--c-{match[1].lower()})", svg)
-
-
-def rules(svgs: Iterable[str]) -> str:
-    """Return the CSS that gives every colour in these SVGs (as drawn, not yet themed) its two values."""
-    found = sorted({match[1].lower() for svg in svgs for match in _HEX.finditer(svg)})
-    light = "".join(f" --c-{one}: {_PAGE.get(one, '#' + one)};" for one in found)
-    dark = "".join(f" --c-{one}: {dark_of(one)};" for one in found if one not in _PAGE)
-    return f":root {{{light} }}\n@media screen and (prefers-color-scheme: dark) {{ :root {{{dark} }} }}\n"
+    """Return the SVG with each colour as `var(--c-rrggbb)`, and a style that gives it its two values."""
+    found = sorted({match[1].lower() for match in _HEX.finditer(svg)} | {"000000"})
+    light = "".join(f"--c-{one}:{_PAGE.get(one, '#' + one)};" for one in found)
+    dark = "".join(f"--c-{one}:{dark_of(one)};" for one in found)
+    rules = f"svg{{{light}fill:var(--c-000000)}}@media screen and (prefers-color-scheme: dark){{svg{{{dark}}}}}"
+    whole = _HEX.sub(lambda match: f"var(--c-{match[1].lower()})", svg)
+    return re.sub(r"(<svg\b[^>]*>)", rf"\1<style>{rules}</style>", whole, count=1)
 
 
 def dark_of(colour: str) -> str:

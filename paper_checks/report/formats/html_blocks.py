@@ -1,32 +1,47 @@
-"""Blocks as HTML."""
+"""Blocks as HTML, on one page of several."""
 
 from __future__ import annotations
 
-import math
+import posixpath
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 
-from paper_checks.report.content import blocks, notation
-from paper_checks.report.formats.colours import themed
-from paper_checks.report.formats.html_graph import graph
+from paper_checks.report.content import blocks
 from paper_checks.report.formats.writer import Writer
 from paper_checks.report.mathematics import prose
 
+FRONT = "report.html"
+BROAD = 500
+"""Pixels from which on a figure takes two places of a row of cards."""
+_WORD = re.compile(r"[A-Z]\w*\.[\w']+")
+
 
 class HtmlWriter(Writer):
-    """Writes blocks as HTML. `figures` maps names to SVG texts; `anchors` are the ids that code in a text links to."""
+    """Writes blocks as HTML. `figures` maps names to SVG texts, `homes` each anchor to the file of its page; `page` is this one's."""
+
+    def __init__(self, figures: Mapping[str, str], homes: Mapping[str, str], page: str = FRONT) -> None:
+        """Take the figures, where each anchor is, and the page that is written."""
+        super().__init__(figures, homes)
+        self._homes, self._page = homes, page
+
+    def path(self, file: str) -> str:
+        """Return the path to a file of the report from this page."""
+        return posixpath.relpath(file, posixpath.dirname(self._page) or ".")
+
+    def link(self, anchor: str) -> str:
+        """Return what a link to an anchor says."""
+        home = self._homes[anchor]
+        if home == self._page:
+            return f"#{anchor}"
+        return self.path(home) + ("" if posixpath.splitext(posixpath.basename(home))[0] == anchor else f"#{anchor}")
 
     def section(self, section: blocks.Section) -> str:
         """Return a section with its heading."""
         return (
             f'<section aria-labelledby="{section.id}">\n<h2 id="{section.id}">{self.text(section.title)}</h2>\n'
-            f"{self.body(section.blocks, section.id)}\n</section>"
+            f"{self.body(section.blocks)}\n</section>"
         )
-
-    def body(self, some: Sequence[blocks.Block], prefix: str) -> str:
-        """Return blocks one below the other; `prefix` makes the ids of their figures the page's own."""
-        return "\n".join(self._block(block, prefix) for block in some)
 
     def _prose(self, text: str) -> str:
         return prose.html(text)
@@ -34,51 +49,46 @@ class HtmlWriter(Writer):
     def _code(self, code: str) -> str:
         shown = f"<code>{_breakable(code)}</code>"
         target = self._target(code)
-        return f'<a href="#{target}">{shown}</a>' if target else shown
+        return f'<a href="{self.link(target)}">{shown}</a>' if target else shown
 
-    def _block(self, block: blocks.Block, prefix: str) -> str:  # noqa: PLR0911  one return for each kind of block
-        match block:
-            case blocks.Heading(text, anchor):
-                return f"<h3{f' id={chr(34)}{anchor}{chr(34)}' if anchor else ''}>{self.text(text)}</h3>"
-            case blocks.Paragraph(text):
-                return f"<p>{self.text(text)}</p>"
-            case blocks.Labelled(label, text, marked):
-                mark = ' class="decisive"' if marked else ""
-                return f"<p{mark}><strong>{escape(label)}.</strong> {self.text(text)}</p>"
-            case blocks.Points(items):
-                return f"<ul>\n{self._items(items)}\n</ul>"
-            case blocks.Numbered(items):
-                return f"<ol>\n{self._items(items)}\n</ol>"
-            case blocks.Command(text):
-                return f"<pre><code>{escape(text)}</code></pre>"
-            case blocks.Symbols(ids):
-                return f'<p class="symbols"><strong>Symbols.</strong> {", ".join(map(_symbol, ids))}</p>'
-            case blocks.Folded(title, inside):
-                return (
-                    f'<details class="folded"><summary>{self.text(title)}</summary>\n'
-                    f"{self.body(inside, prefix)}\n</details>"
-                )
-            case blocks.Table():
-                return self._table(block)
-            case blocks.Picture():
-                return self._picture(block, prefix)
-            case blocks.Result():
-                return self._result(block, prefix)
-            case blocks.Graph():
-                return graph(block, self._anchors, self.text)
+    def _heading(self, text: str, anchor: str) -> str:
+        mark = f' id="{anchor}"' if anchor else ""
+        level = 3 if self._page == FRONT else 2  # below the heading of its section, or of its page
+        return f"<h{level}{mark}>{self.text(text)}</h{level}>"
 
-    def _items(self, items: Iterable[str]) -> str:
-        return "\n".join(f"<li>{self.text(item)}</li>" for item in items)
+    def _paragraph(self, block: blocks.Paragraph) -> str:
+        label = f"<strong>{escape(block.label)}.</strong> " if block.label else ""
+        mark = ' class="decisive"' if block.marked else ""
+        return f"<p{mark}>{label}{self.text(block.text)}</p>"
+
+    def _points(self, items: Sequence[str], numbered: bool) -> str:
+        tag = "ol" if numbered else "ul"
+        lines = "".join(f"<li>{item}</li>\n" for item in items)
+        return f"<{tag}>\n{lines}</{tag}>"
+
+    def _lines(self, text: str) -> str:
+        linked = _WORD.sub(lambda match: self._named(match[0]), escape(text, quote=False))
+        return f'<pre class="wide"><code>{linked}</code></pre>'
+
+    def _named(self, word: str) -> str:
+        target = self._target(word)
+        return f'<a href="{self.link(target)}">{word}</a>' if target else word
+
+    def _markup(self, html: str) -> str:
+        return html
+
+    def _folded(self, title: str, inside: str) -> str:
+        return f'<details class="folded"><summary>{self.text(title)}</summary>\n{inside}\n</details>'
 
     def _table(self, table: blocks.Table) -> str:
         titles = "".join(f'<th scope="col">{self.text(text)}</th>' for text in table.head)
         ids = table.ids or ("",) * len(table.rows)
         lines = "\n".join(self._line(table.head, row, anchor) for row, anchor in zip(table.rows, ids, strict=True))
-        name = escape(prose.plain(table.caption).replace("`", ""))
+        name = escape(prose.plain(table.caption or table.head[0]).replace("`", ""))
+        caption = f"<caption>{self.text(table.caption)}</caption>\n" if table.caption else ""
         return (
-            f'<div class="wide" role="group" aria-label="{name}"><table>\n'
-            f"<caption>{self.text(table.caption)}</caption>\n<thead><tr>{titles}</tr></thead>\n<tbody>\n{lines}\n</tbody>\n"
-            "</table></div>"
+            f'<div class="wide" role="group" aria-label="{name}"><table>\n{caption}'
+            f"<thead><tr>{titles}</tr></thead>\n<tbody>\n{lines}\n</tbody>\n</table></div>"
         )
 
     def _line(self, head: Sequence[str], row: Sequence[str], anchor: str) -> str:
@@ -87,56 +97,46 @@ class HtmlWriter(Writer):
             f'<td data-name="{name}">{self._cell(cell)}</td>' for name, cell in zip(names[1:], row[1:], strict=True)
         )
         mark = f' id="{anchor}"' if anchor else ""
-        name = f' data-name="{names[0]}"' if names[0] else ""
-        return f'<tr{mark}><th scope="row"{name}>{self._cell(row[0])}</th>{cells}</tr>'
+        return f'<tr{mark}><th scope="row">{self._cell(row[0])}</th>{cells}</tr>'
 
     def _cell(self, text: str) -> str:
         first, *remarks = text.split("\n")
         return self.text(first) + "".join(f"<br><small>{self.text(remark)}</small>" for remark in remarks if remark)
 
-    def _picture(self, picture: blocks.Picture, prefix: str) -> str:
+    def _picture(self, picture: blocks.Picture) -> str:
         if picture.name not in self._figures:
             return f"<p>The figure {escape(picture.name)} was not drawn.</p>"
+        wide, high = self._size(picture)
+        name = escape(prose.plain(picture.title or picture.name))
         title = f"<strong>{self.text(picture.title)}.</strong> " if picture.title else ""
-        said = prose.plain(f"{picture.title}. {picture.caption}" if picture.title else picture.caption)
-        name = escape(said.replace("`", ""))
-        drawing = element(self._figures[picture.name], f"{prefix}--{picture.name}", name)
+        # with a point as a pixel letters can be read: never smaller on a screen
         return (
-            f'<figure><div class="wide" role="group" aria-label="{name}">{drawing}</div>\n'
+            f'<figure><div class="wide" role="group" aria-label="{name}"><img src="{self.path(figure_file(picture.name))}" alt="{name}" '
+            f'width="{wide}" height="{high}" style="--least: {wide}px" loading="lazy"></div>\n'
             f"<figcaption>{title}{self.text(picture.caption)}</figcaption></figure>"
         )
 
-    def _result(self, result: blocks.Result, prefix: str) -> str:
-        return (
-            f'<article class="result"><h3>{self.text(result.title)}</h3>\n<div class="told">'
-            f"<p><strong>The paper says</strong> ({self.text(result.where)}): {self.text(result.says)}</p>\n"
-            f"<p><strong>What is true:</strong> {self.text(result.truth)}</p>\n"
-            f'<p class="number"><b>{self.text(result.number)}</b> {self.text(result.what)} '
-            f"{self.text(f'(row `{result.row}`)')}</p></div>\n{self._picture(result.picture, prefix)}</article>"
+    def _size(self, picture: blocks.Picture) -> tuple[int, int]:
+        """Return width and height of a figure, a point as a pixel; nothing of one that was not drawn."""
+        found = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)', self._figures.get(picture.name, ""))
+        return (round(float(found[1])), round(float(found[2]))) if found else (0, 0)
+
+    def _breadth(self, picture: blocks.Picture) -> str:
+        return ' class="broad"' if self._size(picture)[0] > BROAD else ""
+
+    def _cards(self, cards: Sequence[tuple[str, str, blocks.Picture]]) -> str:
+        each = (
+            f"<article{self._breadth(one)}>{title}<p>{text}</p>\n{self._picture(one)}</article>\n"
+            for title, text, one in cards
         )
+        return f'<div class="cards">\n{"".join(each)}</div>'
 
 
-def _symbol(name: str) -> str:
-    symbol = notation.SYMBOLS[name]
-    meaning = escape(prose.plain(symbol.meaning))
-    return f'<a href="#{notation.anchor(name)}" title="{meaning}">{prose.html(f"${symbol.latex}$")}</a>'
+def figure_file(name: str) -> str:
+    """Return the file of a figure in the folder of the report."""
+    return f"pages/{name}.svg"
 
 
 def _breakable(code: str) -> str:
     """Return code that may be broken at its hyphens, where it is one word."""
     return escape(code) if " " in code else escape(code).replace("-", "-<wbr>")
-
-
-def element(svg: str, prefix: str, name: str) -> str:
-    """Return the svg element alone, told to screen readers, in the page's colours, `prefix` before each of its ids.
-
-    `--least` and `--high` are its size with a point as a pixel: smaller, its letters cannot be read on a screen.
-    """
-    found = svg[svg.index("<svg") :].strip()
-    found = re.sub(r'\bid="', f'id="{prefix}--', found)
-    found = re.sub(r'href="#', f'href="#{prefix}--', found)
-    found = re.sub(r"url\(#", f"url(#{prefix}--", found)
-    size = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)', found)
-    wide, high = (math.ceil(float(one)) for one in size.groups()) if size else (0, 0)
-    least = f' style="--least: {wide}px; --high: {high}px"' if size else ""
-    return themed(found).replace("<svg", f'<svg role="img" aria-label="{name}"{least}', 1)

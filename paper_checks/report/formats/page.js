@@ -1,37 +1,96 @@
-const claims = [...document.querySelectorAll(".claims > tbody")];
-const filters = ["section", "verdict", "step", "open"].map((name) => [name, document.getElementById(`filter-${name}`)]);
-const behind = (claim) => claim.querySelector("details");
+"use strict";
+/* What is wider than its place can be reached and scrolled by keyboard; what fits is no stop on the way. */
+let planned = false;
+function markScrollable() {
+  planned = false;
+  const all = [...document.querySelectorAll(".wide, .long, .display")];
+  const wider = all.map((element) => element.scrollWidth > element.clientWidth + 1);
+  all.forEach((element, index) => {
+    if (wider[index]) element.tabIndex = 0;
+    else element.removeAttribute("tabindex");
+  });
+}
+function planMarking() {
+  if (!planned) { planned = true; setTimeout(markScrollable); } // a frame may be long in coming, where nobody looks
+}
+addEventListener("resize", planMarking);
+addEventListener("load", planMarking);
+document.addEventListener("toggle", planMarking, true);
+document.fonts.ready.then(planMarking);
 
-function filter() {
-  for (const claim of claims) {
-    claim.hidden = filters.some(([name, chosen]) => chosen.value && claim.dataset[name] !== chosen.value);
-  }
-  for (const table of document.querySelectorAll(".claims")) {
-    table.hidden = [...table.tBodies].every((claim) => claim.hidden);
-  }
-  const shown = claims.filter((claim) => !claim.hidden).length;
-  document.getElementById("shown").textContent = `${shown} of ${claims.length} rows`;
+/* A row's page in a frame gives its contents to the first page, which shows them in place: files may not be fetched. */
+const row = document.querySelector("main > article.row");
+if (parent !== self && row) {
+  for (const one of row.querySelectorAll("a")) one.href = one.href;
+  for (const one of row.querySelectorAll("img")) one.src = one.src;
+  parent.postMessage(row.outerHTML, "*");
 }
 
-function openTarget() {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-  if (!target) return;
-  if (target.hidden) { for (const [, chosen] of filters) chosen.value = ""; filter(); }
-  if (claims.includes(target)) behind(target).open = true;
-  for (let around = target; around; around = around.parentElement) {
-    if (around.tagName === "DETAILS") around.open = true;
-  }
-  target.scrollIntoView();
-}
+const form = document.getElementById("filters");
+if (form) {
+  const rows = [...document.querySelectorAll("[data-row]")], search = document.getElementById("search");
+  const filters = ["section", "verdict", "step", "open"].map((name) => [name, document.getElementById(`filter-${name}`)]);
+  const named = new Map(rows.map((row) => [row.dataset.row, row])), behind = new Map();
 
-document.getElementById("filters").hidden = false;
-for (const [, chosen] of filters) chosen.addEventListener("change", filter);
-document.getElementById("open-all").addEventListener("click", () => {
-  const all = claims.filter((claim) => !claim.hidden).map(behind);
-  const open = all.some((details) => !details.open);
-  for (const details of all) details.open = open;
-});
-addEventListener("hashchange", openTarget);
-addEventListener("beforeprint", () => { for (const claim of claims) behind(claim).open = true; });
-filter();
-openTarget();
+  function filter() {
+    const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    let shown = 0;
+    for (const row of rows) {
+      row.hidden = filters.some(([name, chosen]) => chosen.value && row.dataset[name] !== chosen.value)
+        || !words.every((word) => row.dataset.words.includes(word));
+      const below = behind.get(row);
+      if (below) below.hidden = row.hidden || !below.dataset.open;
+      if (!row.hidden) shown += 1;
+    }
+    document.getElementById("shown").textContent = `${shown} of ${rows.length} rows`;
+  }
+
+  function load(row, place) {
+    const frame = Object.assign(document.createElement("iframe"), { hidden: true, title: row.dataset.row });
+    addEventListener("message", function take(event) {
+      if (event.source !== frame.contentWindow) return;
+      removeEventListener("message", take);
+      place.innerHTML = event.data;
+      frame.remove();
+      planMarking();
+    });
+    frame.src = row.querySelector("a").href;
+    place.append("\u2026", frame);
+  }
+
+  function show(row, open) {
+    let below = behind.get(row);
+    if (!below) {
+      below = document.createElement("tr");
+      below.append(Object.assign(document.createElement("td"), { colSpan: 5, className: "behind" }));
+      behind.set(row, below);
+      row.after(below);
+      load(row, below.firstChild);
+    }
+    below.dataset.open = open ? "yes" : "";
+    below.hidden = !open;
+    row.querySelector("a").setAttribute("aria-expanded", String(open));
+  }
+
+  function openTarget() {
+    const row = named.get(decodeURIComponent(location.hash.slice(1)));
+    if (!row) return;
+    if (row.hidden) { search.value = ""; for (const [, chosen] of filters) chosen.value = ""; filter(); }
+    show(row, true);
+    row.scrollIntoView();
+  }
+
+  document.querySelector(".claims").addEventListener("click", (event) => {
+    const row = event.target.closest("[data-row]"), link = event.target.closest("a");
+    if (!row || event.ctrlKey || event.metaKey || event.shiftKey || (link && link !== row.querySelector("a"))) return;
+    event.preventDefault();
+    show(row, !(behind.has(row) && behind.get(row).dataset.open));
+  });
+  form.hidden = false;
+  form.addEventListener("submit", (event) => event.preventDefault());
+  form.addEventListener("input", filter);
+  for (const row of rows) row.querySelector("a").setAttribute("aria-expanded", "false");
+  addEventListener("hashchange", openTarget);
+  filter();
+  openTarget();
+}

@@ -1,1 +1,1 @@
-"""Formulas and the prose about them, for each kind of reader: MathML, typst, LaTeX, Unicode; and the font of the page's."""
+"""Formulas and the prose about them, for each kind of reader: MathML, LaTeX, Unicode; and the font of the page's."""

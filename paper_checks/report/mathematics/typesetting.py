@@ -1,6 +1,6 @@
 """MathML for browsers, set as TeX would: primes, fences, and spaces about functions, in indices and at a stroke.
 
-The tree for the PDF stays as it is: typst sets these by itself.
+For the PDF nothing is done: TeX sets these by itself.
 """
 
 from __future__ import annotations

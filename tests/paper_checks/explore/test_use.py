@@ -31,7 +31,7 @@ def test_every_button_tells_what_becomes_of_its_scene(found):
     assert said["Sticks for ever"].startswith("Sticks for ever")
     assert said["Next to the critical orbit"].startswith("Creeps")
     assert found["pressed"] == 1
-    assert found["proof"] == [True, None, "#critical-mass-ratio"]
+    assert found["proof"] == [True, None, "critical-mass-ratio.html"]
 
 
 def test_the_scene_that_it_writes_is_the_one_that_it_shows(found, tmp_path):

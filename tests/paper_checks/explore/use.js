@@ -17,7 +17,7 @@ found.pressed = all("[aria-pressed=true]").length;
 
 all("[data-scene]")[1].click();
 found.proof = [by("regime").textContent.endsWith("See row critical-mass-ratio."), by("regime").querySelector("a")];
-document.body.append(Object.assign(document.createElement("div"), { id: "critical-mass-ratio" }));
+inertialPair.beside.push("critical-mass-ratio");
 all("[data-scene]")[1].click();
 found.proof.push(by("regime").querySelector("a").getAttribute("href"));
 all("[data-scene]")[0].click();

@@ -64,18 +64,16 @@ def test_a_figure_that_fails_is_told_once_and_not_kept(tmp_path):
 
 
 def test_a_name_knows_rows_form_and_options_and_not_how_long_it_took(rows):
-    first = name_of(rows, "html", (False, False))
+    first = name_of(rows, "html", (False,))
     others = [
-        name_of(rows[:-1], "html", (False, False)),
-        name_of(rows[::-1], "html", (False, False)),
-        name_of(rows, "pdf", (False, False)),
-        name_of(rows, "html", (True, False)),
-        name_of(
-            [replace(rows[0], finding=replace(rows[0].finding, reason="Another.")), *rows[1:]], "html", (False, False)
-        ),
+        name_of(rows[:-1], "html", (False,)),
+        name_of(rows[::-1], "html", (False,)),
+        name_of(rows, "pdf", (False,)),
+        name_of(rows, "html", (True,)),
+        name_of([replace(rows[0], finding=replace(rows[0].finding, reason="Another.")), *rows[1:]], "html", (False,)),
     ]
     assert len({first, *others}) == 6
-    assert name_of([replace(row, seconds=row.seconds + 1) for row in rows], "html", (False, False)) == first
+    assert name_of([replace(row, seconds=row.seconds + 1) for row in rows], "html", (False,)) == first
 
 
 def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch):
@@ -112,13 +110,11 @@ def test_a_damaged_form_is_not_read(tmp_path, place):
 
 
 def reported(rows, out, *, fresh=False, program=True, form=("html",)):
-    options = argparse.Namespace(
-        trade=None, format=form, program=program, summary=False, steps=False, fresh=fresh, out=out, jobs=1
-    )
+    options = argparse.Namespace(trade=None, format=form, program=program, steps=False, fresh=fresh, out=out, jobs=1)
     complaints = []
     code = command_line.report(options, rows, lambda claims: rows, complaints.append)
     assert complaints == []
-    return code, {path.name: path.read_bytes() for path in Path(out).iterdir()}
+    return code, {path.name: path.read_bytes() for path in Path(out).rglob("*.*")}
 
 
 @pytest.mark.usefixtures("cache")

@@ -1,5 +1,6 @@
-"""The page is valid, self-contained, anchored, escaped, and the same on every run."""
+"""The pages are valid, whole without a network, anchored, escaped, light, and the same on every run."""
 
+import posixpath
 import re
 from dataclasses import replace
 from html import unescape
@@ -9,7 +10,7 @@ import pytest
 
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.report.content import notation
-from paper_checks.report.content.document import document, summary
+from paper_checks.report.content.document import document
 from paper_checks.report.content.phrases import place
 from paper_checks.report.formats import html, vector
 from paper_checks.report.output.files import write
@@ -22,21 +23,21 @@ class Page(HTMLParser):
 
     def __init__(self, text):
         super().__init__()
-        self.open, self.ids, self.links, self.attributes = [], [], [], []
-        self.elements, self.images, self.regions = [], [], []
+        self.open, self.ids, self.links, self.loaded, self.elements = [], [], [], [], []
+        self.images, self.regions = [], []
         self.feed(text)
         self.close()
         assert self.open == []
 
     def handle_starttag(self, tag, attrs):
         self.elements.append(tag)
-        self.attributes += attrs
         found = dict(attrs)
         self.ids += [found["id"]] if "id" in found else []
-        self.links += [value for name, value in attrs if name in ("href", "src", "xlink:href", "action", "data")]
-        if found.get("role") == "img":
-            self.images.append(found.get("aria-label"))
-        if found.get("class") == "wide":
+        self.links += [found["href"]] if tag == "a" else []
+        self.loaded += [value for name, value in attrs if name in ("src", "data") or (tag == "link" and name == "href")]
+        if tag == "img" or found.get("role") == "img":
+            self.images.append(found.get("alt") or found.get("aria-label"))
+        if found.get("class") == "wide" and tag == "div":
             self.regions.append((found.get("role"), found.get("aria-label")))
         if tag not in VOID:
             self.open.append(tag)
@@ -51,132 +52,153 @@ class Page(HTMLParser):
 
 
 @pytest.fixture(scope="module")
-def text(rows, figures):
+def files(rows, figures):
     return html.render(document(rows), {name: vector.svg(draw()) for name, draw in figures.items()})
 
 
 @pytest.fixture(scope="module")
-def page(text):
-    return Page(text)
+def pages(files):
+    return {name: Page(text) for name, text in files.items() if name.endswith(".html")}
 
 
-def behind(text, name):
-    """What stands behind a row."""
-    row = text[text.index(f'<tbody id="{name}"') :]
-    return row[: row.index("</tbody>")]
+@pytest.fixture(scope="module")
+def front(files):
+    return files[html.FRONT]
 
 
-def test_ids_are_unique_and_every_claim_has_its_anchor(page, rows):
-    assert len(page.ids) == len(set(page.ids))
-    assert {row.claim.id for row in rows} <= set(page.ids)
+def behind(files, name):
+    """The page of a row."""
+    return files[f"pages/{name}.html"]
 
 
-def test_nothing_is_loaded_and_every_link_has_its_target(page, text):
-    assert all(link.startswith("#") for link in page.links)
-    assert {link[1:] for link in page.links} <= set(page.ids)
-    assert "@import" not in text
-    assert all(target.startswith(("#", "data:font/woff;base64,")) for target in re.findall(r"url\(([^)]*)", text))
-    assert page.elements.count("script") == 2  # of the rows, and of what a reader plays with
+def test_the_first_page_is_the_last_file_and_every_row_has_a_page_and_a_line(files, rows):
+    assert list(files)[-1] == html.FRONT
+    for row in rows:
+        assert f'data-row="{row.claim.id}"' in files[html.FRONT]
+        assert f'<article class="row {row.finding.verdict.value}">' in behind(files, row.claim.id)
 
 
-def test_every_reference_inside_a_figure_has_its_target(page, text):
-    assert set(re.findall(r"url\(#([^)]+)\)", text)) <= set(page.ids)
+def test_ids_are_unique_and_every_link_and_file_has_its_target(files, pages):
+    for name, page in pages.items():
+        assert len(page.ids) == len(set(page.ids)), name
+        folder = posixpath.dirname(name)
+        for link in page.links:
+            file, _, anchor = link.partition("#")
+            target = posixpath.normpath(posixpath.join(folder, file)) if file else name
+            assert target in files, (name, link)
+            assert not anchor or anchor in pages[target].ids, (name, link)
+        assert all(posixpath.normpath(posixpath.join(folder, one)) in files for one in page.loaded)
 
 
-def test_a_reader_without_a_mouse_or_without_eyes_finds_the_way(page, text):
-    assert page.elements.index("a") < page.elements.index("nav") < page.elements.index("main")
-    assert '<a class="skip" href="#main">' in text
-    assert page.images
-    assert all(page.images)
-    assert page.regions
-    assert all(role == "group" and label for role, label in page.regions)
-    assert "#explore" in page.links
+def test_nothing_comes_from_a_network(files):
+    for name, text in files.items():
+        assert not re.search(r'(?:src|href)="(?:https?:)?//|@import|fetch\(|XMLHttp', text), name
+        assert all(one.startswith(("#", "data:font/woff;base64,")) for one in re.findall(r"url\(([^)]*)", text)), name
 
 
-def test_each_row_tells_the_decisive_step_first_and_the_rest_folded(text):
-    row = behind(text, "example-stiction-never-violated")
-    labels = "Decisive step", "Why", "Counterexample", "What is true"
+def test_a_reader_without_a_mouse_or_without_eyes_finds_the_way(pages):
+    for name, page in pages.items():
+        assert all(page.images), name
+        assert all(role == "group" and label for role, label in page.regions), name
+    first = pages[html.FRONT]
+    assert first.elements.index("a") < first.elements.index("nav") < first.elements.index("main")
+    assert first.images
+    assert "#main" in first.links
+    assert html.EXPLORE in first.links
+
+
+def test_each_row_tells_the_statement_the_decisive_step_and_then_the_rest_folded(files):
+    row = behind(files, "example-stiction-never-violated")
+    labels = "The paper says (after eq. (12))", "Decisive step", "Why", "Counterexample", "What is true"
     positions = [row.index(f"<strong>{label}.</strong>") for label in labels]
     assert positions == sorted(positions)
-    decisive = row[row.index('<p class="decisive">') : row.index("</p>")]
+    decisive = row[row.index('<p class="decisive">') : row.index("<strong>Why.</strong>")]
     assert "the slip ends at" in decisive.lower()  # what shows the counterexample, not what failed
-    assert row.index('<details class="folded">') > positions[-1]
+    assert row.rindex('<details class="folded">') > positions[-1]
     assert "python -m paper_checks run example-stiction-never-violated" in row
-    assert "<svg" in row
+    assert 'src="sine.svg"' in row
     assert "<math" in row
 
 
-def test_what_is_not_settled_has_no_decisive_step(text):
-    assert "Decisive step" not in behind(text, "rate-one-over-t")
-    assert "Missing for a proof" in behind(text, "rate-one-over-t")
+def test_what_is_not_settled_has_no_decisive_step(files):
+    assert "Decisive step" not in behind(files, "rate-one-over-t")
+    assert "Missing for a proof" in behind(files, "rate-one-over-t")
+    assert "a proof of" in files["pages/open.html"]
 
 
-def test_symbols_of_a_row_link_to_their_meaning(text):
-    row = behind(text, "stiction-bracket")
-    for name in ("masses", "b", "S0"):
-        assert f'href="#{notation.anchor(name)}"' in row
-    assert f'href="#{notation.anchor("theta")}"' not in row
+def test_symbols_of_a_row_are_told_on_its_page(files):
+    row = behind(files, "stiction-bracket")
+    assert notation.SYMBOLS["b"].meaning.partition("(")[0] in row
+    assert notation.SYMBOLS["d"].meaning.partition(":")[0] not in row
+
+
+def test_a_step_of_several_rows_stands_once(files, rows):
+    first, second = "example-stiction-never-violated", "stiction-bracket"  # both rest on the same two
+    assert "negation unsat in both" in files["pages/shared-steps.html"]
+    for name in (first, second):
+        assert "negation unsat in both" not in behind(files, name)
+        assert 'href="shared-steps.html#step-S' in behind(files, name)
+    alone = html.render(document(rows[2:3]), {})
+    assert "negation unsat in both" in behind(alone, second)
+    assert "pages/shared-steps.html" not in alone
 
 
 def test_ids_that_are_mentioned_are_links(rows):
-    found = document(rows)
-    writer = html.HtmlWriter({}, found.anchors)
-    assert writer.text("see `energy-rate`") == 'see <a href="#energy-rate"><code>energy-<wbr>rate</code></a>'
+    homes = {"energy-rate": "pages/energy-rate.html", "symbol-L": "pages/notation.html"}
+    writer = html.HtmlWriter({}, homes)
+    assert writer.text("see `energy-rate`") == 'see <a href="pages/energy-rate.html"><code>energy-<wbr>rate</code></a>'
     assert writer.text("(see energy-rate)") == f"({writer.text('see `energy-rate`')})"
     assert writer.text("an energy-rate-like, no-such-row") == "an energy-rate-like, no-such-row"
     assert "<a" not in writer.text("see `no-such-row`")
+    inside = html.HtmlWriter({}, homes, "pages/other.html")
+    assert [inside.link(one) for one in homes] == ["energy-rate.html", "notation.html#symbol-L"]
+    assert inside.path(html.FRONT) == "../report.html"
 
 
-def test_the_first_screen_comes_first_and_counts(text):
-    refuted = text[text.index('<h2 id="refuted">') : text.index('<h2 id="rows">')]
-    assert 'href="#example-stiction-never-violated"' in refuted
-    assert 'href="#stiction-bracket"' not in refuted  # corrected, not refuted
-    found = unescape(text[text.index('<h2 id="found">') : text.index('<h2 id="rows">')])
+def test_the_first_page_counts_and_names_what_fails(front):
+    failed = front[front.index('<h2 id="refuted">') : front.index('<h2 id="rows">')]
+    assert 'href="pages/example-stiction-never-violated.html"' in failed
+    assert 'href="pages/stiction-bracket.html"' not in failed  # corrected, not refuted
+    found = unescape(front[: front.index('<h2 id="refuted">')])
     assert "Of the paper's 5 claims 1 holds as written, 1 holds after a correction, 1 is refuted" in found
     assert "1 is undecided and 1 is unchecked" in found
-    assert text.index('<div class="model">') < text.index('<h2 id="found">') < text.index('<table class="claims"')
 
 
-def test_the_summary_has_no_rows_and_names_what_fails(rows):
-    text = html.render(summary(rows), {})
-    assert 'class="claims"' not in text
-    assert all(name in text.replace("<wbr>", "") for name in ("stiction-bracket", "example-stiction-never-violated"))
-    assert "energy-rate" not in text.replace("<wbr>", "")
-    Page(text)
+def test_hostile_texts_are_escaped(files):
+    for text in files.values():
+        assert "<script>alert" not in text
+        assert "<b>100%" not in text
+    assert "&lt;script&gt;alert" in behind(files, "hostile")
 
 
-def test_hostile_texts_are_escaped(text):
-    assert "<script>alert" not in text
-    assert "<b>100%" not in text
-    assert "&lt;script&gt;alert" in text
+def test_what_differs_and_what_was_not_drawn_is_said(files):
+    row = behind(files, "rate-one-over-t")
+    assert "differs from the verdict on record, holds" in row
+    assert "The figure lost was not drawn." in row
 
 
-def test_what_differs_and_what_was_not_drawn_is_said(text):
-    assert "differs from the verdict on record, holds" in text
-    assert "The figure lost was not drawn." in text
-
-
-def test_the_page_has_a_language_and_filters_for_what_occurs(page, text):
-    assert ("lang", "en") in page.attributes
+def test_the_page_has_a_language_a_search_and_filters_for_what_occurs(front):
+    assert '<html lang="en">' in front
+    assert '<input type="search" id="search"' in front
+    assert 'data-words="energy rate ' in front
     for value in ("II", "III", "IV", "V", "refuted", "undecided"):
-        assert f'<option value="{value}">' in text
+        assert f'<option value="{value}">' in front
 
 
-def test_the_filter_by_the_weakest_step_has_the_kinds_that_occur_from_the_strongest_on(text, rows):
-    chosen = re.search(r'<select id="filter-step">(.*?)</select>', text).group(1)
+def test_the_filter_by_the_weakest_step_has_the_kinds_that_occur_from_the_strongest_on(front, rows):
+    chosen = re.search(r'<select id="filter-step">(.*?)</select>', front).group(1)
     kinds = [kind.value for kind in EvidenceKind if any(row.established_by is kind for row in rows)]
     open_ones = ["none"] if any(row.established_by is None for row in rows) else []
     assert re.findall(r'value="(\w[^"]*)"', chosen) == [*kinds, *open_ones]
-    found = sorted(re.findall(r'data-step="(\w+)"', text))
+    found = sorted(re.findall(r'data-step="(\w+)"', front))
     assert found == sorted(row.established_by.value if row.established_by else "none" for row in rows)
 
 
 def test_two_runs_give_the_same_bytes_and_no_date(rows, figures, tmp_path):
-    pytest.importorskip("typst")
     for folder in ("one", "two"):
-        write(tmp_path / folder, ("html", "latex", "pdf"), document(rows), figures, lambda complaint: None)
-    names = sorted(path.name for path in (tmp_path / "one").iterdir())
-    assert names == ["report.html", "report.pdf", "report.tex", "sine.pdf", "two-bodies.pdf"]
+        write(tmp_path / folder, ("html", "latex"), document(rows), figures, lambda complaint: None)
+    names = sorted(path.relative_to(tmp_path / "one") for path in (tmp_path / "one").rglob("*.*"))
+    assert {"report.html", "report.tex", "sine.pdf", "pages/sine.svg"} <= set(map(str, names))
     for name in names:
         content = (tmp_path / "one" / name).read_bytes()
         assert content == (tmp_path / "two" / name).read_bytes()

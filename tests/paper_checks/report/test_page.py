@@ -1,27 +1,25 @@
-"""What the page is made of: its font, its colours in the dark, its graph, its notation, its provenance."""
+"""What the pages are made of: font, dark colours, notation, what stands first, provenance, the kernel's words."""
 
 import re
-from fractions import Fraction
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
-import sympy as sp
 from fontTools.ttLib import TTFont
 
-from numerics.scene.file import load_scene
-from paper_checks.drawing.sharp_rate import limit_of
-from paper_checks.ledger import CLAIMS, source
-from paper_checks.report.content import highlights, notation, opening, trust
-from paper_checks.report.content.blocks import Graph, Table
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.finding import Finding, Verdict
+from paper_checks.ledger import CLAIMS, Kind, claim_named, source
+from paper_checks.proofs.pins import pinned
+from paper_checks.report.content import kernel, notation, opening, trust
+from paper_checks.report.content.blocks import Cards, Code, Heading, Table
 from paper_checks.report.content.document import document
-from paper_checks.report.content.highlights import HIGHLIGHTS
 from paper_checks.report.formats import colours, html
-from paper_checks.report.formats.html_graph import graph
 from paper_checks.report.mathematics import font
 from paper_checks.report.mathematics.mathml import tree
 from paper_checks.report.mathematics.prose import Piece, pieces
-from theory.near_critical import rate_constant
-from theory.symbols import a2, b, m1, m2
+from paper_checks.running.graph import proofs
+from paper_checks.running.runner import Row
 
 
 @pytest.fixture(scope="module")
@@ -54,21 +52,14 @@ def lightness(colour):
 
 
 def test_what_is_dark_on_white_is_light_in_the_dark():
-    svg = '<svg><path style="fill: #1b4f8f; stroke: #F2F2F2"/></svg>'
-    assert colours.themed(svg) == '<svg><path style="fill: var(--c-1b4f8f); stroke: var(--c-f2f2f2)"/></svg>'
-    light, dark = colours.rules([svg]).split("@media")
-    assert "--c-1b4f8f: #1b4f8f;" in light
-    (ink,) = re.findall(r"--c-1b4f8f: (#\w{6});", dark)
-    (panel,) = re.findall(r"--c-f2f2f2: (#\w{6});", dark)
+    svg = '<svg viewBox="0 0 1 1"><path style="fill: #1b4f8f; stroke: #F2F2F2"/></svg>'
+    themed = colours.themed(svg)
+    assert '<path style="fill: var(--c-1b4f8f); stroke: var(--c-f2f2f2)"/>' in themed
+    light, dark = themed.split("@media")
+    assert "--c-1b4f8f:#1b4f8f;" in light
+    (ink,) = re.findall(r"--c-1b4f8f:(#\w{6});", dark)
+    (panel,) = re.findall(r"--c-f2f2f2:(#\w{6});", dark)
     assert lightness(ink) > 300 > lightness(panel)
-
-
-def test_a_graph_links_what_the_page_has_and_draws_what_rests_on_it(rows):
-    (drawn,) = [block for block in trust.graph(rows).blocks if isinstance(block, Graph)]
-    text = graph(drawn, {"energy-rate"}, str)
-    assert '<a href="#energy-rate">' in text
-    assert '<a href="#hostile">' not in text
-    assert ">hostile</text>" in text
 
 
 def test_every_symbol_has_an_anchor_and_is_found_where_it_is_used():
@@ -87,28 +78,85 @@ def test_the_counts_are_those_of_the_rows(rows):
 
 
 def test_results_are_shown_only_with_the_verdict_on_record(rows):
-    assert opening.section(rows).pictures == []  # none of the three rows is among these
+    assert not [block for one in opening.front(rows) for block in one.blocks if isinstance(block, Cards)]
 
 
-@pytest.mark.parametrize("name", HIGHLIGHTS)
-def test_the_numbers_of_the_first_screen_are_computed(name):
-    result = HIGHLIGHTS[name]()
-    expected = {
-        "start-at-6mm-sticks": ("0.6 N", "at most 0.5 N"),
-        "synchronisation-time": ("2.31 mm/s", "1.5 % of the initial speed"),
-        "sharp-rate-constant": ("0.3491 mJ s", "$10^{100}$ s"),
-    }[name]
-    assert result.number == expected[0]
-    assert expected[1] in result.what
-    assert result.row == name
+def settled(name):
+    """A row that holds as recorded."""
+    claim, step = claim_named(name), Evidence(EvidenceKind.EXACT, "sympy", "$1=1$", True)
+    if claim.recorded is Verdict.HOLDS:
+        return Row(claim, Finding(claim.recorded, "So it is. And more.", (step,)))
+    both = step.as_counterexample(), step.as_correction()
+    return Row(claim, Finding(claim.recorded, "It is not so. And more.", both, "It is so.", "$1\\neq 0$."))
+
+
+def test_the_numbers_of_the_first_page_are_computed():
+    failed = {"synchronisation-time": "2.31 mm/s", "start-at-6mm-sticks": "takes 0.6 N; friction gives at most 0.5 N"}
+    (section,) = [one for one in opening.front([*map(settled, failed)]) if one.id == "refuted"]
+    (cards,) = [block for block in section.blocks if isinstance(block, Cards)]
+    assert all(number in text for number, (_, text, _) in zip(failed.values(), cards.items, strict=True))
+    assert "0.79263" not in Path(opening.__file__).read_text(encoding="utf-8")
+    (section,) = [one for one in opening.front([*map(settled, opening.NEW)]) if one.id == "results"]
+    told = " ".join(text for block in section.blocks if isinstance(block, Cards) for _, text, _ in block.items)
+    assert "0.79263" in told
+    assert "E_{cr} m_{1}" in told
+    assert "«" not in told
+
+
+def test_who_asks_for_the_law_reads_that_it_is_without_damper_and_force():
+    (section,) = [one for one in opening.front([settled("sharp-rate-constant")]) if one.id == "questions"]
+    (table,) = section.blocks
+    told = dict(table.rows)
+    assert "`sharp-law`" in told["Which theorem carries the 1/t law, and what does it assume?"]
+    assert "$a_1=0$" in told["Which theorem carries the 1/t law, and what does it assume?"]
+    assert "is not known" in told["Does the paper's version on arXiv say the same?"]
+
+
+@pytest.mark.parametrize("claim", [one for one in CLAIMS if one.kind is Kind.THEOREM], ids=lambda claim: claim.id)
+def test_a_theorem_is_said_to_be_without_a_damper_where_the_kernel_has_none(claim):
+    """What a theorem of the free pair assumes is read off from its statements: 0 in the damper's place."""
+    statements = [pinned().theorems[name].statement for one in claim.clauses for name in one.kernel]
+    zeros = [dict(kernel.zeros(text)) for text in statements if "Pair.solution" in text]
+    if "a_1=0" in opening.hypotheses(claim.id):
+        assert all(one == {"Pair.solution": "a_1"} for one in zeros)
+        assert not any("Forced.forced" in text for text in statements)
+    else:
+        assert any("u" in str(one.shown) for one in claim.clauses)
+
+
+def test_every_name_of_a_statement_is_defined_and_linked():
+    row = settled("sharp-rate-constant")
+    row = replace(row, proofs=proofs(row.claim, row.finding))
+    pages = html.render(document([row]), {})
+    text = pages["pages/kernel.html"]
+    section = kernel.section([row])
+    names = {block.id for block in section.blocks if isinstance(block, Heading)}
+    assert {"theorem-sharp-law", "theorem-filippov-iff", "definition-Pair.solution", "definition-Stick.Ecr"} <= names
+    named = re.findall(r"\b([A-Z]\w*\.\w+)\b", pinned().theorems["sharp-law"].statement)
+    assert named
+    assert all(f'<a href="#definition-{name}">{name}</a>' in text for name in named)
+    assert "assumes" in text
+    assert Code(pinned().theorems["sharp-law"].statement) in section.blocks
+
+
+@pytest.mark.parametrize(
+    ("statement", "found"),
+    [
+        ("Pair.solution m1 m2 0 a2 b x v1 v2 s -> True", [("Pair.solution", "a_1")]),
+        ("Pair.solution m1 m2 a1 a2 b x v1 v2 s -> True", []),
+        ("Forced.forced m1 m2 0 a2 b U x v1 v2 s /\\ Stick.L m1 m2 a2 b < 0", [("Forced.forced", "a_1")]),
+        ("Unknown.name 0 0 -> 0 < m1", []),
+    ],
+)
+def test_a_nought_in_the_place_of_a_letter_is_told(statement, found):
+    assert kernel.zeros(statement) == found
 
 
 def test_the_provenance_says_how_to_install_as_the_readme_does(rows):
     readme = (Path(__file__).parents[3] / "README.md").read_text(encoding="utf-8")
     assert readme.partition("```sh\n")[2].partition("\n```")[0] == trust.INSTALL
-    text = html.render(document(rows), {})
+    text = html.render(document(rows), {})["pages/provenance.html"]
     assert f"{trust.SOFTWARE}, version " in text
-    assert 'installed as <a href="#provenance">' in text
 
 
 def test_a_file_is_the_source_or_it_is_not(tmp_path):
@@ -118,13 +166,3 @@ def test_a_file_is_the_source_or_it_is_not(tmp_path):
     assert re.fullmatch("[0-9a-f]{64}", source.SHA256)
     citation = Path(__file__).parents[3] / "CITATION.cff"
     assert all(text in citation.read_text(encoding="utf-8") for text in (source.SHA256, source.TITLE))
-
-
-def test_the_limit_of_the_first_screen_is_that_of_its_row():
-    assert highlights._rate_in_words() == (
-        r"\frac{4 \pi}{9}\,\frac{m_{1}}{m_{2}}\,\sqrt{\frac{m_1+m_2}{a_{2}}}\,E_{cr}"
-    )
-    pair = load_scene("start-with-speed").pair
-    value = rate_constant().subs({m1: 1, m2: 1, a2: 200, b: sp.Rational(1, 2)})
-    assert (pair.m1, pair.m2, pair.a2, pair.b) == (1, 1, 200, Fraction(1, 2))
-    assert sp.simplify(limit_of(pair) - value) == 0

@@ -8,11 +8,13 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
+from paper_checks.evidence.clause import Clause, Formula
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.ledger import Claim, Kind
 from paper_checks.report.content import opening
 from paper_checks.report.content.document import document
+from paper_checks.report.content.story import displayed
 from paper_checks.report.formats import html, latex
 from paper_checks.report.formats import json as json_report
 from paper_checks.report.formats.terminal import print_rows
@@ -34,30 +36,42 @@ def printed(rows):
     return stream.getvalue()
 
 
-def test_the_page_counts_them_apart_and_filters_them(rows, theorem):
-    text = html.render(document([*rows, theorem]), {})
+def test_the_pages_count_them_apart_filter_them_and_list_them(rows, theorem):
+    files = html.render(document([*rows, theorem]), {})
+    text = files[html.FRONT]
     assert "Past the paper 1 theorem is proved here." in text
-    assert '<th scope="col">The theorem says</th>' in text
     assert '<option value="Theorems">Theorems</option>' in text
     assert '<option value="III">Section III</option>' in text
     assert 'data-section="Theorems"' in text
+    assert "The limit is one." in files["pages/new.html"]
+    page = files["pages/sharp.html"]
+    assert page.index("<strong>Hypotheses.</strong>") < page.index("<strong>Theorem.</strong>")
+
+
+def test_a_long_formula_of_a_theorem_has_its_own_line():
+    long, short = "x+" * 40 + "y", "x"
+    shown = displayed(Clause("one", "Then «far», and «near».", {"far": formula(long), "near": formula(short)}))
+    assert shown == f"Then $${long}=1,$$ and $x=1$."
+
+
+def formula(left):
+    return Formula(left, "=", 1, lambda _: PROVED)
 
 
 def test_the_count_says_how_strong_they_are_and_that_a_part_is_open(rows, theorem):
     row = replace(theorem, proofs=proofs(theorem.claim, theorem.finding))
-    assert (
-        opening.strengths([row])
-        == "The weakest step that a verdict needs is an argument that a person wrote: 1 theorem."
-    )
+    assert {name: numbers for name, *numbers in opening.strengths([row])}[
+        "an argument that a person wrote, over such steps"
+    ] == ["0", "1"]
     decided = [row, *rows]
-    assert sum(map(int, re.findall(r"(\d+) (?:claim|theorem)", opening.strengths(decided)))) == sum(
-        one.established_by is not None for one in decided
-    )
+    counted = sum(int(number) for _, *numbers in opening.strengths(decided) for number in numbers)
+    assert counted == sum(one.established_by is not None for one in decided)
     part = replace(row, claim=replace(row.claim, open=("The other half.",)))
     assert "proved here. 1 row leaves a part open" in opening.counts([part, row])
     assert "2 rows leave a part open" in opening.counts([part, part, row])
     assert "open" not in opening.counts([row])
-    assert opening.strengths([Row(row.claim, Finding(Verdict.UNDECIDED, "Not yet.", missing="a proof"))]) == ""
+    assert opening.still_open([part]).blocks[1].items == ("The other half. (`sharp`)",)
+    assert opening.still_open([row]).blocks == ()
 
 
 def test_every_kind_that_settles_a_row_is_counted_once():
@@ -67,15 +81,15 @@ def test_every_kind_that_settles_a_row_is_counted_once():
 
 def test_one_that_does_not_hold_is_not_counted_as_proved(theorem):
     undecided = Row(theorem.claim, Finding(Verdict.UNDECIDED, "Not yet.", missing="a proof"))
-    text = html.render(document([undecided]), {})
+    text = html.render(document([undecided]), {})[html.FRONT]
     assert "proved here" not in text
     assert "1 more is not settled." in text
 
 
 def test_the_source_of_the_appendix_says_whose_they_are(rows, theorem):
     text = latex.render(document([*rows, theorem]), {})
-    assert r"\textbf{Theorem, past the paper.} $x=1$ for all $q$." in text
-    assert r"\textbf{The paper (eq. (4)).}" in text
+    assert r"\textbf{Theorem.} $x=1$ for all $q$." in text
+    assert r"\textbf{The paper says (eq. (4)).}" in text
 
 
 def test_the_terminal_tells_them_too(rows, theorem):
@@ -101,10 +115,12 @@ def test_programs_see_the_kind_and_the_value(rows, theorem):
 
 def test_a_part_that_is_open_is_told_marked_and_filtered(rows, theorem):
     part = replace(theorem, claim=replace(theorem.claim, open=("Whether $x=2$.",)))
-    text = html.render(document([*rows, part]), {})
-    assert text.count('class="badge open"') == sum(bool(row.open) for row in [*rows, part]) > 0
+    files = html.render(document([*rows, part]), {})
+    text = files[html.FRONT]
+    assert 'class="badge open"' in files["pages/sharp.html"]
+    assert 'class="badge open"' not in files["pages/energy-rate.html"]
     assert '<select id="filter-open">' in text
-    assert re.search(r'<tbody id="sharp"[^>]*data-open="some"', text)
+    assert re.search(r'<tr data-row="sharp"[^>]*data-open="some"', text)
     assert 'data-open="none"' in text
     assert "Open: Whether x=2." in printed([part])
     assert "a part is open in 1: sharp" in printed([part, rows[0]])

@@ -1,0 +1,26 @@
+"""Draw the pictures of README and of these pages: python docs/pictures.py."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib
+from matplotlib.figure import Figure
+
+from numerics import load_scene, solve
+from paper_checks.drawing.model import two_bodies
+
+HERE = Path(__file__).resolve().parent
+matplotlib.rcParams["svg.hashsalt"] = "inertial-pair"  # the same bytes every time
+
+
+def velocities() -> Figure:
+    """Draw both velocities of the paper's Fig. 5 (a), solved by events."""
+    figure = Figure(figsize=(7, 2.6), layout="constrained")
+    solve(load_scene("velocities")).plot("velocities", figure.subplots())
+    return figure
+
+
+if __name__ == "__main__":
+    for name, figure in (("model", two_bodies()), ("velocities", velocities())):
+        figure.savefig(HERE / f"{name}.svg", metadata={"Date": None}, facecolor="white")

@@ -1,0 +1,272 @@
+"""The answer of a scene on a surface, in the words of the line's Trajectory: events, any time, JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+from flint import arb
+from numpy.typing import NDArray
+
+from numerics.arithmetic.ball import EXACT, Ball, digits_within
+from numerics.linear.modes import EventKind
+from numerics.plane.system import SPARE_BITS
+from numerics.scene.plane import PlaneScene
+from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.rendering import ball_text, right_digits_text
+from numerics.trajectory.status import Status
+
+NAMES = ("x1", "v1", "x2", "v2")
+Numbers = tuple[arb, ...]
+
+
+class PlaneState(NamedTuple):
+    """x1, v1, x2, v2, (n,) each: m, m/s; rad, rad/s on the axis phi."""
+
+    x1: Numbers
+    v1: Numbers
+    x2: Numbers
+    v2: Numbers
+
+
+class Working(Ball):
+    """Balls that keep the bits of the path and of its defects."""
+
+    def __init__(self, digits: int, name: str) -> None:
+        """Fix the working digits, and the name under which numbers are given."""
+        super().__init__(digits)
+        self.name, self.bits = name, self.bits + SPARE_BITS
+
+
+@dataclass(frozen=True)
+class PlaneEvent:
+    """A change of mode at t (s): `direction` (n,) of v1 - v2 after it (before a stick), `load` (n,) on the friction, N.
+
+    Modes are "stick" and "slip", of a box a word of + 0 -. `cause`: "guard", or "jump" of the force or of b.
+    """
+
+    t: arb
+    before: str
+    after: str
+    y: PlaneState
+    direction: Numbers
+    load: Numbers
+    cause: str
+
+    @property
+    def kind(self) -> EventKind:
+        """Return whether something sticks from now on, slips from now on, or only reverses."""
+        held = self.after.count("0") - self.before.count("0") + (self.after == "stick") - (self.before == "stick")
+        return EventKind.ENTRY if held > 0 else EventKind.EXIT if held < 0 else EventKind.CROSSING
+
+
+class PlaneTrajectory:
+    """A solved scene on a surface. Numbers are enclosures (balls), or floats with bounds on their errors beside them.
+
+    `t` (m,): start, events, end, or t_eval; `y` (4 n, m): x1, v1, x2, v2 by axes; `sol(t)` (4 n,). With float64
+    `t_error` and `y_error` are proved bounds, which balls have as radii.
+    """
+
+    def __init__(
+        self,
+        scene: PlaneScene,
+        arithmetic: Any,
+        status: Status,
+        events: Sequence[PlaneEvent],
+        modes: Sequence[str],
+        end: tuple[arb, PlaneState],
+        state_at: Callable[[arb], PlaneState],
+        t_eval: Any = None,
+    ) -> None:
+        """Keep what a run found; `state_at` gives the state at a time."""
+        self.scene, self.arithmetic, self.status = scene, arithmetic, status
+        self.events, self.modes, self.end_time, self.final_state = tuple(events), tuple(modes), end[0], end[1]
+        self._state_at, self.t_eval, self.digits, self.tried = state_at, t_eval, 0, ""
+        with self.context():
+            self.digits = min(MOST if self.is_float else EXACT, self._right_digits())
+
+    def context(self) -> Any:
+        """Return the context of the balls."""
+        return self.arithmetic.context()
+
+    @property
+    def is_float(self) -> bool:
+        """Return whether numbers are given as floats."""
+        return bool(self.arithmetic.name == "float64")
+
+    @property
+    def success(self) -> bool:
+        """Return whether the horizon was reached."""
+        return self.status.success
+
+    @property
+    def message(self) -> str:
+        """Return the sentence that says how the solve ended."""
+        return self.status.sentence
+
+    @property
+    def event_kinds(self) -> tuple[EventKind, ...]:
+        """Return the kinds of the events."""
+        return tuple(one.kind for one in self.events)
+
+    @property
+    def final_mode(self) -> str:
+        """Return the mode at the end."""
+        return self.modes[-1]
+
+    @property
+    def event_times(self) -> NDArray[Any]:
+        """Return the times of the events, s."""
+        return self._shown([one.t for one in self.events])
+
+    @property
+    def t(self) -> NDArray[Any]:
+        """Return the times of start, events and end, or t_eval, s."""
+        return self._shown([t for t, _ in self._points()])
+
+    @property
+    def y(self) -> NDArray[Any]:
+        """Return the states at `t`, (4 n, m)."""
+        return np.array([self._shown(_flat(y)) for _, y in self._points()]).T
+
+    @property
+    def t_error(self) -> NDArray[Any]:
+        """Return bounds on the errors of `t`, s."""
+        return np.array([_bound(t) for t, _ in self._points()])
+
+    @property
+    def y_error(self) -> NDArray[Any]:
+        """Return bounds on the errors of `y`."""
+        return np.array([[_bound(x) for x in _flat(y)] for _, y in self._points()]).T
+
+    @property
+    def energy(self) -> NDArray[Any]:
+        """Return the energy at `t`, J."""
+        with self.context():
+            return self._shown([energy_of(self.scene, y) for _, y in self._points()])
+
+    @property
+    def final_energy(self) -> Any:
+        """Return the energy at the end, J."""
+        with self.context():
+            return self._shown([energy_of(self.scene, self.final_state)])[0]
+
+    def sol(self, t: Any) -> NDArray[Any]:
+        """Return x1, v1, x2, v2 at time(s) t (s), exact or enclosed: (4 n,) or (4 n, m). Raises ValueError outside."""
+        if np.ndim(t):
+            return np.array([self.sol(one) for one in t]).T
+        return self._shown(_flat(self._at(t)))
+
+    def _at(self, t: Any) -> PlaneState:
+        with self.context():
+            time = t if isinstance(t, arb) else Ball.number(Fraction(t))
+            if time < 0 or time > self.end_time:
+                raise ValueError(f"t = {time.str(6)} s is outside of the run, [0, {self.end_time.str(6)}] s")
+            return self._state_at(time)
+
+    def _points(self) -> list[tuple[arb, PlaneState]]:
+        if self.t_eval is not None:
+            with self.context():
+                return [(Ball.number(Fraction(t)), self._at(t)) for t in self.t_eval]
+        return [(arb(0), self._at(0)), *((one.t, one.y) for one in self.events), (self.end_time, self.final_state)]
+
+    def _shown(self, numbers: Sequence[arb]) -> NDArray[Any]:
+        return np.array(
+            [float(x.mid()) for x in numbers] if self.is_float else list(numbers),
+            dtype=None if self.is_float else object,
+        )
+
+    def _right_digits(self) -> int:
+        """Return how many digits are right of every time, state and energy; near 0 relative to the run's largest."""
+        states = [*(one.y for one in self.events), self.final_state]
+        found = [digits_within(one.t.rad(), one.t, one.t) for one in self.events]
+        n = self.scene.pair.axes
+        for pair in ((0, 2), (1, 3)):
+            for i in range(n):
+                column = [(y[k][i]) for y in states for k in pair]
+                scale = max((abs(x.mid()) for x in column), key=lambda one: one)
+                for x in column:
+                    size = scale if x.contains(0) else x
+                    found.append(EXACT if x.rad().is_zero() else digits_within(x.rad(), size, size))
+        energy = energy_of(self.scene, self.final_state)
+        return min([*found, digits_within(energy.rad(), energy, energy)])
+
+    def record(self) -> dict[str, Any]:
+        """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
+        with self.context():
+            return {
+                "status": self.status.name.lower().replace("_", "-"),
+                "message": self.message,
+                "arithmetic": self.arithmetic.name,
+                "digits": self.digits,
+                "events": list(self._written_events()),
+                "final": self._written("t", self.end_time)
+                | {"mode": self.final_mode}
+                | self._written_state(self.final_state)
+                | self._written("energy", energy_of(self.scene, self.final_state)),
+            }
+
+    def _written_events(self) -> Iterator[dict[str, Any]]:
+        for one in self.events:
+            row = self._written("t", one.t) | {"from": one.before, "to": one.after}
+            if self.scene.is_forced:
+                row["cause"] = one.cause
+            yield (
+                row
+                | self._written_state(one.y)
+                | self._listed("direction", one.direction)
+                | self._listed("load", one.load)
+            )
+
+    def _written_state(self, y: PlaneState) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for name, values in zip(NAMES, y, strict=True):
+            found |= self._listed(name, values)
+        return found
+
+    def _written(self, name: str, x: arb) -> dict[str, str]:
+        if self.is_float:
+            value = float(x.mid())
+            return {name: right_digits_text(as_fraction(value), abs(x - arb(value)).upper(), 17)}
+        text, radius = ball_text(x, self.digits)
+        return {name: text, f"{name}_radius": radius}
+
+    def _listed(self, name: str, values: Numbers) -> dict[str, list[str]]:
+        rows = [self._written(name, x) for x in values]
+        return {key: [row[key] for row in rows] for key in (rows[0] if rows else {name: ""})}
+
+    def __repr__(self) -> str:
+        """Return a short summary."""
+        return (
+            f"{self.message}; {self.arithmetic.name}, {self.digits} right digits, {len(self.events)} events, "
+            f"t in [0, {self.end_time.str(6, radius=False)}] s, {self.final_mode} at the end"
+        )
+
+
+MOST = 15
+"""Digits that a float shows."""
+
+
+def energy_of(scene: PlaneScene, y: PlaneState) -> arb:
+    """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2, J."""
+    pair, number = scene.pair, Ball.number
+    found = arb(0)
+    for i in range(pair.axes):
+        found += (
+            number(pair.a2[i][i]) * y.x1[i] ** 2 + number(pair.m1[i]) * y.v1[i] ** 2 + number(pair.m2[i]) * y.v2[i] ** 2
+        )
+        for j in range(i):
+            found += 2 * number(pair.a2[i][j]) * y.x1[i] * y.x1[j]
+    return found / 2
+
+
+def _flat(y: PlaneState) -> list[arb]:
+    return [x for part in y for x in part]
+
+
+def _bound(x: arb) -> float:
+    """Return how far the float of x may be off."""
+    return float(abs(x - arb(float(x.mid()))).upper()) * (1 + 1e-15)

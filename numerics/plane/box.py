@@ -1,0 +1,108 @@
+"""A box |f_i| <= b_i without couplings: on every axis a pair of the paper by itself, solved by the line's engines.
+
+The events of all axes make one list, a mode is a word of + 0 -. Two axes with the same data have their events at one
+time, exactly; where others may be at one time the precision is raised.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.errors import EventUndecided, InvalidScene
+from numerics.linear.modes import Mode
+from numerics.plane.answer import PlaneEvent, PlaneState, PlaneTrajectory, Working
+from numerics.plane.coupled import force_at
+from numerics.scene import Friction, Pair, Scene, State
+from numerics.scene.plane import PlaneScene
+from numerics.trajectory.status import Status
+
+LETTERS = {Mode.SLIP_PLUS: "+", Mode.STICK: "0", Mode.SLIP_MINUS: "-"}
+_SPARE = 4
+
+
+def axis_scene(scene: PlaneScene, i: int) -> Scene:
+    """Return the scene of one axis of a box without couplings."""
+    pair = scene.pair
+    return Scene(
+        Pair(pair.m1[i], pair.m2[i], pair.a2[i][i], pair.b[i], pair.a1[i][i]),
+        State(scene.x1[i], scene.v1[i], scene.x2[i], scene.v2[i]),
+        scene.until,
+        force=scene.force[i],
+        friction=Friction((start, b[i]) for start, b in scene.friction),
+    )
+
+
+def independent(
+    scene: PlaneScene, line: Callable[..., Any], working: int, name: str, limits: dict[str, Any]
+) -> PlaneTrajectory:
+    """Return the axes' motions as one. Raises EventUndecided."""
+    parts = [axis_scene(scene, i) for i in range(scene.pair.axes)]
+    asked = {"digits": working - _SPARE, "arithmetic": "ball", **limits}
+    solved = {part: line(part, **asked) for part in {_key(part): part for part in parts}.values()}
+    answers = [next(found for part, found in solved.items() if _key(part) == _key(one)) for one in parts]
+    if not all(one.success for one in answers):
+        raise InvalidScene(f"an axis of the box has more than {limits['max_events']} events; raise the cap max_events")
+    arithmetic = Working(2 * max(one.arithmetic.digits for one in answers), name)
+    with arithmetic.context():
+        return _joined(scene, answers, arithmetic)
+
+
+def _key(part: Scene) -> tuple[Any, ...]:
+    """Return what two axes share that have their events at the same times."""
+    at = part.initial
+    return part.pair, (at.x1, at.v1, at.v2), part.until, part.force, part.friction
+
+
+def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> PlaneTrajectory:
+    """Return the motions of all axes with one list of events."""
+    starts = [one.scene.initial for one in answers]
+    places = [Ball.number(a - b - (y.x1 - y.x2)) for a, b, y in zip(scene.x1, scene.x2, starts, strict=True)]
+
+    def state_at(t: Any) -> PlaneState:
+        y = [one.sol(t) for one in answers]
+        x1, v1, x2, v2 = (tuple(state[k] for state in y) for k in range(4))
+        return PlaneState(x1, v1, tuple(x - by for x, by in zip(x2, places, strict=True)), v2)
+
+    happened = [(event, i) for i, one in enumerate(answers) for event in one.events]
+    happened.sort(key=lambda one: (float(one[0].t.mid()), one[1]))
+    groups: list[list[tuple[Any, int]]] = []
+    for event, i in happened:
+        if groups and groups[-1][-1][0].t.overlaps(event.t):
+            before, k = groups[-1][-1]
+            if answers[k] is not answers[i] and not (event.t.is_exact() and before.t.is_exact()):
+                raise EventUndecided(
+                    "which axis has its event first", str(event.t.str(6)), answers[i].arithmetic.digits
+                )
+            groups[-1].append((event, i))
+        else:
+            groups.append([(event, i)])
+    word = [LETTERS[one.modes[0]] for one in answers]
+    modes, events = ["".join(word)], []
+    for group in groups:
+        t = group[0][0].t
+        for event, i in group:
+            word[i] = LETTERS[event.after]
+        y = state_at(t)
+        slips = max(1, len(word) - word.count("0"))
+        direction = tuple(arb({"+": 1, "0": 0, "-": -1}[one]) / arb(slips).sqrt() for one in word)
+        load = tuple(_load(scene, y, t, i) for i in range(scene.pair.axes))
+        modes.append("".join(word))
+        cause = "jump" if any(event.cause == "jump" for event, _ in group) else "guard"
+        events.append(PlaneEvent(t, modes[-2], modes[-1], y, direction, load, cause))
+    stuck = all(one.status is Status.STUCK_FOR_EVER for one in answers)
+    status = Status.STUCK_FOR_EVER if stuck else Status.REACHED_HORIZON
+    end = Ball.number(scene.until), state_at(scene.until)
+    return PlaneTrajectory(scene, arithmetic, status, events, modes, end, state_at)
+
+
+def _load(scene: PlaneScene, y: PlaneState, t: arb, i: int) -> arb:
+    """Return m2/(m1 + m2) (u - a2 x1 - a1 v1) on one axis, N."""
+    pair, number = scene.pair, Ball.number
+    pull = force_at(scene, t)[i]
+    for j in range(pair.axes):
+        pull -= number(pair.a2[i][j]) * y.x1[j] + number(pair.a1[i][j]) * y.v1[j]
+    return number(pair.m2[i] / (pair.m1[i] + pair.m2[i])) * pull

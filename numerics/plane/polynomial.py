@@ -1,0 +1,126 @@
+"""Polynomials on 0 <= x <= 1 with balls for coefficients: bounds, and the first root."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from flint import arb, arb_poly
+
+_PARTS = 2**-40
+"""Below this width nothing is looked for any more."""
+
+
+def scaled(coefficients: Sequence[arb], by: arb) -> arb_poly:
+    """Return p(by x) with midpoints for coefficients: the polynomial that is followed, exactly."""
+    found, power = [], arb(1)
+    for one in coefficients:
+        found.append((one * power).mid())
+        power *= by
+    return arb_poly(found)
+
+
+def midpoints(p: arb_poly) -> arb_poly:
+    """Return the polynomial with the midpoints of the coefficients."""
+    return arb_poly([one.mid() for one in p.coeffs()])
+
+
+def total(p: arb_poly) -> arb:
+    """Return a bound on |p| on [0, 1]."""
+    return sum(map(abs, p.coeffs()), arb(0))
+
+
+def integral_bound(p: arb_poly) -> arb:
+    """Return a bound on the integral of |p| over [0, 1]."""
+    return sum((abs(one) / k for k, one in enumerate(p.coeffs(), start=1)), arb(0))
+
+
+def at_one(p: arb_poly) -> arb:
+    """Return p(1)."""
+    return sum(p.coeffs(), arb(0))
+
+
+def on(p: arb_poly, a: float, b: float) -> list[arb]:
+    """Return the coefficients of p on [a, b], of a variable between -1 and 1; a and b have few bits."""
+    if p.length() < 2:
+        return [*p.coeffs(), arb(0)]
+    return list(p(arb_poly([(arb(a) + b) / 2, (arb(b) - a) / 2])).coeffs())
+
+
+def least(p: arb_poly) -> arb:
+    """Return a lower bound of p on [0, 1], within a half of the least if that is > 0; else one that is not > 0."""
+    found, waiting = arb("inf"), [(0.0, 1.0)]
+    while waiting:
+        a, b = waiting.pop()
+        first, *rest = on(p, a, b)
+        low = (first - sum(map(abs, rest), arb(0))).lower()
+        if 2 * low < first and b - a > 2**-10:
+            if not (arb_value(p, a) > 0 and arb_value(p, b) > 0):
+                return low
+            middle = (a + b) / 2
+            waiting += [(a, middle), (middle, b)]
+        else:
+            found = found.min(low)
+    return found
+
+
+def arb_value(p: arb_poly, x: float) -> arb:
+    """Return p(x)."""
+    found: arb = p(arb(x))
+    return found
+
+
+def first_root(p: arb_poly, error: arb, slope_error: arb, *, rises: bool = False) -> tuple[arb, arb] | bool | None:
+    """Return where p, known to `error`, its slope to `slope_error`, falls to 0 first: x and how far it may be off.
+
+    None if it stays > 0 on [0, 1]; False if that is not decided. `rises`: it starts at 0 and rises at first.
+    """
+    slope, waiting = p.derivative(), [(0.0, 1.0)]
+    while waiting:
+        a, b = waiting.pop()
+        value, *rest = on(p, a, b)
+        if value - sum(map(abs, rest), arb(0)) > error:
+            rises = False
+            continue
+        steep, *others = on(slope, a, b)
+        room = abs(steep) - sum(map(abs, others), arb(0)) - slope_error
+        if rises and a == 0.0 and steep > 0 and room > 0:
+            rises = False
+            continue
+        if room > 0 and steep < 0 and (a > 0 or not rises):
+            if arb_value(p, b) > error:
+                continue
+            if arb_value(p, a) > error and arb_value(p, b) < -error:
+                return _newton(p, slope, arb(a), arb(b)), (error / room).upper()
+        if b - a < _PARTS:
+            return False
+        middle = (a + b) / 2
+        waiting += [(middle, b), (a, middle)]
+    return None
+
+
+def _newton(p: arb_poly, slope: arb_poly, low: arb, high: arb) -> arb:
+    """Return about the root of a falling polynomial between two points."""
+    x = (low + high) / 2
+    for _ in range(300):
+        value = p(x).mid()
+        low, high = (x, high) if value > 0 else (low, x)
+        after = (x - value / slope(x)).mid()
+        if not low <= after <= high:
+            after = ((low + high) / 2).mid()
+        if abs(after - x) <= abs(x) * arb((1, -math.ceil(0.9 * bits_of(x)))) or after == x:
+            return after
+        x = after
+    return x
+
+
+def bits_of(_: arb) -> int:
+    """Return the present precision in bits."""
+    import flint
+
+    return int(flint.ctx.prec)
+
+
+def rise(p: arb_poly, value: arb) -> arb:
+    """Return x in [0, 1] at which a rising polynomial has a value, about."""
+    return _newton(value - p, -p.derivative(), arb(0), arb(1))

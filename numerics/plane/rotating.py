@@ -1,0 +1,172 @@
+"""The round pair under a rotating force u = U (cos wt, sin wt), in closed form; and what sticks for ever without one.
+
+With D = a2 - m1 w^2 + i a1 w and D_M = a2 - M w^2 + i a1 w there is one threshold, U* = b |D_M|/(m2 w^2): up to it the
+pair goes round stuck, above it body 2 slips with the constant speed rho = b p/(m2 w), p > 0 the root of
+
+    |D|^2 p^2 + 2 a1 m2 w^3 p + |D_M|^2 = (U m2 w^2/b)^2,   s parallel to f, v2 = -i f/(m2 w).
+
+Friction is a viscous damper b/rho across the slip and none along it: in the rotating frame the exponents l solve
+
+    1 + (b/rho) (G(l + iw) + G(l - iw))/2 = 0,   G(x) = x/(m1 x^2 + a1 x + a2) + 1/(m2 x).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from flint import acb, acb_poly, arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.errors import InvalidScene
+from numerics.scene.decimals import Exact, exact_decimal, short
+from numerics.scene.plane import PlanePair, PlaneScene
+
+_SPARE = 20
+
+
+@dataclass(frozen=True)
+class RotatingResponse:
+    """The motion that goes round with the force; enclosures. Complex numbers are vectors (x + iy) e^{-iwt}.
+
+    `threshold` U* (N); `speed` of the slip (m/s), 0 if stuck; `friction` f and `v1`, `v2`, `q1` with the force U along
+    x at t = 0; `exponents` (1/s) of what is added to a slip in the rotating frame, none if stuck. `attracts`: whether
+    every motion tends to it.
+    """
+
+    omega: Fraction
+    amplitude: Fraction
+    threshold: arb
+    speed: arb
+    friction: acb
+    q1: acb
+    v1: acb
+    v2: acb
+    exponents: tuple[acb, ...]
+    attracts: bool
+    digits: int
+
+    @property
+    def sentence(self) -> str:
+        """Return what the pair does in the long run."""
+        if self.speed.is_zero():
+            return "entrained: the bodies go round stuck, for U up to U*"
+        return "non-stop: body 2 slips round at a constant speed; there is no stick-slip, U** = U*"
+
+
+def round_numbers(pair: PlanePair) -> tuple[Fraction, ...]:
+    """Return m1, m2, a1, a2, b of a pair on which every direction is alike. Raises InvalidScene."""
+    alike = pair.axes == 2 and pair.is_diagonal and pair.shape == "ellipsoid"
+    diagonals = [tuple(m[i][i] for i in range(pair.axes)) for m in (pair.a1, pair.a2)]
+    if not alike or any(len(set(one)) > 1 for one in (pair.m1, pair.m2, pair.b, *diagonals)):
+        raise InvalidScene("only a round pair has a closed form: two axes, ellipsoid, equal numbers on both")
+    return pair.m1[0], pair.m2[0], diagonals[0][0], diagonals[1][0], pair.b[0]
+
+
+def rotating_threshold(pair: PlanePair, omega: Exact, digits: int = 15) -> arb:
+    """Return U* = U** (N) at the frequency omega (rad/s) > 0, with its radius."""
+    m1, m2, a1, a2, b = round_numbers(pair)
+    w = _frequency(omega)
+    with Ball(digits + _SPARE).context():
+        stiff = Ball.number(a2 - (m1 + m2) * w * w)
+        lossy = Ball.number(a1 * w)
+        return (stiff * stiff + lossy * lossy).sqrt() * Ball.number(b / (m2 * w * w))
+
+
+def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: int = 15) -> RotatingResponse:
+    """Return the motion of a round pair that goes round with U (cos wt, sin wt). Raises InvalidScene."""
+    m1, m2, a1, a2, b = round_numbers(pair)
+    w, size = _frequency(omega), exact_decimal(amplitude, "amplitude")
+    if size <= 0:
+        raise InvalidScene(f"amplitude = {short(size)} must be > 0; give the size of the rotating force in N")
+    square = (m2 * w * w) ** 2
+    stuck = (a2 - (m1 + m2) * w * w) ** 2 + (a1 * w) ** 2
+    driven = (a2 - m1 * w * w) ** 2 + (a1 * w) ** 2
+    above = square * size * size - stuck * b * b
+    with Ball(digits + _SPARE).context():
+        n, i = Ball.number, acb(0, 1)
+        d, turn = acb(n(a2 - m1 * w * w), n(a1 * w)), acb(0, n(w))
+        threshold, force = rotating_threshold(pair, w, digits + _SPARE), acb(n(size))
+        if above <= 0:
+            v1 = turn * force / acb(n(a2 - (m1 + m2) * w * w), n(a1 * w))
+            f = turn * v1 * n(m2)
+            return RotatingResponse(
+                w, size, threshold, arb(0), f, v1 / turn, v1, v1, (), bool(a1 > 0 or above < 0), digits
+            )
+        if driven == 0:
+            raise InvalidScene("body 1 alone resonates here without a damper, and U > U*: there is no such motion")
+        slope, level = a1 * m2 * w**3, above / (b * b)
+        p = (n(slope * slope + driven * level).sqrt() - n(slope)) / n(driven)
+        if slope > 0:  # without cancellation
+            p = n(level) / (n(slope * slope + driven * level).sqrt() + n(slope))
+        rho = n(b / (m2 * w)) * p
+        # U = f [1 - D (1 + i p)/(m2 w^2)]
+        f = force / (1 - d / n(m2 * w * w) * (1 + i * p))
+        v2 = -i * f / n(m2 * w)
+        v1 = v2 + f * (rho / n(b))
+        own, half = a2 / m1, w * w * 4
+        attracts = bool(a1 > 0) or own not in {w * w, half}
+        return RotatingResponse(
+            w, size, threshold, rho, f, v1 / turn, v1, v2, _exponents(pair, w, rho, digits), attracts, digits
+        )
+
+
+def _exponents(pair: PlanePair, w: Fraction, rho: arb, digits: int) -> tuple[acb, ...]:
+    """Return the six roots, with the least damped first."""
+    m1, m2, a1, a2, b = map(Ball.number, round_numbers(pair))
+
+    def moved(sign: int) -> tuple[acb_poly, acb_poly]:
+        x = acb_poly([acb(0, Ball.number(w) * sign), 1])
+        body = x * x * acb(m1) + x * acb(a1) + acb(a2)
+        return x * x * acb(m2) + body, x * body * acb(m2)
+
+    (p, q), (r, s) = moved(1), moved(-1)
+    whole = q * s + (p * s + r * q) * acb(b / (2 * rho))
+    return tuple(sorted(whole.roots(tol=arb(10) ** (-digits - 3)), key=lambda one: -float(one.real.mid())))
+
+
+def rotating_force(scene: PlaneScene, digits: int = 15) -> tuple[Fraction, Fraction]:
+    """Return U and omega of a scene whose force goes round, to `digits` digits of pi/2 between its phases."""
+    refusal = InvalidScene(
+        "the force does not go round: give each of x and y one piece from 0 on with one sine of the same amplitude and "
+        "omega, phases pi/2 apart to the digits asked for"
+    )
+    if scene.friction or any(len(one.pieces) != 1 or one.starts[0] != 0 for one in scene.force):
+        raise refusal
+    sines = [one.pieces[0].sines for one in scene.force]
+    if any(one.pieces[0].polynomial for one in scene.force) or [len(one) for one in sines] != [1, 1]:
+        raise refusal
+    (x,), (y,) = sines
+    with Ball(digits + _SPARE).context():
+        turn = abs(Ball.number(x.phase - y.phase)) - arb.pi() / 2
+        if x.omega != y.omega or abs(x.amplitude) != abs(y.amplitude) or not abs(turn) < arb(10) ** (-digits):
+            raise refusal
+    return abs(x.amplitude), x.omega
+
+
+def sticks_for_ever(scene: PlaneScene) -> bool:
+    """Return whether a pair that starts stuck stays so for ever; exact. Raises InvalidScene where it is not known.
+
+    Without force and damper, all axes of one frequency W: Lam(t) = -R (q cos Wt + (v/W) sin Wt) stays in K, that is,
+    the ellipse's operator norm |B^-1 R [q, v/W]| <= 1 (round: semi-major axis <= L = b M/(a2 m2)).
+    """
+    pair, n = scene.pair, range(scene.pair.axes)
+    rates = {pair.a2[i][i] / (pair.m1[i] + pair.m2[i]) for i in n}
+    damped = any(any(row) for row in pair.a1)
+    if scene.is_forced or damped or not pair.is_diagonal or len(rates) > 1 or scene.v1 != scene.v2:
+        raise InvalidScene("known from a stuck start, without force, damper and coupling, at one frequency")
+    (square,) = rates
+    weights = [(pair.m2[i] / (pair.m1[i] + pair.m2[i]) * pair.a2[i][i] / pair.b[i]) ** 2 for i in n]
+    if pair.shape == "box":
+        return all(r * (x * x + v * v / square) <= 1 for r, x, v in zip(weights, scene.x1, scene.v1, strict=True))
+    place = sum((r * x * x for r, x in zip(weights, scene.x1, strict=True)), Fraction(0))
+    speed = sum((r * v * v for r, v in zip(weights, scene.v1, strict=True)), Fraction(0)) / square
+    mixed = sum((r * x * v for r, x, v in zip(weights, scene.x1, scene.v1, strict=True)), Fraction(0))
+    return place <= 1 and speed <= 1 and (1 - place) * (1 - speed) >= mixed * mixed / square
+
+
+def _frequency(omega: Exact) -> Fraction:
+    w = exact_decimal(omega, "omega")
+    if w <= 0:
+        raise InvalidScene(f"omega = {short(w)} must be > 0; give the frequency in rad/s")
+    return w

@@ -1,0 +1,92 @@
+"""Solve a scene on a surface: in balls whose precision is raised until the digits are there, or on the float64 road."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
+from numerics.plane.answer import PlaneTrajectory, Working
+from numerics.plane.box import independent
+from numerics.plane.coupled import coupled
+from numerics.plane.reduced import reduced
+from numerics.plane.run import Run
+from numerics.plane.states import States
+from numerics.plane.system import System
+from numerics.scene.plane import PlaneScene
+from numerics.trajectory.status import Status
+
+_GUARD, _LADDER = 10, (19, 40, 80, 160)
+"""Working digits beyond those asked for; what is tried where none are asked for: the float64 road has 64 bits."""
+_MOST_TRIES = 3
+_MAX_LEGS = 200_000
+Line = Callable[..., Any]
+
+
+def solve_plane(
+    scene: PlaneScene,
+    line: Line,
+    *,
+    digits: int | None = None,
+    arithmetic: str | None = None,
+    t_eval: Any = None,
+    max_events: int = 250_000,
+    max_digits: int = 20_000,
+    progress: Any = None,
+) -> PlaneTrajectory:
+    """Solve a scene on a surface; a box without couplings by `line`, the solve of one axis.
+
+    Without digits and arithmetic: 64 bits, answers in floats with proved bounds, more bits only where these leave the
+    sequence open. With `digits`, or "ball" (15): as many proved digits, relative to each number, near 0 to the largest
+    of its axis along the run. "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
+    """
+    if arithmetic not in {None, "float64", "ball"}:
+        raise InvalidScene(f"arithmetic = {arithmetic!r} does not know a surface; take float64 or ball")
+    limits: dict[str, Any] = {"max_events": max_events, "progress": progress}
+    if arithmetic == "float64" or (arithmetic is None and digits is None):
+        tries = _LADDER if arithmetic is None else _LADDER[:1]
+        tried: list[str] = []
+        for working in tries:
+            try:
+                found = _once(scene, line, working, "float64", limits)
+            except EventUndecided as error:
+                tried.append(str(error))
+                if working == tries[-1]:
+                    raise
+                continue
+            found.t_eval, found.tried = t_eval, "; ".join(tried)
+            return found
+    wanted = digits or 15
+    working, undecided = wanted + _GUARD, 0
+    while True:
+        if working > max_digits:
+            raise PrecisionExhausted(
+                f"{wanted} right digits need more than {max_digits} working digits; raise max_digits"
+            )
+        try:
+            found = _once(scene, line, working, "ball", limits)
+        except EventUndecided:
+            undecided += 1
+            if undecided > _MOST_TRIES or 2 * working > max_digits:
+                raise
+            working *= 2
+            continue
+        if found.digits >= wanted:
+            found.t_eval, found.digits = t_eval, wanted
+            return found
+        working += wanted - found.digits + 3
+
+
+def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
+    """Solve a scene once."""
+    if scene.pair.shape == "box":
+        return (independent if scene.pair.is_diagonal else coupled)(scene, line, working, name, limits)
+    run = Run(System(reduced(scene), working), limits["max_events"], _MAX_LEGS, limits["progress"])
+    run.follow()
+    with run.system.fine():
+        states = States(scene, run)
+        events = [states.event(one) for one in run.events]
+        first = run.events[0].before if run.events else run.mode
+        modes = [first, *(one.after for one in events)]
+        status = Status.EVENT_LIMIT if not run.reached else Status.REACHED_HORIZON
+        return PlaneTrajectory(scene, Working(working, name), status, events, modes, states.end(), states.at)

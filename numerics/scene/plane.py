@@ -1,0 +1,197 @@
+"""What is given where the pair moves on a surface: lists for numbers, a force for each axis, the shape of K.
+
+    M1 q1'' + A1 q1' + A2 q1 = u - f,   M2 q2'' = f,   f in K with f.(v1 - v2) greatest
+
+on the axes x, y and, with three, the angle phi (rad; its m are moments of inertia, kg m^2, its b a torque, N m).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+from numerics.errors import InvalidScene
+from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
+from numerics.scene.force import Force
+from numerics.scene.model import NO_FORCE, Law, read_law
+from numerics.scene.pieces import Piece, require_order
+
+AXES = ("x", "y", "phi")
+SHAPES = ("ellipsoid", "box")
+Vector = tuple[Fraction, ...]
+Matrix = tuple[Vector, ...]
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class PlanePair:
+    """Two bodies on a surface, n = 2 or 3 axes: m1, m2, b > 0 (n,), a1 >= 0 and a2 > 0 symmetric (n, n). Exact.
+
+    A number stands for n equal ones, n numbers for a diagonal matrix. Raises InvalidScene.
+    `shape` "ellipsoid": sum (f_i/b_i)^2 <= 1; "box": |f_i| <= b_i.
+    """
+
+    m1: Vector
+    m2: Vector
+    a1: Matrix
+    a2: Matrix
+    b: Vector
+    shape: str
+
+    def __init__(
+        self, m1: Any, m2: Any, a2: Any, b: Any, a1: Any = 0, shape: str = "ellipsoid", axes: int | None = None
+    ) -> None:
+        """Read every number as an exact decimal and check its bound."""
+        n = axes or max([2, *(len(one) for one in (m1, m2, a2, b, a1) if isinstance(one, list | tuple))])
+        if n > len(AXES):
+            raise InvalidScene(f"a list of {n} numbers in [pair]; at most 3 axes are known: {', '.join(AXES)}")
+        if shape not in SHAPES:
+            raise InvalidScene(f"shape = {str(shape)[:40]!r} is not one of {', '.join(SHAPES)}")
+        for name, given in (("m1", m1), ("m2", m2), ("b", b)):
+            put(self, **{name: positive(given, name, n)})
+        put(self, a1=_matrix(a1, "a1", n), a2=_matrix(a2, "a2", n), shape=shape)
+        for rows in _principal(n):
+            if _determinant(self.a1, rows) < 0:
+                raise InvalidScene("a1 must damp every motion (no negative eigenvalue); give a matrix that does")
+            if _determinant(self.a2, rows) <= 0:
+                raise InvalidScene("a2 must hold every axis (positive definite); give a spring to each")
+
+    @property
+    def axes(self) -> int:
+        """Return n."""
+        return len(self.b)
+
+    @property
+    def is_diagonal(self) -> bool:
+        """Return whether neither springs nor dampers couple the axes."""
+        return all(not m[i][j] for m in (self.a1, self.a2) for i in range(self.axes) for j in range(i))
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class PlaneScene:
+    """A pair on a surface, x1, v1, x2, v2 (n,) at t = 0, the horizon `until` (s), u by axes, b by pieces. Exact."""
+
+    pair: PlanePair
+    x1: Vector
+    v1: Vector
+    x2: Vector
+    v2: Vector
+    until: Fraction
+    force: tuple[Force, ...]
+    friction: tuple[tuple[Fraction, Vector], ...]
+
+    def __init__(
+        self,
+        pair: PlanePair,
+        until: Exact,
+        x1: Any = 0,
+        v1: Any = 0,
+        x2: Any = 0,
+        v2: Any = 0,
+        force: Iterable[Force] = (),
+        friction: Iterable[tuple[Exact, Any]] = (),
+    ) -> None:
+        """Check the parts; raises InvalidScene."""
+        n, forces = pair.axes, tuple(force)
+        if len(forces) > n:
+            raise InvalidScene(f"{len(forces)} forces for {n} axes; give one Force for each axis")
+        keep(self, until=until)
+        if self.until <= 0:
+            raise InvalidScene(f"until = {short(self.until)} must be > 0; give the horizon in seconds")
+        state = {name: vector(one, name, n) for name, one in (("x1", x1), ("v1", v1), ("x2", x2), ("v2", v2))}
+        changes = tuple((exact_decimal(start, "from"), positive(b, "b", n)) for start, b in friction)
+        require_order("friction", [start for start, _ in changes])
+        put(self, pair=pair, force=forces + (NO_FORCE,) * (n - len(forces)), friction=changes, **state)
+
+    @property
+    def is_forced(self) -> bool:
+        """Return whether anything acts in time."""
+        return bool(self.friction or any(one.pieces for one in self.force))
+
+    @property
+    def energy(self) -> Fraction:
+        """E = (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 at t = 0, J, exact."""
+        pair = self.pair
+        spring = sum(
+            a * x * y for row, x in zip(pair.a2, self.x1, strict=True) for a, y in zip(row, self.x1, strict=True)
+        )
+        moving = sum(m * v * v for m, v in zip((*pair.m1, *pair.m2), (*self.v1, *self.v2), strict=True))
+        return Fraction(spring + moving) / 2
+
+
+def vector(given: Any, name: str, n: int) -> Vector:
+    """Return n exact numbers from a list of n, or from one number."""
+    if not isinstance(given, list | tuple):
+        return (exact_decimal(given, name),) * n
+    if len(given) != n:
+        raise InvalidScene(f"{name} has {len(given)} numbers and the scene {n} axes; give {n}")
+    return tuple(exact_decimal(one, f"{name}[{k}]") for k, one in enumerate(given))
+
+
+def positive(given: Any, name: str, n: int) -> Vector:
+    """Return n exact numbers > 0."""
+    found = vector(given, name, n)
+    if min(found) <= 0:
+        raise InvalidScene(f"{name} = {short(min(found))} must be > 0; give a positive {name} on every axis")
+    return found
+
+
+def _matrix(given: Any, name: str, n: int) -> Matrix:
+    """Return a symmetric matrix from one, from its diagonal, or from one number."""
+    if not (isinstance(given, list | tuple) and any(isinstance(row, list | tuple) for row in given)):
+        diagonal = vector(given, name, n)
+        return tuple(tuple(one if i == j else Fraction(0) for j in range(n)) for i, one in enumerate(diagonal))
+    if len(given) != n:
+        raise InvalidScene(f"{name} has {len(given)} rows and the scene {n} axes; give {n}")
+    found = tuple(vector(row, f"{name}[{k}]", n) for k, row in enumerate(given))
+    if any(found[i][j] != found[j][i] for i in range(n) for j in range(i)):
+        raise InvalidScene(f"{name} must be symmetric; what one axis does to another comes back")
+    return found
+
+
+def _principal(n: int) -> Iterable[tuple[int, ...]]:
+    return (rows for size in range(1, n + 1) for rows in combinations(range(n), size))
+
+
+def _determinant(matrix: Matrix, rows: Sequence[int]) -> Fraction:
+    """Return a principal minor, by Laplace's expansion."""
+
+    def minor(left: Sequence[int], columns: Sequence[int]) -> Fraction:
+        if not left:
+            return Fraction(1)
+        terms = (
+            (-1) ** k * matrix[left[0]][j] * minor(left[1:], [c for c in columns if c != j])
+            for k, j in enumerate(columns)
+        )
+        return sum(terms, Fraction(0))
+
+    return minor(rows, rows)
+
+
+def is_plane(tables: dict[str, Any]) -> bool:
+    """Return whether a scene file speaks of a surface: a list where the line has a number, a shape, or an axis."""
+    named = [tables.get(one) for one in ("pair", "initial")]
+    content = [one for table in named if isinstance(table, dict) for one in table.values()]
+    pieces = tables.get("force", [])
+    axes = isinstance(pieces, list) and any(isinstance(one, dict) and "axis" in one for one in pieces)
+    return axes or any(isinstance(one, list) for one in content) or (isinstance(named[0], dict) and "shape" in named[0])
+
+
+def plane_scene(tables: dict[str, Any], read_piece: Callable[[dict[str, Any], int], Piece]) -> PlaneScene:
+    """Return the scene of the tables of a file, their keys checked; `read_piece` reads a numbered piece of force."""
+    pair, initial, run = (tables.get(name, {}) for name in ("pair", "initial", "run"))
+    lists = [one for one in (*pair.values(), *initial.values()) if isinstance(one, list)]
+    named = [one.get("axis", "x") for one in tables.get("force", [])]
+    for axis in named:
+        if axis not in AXES:
+            raise InvalidScene(f"axis = {str(axis)[:40]!r} is not one of {', '.join(AXES)}")
+    n = max([2, *map(len, lists), *(AXES.index(axis) + 1 for axis in named)])
+    if read_law(run.get("law", Law.FILIPPOV)) is not Law.FILIPPOV:
+        raise InvalidScene("on a surface the law is filippov; a sign that is 0 at 0 says nothing of a direction")
+    pieces: list[list[Piece]] = [[] for _ in range(n)]
+    for number, (axis, one) in enumerate(zip(named, tables.get("force", []), strict=True), start=1):
+        pieces[AXES.index(axis)].append(read_piece({key: v for key, v in one.items() if key != "axis"}, number))
+    friction = [(one.get("from", 0), one.get("b", 0)) for one in tables.get("friction", [])]
+    return PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=map(Force, pieces), friction=friction)

@@ -1,0 +1,66 @@
+"""A picture of a batch: one of its answers over the inputs that vary."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from numerics.trajectory.figures import BLUE, ORANGE, new_axes
+from numerics.trajectory.rows import STATE
+
+UNITS = {
+    "m1": "kg", "m2": "kg", "a1": "N s/m", "a2": "N/m", "b": "N", "until": "s",
+    "x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s",
+    "t": "s", "dissipated": "J", "energy_excess": "", "events": "", "mode": "sign of v1 - v2", "digits": "",
+}  # fmt: skip
+ANSWERS = ("dissipated", "energy_excess", "events", "mode", "digits", "t", *STATE)
+
+
+def draw_batch(batch: Any, answer: str, along: Any, ax: Any) -> Any:
+    """Draw into matplotlib axes; see Batch.plot."""
+    if not isinstance(answer, str) or answer not in ANSWERS:
+        raise ValueError(f"answer = {str(answer)[:40]!r} is not one of {', '.join(ANSWERS)}")
+    axes = _along(batch, along)
+    ax = new_axes() if ax is None else ax
+    values = batch.y[STATE.index(answer)] if answer in STATE else getattr(batch, answer)
+    right, label = np.ravel(batch.success), _label(answer if answer not in STATE else f"{answer} at the end", answer)
+    points = [np.ravel(one) for one in axes.values()]
+    if len(points) == 1:
+        points.append(np.ravel(values))
+        order = np.argsort(points[0], kind="stable")
+        points, right = [one[order] for one in points], right[order]
+        ax.plot(points[0], np.where(right, points[1], np.nan), ".-", color=BLUE, ms=3, lw=0.8)
+        ax.set_ylabel(label)
+    else:
+        found = ax.scatter(*(one[right] for one in points), c=np.ravel(values)[right], s=9, marker="s")
+        ax.figure.colorbar(found, ax=ax, label=label)
+        ax.set_ylabel(_label(list(axes)[1]))
+    if not right.all():
+        ax.plot(*(one[~right] for one in points), "x", color=ORANGE, ms=4, label="not at the horizon, or not certain")
+        ax.legend(fontsize="small")
+    ax.set_xlabel(_label(next(iter(axes))))
+    return ax
+
+
+def _along(batch: Any, along: Any) -> dict[str, Any]:
+    """Return one or two inputs by their names, in the shape of the batch. Raises ValueError."""
+    given = batch.inputs
+    if isinstance(along, str):
+        if along not in given:
+            raise ValueError(f"along = {along[:40]!r} is not one of {', '.join(given)}; or give an array")
+        return {along: given[along]}
+    if along is not None:
+        try:
+            return {"given": np.broadcast_to(np.asarray(along, dtype=float), batch.shape)}
+        except (TypeError, ValueError):
+            raise ValueError(f"along must be the name of an input, or numbers of the shape {batch.shape}") from None
+    varying = [name for name, one in given.items() if one.size and (one != one.flat[0]).any()][:2]
+    if varying:
+        return {name: given[name] for name in varying}
+    return {"scene": np.arange(len(batch)).reshape(batch.shape)}
+
+
+def _label(name: str, quantity: str = "") -> str:
+    unit = UNITS.get(quantity or name, "")
+    return f"{name} ({unit})" if unit else name

@@ -1,0 +1,62 @@
+"""A box: without couplings the pairs of the paper, digit for digit; with them the same events by another road."""
+
+import pytest
+from hypothesis import given, settings
+from strategies import plane_scenes
+
+from numerics import Force, solve
+from numerics.errors import EventUndecided, NumericsError
+from numerics.plane.box import axis_scene
+from numerics.plane.coupled import coupled
+from numerics.scene.file import load_scene
+from numerics.scene.plane import PlanePair, PlaneScene
+
+LIMITS = {"max_events": 1000, "progress": None}
+
+
+def test_without_couplings_every_axis_is_the_pair_of_the_paper_digit_for_digit():
+    pair = PlanePair(1, ["0.5", 1], [200, 120], ["0.5", "0.2"], shape="box")
+    scene = PlaneScene(pair, 2, x1=["0.02", "0.01"], v1=["0.1", "-0.2"], x2=[0, 1])
+    found = solve(scene, digits=20)
+    lines = [solve(axis_scene(scene, i), digits=20, arithmetic="ball") for i in range(2)]
+    with found.context():
+        times = sorted((event.t for line in lines for event in line.events), key=float)
+        assert len(times) == len(found.events) > 5
+        assert all(one.t.overlaps(t) for one, t in zip(found.events, times, strict=True))
+        assert all(
+            found.final_state[k][i].overlaps(line.final_state[k]) for k in range(4) for i, line in enumerate(lines)
+        )
+
+
+@given(plane_scenes(shape="box"))
+@settings(max_examples=6)
+def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
+    try:
+        found, high = coupled(scene, None, 30, "ball", LIMITS), solve(scene, digits=30)
+    except NumericsError:
+        return
+    with high.context():
+        assert [(one.before, one.after) for one in found.events] == [(one.before, one.after) for one in high.events]
+        for one, two in zip(found._points(), high._points(), strict=True):
+            assert one[0].overlaps(two[0])
+            assert all(x.overlaps(y) for p, q in zip(one[1], two[1], strict=True) for x, y in zip(p, q, strict=True))
+
+
+def test_equal_axes_have_their_events_together():
+    pair = PlanePair(1, 1, 200, "0.5", shape="box")
+    found = solve(PlaneScene(pair, 1, x1="0.02", v1="0.1"), digits=15)
+    assert {one.after for one in found.events} <= {"++", "00", "--"}
+
+
+def test_coupled_axes_with_one_event_time_are_not_decided():
+    pair = PlanePair(1, 1, [[200, 60], [60, 200]], "0.5", shape="box")
+    with pytest.raises(EventUndecided, match="which axis"):
+        solve(PlaneScene(pair, 1, x1="0.02", v1="0.1"), digits=10)
+
+
+def test_friction_by_pieces_and_a_jump_let_several_axes_go():
+    found = solve(load_scene("plane-box"), digits=15)
+    assert found.success
+    jump = PlaneScene(PlanePair(1, 1, [[200, 1], [1, 200]], "0.5", shape="box"), 1, force=[Force.step("0.5", 4)] * 2)
+    first = solve(jump, digits=12).events[0]
+    assert (first.before, first.after, first.cause, float(first.t)) == ("00", "++", "jump", 0.5)

@@ -1,0 +1,140 @@
+"""A slip on a surface: against the pair on a line, against higher precision, at s = 0, and broken on purpose."""
+
+import numpy as np
+import pytest
+from flint import arb
+from hypothesis import given, settings
+from strategies import plane_scenes
+
+from numerics import Force, Pair, Piece, Scene, State, solve
+from numerics.arithmetic.ball import Ball
+from numerics.errors import EventUndecided, InvalidScene, NumericsError
+from numerics.plane.defect import Curve, slip_defect
+from numerics.plane.polynomial import scaled
+from numerics.plane.reduced import reduced
+from numerics.plane.run import Run
+from numerics.plane.series import Point, slip_series
+from numerics.plane.system import System
+from numerics.scene.file import load_scene
+from numerics.scene.plane import PlanePair, PlaneScene
+
+
+def test_an_oblique_line_is_the_pair_of_the_paper_digit_for_digit():
+    along, force = (Pair(1, "0.8", 200, "0.5", 1), Force.sine(3, 5))
+    line = solve(Scene(along, State("0.02", "0.15", 0, "-0.1"), 1, force=force), digits=24, arithmetic="ball")
+    e = ("0.6", "0.8")
+    scene = PlaneScene(
+        PlanePair(1, "0.8", 200, "0.5", 1),
+        1,
+        x1=["0.012", "0.016"],
+        v1=["0.09", "0.12"],
+        v2=["-0.06", "-0.08"],
+        force=[c * force for c in e],
+    )
+    plane = solve(scene, digits=24)
+    with Ball(40).context():
+        assert len(plane.events) == len(line.events) > 3
+        assert all(a.t.overlaps(b.t) for a, b in zip(plane.events, line.events, strict=True))
+        for part, true in zip(plane.final_state, line.final_state, strict=True):
+            for c, x in zip(e, part, strict=True):
+                assert x.overlaps(arb(c) * true)
+
+
+def test_a_slip_passes_through_rest_where_an_ellipse_draws_it_there():
+    """b_x^2 kap > b_y kap (b_y + |Lam|): an open set of slips meets v1 = v2 and leaves at once; a round one turns."""
+    push = [Force(), Force((Piece(0, ["0.6"]),))]
+    for b, kinds in ((["0.5", "0.2"], [("slip", "slip")]), ("0.2", [])):
+        pair = PlanePair(2, 2, "0.001", b)
+        found = solve(PlaneScene(pair, 1, v1=["0.02", "-0.2"], force=push), digits=20)
+        assert [(one.before, one.after) for one in found.events] == kinds
+
+
+def test_a_near_reversal_turns_and_an_exact_one_passes():
+    pair, push = PlanePair(1, 1, "0.5", "0.5"), [Force((Piece(0, [2]),))]
+    near = solve(PlaneScene(pair, "0.3", v1=["-0.3", "1e-11"], force=push), digits=20)
+    exact = solve(PlaneScene(pair, "0.3", v1=["-0.3", 0], force=push), digits=20)
+    assert (near.events, [one.after for one in exact.events]) == ((), ["slip"])
+    assert abs(near.final_state.v2[0] - exact.final_state.v2[0]) < 1e-9
+
+
+def test_a_slip_ends_along_the_load_of_a_round_pair():
+    (event,) = solve(load_scene("plane-circle-merges"), digits=15).events
+    with Ball(30).context():
+        size = sum((x * x for x in event.load), arb(0)).sqrt()
+        assert all(x.overlaps(y / size) for x, y in zip(event.direction, event.load, strict=True))
+        assert size < 0.5
+
+
+def test_an_eccentric_ellipse_never_merges():
+    found = solve(load_scene("plane-ellipse-creeps"))
+    assert found.arithmetic.name == "float64"
+    assert found.digits >= 8
+    assert len(found.events) == 13
+
+
+@given(plane_scenes())
+@settings(max_examples=8)
+def test_what_a_bound_says_holds_at_more_digits(scene):
+    try:
+        low, high = solve(scene, arithmetic="float64"), solve(scene, digits=22)
+    except NumericsError:
+        return
+    assert [(one.before, one.after) for one in low.events] == [(one.before, one.after) for one in high.events]
+    with high.context():
+        for one, two in zip(low._points(), high._points(), strict=True):
+            assert one[0].overlaps(two[0])
+            assert all(x.overlaps(y) for p, q in zip(one[1], two[1], strict=True) for x, y in zip(p, q, strict=True))
+            size = max(float(abs(x)) for p in two[1] for x in p)
+            assert all(float(x.rad()) < 1e-7 * size for p in one[1] for x in p)
+
+
+def test_a_defect_sees_what_is_missing():
+    """A slip with one wrong coefficient is no slip: its defect is as large as what was added."""
+    system = System(reduced(load_scene("plane-circle-merges")), 30)
+    at = Point(0, arb(0), [arb("0.004"), arb(0)], [arb(0), arb("0.05")], [arb("0.01"), arb("0.02")], [arb(0), arb(0)])
+    at = Point(0, at.t, *([x.mid() for x in part] for part in at[2:]))
+    with system.fine():
+        h = arb("0.1").mid()
+        series = slip_series(system, at, system.degree)
+        for wrong in (0.0, 1e-12):
+            series.v2[0][3] = series.v2[0][3] + wrong
+            t, (q1, v2, s) = scaled(series.t, h), [tuple(scaled(x, h) for x in part) for part in series[1:]]
+            impulse = tuple(x * (b * h) for x, b in zip(s, system.pieces[0].b_squared, strict=True))
+            norm = slip_defect(system, Curve(0, t, q1, v2, s, q1, impulse), h)[0].norm
+            assert (norm < 1e-25) if wrong == 0 else (norm > 1e-16)
+
+
+def test_the_state_at_any_time_lies_between_the_events():
+    found = solve(load_scene("plane-slip-turns"), digits=15)
+    with found.context():
+        for event in found.events:
+            assert all(x.overlaps(y) for x, y in zip(found.sol(event.t), [z for p in event.y for z in p], strict=True))
+    assert found.y.shape == (12, len(found.events) + 2)
+    energy = [float(x) for x in solve(load_scene("plane-circle-merges"), digits=15).energy]
+    assert np.all(np.diff(energy) < 1e-18)
+    with pytest.raises(ValueError, match="outside"):
+        found.sol(2)
+
+
+def test_a_circle_on_the_edge_is_not_decided():
+    pair = PlanePair(1, 1, 200, "0.5")
+    with pytest.raises(EventUndecided, match="leave the friction set"):
+        solve(PlaneScene(pair, 1, x1=["0.005", 0], v1=[0, "0.05"], v2=[0, "0.05"]), digits=10)
+
+
+def test_what_is_no_scene_is_refused():
+    for wrong in (
+        {"shape": "star"},
+        {"a2": [[1, 2], [2, 1]]},
+        {"b": [1, -1]},
+        {"m1": [1, 1, 1, 1]},
+        {"a2": [[1, 0], [1, 1]]},
+    ):
+        with pytest.raises(InvalidScene):
+            PlanePair(**({"m1": 1, "m2": 1, "a2": 1, "b": 1} | wrong))
+
+
+def test_events_are_capped():
+    run = Run(System(reduced(load_scene("plane-ellipse-creeps")), 20), 2, 10_000)
+    run.follow()
+    assert (len(run.events), run.reached) == (2, False)

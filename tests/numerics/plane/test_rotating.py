@@ -1,0 +1,125 @@
+"""A force that goes round, in closed form, against runs; who sticks for ever; what the commands say of a surface."""
+
+import json
+
+import pytest
+from flint import acb, arb
+
+from numerics import Force, Piece, Sine, response, solve, solve_many, thresholds
+from numerics.__main__ import main
+from numerics.arithmetic.ball import Ball
+from numerics.errors import InvalidScene
+from numerics.plane.rotating import rotating_response, sticks_for_ever
+from numerics.scene.file import load_scene, shipped_scenes
+from numerics.scene.plane import PlanePair, PlaneScene
+
+PAIR = PlanePair(1, 1, 200, "0.2", 20)
+SURFACES = [name for name in shipped_scenes() if name.startswith("plane-")]
+
+
+def turning(amplitude, omega, **start):
+    with Ball(70).context():
+        quarter = (arb.pi() / 2).str(60, radius=False)
+    return [Force((Piece(0, [], [Sine(amplitude, omega, quarter)]),)), Force.sine(amplitude, omega)], start
+
+
+def on_the_circle(amplitude, digits):
+    """Return the run of a second that starts on the circle, to some digits, and the answer to that."""
+    found = rotating_response(PAIR, amplitude, 10, digits + 10)
+    with Ball(digits + 20).context():
+        start = {
+            name: [part.mid().str(digits + 5, radius=False) for part in (one.real, one.imag)]
+            for name, one in (("x1", found.q1), ("v1", found.v1), ("v2", found.v2))
+        }
+    return found, solve(PlaneScene(PAIR, 1, force=turning(amplitude, 10)[0], **start), digits=digits)
+
+
+def test_a_slip_goes_round_at_the_constant_speed_of_the_formula_to_forty_digits():
+    found, run = on_the_circle(2, 41)
+    assert not run.events
+    with run.context():
+        turned = acb(0, 10).exp()
+        for name, one in (("x1", found.q1), ("v1", found.v1), ("v2", found.v2)):
+            x, y = getattr(run.final_state, name)
+            assert abs(acb(x, y) - one * turned) < arb(10) ** -40
+
+
+@pytest.mark.long
+def test_from_rest_every_motion_comes_to_it_to_forty_digits():
+    found, run = rotating_response(PAIR, 2, 10, 50), solve(PlaneScene(PAIR, 85, force=turning(2, 10)[0]), digits=41)
+    with run.context():
+        assert abs(acb(*run.final_state.v2) - found.v2 * acb(0, 850).exp()) < arb(10) ** -40
+
+
+def test_from_rest_it_comes_nearer_at_the_rate_of_the_least_exponent():
+    found, gaps = rotating_response(PAIR, 2, 10, 20), []
+    for until in (2, 4):
+        run = solve(PlaneScene(PAIR, until, force=turning(2, 10)[0]), digits=15)
+        with run.context():
+            gaps.append(float(abs(acb(*run.final_state.v2) - found.v2 * acb(0, 10 * until).exp())))
+    assert gaps[1] / gaps[0] == pytest.approx(float((2 * found.exponents[0].real).exp()), rel=0.5)
+
+
+def test_there_is_one_threshold_and_below_it_the_pair_sticks():
+    found = thresholds(PAIR, 10)
+    assert found.entrainment.overlaps(found.non_stop)
+    assert float(found.entrainment) == pytest.approx(0.4)
+    for amplitude, after in (("0.399", True), ("0.401", False)):
+        answer = rotating_response(PAIR, amplitude, 10)
+        assert (bool(answer.speed.is_zero()), answer.attracts) == (after, True)
+        with Ball(15).context():
+            assert (abs(answer.friction) < arb("0.2")) == after
+
+
+def test_a_pair_without_a_damper_is_attracted_but_at_two_frequencies():
+    pair = PlanePair(1, 1, 100, "0.2")
+    assert rotating_response(pair, 9, 4).attracts
+    assert not rotating_response(pair, 9, 5).attracts
+    with pytest.raises(InvalidScene, match="resonates"):
+        rotating_response(pair, 9, 10)
+
+
+def test_what_is_not_round_has_no_closed_form():
+    for pair in (PlanePair(1, 1, 200, ["0.2", "0.3"]), PlanePair(1, 1, 200, "0.2", shape="box")):
+        with pytest.raises(InvalidScene, match="only a round pair"):
+            thresholds(pair, 10)
+    with pytest.raises(InvalidScene, match="does not go round"):
+        response(load_scene("plane-slip-turns"))
+
+
+@pytest.mark.parametrize(("v", "stays"), [("0.05", True), ("0.050001", False), ("0.01", True)])
+def test_who_sticks_for_ever_is_an_ellipse_by_its_longer_axis(v, stays):
+    """A circle of radius L has twice the critical energy, and stays; the least bit more does not."""
+    scene = PlaneScene(PlanePair(1, 1, 200, "0.5"), 1, x1=["0.005", 0], v1=[0, v], v2=[0, v])
+    assert sticks_for_ever(scene) == stays
+
+
+def test_the_commands_know_a_surface(capsys):
+    assert main(["solve", "plane-circle-merges", "--digits", "12", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    (event,) = found["events"]
+    assert (event["from"], event["to"], len(event["x1"]), len(event["load"])) == ("slip", "stick", 2, 2)
+    assert len(event["x1_radius"]) == len(found["final"]["v2"]) == 2
+    assert main(["response", "plane-rotating-force"]) == 0
+    assert "0.0800000000000000" in capsys.readouterr().out
+    for wrong in (
+        ["solve", "plane-box", "--csv"],
+        ["energy", "plane-box", "--at", "1"],
+        ["ring", "plane-box", "--radius", "1"],
+    ):
+        assert main(wrong) == 2
+        assert "surface" in capsys.readouterr().err
+
+
+def test_what_is_not_offered_is_refused():
+    with pytest.raises(InvalidScene, match="surface"):
+        solve(load_scene("plane-box"), arithmetic="mpmath")
+    with pytest.raises(TypeError):
+        solve_many([load_scene("plane-box")])
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_every_shipped_surface_is_solved_and_drawn(name, tmp_path):
+    assert len(SURFACES) == 5
+    assert main(["solve", name, "--digits", "8", "--plot", str(tmp_path / "a.svg")]) == 0
+    assert (tmp_path / "a.svg").stat().st_size > 10_000

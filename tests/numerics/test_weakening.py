@@ -1,0 +1,223 @@
+"""Friction that depends on the state: against another integrator, across digits, at ties, and what is refused."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+
+from numerics.arithmetic.ball import Ball
+from numerics.control.response import response
+from numerics.errors import InvalidScene, OutOfRange
+from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.scene.file import parse_scene
+from numerics.scene.writing import scene_text
+from numerics.solver.many import solve_many
+from numerics.solver.solve import solve
+from numerics.trajectory.curve import sampled
+from numerics.trajectory.run import run_scene
+from numerics.trajectory.sensitivity import sensitivities
+from tests.differences import CENTRAL, moved
+from tests.state_reference import reference
+from tests.strategies import weakened_scenes
+
+PAIR = Pair(1, 1, 200, "0.5")
+FALLING = Weakening([("0.05", "0.3")], "0.4")
+BY_PLACE = Weakening([("0.05", "0.3")], "0.4", [("-0.02", "-0.1"), (0, 0), ("0.02", "0.1")])
+
+
+def weakened(weakening: Weakening, until: object = 2, force: Force | None = None, **at: object) -> Scene:
+    """The pair of these tests with a friction of the state."""
+    return Scene(PAIR, State(**at), until, force=force or Force(), friction=Friction((), weakening))
+
+
+def overlap(one: Scene, two: Scene, digits: tuple[int, int] = (24, 60)) -> bool:
+    """Whether two scenes have the same events, and all times and states overlap."""
+    a, b = (run_scene(scene, Ball(n)) for scene, n in zip((one, two), digits, strict=True))
+    numbers = [[*run.event_times, *run.event_states.ravel(), *run.final_state] for run in (a, b)]
+    return a.modes == b.modes and all(x.overlaps(y) for x, y in zip(*numbers, strict=True))
+
+
+def agrees(scene: Scene) -> bool:
+    """Whether a scene in balls is the reference's, as far as that goes."""
+    found, expected = solve(scene, arithmetic="ball", digits=24), reference(scene)
+    assert [mode.sign for mode in found.modes] == expected.modes
+    times, state = ([float(one) for one in numbers] for numbers in (found.event_times, found.final_state))
+    return np.allclose(times, expected.t, rtol=0, atol=1e-7) and np.allclose(state, expected.y, rtol=0, atol=1e-7)
+
+
+BISTABLE = Scene(
+    Pair(1, 1, 200, "0.5", "0.2"),
+    State(v1="0.8", v2="-0.3"),
+    2,
+    force=Force.sine("1.5", 8),
+    friction=Friction((), Weakening([("0.3", "0.15")], "0.1")),
+)
+CREEPING = Scene(
+    Pair(1, 1, 200, "0.5", "40"),
+    State(x2="0.001"),
+    2,
+    force=Force.ramp(0, 2, 8),
+    friction=Friction((), Weakening([("0.001", "0.3"), ("0.01", "0.35")], 5)),
+)
+JUMPING = Scene(
+    PAIR,
+    State(),
+    Fraction(11, 5),
+    force=Force.step(1, 2) + Force.step(2, -3),
+    friction=Friction([("1.5", "0.8")], BY_PLACE),
+)
+
+
+@pytest.mark.parametrize("scene", [weakened(BY_PLACE, 1, v1="0.5"), BISTABLE, CREEPING, JUMPING])
+def test_the_reference_has_the_same_motion(scene: Scene):
+    assert agrees(scene)
+
+
+@pytest.mark.long
+@settings(max_examples=60, deadline=None)
+@given(weakened_scenes())
+def test_the_reference_has_the_same_motion_of_any_scene(scene: Scene):
+    assert agrees(scene)
+
+
+@settings(max_examples=5, deadline=None)
+@given(weakened_scenes())
+def test_enclosures_of_any_digits_overlap_and_the_ledger_closes(scene: Scene):
+    assert overlap(scene, scene, (24, 60))
+    run = run_scene(scene, Ball(24))
+    with run.arithmetic.context():
+        assert run.ledger.residual.contains(0)
+        assert run.ledger.residual.rad() < 1e-6
+
+
+@settings(max_examples=5, deadline=None)
+@given(weakened_scenes())
+def test_a_table_that_says_nothing_changes_nothing(scene: Scene):
+    pieces = scene.friction.pieces
+    one, two = (replace(scene, friction=Friction(pieces, table)) for table in (None, Weakening()))
+    assert overlap(one, two, (40, 40))
+
+
+@pytest.mark.parametrize(
+    ("weakening", "at", "nudged"),
+    [
+        (FALLING, {"v1": "0.05"}, "v1"),
+        (FALLING, {"x1": "-0.01", "v1": "0.05"}, "v1"),
+        (BY_PLACE, {"v1": "0.3"}, "x2"),
+        (BY_PLACE, {"v2": "0.3"}, "x2"),
+        (BY_PLACE, {"x1": "0.02", "x2": "0.02"}, "x2"),
+    ],
+)
+def test_a_start_on_a_knot_goes_on_like_its_neighbours_on_either_side(weakening, at, nudged):
+    on_it = run_scene(weakened(weakening, **at), Ball(40))
+    for by in (Fraction(1, 10**20), -Fraction(1, 10**20)):
+        beside = {name: Fraction(value) for name, value in at.items()}
+        beside[nudged] = beside.get(nudged, Fraction(0)) + by
+        other = run_scene(weakened(weakening, **beside), Ball(60))
+        assert on_it.modes == other.modes
+        assert all(abs(float(x) - float(y)) < 1e-15 for x, y in zip(on_it.final_state, other.final_state, strict=True))
+
+
+def test_a_friction_that_is_off_by_little_is_another_motion():
+    off = Weakening([("0.05", Fraction(3, 10) + Fraction(1, 10**20))], "0.4")
+    assert not overlap(weakened(FALLING, v1="0.5"), weakened(off, v1="0.5"), (40, 40))
+
+
+def test_two_motions_part_no_faster_than_the_steepest_fall_of_friction_lets_them():
+    fall, apart = Fraction(4), Fraction(1, 10**9)
+    one, two = (solve(weakened(FALLING, v1=Fraction(1, 2) + by), arithmetic="ball", digits=24) for by in (0, apart))
+    kappa2 = float(PAIR.mass / (PAIR.m1 * PAIR.m2))
+    for t in np.linspace(0, 2, 21)[1:]:
+        x1, v1, _, v2 = (float(a - b) for a, b in zip(one.sol(float(t)), two.sol(float(t)), strict=True))
+        norm = np.sqrt(200 * x1**2 + v1**2 + v2**2)
+        assert norm <= 1.000001 * float(apart) * np.exp(float(fall) * kappa2 * t)
+
+
+def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
+    run = solve(JUMPING, digits=20)
+    assert "balls" in run.tried
+    assert len(run.record.rows) > len(run.events) + 1
+    assert all(event.before is not event.after for event in run.events)
+    curve = sampled(run)
+    exact = run.sol([float(t) for t in curve.t[::37]])
+    assert np.allclose(np.vectorize(float)(exact), curve.y[:, ::37], rtol=0, atol=1e-9)
+    assert np.isclose(curve.lost[0, -1], float(run.ledger.friction), rtol=1e-9)
+
+
+def test_derivatives_are_those_of_neighbours():
+    force = Force([Piece("0.1", ["0.1", 1], [Sine(3, 7, "0.3")])])
+    friction = Friction([("0.45", "0.6")], Weakening([("0.05", "0.3")], "0.4", [("-0.02", "-0.1"), ("0.02", "0.1")]))
+    damped = Pair(1, 1, 200, "0.5", "0.3")
+    scene = Scene(damped, State("0.003", "0.3", 0, "-0.1"), "0.9", force=force, friction=friction)
+    run, step = solve(scene, arithmetic="ball", digits=30), Fraction(1, 10**10)
+    found = sensitivities(run)
+    assert len(run.events) > 2
+    with Ball(60).context():
+        for name in ("x1", "m2", "b", "friction[0].b", "weakening.speed[0].w", "weakening.place[1].c"):
+            index = found.wrt.index(name)
+            near = {k: solve(moved(scene, {name: k * step}), arithmetic="ball", digits=40) for k in CENTRAL}
+            for numbers, of in ((found.final, "final_state"), (found.t, "event_times")):
+                for place, one in enumerate(numbers):
+                    slope = sum(Ball.number(CENTRAL[k] / step) * getattr(near[k], of)[place] for k in CENTRAL)
+                    assert abs(float(one[index] - slope)) < 1e-15, name
+
+
+def test_a_steep_fall_is_solved_and_what_runs_to_no_friction_is_refused():
+    steep = solve(weakened(Weakening([("0.00002", "0.3")], "0.4"), v1="0.3"), arithmetic="ball", digits=24)
+    assert steep.success
+    for weakening, at in (
+        (Weakening((), -3), {"v1": "0.3"}),
+        (Weakening((), -1), {"x1": "0.06", "x2": "0.06"}),
+        (Weakening((), 0, [("-0.01", "-0.6"), ("0.01", "0.2")]), {"v1": "0.3"}),
+        (Weakening((), 0, [("-0.01", "-0.6"), ("0.01", "0.2")]), {"x2": "0.05"}),
+    ):
+        with pytest.raises(InvalidScene, match=r"B \+ C <= 0 at .w. = .* z = x1 - x2"):
+            solve(weakened(weakening, **at), arithmetic="ball")
+
+
+def test_a_scene_is_written_and_read_again():
+    assert parse_scene(scene_text(JUMPING)) == JUMPING
+    assert parse_scene(scene_text(JUMPING)).friction.weakening == BY_PLACE
+
+
+@pytest.mark.parametrize(
+    ("text", "match"),
+    [
+        ("[weakening]\nspeed = [[0, 0.3]]", "ill-posed"),
+        ("[weakening]\nspeed = [[0.1, 0.3], [0.1, 0.2]]", "ill-posed"),
+        ("[weakening]\nspeed = [[0.1, 0.3], [0.05, 0.2]]", "in order"),
+        ("[weakening]\nplace = [[0.1, 0.3], [0.1, 0.2]]", "in order"),
+        ("[weakening]\nspeed = 3", "must be points"),
+        ("[weakening]\nspeed = [[0.1, nan]]", "B in speed"),
+        ("[weakening]\nslope = 3", "unknown key"),
+    ],
+)
+def test_a_table_that_is_no_friction_is_refused(text, match):
+    with pytest.raises(InvalidScene, match=match):
+        parse_scene(f"[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[run]\nuntil = 1\n{text}\n")
+
+
+def test_two_coefficients_are_refused_with_the_reason():
+    with pytest.raises(InvalidScene, match="both solutions at every instant"):
+        parse_scene("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb_s = 0.5\nb_k = 0.3\n[run]\nuntil = 1\n")
+
+
+def test_what_is_worked_out_for_one_b_only_says_so():
+    with pytest.raises(OutOfRange, match="in balls only"):
+        solve(BISTABLE, arithmetic="float64")
+    with pytest.raises(InvalidScene, match="depends on the state"):
+        response(BISTABLE)
+
+
+def test_a_batch_solves_them_in_balls():
+    found = solve_many(
+        1, 1, 200, 0.5, v1=[0.1, 0.3], until=1, friction=Friction((), FALLING), keep_events=2, exact=True
+    )
+    for k, speed in enumerate(("0.1", "0.3")):
+        run = solve(weakened(FALLING, 1, v1=speed), arithmetic="ball")
+        assert found.success[k]
+        assert found.events[k] == len(run.events)
+        assert np.all(abs(found.y[:, k] - [float(one) for one in run.final_state]) <= found.y_error[:, k])
+        assert np.allclose(found.event_t[k], [float(t) for t in run.event_times[:2]], rtol=1e-15)

@@ -1,0 +1,106 @@
+"""What the page says of a motion, on both sides of each threshold, in headless Chromium; and its rule at a tie."""
+
+from dataclasses import replace
+from math import pi
+from pathlib import Path
+
+import pytest
+from chromium import asked
+
+from numerics import Force, Pair, Scene, State, solve
+from paper_checks.explore.page import SOLVER, source
+from paper_checks.explore.scenes import Reduced
+
+LEVEL = (pi / 2 - 1) ** 2 / 3
+"""Excess energy up to which the pair with m1/m2 = 1/2 never merges."""
+
+
+def at_centre(ratio: float, excess: float) -> Reduced:
+    """Sticking at X = 0 with so much above E_cr, for a while in which nothing happens."""
+    speed = (1 + excess) ** 0.5
+    return Reduced(ratio=ratio, V1=speed, V2=speed, until=0.5)
+
+
+SINE = Reduced(zeta=0.1, omega=0.7, until=400)
+STUCK = 2 * ((1 - 0.7**2) ** 2 + (0.2 * 0.7) ** 2) ** 0.5 / 0.7**2
+"""Amplitude up to which that pair is entrained."""
+SETTLING = [replace(SINE, amplitude=1.0, V1=0.4, V2=0.4, until=float(until)) for until in range(110, 175, 8)]
+EXPECTED = {
+    at_centre(0.5, 0.999 * LEVEL): "Creeps",
+    at_centre(0.5, 1.001 * LEVEL): "Not merged yet",
+    at_centre(0.7926, 0.5): "Not merged yet",
+    at_centre(0.79264, 0.5): "Creeps",
+    at_centre(0.5, -0.001): "Sticks for ever",
+    Reduced(constant=1.8, V1=0.8, V2=0.8, until=0.1): "Creeps",  # E/E_cr = 1.45 about the moved centre
+    Reduced(constant=4, X=2.5, until=3): "Sticks for ever",
+    replace(SINE, amplitude=0.99 * STUCK): "Entrained",
+    replace(SINE, amplitude=1.002 * STUCK): "Stick and slip",
+    replace(SINE, amplitude=10.0): "Slips all the time",
+    replace(SINE, amplitude=1.0, until=17.9): "Driven",  # just shorter than two periods, 17.952
+}
+FAULTS = (
+    ("excess <= pair.q * (Math.PI / 2 - 1) ** 2)", "excess <= pair.q * (Math.PI / 2) ** 2)"),
+    ("pair.q / pair.r > EXPLORE.criticalRatio", "pair.q / pair.r > 0.79"),
+    ("if (stuck === 1)", "if (stuck > 0.9)"),
+    ("repeats < 1e-6", "repeats < 1e-5"),
+    ("X: state.X - force.constant", "X: state.X"),
+    ("scene.until < 2 * period", "scene.until < period"),
+    ("forceRate(force, t, 2) - p -", "forceRate(force, t, 2) -"),
+)
+"""Changes of the program, each of which something here has to see."""
+TIE = {"pair": {"q": 0.5, "r": 0.5, "zeta": 0}, "t": pi / 2, "V": 0}
+TIES = [  # p' = 0 at the edge: p'' = f'' - p decides
+    (TIE | {"force": {"constant": 0, "amplitude": -bend, "omega": 1}, "p": 1}, 1 if bend > 1 else 0)
+    for bend in (-0.5, 0.5, 0.999, 1.001, 2)
+]
+
+
+@pytest.fixture(scope="module")
+def answers(whole, tmp_path_factory) -> dict:
+    program = source((*SOLVER, "regimes"))
+    assert all(program.count(right) == 1 for right, _ in FAULTS)
+    faulty = [program.replace(right, wrong) for right, wrong in FAULTS]
+    scenes = [vars(one) for one in (*EXPECTED, *SETTLING)]
+    question, folder = Path(__file__).with_name("verdicts.js"), tmp_path_factory.mktemp("verdicts")
+    ties = [one for one, _ in TIES]
+    return asked(whole, question, folder, PROGRAM=program, FAULTY=faulty, SCENES=scenes, TIES=ties)
+
+
+@pytest.fixture(scope="module")
+def settled() -> list[float]:
+    """By how much the state of each settling scene changes over its last period, by the integrator of the project."""
+    found, period = [], 2 * pi / SINE.omega
+    for one in SETTLING:
+        pair = Pair("0.5", "0.5", 1, "0.5", a1="0.2")
+        start = State(one.X, one.V1, 0, one.V2)
+        run = solve(Scene(pair, start, one.until, force=0.5 * one.amplitude * Force.sine(1, "0.7")))
+        (x, v, _, w), (x0, v0, _, w0) = run.sol(one.until), run.sol(one.until - period)
+        found.append(max(abs(x - x0), abs(v - v0), abs(w - w0)))
+    return found
+
+
+def is_right(found: dict, settled: list[float]) -> bool:
+    titles = [one["title"] for one in found["said"]]
+    told = ["agree" in one["text"] for one in found["said"][len(EXPECTED) :]]
+    right = titles[: len(EXPECTED)] == list(EXPECTED.values())
+    return right and told == [one < 1e-6 for one in settled] and found["ties"] == [mode for _, mode in TIES]
+
+
+def test_each_verdict_turns_at_its_threshold(answers, settled):
+    found = answers["right"]
+    titles = {one: said["title"] for one, said in zip(EXPECTED, found["said"], strict=False)}
+    assert titles == EXPECTED
+    assert "E/E_cr = 0.25 " in found["said"][6]["text"]
+    assert 0.9 < found["shares"][8] < 1
+    assert found["ties"] == [mode for _, mode in TIES]
+    assert is_right(found, settled)
+
+
+def test_both_sides_of_a_millionth_are_tried_nearby(settled):
+    assert max(one for one in settled if one < 1e-6) > 1e-7
+    assert min(one for one in settled if one >= 1e-6) < 1e-5
+
+
+@pytest.mark.parametrize("number", range(len(FAULTS)), ids=[wrong for _, wrong in FAULTS])
+def test_a_fault_in_what_is_said_is_seen(answers, settled, number):
+    assert not is_right(answers["faulty"][number], settled)
