@@ -29,7 +29,7 @@ BEYOND: dict[str, tuple[str, str]] = {
     "system-synchronises": (
         "Systems.system_synchronises",
         r"Without a force, any friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the "
-        r"displacement converges, $Bq'\to 0$.",
+        r"displacement converges, and $Bq'\to 0$ where $|Bq'|$ is Lipschitz.",
     ),
     "system-parts": (
         "Systems.system_parts",
