@@ -5,17 +5,16 @@ import signal
 from multiprocessing.connection import Connection
 
 from numerics.trade.recorded import Trade
-from paper_checks.checks.registry import Context, load_checks
-from paper_checks.ledger import claim_named
+from paper_checks.claims import claim_named
 from paper_checks.reporting import parts
 from paper_checks.running.plain import plain
-from paper_checks.running.runner import run
+from paper_checks.running.runner import Context, run
 
 
 def dies_of_energy_rate(connection: Connection, context: Context) -> None:
     """Decide rows, and end without a word when asked for the row `energy-rate`."""
     while (name := connection.recv()) != "energy-rate":
-        connection.send(plain(run([claim_named(name)], load_checks(), context)[0]))
+        connection.send(plain(run([claim_named(name)], context)[0]))
     os._exit(7)
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
 from paper_checks.evidence.finding import Finding
-from paper_checks.ledger import Claim
 from paper_checks.running.graph import SETTLED, Proof, clauses
 from paper_checks.running.runner import Row
 

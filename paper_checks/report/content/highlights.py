@@ -12,12 +12,12 @@ from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
+from paper_checks.claims.letters import ECR, RATE
+from paper_checks.decide.exhibit import value_at
 from paper_checks.drawing.captions import caption
 from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.drawing.sharp_rate import LAST, limit_of
-from paper_checks.engines.exhibit import value_at
 from paper_checks.evidence.formula import latex
-from paper_checks.ledger.section3_convergence import ECR, RATE
 from paper_checks.report.content.blocks import Picture, Result
 from theory.symbols import a2, m1, m2
 

@@ -6,9 +6,9 @@ from collections import Counter
 from collections.abc import Sequence
 
 from paper_checks.drawing.captions import caption
+from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import Kind
 from paper_checks.report.content import notation
 from paper_checks.report.content.blocks import Block, Paragraph, Picture, Section, Table
 from paper_checks.report.content.highlights import HIGHLIGHTS

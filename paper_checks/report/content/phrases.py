@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from paper_checks.engines.kernel import PROVED
+from paper_checks.decide.kernel import PROVED
+from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import Claim, Kind
 from paper_checks.running.runner import Row
 
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}

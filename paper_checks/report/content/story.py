@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
+from paper_checks.decide import kernel
+from paper_checks.decide.exhibit import ENGINE as EXHIBITED
+from paper_checks.decide.kernel import PROVED
 from paper_checks.drawing.captions import caption
-from paper_checks.engines import kernel
-from paper_checks.engines.exhibit import ENGINE as EXHIBITED
-from paper_checks.engines.kernel import PROVED
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
 from paper_checks.report.content import notation, under_a_force
 from paper_checks.report.content.blocks import Block, Folded, Labelled, Numbered, Paragraph, Picture, Symbols, Table

@@ -6,10 +6,10 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from importlib.metadata import PackageNotFoundError, version
 
-from paper_checks.engines import kernel
-from paper_checks.engines.kernel import PROVED
+from paper_checks.claims import source
+from paper_checks.decide import kernel
+from paper_checks.decide.kernel import PROVED
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
-from paper_checks.ledger import source
 from paper_checks.report.content.blocks import Block, Command, Folded, Graph, Node, Paragraph, Points, Section, Table
 from paper_checks.report.content.phrases import kind
 from paper_checks.running.graph import Proof

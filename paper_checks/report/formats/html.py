@@ -6,10 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from pathlib import Path
 
+from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import page
-from paper_checks.ledger import Kind
 from paper_checks.report.content.document import ROWS, ROWS_TITLE, Document
 from paper_checks.report.content.phrases import first_sentence, kind, place, section_title, sections
 from paper_checks.report.formats import colours

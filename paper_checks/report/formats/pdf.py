@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from paper_checks.errors import ToolMissingError
-from paper_checks.ledger import Kind
+from paper_checks.evidence.claim import Kind
 from paper_checks.report.content.document import ROWS, ROWS_TITLE, Document
 from paper_checks.report.content.phrases import kind, place
 from paper_checks.report.formats.typst_blocks import TypstWriter, escaped

@@ -9,8 +9,8 @@ import sympy as sp
 from fontTools.ttLib import TTFont
 
 from numerics.scene.file import load_scene
+from paper_checks.claims import CLAIMS, source
 from paper_checks.drawing.sharp_rate import limit_of
-from paper_checks.ledger import CLAIMS, source
 from paper_checks.report.content import highlights, notation, opening, trust
 from paper_checks.report.content.blocks import Graph, Table
 from paper_checks.report.content.document import document

@@ -5,8 +5,8 @@ import re
 
 import pytest
 
+from paper_checks.claims import CLAIMS
 from paper_checks.errors import ToolMissingError
-from paper_checks.ledger import CLAIMS
 from paper_checks.report.content.blocks import pictures
 from paper_checks.report.content.document import document, summary
 from paper_checks.report.formats import pdf, vector
