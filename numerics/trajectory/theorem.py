@@ -67,10 +67,8 @@ def theorem(trajectory: Solution) -> str:
 def _uncovered(trajectory: Solution) -> str:
     """Return why the checker does not cover a trajectory, or nothing."""
     scene, at = trajectory.scene, trajectory.scene.initial
-    if scene.friction.weakening is not None:
-        return "the checker does not cover a friction that depends on speed or place yet"
-    if scene.law is not Law.FILIPPOV:
-        return 'the checker knows the law "filippov" only'
+    if scene.law is not Law.FILIPPOV or scene.friction.weakening is not None:
+        return 'the checker knows the law "filippov" only, and no friction that depends on speed or place'
     if not trajectory.success:
         return f"the run {trajectory.message}"
     if scene.is_forced or at.v1 != at.v2 or scene.pair.a1 != 0:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 
-from paper_checks.engines.kernel import PROVED
+from paper_checks.claims import claim_named
+from paper_checks.decide.kernel import PROVED
+from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import Claim, Kind, claim_named
 from paper_checks.running.runner import Row
 
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}

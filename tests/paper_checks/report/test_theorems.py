@@ -8,10 +8,10 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
+from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.clause import Clause, Formula
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.ledger import Claim, Kind
 from paper_checks.report.content import opening
 from paper_checks.report.content.document import document
 from paper_checks.report.content.story import displayed
