@@ -35,7 +35,7 @@ class _Motion:
 
     def friction(self, t: float, w: float, z: float) -> float:
         beyond = max(w - self.speed[-1, 0], 0.0)
-        now = [self.b, *(float(b) for start, b in self.scene.friction.pieces if start <= t)][-1]
+        now = [self.b, *(float(b) for start, b in self.scene.friction.pieces if float(start) <= t)][-1]
         B = np.interp(w, *self.speed.T) + self.last_slope * beyond
         return now / self.b * (B + np.interp(z, *self.place.T))
 

@@ -34,8 +34,9 @@ def chart_response(options: argparse.Namespace) -> int:
     from numerics.control.response_map import response_map
     from numerics.scene.file import load_line
 
-    pair, amplitude, omega = load_line(options.scene).pair, _side(options, "amplitude"), _side(options, "omega")
-    return _chart(options, partial(response_map, pair, amplitude, omega, options.depth), _drawn_response)
+    scene, amplitude, omega = load_line(options.scene), _side(options, "amplitude"), _side(options, "omega")
+    scene.require_one_b("a map of responses")
+    return _chart(options, partial(response_map, scene.pair, amplitude, omega, options.depth), _drawn_response)
 
 
 def _drawn_response(found: ResponseMap) -> Any:

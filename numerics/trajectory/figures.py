@@ -224,8 +224,8 @@ _KINDS = {
     "positions": ("Positions of both bodies", _positions),
     "load": ("The friction that sticking needs, and can get", _load),
     "force": ("Force on body 1", _force),
-    "friction": ("Friction against the relative speed", _friction),
     "phase": ("Phase portrait of body 1", _phase),
     "excess": ("Distance from the critical energy", _excess),
     "energy": ("Where the energy went", _energy),
+    "friction": ("Friction against the relative speed", _friction),
 }
