@@ -195,7 +195,7 @@ def _sure(rows: Sequence[Row]) -> Iterator[Block]:
 def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[str, str]]:
     if "sharp-rate-constant" in shown:
         law = claim_named("sharp-rate-constant").clauses[0]
-        text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes no damper, $a_1=0$; no force, $u=0$; a constant $b>0$; and an energy above $E_{cr}$ at all times."
+        text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes no damper, $a_1=0$; no force, $u=0$; a constant $b>0$; and an energy above $E_{{cr}}$ at all times."
         yield "Which theorem carries the 1/t law, and what does it assume?", text
     if any(row.open for row in shown.values()):
         yield "What is not known?", "One list, from the rows: `open`."
