@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from html import escape
@@ -13,7 +14,6 @@ from paper_checks.explore.scenes import OWN, Button, Reduced, paper_buttons
 SCRIPTS = ("oscillator", "first_root", "solver", "regimes", "scene_file", "scene3d", "strips", "controls", "main")
 """The page's programs in the order in which they are joined; the first three are the solver and know no page."""
 SOLVER = SCRIPTS[:3]
-TITLE = "Two masses joined by dry friction"
 
 
 @dataclass(frozen=True)
@@ -77,14 +77,11 @@ def section(beside: Iterable[str] = ()) -> str:
 
 
 def page(beside: Iterable[str] = ()) -> str:
-    """Return a whole page with nothing but the section, `beside` which pages of rows it stands."""
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="color-scheme" content="light dark">\n'
-        f"<title>{escape(TITLE)}</title>\n<style>\n{_beside('page.css')}</style>\n</head>\n<body>\n<main>\n"
-        f"<h1>{escape(TITLE)}</h1>\n{section(beside)}</main>\n</body>\n</html>\n"
-    )
+    """Return a whole page with the section; among the pages of a report, `beside` those of these rows, with the way back."""
+    rows = tuple(beside)
+    back = '<p><a href="../report.html">Back to the report</a></p>\n' if rows else ""
+    parts = {"{style}": _beside("page.css"), "{back}": back, "{section}": section(rows)}
+    return re.sub(r"\{(style|back|section)\}", lambda place: parts[place[0]], _beside("page.html"))
 
 
 def critical_ratio() -> float:

@@ -43,6 +43,11 @@ _WORDS = {
     Verdict.UNDECIDED: ("is undecided", "are undecided"),
     Verdict.UNCHECKED: ("is unchecked, as a tool is missing", "are unchecked, as a tool is missing"),
 }
+EXPLORE = (
+    "Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
+    "becomes of it. `python -m paper_checks explore` writes that page alone."
+)
+TO_EXPLORE = '<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
 FREE = "No damper and no force: $a_1=0$, $u=0$, $b$ constant."
 DRIVEN = "A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless it says more."
 NEW: dict[str, tuple[str, str, str]] = {
@@ -93,6 +98,7 @@ def front(rows: Sequence[Row], answers: Sequence[str] = ()) -> tuple[Section, ..
             (Cards(past), Paragraph("Everything past the paper, in one list: `new`.")) if past else (),
         ),
         Section("sure", "How sure it is", tuple(_sure(rows))),
+        Section("explore", "Explore", (Paragraph(EXPLORE), Markup(TO_EXPLORE))),
         Section("questions", "Asked often", (Table(("question", "answer"), tuple(_questions(shown, answers)), ""),)),
     )
     return tuple(one for one in sections if one.blocks)
@@ -190,7 +196,7 @@ def _sure(rows: Sequence[Row]) -> Iterator[Block]:
 def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[str, str]]:
     if "sharp-rate-constant" in shown:
         law = claim_named("sharp-rate-constant").clauses[0]
-        text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes: no damper, $a_1=0$; no force, $u=0$; $b$ constant. Nothing else."
+        text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes no damper, $a_1=0$; no force, $u=0$; a constant $b>0$; and an energy above $E_{{cr}}$ at all times."
         yield "Which theorem carries the 1/t law, and what does it assume?", text
     if any(row.open for row in shown.values()):
         yield "What is not known?", "One list, from the rows: `open`."

@@ -62,11 +62,9 @@ def _page(writer: HtmlWriter, report: Document, heading: str, body: str, anchor:
 
 
 def _navigation(writer: HtmlWriter, report: Document) -> str:
-    targets = [(one.id, one.title) for one in report.front[1:]] + [(ROWS, "All rows")]
+    targets = [*((one.id, one.title) for one in report.front[1:]), (ROWS, "All rows")]
     targets += [(one.id, one.title) for one in report.chapters]
-    items = "".join(f'<li><a href="{writer.link(name)}">{escape(title)}</a></li>' for name, title in targets)
-    first = f'<li><a href="{writer.path(EXPLORE)}"><b>Explore the pair</b></a></li>'
-    return items.replace("</li>", f"</li>{first}", 1)
+    return "".join(f'<li><a href="{writer.link(name)}">{escape(title)}</a></li>' for name, title in targets)
 
 
 def _beside(name: str) -> str:

@@ -52,6 +52,13 @@ def test_two_pages_have_the_same_bytes(whole):
     assert page() == whole
 
 
+def test_among_the_pages_of_a_report_there_is_a_way_back(whole):
+    beside = page(["critical-mass-ratio"])
+    assert '<a href="../report.html">' in beside
+    assert '"beside": ["critical-mass-ratio"]' in beside
+    assert "report.html" not in whole
+
+
 def test_every_id_is_its_own_and_begins_with_explore(elements):
     ids = [attributes["id"] for _, attributes in elements if "id" in attributes]
     assert len(ids) == len(set(ids)) > 20
