@@ -236,6 +236,7 @@ BEYOND = [
         "<= exp (c / 2 * t) * norm (minus (y 0)",
         "half the rate of parting",
     ),
+    ("Overdamped", "part r q := 2 * q / (a2", "part r q := q / (a2", "half the answer to the square wave"),
     ("Plane", "<-> semi_major_square <= L ^ 2).", "<-> 2 * semi_major_square <= L ^ 2).", "half the ellipse"),
     ("Plane", "-> A + B <= 2 * L ^ 2) /\\ (C", "-> A + B <= L ^ 2) /\\ (C", "no stuck circle above E_cr"),
     ("Plane", "(- k * (b ^ 2 - (p t", "(- k * (b ^ 2 + (p t", "a slip that always ends sooner"),

@@ -172,6 +172,10 @@ FORCED: dict[str, tuple[str, str]] = {
         "Damped.damped_iff",
         "$a_1>0$, $a_1^2<4m_1a_2$: the same with $U_{**}$ in closed form.",
     ),
+    "nonstop-overdamped": (
+        "Overdamped.overdamped_iff",
+        "$a_1^2>4m_1a_2$: the same with $U_{**}$ in closed form, by two exponentials.",
+    ),
     "nonstop-attracts": (
         "Damped.nonstop_attracts",
         "With $a_1>0$ a motion that slips for ever attracts every motion under its force.",
