@@ -321,22 +321,35 @@ Proof. apply J.div_correct; apply I.fromZ_correct. Qed.
 Lemma has_hull q r u : Q2R q <= u <= Q2R r -> has (hull q r) u.
 Proof. intros Hu. exact (J.join_correct _ _ _ _ _ (has_rat q) (has_rat r) Hu). Qed.
 
-(** the swing of a wave; beyond the critical damping it is a sum of two exponentials, which are bounded one by one *)
-Definition swinging F u :=
+(** what a swing is made of at a time; beyond the critical damping two exponentials, which are bounded one by one *)
+Definition swung F u :=
   let f := parts F in let w := root F in
   let faded g := I.exp p (I.neg (I.mul p g u)) in
   match side F with
-  | Gt => let phase := I.mul p w u in
-      I.mul p (faded (decay f)) (I.add p (I.mul p (even f) (I.cos p phase))
-        (I.mul p (odd f) (I.div p (I.sin p phase) w)))
-  | Eq => I.mul p (faded (decay f)) (I.add p (even f) (I.mul p (odd f) u))
-  | Lt => let half := rat (1 # 2) in let other := I.div p (odd f) w in
-      I.add p (I.mul p (I.mul p half (I.add p (even f) other)) (faded (I.sub p (decay f) w)))
-        (I.mul p (I.mul p half (I.sub p (even f) other)) (faded (I.add p (decay f) w)))
+  | Gt => let phase := I.mul p w u in let e := faded (decay f) in
+      (I.mul p e (I.cos p phase), I.mul p e (I.div p (I.sin p phase) w))
+  | Eq => let e := faded (decay f) in (e, I.mul p e u)
+  | Lt => (faded (I.sub p (decay f) w), faded (I.add p (decay f) w))
   end.
+(** sine and cosine of its tones *)
+Definition sung F u := let t := I.add p (clock (parts F)) u in
+  map (fun z => let a := I.add p (I.mul p (turn z) t) (phase z) in (I.sin p a, I.cos p a)) (tones (answer (parts F))).
+(** a sum of tones *)
+Fixpoint chord (i : I.type) zs bs := match zs, bs with
+  | z :: zs, (s, c) :: bs => I.add p (I.add p (I.mul p (in_sine z) s) (I.mul p (in_cosine z) c)) (chord i zs bs)
+  | _, _ => i end.
+(** the value of a wave, from these *)
+Definition made F u b bs :=
+  let f := parts F in
+  let swinging := match side F with
+  | Lt => let half := rat (1 # 2) in let other := I.div p (odd f) (root F) in
+      I.add p (I.mul p (I.mul p half (I.add p (even f) other)) (fst b))
+        (I.mul p (I.mul p half (I.sub p (even f) other)) (snd b))
+  | _ => I.add p (I.mul p (even f) (fst b)) (I.mul p (odd f) (snd b)) end in
+  I.add p (I.add p (I.add p (still f) (I.mul p (drift f) u)) swinging)
+    (chord (pval boxes (poly (answer f)) (I.sub p (I.add p (clock f) u) (from (answer f)))) (tones (answer f)) bs).
 (** the value of a wave *)
-Definition value F u := let f := parts F in
-  I.add p (I.add p (I.add p (still f) (I.mul p (drift f) u)) (swinging F u)) (sval boxes (answer f) (I.add p (clock f) u)).
+Definition value F u := made F u (swung F u) (sung F u).
 (** its derivative *)
 Definition steep F := Bounded (sloped boxes (parts F)) (side F) (root F).
 
@@ -423,7 +436,7 @@ Proof. destruct HK. intros. apply has_swing; auto. has. Qed.
 Lemma has_guard s T t X x V v W w : has T t -> has X x -> has V v -> has W w ->
   has_parts (guard boxes K s T X V W) (guard real k s t x v w).
 Proof.
-  intros HT HX HV HW. destruct (has_sloped _ _ (has_slide s T t X x V v HT HX HV)). destruct HK. unfold guard.
+  intros HT HX HV HW. destruct (has_sloped _ _ (has_slide s T t X x V v HT HX HV)). destruct HK. unfold guard, guard_of.
   constructor; cbn [still drift even odd decay square clock answer]; auto using has_signed; try (has; fail).
   - apply J.neg_correct, has_signed; auto.
   - apply has_scaled; auto using has_signed.
@@ -433,7 +446,7 @@ Lemma has_grip s T t X x V v : has T t -> has X x -> has V v ->
   has_parts (grip boxes K s T X V) (grip real k s t x v).
 Proof.
   intros HT HX HV. destruct (has_sloped _ _ (has_sloped _ _ (has_stuck T t X x V v HT HX HV))). destruct HK.
-  unfold grip. constructor; cbn [still drift even odd decay square clock answer]; auto; try (has; fail);
+  unfold grip, grip_of. constructor; cbn [still drift even odd decay square clock answer]; auto; try (has; fail);
     try (apply J.neg_correct, has_signed; auto).
   apply has_scaled; auto. intros. apply J.neg_correct, has_signed; auto.
 Qed.
@@ -461,16 +474,46 @@ Proof.
   replace (- ((g + w) * u)) with (- (g * u) + - (w * u)) by ring. rewrite !exp_plus. unfold cosh, sinh, Q2R; simpl.
   field; lra.
 Qed.
+(** frequencies and phases *)
+Definition angles (f : wave R) := map (fun z => (turn z, phase z)) (tones (answer f)).
+(** what a swing is made of *)
+Definition has_swung c g d u (b : I.type * I.type) := match c with
+  | Lt => has (fst b) (exp (- ((g - sqrt (Rabs d)) * u))) /\ has (snd b) (exp (- ((g + sqrt (Rabs d)) * u)))
+  | _ => has (fst b) (exp (- (g * u)) * cosine d u) /\ has (snd b) (exp (- (g * u)) * sine d u) end.
+(** sines and cosines *)
+Definition has_sung t := Forall2 (fun (b : I.type * I.type) (z : R * R) =>
+  has (fst b) (sin (fst z * t + snd z)) /\ has (snd b) (cos (fst z * t + snd z))).
+(** as said *)
+Lemma swung_spec p F f u i : has_wave F f -> has i u -> has_swung (side F) (decay f) (square f) u (swung p F i).
+Proof.
+  intros [[] S W] Hu. unfold swung, has_swung, cosine, sine. destruct (side F); simpl in S; cbn [fst snd];
+    repeat (destruct Rlt_dec; try lra); rewrite ?Rmult_1_r; split; has.
+Qed.
+(** as said *)
+Lemma sung_spec p F f u i : has_wave F f -> has i u -> has_sung (clock f + u) (sung p F i) (angles f).
+Proof.
+  intros [[] _ _] Hu. unfold sung, angles, has_sung. apply (has_map has_tone); [|apply h_answer0].
+  intros Z z []. cbn [fst snd]. split; has.
+Qed.
+(** as said *)
+Lemma has_made p F f u i b bs : has_wave F f -> has i u -> has_swung (side F) (decay f) (square f) u b ->
+  has_sung (clock f + u) bs (angles f) -> has (made p F i b bs) (val f u).
+Proof.
+  intros [[] S W] Hu Hb Hs. unfold made, val. apply J.add_correct.
+  - apply J.add_correct; [has|]. unfold has_swung in Hb. destruct (side F); destruct Hb as (Hc & Hd).
+    + rewrite Rmult_plus_distr_l, <- !Rmult_assoc, !(Rmult_comm (exp _)), !Rmult_assoc. has.
+    + simpl in S. unfold cosine, sine. repeat (destruct Rlt_dec; try lra).
+      rewrite two_exponentials by (apply frequency_sq; lra). has.
+    + rewrite Rmult_plus_distr_l, <- !Rmult_assoc, !(Rmult_comm (exp _)), !Rmult_assoc. has.
+  - destruct h_answer0 as [Hf Hp Ht]. unfold sval. unfold angles in Hs. revert bs Hs.
+    induction Ht as [|Z z L l [] H IH]; intros bs Hs; cbn [fold_right map] in *.
+    + destruct bs; apply has_pval; auto; has.
+    + inversion Hs as [|B z' bs' l' (Hsin & Hcos) Hr]; subst. destruct B as (s, c). cbn [chord]. cbn [fst snd] in *.
+      specialize (IH _ Hr). unfold tval. has.
+Qed.
 (** as said *)
 Lemma has_value p F f u i : has_wave F f -> has i u -> has (value p F i) (val f u).
-Proof.
-  intros [[] S W] Hu. unfold value, val. apply J.add_correct; [|apply has_sval; auto; has].
-  apply J.add_correct; [has|]. unfold swinging, cosine, sine.
-  destruct (side F); simpl in S; repeat (destruct Rlt_dec; try lra).
-  - rewrite Rmult_1_r. has.
-  - rewrite two_exponentials by (apply frequency_sq; lra). has.
-  - has.
-Qed.
+Proof. intros. apply has_made; auto using swung_spec, sung_spec. Qed.
 (** as said *)
 Lemma has_steep p F f : has_wave F f -> has_wave (steep p F) (slope f).
 Proof. intros []. constructor; cbn [steep parts side root]; auto using has_sloped. Qed.
@@ -537,9 +580,9 @@ Proof.
 Qed.
 
 (** positive after 0 up to b, whatever the start is *)
-Definition begins how k F b : bool :=
+Definition begins how k F b at_b : bool :=
   let F' := steep q F in let F'' := steep q F' in
-  posQ b && pos (value p F (rat p b)) &&
+  posQ b && pos at_b &&
   match how with
   | Off => pos (value p F (rat p 0)) && stays depth F F' F'' 0 b
   | Touch => match early depth F' (mid 0 b) with
@@ -549,14 +592,14 @@ Definition begins how k F b : bool :=
   end.
 
 (** as said *)
-Lemma begins_spec how k F f b : has_wave F f -> begins how k F b = true ->
+Lemma begins_spec how k F f b at_b : has_wave F f -> has at_b (val f (Q2R b)) -> begins how k F b at_b = true ->
   (how = Touch -> val f 0 = 0) -> (how = Edge k -> val f 0 = 0 /\ val (slope f) 0 = 0) ->
   0 < Q2R b /\ 0 <= val f 0 /\ (forall u, 0 < u <= Q2R b -> 0 < val f u).
 Proof.
-  intros W B At Ae. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''.
+  intros W Hb0 B At Ae. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''.
   unfold begins in B. apply andb_true_iff in B. destruct B as (B & C). apply andb_true_iff in B.
     destruct B as (Hb & Pb).
-  apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|apply has_value, has_rat; auto].
+  apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|auto].
   split; auto. pose proof (mid_spec 0 b) as Mid. rewrite RMicromega.Q2R_0 in Mid.
   assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
     pos (value q F (rat q d)) && stays depth F (steep q F) (steep q
@@ -604,12 +647,25 @@ Record state := State { at_t : I.type; at_x : I.type; at_v1 : I.type; at_x2 : I.
 (** the waves of a state *)
 Definition slides K st k := Bounded (slide (boxes p) (numbers K) k (at_t st) (at_x st) (at_v1 st)) (side1 K) (root1 K).
 (** its guard *)
-Definition guards K st k :=
-  Bounded (guard (boxes p) (numbers K) k (at_t st) (at_x st) (at_v1 st) (at_v2 st)) (side1 K) (root1 K).
+Definition guards K st k f := Bounded (guard_of (boxes p) (numbers K) k (parts f) (at_v2 st)) (side1 K) (root1 K).
 (** its stick *)
 Definition sticks K st := Bounded (stuck (boxes p) (numbers K) (at_t st) (at_x st) (at_v1 st)) (sideM K) (rootM K).
 (** what friction has left in it *)
-Definition grips K st k := Bounded (grip (boxes p) (numbers K) k (at_t st) (at_x st) (at_v1 st)) (sideM K) (rootM K).
+Definition grips K k f := Bounded (grip_of (boxes p) (numbers K) k (parts f)) (sideM K) (rootM K).
+(** the value of a wave next to a time at which it is known: a time d after [most], not before [least] *)
+Definition near F known least most d := I.add p known (I.mul p (value q (steep q F) (hull p least most)) d).
+(** as said *)
+Lemma has_near F f known least most i u : has_wave F f -> has known (val f (Q2R most)) -> Q2R least <= u <= Q2R most ->
+  has i (u - Q2R most) -> has (near F known least most i) (val f u).
+Proof.
+  intros W Hk Hu Hi. assert (E : exists c, Q2R least <= c <= Q2R most /\
+    val f u = val f (Q2R most) + val (slope f) c * (u - Q2R most)).
+  { destruct (Req_dec u (Q2R most)) as [->|]; [exists (Q2R most); split; [lra|ring]|].
+    destruct (val_mean f u (Q2R most) ltac:(lra)) as (c & Hc & E). exists c. split; [lra|]. lra. }
+  destruct E as (c & Hc & ->). unfold near. assert (has (value q (steep q F) (hull p least most)) (val (slope f) c)).
+  { apply has_value; [apply has_steep; auto|apply has_hull; auto]. }
+  has.
+Qed.
 
 (** inside the bounds *)
 Definition inside i (c : Q * Q) := nonneg (I.sub p i (rat p (fst c))) && nonneg (I.sub p (rat p (snd c)) i).
@@ -627,23 +683,34 @@ Definition behind st w u := I.add p (at_x2 st) (I.mul p (I.mul p (rat p (1 # 2))
 (** the state at the next event, if the table is right about the mode until then *)
 Definition step K final st m least most (k' : bool) : option state :=
   let u := hull p least most in
+  let d := hull p (least - most) 0 in
   if Qle_bool least most && fits final (I.add p (at_t st) (rat p most)) then match m with
   | Slip k =>
-      let F := guards K st k in
-      if begins (how st) k F least && nonneg (I.neg (value p F (rat p most)))
+      let f := slides K st k in
+      let F := guards K st k f in
+      let b := swung p F (rat p most) in
+      let bs := sung p F (rat p most) in
+      let end_ := made p F (rat p most) b bs in
+      if begins (how st) k F least (near F end_ least most (rat p (least - most))) && nonneg (I.neg end_)
       then
         let v := drive (boxes p) (numbers K) k (at_v2 st) u in
-        Some (State (I.add p (at_t st) u) (value p (slides K st k) u) v (behind st v u) v Touch)
+        Some (State (I.add p (at_t st) u) (near f (made p f (rat p most) b bs) least most d) v (behind st v u) v Touch)
       else None
   | Stick =>
-      let F := grips K st k' in
-      if touches (how st) && begins (held (how st) k') k' F least &&
-        begins (held (how st) (negb k')) (negb k') (grips K st (negb k')) most && nonneg (I.neg (value p F (rat p most)))
+      let f := sticks K st in
+      let F := grips K k' f in
+      let G := grips K (negb k') f in
+      let b := swung p F (rat p most) in
+      let bs := sung p F (rat p most) in
+      let end_ := made p F (rat p most) b bs in
+      if touches (how st) && begins (held (how st) k') k' F least (near F end_ least most (rat p (least - most))) &&
+        begins (held (how st) (negb k')) (negb k') G most (made p G (rat p most) b bs) && nonneg (I.neg end_)
       then
-        let v := value p (steep p (sticks K st)) u in
+        let f' := steep p f in
+        let v := near f' (made p f' (rat p most) b bs) least most d in
+        let x := near f (made p f (rat p most) b bs) least most d in
         let t := I.add p (at_t st) u in
-        let x := edge (boxes p) (numbers K) k' t v in
-        Some (State t x v (I.add p (at_x2 st) (I.sub p (value p (sticks K st) u) (at_x st))) v (Edge k'))
+        Some (State t (edge (boxes p) (numbers K) k' t v) v (I.add p (at_x2 st) (I.sub p x (at_x st))) v (Edge k'))
       else None
   end else None.
 
@@ -653,18 +720,27 @@ Definition rest K final st m until least : option (state * I.type) :=
   if pos u && nonneg (I.sub p (rat p least) u) && upto final until then match m with
   | Slip k =>
       let f := slides K st k in
-      let F := guards K st k in
+      let F := guards K st k f in
       let w := drive (boxes p) (numbers K) k (at_v2 st) u in
-      if begins (how st) k F least then
-        Some (State (rat p until) (value p f u) (value p (steep p f) u) (behind st w u) w Off,
-          signed (boxes p) k (value p F u))
+      let b := swung p F u in
+      let bs := sung p F u in
+      if begins (how st) k F least (value p F (rat p least)) then
+        Some (State (rat p until) (made p f u b bs) (made p (steep p f) u b bs) (behind st w u) w Off,
+          signed (boxes p) k (made p F u b bs))
       else None
   | Stick =>
       let f := sticks K st in
-      let v := value p (steep p f) u in
-      if touches (how st) && begins (held (how st) true) true (grips K st true) least &&
-        begins (held (how st) false) false (grips K st false) least then
-        Some (State (rat p until) (value p f u) v (I.add p (at_x2 st) (I.sub p (value p f u) (at_x st))) v Touch, I.zero)
+      let F := grips K true f in
+      let G := grips K false f in
+      let b := swung p F (rat p least) in
+      let bs := sung p F (rat p least) in
+      let b' := swung p F u in
+      let bs' := sung p F u in
+      let x := made p f u b' bs' in
+      let v := made p (steep p f) u b' bs' in
+      if touches (how st) && begins (held (how st) true) true F least (made p F (rat p least) b bs) &&
+        begins (held (how st) false) false G least (made p G (rat p least) b bs) then
+        Some (State (rat p until) x v (I.add p (at_x2 st) (I.sub p x (at_x st))) v Touch, I.zero)
       else None
   end else None.
 
@@ -815,8 +891,8 @@ Let g k' := guard real k k' t (x t) (v1 t) (v2 t).
 Let h k' := grip real k k' t (x t) (v1 t).
 
 (** as said *)
-Lemma has_guards k' : has_wave (guards p K st k') (g k').
-Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply has_guard; auto using has_tuned|auto]. Qed.
+Lemma has_guards k' : has_wave (guards p K st k' (slides p K st k')) (g k').
+Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply (has_guard p (numbers K) k has_tuned); auto|auto]. Qed.
 (** as said *)
 Lemma has_slides k' : has_wave (slides p K st k') (slide real k k' t (x t) (v1 t)).
 Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply has_slide; auto using has_tuned|auto]. Qed.
@@ -824,26 +900,28 @@ Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply has_slide
 Lemma has_sticks : has_wave (sticks p K st) (stuck real k t (x t) (v1 t)).
 Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply has_stuck; auto using has_tuned|auto]. Qed.
 (** as said *)
-Lemma has_grips k' : has_wave (grips p K st k') (h k').
-Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply has_grip; auto using has_tuned|auto]. Qed.
+Lemma has_grips k' : has_wave (grips p K k' (sticks p K st)) (h k').
+Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply (has_grip p (numbers K) k has_tuned); auto|auto]. Qed.
 
 (** the guard of a slip, once it is accepted *)
-Lemma slip_begins k' hi : begins p q depth (how st) k' (guards p K st k') hi = true ->
+Lemma slip_begins k' hi i : has i (val (g k') (Q2R hi)) ->
+  begins p q depth (how st) k' (guards p K st k' (slides p K st k')) hi i = true ->
   0 < Q2R hi /\ 0 <= val (g k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (g k') u).
 Proof.
-  intros E. destruct Kn as (_ & _ & _ & _ & _ & Kh). pose proof (has_guards k') as W.
-  apply (begins_spec p q depth (how st) k' _ _ _ W E).
+  intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh). pose proof (has_guards k') as W.
+  apply (begins_spec p q depth (how st) k' _ _ _ _ W Hi E).
   - intros Eh. rewrite Eh in Kh. unfold g. rewrite <- Kh. apply guard_touch; auto.
   - intros Eh. rewrite Eh in Kh. destruct Kh as (Ev & Ex). unfold g. rewrite <- Ev. split.
     + apply guard_touch; auto.
     + apply guard_edge; auto.
 Qed.
 (** and that of a stick *)
-Lemma stick_begins k' hi : begins p q depth (held (how st) k') k' (grips p K st k') hi = true ->
+Lemma stick_begins k' hi i : has i (val (h k') (Q2R hi)) ->
+  begins p q depth (held (how st) k') k' (grips p K k' (sticks p K st)) hi i = true ->
   0 < Q2R hi /\ 0 <= val (h k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (h k') u).
 Proof.
-  intros E. destruct Kn as (_ & _ & _ & _ & _ & Kh). pose proof (has_grips k') as W.
-  apply (begins_spec p q depth (held (how st) k') k' _ _ _ W E); unfold held;
+  intros Hi E. destruct Kn as (_ & _ & _ & _ & _ & Kh). pose proof (has_grips k') as W.
+  apply (begins_spec p q depth (held (how st) k') k' _ _ _ _ W Hi E); unfold held;
     destruct (how st) as [| |k'']; try discriminate; destruct (eqb k'' k') eqn:Ek; try discriminate.
   apply eqb_prop in Ek. subst k''. intros _. apply grip_edge; auto. apply Kh.
 Qed.
@@ -878,17 +956,43 @@ Proof.
   destruct (stuck_start M1 M2 A1 A2 B (in_R (fst y)) (in_R (snd y)) f t (x t) (v1 t)) as (E & _). exact E.
 Qed.
 
+(** what is computed once serves all waves of a phase *)
+Lemma slide_made k' i u F w : has i u -> has_wave F w -> side F = side1 K -> decay w = slow1 k -> square w = stiff1 k ->
+  clock w = t -> angles w = angles (g k') ->
+  has (made p F i (swung p (guards p K st k' (slides p K st k')) i) (sung p (guards p K st k' (slides p K st k')) i)) (val w u).
+Proof.
+  intros Hi W S D Q C A. pose proof (has_guards k') as G. apply has_made; auto.
+  - rewrite S, D, Q. exact (swung_spec p _ _ u i G Hi).
+  - rewrite C, A. exact (sung_spec p _ _ u i G Hi).
+Qed.
+(** of a stick *)
+Lemma stick_made k' i u F w : has i u -> has_wave F w -> side F = sideM K -> decay w = slowM k -> square w = stiffM k ->
+  clock w = t -> angles w = angles (h k') ->
+  has (made p F i (swung p (grips p K k' (sticks p K st)) i) (sung p (grips p K k' (sticks p K st)) i)) (val w u).
+Proof.
+  intros Hi W S D Q C A. pose proof (has_grips k') as G. apply has_made; auto.
+  - rewrite S, D, Q. exact (swung_spec p _ _ u i G Hi).
+  - rewrite C, A. exact (sung_spec p _ _ u i G Hi).
+Qed.
+Ltac made := try reflexivity; unfold angles; cbn; rewrite ?map_map; reflexivity.
+
 (** one event *)
 Lemma step_sound m least most k' st' : step p q depth K final st m least most k' = Some st' ->
   exists t', t < t' /\ v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode m (v1 u) (v2 u)) /\ knows B f st' t'.
 Proof.
   pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & Kh). unfold step.
   destruct (Qle_bool least most) eqn:E0; [|discriminate]. apply Qle_bool_iff, Qle_Rle in E0.
-  destruct (fits _ _ _) eqn:Ef; [|discriminate]. cbn [andb].
-  apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef). destruct m as [s|].
-  - destruct (begins _ _ _ _ _ _ _) eqn:E1; [|discriminate]. destruct (nonneg _) eqn:E2; [|discriminate]. cbn [andb].
-    intros E. injection E as <-. destruct (slip_begins _ _ E1) as (Hl & Z & P).
-    apply nonneg_spec with (r := - val (g s) (Q2R most)) in E2; [|apply J.neg_correct, has_value, has_rat; apply has_guards].
+  destruct (fits _ _ _) eqn:Ef; [|discriminate]. cbn [andb]. pose proof (has_rat p most) as Hmost.
+  apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef).
+  assert (Hless : has (rat p (least - most)) (Q2R least - Q2R most)) by (rewrite <- Q2R_minus; apply has_rat).
+  assert (Hd : forall u, Q2R least <= u <= Q2R most -> has (hull p (least - most) 0) (u - Q2R most)).
+  { intros u Hu. apply has_hull. rewrite Q2R_minus, RMicromega.Q2R_0. lra. }
+  destruct m as [s|]; cbv zeta.
+  - pose proof (slide_made s _ _ _ _ Hmost (has_guards s) eq_refl eq_refl eq_refl eq_refl eq_refl) as Hend.
+    pose proof (has_near p q _ _ _ least most _ (Q2R least) (has_guards s) Hend ltac:(lra) Hless) as Hleast.
+    destruct (begins _ _ _ _ _ _ _ _) eqn:E1; [|discriminate]. destruct (nonneg _) eqn:E2; [|discriminate]. cbn [andb].
+    intros E. injection E as <-. destruct (slip_begins _ _ _ Hleast E1) as (Hl & Z & P).
+    apply nonneg_spec with (r := - val (g s) (Q2R most)) in E2; [|apply J.neg_correct; auto].
     destruct (slip_until M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s (Q2R least) (Q2R most))
       as (u & Hu & Q & Ev & Ex & V); [lra|lra|exact Z|exact P|change (val (g s) (Q2R most) <= 0); lra|].
     assert (Hh : has (hull p least most) u) by (apply has_hull; lra).
@@ -898,22 +1002,31 @@ Proof.
     + intros r Hr. specialize (Q (r - t) ltac:(lra)). replace (t + (r - t)) with r in Q by ring.
       destruct s; simpl in *; lra.
     + unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. split; [has|]. split.
-      { rewrite Ex. apply has_value; auto using has_slides. }
+      { rewrite Ex. apply has_near; [apply has_slides| |lra|apply Hd; lra]. apply slide_made; auto; [apply has_slides|made]. }
       rewrite Ev. split; [auto|]. split; [|auto]. apply (slip_behind s); auto; lra.
-  - destruct (touches (how st)) eqn:Et; [|discriminate].
-    destruct (begins _ _ _ _ _ (grips p K st k') _) eqn:E1; [|discriminate].
-    destruct (begins _ _ _ _ _ (grips p K st (negb k')) _) eqn:E2; [|discriminate].
+  - pose proof (stick_made k' _ _ _ _ Hmost (has_grips k') eq_refl eq_refl eq_refl eq_refl eq_refl) as Hend.
+    pose proof (has_near p q _ _ _ least most _ (Q2R least) (has_grips k') Hend ltac:(lra) Hless) as Hleast.
+    assert (Hother : has (made p (grips p K (negb k') (sticks p K st)) (rat p most)
+      (swung p (grips p K k' (sticks p K st)) (rat p most)) (sung p (grips p K k' (sticks p K st)) (rat p most)))
+      (val (h (negb k')) (Q2R most))).
+    { apply stick_made; auto; [apply has_grips|made]. }
+    destruct (touches (how st)) eqn:Et; [|discriminate].
+    destruct (begins _ _ _ _ _ _ _ _) eqn:E1; [|discriminate].
+    destruct (begins _ _ _ _ (negb k') _ _ _) eqn:E2; [|discriminate].
     destruct (nonneg _) eqn:E3; [|discriminate]. cbn [andb]. intros E. injection E as <-.
     pose proof (knows_touch Et) as Ev0.
-    destruct (stick_begins _ _ E1) as (Hl & Z & P). destruct (stick_begins _ _ E2) as (Hm & Z' & P').
-    apply nonneg_spec with (r := - val (h k') (Q2R most)) in E3; [|apply J.neg_correct, has_value, has_rat; apply has_grips].
+    destruct (stick_begins _ _ _ Hleast E1) as (Hl & Z & P). destruct (stick_begins _ _ _ Hother E2) as (Hm & Z' & P').
+    apply nonneg_spec with (r := - val (h k') (Q2R most)) in E3; [|apply J.neg_correct; auto].
     destruct (stick_until M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht k' (Q2R least) (Q2R most))
       as (u & Hu & Ev & Ee & Ex & V);
       [lra|lra|auto|exact Z|exact P| |change (val (h k') (Q2R most) <= 0); lra|].
     { intros r Hr. change (0 <= val (h (negb k')) r). destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P'; lra. }
     assert (Hh : has (hull p least most) u) by (apply has_hull; lra).
-    assert (Hv : has (value p (steep p (sticks p K st)) (hull p least most)) (v1 (t + u))).
-    { rewrite V by lra. apply has_value; auto. apply has_steep, has_sticks. }
+    assert (Hsl : has (near p q (steep p (sticks p K st)) (made p (steep p (sticks p K st)) (rat p most)
+      (swung p (grips p K k' (sticks p K st)) (rat p most)) (sung p (grips p K k' (sticks p K st)) (rat p most)))
+      least most (hull p (least - most) 0)) (v1 (t + u))).
+    { rewrite V by lra. apply has_near; [apply has_steep, has_sticks| |lra|apply Hd; lra].
+      apply stick_made; auto; [apply has_steep, has_sticks|made]. }
     exists (t + u). split; [lra|]. split; [apply Ev; lra|]. split.
     + intros r Hr. specialize (Ev (r - t) ltac:(lra)). replace (t + (r - t)) with r in Ev by ring. auto.
     + unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite <- (Ev u) by lra. split; [has|]. split.
@@ -923,7 +1036,7 @@ Proof.
           apply Rmult_eq_reg_l with A2; [|lra]. rewrite E. unfold edge; simpl. rewrite signed_real. field; lra. }
       split; [auto|]. split; [|auto]. apply stick_behind; auto; try lra.
       * intros r Hr. rewrite <- Ev by lra. apply V. lra.
-      * apply has_value; auto using has_sticks.
+      * apply has_near; [apply has_sticks| |lra|apply Hd; lra]. apply stick_made; auto; [apply has_sticks|made].
 Qed.
 (** a rest *)
 Lemma rest_sound m until least st' w : rest p q depth K final st m until least = Some (st', w) ->
@@ -940,8 +1053,8 @@ Proof.
   { unfold upto in Ef. destruct final; auto. apply Qle_Rle, Qle_bool_iff, Ef. }
   specialize (H _ Fin). assert (Hc : has (rat p until) (t + u)).
   { rewrite <- Eu. has. } rewrite Eu in H |- *. destruct m as [s|].
-  - destruct (begins _ _ _ _ _ _ _) eqn:E3; [|discriminate]. intros E. injection E as <- <-.
-    destruct (slip_begins _ _ E3) as (Hl & Z & P).
+  - destruct (begins _ _ _ _ _ _ _ _) eqn:E3; [|discriminate]. intros E. injection E as <- <-.
+    destruct (slip_begins _ _ _ (has_value p _ _ _ _ (has_guards s) (has_rat p least)) E3) as (Hl & Z & P).
     assert (Nn : forall r, 0 <= r < u -> 0 <= val (g s) r).
     { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P; lra. }
     assert (F := slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s u ltac:(lra) ltac:(lra) Nn).
@@ -953,28 +1066,36 @@ Proof.
     + assert (Hw : has (drive (boxes p) (numbers K) s (at_v2 st) iu) (v2 (t + u))).
       { rewrite F2. apply has_drive; auto using has_tuned. }
       intros B' f'. unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. split; [auto|]. split; [|split; [|split; [|auto]]].
-      * rewrite Fx. apply has_value; auto using has_slides.
-      * rewrite F1. apply has_value; auto. apply has_steep, has_slides.
+      * rewrite Fx. apply slide_made; auto; [apply has_slides|made].
+      * rewrite F1. apply slide_made; auto; [apply has_steep, has_slides|made].
       * apply (slip_behind s); auto; [lra|]. intros r Hr. apply F; auto.
     + replace (v1 (t + u) - v2 (t + u)) with (signed real s (val (g s) u)).
-      * apply has_signed, has_value; auto using has_guards.
+      * apply has_signed, slide_made; auto. apply has_guards.
       * rewrite signed_real, <- G by lra. destruct s; simpl; ring.
   - destruct (touches (how st)) eqn:Et; [|discriminate]. pose proof (knows_touch Et) as Ev0.
-    destruct (begins _ _ _ _ _ (grips p K st true) _) eqn:E3; [|discriminate].
-    destruct (begins _ _ _ _ _ (grips p K st false) _) eqn:E4; [|discriminate]. intros E. injection E as <- <-.
-    destruct (stick_begins _ _ E3) as (Hl & Z & P). destruct (stick_begins _ _ E4) as (_ & Z' & P').
+    pose proof (has_rat p least) as Hleast.
+    assert (Hf : forall i r, has i r -> has (made p (grips p K false (sticks p K st)) i
+      (swung p (grips p K true (sticks p K st)) i) (sung p (grips p K true (sticks p K st)) i)) (val (h false) r)).
+    { intros. apply stick_made; auto; [apply has_grips|made]. }
+    destruct (begins _ _ _ _ true _ _ _) eqn:E3; [|discriminate].
+    destruct (begins _ _ _ _ false _ _ _) eqn:E4; [|discriminate]. intros E. injection E as <- <-.
+    destruct (stick_begins _ _ _ (has_value p _ _ _ _ (has_grips true) Hleast) E3) as (Hl & Z & P).
+    destruct (stick_begins _ _ _ (Hf _ _ Hleast) E4) as (_ & Z' & P').
     assert (Both : forall r, 0 <= r < u -> 0 <= val (h true) r /\ 0 <= val (h false) r).
     { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. split; apply Rlt_le; [apply P|apply P']; lra. }
     assert (F := stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht u ltac:(lra) ltac:(lra) Ev0 Both).
     destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. split; [|split].
     + intros r Hr. destruct (F (r - t) ltac:(lra)) as (_ & G1 & G2). replace (t + (r - t)) with r in * by ring.
       simpl. congruence.
-    + assert (Hv : has (value p (steep p (sticks p K st)) iu) (v1 (t + u))).
-      { rewrite F1. apply has_value; auto. apply has_steep, has_sticks. }
+    + assert (Hx : has (made p (sticks p K st) iu (swung p (grips p K true (sticks p K st)) iu)
+        (sung p (grips p K true (sticks p K st)) iu)) (x (t + u))).
+      { rewrite Fx. apply stick_made; auto; [apply has_sticks|made]. }
+      assert (Hv : has (made p (steep p (sticks p K st)) iu (swung p (grips p K true (sticks p K st)) iu)
+        (sung p (grips p K true (sticks p K st)) iu)) (v1 (t + u))).
+      { rewrite F1. apply stick_made; auto; [apply has_steep, has_sticks|made]. }
       intros B' f'. unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite F1 in Hv. rewrite F1, F2.
-      split; [auto|]. split; [|split; [auto|split; [|auto]]].
-      * rewrite Fx. apply has_value; auto using has_sticks.
-      * apply stick_behind; auto; [lra| |apply has_value; auto using has_sticks]. intros r Hr. apply F; auto.
+      split; [auto|]. split; [auto|]. split; [auto|]. split; [|auto].
+      apply stick_behind; auto; [lra| |exact (eq_ind _ (has _) Hx _ Fx)]. intros r Hr. apply F; auto.
     + rewrite F1, F2, Rminus_diag_eq by auto. apply J.zero_correct.
 Qed.
 End State.

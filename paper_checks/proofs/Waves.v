@@ -114,15 +114,19 @@ Definition slide k := swing (slow1 K) (stiff1 K) (- (signed k (kb K) / ka2 K)) (
 (** body 2's velocity in it *)
 Definition drive k v2 u := v2 + signed k (kb K) / k2 K * u.
 (** k (v1 - v2) *)
-Definition guard k t x v1 v2 := let f := sloped (slide k t x v1) in
-  Wave (- signed k v2) (- (kb K / k2 K)) (signed k (even f)) (signed k (odd f)) (decay f) (square f) t
+Definition guard_of k f v2 := let f := sloped f in
+  Wave (- signed k v2) (- (kb K / k2 K)) (signed k (even f)) (signed k (odd f)) (decay f) (square f) (clock f)
     (scaled (signed k) (answer f)).
+(** of a state *)
+Definition guard k t x v1 v2 := guard_of k (slide k t x v1) v2.
 (** both bodies in a stick *)
 Definition stuck := swing (slowM K) (stiffM K) (zero A) (answerM K).
 (** what friction has left towards the side k *)
-Definition grip k t x v := let f := sloped (sloped (stuck t x v)) in
-  Wave (kb K / k2 K) (zero A) (- signed k (even f)) (- signed k (odd f)) (decay f) (square f) t
+Definition grip_of k f := let f := sloped (sloped f) in
+  Wave (kb K / k2 K) (zero A) (- signed k (even f)) (- signed k (odd f)) (decay f) (square f) (clock f)
     (scaled (fun c => - signed k c) (answer f)).
+(** of a state *)
+Definition grip k t x v := grip_of k (stuck t x v).
 (** the place where a stick ends towards k at the time t with the velocity v *)
 Definition edge k t v := (sval (force K) t - signed k (kb K * kM K / k2 K) - ka1 K * v) / ka2 K.
 End Computed.
@@ -324,7 +328,7 @@ Qed.
 Lemma val_guard k t x v1 v2 u :
   val (guard real K k t x v1 v2) u = sign k * (val (slope (slide real K k t x v1)) u - drive real K k v2 u).
 Proof.
-  unfold guard, drive. set (f := slope (slide real K k t x v1)). assert (S : still f = 0) by reflexivity.
+  unfold guard, guard_of, drive. set (f := slope (slide real K k t x v1)). assert (S : still f = 0) by reflexivity.
   assert (D : drift f = 0) by reflexivity. assert (C : clock f = t) by reflexivity. clearbody f.
   unfold val; cbn [still drift even odd decay square clock answer]. rewrite S, D, C.
   rewrite (scaled_ext _ (fun r => sign k * r)), sval_scaled by (intros; apply signed_real).
@@ -333,7 +337,7 @@ Qed.
 (** as said *)
 Lemma val_grip k t x v u : val (grip real K k t x v) u = b / m2 - sign k * val (slope (slope (stuck real K t x v))) u.
 Proof.
-  unfold grip. set (f := slope (slope (stuck real K t x v))). assert (S : still f = 0) by reflexivity.
+  unfold grip, grip_of. set (f := slope (slope (stuck real K t x v))). assert (S : still f = 0) by reflexivity.
   assert (D : drift f = 0) by reflexivity. assert (C : clock f = t) by reflexivity. clearbody f.
   unfold val; cbn [still drift even odd decay square clock answer]. rewrite S, D, C.
   rewrite (scaled_ext _ (fun r => - sign k * r)), sval_scaled by (intros; rewrite signed_real; simpl; ring).
