@@ -61,7 +61,8 @@ class BoxRun(Path):
         self.young: dict[int, int] = {}
         v1, v2 = self.system.given.start[1:]
         self.mode = "".join(_LETTER[(x > y) - (x < y)] for x, y in zip(v1, v2, strict=True))
-        self.released(None)
+        with self.system.fine():
+            self.released(None)
         self.first = self.mode
         while self.at.piece < len(self.system.pieces):
             if len(self.events) >= self.max_events:
@@ -71,7 +72,8 @@ class BoxRun(Path):
             piece = self.at.piece
             self.one_step()
             if piece < self.at.piece < len(self.system.pieces):
-                self.released("jump")
+                with self.system.fine():
+                    self.released("jump")
         self.reached = True
 
     def released(self, cause: str | None) -> None:

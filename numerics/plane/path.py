@@ -146,8 +146,10 @@ class Path:
         first, second, _ = self.rates()
         return self.system.norm(self.at.v1, first, second)
 
-    def load(self) -> Balls:
-        """Return an enclosure of the true motion's Lam at the point."""
+    def load(self, late: arb | None = None) -> Balls:
+        """Return an enclosure of the true motion's Lam at the point, or within `late` (s) of it."""
+        if late is not None:
+            return [x + arb(0, (late * r).upper()) for x, r in zip(self.load(), self.rates()[2], strict=True)]
         system, at = self.system, self.at
         found = system.load(system.pieces[at.piece].force(at.t), at.q1, at.v1)
         return [x + arb(0, (e * self.norm).upper()) for x, e in zip(found, system.load_error, strict=True)]
@@ -220,7 +222,7 @@ class Path:
 
     def happened(self, before: str, direction: Balls, late: arb, cause: str) -> None:
         """Record a change of mode."""
-        load = [x + arb(0, (late * r).upper()) for x, r in zip(self.load(), self.rates()[2], strict=True)]
+        load = self.load(late)
         self.events.append(Happening(self.at, late, before, self.mode, direction, load, cause, self.norm, self.apart))
 
 

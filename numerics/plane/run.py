@@ -35,7 +35,8 @@ class Run(Path):
     def follow(self) -> None:
         """Follow the path to the end, or to the cap on events. Raises EventUndecided, NotSettled."""
         if not any(x != y for x, y in zip(*self.system.given.start[1:], strict=True)):
-            self.released(None)
+            with self.system.fine():
+                self.released(None)
         while self.at.piece < len(self.system.pieces):
             if len(self.events) >= self.max_events:
                 return
@@ -158,14 +159,13 @@ class Run(Path):
     def meet(self, found: Defect, late: arb, s: Balls) -> None:
         """Go on from s = 0, which a slip has come to: it sticks if the load is inside K, and passes if outside."""
         system, drive = self.system, self.system.pieces[self.at.piece]
-        at, load = self.at, self.load()
+        at = self.at
         left = sum((x * x / k for x, k in zip(at.s, system.kappa, strict=True)), arb(0)).sqrt() + self.norm
         weak = min_of([b * root for b, root in zip(drive.b, system.apart, strict=True)])
         near = self.loads_along(found)
         strain = drive.strain(near)
         if strain < 1:
-            rate = (1 - sqrt(strain)) * weak
-            direction = end_direction(system, drive, load, s)
+            rate, direction = (1 - sqrt(strain)) * weak, s
         elif strain > 1:
             drawn = drawn_to(system, drive, near, s)
             if drawn is None:
@@ -178,8 +178,10 @@ class Run(Path):
         wide = drive.strain([x + arb(0, m.upper()) for x, m in zip(near, moved, strict=True)])
         if not (wide < 1 if strain < 1 else wide > 1):
             raise self.undecided("is the load inside the friction set where the slip ends")
+        if strain < 1:
+            direction = end_direction(system, drive, self.load(late), s)
         jump = system.norm(
-            at.q1 and [arb(0)] * system.n,
+            [arb(0)] * system.n,
             [y / m * s for y, m, s in zip(system.m2, system.mass, at.s, strict=True)],
             [y / m * s for y, m, s in zip(system.m1, system.mass, at.s, strict=True)],
         )
@@ -230,7 +232,7 @@ class Run(Path):
             h = left if ends else h
         first = [one[0] for one in series.slip]
         with system.fine():
-            direction = self.first_direction(first, load, m)
+            direction = self.first_direction(first, self.load(late), m)
         self.mode = SLIP
         if cause is not None:
             self.happened(before, direction, late, cause)

@@ -18,7 +18,7 @@ from numerics.trajectory.status import Status
 
 _GUARD, _LADDER = 10, (19, 40, 80, 160)
 """Working digits beyond those asked for; what is tried where none are asked for: the float64 road has 64 bits."""
-_MOST_TRIES = 3
+_MOST_TRIES = 2
 _MAX_LEGS = 200_000
 Line = Callable[..., Any]
 

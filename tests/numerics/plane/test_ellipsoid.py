@@ -135,6 +135,14 @@ def test_what_is_no_scene_is_refused():
             PlanePair(**({"m1": 1, "m2": 1, "a2": 1, "b": 1} | wrong))
 
 
+@pytest.mark.parametrize(("v", "before"), [("0.05", "slip"), ("-0.05", "stick")])
+def test_a_start_exactly_on_the_edge_leaves_it_the_way_the_load_goes(v, before):
+    """Its first numbers are as good as all others: 20 digits at t = 0 need no more working digits than later on."""
+    pair = PlanePair(1, 1, 200, "0.5")
+    found = solve(PlaneScene(pair, "0.25", x1=["0.003", "0.004"], v1=[v, 0], v2=[v, 0]), digits=20)
+    assert (found.modes[0], found.arithmetic.digits) == (before, 30)
+
+
 def test_events_are_capped():
     run = Run(System(reduced(load_scene("plane-ellipse-creeps")), 20), 2, 10_000)
     run.follow()
