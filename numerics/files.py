@@ -34,8 +34,10 @@ NOWHERE = Path(os.devnull) / "inertial-pair"
 
 
 def _user_cache() -> Path | None:
-    from platformdirs import user_cache_path
-
+    try:
+        from platformdirs import user_cache_path
+    except ImportError:  # the solver alone does without; what is compiled is then compiled in every process
+        return None
     try:
         found = user_cache_path("inertial-pair", appauthor=False)
     except RuntimeError:  # neither HOME nor an entry in the list of users
