@@ -16,7 +16,7 @@ def cache_folder() -> Path:
     """Return `inertial-pair` in the user's cache, where the system has it (platformdirs).
 
     What is kept there is believed: a folder that others own or can write is not used, as if it could not be made, and
-    `cache_refused` says why. A user without a home has a folder that cannot be made either.
+    `cache_refused` says why. A user without a home, and one without platformdirs, has a folder that cannot be made.
     """
     folder = _user_cache()
     return NOWHERE if folder is None or _fault(folder) else folder
@@ -36,7 +36,7 @@ NOWHERE = Path(os.devnull) / "inertial-pair"
 def _user_cache() -> Path | None:
     try:
         from platformdirs import user_cache_path
-    except ImportError:  # the solver alone does without; what is compiled is then compiled in every process
+    except ImportError:  # it comes with what keeps anything: the extras `compiled` and `checks`
         return None
     try:
         found = user_cache_path("inertial-pair", appauthor=False)

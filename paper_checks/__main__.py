@@ -28,7 +28,7 @@ from paper_checks.running import early
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from paper_checks.ledger import Claim
+    from paper_checks.evidence.claim import Claim
     from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used: sympy and the solvers take seconds.
@@ -185,7 +185,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _list(options: argparse.Namespace) -> int:
-    from paper_checks.ledger import CLAIMS
+    from paper_checks.claims import CLAIMS
     from paper_checks.running import rows
     from paper_checks.running.kept import Kept
 
@@ -217,7 +217,7 @@ def _plant(options: argparse.Namespace) -> int:
 
 
 def _sign(options: argparse.Namespace) -> int:
-    from paper_checks.ledger import CLAIMS
+    from paper_checks.claims import CLAIMS
     from paper_checks.running import signing
 
     return signing.sign(CLAIMS, options.keys)
@@ -256,7 +256,7 @@ def _explore(options: argparse.Namespace) -> int:
 
 def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
     """Return the claims with these ids in ledger order; None, with one line on stderr, where one is unknown."""
-    from paper_checks.ledger import CLAIMS
+    from paper_checks.claims import CLAIMS
 
     known = [claim.id for claim in CLAIMS]
     for name in ids:
@@ -272,10 +272,10 @@ def _rows(claims: Sequence[Claim], options: argparse.Namespace) -> list[Row]:
     """Come by the rows, with progress on stderr where that is a terminal."""
     from numerics.files import cache_refused
     from numerics.tasks import available_cores
-    from paper_checks.checks.registry import Context
     from paper_checks.report.formats.progress import progress
     from paper_checks.running import rows
     from paper_checks.running.kept import Kept
+    from paper_checks.running.runner import Context
 
     manner = rows.Manner(options.jobs or (available_cores() if options.program else 1))
     if options.program:

@@ -4,10 +4,10 @@ import os
 import signal
 
 from numerics.trade.recorded import Trade
-from paper_checks.checks.registry import Context
 from paper_checks.reporting import parts
 from paper_checks.running import workers
 from paper_checks.running.plain import Plain
+from paper_checks.running.runner import Context
 
 
 def dies_of_energy_rate(name: str, context: Context) -> Plain:

@@ -230,8 +230,26 @@ BEYOND = [
     ("Robust", "(stick_load (x t) (v1 t)) < bs ->", "(stick_load (x t) (v1 t)) < bk ->", "sticks left at will"),
     ("Inclusion", "y' r t : monotone A -> motion", "y' r t : motion", "contraction with a drive that parts"),
     ("Inclusion", "beta * (J t - J 0) <= E 0)", "beta * (J t - J 0) <= E 0 / 2)", "half the path"),
+    (
+        "Inclusion",
+        "<= exp (c * t) * norm (minus (y 0)",
+        "<= exp (c / 2 * t) * norm (minus (y 0)",
+        "half the rate of parting",
+    ),
+    ("Plane", "<-> semi_major_square <= L ^ 2).", "<-> 2 * semi_major_square <= L ^ 2).", "half the ellipse"),
+    ("Plane", "-> A + B <= 2 * L ^ 2) /\\ (C", "-> A + B <= L ^ 2) /\\ (C", "no stuck circle above E_cr"),
+    ("Plane", "(- k * (b ^ 2 - (p t", "(- k * (b ^ 2 + (p t", "a slip that always ends sooner"),
+    ("Rotating", "stiffness (m1 + m2)) / (m2 * om ^ 2).", "stiffness m1) / (m2 * om ^ 2).", "U* of body 1 alone"),
+    ("Rotating", "(2 * rho * stiffness m1 / om ^ 2", "(rho * stiffness m1 / om ^ 2", "half the slope of U squared"),
+    ("Falling", "slips_part f' : f' < 0 ->", "slips_part f' : f' <= 0 ->", "slips that part under Coulomb's law"),
+    (
+        "Falling",
+        "bk < Rabs (stick_load m1 m2 0 a2 x0 v0) < bs ->",
+        "Rabs (stick_load m1 m2 0 a2 x0 v0) < bs ->",
+        "any stick",
+    ),
     ("Systems", "k_form : inner (fun v w => dot (K v) w);", "k_form : inner dot;", "springs of no symmetry"),
-    ("Systems", "0 <= dot (minus (C v) (C w)) (minus v w);", "True;", "dampers that drive"),
+    ("Systems", "d J r t : dampers 0 -> inclusion", "d J r t : dampers 1 -> inclusion", "dampers that drive"),
 ]
 
 PLANTED = FREE + FORCED + PAST + CONTROL + BEYOND

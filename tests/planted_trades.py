@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from numerics.trade.recorded import Run, Trade, recorded
+from numerics.trade.recorded import NONE, Run, Trade, recorded
 
 MACHINE = {"processor": "Abacus", "cores": 2, "load": 0.1, "python": "3.11", "packages": {"numpy": "2"}}
 SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
@@ -12,16 +12,15 @@ SCENES = ("velocities", "relative-motion-b05", "near-critical-1e-6")
 
 def run(who: str, scene: str, seconds: float | None, digits: float | None = None, right: bool | None = True) -> Run:
     """Return a run of a peer, or of ours; its note where the events are wrong or there is no answer."""
-    note = {True: "", False: "1 events, not 24", None: "stopped after 9 s"}[right]
-    setting = 0.0 if who == "solve" else 15.0
-    return Run(scene, who, who in ("solve", "ball"), setting, seconds, None, digits, right, note)
+    note = {True: "", False: "1 events, not 24", None: f"{NONE}stopped"}[right]
+    return Run(scene, who, 0.0 if who == "solve" else 15.0, seconds, digits, note)
 
 
 def trade_of(*runs: Run, **more: object) -> Trade:
     """Return a trade of `solve` with 14 digits and balls with 40 on all scenes, and of further runs."""
     ours = [run(*one) for scene in SCENES for one in (("solve", scene, 1e-3, 14.5), ("ball", scene, 1e-2, 40.0))]
     every = (*ours, *runs)
-    given = {"size": "small", "machine": MACHINE, "left_out": {}, "scenes": {one.scene: "planted" for one in every}}
+    given = {"machine": MACHINE, "left_out": {}, "scenes": {one.scene: "planted" for one in every}}
     return Trade(**(given | more), runs=every)
 
 

@@ -175,10 +175,10 @@ def _size(measured: argparse.ArgumentParser, how_long: str) -> None:
 
 
 def _trade(trade: argparse.ArgumentParser) -> None:
-    _size(trade, "a few minutes, half an hour or some hours")
+    _size(trade, "half a minute, some minutes or half an hour")
     what = "free or forced scenes, or contenders and scenes whose names contain NAME"
     trade.add_argument("--only", nargs="+", default=[], metavar="NAME", help=what)
-    what = "only the public interface beside heyoka, in one process and in turns"
+    what = "only the public interface beside heyoka"
     trade.add_argument("--interface", action="store_true", help=what)
     trade.add_argument("--json", action="store_true", help="print every measurement as JSON")
     trade.add_argument("--out", metavar="FIGURE", **_FIGURE)

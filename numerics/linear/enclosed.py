@@ -88,8 +88,12 @@ class _Run(Path):
         moved = (arb(t) - arb(root.tau)).abs_upper()
         late, norm = root.late + moved, at.norm
         if self.cells:
+            norm = norm * self.growth(at, arb(t))
+            reached = at.place + self.kappa * norm * (4 * late + (arb(t) if at.mode else 0))
             # about the event both motions may be in different cells
-            norm = norm * self.growth(at, arb(t)) * (2 * self.steepest * late).exp()
+            norm = (2 * self.kappa**2 * self.falling * late).exp() * (
+                norm + 4 * self.kappa * self.pulling * reached * late
+            )
             at = at._replace(norm=norm)
         state, here = root.motion.state(t), numbers.within(local, late)
         bends = root.motion.bends(t + arb(0, late)) if self.is_ball else [arb(0), arb(0)]
@@ -108,11 +112,12 @@ class _Run(Path):
         apart = self.kappa * norm * (2 * late + (arb(t) if at.mode else 0))
         norm = norm + self.root_a2 * radii[0] + self.root_m1 * gaps[0] + self.root_m2 * gaps[1] + self.kappa * bound
         if self.cells:
-            norm = norm + self.root_g * (radii[0] + radii[1])
+            norm = norm + self.weight(at) * (radii[0] + radii[1])
         norm, place = norm.upper(), (at.place + apart + radii[0] + radii[1]).upper()
         x1, v1, x2, v2 = map(numbers.middle, shared)
         far = self.far(at, arb(t), radii[0], norm)
         found = after._replace(local=local, state=(x1, v1, x2, v2), norm=norm, far=far, place=place)
+        found = self.reweighed(found, self.weight(at))
         return found, self.row(found, rows, here, event, event=at.mode != found.mode)
 
     def switched(self, at: At, root: Root, event: list[Any], bends: list[arb], here: Any, moved: arb) -> tuple[At, arb]:
@@ -199,6 +204,8 @@ class _Run(Path):
             one = two = one.intersection(two)
         runs = [late * (abs(speed) + bend * late) for speed, bend in zip((v1, v2), bends, strict=True)]
         place = at.place + 2 * self.kappa * at.norm * late
+        if self.cells and at.mode:
+            place = place + self.kappa * at.norm * arb(t)
         return [within(x1, (far + runs[0]).upper()), one, within(x2, (far + place + runs[1]).upper()), two]
 
     def next_piece(self, at: At, rows: list[Knot]) -> tuple[At, Knot]:
@@ -214,6 +221,7 @@ class _Run(Path):
         found = end._replace(mode=mode, order=abs(mode - at.mode), piece=index, local=local)
         if at.mode == 0:
             found = self.entered(found, found.state)
+        found = self.reweighed(found, self.weight(at))
         return found, self.row(found, rows, local, self.fixed(found), event=mode != at.mode)
 
     def is_stuck(self, end: At) -> bool:

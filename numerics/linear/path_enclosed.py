@@ -8,11 +8,10 @@ but for the short times by which an event may be misplaced. Two motions under th
 so the path's error is at most the sum of the local ones; in stick, where both obey one linear equation, it shrinks with
 its solutions. While friction is off by 2 b for a time d, N grows by 2 b sqrt(M/(m1 m2)) d at most.
 
-Where friction depends on the state, N^2 has G (x1 - x2)^2 besides, G the greatest |C'|, and with kappa^2 = M/(m1 m2)
+Where friction depends on the state, N^2 has g (x1 - x2)^2 besides, g = |dF/dz| in the cell of a slip, 0 in stick. While
+both motions are in that cell it grows at the rate of LocalNorm; for as long as that is not known (about an event)
 
-    (N^2/2)' <= -(dF/dw) w^2 + (G - dF/dz) w z <= (kappa^2 max(0, -dF/dw) + kappa |G - dF/dz|/(2 sqrt G)) N^2
-
-of differences while both are in one cell; for as long as that is not known B falls as steeply as it does anywhere.
+    N' <= kappa^2 l N + 2 kappa Lip |x1 - x2|,    l, Lip: the greatest fall of B and slope of C, kappa^2 = M/(m1 m2).
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.cells import PLAIN, Branch, cells_of
-from numerics.linear.coupled import coupled_flow_of
+from numerics.linear.coupled import CoupledFlow, coupled_flow_of
 from numerics.linear.flow import REACH, Drive, Flow, Numbers, flow_of
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import X1, X2
@@ -75,8 +74,7 @@ class Path:
         self.kappa = number(pair.mass / (pair.m1 * pair.m2)).sqrt()
         self.cells = cells_of(scene)
         falling, pulling = (self.cells.falling, self.cells.pulling) if self.cells else (0, 0)
-        self.pulling, self.root_g = number(pulling), number(pulling).sqrt()
-        self.steepest = self.kappa * self.kappa * number(falling) + self.kappa * self.root_g
+        self.falling, self.pulling = number(falling), number(pulling)
         self.load_norm = (number((pair.m2 / pair.mass) ** 2 * (pair.a2 + pair.a1**2 / pair.m1))).sqrt()
 
     def drive(self, index: int) -> Drive:
@@ -136,12 +134,27 @@ class Path:
             raise self.undecided(at)
         return edge
 
+    def weight(self, at: At) -> arb:
+        """Return sqrt(g) of the norm in the cell of a point; 0 in stick, and where friction is one number b."""
+        flow = self.flow(at.mode, at.piece, at.cell)
+        return flow.norm.root_g if isinstance(flow, CoupledFlow) else arb(0)
+
     def growth(self, at: At, t: arb) -> arb:
         """Return by which factor N may grow in a time in the mode of a point, while the true motion is in its cell."""
-        branch = self.branch(at.mode, at.piece, at.cell)
-        if branch is None or self.cells is None or not self.is_ball:
+        flow = self.flow(at.mode, at.piece, at.cell)
+        if not (self.is_ball and isinstance(flow, CoupledFlow)):
             return arb(1)
-        return (self.cells.growth(branch) * t.abs_upper()).exp().upper()
+        return (flow.norm.mu * t.abs_upper()).exp().upper()
+
+    def reweighed(self, at: At, root_g: arb) -> At:
+        """Return a point with N of its own cell, where it is that of a cell with this sqrt(g)."""
+        if self.cells is None:
+            return at
+        place, more = at.place, self.weight(at) ** 2 - root_g**2
+        if root_g > 0:
+            place = (at.norm / root_g).upper().min(place)
+        norm = (at.norm * at.norm + more * place * place).sqrt().upper() if more > 0 else at.norm
+        return at._replace(norm=norm, place=place)
 
     def left(self, at: At) -> arb:
         """Return the time that is left of the piece."""
@@ -188,7 +201,7 @@ class Path:
         x1, v1, x2, v2 = (self.numbers.radius(one) for one in state)
         norm = (norm + self.root_a2 * x1 + self.root_m1 * v1 + self.root_m2 * v2).upper()
         if self.cells:
-            norm = (norm + self.root_g * (x1 + x2)).upper()
+            norm = (norm + self.weight(at) * (x1 + x2)).upper()
         if not norm.is_finite():
             raise OutOfRange("a number of this scene left the range of its arithmetic")
         points = tuple(map(self.numbers.middle, state))

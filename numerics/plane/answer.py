@@ -252,15 +252,14 @@ MOST = 15
 
 
 def energy_of(scene: PlaneScene, y: PlaneState) -> arb:
-    """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2, J."""
+    """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2, J. (A ball about 0 has no ** 2 in python-flint: it answers nan.)"""
     pair, number = scene.pair, Ball.number
     found = arb(0)
     for i in range(pair.axes):
-        found += (
-            number(pair.a2[i][i]) * y.x1[i] ** 2 + number(pair.m1[i]) * y.v1[i] ** 2 + number(pair.m2[i]) * y.v2[i] ** 2
-        )
+        x, v, w = y.x1[i], y.v1[i], y.v2[i]
+        found += number(pair.a2[i][i]) * x * x + number(pair.m1[i]) * v * v + number(pair.m2[i]) * w * w
         for j in range(i):
-            found += 2 * number(pair.a2[i][j]) * y.x1[i] * y.x1[j]
+            found += 2 * number(pair.a2[i][j]) * x * y.x1[j]
     return found / 2
 
 

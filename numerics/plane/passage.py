@@ -53,7 +53,7 @@ def _critical(system: System, drive: Drive, load: Balls, s: Balls) -> Balls:
         change = max((abs(moved[i, 0]).upper() for i in range(n)), key=lambda one: one)
         if change < arb((1, 8 - system.bits)) or (before and change >= before and change < arb((1, -system.bits // 2))):
             break
-    far = sum((c * (x - y) ** 2 for c, x, y in zip(inverse, e, start, strict=True)), arb(0))
+    far = sum((c * (x - y) * (x - y) for c, x, y in zip(inverse, e, start, strict=True)), arb(0))
     if not far < 0.5:
         return start
     bent = matrix.inv()  # how far the critical point moves with the load, to first order, twice

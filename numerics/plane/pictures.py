@@ -9,7 +9,7 @@ import numpy as np
 
 from numerics.plane.answer import PlaneTrajectory
 
-_POINTS = 160
+_POINTS = 60
 
 
 def overview(trajectory: PlaneTrajectory) -> Any:

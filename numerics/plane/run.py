@@ -15,6 +15,7 @@ from fractions import Fraction
 
 from flint import arb, arb_poly
 
+from numerics.arithmetic.ball import sqrt
 from numerics.errors import NotSettled
 from numerics.plane.defect import Curve, Defect, defect, onset_defect, slip_defect
 from numerics.plane.onset import onset
@@ -163,7 +164,7 @@ class Run(Path):
         near = self.loads_along(found)
         strain = drive.strain(near)
         if strain < 1:
-            rate = (1 - strain.sqrt()) * weak
+            rate = (1 - sqrt(strain)) * weak
             direction = end_direction(system, drive, load, s)
         elif strain > 1:
             drawn = drawn_to(system, drive, near, s)
@@ -262,7 +263,7 @@ class Run(Path):
         system, drive = self.system, self.system.pieces[self.at.piece]
         if m == 2:
             return [x / b for x, b in zip(load, drive.b_squared, strict=True)]
-        off = sum((k * x.rad() ** 2 for k, x in zip(system.kappa, load, strict=True)), arb(0)).sqrt() + self.eps
+        off = sum((k * x.rad() * x.rad() for k, x in zip(system.kappa, load, strict=True)), arb(0)).sqrt() + self.eps
         return [x + arb(0, (root * off).upper()) for x, root in zip(first, system.apart, strict=True)]
 
     def reach(self, slip: Sequence[Balls], m: int) -> tuple[arb, int]:

@@ -3,51 +3,62 @@
 from __future__ import annotations
 
 import argparse
-import json
 from statistics import median
 from typing import Any
 
 from numerics.exits import OK, USAGE, refuse
 from numerics.shown import print_table, shown_steps, write_figure
 
+BESIDE = ((0, "heyoka"), (12, "heyoka long double"), (20, "heyoka long double"))
+"""At the public interface: digits that are asked for, 0 for none, and beside whom."""
+
 
 def measure_trade(options: argparse.Namespace) -> int:
-    """Measure speed against accuracy, or the public interface beside heyoka; print tables or JSON, write the figure."""
+    """Measure speed against accuracy, or only the public interface beside heyoka; print, write the figure."""
+    from numerics.trade.contenders import CONTENDERS
     from numerics.trade.figure import draw_trade
-    from numerics.trade.interface import ratios
     from numerics.trade.measure import NoSuchContender, trade
 
-    if options.interface:
-        found = list(ratios())
-        if options.json:
-            print(json.dumps([one._asdict() for one in found], indent=1))
-        else:
-            print_ratios(found)
-        return OK
+    some = [one for one in CONTENDERS if not options.interface or one.label.startswith(("solve", "ball", "heyoka"))]
     try:
         with shown_steps() as say:
-            measured = trade(options.size, options.only, say)
+            measured = trade(options.size, options.only, say, some)
     except NoSuchContender as error:
         return refuse(str(error), USAGE)
     if options.out is not None:
         write_figure(draw_trade(measured), options.out)
     if options.json:
         print(measured.text(), end="")
-    else:
+        return OK
+    if not options.interface:
         print_trade(measured)
+    print_ratios(measured)
     return OK
 
 
-def print_ratios(found: Any) -> None:
-    """Print the least and the median ratio of each comparison over its scenes, and what is not that simple."""
+def print_ratios(trade: Any) -> None:
+    """Print how many times as fast as heyoka ours is: the least and the median over the scenes, then each of them."""
+    found: dict[str, list[tuple[float, str, str]]] = {}
+    for digits, peer in BESIDE:
+        for scene in trade.scenes:
+            if lead := trade.beside(scene, digits, peer):
+                kind = "forced" if scene in trade.names(forced=True) else "free"
+                what = f"solve({f'digits={digits}' if digits else ''}).t .y .modes, {kind}, beside {peer}"
+                note = f"digits {lead.ours.digits:.1f} and {lead.peer.digits:.1f}"
+                found.setdefault(what, []).append((lead.ratio, scene, note))
+    for one in trade.sweeps:
+        note = f"{one.size} scenes, digits {one.digits:.0f} and {one.peer_digits:.1f}, {one.peer_wrong} wrong"
+        found.setdefault("solve_many, one core each", []).append((one.ratio, one.scene, note))
     lines = []
-    for what in dict.fromkeys(one.what for one in found):
-        known = sorted((one.ratio, one.scene) for one in found if one.what == what and one.ratio is not None)
-        cells = (f"{known[0][0]:.3g}", f"{median(ratio for ratio, _ in known):.3g}", known[0][1]) if known else ()
-        lines.append((what, str(len(known)), *cells))
+    for what, some in found.items():
+        least, where, _ = min(some)
+        lines.append((what, str(len(some)), f"{least:.3g}", f"{median(ratio for ratio, *_ in some):.3g}", where))
     print_table(("how many times as fast as heyoka", "scenes", "least", "median", "least on"), lines)
-    for one in found:
-        print(f"{one.what}, {one.scene}: {one.ratio or 0:.3g} {one.note}")
+    for what, some in found.items():
+        for ratio, scene, note in some:
+            print(f"{what}, {scene}: {ratio:.3g} {note}")
+    if trade.sine_cosines:
+        print(f"sine-cosines for an event in balls of 10,000 digits: {trade.sine_cosines:.3g}")
 
 
 def print_trade(trade: Any) -> None:
@@ -57,17 +68,17 @@ def print_trade(trade: Any) -> None:
         for one in trade.of(scene):
             digits = "-" if one.digits is None else f"{one.digits:.1f}"
             ratio = f"{ahead[one].ratio:.3g} x" if one in ahead and ahead[one].ours else ""
-            times = (seconds_text(one.seconds), seconds_text(one.deviation))
-            lines.append((one.who, f"{one.setting:g}", *times, digits, "right" if one.right else one.note, ratio))
+            lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, one.note or "right", ratio))
         print(f"{scene}: {why}")
-        print_table(("", "setting", "time", "+-", "digits", "events", "ours faster"), lines)
+        print_table(("", "setting", "time", "digits", "events", "ours faster"), lines)
         print()
     of = trade.machine
     versions = ", ".join(f"{name} {version}" for name, version in of["packages"].items())
     print(f"{of['processor']}, {of['cores']} cores, load {of['load']}; Python {of['python']}, {versions}")
     print(
-        "Times are medians of warm calls in fresh processes. Digits are those of the worst error: of the state at the "
-        "horizon relative to L and L Omega, of the events' times and of the dissipated energy relative to themselves."
+        "Times are processor times of warm calls, taken in turns with solve(scene) in one process. Digits are those of "
+        "the worst error: of the state at the horizon relative to L and L Omega, of the events' times and of the "
+        "dissipated energy relative to themselves."
     )
     for name, missing in trade.left_out.items():
         print(f"left out: {name}: needs {missing}")

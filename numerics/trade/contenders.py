@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from importlib.util import find_spec
 from typing import Any
 
@@ -11,7 +12,6 @@ import numpy as np
 
 from numerics.scene import Scene
 from numerics.solver.solve import ArithmeticName, solve
-from numerics.trade.comparisons.diffrax_peer import diffrax_arcs
 from numerics.trade.comparisons.euler_peer import euler_peer
 from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
 from numerics.trade.comparisons.peer import PeerRun
@@ -20,7 +20,8 @@ from numerics.trade.comparisons.switched import switched
 from numerics.trajectory.trajectory import Trajectory
 
 MAX_EVENTS = 10**7
-Prepare = Callable[[Scene, float], Callable[[], Any]]
+Call = Callable[[], Any]
+Prepare = Callable[[Scene, float], Call]
 """prepare(scene, setting) builds and compiles everything; the call that it returns is timed, and solves each time."""
 
 
@@ -37,11 +38,6 @@ class Contender:
     def missing(self) -> str | None:
         """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""
         return None if not self.package or find_spec(self.package) else f"{self.package} (extra `comparisons`)"
-
-    @property
-    def ours(self) -> bool:
-        """Return whether it is a way to call `solve`."""
-        return self.label in OURS
 
 
 def solved(arithmetic: ArithmeticName | None = None) -> Prepare:
@@ -70,16 +66,16 @@ def answer_of(found: Any) -> PeerRun:
     return PeerRun(signs, tuple(found.t[1 : len(signs)]), tuple(found.y[:, -1]), lost)
 
 
-OURS = ("solve", "ball", "mpmath")
 CONTENDERS = (
     Contender("solve", (0, 12, 20), solved()),
     Contender("ball", (15, 100, 1000, 10_000), solved("ball")),
-    Contender("mpmath", (30, 100), solved("mpmath")),
-    Contender("forward Euler", (1e-3, 1e-4, 1e-5, 1e-6), euler_peer),
+    Contender("mpmath", (30,), solved("mpmath")),
+    Contender("forward Euler", (1e-3, 1e-4, 1e-5), euler_peer),
+    Contender("SciPy RK45", (1e-6, 1e-9), switched(partial(scipy_arcs, method="RK45")), "scipy"),
     Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), "scipy"),
-    Contender("heyoka", (1e-9, 1e-12, 1e-15, 1e-18), switched(heyoka_arcs), "heyoka"),
-    Contender("heyoka long double", (1e-12, 1e-15, 1e-18, 1e-21), switched(heyoka_arcs, np.longdouble), "heyoka"),
-    Contender("diffrax Dopri8", (1e-6, 1e-9, 1e-12), switched(diffrax_arcs), "diffrax"),
+    Contender("SciPy LSODA", (1e-6, 1e-9), switched(partial(scipy_arcs, method="LSODA")), "scipy"),
+    Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), "heyoka"),
+    Contender("heyoka long double", (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), "heyoka"),
 )
 
 

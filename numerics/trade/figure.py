@@ -24,7 +24,10 @@ def draw_trade(trade: Trade, columns: int = 4, panel_size: tuple[float, float] =
     columns = min(columns, count)
     rows = math.ceil(count / columns)
     figure = Figure(figsize=(panel_size[0] * columns, panel_size[1] * rows), layout="constrained")
-    *panels, last = figure.subplots(rows, columns, squeeze=False).flatten()[:count]
+    places = figure.subplots(rows, columns, squeeze=False).flatten()
+    for spare in places[count:]:
+        spare.remove()
+    *panels, last = places[:count]
     for number, who in enumerate(dict.fromkeys(one.who for one in trade.runs)):
         style: dict[str, Any] = {"color": f"C{number}", "marker": MARKERS[number % len(MARKERS)], "ms": 5, "lw": 0.9}
         far: dict[int, float] = {}

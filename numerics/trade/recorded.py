@@ -1,28 +1,22 @@
 """What a trade has found, as the tables, the report and the notebook read it: a small file of runs.
 
 One is shipped, with the machine that it was measured on, since what the report says must not depend on the hour. With
-the extras `comparisons` and `compiled` it is made by
+the extras `comparisons` and `compiled` it is made, in some minutes, by
 
     python -m numerics trade --json > trade.json && mv trade.json numerics/trade/recorded.json
 
-Its form is becoming this one. Every cost is a ratio that was taken in one process, in turns, by processor time, so that
-a busy machine changes little of it:
+Every time in it is a ratio that was taken in one process, in turns, by processor time, so that a busy machine changes
+little of it; `machine` says whether it was busy. The form:
 
-    {"command": "python -m numerics trade --json",
-     "machine": {"processor": text, "cores": n, "load": at the start, "python": version, "packages": {name: version}},
-     "left_out": {name: what it needs},
+    {"command": how it was made, "machine": {...}, "left_out": {name: what it needs},
      "scenes": {name: why it is measured},
      "seconds": {name: processor time of one warm solve(scene), read as a user reads it, s},
-     "columns": ["scene", "who", "setting", "cost", "digits", "right", "note"],
-     "runs": [one list a run],
-     "sweeps": [[scene, how many times as fast as heyoka solve_many is, scenes at once, digits of ours, of heyoka]],
+     "runs": {scene: {who: [[setting, cost, digits, note], ...]}},
+     "sweeps": [[scene, ratio, scenes at once, digits of ours, of heyoka, how many heyoka has wrong], ...],
      "sine_cosines": those of 10,000 digits that an event takes in balls of as many}
 
-`cost` is the processor time of a run by that of `solve(scene)` on the same scene (1 for `solve`, setting 0), null
-where nothing was timed; `digits` is -log10 of the worst error, `right` whether the events are, `note` what is wrong. In
-Python: `Trade.machine`, `.left_out`, `.scenes`, `.seconds`, `.runs` (of `Run`, with the property `ours`), `.sweeps` (of
-`Sweep`: scene, ratio, size, digits, peer_digits), `.sine_cosines`; `Trade.of(scene, who)`, `.names(forced=...)`,
-`.leads(scene)` and `Lead` as now; `Trade.time(run)` is cost * seconds[scene], or None.
+`cost` is the time of a run by that of `solve(scene)`, null where none was taken; `digits` is -log10 of the worst error;
+`note` is empty where the events are right, and begins with NONE where there is no answer.
 """
 
 from __future__ import annotations
@@ -32,7 +26,8 @@ import math
 import os
 import platform
 import re
-from dataclasses import asdict, dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
@@ -43,7 +38,10 @@ from numerics.tasks import available_cores
 from numerics.trade.scenes import kind
 
 SHIPPED = Path(__file__).with_name("recorded.json")
-PACKAGES = ("numpy", "python-flint", "numba", "pyperf", "scipy", "heyoka", "diffrax", "jax")
+COMMAND = "python -m numerics trade --json"
+PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka")
+OURS = ("solve", "ball", "mpmath")
+NONE = "no answer: "
 
 
 class UnreadableTrade(NumericsError):
@@ -55,18 +53,23 @@ class Run(NamedTuple):
 
     scene: str
     who: str
-    ours: bool
     setting: float
     seconds: float | None
-    """The median of warm calls in fresh processes; None where nothing was timed."""
-    deviation: float | None
-    """Their median absolute deviation, s; None where one call was timed."""
+    """Its time by that of `solve(scene)` beside it, times the one of `solve(scene)`, s; None where none was taken."""
     digits: float | None
     """-log10 of the worst error; None where the run gave no number."""
-    right: bool | None
-    """Whether the events are; None where there is no answer."""
     note: str
-    """Where the itinerary departs from the true one, or why there is no answer."""
+    """Where the itinerary departs from the true one, or why there is no answer; empty where the events are right."""
+
+    @property
+    def ours(self) -> bool:
+        """Whether it is a way to call `solve`."""
+        return self.who in OURS
+
+    @property
+    def right(self) -> bool | None:
+        """Whether the events are; None where there is no answer."""
+        return None if self.note.startswith(NONE) else not self.note
 
 
 class Lead(NamedTuple):
@@ -78,17 +81,35 @@ class Lead(NamedTuple):
     ours: Run | None
 
 
+class Sweep(NamedTuple):
+    """Many scenes at once on one core each: `solve_many` beside heyoka, which compiles once for all of them."""
+
+    scene: str
+    ratio: float
+    """heyoka's time by ours."""
+    size: int
+    """How many scenes, with other forces or starts."""
+    digits: float
+    """Ours, proved, of the worst scene."""
+    peer_digits: float
+    """heyoka's: of its final states against ours, of the worst scene that it has not wrong."""
+    peer_wrong: int = 0
+    """How many of its final states are off by more than a thousandth of the pair's sizes: an event was lost."""
+
+
 @dataclass(frozen=True)
 class Trade:
     """Everything that one run of the trade wrote down."""
 
-    size: str
     machine: dict[str, Any]
     left_out: dict[str, str]
     """What was not installed, with what was missing."""
     scenes: dict[str, str]
     """Names, and why each is measured."""
     runs: tuple[Run, ...]
+    sweeps: tuple[Sweep, ...] = ()
+    sine_cosines: float | None = None
+    """How many of 10,000 digits an event takes in balls of as many."""
 
     def of(self, scene: str, who: str | None = None) -> list[Run]:
         """Return the runs on one scene, of all or of one contender."""
@@ -108,11 +129,47 @@ class Trade:
             found.append(Lead(seconds / least, peer, ours))
         return sorted(found, key=lambda one: one.ratio)
 
+    def beside(self, scene: str, digits: int, peer: str = "heyoka") -> Lead | None:
+        """Return our lead with so many digits asked for (0: none) over a peer's cheapest run that has these, or ours.
+
+        Where no run of the peer has them, it is its most accurate one; None where either has no right run with a time.
+        """
+        some = [one for one in self.of(scene) if one.right and one.seconds and one.digits]
+        ours = next((one for one in some if one.who == "solve" and one.setting == digits), None)
+        peers = [one for one in some if one.who == peer]
+        if not (ours and peers):
+            return None
+        enough = [one for one in peers if (one.digits or 0.0) >= (digits or ours.digits or 0.0)]
+        key = (lambda one: one.seconds) if enough else (lambda one: -one.digits)
+        best: Run = min(enough or peers, key=key)
+        return Lead((best.seconds or 0.0) / (ours.seconds or math.inf), best, ours)
+
     def text(self) -> str:
-        """Return the trade as JSON, a line for each run."""
-        head = {key: value for key, value in asdict(self).items() if key != "runs"}
-        runs = ",\n".join(json.dumps(one) for one in self.runs)
-        return f'{json.dumps(head, indent=1)[:-2]},\n "columns": {json.dumps(Run._fields)},\n "runs": [\n{runs}\n]}}\n'
+        """Return the trade as JSON, a line for each scene and contender."""
+        unit = {one.scene: one.seconds for one in self.runs if one.who == "solve" and one.setting == 0 and one.seconds}
+        runs = {scene: dict(_lines(self.of(scene), unit.get(scene, 1.0))) for scene in self.scenes}
+        lines = ",\n".join(
+            f"{json.dumps(scene)}: {{\n" + ",\n".join(f" {json.dumps(who)}: {one}" for who, one in some.items()) + "}"
+            for scene, some in runs.items()
+        )
+        head = {"command": COMMAND, "machine": self.machine, "left_out": self.left_out, "scenes": self.scenes}
+        tail = {"seconds": {name: _short(one) for name, one in unit.items()}, "sweeps": self.sweeps}
+        rest = json.dumps(head | tail | {"sine_cosines": self.sine_cosines}, indent=1)
+        return f'{rest[:-2]},\n "runs": {{\n{lines}}}}}\n'
+
+
+def _lines(runs: list[Run], unit: float) -> Iterator[tuple[str, str]]:
+    for who in dict.fromkeys(one.who for one in runs):
+        some = [
+            [one.setting, _short(one.seconds and one.seconds / unit), _short(one.digits), one.note]
+            for one in runs
+            if one.who == who
+        ]
+        yield who, json.dumps(some)
+
+
+def _short(value: float | None) -> float | None:
+    return None if value is None else float(f"{value:.3g}" if value < 100 else f"{value:.0f}")
 
 
 def recorded(file: Path | None = None) -> Trade:
@@ -120,28 +177,36 @@ def recorded(file: Path | None = None) -> Trade:
     path = file or SHIPPED
     try:
         record = json.loads(path.read_text("utf-8"))
-        columns = record.pop("columns")
-        runs = tuple(Run(**dict(zip(columns, one, strict=True))) for one in record.pop("runs"))
-        found = Trade(runs=runs, **record)
-        if not runs or any(key not in found.machine for key in ("processor", "cores", "python", "packages")):
+        units: Mapping[str, float] = record["seconds"]
+        runs = tuple(
+            Run(scene, who, float(setting), None if cost is None else cost * units.get(scene, 1.0), digits, note)
+            for scene, some in record["runs"].items()
+            for who, of in some.items()
+            for setting, cost, digits, note in of
+        )
+        sweeps = tuple(Sweep(*one) for one in record["sweeps"])
+        missing = [key for key in ("processor", "cores", "python", "packages") if key not in record["machine"]]
+        if not runs or missing:
             raise ValueError("it has no runs or no machine")
-        [float(part or 0.0) for one in runs for part in (one.setting, one.seconds, one.digits)]
+        [float(part or 0.0) for one in runs for part in (one.seconds, one.digits)]
+        return Trade(record["machine"], record["left_out"], record["scenes"], runs, sweeps, record["sine_cosines"])
     except OSError as error:
         raise UnreadableTrade(f"{path.name} cannot be read: {error.strerror}") from None
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         what = f"{error} is missing" if isinstance(error, KeyError) else str(error)
-        raise UnreadableTrade(f"{path.name} is no output of `python -m numerics trade --json`: {what}") from None
-    return found
+        raise UnreadableTrade(f"{path.name} is no output of `{COMMAND}`: {what}") from None
 
 
 def machine() -> dict[str, Any]:
-    """Return on what is measured: processor, cores, load, versions; no paths and no dates."""
+    """Return on what is measured: processor, cores, load and whether that is busy, versions; no paths and no dates."""
     info = Path("/proc/cpuinfo")
     models = re.findall(r"model name\s*: (.*)", info.read_text("utf-8")) if info.exists() else []
+    load = round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else None
     return {
         "processor": (*models, platform.processor(), platform.machine())[0],
         "cores": available_cores(),
-        "load": round(os.getloadavg()[0], 1) if hasattr(os, "getloadavg") else None,
+        "load": load,
+        "busy": load is not None and load > available_cores() / 2,
         "python": platform.python_version(),
         "packages": {name: version(name) for name in PACKAGES if find_spec(name.removeprefix("python-"))},
     }

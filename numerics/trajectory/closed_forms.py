@@ -1,4 +1,4 @@
-"""A free motion between two events in closed form, over points or intervals of mpmath: the waves of Waves.v.
+"""A motion between two events in closed form, over points or intervals of mpmath: the waves of Waves.v.
 
 Everything is in SI units and in time u (s) since the phase began. A sign k = +1 or -1 is that of v1 - v2 in a slip, and
 that of the slip which follows a stick.
@@ -10,9 +10,20 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from numerics.scene import Pair
+from numerics.trajectory.spells import Spell, Steady
 
 Value = Any
 """A number of mpmath: a point or an interval."""
+
+
+class State(NamedTuple):
+    """Time (s), place (m) and velocity (m/s) of body 1, the same of body 2."""
+
+    t: Value
+    x1: Value
+    v1: Value
+    x2: Value
+    v2: Value
 
 
 class Swing(NamedTuple):
@@ -25,7 +36,7 @@ class Swing(NamedTuple):
 
 
 class Wave(NamedTuple):
-    """u -> still + drift u + exp(-decay u) (even C(u) + odd S(u)), where C'' = -square C and S' = C."""
+    """u -> still + drift u + exp(-decay u) (even C(u) + odd S(u)) + answer(clock + u), C'' = -square C and S' = C."""
 
     on: Any
     still: Value
@@ -33,6 +44,8 @@ class Wave(NamedTuple):
     even: Value
     odd: Value
     swing: Swing
+    clock: Value
+    answer: Steady
 
     def __call__(self, u: Value) -> Value:
         """Return the value at u."""
@@ -46,24 +59,24 @@ class Wave(NamedTuple):
             other = self.odd / root
             swung = (self.even + other) / 2 * on.exp(-((decay - root) * u))
             swung += (self.even - other) / 2 * on.exp(-((decay + root) * u))
-        return self.still + self.drift * u + swung
+        return self.still + self.drift * u + swung + self.answer(self.on, self.clock + u)
 
     def slope(self) -> Wave:
         """Return the derivative, a wave."""
         decay, square = self.swing.decay, self.swing.square
         even, odd = self.odd - decay * self.even, -(square * self.even) - decay * self.odd
-        return Wave(self.on, self.drift, 0 * self.drift, even, odd, self.swing)
+        return Wave(self.on, self.drift, 0 * self.drift, even, odd, self.swing, self.clock, self.answer.slope())
 
 
 class ClosedForms:
-    """What a pair without a force does, over `on`: a context of points or of intervals."""
+    """What a pair does in one spell of force and friction, over `on`: a context of points or of intervals."""
 
-    def __init__(self, on: Any, pair: Pair) -> None:
+    def __init__(self, on: Any, pair: Pair, spell: Spell) -> None:
         """Read the exact parameters; whether damping is below its critical value is decided exactly."""
-        self.on = on
-        self.a1, self.a2, self.b = (self.number(one) for one in (pair.a1, pair.a2, pair.b))
-        self.gained = self.number(pair.b / pair.m2)
-        self.edge_load = self.number(pair.b * pair.mass / pair.m2)
+        self.on, self.spell = on, spell
+        self.a1, self.a2, self.b = (self.number(one) for one in (pair.a1, pair.a2, spell.friction))
+        self.gained = self.number(spell.friction / pair.m2)
+        self.edge_load = self.number(spell.friction * pair.mass / pair.m2)
         self.alone, self.together = (self._swing(pair, mass) for mass in (pair.m1, pair.mass))
 
     def number(self, value: Fraction) -> Value:
@@ -76,33 +89,37 @@ class ClosedForms:
         root = self.on.sqrt(self.number(abs(square)))
         return Swing(self.number(decay), self.number(square), (square > 0) - (square < 0), root)
 
-    def _about(self, centre: Value, x: Value, v: Value, swing: Swing) -> Wave:
+    def _about(self, centre: Value, at: State, swing: Swing, answer: Steady) -> Wave:
         """Return the swing about a place from a state."""
-        away = x - centre
-        return Wave(self.on, centre, self.on.mpf(0), away, v + swing.decay * away, swing)
+        away = at.x1 - centre - answer(self.on, at.t)
+        odd = at.v1 - answer.slope()(self.on, at.t) + swing.decay * away
+        return Wave(self.on, centre, self.on.mpf(0), away, odd, swing, at.t, answer)
 
-    def slide(self, k: int, x1: Value, v1: Value) -> Wave:
+    def slide(self, k: int, at: State) -> Wave:
         """Return body 1's place in a slip, m."""
-        return self._about(-k * self.b / self.a2, x1, v1, self.alone)
+        return self._about(-k * self.b / self.a2, at, self.alone, self.spell.alone)
 
     def driven(self, k: int, v2: Value, u: Value) -> Value:
         """Return body 2's velocity in a slip, m/s."""
         return v2 + k * self.gained * u
 
-    def guard(self, k: int, x1: Value, v1: Value, v2: Value) -> Wave:
+    def guard(self, k: int, at: State) -> Wave:
         """Return k (v1 - v2) in a slip, m/s: positive until it ends."""
-        speed = self.slide(k, x1, v1).slope()
-        return Wave(self.on, -(k * v2), -self.gained, k * speed.even, k * speed.odd, speed.swing)
+        speed = self.slide(k, at).slope()
+        return Wave(
+            self.on, -(k * at.v2), -self.gained, k * speed.even, k * speed.odd, speed.swing, at.t, speed.answer.times(k)
+        )
 
-    def stuck(self, x1: Value, v: Value) -> Wave:
+    def stuck(self, at: State) -> Wave:
         """Return body 1's place in a stick, m."""
-        return self._about(self.on.mpf(0), x1, v, self.together)
+        return self._about(self.on.mpf(0), at, self.together, self.spell.together)
 
-    def grip(self, k: int, x1: Value, v: Value) -> Wave:
+    def grip(self, k: int, at: State) -> Wave:
         """Return what friction has left in a stick towards a slip k, m/s^2: positive until it ends."""
-        change = self.stuck(x1, v).slope().slope()
-        return Wave(self.on, self.gained, self.on.mpf(0), -(k * change.even), -(k * change.odd), change.swing)
+        change = self.stuck(at).slope().slope()
+        even, odd = -(k * change.even), -(k * change.odd)
+        return Wave(self.on, self.gained, self.on.mpf(0), even, odd, change.swing, at.t, change.answer.times(-k))
 
-    def edge(self, k: int, v: Value) -> Value:
-        """Return the place where a stick ends towards k with the velocity v, m."""
-        return (-(k * self.edge_load) - self.a1 * v) / self.a2
+    def edge(self, k: int, t: Value, v: Value) -> Value:
+        """Return the place where a stick ends towards k at the time t with the velocity v, m."""
+        return (self.spell.force(self.on, t) - k * self.edge_load - self.a1 * v) / self.a2

@@ -7,7 +7,6 @@ of it is trusted: the kernel's program (Trajectory.v) accepts the file only if a
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -18,27 +17,23 @@ from numerics.errors import NoProof
 from numerics.linear.modes import Mode
 from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
-from numerics.trajectory.closed_forms import ClosedForms, Value, Wave
+from numerics.trajectory import gallina
+from numerics.trajectory.closed_forms import ClosedForms, State, Value, Wave
+from numerics.trajectory.events import Event
 from numerics.trajectory.export import arrays
 from numerics.trajectory.solution import Solution
+from numerics.trajectory.spells import spells
 
 SHOWN = 12
 """Digits of the bounds in a theorem, of the greatest time, place or velocity."""
-SIGN_BITS, DEPTH = 32, 30
-"""In what precision the kernel shows that no event was passed, and how often it halves an interval for that."""
 STATE_BITS = (64, 96, 128, 192, 256, 384, 512, 768, 1024)
-"""The precisions of states that are tried."""
+"""The precisions of the first state that are tried."""
+SPARE_BITS, STEP_BITS = 32, 16
+"""With how many bits more than it is known to a state is computed with, and in what steps these become fewer."""
 
 
 class _TooCoarse(Exception):
     """The boxes have grown too large: more bits are needed."""
-
-
-class _State(NamedTuple):
-    """Place of body 1 and both velocities, over points and over intervals."""
-
-    points: tuple[Value, Value, Value]
-    boxes: tuple[Value, Value, Value]
 
 
 class _Places(NamedTuple):
@@ -58,12 +53,12 @@ def theorem(trajectory: Solution) -> str:
     if reason := _uncovered(trajectory):
         raise NoProof(f"no theorem is written: {reason}")
     table = arrays(trajectory)
-    greatest = float(scene.until), abs(table["y"][0]).max(), abs(table["y"][[1, 3]]).max()
+    greatest = float(scene.until), abs(table["y"][[0, 2]]).max(), abs(table["y"][[1, 3]]).max()
     places = _Places(*(SHOWN - (math.ceil(math.log10(size)) if size else 0) for size in greatest))
     times = [float(one) for one in table["t"][1:]]
     for bits in STATE_BITS:
         try:
-            return _Writer(scene, places, bits).text(trajectory.modes, times)
+            return _Writer(scene, places, bits).text(trajectory.events, trajectory.final_mode, times)
         except _TooCoarse:
             continue
     raise NoProof(f"no theorem is written: {STATE_BITS[-1]} bits are too few for {len(times)} events; shorten until")
@@ -72,71 +67,108 @@ def theorem(trajectory: Solution) -> str:
 def _uncovered(trajectory: Solution) -> str:
     """Return why the checker does not cover a trajectory, or nothing."""
     scene, at = trajectory.scene, trajectory.scene.initial
-    if scene.is_forced:
-        return "the checker does not cover a force, or a friction that is not one number b, yet"
-    if scene.law is not Law.FILIPPOV:
-        return 'the checker knows the law "filippov" only'
+    if scene.law is not Law.FILIPPOV or scene.friction.weakening is not None:
+        return 'the checker knows the law "filippov" only, and no friction that depends on speed or place'
     if not trajectory.success:
         return f"the run {trajectory.message}"
-    if at.v1 == at.v2 and at.v1 == scene.pair.a1 == 0 and abs(at.x1) == scene.pair.half_width:
+    if scene.is_forced or at.v1 != at.v2 or scene.pair.a1 != 0:
+        return ""
+    if at.v1 == 0 and abs(at.x1) == scene.pair.half_width:
         return "at rest on an edge of the sliding region the checker does not decide what follows"
-    if scene.pair.a1 == 0 and at.v1 == at.v2 and scene.energy_excess == 0:
+    if scene.energy_excess == 0:
         return "with exactly the critical energy the checker does not decide what follows"
     return ""
 
 
 class _Writer:
-    """The proof file of one scene with states of so many bits."""
+    """The proof file of a scene, from event to event; `most` are the bits of the first state."""
 
-    def __init__(self, scene: Scene, places: _Places, bits: int) -> None:
-        self.scene, self.places, self.bits = scene, places, bits
+    def __init__(self, scene: Scene, places: _Places, most: int) -> None:
+        self.scene, self.places, self.most, self.bits = scene, places, most, most
         self.points, self.boxes = MPContext(), MPIntervalContext()
-        self.points.prec, self.boxes.prec = 2 * bits, bits
-        self.sharp, self.wide = ClosedForms(self.points, scene.pair), ClosedForms(self.boxes, scene.pair)
+        self.points.prec, self.boxes.prec = 2 * most, most
+        self.spells, self.hints = list(spells(scene)), list[str]()
+        self._begin(0)
+        at = scene.initial
+        numbers = (Fraction(0), at.x1, at.v1, at.x2, at.v2)
+        self.at_points, self.at = (State(*map(forms.number, numbers)) for forms in (self.sharp, self.wide))
 
-    def text(self, modes: tuple[Mode, ...], times: list[float]) -> str:
+    def _begin(self, index: int) -> None:
+        """Begin a spell."""
+        self.index, spell = index, self.spells[index]
+        self.sharp, self.wide = (ClosedForms(on, self.scene.pair, spell) for on in (self.points, self.boxes))
+
+    def text(self, found: tuple[Event, ...], last: Mode, times: list[float]) -> str:
         """Return the file; the last of the times is the end."""
-        at = self._start()
-        now, before, events, hints = self.boxes.mpf(0), 0.0, [], []
-        for mode, after, time in zip(modes, modes[1:], times, strict=False):
-            k = mode.sign or after.sign
-            low, high = self._bracket(time - before, *self._guards(mode, k, at))
-            at, now, before = self._moved(mode, k, at, low, high), now + self._between(low, high), time
-            bounds = self._bounds((now, *at.boxes[:2]), self.places)
-            events.append(f"Event {_said(mode)} {bounds}")
-            hints.append(f"Hint {_number(low)} {_number(high)} {_truth(k > 0)}")
-        left = self.wide.number(self.scene.until) - now
+        events, (time_shown, place, speed) = [], self.places
+        for event, time in zip(found, times, strict=False):
+            jump = event.cause == "jump"
+            self._rest_before(time, event.before, jump=jump)
+            if jump:
+                self._rest(event.before, self.spells[self.index + 1].since, "true")
+                self._begin(self.index + 1)
+            else:
+                self._hit(event.before, event.before.sign or event.after.sign, time)
+            t, x1, v1, x2, _ = self.at
+            bounds = self._bounds((t, x1, x2, v1), (time_shown, place, place, speed))
+            events.append(f"Event {gallina.mode(event.before)} {bounds}")
+        self._rest_before(math.inf, last, jump=False)
+        relative = self._rest(last, self.scene.until, "")
+        _, x1, v1, x2, v2 = self.at
+        ends = self._bounds((x1, v1, x2, v2, relative), (place, speed, place, speed, speed))
+        ending = f"Ending {gallina.mode(last)} {gallina.number(self.scene.until)} {ends}"
+        return gallina.proof_file(self.scene, self.spells, events, ending, self.hints, self.most)
+
+    def _rest_before(self, time: float, mode: Mode, *, jump: bool) -> None:
+        """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
+        ending = [one.since for one in self.spells[self.index + 1 :] if one.since <= time]
+        for since in ending[: len(ending) - jump]:
+            self._rest(mode, since, "false")
+            self._begin(self.index + 1)
+
+    def _narrow(self) -> None:
+        """Compute with no more bits than the state deserves."""
+        widths = [(float(one.delta.b), float(abs(one).b)) for one in self.at]
+        known = min((-math.log2(width / size) for width, size in widths if width and size), default=math.inf)
+        steps = math.ceil((min(known, self.most) + SPARE_BITS) / STEP_BITS)
+        self.bits = min(self.bits, STEP_BITS * steps)
+        self.boxes.prec = self.bits
+
+    def _guards(self, mode: Mode, k: int) -> tuple[Wave, Wave]:
+        """Return what is positive until a phase ends, over points and over intervals."""
+        if mode is Mode.STICK:
+            return self.sharp.grip(k, self.at_points), self.wide.grip(k, self.at)
+        return self.sharp.guard(k, self.at_points), self.wide.guard(k, self.at)
+
+    def _hit(self, mode: Mode, k: int, time: float) -> None:
+        """Go to the next event."""
+        self._narrow()
+        low, high = self._bracket(time - float(self.at_points.t), *self._guards(mode, k))
+        between = self.boxes.mpf([self.wide.number(low).a, self.wide.number(high).b])
+        self.at_points = _moved(self.sharp, mode, k, self.at_points, self.sharp.number((low + high) / 2), ends=True)
+        self.at = _moved(self.wide, mode, k, self.at, between, ends=True)
+        self.hints.append(f"Hit {self.bits} {gallina.number(low)} {gallina.number(high)} {gallina.truth(k > 0)}")
+
+    def _rest(self, mode: Mode, time: Fraction, breaks: str) -> Value:
+        """Go on in a mode to a time, and return v1 - v2 there; `breaks`: whether an event is there, "" at the end."""
+        self._narrow()
+        left = self.wide.number(time) - self.at.t
         if not left > 0:  # the last event may be at the end
             raise _TooCoarse
         least = _outward(left, int(self.bits * 0.3))[1]
-        self._require_room(modes[-1], at, least)
-        hints.append(f"Hint {_number(least)} {_number(least)} true")
-        place, speed = self.places.place, self.places.speed
-        ends = self._bounds(self._end(modes[-1], at, left), (place, speed, speed, speed))
-        return TEXT.format(
-            scene=" ".join(map(_number, self._numbers())),
-            events=f"[\n  {events_text}]" if (events_text := ";\n  ".join(events)) else "[]",
-            ending=f"Ending {_said(modes[-1])} {_number(self.scene.until)} {ends}",
-            hints=";\n  ".join(hints),
-            state=self.bits,
-            sign=SIGN_BITS,
-            depth=DEPTH,
-        )
-
-    def _numbers(self) -> Iterator[Fraction]:
-        pair, at = self.scene.pair, self.scene.initial
-        yield from (pair.m1, pair.m2, pair.a1, pair.a2, pair.b, at.x1, at.v1, at.v2)
-
-    def _start(self) -> _State:
-        at = self.scene.initial
-        numbers = (at.x1, at.v1, at.v2)
-        return _State(tuple(map(self.sharp.number, numbers)), tuple(map(self.wide.number, numbers)))
-
-    def _guards(self, mode: Mode, k: int, at: _State) -> tuple[Wave, Wave]:
-        """Return what is positive until a phase ends, over points and over intervals."""
-        if mode is Mode.STICK:
-            return self.sharp.grip(k, *at.points[:2]), self.wide.grip(k, *at.boxes[:2])
-        return self.sharp.guard(k, *at.points), self.wide.guard(k, *at.boxes)
+        signs = (1, -1) if mode is Mode.STICK else (mode.sign,)
+        guards = [self._guards(mode, k)[1] for k in signs]
+        if not all(guard(self.wide.number(least)) > 0 for guard in guards):
+            raise _TooCoarse
+        relative = mode.sign * guards[0](left)
+        since = self.sharp.number(time) - self.at_points.t
+        self.at_points = _moved(self.sharp, mode, mode.sign, self.at_points, since, ends=False)
+        self.at = _moved(self.wide, mode, mode.sign, self.at, left, ends=False)._replace(t=self.wide.number(time))
+        if breaks:
+            self.hints.append(f"Rest {self.bits} {gallina.number(time)} {gallina.number(least)} {breaks}")
+        else:
+            self.hints.append(f"Last {self.bits} {gallina.number(least)}")
+        return relative
 
     def _bracket(self, guess: float, sharp: Wave, wide: Wave) -> tuple[Fraction, Fraction]:
         """Return decimals around the root of a falling wave, sure for every state of the boxes."""
@@ -157,39 +189,6 @@ class _Writer:
                 return low - spare, high + spare
             steps += (steps + 3) // 4
 
-    def _require_room(self, mode: Mode, at: _State, least: Fraction) -> None:
-        """Raise _TooCoarse unless the last mode surely lasts to the end."""
-        signs = (1, -1) if mode is Mode.STICK else (mode.sign,)
-        guards = (self._guards(mode, k, at)[1](self.wide.number(least)) for k in signs)
-        if not all(guard > 0 for guard in guards):
-            raise _TooCoarse
-
-    def _between(self, low: Fraction, high: Fraction) -> Value:
-        ends = self.wide.number(low), self.wide.number(high)
-        return self.boxes.mpf([ends[0].a, ends[1].b])
-
-    def _moved(self, mode: Mode, k: int, at: _State, low: Fraction, high: Fraction) -> _State:
-        """Return the state at the end of a phase."""
-        found = []
-        u = self.sharp.number((low + high) / 2), self._between(low, high)
-        for forms, (x1, v1, v2), length in zip((self.sharp, self.wide), at, u, strict=True):
-            if mode is Mode.STICK:
-                v = forms.stuck(x1, v1).slope()(length)
-                found.append((forms.edge(k, v), v, v))
-            else:
-                v = forms.driven(k, v2, length)
-                found.append((forms.slide(k, x1, v1)(length), v, v))
-        return _State(*found)
-
-    def _end(self, mode: Mode, at: _State, left: Value) -> tuple[Value, ...]:
-        """Return place, velocities and relative velocity at the end."""
-        x1, v1, v2 = at.boxes
-        if mode is Mode.STICK:
-            path = self.wide.stuck(x1, v1)
-            return path(left), path.slope()(left), path.slope()(left), self.boxes.mpf(0)
-        path, k = self.wide.slide(mode.sign, x1, v1), mode.sign
-        return path(left), path.slope()(left), self.wide.driven(k, v2, left), k * self.wide.guard(k, x1, v1, v2)(left)
-
     def _bounds(self, boxes: tuple[Value, ...], places: tuple[int, ...]) -> str:
         """Return decimal bounds of each box; raises _TooCoarse for one wider than the last place shown."""
         found = []
@@ -201,58 +200,19 @@ class _Writer:
         return "\n    ".join((" ".join(found[:2]), " ".join(found[2:])))
 
 
+def _moved(forms: ClosedForms, mode: Mode, k: int, at: State, u: Value, *, ends: bool) -> State:
+    """Return the state a time later; both velocities are equal where a mode ends."""
+    t = at.t + u
+    if mode is Mode.STICK:
+        path = forms.stuck(at)
+        x1, v1 = path(u), path.slope()(u)
+        return State(t, forms.edge(k, t, v1) if ends else x1, v1, at.x2 + (x1 - at.x1), v1)
+    path, v2 = forms.slide(k, at), forms.driven(k, at.v2, u)
+    return State(t, path(u), v2 if ends else path.slope()(u), at.x2 + (at.v2 + v2) / 2 * u, v2)
+
+
 def _outward(box: Any, places: int) -> tuple[Fraction, Fraction]:
     """Return decimals with so many places around an interval."""
     low, high = (Fraction((-1) ** sign * int(man)) * Fraction(2) ** exponent for sign, man, exponent, _ in box._mpi_)
     unit = Fraction(10) ** places
     return math.floor(low * unit) / unit, math.ceil(high * unit) / unit
-
-
-def _number(value: Fraction) -> str:
-    """Return an exact number in the kernel's words."""
-    text = decimal_text(value)
-    if "/" in text:
-        return f"({value.numerator} # {value.denominator})"
-    return text if text[0] != "-" else f"({text})"
-
-
-def _said(mode: Mode) -> str:
-    return "Stick" if mode is Mode.STICK else f"(Slip {_truth(mode is Mode.SLIP_PLUS)})"
-
-
-def _truth(value: bool) -> str:
-    return "true" if value else "false"
-
-
-TEXT = """(** Written by `python -m numerics solve --proof`: the events of a scene, proved for every motion of it. *)
-From Coq Require Import Reals QArith List.
-From Interval.Float Require Import Specific_ops Specific_stdz.
-From Interval.Interval Require Import Float_full.
-From InertialPair Require Import Trajectory.
-Import ListNotations.
-Module F := SpecificFloat StdZRadix2.
-Module I := FloatIntervalFull F.
-Module C := Check I.
-Local Open Scope Q_scope.
-
-(** m1, m2, a1, a2 and b; x1, v1 and v2 at the time 0 *)
-Definition the_scene := Scene {scene}.
-
-(** its events: the mode until then; bounds of the time and of the place, and of the common velocity *)
-Definition the_events : list event := {events}.
-
-(** its end: the mode and the time; bounds of the place, of v1, of v2 and of v1 - v2 *)
-Definition the_ending := {ending}.
-
-(** what helps the program: bounds of the time since the event before, and which way a stick ends *)
-Definition hints := [
-  {hints}].
-
-(** the program accepts it *)
-Lemma accepted : C.check (F.PtoP {state}) (F.PtoP {sign}) {depth} the_scene the_events the_ending hints = true.
-Proof. vm_cast_no_check (eq_refl true). Qed.
-
-(** so every motion of the scene runs through these events *)
-Theorem trajectory x v1 v2 s : motion the_scene x v1 v2 s -> unfolds x v1 v2 0 the_events the_ending.
-Proof. exact (C.sound _ _ _ _ _ _ _ accepted x v1 v2 s). Qed.
-"""

@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from numerics.linear.modes import Mode
+from paper_checks.decide.euler_in_balls import STEPS, run
 from paper_checks.drawing.style import new_figure, solved
-from paper_checks.engines.euler_in_balls import STEPS, run
 
 SCENES = (
     ("start-with-speed", "Fig. 4 (b): $b=0.5$ N", "#2e8b3d", "s"),

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from numerics.solver.solve import solve
+from paper_checks.claims.jumping_force import SHOWN, member
 from paper_checks.drawing.style import new_figure, samples
-from paper_checks.steps.jumping_force import SHOWN, member
 from theory import jumping_force as jump
 
 STYLES = (("#1b4f8f", "-"), ("#c8641e", "--"), ("#2e8b3d", "-."))

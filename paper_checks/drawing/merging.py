@@ -14,9 +14,8 @@ from matplotlib.patches import Patch
 
 from numerics.free.merging import CRITICAL_SHARE
 from numerics.free.merging_map import COLOURS, LABELS, MergingMap, Window, merging_cells
+from paper_checks.claims.merging_share import MERGES, SPEEDS, by_quadrature, decided, start
 from paper_checks.drawing.style import new_figure
-from paper_checks.steps.merging_bands import MERGES, SPEEDS, decided, start
-from paper_checks.steps.merging_share import by_quadrature
 
 DEPTH = 7
 """Cuts of each side of the map that is drawn; the command `map` goes on."""

@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 from numerics.free.energy import energy_at
 from numerics.scene import Pair
 from numerics.scene.file import load_scene
+from paper_checks.claims.letters import ECR, RATE
 from paper_checks.drawing.style import new_figure
-from paper_checks.ledger.section3_convergence import ECR, RATE
 from theory.energy import critical_energy
 from theory.symbols import a2, b, m1, m2
 

@@ -1,1 +1,42 @@
-"""What is said, what was checked, and what was found: the data that checks make and the report shows."""
+"""What is said, what was checked, and what was found: the data that claims are made of and the report shows."""
+
+from paper_checks.evidence.claim import (
+    CORRECTED,
+    HOLDS,
+    REFUTED,
+    Case,
+    Claim,
+    because,
+    claim,
+    correction,
+    counterexample,
+    theorem,
+)
+from paper_checks.evidence.clause import Clause, Formula, clause
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
+from paper_checks.evidence.finding import carried
+from paper_checks.evidence.formula import equation, form, latex, stating
+
+__all__ = [
+    "CORRECTED",
+    "HOLDS",
+    "REFUTED",
+    "Case",
+    "Claim",
+    "Clause",
+    "Evidence",
+    "EvidenceKind",
+    "Formula",
+    "argument",
+    "because",
+    "carried",
+    "claim",
+    "clause",
+    "correction",
+    "counterexample",
+    "equation",
+    "form",
+    "latex",
+    "stating",
+    "theorem",
+]

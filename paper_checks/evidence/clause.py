@@ -14,7 +14,7 @@ import sympy as sp
 
 from paper_checks.errors import LedgerError
 from paper_checks.evidence import formula
-from paper_checks.evidence.evidence import Evidence
+from paper_checks.evidence.evidence import Evidence, one_line
 
 RELATIONS = {
     "=": "=",
@@ -91,6 +91,7 @@ class Clause:
 
     def __post_init__(self) -> None:
         """Compare the places with the formulas."""
+        object.__setattr__(self, "text", one_line(self.text))
         if set(_SLOT.findall(self.text)) != set(self.formulas):
             raise LedgerError(f"the clause {self.id} has formulas that differ from the places in its text")
 
@@ -100,9 +101,9 @@ class Clause:
         return _SLOT.sub(lambda match: f"${self.formulas[match[1]].latex}$", self.text)
 
 
-def clause(id: str, text: str, *, kernel: tuple[str, ...] = (), **formulas: Formula) -> Clause:
-    """Return a clause with its formulas by name."""
-    return Clause(id, text, formulas, kernel)
+def clause(id: str, text: str, *, kernel: str = "", **formulas: Formula) -> Clause:
+    """Return a clause with its formulas by name; `kernel` names the theorems that prove it, with spaces between them."""
+    return Clause(id, text, formulas, tuple(kernel.split()))
 
 
 def latex(expression: sp.Basic | str | int) -> str:

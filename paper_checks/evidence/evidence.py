@@ -10,6 +10,11 @@ from enum import Enum
 _NON_FINITE = re.compile(r"(?<![\w\\])[+-]?(?:nan|inf|infinity)(?!\w)", re.IGNORECASE)
 
 
+def one_line(text: str) -> str:
+    """Return prose, which may be written over several lines, with single spaces."""
+    return " ".join(text.split())
+
+
 class EvidenceKind(Enum):
     """How strong a piece of evidence is, strongest first."""
 
@@ -77,6 +82,7 @@ class Evidence:
 
     def __post_init__(self) -> None:
         """Take the pass from evidence that is vacuous or not finite; what cannot settle a claim only supports it."""
+        object.__setattr__(self, "statement", one_line(self.statement))
         if not isinstance(self.passed, bool | None):
             raise TypeError(f"passed is {self.passed!r}; it must be True, False or None: decide it before")
         if self.passed and (self.cases < 1 or _NON_FINITE.search(self.value)):
@@ -95,14 +101,15 @@ class Evidence:
 
     def as_counterexample(self) -> Evidence:
         """Return the same evidence, as evidence that the counterexample is real."""
-        return self._about(Subject.COUNTEREXAMPLE)
+        return self.about_(Subject.COUNTEREXAMPLE)
 
     def as_correction(self) -> Evidence:
         """Return the same evidence, as evidence for the corrected statement."""
-        return self._about(Subject.CORRECTION)
+        return self.about_(Subject.CORRECTION)
 
-    def _about(self, subject: Subject) -> Evidence:
-        return replace(self, about=subject, rests_on=tuple(step._about(subject) for step in self.rests_on))
+    def about_(self, subject: Subject) -> Evidence:
+        """Return the same evidence, as evidence about another subject, with all that it rests on."""
+        return replace(self, about=subject, rests_on=tuple(step.about_(subject) for step in self.rests_on))
 
 
 def argument(statement: str, *rests_on: Evidence, cites: tuple[str, ...] = ()) -> Evidence:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from paper_checks.evidence.evidence import Evidence, Subject, closure
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
 
 
 class Verdict(Enum):
@@ -128,5 +128,17 @@ def conclude(
     try:
         return Finding(verdict, reason, evidence, *extras, missing, of_clauses)
     except InvalidFindingError as objection:
+        if _waits_for_the_kernel(evidence):
+            missing, why = (
+                "the proof kernel",
+                f"Not settled: it rests on theorems of the kernel, which was not run. {reason}",
+            )
+            return Finding(Verdict.UNCHECKED, why, evidence, *extras, missing, of_clauses)
         reason, missing = f"Not carried by its evidence: {objection}", str(objection)
         return Finding(Verdict.UNDECIDED, reason, evidence, *extras, missing, of_clauses)
+
+
+def _waits_for_the_kernel(evidence: tuple[Evidence, ...]) -> bool:
+    """Say whether all that did not pass is theorems of the kernel that were not run, and what rests on them."""
+    left = [step for step in evidence if not (step.passed or step.rests_on or step.supports)]
+    return bool(left) and all(step.kind is EvidenceKind.KERNEL and step.passed is None for step in left)

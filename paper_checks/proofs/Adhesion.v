@@ -2,22 +2,22 @@
     its events until t = 4.7 are those of Velocities.v): when the pair first sticks, for how long,
     and that it slips at t = 4.7, where the paper has it stick. *)
 From Coq Require Import Reals QArith Qreals List Lra.
-From InertialPair Require Import Dini Pair Existence Trajectory Velocities.
+From InertialPair Require Import Dini Pair Chase Forced Existence Waves Trajectory Velocities.
 Import ListNotations.
 Local Open Scope R_scope.
 
 (** slips at the head of a table: until they end the only contacts are those at their ends *)
-Lemma slips_first x v1 v2 e later : forall slips t, (forall m, In m slips -> mode_until m <> Stick) ->
-  unfolds x v1 v2 t (slips ++ later) e -> exists times,
+Lemma slips_first x v1 x2 v2 e later : forall slips t, (forall m, In m slips -> mode_until m <> Stick) ->
+  unfolds x v1 x2 v2 t (slips ++ later) e -> exists times,
   Forall2 (fun m r => within (time m) r) slips times /\ (forall r, In r times -> t < r <= List.last times t) /\
-  (forall u, t < u <= List.last times t -> (v1 u = v2 u <-> In u times)) /\ unfolds x v1 v2 (List.last times t) later e.
+  (forall u, t < u <= List.last times t -> (v1 u = v2 u <-> In u times)) /\ unfolds x v1 x2 v2 (List.last times t) later e.
 Proof.
   assert (Ll : forall r s (l : list R), List.last (r :: l) s = List.last l r).
   { intros r s l. revert r s. induction l as [|y l IH]; intros r s; auto.
     change (List.last (y :: l) s = List.last (y :: l) r). rewrite !IH. auto. }
   induction slips as [|now slips IH]; intros t S U.
   - exists []. split; [auto|]. split; [intros r []|]. split; [simpl; intros u Hu; lra|auto].
-  - destruct U as (t1 & Ht1 & W & _ & _ & Ev & Md & U).
+  - destruct U as (t1 & Ht1 & W & _ & _ & _ & Ev & Md & U).
     destruct (IH t1 (fun m Hm => S m (or_intror Hm)) U) as (times & Ws & In1 & Co & U'). exists (t1 :: times).
     rewrite Ll. split; [constructor; auto|].
     assert (Le : t1 <= List.last times t1).
@@ -59,11 +59,16 @@ Theorem first_adhesion x v1 v2 s : solution 1 1 0 200 (5 / 100) x v1 v2 s -> x 0
   (forall u, ta <= u <= tb -> v1 u = v2 u) /\ (forall u, tb < u < tc -> v1 u < v2 u) /\
   (forall u, tc <= u <= td -> v1 u = v2 u).
 Proof.
-  intros H X0 V1 V2. assert (Mo : motion the_scene x v1 v2 s).
-  { unfold motion, the_scene; simpl. unfold Q2R; simpl. rewrite X0, V1, V2. split; [|lra].
-    replace (1 * / 1) with 1 by field. replace (0 * / 1) with 0 by field. replace (200 * / 1) with 200 by field.
-    replace (1 * / 20) with (5 / 100) by field. auto. }
-  pose proof (trajectory x v1 v2 s Mo) as U.
+  intros H X0 V1 V2. assert (Mo : motion the_scene x v1 (integral v2) v2).
+  { pose proof (proj2 (free_case 1 1 0 200 (5 / 100) x v1 v2 s) H) as F.
+    assert (Cv : cont v2) by (apply (forced_cv2 1 1 0 200 (5 / 100)) with (1 := Rlt_0_1) (2 := F)).
+    exists (fun _ => 0). unfold the_scene; simpl. split; [apply cont_const|]. split.
+    - intros t _. apply rderiv_const.
+    - unfold Q2R; simpl. rewrite X0, V1, V2, integral_0. split; [exists s|].
+      + replace (1 * / 1) with 1 by field. replace (0 * / 1) with 0 by field. replace (200 * / 1) with 200 by field.
+        replace (1 * / 20) with (5 / 100) by field. exact F.
+      + split; [apply integral_cont; auto|]. split; [intros; apply integral_rderiv; auto|lra]. }
+  pose proof (trajectory x v1 (integral v2) v2 Mo) as U.
   change the_events with (firstn 20 the_events ++ skipn 20 the_events) in U.
   apply slips_first in U.
   2: { intros m Hm. simpl in Hm. repeat (destruct Hm as [<-|Hm]; [discriminate|]). contradiction. }
@@ -71,8 +76,8 @@ Proof.
   { pose proof (same_length _ _ _ Ws) as E. simpl in E. auto. }
   assert (P : 0 <= List.last times 0).
   { destruct times as [|r times]; [simpl; lra|]. destruct (In1 r (or_introl eq_refl)); lra. }
-  destruct U as (ta & Ha & Wa & _ & _ & Ea & Ma & U). destruct U as (tb & Hb & Wb & _ & _ & Eb & Mb & U).
-  destruct U as (tc & Hc & Wc & _ & _ & Ec & Mc & U). destruct U as (td & Hd & Wd & _ & _ & Ed & Md & _).
+  destruct U as (ta & Ha & Wa & _ & _ & _ & Ea & Ma & U). destruct U as (tb & Hb & Wb & _ & _ & _ & Eb & Mb & U).
+  destruct U as (tc & Hc & Wc & _ & _ & _ & Ec & Mc & U). destruct U as (td & Hd & Wd & _ & _ & _ & Ed & Md & _).
   assert (Cs : forall u, 0 <= u < ta -> (v1 u = v2 u <-> In u times)).
   { intros u Hu. destruct (Rle_dec u (List.last times 0)).
     - destruct (Req_dec u 0) as [->|]; [|apply Co; lra]. split; [lra|]. intros Q. destruct (In1 _ Q); lra.

@@ -5,40 +5,10 @@
       path. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini.
+From InertialPair Require Import Dini Pair Stick Forced.
 Local Open Scope R_scope.
 
 (** *** Real functions *)
-
-(** sqrt is concave: it carries an upper right derivative over without a condition on the increment *)
-Lemma sqrt_dini y t k : (forall u, 0 < y u) -> dini_le y t k -> dini_le (fun u => sqrt (y u)) t (k / (2 * sqrt (y t))).
-Proof.
-  intros P F e He. pose proof (sqrt_lt_R0 _ (P t)) as Sp. destruct (F (2 * sqrt (y t) * e)) as (d & Hd & K); [nra|].
-  exists d; split; auto. intros h Hh. specialize (K h Hh).
-  assert (Q : sqrt (y (t + h)) - sqrt (y t) <= (y (t + h) - y t) / (2 * sqrt (y t))).
-  { rewrite <- (sqrt_sqrt (y (t + h))) at 2 by (apply Rlt_le; auto).
-    rewrite <- (sqrt_sqrt (y t)) at 2 by (apply Rlt_le; auto).
-    apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    pose proof (pow2_ge_0 (sqrt (y (t + h)) - sqrt (y t))). nra. }
-  eapply Rle_trans; [exact Q|]. apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|].
-  unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-  replace ((k / (2 * sqrt (y t)) + e) * h * (2 * sqrt (y t))) with ((k + 2 * sqrt (y t) * e) * h) by (field; lra). auto.
-Qed.
-
-(** so is the root of what is bounded away from 0 *)
-Lemma cont_sqrt y c : 0 < c -> (forall u, c <= y u) -> cont y -> cont (fun u => sqrt (y u)).
-Proof.
-  intros Hc P C t Ht e He. pose proof (sqrt_lt_R0 _ Hc) as Sp. destruct (C t Ht (sqrt c * e)) as (d & Hd & K); [nra|].
-  exists d; split; auto. intros u Hu Hd1. specialize (K u Hu Hd1).
-  assert (S1 : sqrt c <= sqrt (y u)) by (apply sqrt_le_1_alt; auto).
-    assert (S2 : sqrt c <= sqrt (y t)) by (apply sqrt_le_1_alt; auto).
-  apply Rmult_lt_reg_l with (sqrt c); auto. eapply Rle_lt_trans; [|exact K].
-  rewrite <- (sqrt_sqrt (y u)) at 2 by (specialize (P u); lra).
-    rewrite <- (sqrt_sqrt (y t)) at 2 by (specialize (P t); lra).
-  replace (sqrt (y u) * sqrt (y u) - sqrt (y t) * sqrt (y t)) with ((sqrt (y u) + sqrt (y t)) * (sqrt (y u) - sqrt
-    (y t))) by ring.
-  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. apply Rmult_le_compat_r; [apply Rabs_pos|lra].
-Qed.
 
 (** if D' <= j sqrt (2 D), then sqrt (2 D) grows at most by the integral J of j *)
 Lemma root_grows D j J r t : cont D -> (forall u, 0 <= D u) -> cont J -> (forall u, 0 <= u -> 0 <= j u /\ rderiv J u (j
@@ -72,6 +42,33 @@ Proof.
   { pose proof (sqrt_pos (2 * D r)) as Q. rewrite <- (sqrt_pow2 (sqrt (2 * D r) + e)) by lra. apply sqrt_le_1_alt.
     pose proof (sqrt_sqrt (2 * D r) ltac:(specialize (PD r); lra)). unfold y. nra. }
   lra.
+Qed.
+
+(** y' <= k y gives an exponential: the logarithm is concave *)
+Lemma log_dini y q k t : 0 < q -> 0 <= t -> (forall u, q <= y u) -> cont y -> (forall u, 0 <= u -> dini_le y u (k * y
+  u)) ->
+  y t <= exp (k * t) * y 0.
+Proof.
+  intros Hq Ht P C D. assert (Ln : forall u v, 0 < u -> 0 < v -> ln u - ln v <= (u - v) / v).
+  { intros u v Hu Hv. rewrite <- ln_div by auto. pose proof (exp_ineq1_le (ln (u / v))) as I.
+    rewrite exp_ln in I by (apply Rdiv_lt_0_compat; auto). replace ((u - v) / v) with (u / v - 1) by (field; lra). lra.
+      }
+  assert (Py : forall u, 0 < y u) by (intros u; specialize (P u); lra).
+  assert (Q : ln (y t) - ln (y 0) <= k * (t - 0)).
+  { apply (dini_slope (fun u => ln (y u))); [|lra|].
+    - intros u Hu e He. destruct (C u Hu (q * e)) as (d & Hd & K); [nra|]. exists d; split; auto. intros v Hv Hd'.
+      specialize (K v Hv Hd'). apply Rabs_def2 in K.
+      assert (B : forall p r, q <= p -> q <= r -> p - r < q * e -> ln p - ln r < e).
+      { intros p r Hp Hr L. eapply Rle_lt_trans; [apply Ln; lra|]. apply Rmult_lt_reg_r with r; [lra|].
+        replace ((p - r) / r * r) with (p - r) by (field; lra). nra. }
+      apply Rabs_def1; [apply B; auto; lra|]. cut (ln (y u) - ln (y v) < e); [lra|]. apply B; auto; lra.
+    - intros u Hu e He. destruct (D u ltac:(lra) (e * y u)) as (d & Hd & K); [specialize (Py u); nra|]. exists d; split;
+      auto.
+      intros h Hh. specialize (K h Hh). eapply Rle_trans; [apply Ln; auto|]. specialize (Py u).
+      apply Rmult_le_reg_r with (y u); auto. replace ((y (u + h) - y u) / y u * y u) with (y (u + h) - y u) by (field;
+        lra). lra. }
+  rewrite <- (exp_ln (y t)), <- (exp_ln (y 0)) at 1 by auto. rewrite <- exp_plus. apply Rnot_lt_le. intros N.
+  apply exp_lt_inv in N. lra.
 Qed.
 
 (** what an energy pays for converges; at a rate that cannot jump it comes to rest *)
@@ -404,6 +401,39 @@ Proof.
     Rle_antisym; [|apply norm_pos].
     apply norm_by; [lra|]. intros w. lin. lra.
   - intros u Hu. rewrite Zn. apply rderiv_const.
+Qed.
+
+(** where A parts two states at most at the rate c, so do their motions: a friction that falls with the speed at most at
+  the
+    slope l is monotone with l more, and l less of a damper *)
+Theorem parts_at_most c A phi G P y P' y' t : 0 <= c ->
+  (forall y z, ip (minus (A y) (A z)) (minus y z) <= c * ip (minus y z) (minus y z)) ->
+  motion A phi G P y -> motion A phi G P' y' -> 0 <= t ->
+  norm (minus (y t) (y' t)) <= exp (c * t) * norm (minus (y 0) (y' 0)).
+Proof.
+  intros Hc Ac H H' Ht. set (D := fun t => ip (minus (y t) (y' t)) (minus (y t) (y' t)) / 2).
+  assert (CD : cont D) by (apply cont_energy, vcont_minus; [apply (d_cont _ _ _ _ (proj1 H))|apply (d_cont _ _ _ _
+    (proj1 H'))]).
+  assert (Dp : forall u, 0 <= D u) by (intros u; unfold D; pose proof (ip_pos _ In (minus (y u) (y' u))); lra).
+  assert (Dd : forall u, 0 <= u -> dini_le D u (2 * c * D u)).
+  { intros u Hu e He. assert (Z : vderiv (fun r => minus (G r) (G r)) u (scal 0 (y 0))).
+    { intros q Hq. exists 1; split; [lra|]. intros h Hh. apply norm_by; [nra|]. intros w. lin. pose proof (norm_pos w).
+      assert (0 <= q * h * norm w) by (apply Rmult_le_pos; nra). lra. }
+    destruct (distance_dini A phi G P y G P' y' H H' u _ Hu Z e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+    specialize (K h Hh). rewrite (ip_plus _ In), (ip_scal _ In) in K. specialize (Ac (y u) (y' u)). fold (D u) (D (u +
+      h)) in K.
+    assert (ip (minus (y u) (y' u)) (minus (y u) (y' u)) = 2 * D u) by (unfold D; field). nra. }
+  assert (Q : D t <= exp (2 * c * t) * D 0).
+  { apply le_epsilon. intros e He. pose proof (exp_pos (2 * c * t)) as Ep. set (q := e / exp (2 * c * t)).
+    assert (Hq : 0 < q) by (apply Rdiv_lt_0_compat; auto). pose proof (log_dini (fun u => D u + q) q (2 * c) t Hq) as L.
+    cbv beta in L. replace (exp (2 * c * t) * D 0 + e) with (exp (2 * c * t) * (D 0 + q)) by (unfold q; field; lra).
+    apply Rle_trans with (D t + q); [lra|]. apply L; auto; [intros u; specialize (Dp u); lra|apply cont_plus; auto using
+      cont_const|].
+    intros u Hu p Hp. destruct (Dd u Hu p Hp) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
+    assert (0 <= c * q * h) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). lra. }
+  unfold norm. replace (exp (c * t)) with (sqrt (exp (2 * c * t))).
+  2: { replace (2 * c * t) with (c * t + c * t) by ring. rewrite exp_plus. apply sqrt_square, Rlt_le, exp_pos. }
+  rewrite <- sqrt_mult by (try apply (ip_pos _ In); apply Rlt_le, exp_pos). apply sqrt_le_1_alt. unfold D in Q. lra.
 Qed.
 
 (** *** Whatever brakes synchronises *)

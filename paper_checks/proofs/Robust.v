@@ -16,9 +16,8 @@ Let energy := energy m1 m2 a2.
 (** the friction that sticking needs *)
 Definition stick_load x v := - (m2 * (a2 * x + a1 * v)) / (m1 + m2).
 
-(** bk s is the impulse of friction: bk against the slip, up to bs in contact. A stick is kept while its load is below
-  bs. *)
-Record jumping (x v1 v2 s : R -> R) : Prop := {
+(** bk s is the impulse of friction: bk against the slip, up to bs in contact *)
+Record two_frictions (x v1 v2 s : R -> R) : Prop := {
   j_lip : forall r t, 0 <= r <= t -> bk * Rabs (s t - s r) <= bs * (t - r);
   j_pos : forall t, 0 <= t -> v2 t < v1 t -> rderiv s t 1;
   j_neg : forall t, 0 <= t -> v1 t < v2 t -> rderiv s t (-1);
@@ -26,7 +25,11 @@ Record jumping (x v1 v2 s : R -> R) : Prop := {
   j_cv : cont v1;
   j_x : forall t, 0 <= t -> rderiv x t (v1 t);
   j_v1 : forall t, 0 <= t -> rderiv (fun u => m1 * v1 u + bk * s u) t (- (a2 * x t + a1 * v1 t));
-  j_v2 : forall t, 0 <= t -> m2 * v2 t - bk * s t = m2 * v2 0 - bk * s 0;
+  j_v2 : forall t, 0 <= t -> m2 * v2 t - bk * s t = m2 * v2 0 - bk * s 0 }.
+
+(** and a stick is kept while its load is below bs *)
+Record jumping (x v1 v2 s : R -> R) : Prop := {
+  j_two :> two_frictions x v1 v2 s;
   j_keeps : forall t, 0 <= t -> v1 t = v2 t -> Rabs (stick_load (x t) (v1 t)) < bs ->
     exists d, 0 < d /\ forall u, t <= u <= t + d -> v1 u = v2 u }.
 

@@ -2,20 +2,41 @@
     only if it is true of every motion of its scene ([Check.sound]). The program bounds the closed forms of Waves.v by
     interval arithmetic; which one is left open. *)
 From Coq Require Import Reals QArith Qreals List Bool Lra Psatz.
+From Coquelicot Require Import Coquelicot.
 From Interval.Real Require Import Xreal.
 From Interval.Interval Require Import Interval.
-From InertialPair Require Import Dini Pair Waves.
+From InertialPair Require Import Dini Pair Forced Arcs Varying Waves.
 Import ListNotations.
 Local Open Scope R_scope.
 
 (** *** Statements *)
-(** a scene: the pair, and the state at the time 0 *)
-Record scene := Scene { m1 : Q; m2 : Q; a1 : Q; a2 : Q; b : Q; x_0 : Q; v1_0 : Q; v2_0 : Q }.
+(** from the time [since] on: the friction, and the force on body 1, a polynomial of the time since [from] and sines *)
+Record spell := Spell { since : Q; friction : Q; push : steady Q }.
+(** a scene: the pair, the state at the time 0, and what acts from then on, spell after spell *)
+Record scene := Scene { m1 : Q; m2 : Q; a1 : Q; a2 : Q; x_0 : Q; v1_0 : Q; x2_0 : Q; v2_0 : Q; first_spell : spell;
+  later_spells : list spell }.
 
-(** a motion of the scene *)
-Definition motion sc x v1 v2 s :=
-  solution (Q2R (m1 sc)) (Q2R (m2 sc)) (Q2R (a1 sc)) (Q2R (a2 sc)) (Q2R (b sc)) x v1 v2 s /\
-  x 0 = Q2R (x_0 sc) /\ v1 0 = Q2R (v1_0 sc) /\ v2 0 = Q2R (v2_0 sc).
+(** rational coefficients as real ones *)
+Definition in_R (y : steady Q) := Steady (Q2R (from y)) (map Q2R (poly y)) (map (fun z =>
+  Tone (Q2R (in_sine z)) (Q2R (in_cosine z)) (Q2R (turn z)) (Q2R (phase z))) (tones y)).
+(** the force at the time t *)
+Fixpoint force_at now later t := match later with
+  | next :: later => if Rlt_dec t (Q2R (since next)) then sval real (in_R (push now)) t else force_at next later t
+  | [] => sval real (in_R (push now)) t end.
+(** friction and duration of all spells but the last, and the last one's friction *)
+Fixpoint pieces now later := match later with
+  | next :: later => (Q2R (friction now), Q2R (since next) - Q2R (since now)) :: pieces next later | [] => [] end.
+(** as said *)
+Fixpoint last_friction now later := match later with
+  | next :: later => last_friction next later | [] => Q2R (friction now) end.
+
+(** a motion of the scene; x2 is where body 2 is *)
+Definition motion sc x v1 x2 v2 := exists U, cont U /\
+  (forall t, 0 <= t -> rderiv U t (force_at (first_spell sc) (later_spells sc) t)) /\
+  varying (Q2R (m1 sc)) (Q2R (m2 sc)) (Q2R (a1 sc)) (Q2R (a2 sc)) (pieces (first_spell sc) (later_spells sc))
+    (last_friction (first_spell sc) (later_spells sc)) U x v1 v2 /\
+  cont x2 /\ (forall t, 0 <= t -> rderiv x2 t (v2 t)) /\
+  x 0 = Q2R (x_0 sc) /\ v1 0 = Q2R (v1_0 sc) /\ x2 0 = Q2R (x2_0 sc) /\ v2 0 = Q2R (v2_0 sc).
 
 (** slipping with v1 > v2 ([true]) or v1 < v2 ([false]); or sticking *)
 Inductive mode := Slip (ahead : bool) | Stick.
@@ -23,40 +44,188 @@ Inductive mode := Slip (ahead : bool) | Stick.
 (** what it says of the two velocities *)
 Definition in_mode m v1 v2 := match m with Slip true => v2 < v1 | Slip false => v1 < v2 | Stick => v1 = v2 end.
 
-(** an event: the mode that ends with it, the bounds of its time, of body 1's place there and of the common velocity *)
-Record event := Event { mode_until : mode; time : Q * Q; place : Q * Q; speed : Q * Q }.
+(** an event: the mode that ends with it, the bounds of its time, of both places there and of the common velocity *)
+Record event := Event { mode_until : mode; time : Q * Q; place : Q * Q; place2 : Q * Q; speed : Q * Q }.
 
-(** the end: the mode, the time, the bounds of the place, of the velocities and of v1 - v2 *)
-Record ending := Ending { last_mode : mode; last : Q; last_place : Q * Q; last_v1 : Q * Q; last_v2 : Q * Q;
-  last_relative : Q * Q }.
+(** the end: the mode, the time, the bounds of the state and of v1 - v2 *)
+Record ending := Ending { last_mode : mode; last : Q; last_place : Q * Q; last_v1 : Q * Q; last_place2 : Q * Q;
+  last_v2 : Q * Q; last_relative : Q * Q }.
 
 (** between two rationals *)
 Definition within (i : Q * Q) r := Q2R (fst i) <= r <= Q2R (snd i).
 
-(** From t on the motion runs through the events and comes to the end:
-    between two events it is in the mode that is said,
-  at every time; at an event both velocities are equal. *)
-Fixpoint unfolds (x v1 v2 : R -> R) (t : R) (events : list event) (e : ending) : Prop :=
+(** From t on the motion runs through the events and comes to the end: between two events it is in the mode that is
+    said, at every time; at an event both velocities are equal. *)
+Fixpoint unfolds (x v1 x2 v2 : R -> R) (t : R) (events : list event) (e : ending) : Prop :=
   match events with
   | now :: later => exists t', t < t' /\ within (time now) t' /\ within (place now) (x t') /\
-    within (speed now) (v1 t') /\
-      v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode (mode_until now) (v1 u) (v2 u)) /\ unfolds x v1 v2 t' later e
+    within (place2 now) (x2 t') /\ within (speed now) (v1 t') /\ v1 t' = v2 t' /\
+    (forall u, t < u < t' -> in_mode (mode_until now) (v1 u) (v2 u)) /\ unfolds x v1 x2 v2 t' later e
   | [] => t < Q2R (last e) /\ (forall u, t < u <= Q2R (last e) -> in_mode (last_mode e) (v1 u) (v2 u)) /\
       within (last_place e) (x (Q2R (last e))) /\ within (last_v1 e) (v1 (Q2R (last e))) /\
-      within (last_v2 e) (v2 (Q2R (last e))) /\ within (last_relative e) (v1 (Q2R (last e)) - v2 (Q2R (last e)))
+      within (last_place2 e) (x2 (Q2R (last e))) /\ within (last_v2 e) (v2 (Q2R (last e))) /\
+      within (last_relative e) (v1 (Q2R (last e)) - v2 (Q2R (last e)))
   end.
 
+(** the mode until the next event *)
+Definition current events e := match events with now :: _ => mode_until now | [] => last_mode e end.
+(** what lasts longer *)
+Lemma unfolds_earlier x v1 x2 v2 t t' events e : t < t' ->
+  (forall u, t < u <= t' -> in_mode (current events e) (v1 u) (v2 u)) -> unfolds x v1 x2 v2 t' events e ->
+  unfolds x v1 x2 v2 t events e.
+Proof.
+  intros Ht M. destruct events as [|now later]; cbn [unfolds current] in *.
+  - intros (Hl & Q & Rest). split; [lra|]. split; [|auto]. intros u Hu. destruct (Rle_dec u t'); [apply M|apply Q]; lra.
+  - intros (r & Hr & A & B & C & D & E & Q & Rest). exists r. split; [lra|]. repeat (split; [assumption|]).
+    split; [|auto]. intros u Hu. destruct (Rle_dec u t'); [apply M|apply Q]; lra.
+Qed.
+
+(** *** Spells *)
+Section Spells.
+Variables M1 M2 A1 A2 : R.
+Hypotheses (Hm1 : 0 < M1) (Hm2 : 0 < M2) (Ha1 : 0 <= A1) (Ha2 : 0 < A2).
+
+(** a motion of constant friction from a time on, along which x, v1 and v2 run for the time d *)
+Lemma forced_obeys B f U y w1 w2 s x v1 v2 S d : 0 < B -> 0 <= S -> forced M1 M2 A1 A2 B U y w1 w2 s ->
+  (forall t, 0 <= t < d -> rderiv U t (sval real f (S + t))) ->
+  (forall t, 0 <= t <= d -> x (S + t) = y t /\ v1 (S + t) = w1 t /\ v2 (S + t) = w2 t) ->
+  obeys M1 M2 A1 A2 B f S (S + d) x v1 v2.
+Proof.
+  intros HB HS F DU E t0 T X V1 V2 g Ht HT Hd A X0 V10 V20 u Hu.
+  destruct (E (t0 - S) ltac:(lra)) as (P0 & P1 & P2). destruct (E (t0 - S + u) ltac:(lra)) as (Q0 & Q1 & Q2).
+  replace (S + (t0 - S)) with t0 in * by ring. replace (S + (t0 - S + u)) with (t0 + u) in * by ring.
+  rewrite Q0, Q1, Q2. apply (follow_arc M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 HB U (fun u => sval real f (t0 + u))
+    y w1 w2 s X V1 V2 g T (t0 - S)); auto; try lra; try congruence.
+  intros t Hr. replace (t0 + (t - (t0 - S))) with (S + t) by ring. apply DU. lra.
+Qed.
+
+(** spell after spell the motion runs along every arc *)
+Fixpoint runs x v1 v2 now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (since now) /\ match later with
+  | next :: later => Q2R (since now) < Q2R (since next) /\
+      obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) (Q2R (since next)) x v1 v2 /\
+      runs x v1 v2 next later
+  | [] => forall hi, obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2 end.
+
+(** all have a friction, one after the other *)
+Fixpoint in_order now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (since now) /\ match later with
+  | next :: later => Q2R (since now) < Q2R (since next) /\ in_order next later | [] => True end.
+
+(** as said *)
+Lemma force_now now later t : in_order now later ->
+  (match later with next :: _ => t < Q2R (since next) | [] => True end) ->
+  force_at now later t = sval real (in_R (push now)) t.
+Proof. intros _. destruct later as [|next later]; simpl; auto. intros Ht. destruct Rlt_dec; auto; lra. Qed.
+
+(** as said *)
+Lemma varying_runs later : forall now U U' x v1 v2 x' v1' v2', in_order now later ->
+  (forall t, Q2R (since now) <= t -> rderiv U t (force_at now later t)) ->
+  (forall t, 0 <= t -> U' t = U (Q2R (since now) + t) /\ x' t = x (Q2R (since now) + t) /\
+    v1' t = v1 (Q2R (since now) + t) /\ v2' t = v2 (Q2R (since now) + t)) ->
+  varying M1 M2 A1 A2 (pieces now later) (last_friction now later) U' x' v1' v2' -> runs x v1 v2 now later.
+Proof.
+  assert (Push : forall now later U U', in_order now later ->
+    (forall t, Q2R (since now) <= t -> rderiv U t (force_at now later t)) ->
+    (forall t, 0 <= t -> U' t = U (Q2R (since now) + t)) -> forall t, 0 <= t ->
+    rderiv U' t (force_at now later (Q2R (since now) + t))).
+  { intros now later' U U' O DU E t Ht. apply rderiv_ext with (fun t => U (Q2R (since now) + t)).
+    - intros u Hu. symmetry. apply E. lra.
+    - apply rderiv_earlier, DU. lra. }
+  induction later as [|next later IH]; intros now U U' x v1 v2 x' v1' v2' O DU E V.
+  - pose proof (Push now [] U U' O DU (fun t Ht => proj1 (E t Ht))) as P. destruct O as (Hb & Hs & _).
+    split; [auto|]. split; [auto|]. intros hi. destruct V as (s & F). unfold last_friction in F; simpl in F.
+    destruct (Rle_dec (Q2R (since now)) hi) as [Hh|Hh].
+    + replace hi with (Q2R (since now) + (hi - Q2R (since now))) by ring.
+      apply (forced_obeys _ _ U' x' v1' v2' s); auto.
+      * intros t Ht. apply P; lra.
+      * intros t Ht. destruct (E t ltac:(lra)) as (_ & -> & -> & ->). auto.
+    + intros t0 T X V1 V2 g Ht HT Hd. exfalso. lra.
+  - pose proof (Push now (next :: later) U U' O DU (fun t Ht => proj1 (E t Ht))) as P. pose proof O as O'.
+    destruct O as (Hb & Hs & Hn & O). split; [auto|]. split; [auto|]. split; [auto|].
+    cbn [pieces varying last_friction] in V. destruct V as ((y & w1 & w2 & s & F & K) & V). split.
+    + assert (Ob : obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now))
+        (Q2R (since now) + (Q2R (since next) - Q2R (since now))) x v1 v2).
+      { apply (forced_obeys _ _ U' y w1 w2 s); auto.
+        - intros t Ht. rewrite <- (force_now now (next :: later)) by (auto; lra). apply P; lra.
+        - intros t Ht. destruct (K t Ht) as (<- & <- & <-). destruct (E t ltac:(lra)) as (_ & -> & -> & ->). auto. }
+      replace (Q2R (since now) + (Q2R (since next) - Q2R (since now))) with (Q2R (since next)) in Ob by ring. exact Ob.
+    + refine (IH next U _ x v1 v2 _ _ _ O _ _ V).
+      * intros t Ht. specialize (DU t ltac:(lra)). simpl in DU. destruct Rlt_dec in DU; [lra|auto].
+      * intros t Ht. cbv beta. destruct (E (Q2R (since next) - Q2R (since now) + t)) as (-> & -> & -> & ->); [lra|].
+        replace (Q2R (since now) + (Q2R (since next) - Q2R (since now) + t)) with (Q2R (since next) + t) by ring. auto.
+Qed.
+End Spells.
+
+(** *** Answers *)
+(** rational numbers; their sines are not asked for *)
+Definition rational := Arith Q 0%Q Qplus Qminus Qmult Qdiv Qopp (fun q => q) (fun q => q).
+(** as said *)
+Lemma in_R_padd l : forall k, map Q2R (padd rational l k) = padd real (map Q2R l) (map Q2R k).
+Proof.
+  induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. simpl. rewrite Q2R_plus. auto.
+Qed.
+(** as said *)
+Lemma in_R_dpoly l : map Q2R (dpoly rational l) = dpoly real (map Q2R l).
+Proof.
+  induction l as [|c [|d l] IH]; auto. change (dpoly rational (c :: d :: l)) with
+    (padd rational (d :: l) (0%Q :: dpoly rational (d :: l))). rewrite in_R_padd. cbn [map] in *. rewrite IH.
+  rewrite RMicromega.Q2R_0. reflexivity.
+Qed.
+(** as said *)
+Lemma pval_times c l u : pval real (map Q2R (map (Qmult c) l)) u = Q2R c * pval real (map Q2R l) u.
+Proof.
+  induction l as [|d l IH]; cbn [map]; rewrite ?pval_cons, ?IH, ?Q2R_mult; [unfold pval; simpl|]; ring.
+Qed.
+(** coefficients that are all 0 *)
+Definition vanishes := forallb (Qeq_bool 0).
+(** as said *)
+Lemma vanishes_spec l u : vanishes l = true -> pval real (map Q2R l) u = 0.
+Proof.
+  induction l as [|c l IH]; auto. cbn [vanishes forallb map]. intros E. apply andb_true_iff in E. destruct E as (E & F).
+  rewrite pval_cons, IH by auto. apply Qeq_bool_iff, Qeq_eqR in E. rewrite <- E, RMicromega.Q2R_0. ring.
+Qed.
+(** m y'' + a1 y' + a2 y = f *)
+Fixpoint tones_answer m a1 a2 (ys fs : list (tone Q)) : bool := match ys, fs with
+  | y :: ys, f :: fs => let y' := dtone rational y in let y'' := dtone rational y' in
+      Qeq_bool (turn y) (turn f) && Qeq_bool (phase y) (phase f) &&
+      Qeq_bool (m * in_sine y'' + a1 * in_sine y' + a2 * in_sine y) (in_sine f) &&
+      Qeq_bool (m * in_cosine y'' + a1 * in_cosine y' + a2 * in_cosine y) (in_cosine f) && tones_answer m a1 a2 ys fs
+  | [], [] => true | _, _ => false end.
+(** the same of all of an answer *)
+Definition is_answer m a1 a2 (y f : steady Q) := let l := poly y in
+  let l' := dpoly rational l in
+  Qeq_bool (from y) (from f) && tones_answer m a1 a2 (tones y) (tones f) &&
+  vanishes (padd rational (map (Qmult m) (dpoly rational l')) (padd rational (map (Qmult a1) l')
+    (padd rational (map (Qmult a2) l) (map (Qmult (-1)) (poly f))))).
+(** as said *)
+Lemma is_answer_spec m a1 a2 y f : is_answer m a1 a2 y f = true -> answers (Q2R m) (Q2R a1) (Q2R a2) (in_R y) (in_R f).
+Proof.
+  intros E. apply andb_true_iff in E. destruct E as (E & V). apply andb_true_iff in E. destruct E as (E & W). intros t.
+  apply Qeq_bool_iff, Qeq_eqR in E. apply (vanishes_spec _ (t - Q2R (from f))) in V.
+  rewrite !in_R_padd, !pval_padd, !pval_times, !in_R_dpoly in V. unfold sval, dsteady, in_R.
+  cbn [from poly tones add sub real]. rewrite E. revert V.
+  generalize (pval real (dpoly real (dpoly real (map Q2R (poly y)))) (t - Q2R (from f))).
+  generalize (pval real (dpoly real (map Q2R (poly y))) (t - Q2R (from f))).
+  generalize (pval real (map Q2R (poly y)) (t - Q2R (from f))).
+  generalize (pval real (map Q2R (poly f)) (t - Q2R (from f))).
+  replace (Q2R (-1)) with (-1) by (unfold Q2R; simpl; field). intros p0 p1 p2 p3 V. revert W.
+  generalize (tones f). induction (tones y) as [|z zs IH]; intros [|w ws]; cbn [tones_answer map fold_right];
+    try discriminate; [intros _; lra|].
+  intros W. rewrite !andb_true_iff in W. destruct W as ((((W & P) & S) & C) & Rest). rewrite <- (IH ws Rest). clear IH.
+  apply Qeq_bool_iff, Qeq_eqR in W. apply Qeq_bool_iff, Qeq_eqR in P. apply Qeq_bool_iff, Qeq_eqR in S.
+  apply Qeq_bool_iff, Qeq_eqR in C. cbn [dtone in_sine in_cosine turn phase neg mul rational] in S, C.
+  rewrite !Q2R_plus, !Q2R_mult, !Q2R_opp, !Q2R_mult in S, C.
+  unfold tval; simpl. rewrite <- W, <- P, <- S, <- C, ?Q2R_opp, ?Q2R_mult. ring.
+Qed.
+
 (** *** The program *)
-(** what helps it with an event: bounds of the time since the event before, and which way a stick ends *)
-Record hint := Hint { least : Q; most : Q; towards : bool }.
+(** what helps it, event by event: in how many bits; an event, with bounds of the time since the one before or since a
+    rest, and which way a stick ends; a rest at a time, where the spell may end, and a stick may break, and for how long
+    the mode before it surely lasts; the end *)
+Inductive hint := Hit (bits : positive) (least most : Q) (towards : bool)
+  | Rest (bits : positive) (until least : Q) (breaks : bool) | Last (bits : positive) (least : Q).
 
 (** what is known of a state beside bounds: nothing; a contact; the edge on which a stick has ended *)
 Inductive start := Off | Touch | Edge (ahead : bool).
-
-(** a sign *)
-Definition sign (k : bool) := if k then 1 else -1.
-(** one or the other *)
-Lemma sign_cases k : sign k = 1 \/ sign k = -1. Proof. destruct k; auto. Qed.
 
 (** the rational numbers that are checked to be positive, or in order *)
 Definition posQ q := (0 <? Qnum q)%Z.
@@ -92,12 +261,26 @@ Record bounded := Bounded { parts : wave I.type; side : comparison; root : I.typ
 (** whether damping is below (Gt), at or beyond its critical value *)
 Definition on_side c d := match c with Gt => 0 < d | Eq => d = 0 | Lt => d < 0 end.
 
+(** the intervals have the numbers *)
+Record has_tone (Z : tone I.type) (z : tone R) : Prop := { h_in_sine : has (in_sine Z) (in_sine z);
+  h_in_cosine : has (in_cosine Z) (in_cosine z); h_turn : has (turn Z) (turn z); h_phase : has (phase Z) (phase z) }.
+(** of a force *)
+Record has_steady (Y : steady I.type) (y : steady R) : Prop := { h_from : has (from Y) (from y);
+  h_poly : Forall2 has (poly Y) (poly y); h_tones : Forall2 has_tone (tones Y) (tones y) }.
 (** the wave of intervals has the wave *)
-Record has_wave (F : bounded) (f : wave R) : Prop := { h_still : has (still (parts F)) (still f);
-  h_drift : has (drift (parts F)) (drift f); h_even : has (even (parts F)) (even f);
-  h_odd : has (odd (parts F)) (odd f); h_decay : has (decay (parts F)) (decay f);
-  h_square : has (square (parts F)) (square f); h_side : on_side (side F) (square f);
-  h_root : has (root F) (sqrt (Rabs (square f))) }.
+Record has_parts (F f : wave _) : Prop := { h_still : has (still F) (still f);
+  h_drift : has (drift F) (drift f); h_even : has (even F) (even f); h_odd : has (odd F) (odd f);
+  h_decay : has (decay F) (decay f); h_square : has (square F) (square f); h_clock : has (clock F) (clock f);
+  h_answer : has_steady (answer F) (answer f) }.
+(** with its frequency *)
+Record has_wave (F : bounded) (f : wave R) : Prop := { h_parts : has_parts (parts F) f;
+  h_side : on_side (side F) (square f); h_root : has (root F) (sqrt (Rabs (square f))) }.
+(** of a pair *)
+Record has_kit (K : kit I.type) (k : kit R) : Prop := { h_k1 : has (k1 K) (k1 k); h_k2 : has (k2 K) (k2 k);
+  h_kM : has (kM K) (kM k); h_ka1 : has (ka1 K) (ka1 k); h_ka2 : has (ka2 K) (ka2 k); h_kb : has (kb K) (kb k);
+  h_slow1 : has (slow1 K) (slow1 k); h_stiff1 : has (stiff1 K) (stiff1 k); h_slowM : has (slowM K) (slowM k);
+  h_stiffM : has (stiffM K) (stiffM k); h_answer1 : has_steady (answer1 K) (answer1 k);
+  h_answerM : has_steady (answerM K) (answerM k); h_force : has_steady (force K) (force k) }.
 
 (** known to be positive *)
 Definition pos i := match I.sign_strict i with Xgt => true | _ => false end.
@@ -121,12 +304,15 @@ Qed.
 Section Precision.
 Variable p : I.precision.
 
+(** intervals *)
+Definition boxes := Arith I.type I.zero (I.add p) (I.sub p) (I.mul p) (I.div p) I.neg (I.sin p) (I.cos p).
 (** the rational number *)
 Definition rat q := I.div p (I.fromZ p (Qnum q)) (I.fromZ p (Zpos (Qden q))).
 (** the rational numbers between two *)
 Definition hull q r := I.join (rat q) (rat r).
-(** the sign times the number *)
-Definition signed (k : bool) i := if k then i else I.neg i.
+(** a force *)
+Definition in_I (y : steady Q) := Steady (rat (from y)) (map rat (poly y)) (map (fun z =>
+  Tone (rat (in_sine z)) (rat (in_cosine z)) (rat (turn z)) (rat (phase z))) (tones y)).
 
 (** as said *)
 Lemma has_rat q : has (rat q) (Q2R q).
@@ -134,13 +320,6 @@ Proof. apply J.div_correct; apply I.fromZ_correct. Qed.
 (** as said *)
 Lemma has_hull q r u : Q2R q <= u <= Q2R r -> has (hull q r) u.
 Proof. intros Hu. exact (J.join_correct _ _ _ _ _ (has_rat q) (has_rat r) Hu). Qed.
-(** as said *)
-Lemma has_signed k i r : has i r -> has (signed k i) (sign k * r).
-Proof.
-  intros H. destruct k; unfold sign, signed.
-  - rewrite Rmult_1_l; auto.
-  - replace (-1 * r) with (- r) by ring. apply J.neg_correct; auto.
-Qed.
 
 (** the swing of a wave; beyond the critical damping it is a sum of two exponentials, which are bounded one by one *)
 Definition swinging F u :=
@@ -156,17 +335,122 @@ Definition swinging F u :=
         (I.mul p (I.mul p half (I.sub p (even f) other)) (faded (I.add p (decay f) w)))
   end.
 (** the value of a wave *)
-Definition value F u := let f := parts F in I.add p (I.add p (still f) (I.mul p (drift f) u)) (swinging F u).
+Definition value F u := let f := parts F in
+  I.add p (I.add p (I.add p (still f) (I.mul p (drift f) u)) (swinging F u)) (sval boxes (answer f) (I.add p (clock f) u)).
 (** its derivative *)
-Definition sloped F := let f := parts F in
-  Bounded (Wave (drift f) I.zero (I.sub p (odd f) (I.mul p (decay f) (even f)))
-    (I.sub p (I.neg (I.mul p (square f) (even f))) (I.mul p (decay f) (odd f))) (decay f) (square f)) (side F) (root F).
-End Precision.
+Definition steep F := Bounded (sloped boxes (parts F)) (side F) (root F).
 
 (** what is computed has what is meant *)
-Ltac has := repeat first [assumption | apply has_rat | apply J.zero_correct | apply J.add_correct | apply J.sub_correct
+Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
+  | apply J.zero_correct | apply J.add_correct | apply J.sub_correct
   | apply J.mul_correct | apply J.div_correct | apply J.neg_correct | apply J.sqrt_correct | apply J.exp_correct
-  | apply J.cos_correct | apply J.sin_correct | apply has_signed].
+  | apply J.cos_correct | apply J.sin_correct].
+
+(** as said *)
+Lemma has_map {S T U V} (P : S -> T -> Prop) (Q : U -> V -> Prop) f g l k : (forall x y, P x y -> Q (f x) (g y)) ->
+  Forall2 P l k -> Forall2 Q (map f l) (map g k).
+Proof. intros E. induction 1; constructor; auto. Qed.
+(** as said *)
+Lemma has_in_I y : has_steady (in_I y) (in_R y).
+Proof.
+  constructor; cbn [from poly tones in_I in_R]; [has| |].
+  - induction (poly y); constructor; auto. apply has_rat.
+  - induction (tones y); constructor; auto. constructor; apply has_rat.
+Qed.
+(** as said *)
+Lemma has_pval L l i u : Forall2 has L l -> has i u -> has (pval boxes L i) (pval real l u).
+Proof. intros H Hu. induction H; unfold pval in *; cbn [fold_right]; has. Qed.
+(** as said *)
+Lemma has_padd L l : Forall2 has L l -> forall K k, Forall2 has K k -> Forall2 has (padd boxes L K) (padd real l k).
+Proof. induction 1; intros K k HK; [destruct HK; constructor; auto|]. destruct HK; constructor; auto. has. Qed.
+(** as said *)
+Lemma has_dpoly L l : Forall2 has L l -> Forall2 has (dpoly boxes L) (dpoly real l).
+Proof.
+  induction 1 as [|C c L l Hc H IH]; [constructor|]. destruct H as [|D d L l Hd H]; [constructor|].
+  exact (has_padd _ _ (Forall2_cons _ _ Hd H) _ _ (Forall2_cons _ _ (J.zero_correct : has I.zero 0) IH)).
+Qed.
+(** as said *)
+Lemma has_dsteady Y y : has_steady Y y -> has_steady (dsteady boxes Y) (dsteady real y).
+Proof.
+  intros []. constructor; cbn [from poly tones dsteady]; auto using has_dpoly.
+  apply (has_map has_tone); auto. intros Z z []. constructor; cbn [in_sine in_cosine turn phase dtone]; has.
+Qed.
+(** as said *)
+Lemma has_scaled F f Y y : (forall i r, has i r -> has (F i) (f r)) -> has_steady Y y ->
+  has_steady (scaled F Y) (scaled f y).
+Proof.
+  intros E []. constructor; cbn [from poly tones scaled]; auto; [apply (has_map has); auto|].
+  apply (has_map has_tone); auto. intros Z z []. constructor; simpl; auto.
+Qed.
+(** as said *)
+Lemma has_sval Y y i t : has_steady Y y -> has i t -> has (sval boxes Y i) (sval real y t).
+Proof.
+  intros [Hf Hp Ht] Hi. unfold sval. induction Ht as [|Z z L l [] H IH]; cbn [fold_right].
+  - apply has_pval; has.
+  - unfold tval. has.
+Qed.
+(** as said *)
+Lemma has_signed k i r : has i r -> has (signed boxes k i) (signed real k r).
+Proof. intros H. destruct k; simpl; has. Qed.
+(** as said *)
+Lemma has_swing G g D d C c Y y T t X x V v : has G g -> has D d -> has C c -> has_steady Y y -> has T t -> has X x ->
+  has V v -> has_parts (swing boxes G D C Y T X V) (swing real g d c y t x v).
+Proof.
+  intros HG HD HC HY HT HX HV. pose proof (has_sval Y y T t HY HT).
+  pose proof (has_sval _ _ T t (has_dsteady Y y HY) HT).
+  unfold swing. constructor; cbn [still drift even odd decay square clock answer]; auto; has; auto.
+Qed.
+(** as said *)
+Lemma has_sloped F f : has_parts F f -> has_parts (sloped boxes F) (slope f).
+Proof.
+  intros []. constructor; cbn [still drift even odd decay square clock answer sloped]; auto using has_dsteady; has.
+Qed.
+
+Section Kit.
+Variables (K : kit I.type) (k : kit R).
+Hypothesis HK : has_kit K k.
+(** as said *)
+Lemma has_slide s T t X x V v : has T t -> has X x -> has V v ->
+  has_parts (slide boxes K s T X V) (slide real k s t x v).
+Proof. intros. destruct HK. apply has_swing; auto. pose proof (has_signed s _ _ h_kb0). has. Qed.
+(** as said *)
+Lemma has_drive s V v U u : has V v -> has U u -> has (drive boxes K s V U) (drive real k s v u).
+Proof. intros. pose proof (has_signed s _ _ (h_kb _ _ HK)). pose proof (h_k2 _ _ HK). unfold drive. has. Qed.
+(** as said *)
+Lemma has_stuck T t X x V v : has T t -> has X x -> has V v -> has_parts (stuck boxes K T X V) (stuck real k t x v).
+Proof. destruct HK. intros. apply has_swing; auto. has. Qed.
+(** as said *)
+Lemma has_guard s T t X x V v W w : has T t -> has X x -> has V v -> has W w ->
+  has_parts (guard boxes K s T X V W) (guard real k s t x v w).
+Proof.
+  intros HT HX HV HW. destruct (has_sloped _ _ (has_slide s T t X x V v HT HX HV)). destruct HK. unfold guard.
+  constructor; cbn [still drift even odd decay square clock answer]; auto using has_signed; try (has; fail).
+  - apply J.neg_correct, has_signed; auto.
+  - apply has_scaled; auto using has_signed.
+Qed.
+(** as said *)
+Lemma has_grip s T t X x V v : has T t -> has X x -> has V v ->
+  has_parts (grip boxes K s T X V) (grip real k s t x v).
+Proof.
+  intros HT HX HV. destruct (has_sloped _ _ (has_sloped _ _ (has_stuck T t X x V v HT HX HV))). destruct HK.
+  unfold grip. constructor; cbn [still drift even odd decay square clock answer]; auto; try (has; fail);
+    try (apply J.neg_correct, has_signed; auto).
+  apply has_scaled; auto. intros. apply J.neg_correct, has_signed; auto.
+Qed.
+(** as said *)
+Lemma has_edge s T t V v : has T t -> has V v -> has (edge boxes K s T V) (edge real k s t v).
+Proof.
+  intros HT HV. destruct HK. unfold edge. pose proof (has_sval _ _ T t (h_force _ _ HK) HT).
+  assert (has (signed boxes s (div boxes (mul boxes (kb K) (kM K)) (k2 K))) (signed real s (kb k * kM k / k2 k))).
+  { apply has_signed. has. }
+  has.
+Qed.
+End Kit.
+End Precision.
+Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
+  | apply J.zero_correct | apply J.add_correct | apply J.sub_correct
+  | apply J.mul_correct | apply J.div_correct | apply J.neg_correct | apply J.sqrt_correct | apply J.exp_correct
+  | apply J.cos_correct | apply J.sin_correct].
 
 (** a swing beyond the critical damping *)
 Lemma two_exponentials g w even odd u : 0 < w ->
@@ -180,15 +464,16 @@ Qed.
 (** as said *)
 Lemma has_value p F f u i : has_wave F f -> has i u -> has (value p F i) (val f u).
 Proof.
-  intros [? ? ? ? ? ? S W] Hu. unfold value, val. apply J.add_correct; [has|]. unfold swinging, cosine, sine.
+  intros [[] S W] Hu. unfold value, val. apply J.add_correct; [|apply has_sval; auto; has].
+  apply J.add_correct; [has|]. unfold swinging, cosine, sine.
   destruct (side F); simpl in S; repeat (destruct Rlt_dec; try lra).
   - rewrite Rmult_1_r. has.
   - rewrite two_exponentials by (apply frequency_sq; lra). has.
   - has.
 Qed.
 (** as said *)
-Lemma has_sloped p F f : has_wave F f -> has_wave (sloped p F) (slope f).
-Proof. intros []. unfold sloped, slope. constructor; simpl; auto; has. Qed.
+Lemma has_steep p F f : has_wave F f -> has_wave (steep p F) (slope f).
+Proof. intros []. constructor; cbn [steep parts side root]; auto using has_sloped. Qed.
 
 Section Program.
 (** the precision of states, that of signs, and how often an interval is halved *)
@@ -209,25 +494,25 @@ Fixpoint stays depth (F F' F'' : bounded) a b : bool :=
   end.
 
 (** as said *)
-Lemma stays_spec n F f a b : has_wave F f -> stays n F (sloped q F) (sloped q (sloped q F)) a b = true ->
+Lemma stays_spec n F f a b : has_wave F f -> stays n F (steep q F) (steep q (steep q F)) a b = true ->
   Q2R a <= Q2R b -> 0 < val f (Q2R a) -> 0 < val f (Q2R b) -> forall u, Q2R a <= u <= Q2R b -> 0 < val f u.
 Proof.
-  intros W. pose proof (has_sloped q _ _ W) as W'. pose proof (has_sloped q _ _ W') as W''. revert a b.
+  intros W. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''. revert a b.
   induction n as [|n IH]; intros a b; cbn [stays]; intros St Hab Pa Pb u Hu;
     destruct (pos (value q F (hull q a b))) eqn:E0.
   1, 3: apply (pos_spec _ _ E0), has_value, has_hull; auto.
-  all: destruct (nonneg (value q (sloped q F) (hull q a b))) eqn:E1.
+  all: destruct (nonneg (value q (steep q F) (hull q a b))) eqn:E1.
   1, 3: apply (rising_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply (nonneg_spec _ _ E1), has_value, has_hull;
     auto.
-  all: destruct (nonneg (I.neg (value q (sloped q F) (hull q a b)))) eqn:E2.
+  all: destruct (nonneg (I.neg (value q (steep q F) (hull q a b)))) eqn:E2.
   1, 3: apply (falling_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
     apply (nonneg_spec _ _ E2), J.neg_correct, has_value, has_hull; auto.
-  all: destruct (nonneg (I.neg (value q (sloped q (sloped q F)) (hull q a b)))) eqn:E3.
+  all: destruct (nonneg (I.neg (value q (steep q (steep q F)) (hull q a b)))) eqn:E3.
   1, 3: apply (concave_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
     apply (nonneg_spec _ _ E3), J.neg_correct, has_value, has_hull; auto.
   - discriminate.
   - destruct (pos (value q F (rat q (mid a b)))) eqn:E4; [|discriminate].
-    destruct (stays n F (sloped q F) (sloped q (sloped q F)) a (mid a b)) eqn:E5; [|discriminate].
+    destruct (stays n F (steep q F) (steep q (steep q F)) a (mid a b)) eqn:E5; [|discriminate].
     assert (Pc : 0 < val f (Q2R (mid a b))) by (apply (pos_spec _ _ E4), has_value, has_rat; auto).
     pose proof (mid_spec a b) as Mid. destruct (Rle_dec u (Q2R (mid a b))).
     + apply (IH a (mid a b)); auto; lra.
@@ -253,7 +538,7 @@ Qed.
 
 (** positive after 0 up to b, whatever the start is *)
 Definition begins how k F b : bool :=
-  let F' := sloped q F in let F'' := sloped q F' in
+  let F' := steep q F in let F'' := steep q F' in
   posQ b && pos (value p F (rat p b)) &&
   match how with
   | Off => pos (value p F (rat p 0)) && stays depth F F' F'' 0 b
@@ -268,14 +553,14 @@ Lemma begins_spec how k F f b : has_wave F f -> begins how k F b = true ->
   (how = Touch -> val f 0 = 0) -> (how = Edge k -> val f 0 = 0 /\ val (slope f) 0 = 0) ->
   0 < Q2R b /\ 0 <= val f 0 /\ (forall u, 0 < u <= Q2R b -> 0 < val f u).
 Proof.
-  intros W B At Ae. pose proof (has_sloped q _ _ W) as W'. pose proof (has_sloped q _ _ W') as W''.
+  intros W B At Ae. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''.
   unfold begins in B. apply andb_true_iff in B. destruct B as (B & C). apply andb_true_iff in B.
     destruct B as (Hb & Pb).
   apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|apply has_value, has_rat; auto].
   split; auto. pose proof (mid_spec 0 b) as Mid. rewrite RMicromega.Q2R_0 in Mid.
   assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
-    pos (value q F (rat q d)) && stays depth F (sloped q F) (sloped q
-    (sloped q F)) d b = true ->
+    pos (value q F (rat q d)) && stays depth F (steep q F) (steep q
+    (steep q F)) d b = true ->
     (forall u, 0 < u <= Q2R d -> 0 < val f u) -> forall u, 0 < u <= Q2R b -> 0 < val f u).
   { intros d Hd E Q u Hu. apply andb_true_iff in E. destruct E as (Pd & St). destruct (Rle_dec u (Q2R d));
     [apply Q; lra|].
@@ -284,168 +569,178 @@ Proof.
   - apply andb_true_iff in C. destruct C as (P0 & St). apply pos_spec with (r := val f 0) in P0.
     + split; [lra|]. intros u Hu. apply (stays_spec depth F f 0 b); auto; rewrite ?RMicromega.Q2R_0; auto; lra.
     + apply has_value; auto. rewrite <- RMicromega.Q2R_0. apply has_rat.
-  - rewrite (At eq_refl). split; [lra|]. destruct (early depth (sloped q F) (mid 0 b)) as [d|] eqn:E; [|discriminate].
+  - rewrite (At eq_refl). split; [lra|]. destruct (early depth (steep q F) (mid 0 b)) as [d|] eqn:E; [|discriminate].
     destruct (early_spec _ _ _ _ _ W' E ltac:(lra)) as (Hd & Q). apply (Rest d); auto.
     apply leaves_zero; auto. rewrite (At eq_refl); lra.
   - apply andb_true_iff in C. destruct C as (Hk & C). apply eqb_prop in Hk. subst k'. destruct (Ae eq_refl) as (Z & S).
-    rewrite Z. split; [lra|]. destruct (early depth (sloped q (sloped q F)) (mid 0 b)) as [d|] eqn:E; [|discriminate].
+    rewrite Z. split; [lra|]. destruct (early depth (steep q (steep q F)) (mid 0 b)) as [d|] eqn:E; [|discriminate].
     destruct (early_spec _ _ _ _ _ W'' E ltac:(lra)) as (Hd & Q). apply (Rest d); auto. intros u Hu.
     destruct (val_mean f 0 u ltac:(lra)) as (c & Hc & Ef). rewrite Z in Ef.
     assert (0 < val (slope f) c); [|nra]. apply (leaves_zero (slope f) (Q2R d)); auto; lra.
 Qed.
 
-(** *** The pair *)
-(** the free swing of a mass: its decay, the square of its frequency, the sign of that, and the frequency *)
-Record tone := Tone { slow : I.type; stiff : I.type; kind : comparison; pitch : I.type }.
-(** the numbers of a scene, computed once *)
-Record kit := Kit { j1 : I.type; j2 : I.type; jM : I.type; c1 : I.type; c2 : I.type; cb : I.type;
-  alone : tone; together : tone }.
 
-(** how fast a swing of the mass m decays, and the square of its frequency *)
+(** *** The pair *)
+(** the numbers of the pair, and of both swings the sign of the square of the frequency, and the frequency *)
+Record pair := Pair { numbers : kit I.type; side1 : comparison; root1 : I.type; sideM : comparison; rootM : I.type }.
+
+(** how fast a swing of the mass m decays *)
 Definition fadeQ sc m := Qred (a1 sc / (2 * m)).
 (** the square of its frequency *)
 Definition squareQ sc m := Qred (a2 sc / m - fadeQ sc m * fadeQ sc m).
 (** the mass of both bodies *)
 Definition both sc := (m1 sc + m2 sc)%Q.
-(** the swing of a mass *)
-Definition tuned sc m := let d := squareQ sc m in
-  Tone (rat p (fadeQ sc m)) (rat p d) (d ?= 0)%Q (I.sqrt p (I.abs (rat p d))).
-(** the numbers *)
-Definition numbers sc := Kit (rat p (m1 sc)) (rat p (m2 sc)) (rat p (both sc)) (rat p (a1 sc)) (rat p (a2 sc))
-  (rat p (b sc)) (tuned sc (m1 sc)) (tuned sc (both sc)).
+(** all that is computed once, from how each mass answers to the force *)
+Definition tuned sc now (ys : steady Q * steady Q) :=
+  let d1 := squareQ sc (m1 sc) in let dM := squareQ sc (both sc) in
+  Pair (Kit (rat p (m1 sc)) (rat p (m2 sc)) (rat p (both sc)) (rat p (a1 sc)) (rat p (a2 sc)) (rat p (friction now))
+      (rat p (fadeQ sc (m1 sc))) (rat p d1) (rat p (fadeQ sc (both sc))) (rat p dM)
+      (in_I p (fst ys)) (in_I p (snd ys)) (in_I p (push now)))
+    (d1 ?= 0)%Q (I.sqrt p (I.abs (rat p d1))) (dM ?= 0)%Q (I.sqrt p (I.abs (rat p dM))).
 
-(** what a scene has to be: masses, stiffness and friction positive, damping not negative *)
-Definition fair sc := posQ (m1 sc) && posQ (m2 sc) && nonnegQ (a1 sc) && posQ (a2 sc) && posQ (b sc).
+(** a state: its time, places and velocities, and what else is known of it *)
+Record state := State { at_t : I.type; at_x : I.type; at_v1 : I.type; at_x2 : I.type; at_v2 : I.type; how : start }.
 
-(** the waves of Waves.v *)
-Definition swings T c x v := let y := I.sub p x c in
-  Bounded (Wave c I.zero y (I.add p v (I.mul p (slow T) y)) (slow T) (stiff T)) (kind T) (pitch T).
-(** body 1 in a slip *)
-Definition slides K k x v1 := swings (alone K) (I.neg (I.div p (signed k (cb K)) (c2 K))) x v1.
-(** body 2's velocity in a slip *)
-Definition drives K k v2 u := I.add p v2 (I.mul p (I.div p (signed k (cb K)) (j2 K)) u).
-(** the guard of a slip *)
-Definition guards K k x v1 v2 := let F := sloped p (slides K k x v1) in
-  let f := parts F in
-  Bounded (Wave (I.neg (signed k v2)) (I.neg (I.div p (cb K) (j2 K))) (signed k (even f)) (signed k (odd f))
-    (decay f) (square f)) (side F) (root F).
-(** both bodies in a stick *)
-Definition sticks K x v := swings (together K) I.zero x v.
-(** the guard of a stick *)
-Definition grips K k x v := let F := sloped p (sloped p (sticks K x v)) in
-  let f := parts F in
-  Bounded (Wave (I.div p (cb K) (j2 K)) I.zero (I.neg (signed k (even f))) (I.neg (signed k (odd f)))
-    (decay f) (square f)) (side F) (root F).
-
-(** where a stick ends towards k with the velocity v *)
-Definition edge K k v := I.div p
-  (I.sub p (I.neg (signed k (I.div p (I.mul p (cb K) (jM K)) (j2 K)))) (I.mul p (c1 K) v)) (c2 K).
-
-(** a state: its time, place and velocities, and what else is known of it *)
-Record state := State { clock : I.type; at_x : I.type; at_v1 : I.type; at_v2 : I.type; how : start }.
-
-(** whether a stick at the start is at its end towards k *)
-Definition on_edge sc (k : bool) :=
-  Qeq_bool (m2 sc * (a2 sc * x_0 sc + a1 sc * v1_0 sc)) ((if k then -1 else 1) * (b sc * both sc)).
-(** the state at the time 0 *)
-Definition initial sc := State (rat p 0) (rat p (x_0 sc)) (rat p (v1_0 sc)) (rat p (v2_0 sc))
-  (if Qeq_bool (v1_0 sc) (v2_0 sc) then
-     if on_edge sc true then Edge true else if on_edge sc false then Edge false else Touch
-   else Off).
+(** the waves of a state *)
+Definition slides K st k := Bounded (slide (boxes p) (numbers K) k (at_t st) (at_x st) (at_v1 st)) (side1 K) (root1 K).
+(** its guard *)
+Definition guards K st k :=
+  Bounded (guard (boxes p) (numbers K) k (at_t st) (at_x st) (at_v1 st) (at_v2 st)) (side1 K) (root1 K).
+(** its stick *)
+Definition sticks K st := Bounded (stuck (boxes p) (numbers K) (at_t st) (at_x st) (at_v1 st)) (sideM K) (rootM K).
+(** what friction has left in it *)
+Definition grips K st k := Bounded (grip (boxes p) (numbers K) k (at_t st) (at_x st) (at_v1 st)) (sideM K) (rootM K).
 
 (** inside the bounds *)
 Definition inside i (c : Q * Q) := nonneg (I.sub p i (rat p (fst c))) && nonneg (I.sub p (rat p (snd c)) i).
-
 (** known to touch *)
 Definition touches h := match h with Off => false | _ => true end.
-
 (** what is known of the friction that is left towards k in a stick: nothing, or that there is none yet *)
 Definition held h k := match h with Edge k' => if eqb k' k then Touch else Off | _ => Off end.
+(** not after the end of the spell *)
+Definition fits final i := match final with Some q => nonneg (I.sub p (rat p q) i) | None => true end.
+(** as said *)
+Definition upto final until := match final with Some q => Qle_bool until q | None => true end.
+(** where body 2 is after the time u, the velocity being w then *)
+Definition behind st w u := I.add p (at_x2 st) (I.mul p (I.mul p (rat p (1 # 2)) (I.add p (at_v2 st) w)) u).
 
 (** the state at the next event, if the table is right about the mode until then *)
-Definition step K st m h : option state :=
-  let u := hull p (least h) (most h) in
-  match m with
+Definition step K final st m least most (k' : bool) : option state :=
+  let u := hull p least most in
+  if Qle_bool least most && fits final (I.add p (at_t st) (rat p most)) then match m with
   | Slip k =>
-      let F := guards K k (at_x st) (at_v1 st) (at_v2 st) in
-      if Qle_bool (least h) (most h) && begins (how st) k F (least h) && nonneg (I.neg (value p F (rat p (most h))))
+      let F := guards K st k in
+      if begins (how st) k F least && nonneg (I.neg (value p F (rat p most)))
       then
-        let v := drives K k (at_v2 st) u in
-        Some (State (I.add p (clock st) u) (value p (slides K k (at_x st) (at_v1 st)) u) v v Touch)
+        let v := drive (boxes p) (numbers K) k (at_v2 st) u in
+        Some (State (I.add p (at_t st) u) (value p (slides K st k) u) v (behind st v u) v Touch)
       else None
   | Stick =>
-      let k := towards h in
-      let F := grips K k (at_x st) (at_v1 st) in
-      let G := grips K (negb k) (at_x st) (at_v1 st) in
-      if touches (how st) && Qle_bool (least h) (most h) && begins (held (how st) k) k F (least h) &&
-        begins (held (how st) (negb k)) (negb k) G (most h) && nonneg (I.neg (value p F (rat p (most h)))) then
-        let v := value p (sloped p (sticks K (at_x st) (at_v1 st))) u in
-        Some (State (I.add p (clock st) u) (edge K k v) v v (Edge k))
+      let F := grips K st k' in
+      if touches (how st) && begins (held (how st) k') k' F least &&
+        begins (held (how st) (negb k')) (negb k') (grips K st (negb k')) most && nonneg (I.neg (value p F (rat p most)))
+      then
+        let v := value p (steep p (sticks K st)) u in
+        let t := I.add p (at_t st) u in
+        let x := edge (boxes p) (numbers K) k' t v in
+        Some (State t x v (I.add p (at_x2 st) (I.sub p (value p (sticks K st) u) (at_x st))) v (Edge k'))
       else None
-  end.
+  end else None.
 
-(** the end, if the table is right about it; the hint says for how long at least the mode lasts *)
-Definition ends K st e h : bool :=
-  let u := I.sub p (rat p (last e)) (clock st) in
-  pos u && nonneg (I.sub p (rat p (least h)) u) &&
-  match last_mode e with
+(** the state at the time [until], in the same mode, and v1 - v2 there; the mode surely lasts for the time [least] *)
+Definition rest K final st m until least : option (state * I.type) :=
+  let u := I.sub p (rat p until) (at_t st) in
+  if pos u && nonneg (I.sub p (rat p least) u) && upto final until then match m with
   | Slip k =>
-      let f := slides K k (at_x st) (at_v1 st) in
-      let F := guards K k (at_x st) (at_v1 st) (at_v2 st) in
-      begins (how st) k F (least h) &&
-      inside (value p f u) (last_place e) && inside (value p (sloped p f) u) (last_v1 e) &&
-      inside (drives K k (at_v2 st) u) (last_v2 e) && inside (signed k (value p F u)) (last_relative e)
+      let f := slides K st k in
+      let F := guards K st k in
+      let w := drive (boxes p) (numbers K) k (at_v2 st) u in
+      if begins (how st) k F least then
+        Some (State (rat p until) (value p f u) (value p (steep p f) u) (behind st w u) w Off,
+          signed (boxes p) k (value p F u))
+      else None
   | Stick =>
-      let f := sticks K (at_x st) (at_v1 st) in
-      touches (how st) && begins (held (how st) true) true (grips K true (at_x st) (at_v1 st)) (least h) &&
-      begins (held (how st) false) false (grips K false (at_x st) (at_v1 st)) (least h) &&
-      inside (value p f u) (last_place e) && inside (value p (sloped p f) u) (last_v1 e) &&
-      inside (value p (sloped p f) u) (last_v2 e) &&
-      inside I.zero (last_relative e)
-  end.
+      let f := sticks K st in
+      let v := value p (steep p f) u in
+      if touches (how st) && begins (held (how st) true) true (grips K st true) least &&
+        begins (held (how st) false) false (grips K st false) least then
+        Some (State (rat p until) (value p f u) v (I.add p (at_x2 st) (I.sub p (value p f u) (at_x st))) v Touch, I.zero)
+      else None
+  end else None.
 
-(** event after event *)
-Fixpoint goes K st events e hints : bool :=
-  match events, hints with
-  | now :: later, h :: hints => match step K st (mode_until now) h with
-      | Some st => if inside (clock st) (time now) && inside (at_x st) (place now) && inside (at_v1 st) (speed now)
-          then goes K st later e hints else false
+(** an event is as the table says *)
+Definition agrees st now := touches (how st) && inside (at_t st) (time now) && inside (at_x st) (place now) &&
+  inside (at_x2 st) (place2 now) && inside (at_v1 st) (speed now).
+(** and so is the end *)
+Definition ends (st : state) w e := inside (at_x st) (last_place e) && inside (at_v1 st) (last_v1 e) &&
+  inside (at_x2 st) (last_place2 e) && inside (at_v2 st) (last_v2 e) && inside w (last_relative e).
+End Program.
+
+Section Table.
+Variables (bits_of : positive -> I.precision) (q : I.precision) (depth : nat).
+Variable sc : scene.
+
+(** the state at the time 0 *)
+Definition on_edge (k : bool) := match tones (push (first_spell sc)) with
+  | [] => Qeq_bool (m2 sc * (a2 sc * x_0 sc + a1 sc * v1_0 sc
+      - pval rational (poly (push (first_spell sc))) (0 - from (push (first_spell sc)))%Q))
+    ((if k then -1 else 1) * (friction (first_spell sc) * both sc))
+  | _ => false end.
+(** as said *)
+Definition initial p := State (rat p 0) (rat p (x_0 sc)) (rat p (v1_0 sc)) (rat p (x2_0 sc)) (rat p (v2_0 sc))
+  (if Qeq_bool (v1_0 sc) (v2_0 sc) then
+     if on_edge true then Edge true else if on_edge false then Edge false else Touch
+   else Off).
+
+(** when a spell ends *)
+Definition until_next (later : list spell) := match later with next :: _ => Some (since next) | [] => None end.
+
+(** event after event, spell after spell; ys: how both masses answer in each *)
+Fixpoint goes now later ys st events e hints : bool := match hints, ys with
+  | Hit bits least most k :: hints, y :: _ => let p := bits_of bits in
+      match events with
+      | ev :: events => match step p q depth (tuned p sc now y) (until_next later) st (mode_until ev) least most k with
+        | Some st => if agrees p st ev then goes now later ys st events e hints else false | None => false end
+      | [] => false end
+  | Rest bits until least breaks :: hints, y :: ys' => let p := bits_of bits in
+      match rest p q depth (tuned p sc now y) (until_next later) st (current events e) until least with
+      | Some (st, _) =>
+        match (if breaks then match events with ev :: events => if agrees p st ev then Some events else None
+          | [] => None end else Some events) with
+        | Some events => match later with
+          | next :: later' => if Qeq_bool until (since next) then goes next later' ys' st events e hints
+              else goes now later ys st events e hints
+          | [] => goes now later ys st events e hints end
+        | None => false end
       | None => false end
-  | [], [h] => ends K st e h
+  | [Last bits least], y :: _ => let p := bits_of bits in
+      match events, rest p q depth (tuned p sc now y) (until_next later) st (last_mode e) (last e) least with
+      | [], Some (st, w) => ends p st w e | _, _ => false end
   | _, _ => false
   end.
 
-(** the program *)
-Definition check sc events e hints : bool := fair sc && goes (numbers sc) (initial sc) events e hints.
+(** what a spell has to be *)
+Fixpoint fair_spells now later (ys : list (steady Q * steady Q)) {struct ys} : bool := posQ (friction now) && nonnegQ (since now) &&
+  match ys with
+  | y :: ys => is_answer (m1 sc) (a1 sc) (a2 sc) (fst y) (push now) &&
+      is_answer (both sc) (a1 sc) (a2 sc) (snd y) (push now) &&
+      match later with next :: later => negb (Qle_bool (since next) (since now)) && fair_spells next later ys
+      | [] => true end
+  | [] => false end.
+(** and a scene: masses and stiffness positive, damping not negative *)
+Definition fair ys := posQ (m1 sc) && posQ (m2 sc) && nonnegQ (a1 sc) && posQ (a2 sc) &&
+  Qeq_bool (since (first_spell sc)) 0 && fair_spells (first_spell sc) (later_spells sc) ys.
+
+(** the program; the first number of bits is that of the start *)
+Definition check bits ys events e hints : bool :=
+  fair ys && goes (first_spell sc) (later_spells sc) ys (initial (bits_of bits)) events e hints.
 
 (** *** It is right *)
-(** as said *)
-Lemma on_edge_spec sc k : 0 < Q2R (m2 sc) -> on_edge sc k = true ->
-  Q2R (a2 sc) * Q2R (x_0 sc) + Q2R (a1 sc) * Q2R (v1_0 sc) =
-  - (sign k * (Q2R (b sc) * (Q2R (m1 sc) + Q2R (m2 sc)) / Q2R (m2 sc))).
-Proof.
-  intros Hm E. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E. rewrite !Q2R_mult, !Q2R_plus, !Q2R_mult in E.
-  replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; unfold Q2R; simpl; lra).
-  apply Rmult_eq_reg_l with (Q2R (m2 sc)); [|lra]. rewrite E. field; lra.
-Qed.
-
-Section Sound.
-Variable sc : scene.
 Let M1 := Q2R (m1 sc).
 Let M2 := Q2R (m2 sc).
 Let A1 := Q2R (a1 sc).
 Let A2 := Q2R (a2 sc).
-Let B := Q2R (b sc).
-Hypotheses (Hm1 : 0 < M1) (Hm2 : 0 < M2) (Ha1 : 0 <= A1) (Ha2 : 0 < A2) (Hb : 0 < B).
-
-(** the computed swing is that of the mass *)
-Record has_tone (T : tone) m : Prop := { h_slow : has (slow T) (fade m A1);
-  h_stiff : has (stiff T) (A2 / m - fade m A1 * fade m A1); h_kind : on_side (kind T) (A2 / m - fade m A1 * fade m A1);
-  h_pitch : has (pitch T) (sqrt (Rabs (A2 / m - fade m A1 * fade m A1))) }.
-(** the computed numbers are those of the scene *)
-Record has_kit (K : kit) : Prop := { h_j1 : has (j1 K) M1; h_j2 : has (j2 K) M2; h_jM : has (jM K) (M1 + M2);
-  h_c1 : has (c1 K) A1; h_c2 : has (c2 K) A2; h_cb : has (cb K) B;
-  h_alone : has_tone (alone K) M1; h_together : has_tone (together K) (M1 + M2) }.
+Hypotheses (Hm1 : 0 < M1) (Hm2 : 0 < M2) (Ha1 : 0 <= A1) (Ha2 : 0 < A2).
 
 (** the sign of a rational number *)
 Lemma on_side_Q d : on_side (d ?= 0)%Q (Q2R d).
@@ -467,222 +762,345 @@ Proof.
   intros Hm. unfold squareQ.
   rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_minus, Q2R_div, Q2R_mult, !fadeQ_spec by (auto using not_0). auto.
 Qed.
-(** as said *)
-Lemma has_tuned m : 0 < Q2R m -> has_tone (tuned sc m) (Q2R m).
-Proof.
-  intros Hm. unfold tuned. constructor; simpl; rewrite <- ?squareQ_spec by auto; auto using has_rat, on_side_Q.
-  - rewrite <- fadeQ_spec by auto. apply has_rat.
-  - apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc m)))), has_rat.
-Qed.
-(** as said *)
-Lemma has_numbers : has_kit (numbers sc).
-Proof.
-  assert (E : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto).
-  unfold numbers. constructor; rewrite ?E; simpl; try apply has_tuned; try apply has_rat; auto. rewrite <- E. lra.
-Qed.
 
-Section Kit.
-Variable K : kit.
-Hypothesis HK : has_kit K.
-
-(** as said *)
-Lemma has_swings T c x v m c' x' v' : has_tone T m -> has c c' -> has x x' -> has v v' ->
-  has_wave (swings T c x v) (swing A1 A2 m c' x' v').
-Proof. intros []. intros. unfold swings, swing. constructor; simpl; auto; has. Qed.
-(** as said *)
-Lemma has_slides k x v x' v' : has x x' -> has v v' -> has_wave (slides K k x v) (slide M1 A1 A2 B (sign k) x' v').
-Proof. destruct HK. intros. unfold slides, slide. apply has_swings; has. Qed.
-(** as said *)
-Lemma has_sticks x v x' v' : has x x' -> has v v' -> has_wave (sticks K x v) (stuck M1 M2 A1 A2 x' v').
-Proof. destruct HK. intros. unfold sticks, stuck. apply has_swings; has. Qed.
-(** as said *)
-Lemma has_drives k v u v' u' : has v v' -> has u u' -> has (drives K k v u) (v' + sign k * B / M2 * u').
-Proof. destruct HK. intros. unfold drives. has. Qed.
-(** as said *)
-Lemma has_guards k x v w x' v' w' : has x x' -> has v v' -> has w w' ->
-  has_wave (guards K k x v w) (guard M1 M2 A1 A2 B (sign k) x' v' w').
-Proof.
-  intros Hx Hv Hw. destruct (has_sloped p _ _ (has_slides k x v x' v' Hx Hv)). destruct HK. unfold guards, guard.
-  constructor; simpl; auto; has.
-Qed.
-(** as said *)
-Lemma has_grips k x v x' v' : has x x' -> has v v' -> has_wave (grips K k x v) (grip M1 M2 A1 A2 B (sign k) x' v').
-Proof.
-  intros Hx Hv. destruct (has_sloped p _ _ (has_sloped p _ _ (has_sticks x v x' v' Hx Hv))). destruct HK.
-  unfold grips, grip. constructor; simpl; auto; has.
-Qed.
-
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution M1 M2 A1 A2 B x v1 v2 s.
+Variables x v1 x2 v2 : R -> R.
+Hypotheses (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
 
 (** the bounds hold at the time t *)
-Definition knows st t := has (clock st) t /\ has (at_x st) (x t) /\ has (at_v1 st) (v1 t) /\ has (at_v2 st) (v2 t) /\
+Definition knows B f st t := has (at_t st) t /\ has (at_x st) (x t) /\ has (at_v1 st) (v1 t) /\
+  has (at_x2 st) (x2 t) /\ has (at_v2 st) (v2 t) /\
   match how st with Off => True | Touch => v1 t = v2 t
-  | Edge k => v1 t = v2 t /\ A2 * x t + A1 * v1 t = - (sign k * (B * (M1 + M2) / M2)) end.
+  | Edge k => v1 t = v2 t /\ A2 * x t + A1 * v1 t - sval real f t = - (sign k * (B * (M1 + M2) / M2)) end.
+
+Section Spell.
+Variables (now : spell) (y : steady Q * steady Q) (final : option Q).
+Let B := Q2R (friction now).
+Let f := in_R (push now).
+Hypotheses (Hb : 0 < B) (Hs : 0 <= Q2R (since now)).
+Hypotheses (Hy1 : answers M1 A1 A2 (in_R (fst y)) f) (HyM : answers (M1 + M2) A1 A2 (in_R (snd y)) f).
+Hypothesis H : forall hi, match final with Some q => hi <= Q2R q | None => True end ->
+  obeys M1 M2 A1 A2 B f (Q2R (since now)) hi x v1 v2.
+Variable p : I.precision.
+Let K := tuned p sc now y.
+Let k := real_kit M1 M2 A1 A2 B (in_R (fst y)) (in_R (snd y)) f.
+
+(** the computed numbers are those of the scene *)
+Lemma has_tuned : has_kit (numbers K) k.
+Proof.
+  assert (E : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto).
+  unfold K, k, tuned, real_kit. rewrite E. assert (HM : 0 < Q2R (both sc)) by lra.
+  constructor; cbn [numbers k1 k2 kM ka1 ka2 kb slow1 stiff1 slowM stiffM answer1 answerM force]; unfold M1;
+    rewrite <- ?squareQ_spec, <- ?fadeQ_spec by auto; try apply has_rat; apply has_in_I.
+Qed.
+(** the sides of both swings *)
+Lemma has_alone F w : has_parts F w -> square w = stiff1 k -> has_wave (Bounded F (side1 K) (root1 K)) w.
+Proof.
+  intros HF E. constructor; auto; rewrite E; unfold k, real_kit, M1; cbn [stiff1 side root]; rewrite <- squareQ_spec by auto.
+  - apply on_side_Q.
+  - apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc (m1 sc))))), has_rat.
+Qed.
+(** of a stick *)
+Lemma has_joint F w : has_parts F w -> square w = stiffM k -> has_wave (Bounded F (sideM K) (rootM K)) w.
+Proof.
+  assert (E0 : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto). assert (0 < Q2R (both sc)) by lra.
+  intros HF E. constructor; auto; rewrite E; unfold k, real_kit; cbn [stiffM side root]; rewrite E0, <- squareQ_spec by auto.
+  - apply on_side_Q.
+  - apply J.sqrt_correct, (I.abs_correct _ (Xreal (Q2R (squareQ sc (both sc))))), has_rat.
+Qed.
+
+Section State.
+Variables (st : state) (t : R).
+Hypotheses (Kn : knows B f st t) (Ht : Q2R (since now) <= t).
+Let g k' := guard real k k' t (x t) (v1 t) (v2 t).
+Let h k' := grip real k k' t (x t) (v1 t).
+
+(** as said *)
+Lemma has_guards k' : has_wave (guards p K st k') (g k').
+Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply has_guard; auto using has_tuned|auto]. Qed.
+(** as said *)
+Lemma has_slides k' : has_wave (slides p K st k') (slide real k k' t (x t) (v1 t)).
+Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply has_slide; auto using has_tuned|auto]. Qed.
+(** as said *)
+Lemma has_sticks : has_wave (sticks p K st) (stuck real k t (x t) (v1 t)).
+Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply has_stuck; auto using has_tuned|auto]. Qed.
+(** as said *)
+Lemma has_grips k' : has_wave (grips p K st k') (h k').
+Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply has_grip; auto using has_tuned|auto]. Qed.
 
 (** the guard of a slip, once it is accepted *)
-Lemma slip_begins st t k hi : knows st t ->
-  begins (how st) k (guards K k (at_x st) (at_v1 st) (at_v2 st)) hi = true ->
-  0 < Q2R hi /\ 0 <= val (guard M1 M2 A1 A2 B (sign k) (x t) (v1 t) (v2 t)) 0 /\
-  (forall u, 0 < u <= Q2R hi -> 0 < val (guard M1 M2 A1 A2 B (sign k) (x t) (v1 t) (v2 t)) u).
+Lemma slip_begins k' hi : begins p q depth (how st) k' (guards p K st k') hi = true ->
+  0 < Q2R hi /\ 0 <= val (g k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (g k') u).
 Proof.
-  intros (Kt & Kx & K1 & K2 & Kh) E. apply (begins_spec (how st) k (guards K k (at_x st) (at_v1 st) (at_v2 st))); auto.
-  - apply has_guards; auto.
-  - intros Eh. rewrite Eh in Kh. rewrite <- Kh. apply guard_touch; auto using sign_cases.
-  - intros Eh. rewrite Eh in Kh. destruct Kh as (Ev & Ex). rewrite <- Ev. split.
-    + apply guard_touch; auto using sign_cases.
-    + apply guard_edge; auto using sign_cases.
+  intros E. destruct Kn as (_ & _ & _ & _ & _ & Kh). pose proof (has_guards k') as W.
+  apply (begins_spec p q depth (how st) k' _ _ _ W E).
+  - intros Eh. rewrite Eh in Kh. unfold g. rewrite <- Kh. apply guard_touch; auto.
+  - intros Eh. rewrite Eh in Kh. destruct Kh as (Ev & Ex). unfold g. rewrite <- Ev. split.
+    + apply guard_touch; auto.
+    + apply guard_edge; auto.
 Qed.
-
 (** and that of a stick *)
-Lemma stick_begins st t k hi : knows st t ->
-  begins (held (how st) k) k (grips K k (at_x st) (at_v1 st)) hi = true ->
-  0 < Q2R hi /\ 0 <= val (grip M1 M2 A1 A2 B (sign k) (x t) (v1 t)) 0 /\
-  (forall u, 0 < u <= Q2R hi -> 0 < val (grip M1 M2 A1 A2 B (sign k) (x t) (v1 t)) u).
+Lemma stick_begins k' hi : begins p q depth (held (how st) k') k' (grips p K st k') hi = true ->
+  0 < Q2R hi /\ 0 <= val (h k') 0 /\ (forall u, 0 < u <= Q2R hi -> 0 < val (h k') u).
 Proof.
-  intros (Kt & Kx & K1 & K2 & Kh) E. apply (begins_spec (held (how st) k) k (grips K k (at_x st) (at_v1 st))); auto.
-  - apply has_grips; auto.
-  - unfold held. destruct (how st) as [| |k']; try discriminate. destruct (eqb k' k) eqn:Ek; [|discriminate].
-    apply eqb_prop in Ek. subst k'. intros _. apply grip_edge; auto using sign_cases. apply Kh.
-  - unfold held. destruct (how st) as [| |k']; try discriminate. destruct (eqb k' k); discriminate.
+  intros E. destruct Kn as (_ & _ & _ & _ & _ & Kh). pose proof (has_grips k') as W.
+  apply (begins_spec p q depth (held (how st) k') k' _ _ _ W E); unfold held;
+    destruct (how st) as [| |k'']; try discriminate; destruct (eqb k'' k') eqn:Ek; try discriminate.
+  apply eqb_prop in Ek. subst k''. intros _. apply grip_edge; auto. apply Kh.
 Qed.
-
 (** a touching state touches *)
-Lemma knows_touch st t : knows st t -> touches (how st) = true -> v1 t = v2 t.
-Proof. intros (_ & _ & _ & _ & Kh). destruct (how st); try discriminate; intuition. Qed.
+Lemma knows_touch : touches (how st) = true -> v1 t = v2 t.
+Proof. destruct Kn as (_ & _ & _ & _ & _ & Kh). destruct (how st); try discriminate; intuition. Qed.
+(** the spell lasts *)
+Lemma fits_spec i r : fits p final i = true -> has i r -> match final with Some q => r <= Q2R q | None => True end.
+Proof.
+  unfold fits. destruct final as [e|]; auto. intros E Hi.
+  apply nonneg_spec with (r := Q2R e - r) in E; [lra|has].
+Qed.
+(** body 2 in a slip *)
+Lemma slip_behind k' u w i : 0 <= u -> (forall r, 0 <= r <= u -> v2 (t + r) = drive real k k' (v2 t) r) ->
+  has w (v2 (t + u)) -> has i u -> has (behind p st w i) (x2 (t + u)).
+Proof.
+  intros Hu V Hw Hi. destruct Kn as (Kt & Kx & K1 & Kx2 & K2 & _).
+  replace (x2 (t + u)) with (x2 t + Q2R (1 # 2) * (v2 t + v2 (t + u)) * u); [unfold behind; has|].
+  rewrite (same_way x2 v2 (fun r => v2 t * r + signed real k' B / M2 / 2 * (r * r)) (drive real k k' (v2 t)) t u); auto;
+    [| lra |].
+  - rewrite V by lra. unfold drive, Q2R; simpl. fold B. field. lra.
+  - intros r. unfold drive; simpl. fold B. auto_derive; auto. field. lra.
+Qed.
+(** and in a stick *)
+Lemma stick_behind u i j : 0 <= u -> (forall r, 0 <= r <= u -> v2 (t + r) = val (slope (stuck real k t (x t) (v1 t))) r) ->
+  has i (val (stuck real k t (x t) (v1 t)) u) -> has j (x t) -> has (I.add p (at_x2 st) (I.sub p i j)) (x2 (t + u)).
+Proof.
+  intros Hu V Hi Hj. destruct Kn as (Kt & Kx & K1 & Kx2 & K2 & _).
+  rewrite (same_way x2 v2 (val (stuck real k t (x t) (v1 t))) (val (slope (stuck real k t (x t) (v1 t)))) t u); auto;
+    [|lra|intros; apply derive_val].
+  replace (val (stuck real k t (x t) (v1 t)) 0) with (x t); [has|]. symmetry.
+  destruct (stuck_start M1 M2 A1 A2 B (in_R (fst y)) (in_R (snd y)) f t (x t) (v1 t)) as (E & _). exact E.
+Qed.
 
 (** one event *)
-Lemma step_sound st t m h st' : 0 <= t -> knows st t -> step K st m h = Some st' ->
-  exists t', t < t' /\ v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode m (v1 u) (v2 u)) /\ knows st' t'.
+Lemma step_sound m least most k' st' : step p q depth K final st m least most k' = Some st' ->
+  exists t', t < t' /\ v1 t' = v2 t' /\ (forall u, t < u < t' -> in_mode m (v1 u) (v2 u)) /\ knows B f st' t'.
 Proof.
-  intros Ht Kn. pose proof Kn as (Kt & Kx & K1 & K2 & Kh). destruct m as [k|]; cbn [step].
-  - destruct (Qle_bool (least h) (most h)) eqn:E0; [|discriminate].
-    destruct (begins _ _ _ _) eqn:E1; [|discriminate]. destruct (nonneg _) eqn:E2; [|discriminate]. intros E.
-    injection E as <-. apply Qle_bool_iff, Qle_Rle in E0. destruct (slip_begins st t k (least h) Kn E1) as (Hl & Z & P).
-    apply nonneg_spec with (r := - val (guard M1 M2 A1 A2 B (sign k) (x t) (v1 t) (v2 t)) (Q2R (most h))) in E2;
-      [|apply J.neg_correct, has_value, has_rat; apply has_guards; auto].
-    destruct (slip_until M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s H t Ht (sign k) (Q2R (least h)) (Q2R (most h)))
-      as (u & Hu & Q & Ev & Ex & E3); auto using sign_cases; [lra|].
-    assert (Hh : has (hull p (least h) (most h)) u) by (apply has_hull; lra).
-    assert (Hv : has (drives K k (at_v2 st) (hull p (least h) (most h))) (v2 (t + u))) by (rewrite E3;
-      apply has_drives; auto).
+  pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & Kh). unfold step.
+  destruct (Qle_bool least most) eqn:E0; [|discriminate]. apply Qle_bool_iff, Qle_Rle in E0.
+  destruct (fits _ _ _) eqn:Ef; [|discriminate]. cbn [andb].
+  apply fits_spec with (r := t + Q2R most) in Ef; [|has]. specialize (H _ Ef). destruct m as [s|].
+  - destruct (begins _ _ _ _ _ _ _) eqn:E1; [|discriminate]. destruct (nonneg _) eqn:E2; [|discriminate]. cbn [andb].
+    intros E. injection E as <-. destruct (slip_begins _ _ E1) as (Hl & Z & P).
+    apply nonneg_spec with (r := - val (g s) (Q2R most)) in E2; [|apply J.neg_correct, has_value, has_rat; apply has_guards].
+    destruct (slip_until M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s (Q2R least) (Q2R most))
+      as (u & Hu & Q & Ev & Ex & V); [lra|lra|exact Z|exact P|change (val (g s) (Q2R most) <= 0); lra|].
+    assert (Hh : has (hull p least most) u) by (apply has_hull; lra).
+    assert (Hv : has (drive (boxes p) (numbers K) s (at_v2 st) (hull p least most)) (v2 (t + u))).
+    { rewrite V by lra. apply has_drive; auto using has_tuned. }
     exists (t + u). split; [lra|]. split; [auto|]. split.
     + intros r Hr. specialize (Q (r - t) ltac:(lra)). replace (t + (r - t)) with r in Q by ring.
-      destruct k; simpl in *; lra.
-    + unfold knows; cbn [clock at_x at_v1 at_v2 how]. split; [has|]. split; [|rewrite Ev; auto].
-      rewrite Ex. apply has_value; auto. apply has_slides; auto.
-  - destruct (touches (how st)) eqn:Et; [|discriminate]. destruct (Qle_bool (least h) (most h)) eqn:E0; [|discriminate].
-    destruct (begins _ _ (grips K (towards h) _ _) _) eqn:E1; [|discriminate].
-    destruct (begins _ _ (grips K (negb (towards h)) _ _) _) eqn:E2; [|discriminate].
-    destruct (nonneg _) eqn:E3; [|discriminate]. intros E. injection E as <-. set (k := towards h) in *.
-    apply Qle_bool_iff, Qle_Rle in E0. pose proof (knows_touch st t Kn Et) as Ev0.
-    destruct (stick_begins st t k (least h) Kn E1) as (Hl & Z & P).
-    destruct (stick_begins st t (negb k) (most h) Kn E2) as (Hm & Z' & P').
-    replace (sign (negb k)) with (- sign k) in Z', P' by (destruct k; simpl; ring).
-    apply nonneg_spec with (r := - val (grip M1 M2 A1 A2 B (sign k) (x t) (v1 t)) (Q2R (most h))) in E3;
-      [|apply J.neg_correct, has_value, has_rat; apply has_grips; auto].
-    destruct (stick_until M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s H t Ht (sign k) (Q2R (least h)) (Q2R (most
-      h)))
-      as (u & Hu & Ev & Ee & _ & E4); auto using sign_cases; [|lra|].
-    { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P'; lra. }
-    assert (Hh : has (hull p (least h) (most h)) u) by (apply has_hull; lra).
-    assert (Hv : has (value p (sloped p (sticks K (at_x st) (at_v1 st))) (hull p (least h) (most h))) (v1 (t + u))).
-    { rewrite E4. apply has_value; auto. apply has_sloped, has_sticks; auto. }
+      destruct s; simpl in *; lra.
+    + unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. split; [has|]. split.
+      { rewrite Ex. apply has_value; auto using has_slides. }
+      rewrite Ev. split; [auto|]. split; [|auto]. apply (slip_behind s); auto; lra.
+  - destruct (touches (how st)) eqn:Et; [|discriminate].
+    destruct (begins _ _ _ _ _ (grips p K st k') _) eqn:E1; [|discriminate].
+    destruct (begins _ _ _ _ _ (grips p K st (negb k')) _) eqn:E2; [|discriminate].
+    destruct (nonneg _) eqn:E3; [|discriminate]. cbn [andb]. intros E. injection E as <-.
+    pose proof (knows_touch Et) as Ev0.
+    destruct (stick_begins _ _ E1) as (Hl & Z & P). destruct (stick_begins _ _ E2) as (Hm & Z' & P').
+    apply nonneg_spec with (r := - val (h k') (Q2R most)) in E3; [|apply J.neg_correct, has_value, has_rat; apply has_grips].
+    destruct (stick_until M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht k' (Q2R least) (Q2R most))
+      as (u & Hu & Ev & Ee & Ex & V);
+      [lra|lra|auto|exact Z|exact P| |change (val (h k') (Q2R most) <= 0); lra|].
+    { intros r Hr. change (0 <= val (h (negb k')) r). destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P'; lra. }
+    assert (Hh : has (hull p least most) u) by (apply has_hull; lra).
+    assert (Hv : has (value p (steep p (sticks p K st)) (hull p least most)) (v1 (t + u))).
+    { rewrite V by lra. apply has_value; auto. apply has_steep, has_sticks. }
     exists (t + u). split; [lra|]. split; [apply Ev; lra|]. split.
     + intros r Hr. specialize (Ev (r - t) ltac:(lra)). replace (t + (r - t)) with r in Ev by ring. auto.
-    + unfold knows; cbn [clock at_x at_v1 at_v2 how]. rewrite <- (Ev u) by lra. split; [has|]. split; [|auto].
-      replace (x (t + u)) with ((- (sign k * (B * (M1 + M2) / M2)) - A1 * v1 (t + u)) / A2) by (rewrite <- Ee; field;
-        lra).
-      destruct HK. unfold edge. has.
+    + unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite <- (Ev u) by lra. split; [has|]. split.
+      { replace (x (t + u)) with (edge real k k' (t + u) (v1 (t + u))).
+        - apply (has_edge p (numbers K) k has_tuned); auto. has.
+        - assert (E : A2 * x (t + u) = sval real f (t + u) - sign k' * (B * (M1 + M2) / M2) - A1 * v1 (t + u)) by lra.
+          apply Rmult_eq_reg_l with A2; [|lra]. rewrite E. unfold edge; simpl. rewrite signed_real. field; lra. }
+      split; [auto|]. split; [|auto]. apply stick_behind; auto; try lra.
+      * intros r Hr. rewrite <- Ev by lra. apply V. lra.
+      * apply has_value; auto using has_sticks.
 Qed.
+(** a rest *)
+Lemma rest_sound m until least st' w : rest p q depth K final st m until least = Some (st', w) ->
+  t < Q2R until /\ (forall u, t < u <= Q2R until -> in_mode m (v1 u) (v2 u)) /\ (forall B' f', knows B' f' st' (Q2R until)) /\
+  has w (v1 (Q2R until) - v2 (Q2R until)).
+Proof.
+  pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & Kh). unfold rest. set (iu := I.sub p (rat p until) (at_t st)).
+  assert (Hu : has iu (Q2R until - t)) by (unfold iu; has). set (u := Q2R until - t) in *.
+  assert (Eu : Q2R until = t + u) by (unfold u; ring).
+  destruct (pos iu) eqn:E1; [|discriminate]. apply pos_spec with (r := u) in E1; auto.
+  destruct (nonneg _) eqn:E2; [|discriminate]. apply nonneg_spec with (r := Q2R least - u) in E2; [|has].
+  destruct (upto final until) eqn:Ef; [|discriminate]. cbn [andb].
+  assert (Fin : match final with Some q => Q2R until <= Q2R q | None => True end).
+  { unfold upto in Ef. destruct final; auto. apply Qle_Rle, Qle_bool_iff, Ef. }
+  specialize (H _ Fin). assert (Hc : has (rat p until) (t + u)).
+  { rewrite <- Eu. has. } rewrite Eu in H |- *. destruct m as [s|].
+  - destruct (begins _ _ _ _ _ _ _) eqn:E3; [|discriminate]. intros E. injection E as <- <-.
+    destruct (slip_begins _ _ E3) as (Hl & Z & P).
+    assert (Nn : forall r, 0 <= r < u -> 0 <= val (g s) r).
+    { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P; lra. }
+    assert (F := slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s u ltac:(lra) ltac:(lra) Nn).
+    assert (G : forall r, 0 <= r <= u -> sign s * (v1 (t + r) - v2 (t + r)) = val (g s) r).
+    { intros r Hr. destruct (F r Hr) as (_ & -> & ->). unfold g, k. rewrite val_guard by auto. auto. }
+    destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. split; [|split].
+    + intros r Hr. specialize (P (r - t) ltac:(lra)). rewrite <- G in P by lra. replace (t + (r - t)) with r in P by ring.
+      destruct s; simpl in *; lra.
+    + assert (Hw : has (drive (boxes p) (numbers K) s (at_v2 st) iu) (v2 (t + u))).
+      { rewrite F2. apply has_drive; auto using has_tuned. }
+      intros B' f'. unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. split; [auto|]. split; [|split; [|split; [|auto]]].
+      * rewrite Fx. apply has_value; auto using has_slides.
+      * rewrite F1. apply has_value; auto. apply has_steep, has_slides.
+      * apply (slip_behind s); auto; [lra|]. intros r Hr. apply F; auto.
+    + replace (v1 (t + u) - v2 (t + u)) with (signed real s (val (g s) u)).
+      * apply has_signed, has_value; auto using has_guards.
+      * rewrite signed_real, <- G by lra. destruct s; simpl; ring.
+  - destruct (touches (how st)) eqn:Et; [|discriminate]. pose proof (knows_touch Et) as Ev0.
+    destruct (begins _ _ _ _ _ (grips p K st true) _) eqn:E3; [|discriminate].
+    destruct (begins _ _ _ _ _ (grips p K st false) _) eqn:E4; [|discriminate]. intros E. injection E as <- <-.
+    destruct (stick_begins _ _ E3) as (Hl & Z & P). destruct (stick_begins _ _ E4) as (_ & Z' & P').
+    assert (Both : forall r, 0 <= r < u -> 0 <= val (h true) r /\ 0 <= val (h false) r).
+    { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. split; apply Rlt_le; [apply P|apply P']; lra. }
+    assert (F := stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht u ltac:(lra) ltac:(lra) Ev0 Both).
+    destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. split; [|split].
+    + intros r Hr. destruct (F (r - t) ltac:(lra)) as (_ & G1 & G2). replace (t + (r - t)) with r in * by ring.
+      simpl. congruence.
+    + assert (Hv : has (value p (steep p (sticks p K st)) iu) (v1 (t + u))).
+      { rewrite F1. apply has_value; auto. apply has_steep, has_sticks. }
+      intros B' f'. unfold knows; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite F1 in Hv. rewrite F1, F2.
+      split; [auto|]. split; [|split; [auto|split; [|auto]]].
+      * rewrite Fx. apply has_value; auto using has_sticks.
+      * apply stick_behind; auto; [lra| |apply has_value; auto using has_sticks]. intros r Hr. apply F; auto.
+    + rewrite F1, F2, Rminus_diag_eq by auto. apply J.zero_correct.
+Qed.
+End State.
+End Spell.
 
 (** inside the bounds *)
-Lemma inside_spec i c r : inside i c = true -> has i r -> within c r.
+Lemma inside_spec p i c r : inside p i c = true -> has i r -> within c r.
 Proof.
   intros E Hi. apply andb_true_iff in E. destruct E as (E1 & E2).
   apply nonneg_spec with (r := r - Q2R (fst c)) in E1; [|has]. apply nonneg_spec with (r := Q2R (snd c) - r) in E2;
     [|has].
   split; lra.
 Qed.
-
-(** the end *)
-Lemma ends_sound st t e h : 0 <= t -> knows st t -> ends K st e h = true -> unfolds x v1 v2 t [] e.
+(** an event *)
+Lemma agrees_spec B f p st ev later e t t' : knows B f st t' -> agrees p st ev = true -> t < t' ->
+  (forall u, t < u < t' -> in_mode (mode_until ev) (v1 u) (v2 u)) -> unfolds x v1 x2 v2 t' later e ->
+  unfolds x v1 x2 v2 t (ev :: later) e.
 Proof.
-  intros Ht Kn. pose proof Kn as (Kt & Kx & K1 & K2 & Kh). unfold ends. set (iu := I.sub p (rat p (last e)) (clock st)).
-  assert (Hu : has iu (Q2R (last e) - t)) by (unfold iu; has). set (u := Q2R (last e) - t) in *.
-  intros E. apply andb_true_iff in E. destruct E as (E & Em). apply andb_true_iff in E. destruct E as (E1 & E2).
-  apply pos_spec with (r := u) in E1; auto. apply nonneg_spec with (r := Q2R (least h) - u) in E2; [|has].
-  assert (Eu : Q2R (last e) = t + u) by (unfold u; ring). cbn [unfolds]. split; [lra|]. rewrite Eu.
-  destruct (last_mode e) as [k|].
-  - rewrite !andb_true_iff in Em. destruct Em as ((((Em & B0) & B1) & B2) & B3).
-    destruct (slip_begins st t k (least h) Kn Em) as (Hl & Z & P).
-    assert (Nn : forall r, 0 <= r < u -> 0 <= val (guard M1 M2 A1 A2 B (sign k) (x t) (v1 t) (v2 t)) r).
-    { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. apply Rlt_le, P; lra. }
-    assert (F := slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s H t Ht (sign k) u (sign_cases k) ltac:(lra) Nn).
-    assert (G : forall r, 0 <= r <= u ->
-      sign k * (v1 (t + r) - v2 (t + r)) = val (guard M1 M2 A1 A2 B (sign k) (x t) (v1 t)
-      (v2 t)) r).
-    { intros r Hr. destruct (F r Hr) as (_ & -> & ->). rewrite val_guard by auto using sign_cases. auto. }
-    destruct (F u ltac:(lra)) as (Fx & F1 & F2). pose proof (has_slides k _ _ _ _ Kx K1) as W. split; [|split; [|split;
-      [|split]]].
-    + intros r Hr. specialize (P (r - t) ltac:(lra)). rewrite <- G in P by lra. replace (t + (r - t)) with r in P
-      by ring.
-      destruct k; simpl in *; lra.
-    + apply (inside_spec _ _ _ B0). rewrite Fx. apply has_value; auto.
-    + apply (inside_spec _ _ _ B1). rewrite F1. apply has_value; auto. apply has_sloped; auto.
-    + apply (inside_spec _ _ _ B2). rewrite F2. apply has_drives; auto.
-    + apply (inside_spec _ _ _ B3).
-      replace (v1 (t + u) - v2 (t + u)) with (sign k * (sign k * (v1 (t + u) - v2 (t + u)))) by (destruct k; simpl;
-        ring).
-      rewrite G by lra. apply has_signed, has_value; auto. apply has_guards; auto.
-  - rewrite !andb_true_iff in Em. destruct Em as ((((((Em & C1) & C2) & B0) & B1) & B2) & B3).
-    pose proof (knows_touch st t Kn Em) as Ev0.
-    destruct (stick_begins st t true (least h) Kn C1) as (Hl & Z & P).
-    destruct (stick_begins st t false (least h) Kn C2) as (_ & Z' & P').
-    assert (Both : forall r, 0 <= r < u -> 0 <= val (grip M1 M2 A1 A2 B 1 (x t) (v1 t)) r /\
-      0 <= val (grip M1 M2 A1 A2 B (-1) (x t) (v1 t)) r).
-    { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. split; apply Rlt_le; [apply P|apply P']; lra. }
-    assert (F := stick_phase M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s H t Ht u ltac:(lra) Ev0 Both).
-    destruct (F u ltac:(lra)) as (Fx & F1 & F2). pose proof (has_sticks _ _ _ _ Kx K1) as W. split;
-      [|split; [|split; [|split]]].
-    + intros r Hr. destruct (F (r - t) ltac:(lra)) as (_ & G1 & G2). replace (t + (r - t)) with r in * by ring.
-      simpl. congruence.
-    + apply (inside_spec _ _ _ B0). rewrite Fx. apply has_value; auto.
-    + apply (inside_spec _ _ _ B1). rewrite F1. apply has_value; auto. apply has_sloped; auto.
-    + apply (inside_spec _ _ _ B2). rewrite F2. apply has_value; auto. apply has_sloped; auto.
-    + apply (inside_spec _ _ _ B3). rewrite F1, F2, Rminus_diag_eq by auto. apply J.zero_correct.
+  intros (Kt & Kx & K1 & Kx2 & K2 & Kh) E Ht M U. unfold agrees in E. rewrite !andb_true_iff in E.
+  destruct E as ((((E0 & E1) & E2) & E3) & E4). exists t'.
+  repeat (split; [solve [auto; eapply inside_spec; eauto]|]). split; [|auto].
+  destruct (how st); try discriminate; intuition.
+Qed.
+
+(** what a spell is *)
+Lemma fair_now now later y ys : fair_spells now later (y :: ys) = true -> 0 < Q2R (friction now) /\
+  0 <= Q2R (since now) /\ answers M1 A1 A2 (in_R (fst y)) (in_R (push now)) /\
+  answers (M1 + M2) A1 A2 (in_R (snd y)) (in_R (push now)).
+Proof.
+  cbn [fair_spells]. rewrite !andb_true_iff. intros ((F & S) & ((Y1 & YM) & _)).
+  apply posQ_spec in F. apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM.
+  assert (E : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto). rewrite E. auto.
+Qed.
+(** along what it runs *)
+Lemma runs_now now later : runs M1 M2 A1 A2 x v1 v2 now later ->
+  forall hi, match until_next later with Some q => hi <= Q2R q | None => True end ->
+  obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2.
+Proof.
+  destruct later as [|next later]; cbn [runs until_next]; intros (_ & _ & R).
+  - intros hi _. apply R.
+  - intros hi Hh t0 T X V1 V2 g Ht HT Hd. apply R; auto. lra.
 Qed.
 
 (** all events *)
-Lemma goes_sound e events : forall hints st t, 0 <= t -> knows st t -> goes K st events e hints = true ->
-  unfolds x v1 v2 t events e.
+Lemma goes_sound e hints : forall now later ys st events t, fair_spells now later ys = true ->
+  runs M1 M2 A1 A2 x v1 v2 now later -> Q2R (since now) <= t -> knows (Q2R (friction now)) (in_R (push now)) st t ->
+  goes now later ys st events e hints = true -> unfolds x v1 x2 v2 t events e.
 Proof.
-  induction events as [|now later IH]; intros [|h hints] st t Ht Kn; cbn [goes]; try discriminate.
-  - destruct hints; [|discriminate]. apply ends_sound; auto.
-  - destruct (step K st (mode_until now) h) as [st'|] eqn:E; [|discriminate].
-    destruct (inside (clock st') (time now)) eqn:E1; [|discriminate].
-    destruct (inside (at_x st') (place now)) eqn:E2; [|discriminate].
-    destruct (inside (at_v1 st') (speed now)) eqn:E3; [|discriminate]. intros G.
-    destruct (step_sound st t _ _ _ Ht Kn E) as (t' & Ht' & Ev & Q & Kn'). pose proof Kn' as (Kt & Kx & K1 & _ & _).
-    exists t'. repeat (split; [solve [auto; eapply inside_spec; eauto]|]). apply (IH hints st' t'); auto; lra.
+  induction hints as [|hint hints IH]; intros now later ys st events t Fa Ru Ht Kn; [destruct ys; discriminate|].
+  destruct ys as [|y ys]; [destruct hint; try discriminate; destruct hints; discriminate|].
+  destruct (fair_now _ _ _ _ Fa) as (Hb & Hs & Y1 & YM). pose proof (runs_now _ _ Ru) as Ob.
+  destruct hint as [bits least most k'|bits until least breaks|bits least]; cbn [goes].
+  - destruct events as [|ev events]; [discriminate|]. destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
+    destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
+    destruct (step_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q & Kn').
+    apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q). apply (IH now later (y :: ys) st'); auto. lra.
+  - destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
+    destruct (rest_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & _).
+    assert (Go : forall events, match later with
+      | next :: later' => if Qeq_bool until (since next) then goes next later' ys st' events e hints
+          else goes now later (y :: ys) st' events e hints
+      | [] => goes now later (y :: ys) st' events e hints end = true -> unfolds x v1 x2 v2 (Q2R until) events e).
+    { intros evs G. assert (Same : goes now later (y :: ys) st' evs e hints = true -> unfolds x v1 x2 v2 (Q2R until) evs e).
+      { intros G'. apply (IH now later (y :: ys) st'); auto. lra. }
+      destruct later as [|next later]; auto. destruct (Qeq_bool until (since next)) eqn:Eq; auto.
+      apply Qeq_bool_iff, Qeq_eqR in Eq. cbn [fair_spells] in Fa. rewrite !andb_true_iff in Fa.
+      apply (IH next later ys st'); auto; [apply Fa|apply Ru|lra]. }
+    destruct breaks.
+    + destruct events as [|ev events]; [discriminate|]. destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
+      apply (agrees_spec (Q2R (friction now)) (in_R (push now)) _ st' _ _ _ _ (Q2R until)) with (2 := Ea); auto.
+      intros u Hu. apply Q. lra.
+    + intros G. apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto.
+  - destruct hints; [|discriminate]. destruct events as [|]; [|discriminate].
+    destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
+    destruct (rest_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & Kw).
+    unfold ends. rewrite !andb_true_iff. intros ((((B0 & B1) & B2) & B3) & B4).
+    destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _). cbn [unfolds].
+    repeat (split; [solve [auto; eapply inside_spec; eauto]|]). eapply inside_spec; eauto.
 Qed.
-End Kit.
-End Sound.
+
+(** as said *)
+Lemma in_R_pval l u : Q2R (pval rational l u) = pval real (map Q2R l) (Q2R u).
+Proof.
+  induction l as [|c l IH]; [apply RMicromega.Q2R_0|]. cbn [map]. rewrite pval_cons, <- IH, <- Q2R_mult, <- Q2R_plus. auto.
+Qed.
+(** as said *)
+Lemma on_edge_spec k : on_edge k = true -> A2 * Q2R (x_0 sc) + A1 * Q2R (v1_0 sc)
+  - sval real (in_R (push (first_spell sc))) 0 = - (sign k * (Q2R (friction (first_spell sc)) * (M1 + M2) / M2)).
+Proof.
+  unfold on_edge. destruct (push (first_spell sc)) as [f l [|]]; [|discriminate]. cbn [tones poly from].
+  intros E. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E.
+  rewrite Q2R_mult, Q2R_minus, in_R_pval, Q2R_minus, Q2R_plus, !Q2R_mult, Q2R_plus, RMicromega.Q2R_0 in E.
+  replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; unfold Q2R; simpl; lra).
+  unfold sval, in_R; cbn [tones poly from map fold_right sub real]. apply Rmult_eq_reg_l with M2; [|lra].
+  unfold A1, A2, M1, M2 in *. rewrite E. field; lra.
+Qed.
+End Table.
+
+(** spells in order *)
+Lemma fair_order sc later : forall now ys, fair_spells sc now later ys = true -> in_order now later.
+Proof.
+  induction later as [|next l IH]; intros now [|z zs]; cbn [fair_spells in_order];
+    rewrite !andb_true_iff; intros ((F & S) & Rest); try discriminate; apply posQ_spec in F; apply nonnegQ_spec in S;
+    [auto|]. destruct Rest as (_ & L & Rest). split; [auto|]. split; [auto|]. split; [|eapply IH; eauto].
+  apply negb_true_iff in L. apply Qlt_Rlt, Qnot_le_lt. intros Q. apply Qle_bool_iff in Q. congruence.
+Qed.
 
 (** What the program accepts is true of every motion of the scene. *)
-Theorem sound sc events e hints : check sc events e hints = true -> forall x v1 v2 s, motion sc x v1 v2 s ->
-  unfolds x v1 v2 0 events e.
+Theorem sound bits_of q depth sc bits ys events e hints : check bits_of q depth sc bits ys events e hints = true ->
+  forall x v1 x2 v2, motion sc x v1 x2 v2 -> unfolds x v1 x2 v2 0 events e.
 Proof.
-  intros E x v1 v2 s (H & X0 & V1 & V2). apply andb_true_iff in E. destruct E as (Fa & G). unfold fair in Fa.
-  repeat (apply andb_true_iff in Fa; let A := fresh "P" in destruct Fa as (Fa & A)).
-  apply posQ_spec in Fa. apply posQ_spec in P2. apply posQ_spec in P0. apply posQ_spec in P. apply nonnegQ_spec in P1.
-  apply (goes_sound sc) with (K := numbers sc) (s := s) (hints := hints) (st := initial sc); auto; try lra.
-  - apply has_numbers; auto.
-  - unfold knows, initial; cbn [clock at_x at_v1 at_v2 how]. rewrite X0, V1, V2. repeat (split; [|]); try apply has_rat.
+  intros E x v1 x2 v2 (U & CU & DU & V & C2 & D2 & X0 & V10 & X20 & V20).
+  apply andb_true_iff in E. destruct E as (Fa & G). unfold fair in Fa. rewrite !andb_true_iff in Fa.
+  destruct Fa as (((((Fm1 & Fm2) & Fa1) & Fa2) & F0) & Fs).
+  apply posQ_spec in Fm1. apply posQ_spec in Fm2. apply posQ_spec in Fa2. apply nonnegQ_spec in Fa1.
+  apply Qeq_bool_iff, Qeq_eqR in F0. rewrite RMicromega.Q2R_0 in F0.
+  apply (goes_sound bits_of q depth sc Fm1 Fm2 Fa2 x v1 x2 v2 C2 D2 e hints (first_spell sc) (later_spells sc) ys
+    (initial sc (bits_of bits))); auto; [|lra|].
+  - apply (varying_runs _ _ _ _ Fm1 Fm2 Fa1 Fa2 _ _ U U x v1 v2 x v1 v2); eauto using fair_order.
+    + intros t Ht. apply DU. lra.
+    + intros t Ht. rewrite F0, Rplus_0_l. auto.
+  - unfold knows, initial; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite X0, V10, X20, V20.
+    repeat (split; [try apply has_rat|]).
     + rewrite <- RMicromega.Q2R_0. apply has_rat.
     + destruct (Qeq_bool (v1_0 sc) (v2_0 sc)) eqn:E; auto. apply Qeq_bool_iff, Qeq_eqR in E.
       destruct (on_edge sc true) eqn:E1; [|destruct (on_edge sc false) eqn:E2]; auto; split; auto;
         apply on_edge_spec; auto.
 Qed.
-End Program.
 End Check.

@@ -29,7 +29,54 @@ BEYOND: dict[str, tuple[str, str]] = {
     "system-synchronises": (
         "Systems.system_synchronises",
         r"Without a force, any friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the "
-        r"displacement converges, $Bq'\to 0$.",
+        r"displacement converges, and $Bq'\to 0$ where $|Bq'|$ is Lipschitz.",
+    ),
+    "system-parts": (
+        "Systems.system_parts",
+        r"Where the dampers give at most $c|v|^2$, as a friction that falls with the speed does, two motions part at most "
+        r"like $e^{ct}$.",
+    ),
+    "pair-inclusion": (
+        "Systems.pair_is_an_inclusion",
+        "The motions of the pair under a force are the instance with one direction.",
+    ),
+    # the pair on a surface
+    "plane-stuck-iff": (
+        "Plane.stuck_iff",
+        "On a stuck ellipse the load stays within round friction for ever exactly if the semi-major axis is at most $L$.",
+    ),
+    "plane-stuck-energies": (
+        "Plane.stuck_energies",
+        "In a stuck ellipse the load stays within round friction up to $E_{cr}$ always, beyond $2E_{cr}$ never; a line exactly "
+        "up to the one, a circle exactly up to the other.",
+    ),
+    "plane-landing": (
+        "Plane.landing_rate",
+        r"In slip, $G=b|s|+\Lambda\cdot s$ has the rate $-\kappa(b^2-|\Lambda|^2)+\dot\Lambda\cdot s$.",
+    ),
+    "rotating-motion": (
+        "Rotating.circular_motion",
+        "Under a rotating force there is a motion with the constant speed $\\varrho$ of slip that solves a quadratic, in closed form.",
+    ),
+    "rotating-threshold": (
+        "Rotating.one_threshold",
+        "Under a rotating force there is a stuck circle up to $U^*$, and exactly above it one positive speed of slip.",
+    ),
+    "rotating-characteristic": (
+        "Rotating.characteristic_at_zero",
+        r"With a friction of the speed the characteristic function at 0 is "
+        r"$X(0)=\frac{\omega^2}{2\varrho|D|^2}\frac{d(U^2)}{d\varrho}$.",
+    ),
+    # friction that falls with the speed
+    "falling-parts": (
+        "Falling.slips_part",
+        "Where friction falls with the speed, the difference of two slips has a motion that grows exponentially, whatever "
+        "the damper of body 1.",
+    ),
+    "jump-ill-posed": (
+        "Falling.sticks_left_at_will",
+        "With two coefficients of friction and $a_1=0$ a stick with a load between them can be left at each of a continuum of "
+        "times.",
     ),
     # static friction above kinetic: motions that keep a stick while the load is below the static friction
     "static-slip-costs": (

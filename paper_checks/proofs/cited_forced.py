@@ -155,6 +155,10 @@ FORCED: dict[str, tuple[str, str]] = {
         "A motion with the force's period that slips one way for half of it and then the other way exists exactly where one "
         "exists that also repeats with the opposite sign.",
     ),
+    "nonstop-by-halves-needs": (
+        "Halves.by_halves_needs",
+        r"Below $U_{**}$ there is no such motion, whatever the relative velocity does at $U_{**}$.",
+    ),
     "nonstop-undamped": (
         "Undamped.undamped_iff",
         "$a_1=0$: the same with $U_{**}$ in closed form, off the resonances of body 1.",

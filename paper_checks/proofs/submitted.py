@@ -17,16 +17,19 @@ from paper_checks.proofs.sources import Source, all_required, read
 NAME = "Submitted"
 """What the file is called while it is judged, whatever its own name is."""
 _STATEMENT = (
-    f"forall x v1 v2 s, Trajectory.motion {NAME}.the_scene x v1 v2 s -> "
-    f"Trajectory.unfolds x v1 v2 0 {NAME}.the_events {NAME}.the_ending"
+    f"forall x v1 x2 v2, Trajectory.motion {NAME}.the_scene x v1 x2 v2 -> "
+    f"Trajectory.unfolds x v1 x2 v2 0 {NAME}.the_events {NAME}.the_ending"
 )
 _NUMBERS = {
     name.replace("_0", "(0)"): f"Trajectory.{name} {NAME}.the_scene"
-    for name in ("m1", "m2", "a1", "a2", "b", "x_0", "v1_0", "v2_0")
-}
+    for name in ("m1", "m2", "a1", "a2", "x_0", "v1_0", "x2_0", "v2_0")
+} | {"b": f"Trajectory.friction (Trajectory.first_spell {NAME}.the_scene)"}
+_FIRST_FORCE = f"(Trajectory.push (Trajectory.first_spell {NAME}.the_scene))"
 _TOLD = _NUMBERS | {
     "count": f"List.length {NAME}.the_events",
     "last": f"Trajectory.last {NAME}.the_ending",
+    "terms": f"(List.length (Waves.poly {_FIRST_FORCE}) + List.length (Waves.tones {_FIRST_FORCE}))%nat",
+    "later": f"List.length (Trajectory.later_spells {NAME}.the_scene)",
 }
 
 
@@ -66,4 +69,9 @@ def _asked(compiled: kernel.Compiled) -> Judged:
     if beyond := sorted(set(axioms) - questions.CLASSICAL_REALS):
         return Judged(False, f"its theorem rests on {', '.join(beyond)}, beyond the classical reals")
     numbers = ", ".join(f"{one} = {told[one]}" for one in _NUMBERS)
-    return Judged(True, f"{told['count']} events until t = {told['last']}, of every motion with {numbers} (SI units)")
+    changes = f", and {told['later']} changes of force or friction" if told["later"] != "0" else ""
+    force = "" if told["terms"] == "0" else ", under a force"
+    return Judged(
+        True,
+        f"{told['count']} events until t = {told['last']}, of every motion with {numbers} (SI units){force}{changes}",
+    )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from numerics.trade.recorded import Trade
-    from paper_checks.ledger import Claim
+    from paper_checks.evidence.claim import Claim
     from paper_checks.report.content.blocks import Section
     from paper_checks.report.content.document import Document
     from paper_checks.report.output.finished import Files, Finished
@@ -119,7 +119,7 @@ def _drawable(
     kept: Finished | None,
 ) -> tuple[Document, Pictures]:
     """Return the report, and its figures for the forms that are wanted; what cannot be drawn is added to the complaints."""
-    from paper_checks.ledger import CLAIMS
+    from paper_checks.claims import CLAIMS
     from paper_checks.report.content import document
     from paper_checks.report.output.pictures import Pictures
     from paper_checks.reporting import parts
@@ -169,7 +169,7 @@ def _sections_and_pictures(
 
 def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:
     """Say whether a file is the text that was checked: exit code 0 or 1, or 2 where it cannot be read."""
-    from paper_checks.ledger import source
+    from paper_checks.claims import source
 
     try:
         same = source.is_the_source(options.file)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from paper_checks.engines import kernel
+from paper_checks.decide import kernel
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, weakest
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.ledger.claim import Claim
 from paper_checks.running import signing
 
 SETTLED = (Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED)

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
 from paper_checks.evidence.finding import Carried, Finding, Verdict
-from paper_checks.ledger import Claim
 from paper_checks.running.graph import SETTLED, Proof, clauses, judged
 from paper_checks.running.runner import Row
 

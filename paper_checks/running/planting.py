@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from paper_checks.engines.exact import identity
+from paper_checks.decide.exact import identity
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import NEGATIONS, Clause, Formula
-from paper_checks.ledger.claim import Claim
 
 REVERSED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from paper_checks.checks import registry
-from paper_checks.checks.registry import Context
-from paper_checks.ledger import Claim
+from paper_checks.evidence.claim import Claim
 from paper_checks.proofs.library import build
 from paper_checks.running import early, plain, runner, workers
 from paper_checks.running.kept import Kept
+from paper_checks.running.runner import Context
 
 
 class Progress:
@@ -82,7 +81,7 @@ def _decided(claims: Sequence[Claim], context: Context, jobs: int, progress: Pro
     if min(jobs, len(claims)) < 2:
         for claim in claims:
             progress.begun(claim)
-            yield runner.run([claim], registry.load_checks(), context)[0]
+            yield runner.run([claim], context)[0]
         return
     early.begin()
     build(progress.compiled, jobs)  # once, before the processes ask for it

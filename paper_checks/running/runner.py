@@ -1,18 +1,26 @@
-"""Runs the checks in the ledger's order; one that fails takes nothing with it."""
+"""Decides claims in their order; one that fails takes nothing with it."""
 
 from __future__ import annotations
 
 import time
 import traceback
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-from paper_checks.checks.registry import Check, Context, Registry
 from paper_checks.errors import ToolMissingError
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.ledger import Claim
 from paper_checks.running.graph import SETTLED, Proof, established_by, judged, kernel_status, open_clauses, proofs
+
+
+@dataclass(frozen=True)
+class Context:
+    """What claims are decided with: the seed of whatever is drawn at random."""
+
+    seed: int = 0
+    debug: bool = False
+    """Whether a case that fails prints its traceback on stderr."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +57,6 @@ class Row:
 
 def run(
     claims: Iterable[Claim],
-    registry: Registry,
     context: Context,
     progress: Callable[[Claim], None] | None = None,
 ) -> list[Row]:
@@ -59,7 +66,7 @@ def run(
         if progress:
             progress(claim)
         begin = time.perf_counter()
-        rows.append(row(claim, decide(registry.of(claim.id), context), begin))
+        rows.append(row(claim, decide(claim, context), begin))
     return rows
 
 
@@ -73,24 +80,14 @@ def row(claim: Claim, finding: Finding, begun: float) -> Row:
     return Row(claim, finding, time.perf_counter() - begun, found)
 
 
-def decide(checks: Sequence[Check], context: Context) -> Finding:
-    """Run a claim's checks and join what they find."""
-    if not checks:
-        return Finding(Verdict.UNCHECKED, "No check decides this claim.", missing="a check")
-    findings = [_isolated(check, context) for check in checks]
-    return findings[0] if len(findings) == 1 else joined(findings)
-
-
-def _isolated(check: Check, context: Context) -> Finding:
+def decide(claim: Claim, context: Context) -> Finding:
+    """Return what is found about a claim; what is raised on the way is what is found."""
     try:
-        finding = check(context)
-        if not isinstance(finding, Finding):
-            raise TypeError(f"{check.__name__} returned {type(finding).__name__}, not a Finding")
-    except Exception as error:  # noqa: BLE001  a check's failure, whatever it is, is that row's verdict
+        return claim.decide(context.seed)
+    except Exception as error:  # noqa: BLE001  a case's failure, whatever it is, is that row's verdict
         if context.debug:
             traceback.print_exception(error)
         return failed(error)
-    return finding
 
 
 def failed(error: Exception) -> Finding:
@@ -104,37 +101,6 @@ def failed(error: Exception) -> Finding:
 def _literal(error: Exception) -> str:
     """Return the error's text so that none of it reads as mathematics."""
     return " ".join(str(error).split()).replace("$", r"\$")
-
-
-def joined(findings: Sequence[Finding]) -> Finding:
-    """Join the findings about one claim. Where the verdicts differ, nothing is decided."""
-    verdicts = {finding.verdict for finding in findings}
-    reason = " ".join(dict.fromkeys(finding.reason for finding in findings))
-    missing = _together(finding.missing for finding in findings)
-    if Verdict.UNCHECKED in verdicts:
-        verdict = Verdict.UNCHECKED
-    elif len(verdicts) == 1:
-        verdict = verdicts.pop()
-    else:
-        verdict = Verdict.UNDECIDED
-        found = ", ".join(finding.verdict.value for finding in findings)
-        reason = f"The checks do not agree ({found}). {reason}"
-        missing = missing or "agreement between the checks"
-    return Finding(
-        verdict,
-        reason,
-        tuple(item for finding in findings for item in finding.evidence),
-        _together(finding.corrected for finding in findings),
-        _together(finding.counterexample for finding in findings),
-        tuple(step for finding in findings for step in finding.derivation),
-        next((finding.figure for finding in findings if finding.figure), None),
-        missing,
-        tuple(one for finding in findings for one in finding.carried),
-    )
-
-
-def _together(texts: Iterable[str | None]) -> str | None:
-    return " ".join(dict.fromkeys(text for text in texts if text)) or None
 
 
 def exit_code(rows: Iterable[Row]) -> int:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
-from paper_checks.ledger import Claim
 from paper_checks.proofs import signed
 from paper_checks.proofs.cited import CITED
 from paper_checks.proofs.pins import pinned

@@ -9,25 +9,27 @@ import gc
 from collections.abc import Iterator, Sequence
 from functools import cache
 
-from paper_checks.checks.registry import Context, Registry, load_checks
-from paper_checks.ledger import Claim, claim_named
+from paper_checks.claims import claim_named
+from paper_checks.evidence.claim import Claim
 from paper_checks.running import early, processes
 from paper_checks.running.plain import Plain, plain
-from paper_checks.running.runner import Row, failed, run
+from paper_checks.running.runner import Context, Row, failed, run
 
 SHARING = (
-    "section3_near_critical",
-    "section3_convergence",
-    "section3_itineraries",
-    "theorems_return_map",
-    "theorems_rate",
-    "theorems_uniform",
-    "theorems_excursion",
-    "theorems_merging",
+    "near_critical",
+    "convergence",
+    "itineraries",
+    "return_map",
+    "rate",
+    "long_time",
+    "uniform_rate",
+    "slips",
+    "critical_ratio",
+    "merging",
 )
-"""Checks that derive the same long series, which a process then has: they stand together, at the front."""
-ALONE = ("section4_euler", "theorems_share")
-"""Checks that take long and share little: they stand at the back, the longest at the end, where the other processes begin."""
+"""Subjects that derive the same long series, which a process then has: they stand together, at the front."""
+ALONE = ("euler", "merging_share")
+"""Subjects that take long and share little: they stand at the back, the longest at the end, where the other processes begin."""
 
 
 def found(
@@ -48,20 +50,18 @@ def found(
 
 def _place(claim: Claim) -> int:
     """Return where a claim stands among those that wait; claims in the same place keep the ledger's order."""
-    modules = [check.__module__.rpartition(".")[2] for check in load_checks().of(claim.id)]
-    order = (*SHARING, "", *ALONE)
-    return next((order.index(module) for module in modules if module in order), order.index(""))
+    subject, order = claim.case.__module__.rpartition(".")[2] if claim.case else "", (*SHARING, "", *ALONE)
+    return order.index(subject if subject in order else "")
 
 
 def decided(name: str, context: Context) -> Plain:
-    """Decide a claim, in a process that has loaded the checks."""
-    return plain(run([claim_named(name)], _loaded(), context)[0])
+    """Decide a claim, in a process that has loaded them all."""
+    _settle()
+    return plain(run([claim_named(name)], context)[0])
 
 
 @cache
-def _loaded() -> Registry:
-    registry = load_checks()
-    # what is loaded stays; of the expressions that are made most go by themselves, and looking for the others takes 3 %
+def _settle() -> None:
+    """Leave what is loaded alone: most expressions go by themselves, and looking for the others takes 3 %."""
     gc.freeze()
     gc.set_threshold(100_000, 20, 20)
-    return registry

@@ -1,10 +1,11 @@
 """Where what is needed again is kept, and files that are written whole or not at all."""
 
 import os
+import sys
 
 import pytest
 
-from numerics.files import cache_folder, cache_refused, make_private, whole_file
+from numerics.files import NOWHERE, cache_folder, cache_refused, make_private, whole_file
 from numerics.scene.file import load_scene, parse_scene
 
 SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.05\n[run]\nuntil = 5\n"
@@ -52,6 +53,11 @@ def test_a_user_without_a_home_keeps_nothing(nobody):
     assert cache_refused() == ""
     with pytest.raises(OSError, match=os.path.basename(os.devnull)):
         make_private(cache_folder())
+
+
+def test_without_the_extras_nothing_is_kept(monkeypatch):
+    monkeypatch.setitem(sys.modules, "platformdirs", None)
+    assert (cache_folder(), cache_refused()) == (NOWHERE, "")
 
 
 @pytest.fixture

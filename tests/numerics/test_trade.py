@@ -1,11 +1,10 @@
-"""Speed against accuracy: judging, timing by a planted clock, leads, processes that hang or die, and the command."""
+"""Speed against accuracy: judging, timing by a planted clock, leads, what is recorded, and the command."""
 
 from __future__ import annotations
 
 import json
 import math
 import re
-import sys
 from dataclasses import replace
 from fractions import Fraction
 
@@ -16,12 +15,13 @@ from planted_trades import MACHINE, run, trade_of
 
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
-from numerics.trade import contenders, fresh, interface, measure, scenes
+from numerics.errors import OutOfRange
+from numerics.trade import contenders, measure, scenes
 from numerics.trade.comparisons.peer import PeerFailed, PeerRun
 from numerics.trade.contenders import CONTENDERS, answer_of, contender, looked_at
 from numerics.trade.figure import draw_trade
 from numerics.trade.judge import as_arb, judge, proved
-from numerics.trade.recorded import SHIPPED, UnreadableTrade, recorded
+from numerics.trade.recorded import SHIPPED, Sweep, UnreadableTrade, recorded
 
 SCENE = scenes.benchmark(scenes.HEADLINE)
 
@@ -38,7 +38,7 @@ def clock(monkeypatch):
     class Clock:
         now = 0.0
 
-        def perf_counter(self):
+        def process_time(self):
             return self.now
 
         def call(self, *durations):
@@ -50,8 +50,7 @@ def clock(monkeypatch):
             return one
 
     planted_clock = Clock()
-    monkeypatch.setattr(fresh, "time", planted_clock)
-    monkeypatch.setattr(interface, "time", planted_clock)
+    monkeypatch.setattr(measure, "time", planted_clock)
     return planted_clock
 
 
@@ -122,59 +121,46 @@ class TestOurs:
 
 
 class TestTime:
-    def measured(self, monkeypatch, call, runner=None):
-        monkeypatch.setattr(fresh, "answer_of", lambda _: PeerRun((0,), (), (0.0,) * 4, 0.0))
-        monkeypatch.setattr(fresh, "proved", lambda *_: PeerRun((0,), (), (0.0,) * 4, 0.0))
-        monkeypatch.setattr(fresh, "contender", lambda _: replace(CONTENDERS[0], prepare=lambda *_: call))
-        return fresh.measured("solve", scenes.HEADLINE, 0, runner)
-
-    def test_the_time_is_pyperf_s_median_of_all_processes(self, monkeypatch, clock):
-        pyperf = pytest.importorskip("pyperf")
-
-        class Runner:
-            args = type("Args", (), {"worker": False, "loops": 0})()
-
-            def bench_time_func(self, name, timed):
-                values = [timed(1) for _ in range(5)]
-                return pyperf.Benchmark([pyperf.Run(values, collect_metadata=False, metadata={"name": name})])
-
-        found = self.measured(monkeypatch, clock.call(9.0, 1e-4, 1e-3, 2e-3, 3e-3, 5e-3, 9e-3), Runner())
-        assert found["seconds"] == pytest.approx(3e-3)
-        assert found["deviation"] == pytest.approx(2e-3)
-        assert Runner.args.loops == 100
-        Runner.args.worker = True
-        assert self.measured(monkeypatch, clock.call(1e-3), Runner()) == {}
-
-    def test_a_slow_call_is_measured_by_its_second_run(self, monkeypatch, clock):
-        found = self.measured(monkeypatch, clock.call(50.0, 7.0))
-        assert found == {"difference": None, "digits": pytest.approx(1e6), "seconds": 7.0}
-
     def test_two_calls_are_timed_in_turn_and_compared_by_their_medians(self, clock):
         order, slow = [], clock.call(3e-3)
-        quick = clock.call(*[1e-3] * 4, *[1e-4] * 2, *[9e-2] * 2, 1e-3)  # two at once make a batch; two are outliers
-        ratio = interface.in_turns(lambda: order.append("a") or quick(), lambda: order.append("b") or slow(), 0.25)
+        quick = clock.call(*[1e-3] * 3, *[1e-4] * 2, *[9e-2] * 2, 1e-3)  # two at once make a batch; two are outliers
+        ratio = measure.in_turns(lambda: order.append("a") or quick(), lambda: order.append("b") or slow(), 0.25)
         assert ratio == pytest.approx(3)
-        assert "".join(order[4:]).count("aab") > 4
+        assert "".join(order[2:]).count("aab") > 4
 
+    def test_a_slow_call_is_timed_once(self, clock):
+        assert measure.in_turns(clock.call(1e-3), clock.call(50.0, 7.0), 0.1) == pytest.approx(7e3)
 
-class TestProcesses:
-    def test_what_hangs_or_dies_is_an_answer(self):
-        hangs, dies, speaks = (
-            f"import os; {one}" for one in ("import time; time.sleep(600)", "os.abort()", "print('{')")
-        )
-        assert measure.answered([sys.executable, "-c", hangs], 0.3) == {"note": "stopped after 0.3 s"}
-        for code in (dies, speaks):
-            assert measure.answered([sys.executable, "-c", code], 600)["note"].startswith("ended with code")
+    def test_what_is_found_is_judged_and_timed_beside_solve(self, monkeypatch, truth):
+        monkeypatch.setattr(measure, "in_turns", lambda base, call, _: 2.0 if call() is truth else 0.0)
+        one = replace(contender("heyoka"), prepare=lambda *_: lambda: truth)
+        found = measure.judged_and_timed(one, 1e-9, SCENE, truth, lambda: None, 0.1)
+        assert (found.ratio, found.note) == (2.0, "")
+        wrong = replace(truth, modes=truth.modes[:-1], times=truth.times[:-1])
+        one = replace(one, prepare=lambda *_: lambda: wrong)
+        assert "events, not" in measure.judged_and_timed(one, 1e-9, SCENE, truth, lambda: None, 0.1).note
 
-    @pytest.mark.long
-    def test_a_fresh_process_judges_and_refuses(self):
-        size = measure.Size((), 2, 600)
-        *_, found = measure.runs_of(contender("forward Euler"), scenes.HEADLINE, size)
-        assert found.right
-        assert found.digits > 1
-        *_, refused = measure.runs_of(contender("forward Euler"), "forced-jumps", size)
-        assert refused.right is None
-        assert "for free pairs" in refused.note
+    @pytest.mark.parametrize("error", [PeerFailed, OutOfRange])
+    def test_a_contender_that_fails_leaves_a_note(self, error, truth):
+        def prepare(*_):
+            raise error("no step is small enough")
+
+        one = replace(contender("heyoka"), prepare=prepare)
+        found = measure.judged_and_timed(one, 1.0, SCENE, truth, lambda: None, 0.1)
+        assert found == (None, None, "no answer: no step is small enough")
+
+    def test_what_a_contender_cannot_run_is_noted_once(self):
+        (found,) = measure.runs_on("forced-jumps", [contender("forward Euler")], 0.0)
+        assert found.right is None
+        assert "for free pairs" in found.note
+
+    @pytest.mark.slow
+    def test_a_sweep_has_the_digits_of_both(self):
+        if missing := contender("heyoka").missing():
+            pytest.skip(missing)
+        found = measure.swept("forced-stick-slip", 3, 0.0)
+        assert found.ratio > 0
+        assert min(found.digits, found.peer_digits) > 7
 
 
 class TestRecorded:
@@ -184,13 +170,32 @@ class TestRecorded:
         ratios = {one.peer.who: (one.ours and one.ours.who, one.ratio) for one in found}
         assert ratios == {"finest": (None, 0.0), "coarse": ("solve", 0.1), "fine": ("ball", 10.0)}
 
+    def test_the_public_interface_is_held_against_what_is_as_accurate(self):
+        peers = [("heyoka", 2e-3, 9.0), ("heyoka", 5e-3, 15.0), ("heyoka", 9e-3, 16.0), ("heyoka", 1e-9, 30.0, False)]
+        found = trade_of(*(run(who, "velocities", *rest) for who, *rest in peers))
+        assert found.beside("velocities", 0).ratio == pytest.approx(5)
+        assert found.beside("velocities", 12) is None
+        less = trade_of(*(run(who, "velocities", *rest) for who, *rest in peers[:1]))
+        assert less.beside("velocities", 0).peer.digits == 9.0
+        assert less.beside("relative-motion-b05", 0) is None
+
+    def test_what_is_written_is_read_again(self, tmp_path):
+        sweep = Sweep("velocities", 30.0, 100, 11.0, 13.5)
+        peers = [run("heyoka", "velocities", 2e-3, 9.0), run("SciPy", "velocities", None, None, None)]
+        given = trade_of(*peers, run("heyoka", "velocities", 3e-3, 1.0, False), sweeps=(sweep,), sine_cosines=3.5)
+        (tmp_path / "trade.json").write_text(given.text(), "utf-8")
+        found = recorded(tmp_path / "trade.json")
+        assert found.sweeps == (sweep,)
+        assert set(found.runs) == set(given.runs)
+        assert replace(found, runs=given.runs) == given
+
     @pytest.mark.parametrize(
         ("content", "said"),
         [
             (b"", "is no output of"),
-            (b"{}", "'columns' is missing"),
+            (b"{}", "'seconds' is missing"),
             (trade_of(machine={}).text().encode(), "no runs or no machine"),
-            (trade_of().text().replace("0.001", '"soon"').encode(), "could not convert"),
+            (trade_of().text().replace("14.5", '"soon"').encode(), "could not convert"),
         ],
     )
     def test_a_wrong_file_is_named_with_what_is_wrong(self, tmp_path, content, said):
@@ -203,30 +208,54 @@ class TestRecorded:
 
     def test_the_shipped_one_is_small_names_no_place_and_no_day_and_is_drawn(self):
         text = SHIPPED.read_text("utf-8")
-        assert len(text) < 40_000
+        assert len(text) < 20_000
         assert not re.search(
             r"(?<![\w.])/(home|root|tmp|opt|usr|work|var|nix|Users)/|[A-Z]:\\\\|\b20\d\d-\d\d-\d\d\b", text
         )
-        assert set(recorded().machine) <= {*MACHINE, "system"}
-        assert len(draw_trade(recorded()).axes) == len(recorded().scenes) + 1
+        found = recorded()
+        assert set(found.machine) == {*MACHINE, "busy"}
+        assert len(draw_trade(found).axes) == len(found.scenes) + 1
+        assert {one.who for one in found.runs} == {one.label for one in CONTENDERS}
+        assert all(one.digits and one.peer_digits for one in found.sweeps)
+
+    def test_the_shipped_one_has_no_wrong_events_of_ours(self):
+        assert [one for one in recorded().runs if one.ours and one.right is not True] == []
 
 
 class TestCommand:
-    def test_the_whole_command_with_planted_answers(self, monkeypatch, capsys, tmp_path):
-        monkeypatch.setattr(measure, "answered", lambda *_: {"difference": None, "digits": 9.0, "seconds": 2e-3})
+    @pytest.fixture
+    def planted(self, monkeypatch):
+        monkeypatch.setattr(measure, "judged_and_timed", lambda *_: measure.Found(2.0, 9.0, ""))
+        monkeypatch.setattr(measure, "total_time", lambda call, loops: 1e-3 * loops)
+        monkeypatch.setattr(measure, "swept", lambda name, size, _: Sweep(name, 30.0, size, 11.0, 13.5))
+        monkeypatch.setattr(measure, "sine_cosines", lambda _: 3.5)
+        monkeypatch.setattr(measure, "proved", lambda _: None)
         absent = replace(CONTENDERS[0], label="absent tool", package="a-package-that-nobody-has")
-        monkeypatch.setattr(measure, "CONTENDERS", (contender("solve"), contender("forward Euler"), absent))
+        some = (contender("solve"), replace(contender("heyoka"), package=""), contender("forward Euler"), absent)
+        monkeypatch.setattr(contenders, "CONTENDERS", some)
+        monkeypatch.setattr(measure, "contender", {one.label: one for one in some}.get)
+
+    @pytest.mark.usefixtures("planted")
+    def test_the_whole_command_with_planted_answers(self, capsys, tmp_path):
         arguments = ["trade", "--size", "small", "--only", "free", "--json", "--out", str(tmp_path / "trade.png")]
         assert main(arguments) == 0
         record = json.loads(capsys.readouterr().out)
         assert record["left_out"]["absent tool"] == "a-package-that-nobody-has (extra `comparisons`)"
         assert list(record["scenes"]) == ["relative-motion-b05", "near-critical-1e-6"]
-        assert {one[1] for one in record["runs"]} == {"solve", "forward Euler"}
+        assert list(record["runs"]["near-critical-1e-6"]) == ["solve", "heyoka", "forward Euler"]
         assert [path.name for path in tmp_path.iterdir()] == ["trade.png"]
         assert main(["trade", "--size", "small", "--only", "Euler", "absent", "b05"]) == 0
         printed = capsys.readouterr().out
         assert "left out: absent tool: needs a-package-that-nobody-has" in printed
         assert "2 ms" in printed
+
+    @pytest.mark.usefixtures("planted")
+    def test_the_public_interface_alone(self, capsys):
+        assert main(["trade", "--size", "small", "--interface"]) == 0
+        printed = capsys.readouterr().out
+        assert "solve().t .y .modes, free, beside heyoka, relative-motion-b05: 1 digits 9.0 and 9.0" in printed
+        assert "solve_many, one core each, forced-stick-slip: 30 20 scenes, digits 11 and 13.5, 0 wrong" in printed
+        assert "forward Euler" not in printed
 
     @pytest.mark.parametrize(
         ("arguments", "message"),
@@ -240,10 +269,3 @@ class TestCommand:
         error = capsys.readouterr().err
         assert message in error
         assert error.count("\n") == 1
-
-    def test_a_peer_that_fails_leaves_a_note(self, monkeypatch, capsys, tmp_path):
-        monkeypatch.setattr(fresh, "measured", lambda *_: (_ for _ in ()).throw(PeerFailed("no step is small enough")))
-        monkeypatch.setattr(fresh, "find_spec", lambda _: None)
-        monkeypatch.setattr(sys, "argv", ["fresh", "heyoka", "velocities", "1"])
-        fresh.main()
-        assert json.loads(capsys.readouterr().out)["note"] == "PeerFailed: no step is small enough"

@@ -1,14 +1,13 @@
 """A small ledger with a finding of every verdict, heavy mathematics and hostile texts."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import pytest
 from matplotlib.figure import Figure
 
-from paper_checks.checks.registry import Registry
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.ledger import Claim
 from paper_checks.running.graph import proofs
 from paper_checks.running.runner import Row
 
@@ -58,8 +57,18 @@ LONG = (
 )
 
 
+@dataclass(frozen=True)
+class Decided(Claim):
+    """A claim about which this is found, whatever is asked."""
+
+    finding: Finding | None = None
+
+    def decide(self, seed=0, **others):
+        return self.finding
+
+
 def claim(name, recorded=Verdict.HOLDS, section="III", where="after (8)", statement="$E$ decreases."):
-    return Claim(name, section, where, statement, recorded)
+    return Decided(name, section, where, statement, recorded)
 
 
 @pytest.fixture(scope="session")
@@ -90,16 +99,8 @@ def rows():
             Finding(Verdict.UNCHECKED, r"<b>100%</b> & \$5 $\foo{x}$ $unpaired #_^~{}\ ẋ ≤", missing="z3 <missing>"),
         ),
     ]
+    found = [replace(row, claim=replace(row.claim, finding=row.finding)) for row in found]
     return [replace(row, proofs=proofs(row.claim, row.finding)) for row in found]
-
-
-@pytest.fixture
-def registry(rows):
-    """Checks that return the rows' findings."""
-    registry = Registry(row.claim.id for row in rows)
-    for row in rows:
-        registry.check(row.claim.id)(lambda context, finding=row.finding: finding)
-    return registry
 
 
 def _sine():

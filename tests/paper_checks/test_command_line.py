@@ -11,12 +11,11 @@ from planted_trades import MACHINE, planted
 
 import numerics.trade.recorded as recorded_module
 import paper_checks.__main__ as command_line
-import paper_checks.ledger as ledger_module
+import paper_checks.claims as claims_module
 import paper_checks.reporting.parts as parts_module
 from numerics.trade.recorded import recorded
 from paper_checks.__main__ import main
-from paper_checks.checks import registry as registry_module
-from paper_checks.ledger import CLAIMS
+from paper_checks.claims import CLAIMS
 from paper_checks.report.content import under_a_force
 from paper_checks.report.content.blocks import Section
 from paper_checks.report.formats import latex
@@ -24,7 +23,7 @@ from paper_checks.speed import section as section_module
 
 
 @pytest.fixture
-def small(monkeypatch, tmp_path_factory, rows, registry, figures):
+def small(monkeypatch, tmp_path_factory, rows, figures):
     """The small ledger in the place of the real one, and a small trade; no chapter on its rows, no runs of Euler's."""
     machine = MACHINE | {"processor": "Slide rule"}
     shipped = planted(tmp_path_factory.mktemp("shipped"), machine=machine)
@@ -33,8 +32,7 @@ def small(monkeypatch, tmp_path_factory, rows, registry, figures):
     monkeypatch.setattr(under_a_force, "figures", dict)
     monkeypatch.setattr(section_module, "euler_figures", dict)
     monkeypatch.setattr(section_module, "stick_energy", lambda step: (1.0, 1.0))
-    monkeypatch.setattr(ledger_module, "CLAIMS", tuple(row.claim for row in rows))
-    monkeypatch.setattr(registry_module, "load_checks", lambda: registry)
+    monkeypatch.setattr(claims_module, "CLAIMS", tuple(row.claim for row in rows))
     monkeypatch.setattr(parts_module, "FIGURES", figures)
 
 
@@ -203,10 +201,10 @@ def test_an_output_that_takes_nothing_is_told_in_one_line():
 
 def test_ctrl_c_ends_the_process_cleanly():
     program = (
-        "import signal, sys, time, paper_checks.checks.registry as r, paper_checks.__main__ as m\n"
+        "import signal, sys, time, paper_checks.running.rows as r, paper_checks.__main__ as m\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # whatever the shell that started the tests does
-        "def slow():\n    print('begun', flush=True)\n    time.sleep(60)\n"
-        "r.load_checks = slow\nsys.exit(m.main([]))"
+        "def slow(*all):\n    print('begun', flush=True)\n    time.sleep(60)\n"
+        "r.rows = slow\nsys.exit(m.main([]))"
     )
     process = subprocess.Popen(
         [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

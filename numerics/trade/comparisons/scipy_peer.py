@@ -13,11 +13,11 @@ from numerics.trade.comparisons.peer import Extra, PeerFailed
 from numerics.trade.comparisons.switched import Arc, Asked, Ended, Number, SwitchedPair
 
 
-def scipy_arcs(pair: SwitchedPair, rtol: float) -> Arc:
+def scipy_arcs(pair: SwitchedPair, rtol: float, method: str = "DOP853") -> Arc:
     """Return the arcs of a pair; absolute tolerances are rtol times the pair's own sizes."""
     import scipy.integrate
 
-    options: Extra = {"method": "DOP853", "rtol": rtol, "atol": rtol * np.array(pair.sizes)}
+    options: Extra = {"method": method, "rtol": rtol, "atol": rtol * np.array(pair.sizes)}
 
     def arc(asked: Asked) -> tuple[Ended, Number, list[Number]]:
         slip, span, s, t, start, until, still = asked

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from paper_checks.ledger import source
+from paper_checks.claims import source
 from paper_checks.report.content import blocks, kernel, notation, opening, shared, trust
 from paper_checks.report.content.blocks import Block, Paragraph, Picture, Section
 from paper_checks.report.content.story import story

@@ -9,7 +9,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
-from paper_checks.engines import kernel
+from paper_checks.decide import kernel
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, closure
 from paper_checks.proofs.pins import pinned
 from paper_checks.report.content.blocks import Block, Code, Folded, Heading, Paragraph, Section

@@ -9,12 +9,13 @@ from fractions import Fraction
 
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
+from paper_checks.claims import claim_named, source
 from paper_checks.drawing.captions import caption
 from paper_checks.drawing.relative_velocity import PRINTED
+from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import motion
-from paper_checks.ledger import Kind, claim_named, source
 from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
 from paper_checks.report.content.phrases import formula, in_short, kind
 from paper_checks.running.runner import Row

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 
-from paper_checks.engines.kernel import PROVED
+from paper_checks.claims import claim_named
+from paper_checks.decide.kernel import PROVED
+from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import Claim, Kind, claim_named
 from paper_checks.running.runner import Row
 
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
@@ -41,11 +41,6 @@ def section_title(name: str) -> str:
     ('Section III', 'Theorems')
     """
     return f"Section {name}" if set(name) <= set("IVX") else name
-
-
-def sections(rows: Sequence[Row]) -> list[str]:
-    """Return the sections that the rows come from, in their order."""
-    return list(dict.fromkeys(row.claim.section for row in rows))
 
 
 def kind(row: Row) -> str:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from paper_checks.engines import kernel
+from paper_checks.decide import kernel
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
 from paper_checks.report.content.blocks import Section, Table
 from paper_checks.report.content.phrases import OUTCOMES

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping
 
+from paper_checks.decide import kernel
+from paper_checks.decide.exhibit import ENGINE as EXHIBITED
+from paper_checks.decide.kernel import PROVED
 from paper_checks.drawing.captions import caption
-from paper_checks.engines import kernel
-from paper_checks.engines.exhibit import ENGINE as EXHIBITED
-from paper_checks.engines.kernel import PROVED
+from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject
-from paper_checks.ledger import Kind
 from paper_checks.report.content import notation, shared, under_a_force
 from paper_checks.report.content.blocks import Block, Code, Folded, Paragraph, Picture, Points, Table
 from paper_checks.report.content.opening import hypotheses

@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from importlib.metadata import PackageNotFoundError, version
 
+from paper_checks.claims import source
 from paper_checks.evidence.evidence import EvidenceKind
-from paper_checks.ledger import source
 from paper_checks.report.content.blocks import Code, Paragraph, Points, Section, Table
 from paper_checks.running.runner import Row
 

@@ -17,11 +17,11 @@ from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
 from numerics.scene import Pair
 from numerics.scene.file import load_reference, load_scene
+from paper_checks.decide.enclosure import rounded
 from paper_checks.drawing import under_a_force as drawing
 from paper_checks.drawing.captions import caption
 from paper_checks.drawing.jumping_force import jumping_force
 from paper_checks.drawing.style import Figures, house_style
-from paper_checks.engines.enclosure import rounded
 from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Section, Table
 from paper_checks.report.content.phrases import formula
 from theory.forced import breaking_damping

@@ -5,17 +5,15 @@ A row's page is shown in place, too: the first page loads it when a reader opens
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 from pathlib import Path
 from string import Template
 
-from paper_checks.evidence.evidence import EvidenceKind
-from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import page
 from paper_checks.report.content import blocks
 from paper_checks.report.content.document import ROWS, ROWS_TITLE, Document
-from paper_checks.report.content.phrases import in_short, kind, section_title, sections
+from paper_checks.report.content.phrases import in_short, kind, section_title
 from paper_checks.report.formats import colours
 from paper_checks.report.formats.html_blocks import FRONT, HtmlWriter, figure_file
 from paper_checks.report.mathematics import font
@@ -87,7 +85,7 @@ def _rows(rows: Sequence[Row], writer: HtmlWriter) -> str:
     )
     lines = "\n".join(_row(row, writer) for row in rows)
     return (
-        f'<section aria-labelledby="{ROWS}">\n<h2 id="{ROWS}">{ROWS_TITLE}</h2>\n{_filters(rows)}'
+        f'<section aria-labelledby="{ROWS}">\n<h2 id="{ROWS}">{ROWS_TITLE}</h2>\n<form id="filters" hidden></form>\n'
         f'<table class="claims" aria-labelledby="{ROWS}">\n<thead><tr>{titles}</tr></thead>\n<tbody>\n{lines}\n</tbody>\n</table>\n</section>'
     )
 
@@ -97,33 +95,13 @@ def _row(row: Row, writer: HtmlWriter) -> str:
     words = plain(f"{claim.id.replace('-', ' ')} {claim.statement} {row.finding.reason}").lower()
     told = f"<td><small>{kind(row)}{' · part open' if row.open else ''}</small></td><td><small>{writer.text(claim.where)}</small></td>"
     return (
-        f'<tr data-row="{claim.id}" data-section="{escape(claim.section)}" data-verdict="{verdict}" data-step="{_weakest(row)}" '
+        f'<tr data-row="{claim.id}" data-section="{escape(section_title(claim.section))}" data-verdict="{verdict}" data-step="{_weakest(row)}" '
         f'data-open="{"some" if row.open else "none"}" data-words="{escape(words)}">'
         f'<th scope="row">{writer.text(f"`{claim.id}`")}</th><td><span class="badge {verdict}">{verdict}</span></td>{told}'
         f'<td class="short">{writer.text(in_short(row))}</td></tr>'
     )
 
 
-def _filters(rows: Sequence[Row]) -> str:
-    """Return the search box and the filters, which stay hidden where there is no JavaScript."""
-    verdicts = [verdict.value for verdict in Verdict if any(row.finding.verdict is verdict for row in rows)]
-    order = [*(one.value for one in EvidenceKind), "none"]
-    steps = sorted({_weakest(row) for row in rows}, key=order.index)
-    return (
-        '<form id="filters" hidden>\n<label>Search <input type="search" id="search" placeholder="words of a row"></label>\n'
-        + _select("section", "Section", [(name, section_title(name)) for name in sections(rows)])
-        + _select("verdict", "Verdict", [(name, name) for name in verdicts])
-        + _select("step", "Weakest step", [(name, name) for name in steps])
-        + _select("open", "Open part", [("some", "some"), ("none", "none")])
-        + '<output id="shown" for="search filter-section filter-verdict filter-step filter-open"></output>\n</form>\n'
-    )
-
-
 def _weakest(row: Row) -> str:
     """Return the kind of the weakest step that a row needs."""
     return row.established_by.value if row.established_by else "none"
-
-
-def _select(name: str, title: str, options: Iterable[tuple[str, str]]) -> str:
-    choices = "".join(f'<option value="{escape(value)}">{escape(text)}</option>' for value, text in options)
-    return f'<label>{title} <select id="filter-{name}"><option value="">all</option>{choices}</select></label>\n'

@@ -6,9 +6,9 @@ import json
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from paper_checks.engines.kernel import STATUS
+from paper_checks.decide.kernel import STATUS
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, closure
-from paper_checks.ledger import Claim
 from paper_checks.running.graph import Proof, numbered
 from paper_checks.running.runner import Row
 

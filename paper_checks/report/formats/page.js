@@ -28,8 +28,17 @@ if (parent !== self && row) {
 
 const form = document.getElementById("filters");
 if (form) {
-  const rows = [...document.querySelectorAll("[data-row]")], search = document.getElementById("search");
-  const filters = ["section", "verdict", "step", "open"].map((name) => [name, document.getElementById(`filter-${name}`)]);
+  const rows = [...document.querySelectorAll("[data-row]")];
+  const make = (tag, of, ...inside) => { const one = Object.assign(document.createElement(tag), of); one.append(...inside); return one; };
+  const search = make("input", { type: "search", id: "search", placeholder: "words of a row" });
+  const strongest = ["holds", "holds-corrected", "refuted", "undecided", "kernel", "smt", "exact", "enclosure", "argument"];
+  const TITLES = { section: "Section", verdict: "Verdict", step: "Weakest step", open: "Open part" };
+  const filters = Object.keys(TITLES).map((name) => {
+    const rank = (one) => strongest.indexOf(one) >>> 0, found = [...new Set(rows.map((row) => row.dataset[name]))];
+    const values = name === "section" ? found : found.sort((one, other) => rank(one) - rank(other) || (one < other ? 1 : -1));
+    return [name, make("select", { id: `filter-${name}` }, make("option", { value: "" }, "all"), ...values.map((one) => make("option", { value: one }, one)))];
+  });
+  form.append(make("label", {}, "Search ", search), ...filters.map(([name, chosen]) => make("label", {}, `${TITLES[name]} `, chosen)), make("output", { id: "shown" }));
   const named = new Map(rows.map((row) => [row.dataset.row, row])), behind = new Map();
 
   function filter() {

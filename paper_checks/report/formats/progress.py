@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from paper_checks.ledger import Claim
+from paper_checks.evidence.claim import Claim
 from paper_checks.report.formats.terminal import STYLES
 from paper_checks.running.rows import Progress
 from paper_checks.running.runner import Row

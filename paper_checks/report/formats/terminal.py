@@ -11,9 +11,9 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.evidence import Evidence, Subject
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import Claim
 from paper_checks.report.content.phrases import OUTCOMES, first_sentence, is_new_theorem, kind, speaker
 from paper_checks.report.mathematics.prose import plain
 from paper_checks.running.runner import Row

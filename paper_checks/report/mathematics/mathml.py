@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterator
+from functools import cache
 from xml.etree import ElementTree
 
 from latex2mathml.converter import convert
@@ -22,12 +23,25 @@ _COMMAND = re.compile(r"\s*\\[A-Za-z]+")
 _SIGNS = {"\u2212", "+", "±", "∓"}
 CLOSING = {")", "]", "}", "|", "‖", "⌉", "⌋", "⟩", "!", "′"}
 THIN = {"width": "0.167em"}
+_TALL = {"mfrac", "msqrt", "mroot", "mtable", "munder", "munderover"}
+"""Elements that are higher than a letter, so that the fences around them have to grow."""
+_SCRIPTS = {"msub", "msup", "msubsup", "munder", "mover", "munderover"}
+_PRIMES = "′″"
+_CLOSE = {"lspace": "0", "rspace": "0"}
 
 Element = ElementTree.Element
 
 
 class UnreadableMathematicsError(ValueError):
     """LaTeX that cannot be turned into MathML."""
+
+
+@cache
+def mathml(latex: str, *, display: bool = False) -> str:
+    """Return LaTeX mathematics as the text of a MathML element; raises UnreadableMathematicsError."""
+    element = tree(latex, display=display)
+    element.set("xmlns", NAMESPACE)
+    return ElementTree.tostring(element, encoding="unicode")
 
 
 def tree(latex: str, *, display: bool = False) -> Element:
@@ -62,19 +76,53 @@ def objection_to(element: Element) -> str | None:
 
 
 def _mend(element: Element) -> None:
-    """Set relations and brackets as operators, close up fences and signs, put a space after a function's name."""
-    for node in element.iter():
-        if node.tag == "mi" and _is_operator(node.text or ""):
-            node.tag = "mo"
-        elif node.tag == "mo" and node.text == "∞":
-            node.tag = "mi"
-        if node.tag == "mo":
-            _mend_fence(node)
-        if node.tag == "mover" and (node[1].text or "") in ACCENTS:
-            node.set("accent", "true")
+    """Set in place as TeX would: operators, fences, primes, and spaces about functions, in indices and at a stroke."""
+    _mend_operators(element)
     for node in list(element.iter()):
+        if node.tag in _SCRIPTS:
+            for one in (one for script in list(node)[1:] for one in script.iter("mo")):
+                one.attrib.update(_CLOSE)
+        if not any(one.tag in _TALL for one in node.iter()):  # a fence of the next size is wider, too
+            for one in node:
+                if one.get("fence") == "true":
+                    one.set("stretchy", "false")
+        node[:] = [_with_prime(child) for child in node]
         if node.tag in ROWS:
             node[:] = list(_spaced(list(node)))
+
+
+def _mend_operators(element: Element) -> None:
+    """Set relations and brackets as operators, and close up fences and strokes."""
+    for node in element.iter():
+        text = node.text or ""
+        if node.tag == "mi" and _is_operator(text):
+            node.tag = "mo"
+        elif node.tag == "mo" and text == "∞":
+            node.tag = "mi"
+        if node.tag == "mo":
+            node.text = text.removeprefix("\\")
+            if node.get("fence") == "true" or node.text in "|⌈⌉⌊⌋/":
+                node.attrib.update(_CLOSE)
+        if node.tag == "mover" and (node[1].text or "") in ACCENTS:
+            node.set("accent", "true")
+
+
+def _with_prime(node: Element) -> Element:
+    """Return a letter with its prime beside it: the font's prime is a raised one, and would be raised twice."""
+    if node.tag not in ("msup", "msubsup"):
+        return node
+    mark = "".join(node[-1].itertext())
+    if not mark or mark.strip(_PRIMES):
+        return node
+    base = node[0]
+    if node.tag == "msubsup":
+        base = Element("msub")
+        base.extend(list(node)[:2])
+    prime = Element("mo", {"form": "postfix", **_CLOSE})
+    prime.text = mark
+    row = Element("mrow")
+    row.extend([base, prime])
+    return row
 
 
 def _is_operator(text: str) -> bool:
@@ -83,35 +131,27 @@ def _is_operator(text: str) -> bool:
     return kind in ("Ps", "Pe") or (kind == "Sm" and text not in "∞∅∂∇")
 
 
-def _mend_fence(node: Element) -> None:
-    text = (node.text or "").removeprefix("\\")
-    node.text = text
-    if node.get("fence") == "true" or text in "|⌈⌉⌊⌋":
-        node.set("lspace", "0")
-        node.set("rspace", "0")
-
-
 def _spaced(children: list[Element]) -> Iterator[Element]:
-    """Yield what stands side by side, with a thin space after a function's name, and signs as prefixes where they are."""
+    """Yield what stands side by side, with thin spaces about a function's name, and signs as prefixes where they are."""
     before: Element | None = None
+    letter: Element | None = None  # the last one that is no space
     for index, child in enumerate(children):
-        text = child.text or ""
-        if child.tag == "mo" and text in _SIGNS and _is_open(before):
+        opened = letter is not None and letter.tag == "mo" and (letter.text or "") not in CLOSING
+        if child.tag == "mo" and (child.text or "") in _SIGNS and opened:
             child.set("form", "prefix")
+        factor = before is not None and (
+            before.tag not in ("mo", "mspace") or (before.text or "") in CLOSING - {"|", "‖"}
+        )
+        if _is_function(child) and factor:
+            yield Element("mspace", THIN)
         yield child
         after = children[index + 1] if index + 1 < len(children) else None
-        if is_function(child) and after is not None and _is_argument(after):
+        if _is_function(child) and after is not None and _is_argument(after):
             yield Element("mspace", THIN)
-        if child.tag != "mspace":
-            before = child
+        before, letter = child, letter if child.tag == "mspace" else child
 
 
-def _is_open(before: Element | None) -> bool:
-    """Return whether a sign after this element is a prefix: it follows an operator that closes nothing."""
-    return before is not None and before.tag == "mo" and (before.text or "") not in CLOSING
-
-
-def is_function(node: Element) -> bool:
+def _is_function(node: Element) -> bool:
     """Return whether the element is a function's name, with or without an index or a power."""
     base = node[0] if node.tag in ("msub", "msup", "msubsup") else node
     return base.tag in ("mi", "mo") and (base.text or "") in FUNCTIONS

@@ -10,8 +10,7 @@ from collections.abc import Iterator
 from enum import Enum
 from html import escape
 
-from paper_checks.report.mathematics.mathml import UnreadableMathematicsError
-from paper_checks.report.mathematics.typesetting import mathml
+from paper_checks.report.mathematics.mathml import UnreadableMathematicsError, mathml
 from paper_checks.report.mathematics.unicode import spoken
 
 _PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)

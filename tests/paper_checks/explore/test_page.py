@@ -10,9 +10,9 @@ import pytest
 from numerics import Force, Pair
 from numerics.scene.file import load_scene
 from paper_checks.__main__ import main
+from paper_checks.claims import CLAIMS
 from paper_checks.explore.page import SCRIPTS, page, section, source
 from paper_checks.explore.scenes import PAPER, reduced
-from paper_checks.ledger import CLAIMS
 
 VOID = {"input", "meta", "br", "line", "rect", "circle"}
 

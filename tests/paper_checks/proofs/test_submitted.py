@@ -5,8 +5,9 @@ from decimal import Decimal
 
 import pytest
 
-from numerics import Pair, Scene, State, solve
+from numerics import Force, Pair, Scene, State, solve
 from numerics.scene.file import load_scene
+from numerics.scene.pieces import Friction, Piece, Sine
 from numerics.trajectory.theorem import theorem
 from paper_checks.proofs.__main__ import main
 from paper_checks.proofs.sources import FOLDER
@@ -14,6 +15,8 @@ from paper_checks.proofs.submitted import judged
 
 SMALL = Scene(Pair(1, 1, 200, "0.05"), State(x1="0.00035", v1="0.0055", v2="0.0055"), until="0.4")
 """Stick, slip, stick, slip."""
+HARD = Pair(1, 1, 200, "0.5")
+FORCED = Scene(HARD, State(v1="0.15"), until="0.6", force=Force.step("0.1", 3) + Force.sine("0.7", 5))
 SCENES = {
     "no event at all": Scene(Pair(1, 1, 200, "0.5"), State(), until=1),
     "slips that cross": Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), until=1),
@@ -24,11 +27,22 @@ SCENES = {
     "body 1 beyond it, both below": Scene(Pair(1, 9, 100, 3, a1=30), State("0.05", "0.1", 0, "-0.1"), until=3),
     "from an edge into the sliding region": Scene(Pair(1, 2, 100, "0.4", a1="0.5"), State(x1="0.006"), until=1),
     "from an edge into a slip": Scene(Pair(1, 1, 200, "0.5"), State("0.005", "0.1", 0, "0.1"), until=1),
+    "a force that steps and a stick that it breaks": Scene(HARD, State(), until=1, force=Force.step("0.5", 3)),
+    "sines, a polynomial, pieces of friction": Scene(
+        Pair(1, 1, 200, "0.5", a1="0.1"),
+        State(),
+        until=2,
+        force=Force([Piece(0, [0, 2, 1, "-0.3"], [Sine("0.7", 5, "0.1"), Sine("0.2", 11)]), Piece("1.8", [1])]),
+        friction=Friction([("1.5", "0.3")]),
+    ),
+    "a sine beyond critical damping": Scene(
+        Pair(1, 1, 200, "0.05", a1=40), State("0.01", "0.15", 0, "-0.1"), until=2, force=Force.sine(3, 2)
+    ),
     "other units": Scene(Pair("1e-9", "2e-9", "0.3", "1e-8"), State(v1="1e-3"), until="1e-3"),
 }
 
-WEAKER = """Definition unfolds (x v1 v2 : R -> R) (t : R) (l : list event) (e : ending) := True.
-Theorem trajectory x v1 v2 s : motion the_scene x v1 v2 s -> unfolds x v1 v2 0 the_events the_ending.
+WEAKER = """Definition unfolds (x v1 x2 v2 : R -> R) (t : R) (l : list event) (e : ending) := True.
+Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2 -> unfolds x v1 x2 v2 0 the_events the_ending.
 Proof. intros. exact I. Qed."""
 
 needs_kernel = pytest.mark.usefixtures("needs_kernel")
@@ -64,12 +78,21 @@ FALSE = {
     "a digit": lambda text: changed(text, r"(Event Stick )\((\S+), (\S+)\)", later),
     "a time off by 1e-10": lambda text: changed(text, r"(\(Slip false\) )\((\S+), (\S+)\)", later),
     "a sign": lambda text: changed(text, r"\(0.000155723243408, 0.000155723243409\)", "(-0.0001557233, -0.0001557232)"),
-    "the friction": lambda text: changed(text, r"200 0\.05 ", "200 0.0501 "),
+    "the friction": lambda text: changed(text, r"Spell 0 0\.05 ", "Spell 0 0.0501 "),
     "the last mode": lambda text: changed(text, r"Ending \(Slip true\)", "Ending Stick"),
     "a stick for a slip": lambda text: changed(text, r"Event \(Slip false\)", "Event Stick"),
     "a missing event": lambda text: changed(
         changed(text, r"  Event \(Slip false\).*?;\n", ""), r";\n  Hint [^\n]*?\n", ";\n"
     ),
+}
+
+
+FALSE_OF_A_FORCE = {
+    "an amplitude": lambda text: changed(text, r"Tone 0\.7 0 5 0", "Tone 0.7000001 0 5 0"),
+    "a phase": lambda text: changed(text, r"Tone 0\.7 0 5 0", "Tone 0.7 0 5 0.0000001"),
+    "a step": lambda text: changed(text, r"Spell 0\.1 ", "Spell 0.1000001 "),
+    "an answer": lambda text: changed(text, r"(Definition answers.*?Tone \()(\d+)", r"\g<1>1\2"),
+    "a place of body 2": lambda text: changed(text, r"(Event.*?\n +)\((\S+), (\S+)\)", later),
 }
 
 
@@ -83,7 +106,7 @@ def test_a_trajectory_is_accepted_and_with_one_digit_changed_it_is_refused(judge
     said = judge(text)
     assert said.holds is True
     assert said.reason.startswith(
-        "3 events until t = 0.4, of every motion with m1 = 1, m2 = 1, a1 = 0, a2 = 200, b = 0.05"
+        "3 events until t = 0.4, of every motion with m1 = 1, m2 = 1, a1 = 0, a2 = 200, x(0) = 0.00035"
     )
     assert judge(FALSE["a digit"](text)).holds is False
 
@@ -106,6 +129,15 @@ def test_nothing_false_is_accepted(judge, planted):
 
 @pytest.mark.long
 @needs_kernel
+@pytest.mark.parametrize("planted", FALSE_OF_A_FORCE.values(), ids=FALSE_OF_A_FORCE)
+def test_nothing_false_of_a_force_is_accepted(judge, planted):
+    text = proof(FORCED)
+    assert judge(text).holds is True
+    assert judge(planted(text)).holds is False
+
+
+@pytest.mark.long
+@needs_kernel
 @pytest.mark.parametrize(
     ("pattern", "new", "said"),
     [
@@ -113,7 +145,11 @@ def test_nothing_false_is_accepted(judge, planted):
         (r"Lemma accepted : (.*?)\.\nProof.*?Qed\.", r"Parameter accepted : \1.", "Parameter stands where"),
         (r"Theorem trajectory.*", "Theorem trajectory : True. Proof. exact I. Qed.", "is no theorem of"),
         (r"Theorem trajectory.*", WEAKER, "is no theorem of"),
-        (r"Require Import Trajectory", "Require Import Trajectory Nowhere", "Nowhere, which is not a file of"),
+        (
+            r"Require Import Waves Trajectory",
+            "Require Import Waves Trajectory Nowhere",
+            "Nowhere, which is not a file of",
+        ),
     ],
 )
 def test_a_file_that_proves_less_is_refused(judge, pattern, new, said):

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from chromium import asked
 
+from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.report.content.document import document
 from paper_checks.report.formats import html, vector
 from paper_checks.report.output.finished import placed
@@ -43,6 +44,16 @@ def test_the_search_finds_rows_by_all_words_wherever_they_stand(found, rows):
     assert some == ["example-stiction-never-violated", "stiction-bracket"]
     assert none == []
     assert every == [row.claim.id for row in rows]
+
+
+def test_the_filters_have_what_occurs_from_the_strongest_on(found, rows):
+    filters = {name.removeprefix("filter-"): values for name, (_, *values) in found["filters"]}
+    kinds = [kind.value for kind in EvidenceKind if any(row.established_by is kind for row in rows)]
+    assert filters["step"] == [*kinds, *(["none"] if any(row.established_by is None for row in rows) else [])]
+    assert filters["section"] == ["Section III", "Section IV", "Section II", "Section V"]  # as the rows come
+    assert filters["verdict"][:3] == ["holds", "holds-corrected", "refuted"]
+    assert found["chosen"] == [[OPENED], [row.claim.id for row in rows]]
+    assert found["shown"] == f"{len(rows)} of {len(rows)} rows"
 
 
 def test_a_link_to_a_row_opens_it_whatever_was_searched_for(found):

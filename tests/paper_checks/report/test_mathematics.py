@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import pytest
 
 import paper_checks
-from paper_checks.ledger import CLAIMS
+from paper_checks.claims import CLAIMS
 from paper_checks.report.mathematics import mathml as mathml_module
 from paper_checks.report.mathematics import unicode
 from paper_checks.report.mathematics.mathml import objection_to, tree

@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 from fontTools.ttLib import TTFont
 
+from paper_checks.claims import CLAIMS, claim_named, source
+from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Finding, Verdict
-from paper_checks.ledger import CLAIMS, Kind, claim_named, source
 from paper_checks.proofs.pins import pinned
 from paper_checks.report.content import kernel, notation, opening, trust
 from paper_checks.report.content.blocks import Cards, Code, Heading, Table

@@ -5,8 +5,8 @@ from functools import cache
 
 import pytest
 
+from paper_checks.claims import CLAIMS
 from paper_checks.drawing.captions import CAPTIONS
-from paper_checks.ledger import CLAIMS
 from paper_checks.report.content import under_a_force
 from paper_checks.report.content.blocks import Paragraph, Picture, Points, Table
 from paper_checks.report.mathematics import prose

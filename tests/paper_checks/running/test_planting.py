@@ -5,14 +5,15 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from paper_checks.engines.deciders import condition, decimal, equals, fails_at, holds_at, implied
+from paper_checks.claims import CLAIMS
+from paper_checks.decide import smt
+from paper_checks.decide.deciders import condition, decimal, equals, fails_at, holds_at, implied
 from paper_checks.errors import LedgerError
+from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import CLAIMS, Claim
 from paper_checks.running.planting import faults, places, planted
-from paper_checks.solvers import smt
 from theory.symbols import b, m1, m2, v1
 
 WITH_FORMULAS = sorted({claim.id for claim, *_ in places(CLAIMS)})

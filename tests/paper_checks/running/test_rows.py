@@ -17,14 +17,13 @@ from dying_process import dies_of_energy_rate, tells_what_ctrl_c_does
 from interruption import interrupted
 
 from paper_checks.__main__ import main
-from paper_checks.checks.registry import Context
+from paper_checks.claims import claim_named
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import claim_named
 from paper_checks.running import kept, plain, processes, workers
 from paper_checks.running import rows as running
 from paper_checks.running.kept import Kept
-from paper_checks.running.runner import decide
+from paper_checks.running.runner import Context, decide
 from paper_checks.store import digest as hashed
 
 QUICK = ("energy-rate", "stiction-bracket", "vector-fields", "two-descriptions")
@@ -238,7 +237,7 @@ def imported_by(path):
 def test_what_shows_rows_is_reached_from_no_check():
     """Those rooms are not in the state."""
     package = ROOT / "paper_checks"
-    waiting, reached = [*(package / "checks").glob("*.py"), package / "running" / "runner.py"], set()
+    waiting, reached = [*(package / "claims").glob("*.py"), package / "running" / "runner.py"], set()
     while waiting:
         path = waiting.pop()
         if path not in reached:
@@ -248,8 +247,8 @@ def test_what_shows_rows_is_reached_from_no_check():
     assert [path for path in reached if path.relative_to(package).parts[0] in kept.SHOWING] == []
 
 
-def test_the_checks_that_have_a_place_are_there():
-    assert all((ROOT / "paper_checks" / "checks" / f"{name}.py").exists() for name in workers.SHARING + workers.ALONE)
+def test_the_subjects_that_have_a_place_are_there():
+    assert all((ROOT / "paper_checks" / "claims" / f"{name}.py").exists() for name in workers.SHARING + workers.ALONE)
 
 
 def test_a_process_that_ends_costs_its_own_row_only():
@@ -300,11 +299,11 @@ def test_ctrl_c_is_ignored_by_a_process_that_still_loads_the_checks(started):
 
 
 def test_what_fails_prints_its_traceback_where_that_is_asked_for(capsys):
-    def check(context):
+    def case():
         raise ZeroDivisionError("by 0")
 
     for debug in (False, True):
-        assert decide([check], Context(debug=debug)).verdict is Verdict.UNDECIDED
+        assert decide(replace(claim_named(QUICK[0]), case=case), Context(debug=debug)).verdict is Verdict.UNDECIDED
         assert ("Traceback" in capsys.readouterr().err) is debug
 
 

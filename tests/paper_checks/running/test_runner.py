@@ -1,57 +1,60 @@
-"""A check's failure is its row's verdict and no one else's; several checks must agree."""
+"""A case's failure is its row's verdict and no one else's."""
 
 import pytest
 
-from paper_checks.checks.registry import Context, Registry
 from paper_checks.errors import ToolMissingError
+from paper_checks.evidence.claim import Claim, because
 from paper_checks.evidence.clause import Formula, clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
-from paper_checks.evidence.finding import Finding, Verdict, carried
-from paper_checks.ledger import Claim
-from paper_checks.running.runner import Row, decide, exit_code, joined, run
+from paper_checks.evidence.finding import Finding, Verdict
+from paper_checks.running.runner import Context, Row, decide, exit_code, run
 
 PASSED = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
-HOLDS = Finding(Verdict.HOLDS, "So it is.", (PASSED,), derivation=("step",), figure="f")
-OPEN = Finding(Verdict.UNDECIDED, "Samples.", missing="a proof")
 
 
-def claim(name, recorded=Verdict.HOLDS):
-    return Claim(name, "II", "w", "s.", recorded)
+def claim(name, case=None, said="s.", recorded=Verdict.HOLDS):
+    return Claim(name, "II", "w", said, recorded, case=case)
 
 
 def raising(error):
-    def check(context):
+    def case():
         raise error
 
-    return check
+    return case
 
 
-def test_rows_come_in_ledger_order_with_their_findings(rows, registry):
-    found = run([row.claim for row in rows], registry, Context())
+def holds():
+    return because("So it is.", PASSED)
+
+
+def test_rows_come_in_the_claims_order_with_their_findings(rows):
+    found = run([row.claim for row in rows], Context())
     assert [(row.claim, row.finding) for row in found] == [(row.claim, row.finding) for row in rows]
     assert all(row.seconds >= 0 for row in found)
 
 
-def test_progress_is_told_before_each_claim(rows, registry):
+def test_progress_is_told_before_each_claim(rows):
     told = []
-    run([row.claim for row in rows], registry, Context(), told.append)
+    run([row.claim for row in rows], Context(), told.append)
     assert told == [row.claim for row in rows]
 
 
-def test_a_check_sees_the_seed():
+def test_a_case_that_draws_at_random_sees_the_seed():
     seen = []
-    decide([lambda context: seen.append(context.seed) or HOLDS], Context(seed=7))
+
+    def case(seed):
+        seen.append(seed)
+        return holds()
+
+    assert decide(claim("a", case), Context(seed=7)).verdict is Verdict.HOLDS
     assert seen == [7]
 
 
 def test_an_exception_is_undecided_and_isolated():
-    registry = Registry(["a", "b"])
-    registry.check("a")(raising(ZeroDivisionError("by $0$")))
-    registry.check("b")(lambda context: HOLDS)
-    first, second = run([claim("a"), claim("b")], registry, Context())
+    first, second = run([claim("a", raising(ZeroDivisionError("by $0$"))), claim("b", holds)], Context())
     assert first.finding.verdict is Verdict.UNDECIDED
     assert r"ZeroDivisionError: by \$0\$" in first.finding.reason
-    assert second.finding is HOLDS
+    assert second.finding.verdict is Verdict.HOLDS
 
 
 def test_a_formula_whose_decision_raises_makes_its_row_undecided():
@@ -59,55 +62,31 @@ def test_a_formula_whose_decision_raises_makes_its_row_undecided():
         raise ZeroDivisionError("no inverse")
 
     said = (clause("whole", "«it».", it=Formula("E", "=", 0, decided)),)
-    registry = Registry(["a"])
-    registry.check("a")(lambda context: HOLDS)
-    (row,) = run([Claim("a", "II", "w", said, Verdict.HOLDS)], registry, Context())
+    (row,) = run([claim("a", holds, said)], Context())
     assert row.finding.verdict is Verdict.UNDECIDED
     assert "no inverse" in row.finding.reason
 
 
 @pytest.mark.parametrize("answer", [None, True, "holds", PASSED])
-def test_an_answer_that_is_no_finding_is_undecided(answer):
-    finding = decide([lambda context: answer], Context())
-    assert finding.verdict is Verdict.UNDECIDED
-    assert "not a Finding" in finding.reason
+def test_an_answer_that_makes_no_case_is_undecided(answer):
+    assert decide(claim("a", lambda: answer), Context()).verdict is Verdict.UNDECIDED
 
 
-def test_a_missing_tool_and_a_missing_check_are_unchecked():
-    missing = decide([raising(ToolMissingError("z3 is not installed"))], Context())
+def test_a_missing_tool_and_a_missing_case_are_unchecked():
+    missing = decide(claim("a", raising(ToolMissingError("z3 is not installed"))), Context())
     assert (missing.verdict, missing.missing) == (Verdict.UNCHECKED, "z3 is not installed")
-    assert decide([], Context()).verdict is Verdict.UNCHECKED
+    assert decide(claim("a"), Context()).verdict is Verdict.UNCHECKED
 
 
 @pytest.mark.parametrize("interruption", [KeyboardInterrupt, SystemExit])
 def test_an_interruption_is_not_a_verdict(interruption):
     with pytest.raises(interruption):
-        decide([raising(interruption())], Context())
+        decide(claim("a", raising(interruption())), Context())
 
 
-def test_findings_that_agree_are_joined():
-    finding = joined([HOLDS, Finding(Verdict.HOLDS, "Again.", (PASSED,), derivation=("more",))])
-    assert finding.verdict is Verdict.HOLDS
-    assert finding.reason == "So it is. Again."
-    assert (len(finding.evidence), finding.derivation, finding.figure) == (2, ("step", "more"), "f")
-
-
-def test_what_each_check_carries_is_carried():
-    one, two = (Finding(Verdict.HOLDS, "r", (PASSED,), carried=(carried(name, PASSED),)) for name in ("one", "two"))
-    assert [part.clause for part in joined([one, two]).carried] == ["one", "two"]
-
-
-def test_findings_that_differ_are_undecided():
-    finding = joined([HOLDS, OPEN])
-    assert finding.verdict is Verdict.UNDECIDED
-    assert "do not agree (holds, undecided)" in finding.reason
-
-
-def test_one_missing_tool_leaves_the_row_unchecked():
-    assert joined([HOLDS, decide([raising(ToolMissingError("z3"))], Context())]).verdict is Verdict.UNCHECKED
-
-
-UNCHECKED = decide([], Context())
+HOLDS = Finding(Verdict.HOLDS, "So it is.", (PASSED,))
+OPEN = Finding(Verdict.UNDECIDED, "Samples.", missing="a proof")
+UNCHECKED = decide(claim("a"), Context())
 
 
 @pytest.mark.parametrize(

@@ -5,14 +5,13 @@ from dataclasses import replace
 import pytest
 
 from paper_checks.__main__ import main
-from paper_checks.checks.registry import Context, load_checks
-from paper_checks.engines import kernel
+from paper_checks.claims import CLAIMS, claim_named
+from paper_checks.decide import kernel
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.finding import Verdict
-from paper_checks.ledger import CLAIMS, claim_named
 from paper_checks.proofs import library, pins, signed
 from paper_checks.running import signing
-from paper_checks.running.runner import decide, row
+from paper_checks.running.runner import Context, decide, row
 
 THEOREM, ROWS = "ring-factor", ("ring-of-tolerance", "tolerance-ring")
 
@@ -40,7 +39,7 @@ def accepting(monkeypatch):
 
 @pytest.fixture(scope="module")
 def findings():
-    return {name: decide(load_checks().of(name), Context()) for name in ROWS}
+    return {name: decide(claim_named(name), Context()) for name in ROWS}
 
 
 def weakened():

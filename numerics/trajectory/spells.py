@@ -1,0 +1,119 @@
+"""What acts on a pair from one time to the next, spell by spell, and how a mass on spring and damper answers: exact.
+
+Of a force of polynomials and sines one answer is a polynomial and sines again. Source: undetermined coefficients.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from itertools import zip_longest
+from typing import Any, NamedTuple
+
+from mpmath.ctx_mp import MPContext
+
+from numerics.errors import NoProof
+from numerics.scene import Pair, Scene
+
+Polynomial = tuple[Fraction, ...]
+"""Coefficients of 1, t, t^2, ..."""
+
+
+class Tone(NamedTuple):
+    """in_sine sin(turn t + phase) + in_cosine cos(turn t + phase), turn in rad/s."""
+
+    in_sine: Fraction
+    in_cosine: Fraction
+    turn: Fraction
+    phase: Fraction
+
+    def slope(self) -> Tone:
+        """Return the derivative."""
+        return Tone(-self.in_cosine * self.turn, self.in_sine * self.turn, self.turn, self.phase)
+
+
+class Steady(NamedTuple):
+    """A polynomial of t - since (s) plus tones of t; exact."""
+
+    since: Fraction
+    polynomial: Polynomial = ()
+    tones: tuple[Tone, ...] = ()
+
+    def __call__(self, on: Any, t: Any) -> Any:
+        """Return the value at t, over a context of points or of intervals of mpmath."""
+
+        def number(one: Fraction) -> Any:
+            return on.mpf(one.numerator) / on.mpf(one.denominator)
+
+        value, after = on.mpf(0), t - number(self.since)
+        for coefficient in reversed(self.polynomial):
+            value = number(coefficient) + after * value
+        for tone in self.tones:
+            angle = number(tone.turn) * t + number(tone.phase)
+            value += number(tone.in_sine) * _bounded(on, on.sin, angle)
+            value += number(tone.in_cosine) * _bounded(on, on.cos, angle)
+        return value
+
+    def slope(self) -> Steady:
+        """Return the derivative."""
+        return Steady(self.since, _slope(self.polynomial), tuple(tone.slope() for tone in self.tones))
+
+    def times(self, factor: int) -> Steady:
+        """Return the multiple."""
+        tones = tuple(
+            one._replace(in_sine=factor * one.in_sine, in_cosine=factor * one.in_cosine) for one in self.tones
+        )
+        return Steady(self.since, tuple(factor * one for one in self.polynomial), tones)
+
+
+def _bounded(on: Any, function: Callable[[Any], Any], angle: Any) -> Any:
+    """Return a sine or cosine; over an interval by its middle and its slope, which is how the kernel bounds some."""
+    if isinstance(on, MPContext):
+        return function(angle)
+    return function(angle.mid) + (angle - angle.mid)
+
+
+class Spell(NamedTuple):
+    """From `since` (s) on: friction (N) and force (N), and how body 1 and both bodies together answer to it (m)."""
+
+    since: Fraction
+    friction: Fraction
+    force: Steady
+    alone: Steady
+    together: Steady
+
+
+def spells(scene: Scene) -> Iterator[Spell]:
+    """Yield the spells that begin before the end. Raises NoProof at resonance."""
+    pair = scene.pair
+    starts = {Fraction(0), *scene.force.starts, *scene.friction.starts}
+    for start in sorted(one for one in starts if one < scene.until):
+        piece = scene.force.piece_at(start)
+        tones = tuple(Tone(one.amplitude, Fraction(0), one.omega, one.phase) for one in piece.sines)
+        force = Steady(piece.start, piece.polynomial, tones)
+        b = next((b for at, b in reversed(scene.friction.pieces) if at <= start), pair.b)
+        yield Spell(start, b, force, _answer(pair, pair.m1, force), _answer(pair, pair.mass, force))
+
+
+def _answer(pair: Pair, mass: Fraction, force: Steady) -> Steady:
+    """Return a solution y of mass y'' + a1 y' + a2 y = force."""
+    y: Polynomial = ()
+    for _ in force.polynomial:  # each round gets one more coefficient right, from the last one on
+        first = _slope(y)
+        parts = zip_longest(force.polynomial, first, _slope(first), fillvalue=Fraction(0))
+        y = tuple((u - pair.a1 * v - mass * a) / pair.a2 for u, v, a in parts)
+    tones = []
+    for tone in force.tones:
+        stiff, damp = pair.a2 - mass * tone.turn**2, pair.a1 * tone.turn
+        if not (size := stiff**2 + damp**2):
+            raise NoProof(
+                "no theorem is written: a sine of the force is in resonance, which the checker does not cover"
+            )
+        sine, cosine = tone.in_sine, tone.in_cosine
+        answer = (stiff * sine + damp * cosine) / size, (stiff * cosine - damp * sine) / size
+        tones.append(Tone(*answer, tone.turn, tone.phase))
+    return Steady(force.since, y, tuple(tones))
+
+
+def _slope(polynomial: Polynomial) -> Polynomial:
+    return tuple(k * one for k, one in enumerate(polynomial))[1:]

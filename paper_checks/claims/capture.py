@@ -1,0 +1,105 @@
+"""Where every free motion goes: it meets the switching surface again and again, and the critical energy decides there."""
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.claims import energy as dissipation
+from paper_checks.claims import filippov
+from paper_checks.decide import cleared, identity, prove
+from paper_checks.evidence import Evidence
+from theory.closed_forms import Regime, residual, solution
+from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, sigma, stick_rate
+from theory.filippov import derivative_along, half_width, phi, transversality
+from theory.model import free_system
+from theory.symbols import E0, a1, b, m2, undamped, v1, v2, x1
+
+
+@cache
+def energy_rate() -> Evidence:
+    """dE/dt for every value of set-valued friction."""
+    return identity(
+        r"""
+        $\dot E=-b\,\sigma\,(v_1-v_2)-a_1v_1^2$ for every $\sigma$ that set-valued friction may take, and
+        $\sigma(v_1-v_2)=|v_1-v_2|$
+        """,
+        derivative_along(free_system(sigma), energy()),
+        -b * sigma * (v1 - v2) - a1 * v1**2,
+    )
+
+
+def energy_decreases() -> tuple[Evidence, ...]:
+    """E never increases, and falls wherever the bodies slide."""
+    return energy_rate(), dissipation.energy_never_grows()
+
+
+def contraction() -> tuple[Evidence, ...]:
+    """Two solutions never move apart: forward uniqueness, continuity in the start, stability of every orbit."""
+    return filippov.contraction(), filippov.never_apart()
+
+
+@cache
+def meets_surface() -> tuple[Evidence, ...]:
+    """A stay in one half-space lasts at most 2 sqrt(2 E m2)/b: body 2 accelerates steadily, its energy is bounded."""
+    gained = sp.Symbol("k", nonnegative=True)  # v2 gained during the stay
+    bounds = [sp.Le(m2 * speed**2, 2 * E0) for speed in (v2, v2 + gained)]
+    return (
+        identity(r"$\dot v_2=\pm b/m_2$ in $\Omega_\pm$", sp.Matrix([phi(1)[2], phi(-1)[2]]), sp.Matrix([b, -b]) / m2),
+        prove(r"$m_2v_2^2\leqslant 2E$", [sp.Le(2 * energy(), 2 * E0)], sp.Le(m2 * v2**2, 2 * E0)),
+        prove(r"so $v_2$ can gain at most $\sqrt{8E/m_2}$", bounds, sp.Le(m2 * gained**2, 8 * E0)),
+        identity(
+            r"a stay in $\Omega_\pm$ lasts at most $2\sqrt{2Em_2}/b$", dwell_time_bound(), 2 * sp.sqrt(2 * E0 * m2) / b
+        ),
+    )
+
+
+@cache
+def stays_below_critical() -> Evidence:
+    """On S, E <= E_cr implies |x1| <= L: the pair can only stick, for ever, as E never increases."""
+    level = sp.Le(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+    inside = sp.Le(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
+    return prove(r"on $S$, $E\leqslant E_{cr}$ implies $|x_1|\leqslant L$", [level], inside)
+
+
+@cache
+def leaves_above_critical() -> tuple[Evidence, ...]:
+    """No trajectory stays on S with E > E_cr: outside S0 both fields leave, in S0 the level reaches an exit ray."""
+    above = sp.Gt(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+    within = [sp.Le(cleared(side * x1 - half_width()), 0, evaluate=False) for side in (1, -1)]
+    outside = sp.Gt(cleared(x1 - half_width()), 0, evaluate=False)
+    leaving = (sp.Lt(cleared(transversality(sign)), 0, evaluate=False) for sign in (1, -1))
+    return (
+        prove(
+            r"in $S_0$ with $E>E_{cr}$: $v_1\neq 0$, so $x_1$ runs monotonically to an edge",
+            [above, *within],
+            sp.Ne(v1, 0, evaluate=False),
+        ),
+        prove(
+            r"$\Phi_\pm\cdot n_S<0$ on $S_+$ (on $S_-$ by the mirror image): no stay on $S$ outside $S_0$",
+            [outside],
+            sp.And(*leaving),
+        ),
+    )
+
+
+@cache
+def stick_is_a_motion() -> Evidence:
+    """The closed form of stick solves (3), (4), and E is constant along it."""
+    return identity(
+        "stick, $x_1=x_{10}\\cos\\Omega t+\\cdots$, solves (3), (4), and $\\dot E=0$ along it",
+        sp.Matrix([*residual(solution("stick", Regime.UNDAMPED)), undamped(stick_rate())]),
+    )
+
+
+@cache
+def mirror_image() -> Evidence:
+    """(x, v) -> (-x, -v) takes one half-space's field to the other's: what is shown on one side holds on both."""
+    turned = phi(-1).subs({x1: -x1, v1: -v1, v2: -v2}, simultaneous=True)
+    return identity(
+        r"""
+        the mirror image $(x,v)\to(-x,-v)$ takes $\Phi_-$ to $\Phi_+$: the same holds with $\ell_-$, $\Omega_+$ and
+        $\ell_+$, $\Omega_-$ exchanged
+        """,
+        -turned,
+        phi(1),
+    )

@@ -1,0 +1,234 @@
+"""Two motions under one force never move apart: uniqueness, other forces, a friction that changes with time."""
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.claims import filippov
+from paper_checks.decide import equal, identity, implied, prove
+from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
+from theory import forced
+from theory.energy import contraction_rate, energy, sigma, sigma_other
+from theory.model import slip, stick
+from theory.symbols import a1, a2, b, m1, m2, u, v1, v1_other, v2, v2_other, x1, x1_other
+
+
+@cache
+def same_modes() -> Evidence:
+    """The set-valued field under a force is the slip of (3), (4) for sigma = 1 and -1, and stick for sigma = load/b."""
+    slips = [one.acceleration1 for one in (slip(1), slip(-1))] + [one.acceleration2 for one in (slip(1), slip(-1))]
+    field = [forced.forced_system(sp.Integer(sign))[place] for place in (1, 2) for sign in (1, -1)]
+    stuck = forced.forced_system(forced.load() / b).subs(v2, v1)
+    return identity(
+        r"$m_1\dot v_1=u-a_2x_1-a_1v_1-b\sigma$, $m_2\dot v_2=b\sigma$ is slip of (3), (4) for $\sigma=\pm 1$, and stick for $\sigma=\Lambda/b$",
+        sp.Matrix([*field, stuck[1], stuck[2]]),
+        sp.Matrix([*slips, stick().acceleration1.subs(v2, v1), stick().acceleration2.subs(v2, v1)]),
+    )
+
+
+@cache
+def energy_rate() -> Evidence:
+    """The chain rule along the set-valued field."""
+    return identity(
+        r"$\dot E=u\,v_1-a_1v_1^2-b\sigma\dot z$, where $\sigma\dot z=|\dot z|$",
+        forced.energy_rate(),
+        u * v1 - a1 * v1**2 - b * sigma * (v1 - v2),
+    )
+
+
+@cache
+def force_cancels() -> Evidence:
+    """Under one force the rate of the distance is the free one."""
+    return identity(
+        r"$\tfrac12\frac{d}{dt}N^2$ is the same with a force as without: $u$ cancels",
+        forced.contraction_rate(),
+        contraction_rate(),
+    )
+
+
+@cache
+def never_apart() -> Evidence:
+    """The distance of two solutions never grows."""
+    return argument(
+        r"The damper's term is minus a square and the friction's is never positive, so $N$ does not grow.",
+        force_cancels(),
+        filippov.contraction(),
+        filippov.never_apart(),
+    )
+
+
+@cache
+def one_solution() -> Evidence:
+    """Existence by Filippov, uniqueness by the distance."""
+    return argument(
+        r"The set-valued right side is bounded on bounded sets, convex and closed, and measurable in time: there is a solution. Two from one start have the distance $0$ for ever.",
+        same_modes(),
+        never_apart(),
+        cites=("Filippov's theorem on existence",),
+    )
+
+
+@cache
+def forces_apart() -> Evidence:
+    """Two forces: the distance grows at most as their difference."""
+    work = forced.distance_rate() - forced.contraction_rate()
+    letters = {one: sp.Symbol(f"k{n}", real=True) for n, one in enumerate((x1_other, v1_other, v2_other))}
+    squared = forced.distance_squared().subs(letters)
+    return argument(
+        r"$N\dot N\leqslant(u-\tilde u)(v_1-\tilde v_1)\leqslant|u-\tilde u|\,N/\sqrt{m_1}$; integrate.",
+        never_apart(),
+        identity(
+            r"two forces add the work of their difference to $\tfrac12\frac{d}{dt}N^2$",
+            work.subs(forced.u_other, 0).subs(u, sp.Symbol("f", real=True)),
+            sp.Symbol("f", real=True) * (v1 - v1_other),
+        ),
+        prove(
+            r"$m_1(v_1-\tilde v_1)^2\leqslant N^2$ (here $k$ for the second solution)",
+            [],
+            sp.Le(m1 * (v1 - letters[v1_other]) ** 2, squared, evaluate=False),
+        ),
+    )
+
+
+@cache
+def friction_of_the_state() -> Evidence:
+    """A friction that depends on place or speed: what the distance of two motions gains."""
+    larger, smaller, slope = sp.symbols("w k l", positive=True)
+    strong, weak = sp.symbols("b c", positive=True)
+    shares = b * sigma - forced.b_other * sigma_other
+    return argument(
+        r"""
+        $b\sigma-\tilde b\tilde\sigma=b(\sigma-\tilde\sigma)+(b-\tilde b)\tilde\sigma$: the first part is that of one
+        friction, the second gains at most $|b-\tilde b|\,|\dot z-\dot{\tilde z}|$, with $a_2(x_1-\tilde
+        x_1)^2\leqslant N^2$ and $(\dot z-\dot{\tilde z})^2\leqslant\kappa N^2$. A friction $F(\dot z)=b(|\dot
+        z|)\,\sigma$ that falls by at most $\ell$ times the speed has $(F-\tilde F)(\dot z-\dot{\tilde
+        z})\geqslant-\ell(\dot z-\dot{\tilde z})^2$. Gronwall's inequality bounds $N$, or $N^2+(z-\tilde z)^2$ where
+        $b$ depends on $z$, so a start has one motion; there is one by Filippov's theorem.
+        """,
+        identity(
+            r"$b\sigma-\tilde b\tilde\sigma$ in these two parts",
+            shares,
+            b * (sigma - sigma_other) + (b - forced.b_other) * sigma_other,
+        ),
+        prove(
+            r"for two slips of one sign, $w>k>0$, whose friction falls by at most $l(w-k)$: $(b-c)(w-k)\geqslant-l(w-k)^2$",
+            [sp.Gt(larger, smaller), sp.Ge(strong, weak - slope * (larger - smaller), evaluate=False)],
+            sp.Ge((strong - weak) * (larger - smaller), -slope * (larger - smaller) ** 2, evaluate=False),
+        ),
+        filippov.never_apart(),
+        cites=("Filippov's theorem on existence", "Gronwall's inequality"),
+    )
+
+
+@cache
+def braked() -> Evidence:
+    """What stays above a least friction brakes: the relative velocity tends to 0."""
+    return argument(
+        r"$b_{\min}\int|\dot z|\,dt\leqslant E(0)$ for $u=0$, so the path of $z$ is finite; $\ddot z$ is bounded, as $E$ and $b$ are: $\dot z\to 0$.",
+        energy_rate(),
+    )
+
+
+@cache
+def pieces_without_end() -> Evidence:
+    """What holds up to each time holds for ever."""
+    return argument(
+        r"Up to any time there are finitely many pieces, and one motion. That up to a later time is, up to the earlier one, the same: together they are one motion for all times, and rates and bounds hold at each.",
+        friction_in_time(),
+    )
+
+
+@cache
+def friction_in_time() -> Evidence:
+    """b enters the rates by its value only: b(t) changes none of them."""
+    return argument(
+        """
+        The equations of motion have $b$ and no rate of it, and $E$ and $N$ do not have it at all: at each time the
+        rates are those of a constant friction with that value, and both terms of the contraction keep their signs.
+        """,
+        energy_rate(),
+        never_apart(),
+        forces_apart(),
+        one_solution(),
+        identity(
+            r"$E$ does not depend on $b$, and the rates are linear in it",
+            [sp.diff(energy(), b), sp.diff(forced.energy_rate(), b, 2), sp.diff(forced.contraction_rate(), b, 2)],
+        ),
+    )
+
+
+DISTANCE = sp.Symbol("N", nonnegative=True)
+
+
+def _quotable() -> dict[sp.Basic, sp.Basic]:
+    """Return what N stands for, and letters without a tilde for the second solution."""
+    letters = {one: sp.Symbol(f"{one.name[-4]}_k{one.name[-1]}", real=True) for one in (x1_other, v1_other, v2_other)}
+    return {DISTANCE: sp.sqrt(forced.distance_squared().subs(letters)), **letters}
+
+
+@theorem(
+    "forced-contraction",
+    clause(
+        "energy",
+        r"Under a force «rate», where $\sigma$ is the value of $\mathrm{sign}(\dot z)$, in $[-1,1]$ where $\dot z=0$.",
+        rate=equal(r"\dot E", u * v1 - a1 * v1**2 - b * sigma * (v1 - v2), forced.energy_rate),
+        kernel="forced-energy-rate",
+    ),
+    clause(
+        "rate",
+        r"Two solutions under one force, the second with tildes, have «squared» and «rate» $\leqslant 0$,",
+        squared=equal(
+            DISTANCE**2,
+            a2 * (x1 - x1_other) ** 2 + m1 * (v1 - v1_other) ** 2 + m2 * (v2 - v2_other) ** 2,
+            forced.distance_squared,
+        ),
+        rate=equal(
+            r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
+            -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
+            forced.contraction_rate,
+        ),
+    ),
+    clause("distance", r"so their distance $N$ never grows.", kernel="forced-contraction"),
+    clause(
+        "unique",
+        r"For every force with a continuous impulse $\int u\,dt$ there is one solution from every start.",
+        kernel="forced-well-posed",
+    ),
+    clause(
+        "forces",
+        r"Under two forces that are continuous but for jumps $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|\,ds$, as «speed».",
+        speed=Formula(
+            m1 * (v1 - v1_other) ** 2,
+            "<=",
+            DISTANCE**2,
+            implied(where=_quotable),
+        ),
+        kernel="varying-input-to-state",
+    ),
+    clause(
+        "interface",
+        r"With a friction $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every start, too, and the distance of two never grows.",
+        kernel="varying-contraction varying-well-posed",
+    ),
+    clause(
+        "interface-rates",
+        r"The rate of the energy holds with $b(t)$ in the place of $b$, and the bound under two forces as it is,",
+        kernel="varying-energy-rate varying-input-to-state",
+    ),
+    clause("interface-contraction", r"and so does the rate of $N^2$;"),
+    clause("interface-for-ever", r"all of it where there are finitely many pieces in every bounded time, without end."),
+)
+def forced_contraction() -> Case:
+    """The force cancels in the distance of two solutions."""
+    return because(
+        "A force common to both cancels in their distance. A friction that depends on the place would not: the friction of one solution is then not a monotone function of its own relative velocity alone.",
+        carried("energy", energy_rate()),
+        carried("rate", force_cancels(), filippov.contraction(), filippov.never_apart()),
+        carried("distance", never_apart()),
+        carried("unique", one_solution()),
+        carried("forces", forces_apart()),
+        carried("interface", friction_in_time()),
+        carried("interface-rates", friction_in_time()),
+        carried("interface-contraction", friction_in_time()),
+        carried("interface-for-ever", pieces_without_end()),
+    )

@@ -1,0 +1,329 @@
+"""What a force can make body 2 do: follow a reference, go from rest to rest in the least time."""
+
+import sympy as sp
+
+from paper_checks.claims import signum, transfers
+from paper_checks.claims.letters import MASS
+from paper_checks.decide import condition, equal, identity
+from paper_checks.evidence import HOLDS, Case, Formula, argument, because, carried, claim, clause, theorem
+from theory import forced
+from theory import forced_control as control
+from theory.energy import sigma
+from theory.filippov import load_threshold
+from theory.forced_control import angle, duration, path, strength, velocity_gain
+from theory.scaling import stick_frequency
+from theory.symbols import a1, a2, b, m1, m2, u, v2_0, x1_0, x2_0
+
+RESPONSE, SPREAD = sp.Symbol("g", positive=True), sp.Symbol("s", real=True)
+
+
+HALF, PART = sp.Symbol("t_{1/2}", positive=True), sp.Symbol("xi", positive=True)
+
+
+PLACE_START, PLACE_END = sp.Symbol("{x_2(0)}", real=True), sp.Symbol("{x_2(T)}", real=True)
+
+
+RATE_START, RATE_END = sp.Symbol("{v_2(0)}", real=True), sp.Symbol("{v_2(T)}", real=True)
+
+
+FIRST_ANGLE, SECOND_ANGLE, PACE = sp.symbols("alpha_1 alpha_2 Omega", positive=True)
+
+
+def _arcs() -> dict[sp.Basic, sp.Basic]:
+    return {FIRST_ANGLE: control.switching()[0], SECOND_ANGLE: control.switching()[1], PACE: stick_frequency()}
+
+
+def _off_centre() -> sp.Expr:
+    """How far body 2 is from the middle of the places that it can reach."""
+    middle = RATE_START * duration + control.middle().subs(velocity_gain, RATE_END - RATE_START)
+    return PLACE_END - PLACE_START - middle
+
+
+OFFSET = sp.Symbol("gamma", real=True)
+
+
+WAY, WAY_RATE, WAY_BEND = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} \ddot{x}_{\mathrm{ref}}", real=True)
+
+
+THEN, LATER = sp.symbols("t_1 t_2", nonnegative=True)
+
+
+RATE_THEN, RATE_LATER = sp.symbols(r"\dot{x}_{\mathrm{ref}}(t_1) \dot{x}_{\mathrm{ref}}(t_2)", real=True)
+
+
+REFERENCE = {WAY: control.r_place, WAY_RATE: control.r_speed, WAY_BEND: control.r_acceleration}
+
+
+START = {PLACE_START: x2_0, RATE_START: v2_0}
+
+
+FIRST_PLACE, WAY_START = sp.Symbol("{x_1(0)}", real=True), sp.Symbol(r"{x_{\mathrm{ref}}(0)}", real=True)
+
+
+@claim(
+    "one-active-one-passive",
+    "Abstract",
+    "sixth sentence",
+    HOLDS,
+    clause(
+        "freedoms",
+        r"The system has one active degree of freedom (the driving body) and one passive degree of freedom (the driven body).",
+    ),
+)
+def one_active_one_passive() -> Case:
+    """Where the force stands in the equations of motion."""
+    field = forced.forced_system(sigma)
+    return because(
+        "The force acts on body 1 alone. Body 2 feels nothing but friction, which is never more than b: it moves only as the interface lets it.",
+        carried(
+            "freedoms",
+            argument(
+                "A degree of freedom is active if the control acts on it, passive if only the interface does.",
+                identity(
+                    r"$u$ stands in the equation of body 1 alone",
+                    sp.Matrix([sp.diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)]),
+                    sp.Matrix([0, 1, 0]),
+                ),
+                transfers.gentle(),
+            ),
+        ),
+    )
+
+
+@claim(
+    "target-or-set-point",
+    "I",
+    "paragraph after Fig. 1",
+    HOLDS,
+    clause(
+        "target",
+        r"A controlled motion along a target trajectory,",
+    ),
+    clause(
+        "set-point",
+        """
+        or (even simpler) towards a set-point reference, remains largely unexplored for the manipulation of objects
+        that are solely connected via a frictional interface.
+        """,
+    ),
+    open=(
+        """
+        That such control remains largely unexplored is a statement about the literature, which is not judged here.
+        What is judged is what the sentence takes for granted: that there is such control, and that a set-point is the
+        simpler of both.
+        """,
+    ),
+)
+def target_or_set_point() -> Case:
+    """Which targets and which set-points there are."""
+    return because(
+        r"""
+        There is such control, and a set-point is the simpler of the two: from rest every one can be reached, in no
+        less than $2\sqrt{m_2D/b}$, and held, while a target trajectory can be followed exactly if it never asks for
+        more acceleration than $b/m_2$. At just $b/m_2$ that is so under Coulomb's law, which (3)–(4) then are not;
+        below it under both.
+        """,
+        carried("target", transfers.followed(), signum.stuck_below_the_limit()),
+        carried("set-point", transfers.least_time(), signum.stuck_below_the_limit()),
+    )
+
+
+@theorem(
+    "trackable-references",
+    clause(
+        "iff",
+        r"""
+        Let «place» and «speed». Under Coulomb's law, from a suitable start of body 1, some force makes body 2 follow
+        the velocity $\dot x_{\mathrm{ref}}$ exactly if «gentle» for all times $t_1$, $t_2$: no force gives body 2
+        more.
+        """,
+        place=equal(r"x_{\mathrm{ref}}(0)", PLACE_START, lambda: control.followed_start()[0], lambda: START),
+        speed=equal(r"\dot x_{\mathrm{ref}}(0)", RATE_START, lambda: control.followed_start()[1], lambda: START),
+        gentle=Formula(
+            sp.Abs(RATE_THEN - RATE_LATER),
+            "<=",
+            b / m2 * sp.Abs(THEN - LATER),
+            condition(
+                lambda: sp.Le(
+                    sp.Abs(RATE_THEN - RATE_LATER), control.strongest() * sp.Abs(THEN - LATER), evaluate=False
+                )
+            ),
+            sharp=True,
+        ),
+        kernel="trackable driven-acceleration",
+    ),
+    clause(
+        "literal",
+        r"Under (3)–(4) a pair that sticks follows exactly those references with $|\ddot x_{\mathrm{ref}}|<b/m_2$ at almost all times.",
+    ),
+    clause(
+        "sticks",
+        r"While «slower» the pair must stick. So where that is so at the start, body 1 has to start with $v_1(0)=v_2(0)$.",
+        slower=Formula(
+            sp.Abs(WAY_BEND),
+            "<",
+            b / m2,
+            condition(lambda: sp.Lt(sp.Abs(WAY_BEND), control.strongest(), evaluate=False)),
+            sharp=True,
+        ),
+        kernel="must-stick",
+    ),
+    clause(
+        "force",
+        r"A pair that always sticks has $v_1(0)=v_2(0)$, and follows $x_{\mathrm{ref}}$ under one force only, «force» with «offset».",
+        force=equal(
+            "u",
+            MASS * WAY_BEND + a1 * WAY_RATE + a2 * (WAY + OFFSET),
+            lambda: control.stuck_force().subs(control.r_place, control.r_place + OFFSET),
+            lambda: REFERENCE,
+        ),
+        offset=equal(
+            OFFSET,
+            FIRST_PLACE - WAY_START,
+            control.stuck_offset,
+            lambda: {FIRST_PLACE: x1_0, WAY_START: control.r_start},
+        ),
+    ),
+)
+def trackable_references() -> Case:
+    """Friction is the only force on body 2."""
+    return because(
+        "Friction is all that the interface can pass on to body 2. Every reference that asks for no more can be followed, by a pair that sticks, under a force that can be written down.",
+        carried("iff", transfers.followed()),
+        carried("literal", signum.stuck_below_the_limit()),
+        carried("force", transfers.stuck_force()),
+    )
+
+
+@theorem(
+    "minimum-transfer-time",
+    clause(
+        "reach",
+        r"""
+        Whatever the force, at the time $T$ body 2 has «within», where «spread» and $\Delta v_2=v_2(T)-v_2(0)$.
+        """,
+        within=Formula(
+            sp.Abs(PLACE_END - PLACE_START - duration / 2 * (RATE_START + RATE_END)),
+            "<=",
+            SPREAD,
+            condition(lambda: sp.Le(sp.Abs(_off_centre()), SPREAD, evaluate=False)),
+            sharp=True,
+        ),
+        spread=equal(
+            SPREAD,
+            b / (4 * m2) * (duration**2 - (m2 * velocity_gain / b) ** 2),
+            control.spread,
+        ),
+        kernel="reach",
+    ),
+    clause(
+        "least",
+        r"From rest to rest over $D>0$ it takes at least «time», and under Coulomb's law that is attained by a pair that sticks at the limit, $|\Lambda|=b$.",
+        time=equal("T", 2 * sp.sqrt(m2 * path / b), control.least_time),
+        kernel="least-time least-time-attained",
+    ),
+    clause(
+        "literal",
+        r"(3)–(4) do not have that motion (sgn-three-valued); under them a stuck pair does it in every longer time.",
+    ),
+    clause(
+        "stuck",
+        r"From $x_1(0)=0$ that stuck transfer, and to stay, needs $|u|$ up to the largest of «turn», «hold», and, if «late», of «peak».",
+        turn=equal(
+            "u_1",
+            b * MASS / m2 + a1 * sp.sqrt(b * path / m2) + a2 * path / 2,
+            lambda: control.stuck_amplitudes()[0],
+        ),
+        hold=equal("u_2", a2 * path, lambda: control.stuck_amplitudes()[1]),
+        late=Formula(
+            a2**2 * path - a1**2 * b / m2,
+            ">=",
+            0,
+            condition(lambda: sp.Ge(control.late_peak(), 0, evaluate=False)),
+            sharp=True,
+        ),
+        peak=equal(
+            "u_3",
+            a2 * path + a1**2 * b / (2 * a2 * m2) - b * MASS / m2,
+            lambda: control.stuck_amplitudes()[2],
+        ),
+        kernel="stuck-transfer-amplitude",
+    ),
+    clause(
+        "slip",
+        r"""
+        With slip less will do to arrive. Let «half», and let $g$, the place of body 1 on its spring and damper after
+        a unit impulse, not fall on $[0,t_{1/2}]$. From rest at $x_1=0$ body 2 can be at rest at $D$ at the time
+        $2t_{1/2}$ under some $|u|\leqslant U$ exactly if $U\geqslant U_{\min}$, «least» with $g=g(t_{1/2})$. Under
+        Coulomb's law body 1 is at rest then, too, if the pair may stick at the limit through the second half under
+        such a force.
+        """,
+        half=equal(HALF, sp.sqrt(m2 * path / b), lambda: control.least_time() / 2),
+        least=equal(
+            r"U_{\min}",
+            b + b * HALF / (m2 * RESPONSE),
+            control.slipping_amplitude,
+            lambda: {HALF: control.half_time},
+        ),
+        kernel="least-amplitude rest-to-rest",
+    ),
+    clause(
+        "slip-undamped",
+        r"For $a_1=0$, $\theta=\omega_1t_{1/2}$ and «rising» that is «undamped».",
+        rising=Formula(
+            angle, "<=", sp.pi / 2, condition(lambda: sp.Le(angle, control.response_peak(), evaluate=False)), sharp=True
+        ),
+        undamped=equal(r"U_{\min}", b + b * m1 / m2 * angle / sp.sin(angle), control.undamped_slipping_amplitude),
+        kernel="least-amplitude-undamped",
+    ),
+    clause(
+        "weak",
+        """
+        For a weak force, $a_1=0$, «weak» and «held», «share», nothing breaks the stuck pair in time, and from rest at
+        $x_1=0$ to rest at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first
+        angle, $-U$ over the second.
+        """,
+        weak=Formula(
+            3 * strength,
+            "<=",
+            b * MASS / m2,
+            condition(lambda: sp.Le(control.pressed().subs(angle, sp.pi), load_threshold(), evaluate=False)),
+            sharp=True,
+        ),
+        held=Formula(
+            a2 * path,
+            "<=",
+            strength,
+            condition(lambda: sp.Le(control.stuck_amplitudes()[1], strength, evaluate=False)),
+            sharp=True,
+        ),
+        share=equal(PART, a2 * path / strength, lambda: control.stuck_amplitudes()[1] / strength),
+        span=equal("T_w", (FIRST_ANGLE + SECOND_ANGLE) / PACE, control.weak_time, _arcs),
+        pace=equal(PACE, sp.sqrt(a2 / MASS), stick_frequency),
+        first=equal(
+            r"\cos\alpha_1",
+            1 - PART / 2 - PART**2 / 4,
+            lambda: sp.cos(control.switching()[0]),
+            lambda: {PART: control.reduced},
+        ),
+        second=equal(
+            r"\cos\alpha_2",
+            (1 + PART / 2 + PART**2 / 4) / (1 + PART),
+            lambda: sp.cos(control.switching()[1]),
+            lambda: {PART: control.reduced},
+        ),
+    ),
+    open=(
+        "The least time of a transfer for forces between the weak ones and those that attain the bound, and for weak forces with $a_2D>U$ or with a damper.",
+    ),
+)
+def minimum_transfer_time() -> Case:
+    """A bound for every control, and what attaining it costs."""
+    return because(
+        "The least time is set by the interface alone, whatever the force. How strong a force must be is another matter: body 1 can run ahead of body 2 through the first half and be met at half time, which takes less than to stick all the way.",
+        carried("reach", transfers.spread()),
+        carried("least", transfers.least_time()),
+        carried("literal", signum.stuck_below_the_limit()),
+        carried("weak", transfers.weak_force()),
+        derivation=(r"$$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})-g(s)\leqslant g(t_{1/2})\,(1-s/t_{1/2}).$$",),
+    )

@@ -1,0 +1,338 @@
+"""The energy: its rate, where it is dissipated, and what sliding costs."""
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.decide import cleared, equal, identity, implied, prove
+from paper_checks.evidence import HOLDS, Case, Evidence, Formula, argument, because, carried, claim, clause, latex
+from theory.energy import captive_energy, energy, on_surface, sigma, slip_rate, stick_rate
+from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
+from theory.model import branch_named, free_system, slip
+from theory.symbols import a1, a2, b, m1, m2, total_mass, undamped, v1, v2, x1
+
+
+def admissible(expression: sp.Basic) -> sp.Basic:
+    """Return the expression with a1 >= 0 instead of theory's a1 > 0."""
+    return expression.subs(a1, sp.Symbol("a1", nonnegative=True))
+
+
+SYNCHRONISATION = (
+    r"""
+    In every mode $\dot E=-b|\dot z|-a_1v_1^2\leqslant 0$, so $E$ has a limit $E_\infty\geqslant 0$, and
+    $b\int_t^\infty|\dot z|\,ds\leqslant E(t)-E_\infty$. In particular $x_1-x_2$ has a limit.
+    """,
+    r"""
+    On $\{E\leqslant E(0)\}$ the state is bounded, hence $|\ddot z|\leqslant K$ in every mode: $\dot z$ is Lipschitz
+    continuous with the constant $K$.
+    """,
+    r"""
+    If $|\dot z(t)|=\eta$, then $|\dot z|\geqslant\eta-Ks$ at the time $t+s$: the triangle below has the area
+    $\eta^2/(2K)$. Hence $$|\dot z(t)|^2\leqslant\frac{2K}{b}\,\bigl(E(t)-E_\infty\bigr)\to 0.$$
+    """,
+)
+
+
+# Bounds of |x1| (m) and |v1| (m/s) on {E <= E(0)}.
+P, Q = sp.symbols("P Q", nonnegative=True)
+
+
+@cache
+def energy_rate(mode: str) -> Evidence:
+    """dE/dt in slip+, slip- and stick is -b |z'| - a1 v1^2."""
+    if mode == "stick":
+        return identity("in stick $\\dot E=-a_1v_1^2$", stick_rate(), -a1 * v1**2)
+    sign = int(branch_named(mode).relative_sign)
+    return identity(
+        f"where $\\mathrm{{sgn}}(\\dot z)={sign}$, $\\dot E=-b|\\dot z|-a_1v_1^2$ with $|\\dot z|={sign}\\cdot"
+        "(v_1-v_2)$",
+        slip_rate(sign),
+        -b * sign * guard() - a1 * v1**2,
+    )
+
+
+@cache
+def energy_never_grows() -> Evidence:
+    """The right side is never positive; negative wherever z' != 0."""
+    velocity = sp.Symbol("w", positive=True)
+    rate = admissible(slip_rate(1)).subs(v2, v1 - velocity)
+    return prove("that rate is negative for $\\dot z=w>0$", [], sp.Lt(sp.expand(rate), 0, evaluate=False))
+
+
+@cache
+def state_is_bounded() -> Evidence:
+    """On {E <= E0} with 2 E0 = a2 P^2 the driving body has |x1| <= P (the same for v1 with m1 Q^2)."""
+    below = sp.Le(sp.expand(2 * energy() - a2 * P**2), 0, evaluate=False)
+    return prove("$2E\\leqslant a_2P^2$ implies $|x_1|\\leqslant P$", [below], sp.Le(sp.Abs(x1), P))
+
+
+@cache
+def speed_is_bounded() -> Evidence:
+    """On {E <= E0} with 2 E0 = m1 Q^2 the driving body has |v1| <= Q."""
+    below = sp.Le(sp.expand(2 * energy() - m1 * Q**2), 0, evaluate=False)
+    return prove("$2E\\leqslant m_1Q^2$ implies $|v_1|\\leqslant Q$", [below], sp.Le(sp.Abs(v1), Q))
+
+
+def lipschitz_constant() -> sp.Expr:
+    """Return the bound of |z''| on {E <= E0}, m/s^2: spring, damper and friction at their largest."""
+    return (a2 * P + a1 * Q) / m1 + b * (1 / m1 + 1 / m2)
+
+
+@cache
+def relative_acceleration_is_bounded(sign: int) -> Evidence:
+    """In slip |z''| <= K; in stick z'' = 0."""
+    acceleration = derivative_along(slip(sign).field, guard())
+    force = sp.Symbol("p", real=True)  # a2 x1 + a1 v1, at most F in absolute value
+    largest = sp.Symbol("F", nonnegative=True)
+    at_load = acceleration.subs(x1, (force - a1 * v1) / a2)
+    bound = lipschitz_constant().subs(P, (largest - a1 * Q) / a2)
+    margins = [sp.Ge(admissible(cleared(bound - side * at_load)), 0, evaluate=False) for side in (1, -1)]
+    return prove(
+        f"where $\\mathrm{{sgn}}(\\dot z)={sign}$, $|\\ddot z|\\leqslant K=(a_2P+a_1Q)/m_1+b(1/m_1+1/m_2)$ "
+        "(here $p=a_2x_1+a_1v_1$, $F=a_2P+a_1Q$)",
+        [sp.Le(sp.Abs(force), largest)],
+        sp.And(*margins),
+    )
+
+
+@cache
+def stick_keeps_together() -> Evidence:
+    """In stick z'' = 0."""
+    return identity("in stick $\\ddot z=0$", derivative_along(sliding_field(damped=True), guard()))
+
+
+@cache
+def price_of_relative_speed() -> Evidence:
+    """The relative displacement that a relative speed eta costs before it can be gone."""
+    speed, rate = sp.symbols("eta K", positive=True)
+    time = sp.Symbol("s", nonnegative=True)
+    area = sp.integrate(speed - rate * time, (time, 0, speed / rate))
+    return identity("$\\int_0^{\\eta/K}(\\eta-Ks)\\,ds=\\eta^2/(2K)$", area, speed**2 / (2 * rate))
+
+
+def in_every_mode() -> tuple[Evidence, ...]:
+    """Return all steps of `SYNCHRONISATION`, mode by mode."""
+    return (
+        *(energy_rate(mode) for mode in ("slip+", "slip-", "stick")),
+        energy_never_grows(),
+        state_is_bounded(),
+        speed_is_bounded(),
+        *(relative_acceleration_is_bounded(sign) for sign in (1, -1)),
+        stick_keeps_together(),
+        price_of_relative_speed(),
+    )
+
+
+REST = (
+    r"""
+    With $a_1>0$ also $\int v_1^2\,dt<\infty$, and $v_1$ is Lipschitz continuous, so $v_1\to 0$; with $\dot z\to 0$
+    also $v_2\to 0$. As $E$ converges, $|x_1|$ does, and so $x_1$ (it is continuous).
+    """,
+    r"""
+    In every mode the total momentum obeys $\frac{d}{dt}(m_1v_1+m_2v_2)=-a_2x_1-a_1v_1$. It tends to 0, so the limit
+    of $x_1$ can only be 0: $E\to 0$ along every trajectory.
+    """,
+    r"""
+    From some time on $E$ is below the captive level. A slip ends in finite time on $S$, where the level lies in the
+    strip $|a_2x_1+a_1v_1|\leqslant b(m_1+m_2)/m_2$; the pair sticks there and, as $E$ does not grow, for ever.
+    """,
+)
+
+
+@cache
+def momentum_rate() -> Evidence:
+    """The interface is an inner force: spring and damper alone change the total momentum, in slip and in stick."""
+    set_valued = free_system(sp.Symbol("sigma", real=True))
+    return identity(
+        "$\\frac{d}{dt}(m_1v_1+m_2v_2)=-(a_2x_1+a_1v_1)$ for every value of the friction force",
+        m1 * set_valued[1] + m2 * set_valued[2],
+        -load(damped=True),
+    )
+
+
+@cache
+def stick_momentum_rate() -> Evidence:
+    """The same in stick."""
+    return identity(
+        "in stick too, $(m_1+m_2)\\dot v_1=-(a_2x_1+a_1v_1)$",
+        total_mass() * sliding_field(damped=True)[1],
+        -load(damped=True),
+    )
+
+
+@cache
+def captive_margin() -> Evidence:
+    """On S, 2 E (a2 + a1^2/M) exceeds the squared load by a square; at the captive level it is the threshold's."""
+    steepness = a2 + a1**2 / total_mass()
+    return identity(
+        "on $S$, $2E\\,(a_2+a_1^2/M)-(a_2x_1+a_1v_1)^2=\\frac{a_2}{M}(Mv_1-a_1x_1)^2$ with $M=m_1+m_2$",
+        2 * steepness * on_surface() - load(damped=True) ** 2,
+        a2 / total_mass() * (total_mass() * v1 - a1 * x1) ** 2,
+    )
+
+
+@cache
+def captive_level() -> Evidence:
+    """At the captive level the left side is the square of the threshold."""
+    steepness = a2 + a1**2 / total_mass()
+    return identity(
+        "with $E$ at the captive level, $2E\\,(a_2+a_1^2/M)=(bM/m_2)^2$: below it, $S$ is met inside the strip",
+        2 * steepness * captive_energy(),
+        load_threshold() ** 2,
+    )
+
+
+@cache
+def synchronises() -> Evidence:
+    """z' tends to 0 along every trajectory."""
+    return argument(
+        " ".join(SYNCHRONISATION[:2]) + " A relative speed costs energy, so $\\dot z\\to 0$.", *in_every_mode()
+    )
+
+
+@cache
+def comes_to_rest() -> Evidence:
+    """With a1 > 0 the origin attracts every trajectory, and is stable."""
+    return argument(
+        f"{REST[0]} {REST[1]} As $E$ never grows, the origin is stable.",
+        synchronises(),
+        momentum_rate(),
+        stick_momentum_rate(),
+    )
+
+
+@cache
+def captured() -> Evidence:
+    """With a1 > 0 every trajectory sticks for ever from a finite time on."""
+    return argument(REST[2], comes_to_rest(), captive_margin(), captive_level())
+
+
+def energy_identity() -> Evidence:
+    """Return that dE/dt = -b sigma (v1 - v2) for every value of the set-valued sign, (8) for every solution."""
+    return identity(
+        r"""
+        $\dot E=-b\,\sigma\,(v_1-v_2)$ for every $\sigma\in[-1,1]$ that friction may take, so $\dot E=-b|v_1-v_2|$ for
+        every $\sigma\in\mathrm{Sign}(v_1-v_2)$
+        """,
+        derivative_along(undamped(free_system(sigma)), energy()),
+        -b * sigma * (v1 - v2),
+    )
+
+
+@claim(
+    "energy-rate",
+    "III",
+    "(8)",
+    HOLDS,
+    clause(
+        "rate",
+        r"With «energy», «rate» along every trajectory of (5)–(7),",
+        energy=equal("E", a2 * x1**2 / 2 + m1 * v1**2 / 2 + m2 * v2**2 / 2, energy),
+        rate=equal(
+            r"\dot E",
+            -b * sp.Abs(v1 - v2),
+            lambda: derivative_along(undamped(free_system(sp.Abs(v1 - v2) / (v1 - v2))), energy()),
+        ),
+        kernel="energy-rate",
+    ),
+    clause(
+        "sign",
+        r"and «sign».",
+        sign=Formula(-b * sp.Abs(v1 - v2), "<=", 0, implied()),
+        kernel="energy-decreases",
+    ),
+)
+def rate_of_energy() -> Case:
+    """Derive dE/dt along the fields of both half-spaces and of the sliding region."""
+    modes = [
+        identity(
+            f"in slip of sign {sign:+d}, $\\dot E=-b\\,({sign:+d})(v_1-v_2)$",
+            undamped(slip_rate(sign)),
+            -b * sign * (v1 - v2),
+        )
+        for sign in (1, -1)
+    ]
+    return because(
+        r"""
+        Along every value that set-valued friction can take, the chain rule gives $-b\sigma(v_1-v_2)$, and
+        $\sigma(v_1-v_2)=|v_1-v_2|$. As the right side is continuous, $E$ is continuously differentiable along every
+        trajectory, events included.
+        """,
+        carried(
+            "rate",
+            argument(
+                r"""
+                A solution has a derivative at almost every time, that of the value that friction takes there; the
+                chain rule gives the rate, and $\sigma(v_1-v_2)=|v_1-v_2|$ for $\sigma\in\mathrm{Sign}(v_1-v_2)$.
+                """,
+                energy_identity(),
+                *modes,
+                identity(r"on $S_0$, $\dot E=0$ along the sliding field", undamped(stick_rate())),
+            ),
+        ),
+        carried(
+            "sign",
+            prove(
+                "$-b\\,|v_1-v_2|\\leqslant 0$ (case $v_1\\geqslant v_2$; the other is its mirror)",
+                [sp.Ge(v1, v2)],
+                sp.Le(-b * (v1 - v2), 0, evaluate=False),
+            ),
+        ),
+        derivation=(
+            f"$$E={latex(energy())}$$",
+            f"$$\\dot E={latex(sp.factor(derivative_along(undamped(free_system(sigma)), energy())))}$$",
+        ),
+    )
+
+
+@claim(
+    "energy-dissipation-places",
+    "III",
+    "after (8)",
+    HOLDS,
+    clause(
+        "dissipated",
+        r"""
+        The energy is dissipated on those parts of a trajectory which belong to $\Omega_-\cup\Omega_+$: «above» in
+        $\Omega_+$, «below» in $\Omega_-$;
+        """,
+        above=Formula(
+            -b * (v1 - v2),
+            "<",
+            0,
+            implied(lambda: [sp.Gt(v1, v2)]),
+        ),
+        below=Formula(b * (v1 - v2), "<", 0, implied(lambda: [sp.Lt(v1, v2)])),
+        kernel="energy-rate",
+    ),
+    clause(
+        "conserved",
+        r"it is conserved on the parts which belong to $S$: «conserved».",
+        conserved=equal(r"\dot E", 0, lambda: undamped(slip_rate(1)).subs(v2, v1)),
+        kernel="energy-rate",
+    ),
+)
+def energy_dissipation_places() -> Case:
+    """Strict decrease off S, conservation on S."""
+    return because(
+        "The rate $-b|v_1-v_2|$ is negative exactly where the velocities differ.",
+        carried(
+            "dissipated",
+            energy_identity(),
+            prove(
+                "in $\\Omega_+$, $\\dot E<0$",
+                [sp.Gt(v1, v2)],
+                sp.Lt(cleared(undamped(slip_rate(1))), 0, evaluate=False),
+            ),
+            prove(
+                "in $\\Omega_-$, $\\dot E<0$",
+                [sp.Lt(v1, v2)],
+                sp.Lt(cleared(undamped(slip_rate(-1))), 0, evaluate=False),
+            ),
+        ),
+        carried(
+            "conserved",
+            identity(r"on $S$, $\dot E=0$", undamped(slip_rate(1)).subs(v2, v1)),
+        ),
+        derivation=("$$\\dot E<0\\iff v_1\\neq v_2$$",),
+    )

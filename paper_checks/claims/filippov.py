@@ -1,0 +1,358 @@
+"""What a solution of (3), (4) is: Filippov's, of (5)–(7), and its two fields."""
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.claims.letters import SIGN, field
+from paper_checks.decide import cleared, equal, identity, prove
+from paper_checks.evidence import (
+    CORRECTED,
+    HOLDS,
+    Case,
+    Evidence,
+    argument,
+    because,
+    carried,
+    claim,
+    clause,
+    correction,
+    counterexample,
+    latex,
+)
+from theory.energy import contraction_rate, contraction_terms, sigma, sigma_other
+from theory.filippov import derivative_along, half_width, load, load_threshold, phi, sliding_field, transversality
+from theory.model import (
+    RELATIVE_SIGN,
+    STICTION_SIGN,
+    Branch,
+    branch_named,
+    branches,
+    driven_equation,
+    free_system,
+    slip,
+    stick,
+)
+from theory.symbols import a1, a2, acceleration1, b, free, m1, m2, total_mass, undamped, v1, v1_other, v2, v2_other, x1
+
+ARGUMENT = (
+    r"""
+    A solution of (3), (4) spends almost every instant of $\{t:\dot z=0\}$ with $\ddot z=0$. There the branches with
+    half and with broken adhesion are impossible, so $\dot z=0$ lasts only in stick with $|\ddot x_1|<b/m_2$, which is
+    Filippov's sliding field: the solution is one of (5)–(7) in Filippov's sense.
+    """,
+    r"""
+    Conversely, a Filippov solution slides where $|a_2x_1+a_1v_1|\leqslant b(m_1+m_2)/m_2$, and is on the edge of that
+    strip at isolated times only, since the load has no double zero there. So it meets (3), (4) at almost every time.
+    """,
+    """
+    Existence is Filippov's theorem (the set-valued right side is bounded on bounded sets, convex and closed). Two
+    solutions never move apart in the energy norm, so forward in time there is only one.
+    """,
+)
+
+
+def adhesion_factor(relative_sign: int, stiction_sign: int) -> sp.Expr:
+    """Return the factor with which the brackets of (4) hand m2 x1'' on to body 2, dimensionless, for both signs."""
+    values = {RELATIVE_SIGN: sp.Integer(relative_sign), STICTION_SIGN: sp.Integer(stiction_sign)}
+    return sp.diff(driven_equation().subs(values), acceleration1) / m2
+
+
+@cache
+def bracket_is_off_in_slip() -> Evidence:
+    """For z' != 0 the first bracket of (4) is 0, whatever the second is."""
+    factors = [adhesion_factor(sign, stiction) for sign in (1, -1) for stiction in (-1, 0, 1)]
+    return identity(
+        "for $\\dot z\\neq 0$ the brackets of (4) are $0$, whatever $|\\ddot x_1|$ is",
+        sp.Matrix(factors),
+    )
+
+
+@cache
+def slip_is_filippov() -> Evidence:
+    """Off S both systems have the same field."""
+    fields = sp.Matrix.hstack(*(slip(sign).field for sign in (1, -1)))
+    set_valued = sp.Matrix.hstack(*(free_system(sp.Integer(sign)) for sign in (1, -1)))
+    return identity("for $\\dot z\\neq 0$, (3), (4) are (5)–(7) (with the damper kept)", fields, set_valued)
+
+
+@cache
+def stick_is_filippov() -> Evidence:
+    """The stick branch is Filippov's sliding field."""
+    return identity(
+        "at $\\dot z=0$ the branch with unbroken adhesion is Filippov's sliding field",
+        stick().field.subs(v2, v1),
+        sliding_field(damped=True),
+    )
+
+
+@cache
+def stick_region() -> Evidence:
+    """The stiction ratio and the load ratio are the same number but for the sign: the condition is the strip S0."""
+    return identity(
+        r"""
+        in stick $\ddot{x}_1/(b/m_2)=-(a_2x_1+a_1v_1)/(b(m_1+m_2)/m_2)$, so $|\ddot{x}_1|<b/m_2$ is the interior of
+        $S_0$, $=$ its edges and $>$ the rest of $S$
+        """,
+        free(stick().acceleration1) / (b / m2),
+        -load(damped=True) / load_threshold(),
+    )
+
+
+def _share(name: str) -> sp.Rational:
+    return {"half adhesion": sp.Rational(1, 2), "broken adhesion": sp.Integer(1)}[name]
+
+
+@cache
+def spurious_branch(name: str) -> Evidence:
+    """The relative acceleration in a branch of z' = 0 that the text omits."""
+    found, share = branch_named(name), _share(name)
+    return identity(
+        f"in the branch with {name}, $\\ddot z={share}\\cdot\\ddot x_1$",
+        found.acceleration1 - found.acceleration2,
+        share * found.acceleration1,
+    )
+
+
+@cache
+def spurious_branches_leave() -> Evidence:
+    """Where those branches apply the acceleration is not zero."""
+    reached = sp.Ge(sp.Abs(acceleration1) * m2, b)
+    plain = {acceleration1: sp.Symbol("A", real=True)}
+    return prove(
+        r"$|\ddot{x}_1|\geqslant b/m_2$ implies $\ddot{x}_1\neq 0$: those branches leave $\dot{z}=0$ at once",
+        [reached.subs(plain)],
+        sp.Ne(acceleration1, 0).subs(plain),
+    )
+
+
+@cache
+def edge_is_isolated() -> Evidence:
+    """Along sliding motion the load obeys p'' = -(a1 p' + a2 p)/M: on the edge not both p' and p'' vanish."""
+    field, force = sliding_field(damped=True), load(damped=True)
+    rate = derivative_along(field, force)
+    return identity(
+        r"""
+        along sliding motion the load $p=a_2x_1+a_1v_1$ has $(m_1+m_2)\,\ddot p=-a_1\dot p-a_2p$: where $|p|$ is at
+        the edge, $\dot p$ and $\ddot p$ do not vanish together
+        """,
+        total_mass() * derivative_along(field, rate),
+        -a1 * rate - a2 * force,
+    )
+
+
+@cache
+def contraction() -> Evidence:
+    """Half the squared energy distance of two solutions changes by a damper term and a friction term."""
+    return identity(
+        r"""
+        half the squared energy distance of two solutions changes at the rate $-a_1(v_1-\tilde
+        v_1)^2-b(\sigma-\tilde\sigma)(\dot z-\dot{\tilde z})$
+        """,
+        contraction_rate(),
+        -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
+    )
+
+
+@cache
+def never_apart() -> Evidence:
+    """The friction term is never positive, whatever values the set-valued sign takes; the other is -a1 (...)^2."""
+    relative, other, first, second = sp.symbols("w k s h", real=True)
+    named = {sigma: first, sigma_other: second, v1: v2 + relative, v1_other: v2_other + other}
+    friction = sp.expand((contraction_terms()[1] / b).subs(named, simultaneous=True))
+    return prove(
+        r"""
+        $-(\sigma-\tilde\sigma)(\dot z-\dot{\tilde z})\leqslant 0$ for all $\sigma\in\mathrm{Sign}(\dot z)$,
+        $\tilde\sigma\in\mathrm{Sign}(\dot{\tilde z})$ (here $s,h$ and $w,k$): two solutions never move apart
+        """,
+        [set_valued_sign(first, relative), set_valued_sign(second, other)],
+        sp.Le(friction, 0, evaluate=False),
+    )
+
+
+def set_valued_sign(value: sp.Symbol, velocity: sp.Symbol) -> sp.Basic:
+    """Return the condition that a value belongs to Sign of a velocity: 1, -1, or anything between at velocity 0."""
+    return sp.Or(
+        sp.And(sp.Gt(velocity, 0), sp.Eq(value, 1)),
+        sp.And(sp.Lt(velocity, 0), sp.Eq(value, -1)),
+        sp.And(sp.Eq(velocity, 0), sp.Le(value, 1), sp.Ge(value, -1)),
+    )
+
+
+def same_solutions() -> tuple[Evidence, ...]:
+    """Return all steps of `ARGUMENT`."""
+    return (
+        slip_is_filippov(),
+        stick_is_filippov(),
+        stick_region(),
+        spurious_branch("half adhesion"),
+        spurious_branch("broken adhesion"),
+        spurious_branches_leave(),
+        edge_is_isolated(),
+        contraction(),
+        never_apart(),
+    )
+
+
+@cache
+def equivalent() -> Evidence:
+    """The solutions of (3), (4) are those of (5)-(7) in Filippov's sense: written out, and no more than that."""
+    return argument(" ".join(ARGUMENT[:2]), *same_solutions()[:-2])
+
+
+@cache
+def one_solution() -> Evidence:
+    """There is exactly one for each start."""
+    return argument(ARGUMENT[2], equivalent(), contraction(), never_apart(), cites=("Filippov's theorem on existence",))
+
+
+def printed_field(sign: int) -> sp.ImmutableMatrix:
+    """Return Phi_+ (sign 1) or Phi_- (sign -1) as the paper prints it."""
+    return sp.ImmutableMatrix([v1, -a2 / m1 * x1 - sign * b / m1, sign * b / m2])
+
+
+@claim(
+    "vector-fields",
+    "III",
+    "after (7)",
+    HOLDS,
+    clause(
+        "fields",
+        r"The velocity field of (5)–(7) is «minus» in $\Omega_-=\{v_1<v_2\}$ and «plus» in $\Omega_+=\{v_1>v_2\}$,",
+        minus=equal(r"\Phi_-", field(-1), lambda: phi(-1)),
+        plus=equal(r"\Phi_+", field(1), lambda: phi(1)),
+    ),
+    clause("jump", r"with a discontinuity on $S=\{v_1=v_2\}$."),
+)
+def vector_fields(printed=printed_field) -> Case:  # type: ignore[no-untyped-def]
+    """Compare the printed components with the slip branches of (3), (4)."""
+    evidence = [
+        identity(
+            f"$\\Phi_{name}$ is the slip branch of (3), (4) in $\\Omega_{name}$",
+            phi(sign),
+            printed(sign),
+        )
+        for name, sign in (("-", -1), ("+", 1))
+    ]
+    jump = identity(
+        r"$\Phi_+-\Phi_-=(0,-2b/m_1,2b/m_2)\neq 0$: discontinuous on $S$",
+        phi(1) - phi(-1),
+        sp.ImmutableMatrix([0, -2 * b / m1, 2 * b / m2]),
+    )
+    return because(
+        """
+        Solving (3) and (4) for the accelerations with the sign of the relative velocity put to 1 and to -1 gives the
+        printed components; they jump across the switching surface.
+        """,
+        carried("fields", *evidence),
+        carried("jump", jump),
+        derivation=tuple(f"$$\\Phi_{name}={latex(phi(sign).T)}$$" for name, sign in (("-", -1), ("+", 1))),
+    )
+
+
+@claim(
+    "filippov-equivalence",
+    "III",
+    "before (5)",
+    CORRECTED,
+    clause(
+        "equivalence",
+        """
+        With $a_1=0$ and $u=0$ the system (2)–(4) is equivalent to (5)–(7): «place», «first», «second», where
+        $a=a_2>0$.
+        """,
+        place=equal(r"\dot{x}_1", v1, lambda: undamped(free_system(SIGN))[0]),
+        first=equal(r"m_1\dot{v}_1", -a2 * x1 - b * SIGN, lambda: m1 * undamped(free_system(SIGN))[1]),
+        second=equal(r"m_2\dot{v}_2", b * SIGN, lambda: m2 * undamped(free_system(SIGN))[2]),
+    ),
+    correction=(
+        clause(
+            "same-solutions",
+            """
+            With $a_1=u=0$, the solutions of (2)–(4) (absolutely continuous, equations met at almost every time) are
+            exactly the solutions of (5)–(7) in Filippov's sense.
+            """,
+            kernel="switching-iff",
+        ),
+    ),
+)
+def filippov_equivalence() -> Case:
+    """Compare the two systems off S, inside S0, and on the rest of S."""
+    literal = undamped(free_system(sp.Integer(0)))
+    adhesion = sp.Lt(cleared(undamped(stick().field)[1] ** 2 - (b / m2) ** 2), 0, evaluate=False)
+    inside = sp.Lt(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
+    spurious = [one for one in branches() if one.name in ("half adhesion", "broken adhesion")]
+    off_surface = [
+        identity(
+            f"off $S$ the field of (3), (4) with $a_1=u=0$ is that of (5)–(7), sign {sign:+d}",
+            undamped(slip(sign).field),
+            undamped(free_system(sp.Integer(sign))),
+        ).as_correction()
+        for sign in (1, -1)
+    ]
+    return because(
+        r"""
+        Read with the three-valued signum of eq. (1), which the text prefers, (5)–(7) has no solution through the
+        interior of $S_0$ with $x_1\neq 0$; read in Filippov's sense, as Section III does, it has the same solutions
+        as (2)–(4). With sgn(0) = 0 a solution would have to stay on $S$, but its accelerations differ there. On $S$
+        outside the open strip the right sides of (3)–(4) and of Filippov's system differ too, at isolated instants
+        only.
+        """,
+        *off_surface,
+        correction(
+            identity(
+                "on $S_0$ the adhesion branch of (3), (4) is Filippov's sliding field",
+                undamped(stick().field),
+                sliding_field(),
+            ),
+            prove("adhesion, $|\\ddot x_1|<b/m_2$, implies $|x_1|<L$", [adhesion], inside),
+            prove("$|x_1|<L$ implies adhesion, $|\\ddot x_1|<b/m_2$", [inside], adhesion),
+            *(
+                _leaves_surface(
+                    one,
+                )
+                for one in spurious
+            ),
+            spurious_branches_leave(),
+            edge_is_isolated(),
+        ),
+        counterexample(
+            r"""
+            $m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (5)–(7) with sgn(0) = 0 asks for
+            $\dot v_1=-0.8$, $\dot v_2=0$ on $S$ and for a return to $S$ off it.
+            """,
+            identity(
+                "with sgn(0) = 0 in (5)–(7), $\\dot v_1-\\dot v_2=-a x_1/m_1$ on $S$: not 0 where $x_1\\neq 0$",
+                literal[1] - literal[2],
+                -a2 * x1 / m1,
+            ),
+            prove(
+                r"nor can it leave $S$ there: $\Phi_+\cdot n_S<0<\Phi_-\cdot n_S$ where $|x_1|<L$",
+                [inside],
+                sp.And(*(sp.Lt(cleared(sign * transversality(sign)), 0, evaluate=False) for sign in (1, -1))),
+            ),
+        ),
+        derivation=(
+            r"""
+            A solution of (3)–(4) spends almost every instant of $\{t:\dot z=0\}$ with $\ddot z=0$, so only a branch
+            with $\ddot x_1=\ddot x_2$ can last: adhesion, which is Filippov's sliding field.
+            """,
+            f"$$\\text{{sliding field}}={latex(sliding_field().T)}$$",
+            r"""
+            Conversely the Filippov solution slides only in $S_0$, and at $|x_1|=L$ only at isolated times, where
+            $v_1\neq 0$ or $\ddot x_1\neq 0$.
+            """,
+        ),
+    )
+
+
+def _leaves_surface(
+    branch: Branch,
+) -> Evidence:
+    """Return that a spurious branch has x1'' - x2'' a nonzero multiple of x1'': it cannot last on S."""
+    share = {"half adhesion": sp.Rational(1, 2), "broken adhesion": sp.Integer(1)}[branch.name]
+    return identity(
+        f"in the branch with {branch.name}, $\\ddot x_1-\\ddot x_2={latex(share)}\\,\\ddot x_1$",
+        branch.acceleration1 - branch.acceleration2,
+        share * branch.acceleration1,
+    )

@@ -1,0 +1,362 @@
+"""Section III: slightly above the critical energy: durations, exits, and how slowly the energy falls."""
+
+from fractions import Fraction
+
+import sympy as sp
+from flint import arb
+
+from numerics.arithmetic.ball import Ball
+from numerics.free.excursions import excursions
+from numerics.linear.modes import EventKind
+from numerics.scene import Pair
+from numerics.scene.file import load_scene
+from numerics.trajectory.reduced import Frame
+from paper_checks.claims.convergence import merges_or_creeps
+from paper_checks.claims.excursions import (
+    EVENTUALLY,
+    angle_of_excursion,
+    creeps_for_ever,
+    enclosed_creep,
+    enclosed_rate,
+    heads_for_the_other_ray,
+    never_merges,
+    no_merging_at_any_energy,
+    sharp_limit,
+    two_sided,
+)
+from paper_checks.claims.letters import limit_of_energy
+from paper_checks.claims.sliding import width
+from paper_checks.decide import equals, identity, prove
+from paper_checks.decide.enclosure import solved, within
+from paper_checks.evidence import (
+    CORRECTED,
+    HOLDS,
+    Case,
+    Evidence,
+    EvidenceKind,
+    Formula,
+    argument,
+    because,
+    carried,
+    claim,
+    clause,
+    correction,
+    counterexample,
+    latex,
+)
+from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, rate_constant
+from theory.symbols import a2, b, epsilon, m1, m2
+
+HALF_PERIOD = sp.pi * sp.sqrt((m1 + m2) / a2)
+
+
+def _series(name: str, expression: sp.Expr) -> str:
+    return f"$${name}={latex(expression)}+\\cdots,\\qquad \\varepsilon=\\sqrt w$$"
+
+
+@claim(
+    "stick-durations",
+    "III",
+    "after Fig. 3",
+    HOLDS,
+    clause(
+        "sticks",
+        r"""
+        In the latter scenario there are times $t_1<\tau_1<t_2<\tau_2<\cdots$ such that the trajectory belongs to
+        $S_0$ during each $[t_k,\tau_k]$ and «limit» as $k\to\infty$.
+        """,
+        limit=Formula(r"\tau_k-t_k", "->", HALF_PERIOD, equals(lambda: critical_limits().stick_duration)),
+        kernel="exit-and-entry-times",
+    ),
+)
+def stick_durations() -> Case:
+    """The stick time is a rotation by pi less what the re-entry point and the ray take off."""
+    return because(
+        EVENTUALLY + " The stick time is that of a rotation from a point near one end point to the other.",
+        carried(
+            "sticks",
+            argument(
+                EVENTUALLY,
+                merges_or_creeps(),
+                *angle_of_excursion(),
+                *never_merges(),
+                heads_for_the_other_ray(),
+                identity(
+                    r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a}$",
+                    critical_limits().stick_duration,
+                    sp.pi * sp.sqrt((m1 + m2) / a2),
+                ),
+            ),
+        ),
+        _enclosed_durations(),
+        derivation=(_series(r"\Omega(\tau_k-t_k)", sp.series(cycle().stick_duration, epsilon, 0, 4).removeO()),),
+    )
+
+
+@claim(
+    "slip-durations",
+    "III",
+    "after Fig. 3",
+    HOLDS,
+    clause(
+        "slips",
+        r"For the same times, «limit» as $k\to\infty$: the trajectory leaves $S_0$ only for short intervals of time.",
+        limit=Formula(r"t_{k+1}-\tau_k", "->", 0, equals(lambda: critical_limits().slip_duration)),
+        kernel="exit-and-entry-times",
+    ),
+)
+def slip_durations() -> Case:
+    """The slip time is sqrt(q) times the angle with h(theta) = u, which tends to 0."""
+    return because(
+        EVENTUALLY + " The slip time is $3\\sqrt w/\\Omega$ to leading order.",
+        carried(
+            "slips",
+            argument(
+                EVENTUALLY,
+                merges_or_creeps(),
+                *angle_of_excursion(),
+                *never_merges(),
+                identity("$t_{k+1}-\\tau_k\\to 0$", critical_limits().slip_duration),
+            ),
+        ),
+        identity(
+            "its leading term is $3\\varepsilon$ in units of $1/\\Omega$",
+            sp.limit(cycle().slip_duration / epsilon, epsilon, 0),
+            3,
+        ),
+        _enclosed_durations(),
+        derivation=(_series(r"\Omega(t_{k+1}-\tau_k)", sp.series(cycle().slip_duration, epsilon, 0, 4).removeO()),),
+    )
+
+
+def _enclosed_durations(w: Fraction = Fraction(1, 10**12)) -> Evidence:
+    """Enclose slip and stick at one small excess: slip within 1e-5 of 3 sqrt(w), stick within 1e-5 of pi."""
+
+    arithmetic = Ball(40)
+    with arithmetic.context():
+        frame = Frame(arithmetic, Pair(m1=1, m2=1, a2=200, b="0.05"))
+        one = next(excursions(frame, arithmetic.number(w)))
+        assert one.stick is not None  # it creeps: w is far below the merging level
+        small = arithmetic.number(Fraction(1, 10**5))
+        right = abs(one.slip / (3 * one.w.sqrt()) - 1) < small and abs(one.stick - arb.pi()) < small
+        text = f"slip {one.slip.mid().str(12, radius=False)}, stick {one.stick.mid().str(15, radius=False)}"
+    return Evidence(
+        EvidenceKind.ENCLOSURE,
+        "numerics, balls",
+        r"at $w=10^{-12}$, $m_1=m_2$: slip within $10^{-5}$ of $3\sqrt w$ (relative), stick within $10^{-5}$ of $\pi$ (units $1/\Omega$)",
+        bool(right),
+        1,
+        text,
+        supports=True,
+    )
+
+
+@claim(
+    "exits-near-endpoints",
+    "III",
+    "after Fig. 3",
+    CORRECTED,
+    clause(
+        "all",
+        r"""
+        All the exit points from $S_0$ and entry points to $S_0$ are located near the end points $(\pm L,\,0,\,0)$,
+        «width», of the rays $\ell_\pm$.
+        """,
+        width=width(),
+    ),
+    correction=(
+        clause(
+            "eventually",
+            r"""
+            The exit points and the entry points of a trajectory that never merges tend to the end points $(\pm
+            L,\,0,\,0)$: «entry» and «speed» at the entries. So all but finitely many are near them; finitely many
+            entries may lie anywhere in $S_0$.
+            """,
+            entry=Formula(r"|x_1|", "->", b * (m1 + m2) / (a2 * m2), equals(lambda: critical_limits().entry_position)),
+            speed=Formula(r"|v_1|", "->", 0, equals(lambda: critical_limits().entry_velocity)),
+            kernel="exits-near-endpoints",
+        ),
+    ),
+)
+def exits_near_endpoints() -> Case:
+    """Exit and entry points tend to the corner."""
+    limits = critical_limits()
+    length = b * (m1 + m2) / (a2 * m2)
+    first_entry = next(one for one in solved(load_scene("velocities")).events if one.kind is EventKind.ENTRY)
+    return because(
+        (
+            "The sentence is right for all late exits and entries, but not for all of them: the first entry of the trajectory of "
+            "Fig. 5 (a) is at $x_1=0.706\\,L$. "
+            + EVENTUALLY
+            + " Exits are at $x_1=\\pm L$ with $|v_1|=L\\Omega\\sqrt w$; entries at $|x_1|=L(1-\\tfrac32w+\\dots)$ with "
+            "$|v_1|=2L\\Omega\\sqrt w+\\dots$."
+        ),
+        counterexample(
+            r"""
+            The trajectory of Fig. 5 (a), $m_1=m_2=1$, $a=200$, $b=0.05$, $\dot x_1(0)=0.15$: it enters $S_0$ first at
+            $x_1=0.706\,L$.
+            """,
+            within(
+                "the first entry of the trajectory of Fig. 5 (a) is at $x_1=0.706\\,L$",
+                first_entry.reduced.X,
+                "0.7055",
+                "0.7065",
+            ),
+        ),
+        carried(
+            "eventually",
+            argument(
+                EVENTUALLY,
+                merges_or_creeps(),
+                *angle_of_excursion(),
+                *never_merges(),
+                identity("exit points tend to $(L,0)$: position", limits.exit_position, length),
+                identity("exit points tend to $(L,0)$: velocity", limits.exit_velocity),
+                identity("entry points tend to $(L,0)$: position", limits.entry_position, length),
+                identity("entry points tend to $(L,0)$: velocity", limits.entry_velocity),
+            ),
+        ),
+        derivation=(
+            _series("X_{entry}", sp.series(cycle().position, epsilon, 0, 4).removeO()),
+            _series("V_{entry}", sp.series(cycle().velocity, epsilon, 0, 4).removeO()),
+        ),
+    )
+
+
+@claim(
+    "no-merging-near-critical",
+    "III",
+    "after Fig. 3",
+    HOLDS,
+    clause(
+        "creeps",
+        r"""
+        Any trajectory starting from $S_0$ with energy $E_0$ slightly higher than $E_{cr}$ converges to the periodic
+        trajectory $\{E=E_{cr}\}\cap S_0$ without merging with it.
+        """,
+        kernel="no-merging-from-S0",
+    ),
+)
+def no_merging_near_critical() -> Case:
+    """Every excursion from a ray with w <= q (pi/2 - 1)^2 ends in S0 with 0 < w' < w."""
+    return because(
+        r"""
+        From $S_0$ above $E_{cr}$ the pair reaches a ray with its energy unchanged. If $w=E_0/E_{cr}-1\leqslant
+        q(\pi/2-1)^2$, $q=m_1/(m_1+m_2)$, the excursion ends inside $S_0$ with $0<w'<w$, and so do all that follow:
+        the energy never reaches $E_{cr}$, so by the dichotomy the trajectory tends to the critical orbit without
+        merging. "Slightly" may thus be read as this explicit level; for $m_2\leqslant m_1$ an excursion that
+        re-enters $S_0$ never merges at any energy.
+        """,
+        carried("creeps", creeps_for_ever()),
+        no_merging_at_any_energy(),
+        enclosed_creep(Fraction(1, 2), Fraction(1, 10), 100),
+        enclosed_creep(Fraction(1, 100), Fraction(3, 1000), 100),
+        derivation=(
+            "$$w'=q\\bigl(h^2-2rD\\bigr),\\qquad \\frac{dw'}{d\\theta}=2q\\,h\\,h'\\,\\bigl(1-r(1-\\cos\\theta)\\bigr)$$",
+            "$$E_0\\leqslant E_{cr}\\Bigl(1+\\frac{m_1}{m_1+m_2}\\bigl(\\tfrac{\\pi}{2}-1\\bigr)^2\\Bigr)\\ \\Rightarrow\\ \\text{no merging}$$",
+        ),
+    )
+
+
+@claim(
+    "slower-than-exponential",
+    "III",
+    "after Fig. 3",
+    HOLDS,
+    clause(
+        "slow",
+        r"This convergence is slow, slower than exponential.",
+        kernel="slower-than-exponential",
+    ),
+)
+def slower_than_exponential() -> Case:
+    """w'/w tends to 1 while an excursion and its stick take a time that tends to pi/Omega."""
+    return because(
+        r"""
+        The excess after one excursion over that before tends to 1, and the time of a cycle tends to $\pi/\Omega$, so
+        $w\,e^{\lambda t}\to\infty$ for every $\lambda>0$.
+        """,
+        carried(
+            "slow",
+            argument(
+                r"""
+                $w$ is multiplied by a factor that tends to 1 in a time that tends to $\pi/\Omega$: more slowly than
+                by any $e^{-\lambda t}$.
+                """,
+                creeps_for_ever(),
+                identity("$w'/w\\to 1$ as $w\\to 0$", excess_ratio_limit(), 1),
+                identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), sp.pi),
+            ),
+        ),
+        derivation=(_series("w'", sp.series(cycle().next_excess, epsilon, 0, 7).removeO()),),
+    )
+
+
+@claim(
+    "rate-one-over-t",
+    "III",
+    "after Fig. 3",
+    CORRECTED,
+    clause(
+        "bounds",
+        r"""
+        The energy of such solutions satisfies $c_1(E(0))/t\leqslant E(t)-E_{cr}\leqslant c_2(E(0))/t$ with
+        $0<c_1(E(0))<c_2(E(0))$.
+        """,
+    ),
+    correction=(
+        clause(
+            "two-sided",
+            r"""
+            For every such solution, which starts on $S_0$ slightly above $E_{cr}$, and every $t_0>0$ there are
+            $0<c_1<c_2$, which depend on $E(0)$ and $t_0$ alone, with $c_1/t\leqslant E(t)-E_{cr}\leqslant c_2/t$ for
+            $t\geqslant t_0$;
+            """,
+            kernel="one-over-t",
+        ),
+        clause(
+            "limit",
+            r"and «limit» as $t\to\infty$, whatever $E(0)$ is.",
+            limit=limit_of_energy(),
+            kernel="sharp-law",
+        ),
+    ),
+)
+def rate_one_over_t() -> Case:
+    """The bound cannot hold as t -> 0; from any positive time on it does, with one limit for all starts."""
+    c1, above, now = sp.symbols("c_1 e_0 e", positive=True)
+    t = sp.Symbol("t", positive=True)
+    return because(
+        r"""
+        As written, for all $t$, the lower bound fails near $t=0$: $c_1/t$ is unbounded there, while
+        $E(t)-E_{cr}\leqslant E(0)-E_{cr}$. From any $t_0>0$ on it holds. More is true: $1/w$ gains $9r/(4q)$ per
+        excursion in the limit, and an excursion takes $\pi/\Omega$ in the limit, so $t(E-E_{cr})$ has a limit, which
+        does not depend on $E(0)$. That $E(0)$ alone fixes the constants is right for such solutions, which start on
+        $S_0$; over all solutions with one $E(0)$ there is an upper constant and no lower one (uniform-rate).
+        """,
+        counterexample(
+            r"""
+            Any solution with $E(0)>E_{cr}$ and any $c_1>0$: at $t=c_1/(2(E(0)-E_{cr}))$ the lower bound asks for
+            $E(t)-E_{cr}\geqslant 2(E(0)-E_{cr})$, but energy never increases.
+            """,
+            prove(
+                "$c_1/t\\leqslant E(t)-E_{cr}\\leqslant E(0)-E_{cr}=:e_0$ fails at $t=c_1/(2e_0)$, whatever $c_1>0$",
+                [sp.Eq(2 * above * t, c1), sp.Le(now, above)],
+                sp.Gt(c1, now * t, evaluate=False),
+            ),
+        ),
+        carried("two-sided", two_sided()),
+        carried("limit", sharp_limit()),
+        correction(
+            enclosed_rate(Fraction(1, 2), Fraction(1, 2), 1000, Fraction(1, 20)),
+            enclosed_rate(Fraction(1, 2), Fraction(1, 10), 1000, Fraction(1, 20)),
+        ),
+        derivation=(
+            _series("w'", sp.series(cycle().next_excess, epsilon, 0, 7).removeO()),
+            f"$$\\lim_{{t\\to\\infty}}t\\,(E-E_{{cr}})={latex(rate_constant())}$$",
+            """
+            Between two exits $w$ lies between $w_{k+1}$ and $w_k$, whose ratio tends to 1, as does $t_{k+1}/t_k$: the
+            limit along the exits is the limit in $t$.
+            """,
+        ),
+    )

@@ -1,0 +1,50 @@
+"""Points of state and parameter space at which counterexamples stand, as exact rationals in SI units."""
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+import sympy as sp
+from sympy import Rational, Symbol
+
+from numerics.scene import Law, Pair, Scene, State
+from theory.symbols import a1, a2, b, m1, m2, u, v1, v2, x1, x2
+
+Values = Mapping[Symbol, Rational | int]
+
+
+# Unit masses on a spring of 200 N/m, b = 0.5 N, no damper, no control: the pair of Section IV; S0 is |x1| <= 0.005.
+EXAMPLE_PAIR: dict[Symbol, Rational | int] = {m1: 1, m2: 1, a1: 0, a2: 200, b: Rational(1, 2), u: 0}
+
+
+def at_rest(position: str) -> dict[Symbol, Rational | int]:
+    """Return the pair of Section IV with b = 0.5 N, both bodies at rest, x1 = position (m, decimal text)."""
+    return {**EXAMPLE_PAIR, x1: Rational(position), v1: 0, v2: 0}
+
+
+# The start of the paper's Fig. 4 (a), beyond the edge of S0; a point inside it; the edge itself.
+START_AT_6MM = at_rest("0.006")
+
+
+INSIDE = at_rest("0.004")
+
+
+EDGE = at_rest("0.005")
+
+
+def scene_at(point: Values, until: str, law: Law = Law.FILIPPOV) -> Scene:
+    """Return the scene that starts at a point, with the horizon `until` (s); x1, v1, x2, v2 default to 0.
+
+    Raises KeyError where the point has no value for a parameter, ValueError where it has a control.
+    """
+    if point.get(u, 0) != 0:
+        raise ValueError("a scene is free: u must be 0")
+
+    def value(symbol: Symbol, default: int | None = None) -> Fraction:
+        found = point[symbol] if default is None else point.get(symbol, default)
+        return Fraction(str(found))
+
+    pair = Pair(m1=value(m1), m2=value(m2), a1=value(a1), a2=value(a2), b=value(b))
+    return Scene(pair, State(value(x1, 0), value(v1, 0), value(x2, 0), value(v2, 0)), Fraction(until), law)
+
+
+PULL = sp.Symbol(r"\ddot{x}_1", real=True)

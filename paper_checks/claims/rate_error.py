@@ -1,0 +1,255 @@
+"""What one cycle adds to both sides of the $1/t$ law, enclosed."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from functools import cache
+from typing import Any, NamedTuple
+
+import flint
+from flint import acb, arb, arb_poly, arb_series
+
+from paper_checks.decide.balls import point, precision, terms
+
+Quotient = Callable[["Slip", Any], tuple[Any, Any]]
+
+
+SPLIT, RIM = Fraction(4, 5), Fraction(7, 5)
+
+
+ORDER = 20
+"""Powers of the slip angle in the Taylor polynomials."""
+
+
+ARCS = 64
+
+
+NEAR, WIDE, LONG = 200, 64, 64
+"""Boxes of p near 0, and of p and of the angle beyond."""
+
+
+TERMS = 60
+"""Terms of ln(1 - x)/x."""
+
+
+DENOMINATOR = math.lcm(*range(1, TERMS + 1))
+
+
+COEFFICIENTS = [-DENOMINATOR // n for n in range(1, TERMS + 1)]
+"""Those of its series, over one denominator, so that they are exact at every precision."""
+
+
+SERIES = arb_poly(COEFFICIENTS)
+
+
+SLOPE = SERIES.derivative()
+
+
+def logarithm(x: Any) -> Any:
+    """Return ln(1 - x)/x = -(1 + x/2 + x^2/3 + ...) for |x| < 4/5, its tail and that of its derivative enclosed.
+
+    Also where x may be 0. Raises ArithmeticError where x is not proved to be that small.
+    """
+    size = abs(x[0] if isinstance(x, arb_series) else x).upper()
+    if not size < point(Fraction(4, 5)):
+        raise ArithmeticError(f"the series of the logarithm is not proved to converge: |x| = {size.str(5)}")
+    total = _first_terms(x) / DENOMINATOR
+    # what is left out is at most |x|^N/(N (1 - |x|)), its derivative at most |x|^(N-1)/(1 - |x|)
+    tail, slope = (arb(0, (5 * size ** (TERMS - less)).upper()) for less in (0, 1))
+    if isinstance(x, arb_series):
+        return total + arb_series([tail, slope * x[1]])
+    return total + (acb(tail, tail) if isinstance(x, acb) else tail)
+
+
+def _first_terms(x: Any) -> Any:
+    """Return the first terms over their denominator, in flint's own loop for numbers, and for value and slope."""
+    if isinstance(x, acb | arb):
+        return SERIES(x)
+    if flint.ctx.cap == 2:
+        return arb_series([SERIES(x[0]), SLOPE(x[0]) * x[1]])
+    total = x * 0 + COEFFICIENTS[-1]
+    for one in reversed(COEFFICIENTS[:-1]):
+        total = total * x + one
+    return total
+
+
+class Slip(NamedTuple):
+    """A slip from a ray by its angle: theta, h and c, as numbers, balls or series."""
+
+    theta: Any
+    height: Any
+    depth: Any
+
+
+def of_map(slip: Slip, p: Any) -> tuple[Any, Any]:
+    """Return G and c^2: pi times their quotient is what pi G is of (y - y')/r, as y - y' = r c^2."""
+    r, s = 1 - p * p, (slip.depth / slip.height) ** 2
+    gain = (slip.depth / (slip.height * slip.height)) ** 2 * 4 / 9 / (1 - r * s) - 1
+    return gain + (r - point(Fraction(2, 5))) * s * logarithm(r * s), slip.depth * slip.depth
+
+
+def of_time(slip: Slip, p: Any) -> tuple[Any, Any]:
+    """Return F (1 + sqrt(1 - r s)) and h s: their quotient is F r/(sqrt y - sqrt y')."""
+    r, s = 1 - p * p, (slip.depth / slip.height) ** 2
+    root = (1 - r * s).sqrt()
+    inward = p * (slip.theta - slip.height) / (1 - p * p * slip.depth)
+    more = p * slip.theta - (p * slip.height * root).atan() - inward.atan()
+    return more * (1 + root), slip.height * s
+
+
+def plain(theta: Any) -> Slip:
+    """Return the slip with its closed forms evaluated as they stand."""
+    sine, cosine = (theta / 2).sin(), (theta / 2).cos()
+    return Slip(theta, (theta - theta.sin()) / (2 * sine * sine), 2 - theta * cosine / sine)
+
+
+def on_box(theta: arb) -> Slip:
+    """Return the slip on a box of angles with its slope: h and c rise, c' = h and h' = c/(1 - cos theta)."""
+    ends = [plain(end) for end in (theta.lower(), theta.upper())]
+    height, deep = (low.union(high) for low, high in zip(ends[0][1:], ends[1][1:], strict=True))
+    slope = deep / (2 * (theta / 2).sin() ** 2)
+    return Slip(arb_series([theta, 1]), arb_series([height, slope]), arb_series([deep, height]))
+
+
+def on_rim(theta: acb) -> Slip:
+    """Return the slip on a box of complex angles by the values in its middle and c' = h, h' = c/(1 - cos theta)."""
+    middle = acb(theta.real.mid(), theta.imag.mid())
+    rough, centre = plain(theta), plain(middle)
+    slope = rough.depth / (2 * (theta / 2).sin() ** 2)
+    off = theta - middle
+    return Slip(theta, centre.height + slope * off, centre.depth + rough.height * off)
+
+
+class Near(NamedTuple):
+    """The slips near theta = 0, whatever the mass ratio: as a power series, and on the boxes of the rim."""
+
+    series: Slip
+    rim: tuple[Slip, ...]
+
+
+def near() -> Near:
+    """Return them, at the precision that is set."""
+    with terms(ORDER + 12):
+        return Near(plain(arb_series([0, 1])), tuple(on_rim(theta) for theta in _rim()))
+
+
+def near_zero(quotient: Quotient, slips: Near, p: arb) -> arb:
+    """Enclose a quotient for slip angles up to SPLIT: Taylor polynomial, and the rest by Cauchy's estimate on the rim."""
+    with terms(ORDER + 12):
+        above, below = quotient(slips.series, arb_series([p]))
+        series = _shifted(above, ZEROS[quotient]) / _shifted(below, ZEROS[quotient])
+        coefficients = [series[n] for n in range(0, ORDER, 2)]
+    top = arb(0)
+    for slip in slips.rim:
+        over, under = quotient(slip, acb(p))
+        top = top.max(abs(over / under).upper())
+    share = (point(SPLIT) / point(RIM)) ** 2
+    rest = top * share ** (ORDER // 2) / (1 - share)
+    square = arb(0).union(point(SPLIT) ** 2)
+    value = arb(0)
+    for one in reversed(coefficients):
+        value = value * square + one
+    return value + arb(0, rest.upper())
+
+
+class Beyond(NamedTuple):
+    """The slips on a box of angles, whatever the mass ratio: with their slopes, without, and in the middle."""
+
+    theta: arb
+    along: Slip
+    fixed: Slip
+    middle: Slip
+
+
+def slips_on(theta: arb) -> Beyond:
+    """Return them, at the precision that is set."""
+    with terms(2):
+        along = on_box(theta)
+        return Beyond(theta, along, Slip(*(arb_series([one[0]]) for one in along)), plain(theta.mid()))
+
+
+def beyond(quotient: Quotient, slips: Beyond, p: arb) -> arb:
+    """Enclose a quotient on a box by its value in the middle and its slopes on the box."""
+    centre = p.mid()
+    with terms(2):
+        along = _ratio(quotient(slips.along, arb_series([p])))[1]
+        across = _ratio(quotient(slips.fixed, arb_series([p, 1])))[1]
+    value = _ratio(quotient(slips.middle, centre))
+    return value + along * (slips.theta - slips.middle.theta) + across * (p - centre)
+
+
+def _ratio(pair: tuple[Any, Any]) -> Any:
+    return pair[0] / pair[1]
+
+
+def _shifted(series: arb_series, zeros: int) -> arb_series:
+    """Return a series without its first coefficients, which are 0: raises ArithmeticError where one is proved not to be."""
+    for n in range(zeros):
+        if not series[n].contains(0):
+            raise ArithmeticError(f"the coefficient {n} is {series[n].str(5)}, not 0")
+    return arb_series([series[n] for n in range(zeros, ORDER + 6)])
+
+
+ZEROS: dict[Quotient, int] = {of_map: 4, of_time: 3}
+"""Order of the zero of numerator and denominator at theta = 0: the Abel equation to leading order, and the time of a cycle."""
+
+
+TARGETS: dict[Quotient, tuple[Fraction, Fraction]] = {
+    of_map: (Fraction(-14, 100), Fraction(155, 100)),
+    of_time: (Fraction(-9, 100), Fraction(43, 100)),
+}
+"""What the quotients are to be found within: boxes on which they are not are cut."""
+
+
+@cache
+def ranges() -> tuple[tuple[arb, arb], tuple[arb, arb]]:
+    """Return bounds of the quotients of map (times pi) and time for all slip angles up to pi/2 and all mass ratios."""
+    with precision(25):
+        maps, times = (list(_values(quotient)) for quotient in (of_map, of_time))
+        return _hull([arb.pi() * value for value in maps]), _hull(times)
+
+
+def _values(quotient: Quotient) -> Iterator[arb]:
+    slips = near()
+    for p in _pieces(arb(0), arb(1), NEAR):
+        yield near_zero(quotient, slips, p)
+    for theta in _pieces(point(SPLIT), arb.pi() / 2, LONG):
+        yield from _refined(quotient, theta, list(_pieces(arb(0), arb(1), WIDE)), 3)
+
+
+def _refined(quotient: Quotient, theta: arb, ratios: Sequence[arb], times: int) -> Iterator[arb]:
+    """Enclose a quotient on boxes, each cut in four as long as it is not within what is looked for."""
+    slips, (low, high) = slips_on(theta), (point(end) for end in TARGETS[quotient])
+    open_still: list[arb] = []
+    for p in ratios:
+        value = beyond(quotient, slips, p)
+        if not times or (value > low and value < high):
+            yield value
+        else:
+            open_still += _pieces(p.lower(), p.upper(), 2)
+    if open_still:
+        for part in _pieces(theta.lower(), theta.upper(), 2):
+            yield from _refined(quotient, part, open_still, times - 1)
+
+
+def _pieces(low: arb, high: arb, number: int) -> Iterator[arb]:
+    """Yield balls that cover an interval."""
+    for n in range(number):
+        yield (low + (high - low) * n / number).union(low + (high - low) * (n + 1) / number)
+
+
+def _hull(values: list[arb]) -> tuple[arb, arb]:
+    low, high = values[0].lower(), values[0].upper()
+    for value in values:
+        if not value.is_finite():
+            raise ArithmeticError("a quotient is not enclosed")
+        low, high = low.min(value.lower()), high.max(value.upper())
+    return low, high
+
+
+def _rim() -> Iterator[acb]:
+    """Yield boxes that cover a quarter of the rim; the quotients are even, and real on the real axis."""
+    step = arb.pi() / (2 * ARCS)
+    for k in range(ARCS):
+        argument = step * (k + point(Fraction(1, 2))) + arb(0, (step / 2).upper())
+        yield acb(point(RIM) * argument.cos(), point(RIM) * argument.sin())

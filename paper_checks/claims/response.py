@@ -1,0 +1,301 @@
+"""The response to a periodic force: the one that attracts, what moves body 2 on, and resonance."""
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.claims import jumping_force
+from paper_checks.claims.contraction import energy_rate, force_cancels, never_apart, one_solution
+from paper_checks.claims.forced_modes import strict_rule, tie_rule
+from paper_checks.decide import condition, equal, equals, identity
+from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
+from theory import forced
+from theory import forced_response as response
+from theory import jumping_force as jumping
+from theory.energy import sigma
+from theory.forced_response import natural, rates
+from theory.symbols import a2, b, m1, m2, t, u, undamped, v1, x1
+
+
+@cache
+def bounded() -> Evidence:
+    """Body 1 is a damped oscillator under a bounded force; body 2 is slowed down when it is faster."""
+    push = forced.forced_system(sigma)
+    return argument(
+        r"""
+        Body 1 is a linear oscillator with $a_1>0$ under the bounded force $u-b\sigma$, so $x_1$ and $v_1$ are
+        bounded. Where $|v_2|$ exceeds the bound of $|v_1|$, $\dot z$ has the sign of $-v_2$, and $|v_2|$ falls at the
+        rate $b/m_2$.
+        """,
+        identity(
+            r"body 2 has $m_2\dot v_2=b\sigma$, body 1 $m_1\dot v_1+a_1v_1+a_2x_1=u-b\sigma$",
+            [m2 * push[2], (m1 * push[1] - u).subs({x1: 0, v1: 0})],
+            [b * sigma, -b * sigma],
+        ),
+    )
+
+
+@cache
+def approach() -> Evidence:
+    """With a damper two motions under one bounded force approach each other."""
+    return argument(
+        r"""
+        $N$ has a limit. Motions from which it is taken (limits of both, moved in time) keep their distance, so
+        $v_1=\tilde v_1$ and the friction forces differ by $-a_2(x_1-\tilde x_1)$, a constant; as $v_2-\tilde v_2$ is
+        bounded, the constant is $0$. Then $\dot z-\dot{\tilde z}=c$ is constant under equal friction. If $c\neq 0$,
+        $\dot z$ and $\dot z-c$ never have opposite signs, so $\dot z$ does not enter the interval between $0$ and
+        $c$: it keeps one sign, friction is always $b$ or always $-b$, and $v_2$ is not bounded. So $N\to 0$.
+        """,
+        bounded(),
+        never_apart(),
+        force_cancels(),
+    )
+
+
+@cache
+def one_response() -> Evidence:
+    """Existence by a fixed point, uniqueness and attraction by the approach."""
+    return argument(
+        r"The map over one period does not increase $N$, and its orbits are bounded: it has a fixed point. Every motion approaches the one through it.",
+        approach(),
+        one_solution(),
+        cites=("Browder and Petryshyn: a nonexpansive map with a bounded orbit has a fixed point",),
+    )
+
+
+@cache
+def undamped_attraction() -> Evidence:
+    """Without a damper one stick exit with a slip after it is enough, where the force is continuous at that exit."""
+    place, relative = forced.undamped_difference()
+    frequency = sp.Symbol("omega_1", positive=True)
+    return argument(
+        r"""
+        Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one moved by periods: $N(\zeta-\eta_*)$ is
+        constant, so at almost every time both have the same $\dot z$ or the same friction. While $\eta_*$ sticks with
+        $|\Lambda_*|<b$ then $\zeta$ sticks; while $\eta_*$ slips $\zeta$ has its friction $sb$. At the exit both
+        loads are continuous, as $u$ is. Before it neither is beyond $b$; after it both have friction $sb$ and $s\dot
+        z\geqslant 0$, so neither is within. So both loads are $sb$ there, hence $x_1=\tilde x_1$, and both velocities
+        differ by one $\beta$. In the slip $v_2-\tilde v_2=\beta$ and $v_1-\tilde v_1=\beta\cos\omega_1t$. At its end
+        $\dot z_*=0$. At times after it, as close to it as one likes, friction of $\eta_*$ is not $sb$; then $\zeta$
+        has the same friction or the same $\dot z$, either way $s\dot z\leqslant 0$. So $\dot z=0$ for $\zeta$ at that
+        end, too, hence $\beta(\cos\omega_1t_s-1)=0$, $\beta=0$, and $\zeta=\eta_*$.
+        """,
+        identity(
+            r"the difference starts as $0$ with the rate $\beta$, and $\dot z-\dot{\tilde z}$ vanishes with $\beta$ or $\cos\omega_1t=1$",
+            [place.subs(t, 0), sp.diff(place, t).subs(t, 0), relative],
+            [0, forced.velocity_gap, forced.velocity_gap * (sp.cos(frequency * t) - 1)],
+        ),
+        identity(
+            r"in stick the load falls by $(m_2/M)a_2$ with $x_1$: equal loads are equal places",
+            sp.diff(forced.load(), x1),
+            -m2 * a2 / (m1 + m2),
+        ),
+        never_apart(),
+        strict_rule(),
+        tie_rule(),
+    )
+
+
+@cache
+def resonant_rate() -> Evidence:
+    """z' has no state in it."""
+    return identity(
+        r"with $a_2=m_1\omega_1^2$, $e^{i\omega_1t}\dot A=(u-b\sigma)/m_1$",
+        response.amplitude_rate(),
+        (u - b * sp.Symbol("sigma", real=True)) / m1,
+    )
+
+
+@cache
+def most_friction() -> Evidence:
+    """The mean of |cos| over a period."""
+    return identity(r"the mean of $|\cos|$ is $2/\pi$", response.mean_absolute_cosine(), 2 / sp.pi)
+
+
+@cache
+def grows() -> Evidence:
+    """Above the bound every motion grows."""
+    return argument(
+        r"""
+        Over a period $T$ the force adds $U_1T/(2m_1)$ to $A$ in one direction, and friction, $|b\sigma|\leqslant b$,
+        takes at most $bT/m_1$ times the mean of $|\cos|$ in it. The rest of a period adds a bounded amount.
+        """,
+        resonant_rate(),
+        most_friction(),
+        identity(
+            r"so $|A|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
+            response.growth_rate(),
+            (response.amplitude / 2 - 2 * b / sp.pi) / m1,
+        ),
+    )
+
+
+@cache
+def stays_bounded() -> Evidence:
+    """Below the bound the energy falls over periods in which it is large."""
+    offset = sp.Symbol("c", positive=True)
+    slope = sp.diff(response.path_beside(offset), offset)
+    return argument(
+        r"""
+        Over $n$ periods $A$ and $v_2$ change by at most a constant, $|A|=R$. So the work of $u$ is at most
+        $R\,U_1nT/2$ and a constant (for $\omega_1T\notin 2\pi\mathbb Z$: $R\,\epsilon nT$, with $\epsilon$ as small
+        as one likes for a large $n$), and the path of $\dot z$ is at least the integral of $|R\cos\omega_1t-v_2|$
+        with one $v_2$, less a constant: at least $(2/\pi)R\,nT$, and at least $(|v_2|-R)nT$. So over $n$ periods $E$
+        falls wherever it is large enough, and in between it rises by a bounded factor only.
+        """,
+        energy_rate(),
+        resonant_rate(),
+        most_friction(),
+        identity(
+            r"$\int|\cos s-c|\,ds$ over a turn is $4$ at $c=0$ and has the slope $4\arcsin c\geqslant 0$",
+            [response.path_beside(offset).subs(offset, 0), slope],
+            [4, 4 * sp.asin(offset)],
+        ),
+    )
+
+
+@cache
+def sine_at_resonance() -> Evidence:
+    """U** tends to the bound."""
+    return identity(
+        r"$U_{**}\to 4b/\pi$ as $\omega\to\omega_1=\sqrt{a_2/m_1}$",
+        response.resonant_non_stop_amplitude(),
+        4 * b / sp.pi,
+    )
+
+
+SIGMA = sp.Symbol("sigma", real=True)
+
+
+def natural_frequency() -> Formula:
+    """The frequency of body 1 alone without a damper."""
+    return equal(natural, sp.sqrt(a2 / m1), lambda: undamped(response.rates()[1]))
+
+
+AHEAD, NATURAL = sp.Symbol("beta", real=True), sp.Symbol("omega_1", positive=True)
+"""What both velocities of one pair are ahead of those of another, and the frequency of body 1 alone."""
+
+
+DISTANCE = sp.Symbol("N", nonnegative=True)
+
+
+@theorem(
+    "forced-periodic-response",
+    clause(
+        "one",
+        """
+        Let $u$ be bounded with the period $T$ and $a_1>0$. Exactly one motion of $(x_1,v_1,v_2)$ has this period, and
+        every motion tends to it.
+        """,
+        kernel="periodic-response",
+    ),
+    clause(
+        "drift",
+        r"In one period body 2 moves on by $\int_0^T v_2\,dt$ of that motion; by nothing if $u(t+T/2)=-u(t)$.",
+        kernel="drift no-drift",
+    ),
+    clause(
+        "undamped",
+        r"""
+        Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant at which $u$ is continuous and
+        before which $|\Lambda|<b$, slip with one sign $s$ for a time $t_s$, after which friction is no longer $sb$,
+        and have $\omega_1t_s\notin 2\pi\mathbb Z$, «natural». Then every motion tends to it. For what keeps its
+        distance from it differs in that slip by «place» and «relative» at the time $t$ after the exit, $\beta$ being
+        the lead of both velocities at it, and both pairs have $\dot z=0$ at $t=t_s$.
+        """,
+        natural=equal(NATURAL, sp.sqrt(a2 / m1), lambda: undamped(rates()[1])),
+        place=equal(
+            r"x_1-\tilde x_1",
+            AHEAD / NATURAL * sp.sin(NATURAL * t),
+            lambda: forced.undamped_difference()[0],
+            lambda: {AHEAD: forced.velocity_gap},
+        ),
+        relative=equal(
+            r"\dot z-\dot{\tilde z}",
+            AHEAD * (sp.cos(NATURAL * t) - 1),
+            lambda: forced.undamped_difference()[1],
+            lambda: {AHEAD: forced.velocity_gap},
+        ),
+    ),
+    clause(
+        "jump",
+        r"""
+        Where $u$ jumps at the exit, that may fail. For $m_1=m_2=a_2=b=1$, $a_1=0$, let «push» for the time «slip»,
+        $u=0$ for the time «stick» after it, and then the same with the opposite sign, again and again. From «place»,
+        $v_1=v_2=v$, every $v$ with «slowest» and «fastest» starts a motion of the period $2(t_s+t_h)$ with
+        $\omega_1t_s=\pi/2$: a slip and a stick in each half period. Two of them keep the distance «apart» for ever:
+        none attracts another.
+        """,
+        push=equal("u", 1 - sp.pi / 4, lambda: jumping.PUSH),
+        slip=equal("t_s", sp.pi / 2, lambda: jumping.SLIP_TIME),
+        stick=equal("t_h", 2 * sp.sqrt(2) * sp.atan(sp.sqrt(2)), jumping.stick_time),
+        place=equal("x_1", -3 * sp.pi / 4 - jumping.speed, lambda: jumping.exit_state()[0]),
+        slowest=Formula(
+            jumping.speed,
+            ">",
+            1 - sp.pi / 2,
+            condition(lambda: sp.Gt(jumping.speed, jumping.slowest_and_fastest()[0], evaluate=False)),
+            sharp=True,
+        ),
+        fastest=Formula(
+            jumping.speed,
+            "<",
+            2 - 3 * sp.pi / 4,
+            condition(lambda: sp.Lt(jumping.speed, jumping.slowest_and_fastest()[1], evaluate=False)),
+            sharp=True,
+        ),
+        apart=equal(DISTANCE**2, 3 * (jumping.speed - jumping.other_speed) ** 2, jumping.apart_squared),
+    ),
+)
+def forced_periodic_response() -> Case:
+    """One response, what moves body 2 on, and when the same holds without a damper."""
+    return because(
+        """
+        With a damper a periodic force has one response. Without one, a single exit from stick has the same effect if
+        the slip after it has the right length and the force does not jump at that exit. With a jump there whole
+        families of periodic motions may lie beside one another.
+        """,
+        carried("one", one_response()),
+        carried("undamped", undamped_attraction()),
+        carried("jump", jumping_force.keeps_apart()),
+    )
+
+
+@theorem(
+    "forced-resonance-bound",
+    clause(
+        "rate",
+        r"""
+        Let $a_1=0$, «natural», $u$ of period $T$, and $U_1$ its Fourier amplitude at $\omega_1$ ($0$ if
+        $\omega_1T\notin 2\pi\mathbb Z$). The amplitude $A=e^{-i\omega_1t}(v_1+i\omega_1x_1)$ has «rate», where
+        $\sigma$ is the value of $\mathrm{sign}(\dot z)$.
+        """,
+        natural=natural_frequency(),
+        rate=equal(r"e^{i\omega_1t}\,\dot A", (u - b * SIGMA) / m1, response.amplitude_rate),
+    ),
+    clause(
+        "grows",
+        r"If $U_1>U_{\mathrm{res}}$, «threshold», every motion grows: $|A(t)|\geqslant\rho t-A_0$ with «growth», $U=U_1$, and a constant $A_0$.",
+        threshold=equal(r"U_{\mathrm{res}}", 4 * b / sp.pi, response.resonant_amplitude),
+        growth=equal(r"\rho", (response.amplitude - 4 * b / sp.pi) / (2 * m1), response.growth_rate),
+    ),
+    clause("bounded", r"If $U_1<U_{\mathrm{res}}$, every motion is bounded."),
+    clause(
+        "sine",
+        r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
+        limit=Formula("U_{**}", "->", 4 * b / sp.pi, equals(response.resonant_non_stop_amplitude)),
+    ),
+    open=("What happens at $U_1=U_{\\mathrm{res}}$.",),
+)
+def forced_resonance_bound() -> Case:
+    """What friction can take out of a resonant oscillation at most."""
+    return because(
+        r"Friction of size $b$ takes at most the mean of $b|\cos|$ out of an oscillation: a force with more than that at resonance is stronger than the interface.",
+        carried("rate", resonant_rate()),
+        carried("grows", grows()),
+        carried("bounded", stays_bounded()),
+        carried("sine", sine_at_resonance()),
+        derivation=(
+            r"$$\Bigl|\int_0^Te^{-i\omega_1t}b\sigma\,dt\Bigr|\leqslant b\int_0^T|\cos(\omega_1t-\gamma)|\,dt=\frac{2b}{\pi}\,T.$$",
+        ),
+    )

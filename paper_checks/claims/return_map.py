@@ -1,0 +1,232 @@
+"""The return map from ray to ray as a power series with rational coefficients."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache
+
+import sympy as sp
+from flint import acb, arb, fmpq, fmpq_series
+
+from numerics.free.abel import AbelFunctions
+from paper_checks.claims.letters import C, H, R, in_angle, of_share
+from paper_checks.claims.slips import depth_grows, landings, rise_is_convex
+from paper_checks.decide import equal, identity
+from paper_checks.decide.balls import point, precision, terms
+from paper_checks.evidence import Case, Evidence, EvidenceKind, because, clause, form, latex, stating, theorem
+from theory.near_critical import cycle
+from theory.return_map import depth_series, return_map_of_angle, return_map_series, scaled_excess
+from theory.symbols import epsilon, q, r, w
+
+ORDER = 8
+
+
+RADIUS = 2
+"""Radius of the disc of slip angles on whose rim the remainder is bounded; h and c are analytic up to 2 pi."""
+
+
+ARCS = 512
+
+
+SHARES = (Fraction(1, 2), Fraction(1, 3), Fraction(4, 5))
+
+
+def printed_depth_coefficients() -> tuple[sp.Rational, ...]:
+    """Return the coefficients of c that the theorem states."""
+    return sp.Rational(3, 2), -sp.Rational(27, 40), sp.Rational(243, 560)
+
+
+@cache
+def coefficients() -> tuple[Evidence, ...]:
+    """c(y) and y'(y) with exact coefficients, the same from two programs."""
+    found, again = depth_series(ORDER - 1), reverted_depth(ORDER - 1)
+    polynomial = sp.expand(return_map_series(ORDER))
+    scaled = sp.collect(sp.expand(q * polynomial.subs(sp.Symbol("y", positive=True), w / q)), w, sp.factor)
+    return (
+        stating(
+            identity(
+                r"$c=\tfrac{3}{2}y-\tfrac{27}{40}y^2+\tfrac{243}{560}y^3-\cdots$ in powers of $y=h^2$",
+                sp.Matrix(found[:3]),
+                sp.Matrix(printed_depth_coefficients()),
+            ),
+            form("coefficients of c", list(found)),
+        ),
+        Evidence(
+            EvidenceKind.EXACT,
+            "sympy, and python-flint by reversion of h",
+            f"all {ORDER - 1} coefficients of $c$ agree between two programs",
+            len(found) == len(again) == ORDER - 1 and list(found) == again,
+            ORDER - 1,
+            form("y'", return_map_series(ORDER)),
+        ),
+        identity(
+            r"$w'=w-\tfrac{9r}{4q}w^2+\tfrac{81r}{40q^2}w^3-\cdots$",
+            [scaled.coeff(w, 2), scaled.coeff(w, 3)],
+            [-9 * r / (4 * q), 81 * r / (40 * q**2)],
+        ),
+    )
+
+
+def reverted_depth(order: int) -> list[sp.Rational]:
+    """Return the coefficients of c in y by exact series reversion: theta in powers of h, then c(theta)."""
+    with terms(2 * order + 6):
+        theta = fmpq_series([0, 1])
+        sine, cosine = theta.sin(), theta.cos()
+        height = _divided(theta - sine, 2) / _divided(1 - cosine, 2)
+        # c = 2 - theta sin/(1 - cos)
+        depth = 2 - _divided(theta * sine, 2) / _divided(1 - cosine, 2)
+        in_height = depth(height.reversion())
+        return [sp.Rational(int(c.p), int(c.q)) for c in (in_height[2 * n] for n in range(1, order + 1))]
+
+
+def _divided(series: fmpq_series, power: int) -> fmpq_series:
+    return fmpq_series([series[k] for k in range(power, series.length())])
+
+
+def lost_coefficients() -> tuple[sp.Rational, ...]:
+    """Return the coefficients of c^2, from y^2 to y^ORDER: y' is y less r times this."""
+    series = depth_series(ORDER - 1)
+    return tuple(sum((series[i] * series[n - 2 - i] for i in range(n - 1)), sp.Integer(0)) for n in range(2, ORDER + 1))
+
+
+@cache
+def remainder() -> tuple[Evidence, ...]:
+    """Bound c^2 less its Taylor polynomial on the rim |theta| = RADIUS; by Schwarz's lemma then inside."""
+    with precision(20):
+        lost = [arb(fmpq(int(c.p), int(c.q))) for c in lost_coefficients()]
+        bound = arb(0)
+        for theta in quarter_rim():
+            half = theta / 2
+            height = (theta - theta.sin()) / (2 * half.sin() ** 2)
+            y = height * height
+            value = (2 - theta * half.cot()) ** 2
+            for n, term in enumerate(lost, start=2):
+                value -= acb(term) * y**n
+            bound = bound.max(abs(value).upper())
+        text = f"|c**2 - polynomial| <= {bound.str(5)} on |theta| = {RADIUS}"
+        small = bool(bound.is_finite() and bound < point(Fraction(1, 3)))
+        printed = f"|y' - polynomial| <= r/3*(9*y/4)**{ORDER + 1} for 0 < y <= 4/9"
+    return (
+        identity(
+            r"$c^2-P_8(y)$ has a zero of order $18$ at $\theta=0$: its coefficients, in exact series of $\theta$, vanish",
+            sp.Matrix(defect_in_angle()),
+        ),
+        Evidence(
+            EvidenceKind.ENCLOSURE,
+            "python-flint",
+            f"$|c^2-P_8(y)|<\\tfrac{{1}}{{3}}$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
+            f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant\\tfrac{{r}}{{3}}\\,(9y/4)^9$ for $y\\leqslant 4/9$",
+            small,
+            ARCS,
+            f"{text}; {printed}",
+        ),
+    )
+
+
+def defect_in_angle() -> list[sp.Rational]:
+    """Return the coefficients of c^2 - P_8(h^2) in the slip angle below the power 2 ORDER + 2, exact."""
+    with terms(2 * ORDER + 6):
+        theta = fmpq_series([0, 1])
+        sine, cosine = theta.sin(), theta.cos()
+        height = _divided(theta - sine, 2) / _divided(1 - cosine, 2)
+        depth = 2 - _divided(theta * sine, 2) / _divided(1 - cosine, 2)
+        defect, y = depth * depth, height * height
+        power = y
+        for term in lost_coefficients():
+            power = power * y
+            defect = defect - power * fmpq(int(term.p), int(term.q))
+        return [sp.Rational(int(defect[n].p), int(defect[n].q)) for n in range(2 * ORDER + 2)]
+
+
+def quarter_rim() -> Iterator[acb]:
+    """Yield boxes that cover a quarter of the rim; the function is even and real on the real axis."""
+    for k in range(ARCS):
+        step = arb.pi() / (2 * ARCS)
+        argument = step * (k + point(Fraction(1, 2))) + arb(0, (step / 2).upper())
+        yield acb(RADIUS * argument.cos(), RADIUS * argument.sin())
+
+
+@cache
+def cycle_time() -> tuple[Evidence, ...]:
+    """The reduced time of slip and stick as a series, the same from two programs for several mass ratios."""
+    found = sp.expand(cycle().cycle_duration)
+    highest = int(sp.degree(found, epsilon))
+    agree, tried = True, 0
+    for one in SHARES:
+        time = AbelFunctions(one, 4).time
+        for power in range(highest + 1):
+            value = found.coeff(epsilon, power).subs(q, sp.Rational(one.numerator, one.denominator))
+            expected = sp.pi if power == 0 else 0
+            tried += 1
+            agree = agree and value == expected + sp.Rational(int(time[power].p), int(time[power].q))
+    return (
+        stating(
+            identity(
+                r"the reduced time of a cycle is $\pi+\frac{9r}{8q}\varepsilon^3+O(\varepsilon^5)$, $\varepsilon=\sqrt w$",
+                sp.Matrix([found.coeff(epsilon, power) for power in range(4)]),
+                sp.Matrix([sp.pi, 0, 0, 9 * r / (8 * q)]),
+            ),
+            form("cycle time", sp.collect(found, epsilon, sp.factor)),
+        ),
+        Evidence(
+            EvidenceKind.EXACT,
+            "sympy and numerics.free.abel",
+            f"all coefficients up to $\\varepsilon^{highest}$ agree between two programs for $q={', '.join(map(str, SHARES))}$",
+            agree and highest >= 5,
+            tried,
+            f"{tried} coefficients",
+        ),
+    )
+
+
+@theorem(
+    "return-map-expansion",
+    clause(
+        "map",
+        """
+        With $y=w/q$ the return map from ray to ray is «map», where «series», up to $y^3$, is one power series with
+        rational coefficients, the same for every mass ratio.
+        """,
+        map=in_angle("y'", H**2 - R * C**2, lambda: return_map_of_angle()[1]),
+        series=equal(
+            "c",
+            sp.Rational(3, 2) * scaled_excess
+            - sp.Rational(27, 40) * scaled_excess**2
+            + sp.Rational(243, 560) * scaled_excess**3,
+            lambda: sum(one * scaled_excess**n for n, one in enumerate(depth_series(3), start=1)),
+        ),
+    ),
+    clause(
+        "remainder",
+        r"What the terms after $y^8$ add to $y'$ is at most $\tfrac{r}{3}(9y/4)^9$ for $0<y\leqslant 4/9$,",
+    ),
+    clause(
+        "time",
+        r"and the reduced time of a cycle, up to $w^{3/2}$, is «time».",
+        time=of_share(
+            "T",
+            sp.pi + 9 * R / (8 * q) * w ** sp.Rational(3, 2),
+            lambda: sum(sp.expand(cycle().cycle_duration).coeff(epsilon, n) * sp.sqrt(w) ** n for n in range(4)),
+        ),
+    ),
+)
+def return_map_expansion() -> Case:
+    """c as one power series in y; the mass ratio enters as a factor only."""
+    terms = [
+        f"{'+' if c > 0 and n > 1 else ''}{latex(c)}y^{{{n}}}" for n, c in enumerate(depth_series(ORDER - 1), start=1)
+    ]
+    return because(
+        r"""
+        One power series with rational coefficients is the return map of every pair; the mass ratio is a factor in it.
+        $h^2$ and $c$ are even analytic functions of the slip angle, $h^2=\theta^2/9+\cdots$, so $c$ is a power series
+        in $y=h^2$ without any parameter, and $y'=y-r\,c^2$. Its Taylor polynomials are exact; what they miss is
+        bounded on the rim of a disc in balls and by Schwarz's lemma inside.
+        """,
+        *landings()[3:],
+        *coefficients(),
+        *rise_is_convex(),
+        depth_grows()[0],
+        *remainder(),
+        *cycle_time(),
+        derivation=("$$c(y)=" + "".join(terms) + "+\\cdots$$", "$$y'=y-r\\,c(y)^2,\\qquad w=q\\,y.$$"),
+        figure="return-map",
+    )

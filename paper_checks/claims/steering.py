@@ -1,0 +1,296 @@
+"""Section V: control through the interface: damping, tracking, an interface that varies."""
+
+import sympy as sp
+
+from numerics.linear.modes import Mode
+from numerics.scene import Force, Pair, Scene, State
+from paper_checks.claims import contraction, forced_modes, response, signum, stuck, tolerance, transfers
+from paper_checks.claims.letters import S, either_sign
+from paper_checks.decide import equal, exhibit, identity
+from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved
+from paper_checks.evidence import (
+    CORRECTED,
+    HOLDS,
+    Case,
+    Evidence,
+    Formula,
+    argument,
+    because,
+    carried,
+    claim,
+    clause,
+    counterexample,
+)
+from theory import forced
+from theory.energy import energy, sigma, sigma_other
+from theory.model import stick
+from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, v1_other, v2, v2_other, x1
+
+LIPSCHITZ = sp.Symbol("ell", positive=True)
+
+
+APART = {b: 2, forced.b_other: 1, v1: 1, v2: 0, v1_other: 3, v2_other: 0}
+"""Two slips forwards, the slower one where friction is larger (N, m/s)."""
+
+
+@claim(
+    "driven-body-steered",
+    "V",
+    "first paragraph",
+    HOLDS,
+    clause(
+        "unbounded",
+        r"""
+        The moved passive body has an unbounded motion space, and with it such an underactuated system could be
+        controlled, the motion variables of interest being $(x_2,\dot x_2)$,
+        """,
+    ),
+    clause(
+        "source",
+        r"when the active body appears as a single (external) energy source: «rate».",
+        rate=equal(
+            r"\dot E",
+            u * v1 - a1 * v1**2 - b * sigma * (v1 - v2),
+            forced.energy_rate,
+        ),
+        kernel="forced-energy-rate",
+    ),
+)
+def driven_body_steered() -> Case:
+    """Where body 2 can be brought, and what pays for it."""
+    return because(
+        """
+        Body 2 can be brought from rest to rest over any distance, by a force on body 1 alone, under (3)–(4) and under
+        Coulomb's law (in just the least time by a stuck pair: under the latter only). All energy comes from that
+        force: damper and interface only take.
+        """,
+        carried("unbounded", signum.stuck_below_the_limit(), transfers.least_time()),
+        carried("source", contraction.energy_rate()),
+    )
+
+
+def free_difference() -> Evidence:
+    """Two stuck motions under one force, a1 = 0: their distance is that of a free oscillation, and constant."""
+    frequency = sp.sqrt(a2 / total_mass())
+    place = sp.cos(frequency * t)
+    difference = {x1: place, v1: sp.diff(place, t), v2: sp.diff(place, t)}
+    return identity(
+        r"without a damper two stuck motions that differ by a free oscillation stay at one distance",
+        sp.diff(energy().subs(difference, simultaneous=True), t),
+    )
+
+
+SINE = Scene(Pair(1, 1, 1, 1, 1), State(x2="-1/4", v2="-1/4"), until=60, force=Force.sine("1/2", 1))
+"""A pair under u = sin(t)/2 N; body 2 starts with the place and the velocity of the stuck response, body 1 at rest."""
+
+
+PLACE = -(sp.sin(t) + sp.cos(t)) / 4
+"""That response, m: unit masses, a1 = a2 = b = 1 in SI units."""
+
+
+def is_the_response() -> Evidence:
+    """The place that is called the reference solves the equation of the stuck pair, with less than all of the friction."""
+    known = {m1: 1, m2: 1, a1: 1, a2: 1, b: 1, u: sp.sin(t) / 2, x1: PLACE, v1: sp.diff(PLACE, t)}
+    return identity(
+        r"$x_{\mathrm{ref}}=-(\sin t+\cos t)/4$ is stuck under $u=\frac12\sin t$, with $\ddot x_{\mathrm{ref}}^2=(1+\sin 2t)/16<1$",
+        [stick().acceleration1.subs(known), sp.diff(PLACE, t, 2) ** 2],
+        [sp.diff(PLACE, t, 2), (1 + 2 * sp.sin(t) * sp.cos(t)) / 16],
+    )
+
+
+def off_the_place() -> tuple[Evidence, ...]:
+    """The pair solved in balls: at the end velocities agree with the reference, body 2 is away from it."""
+    run = solved(SINE)
+    end, time = run.sol(SINE.until), sp.Rational(SINE.until)
+    place, velocity = ball(PLACE.subs(t, time)), ball(sp.diff(PLACE, t).subs(t, time))
+    return (
+        is_the_response(),
+        itinerary("the pair slips with $\\dot z>0$, then sticks", run, [Mode.SLIP_PLUS, Mode.STICK]),
+        compare(
+            "after 60 s body 2 has the velocity of the reference (difference, m/s)",
+            abs(end[3] - velocity),
+            "<",
+            exact(sp.Rational(1, 10**6)),
+        ),
+        compare("and is far from its place (m)", abs(end[2] - place), ">", exact(sp.Rational(1, 4))),
+    )
+
+
+@claim(
+    "damping-for-tracking",
+    "V",
+    "third bullet",
+    CORRECTED,
+    r"A purposefully controlled viscous damping of the active body can be purposefully used for trajectory tracking, cf. Fig. 1.",
+    correction=(
+        clause(
+            "approach",
+            r"With a constant $a_1>0$ and a force that is bounded any two motions approach each other in $(x_1,v_1,v_2)$:",
+            kernel="forced-approach",
+        ),
+        clause(
+            "velocity",
+            r"so under the force of trackable-references, if bounded, every motion takes on the velocity of the reference in the end: $x_1$, $v_1$ and $v_2$ track it.",
+        ),
+        clause(
+            "place",
+            r"The place $x_2$ does not: a motion that differs in $x_2(0)$ only keeps that difference for ever,",
+            kernel="displacement-unseen forced-well-posed",
+        ),
+        clause(
+            "offset",
+            r"and one that starts with the place and the velocity of the reference, but with another motion of body 1, can be left with an offset.",
+        ),
+    ),
+    open=(
+        "A damper that is itself controlled, $a_1(t)$ or $a_1$ by the state, is not treated: here $a_1$ is constant and the force does not depend on the motion.",
+    ),
+)
+def damping_for_tracking() -> Case:
+    """What a damper adds to the force under which the stuck pair follows a reference, and what it leaves."""
+    apart = solved(SINE).sol(SINE.until)[2] - ball(PLACE.subs(t, sp.Rational(SINE.until)))
+    offset = off_the_place()
+    return because(
+        r"""
+        The velocity of body 2 tracks, its place may be left with an offset. Under the force of trackable-references
+        one motion follows the reference. With a damper and a bounded force every other motion approaches it in
+        $(x_1,v_1,v_2)$; without a damper a free oscillation stays. But no force depends on $x_2$, of which the paper
+        says that it is a variable of interest. The damper costs $a_1\dot x_{\mathrm{ref}}$ in that force. It does not
+        speed up every motion: see damping-can-desynchronise.
+        """,
+        counterexample(
+            (
+                "$m_1=m_2=a_1=a_2=b=1$, $u=\\frac12\\sin t$, $x_{\\mathrm{ref}}=-\\frac14(\\sin t+\\cos t)$, $x_2(0)=x_{\\mathrm{ref}}(0)$, "
+                "$v_2(0)=\\dot x_{\\mathrm{ref}}(0)$, body 1 at rest at $0$: after 60 s $v_2$ is right to $10^{-6}$ m/s, and $x_2-x_{\\mathrm{ref}}=$ "
+                f"${rounded(1000 * apart, 1)}$ mm, where $x_{{\\mathrm{{ref}}}}$ has the amplitude 354 mm."
+            ),
+            *offset,
+        ),
+        carried("approach", response.approach()),
+        carried(
+            "velocity",
+            argument(
+                r"The stuck motion along a reference with $|\ddot x_{\mathrm{ref}}|\leqslant b/m_2$ is a motion under its force, and any two motions under a bounded force approach each other where $a_1>0$.",
+                transfers.followed(),
+                response.approach(),
+            ),
+        ),
+        carried("place", tolerance.blind_to_x2()),
+        carried(
+            "offset",
+            argument(
+                "Near the response the load stays inside the strip, so the stick of the example lasts, and $x_2-x_1$ with it, while $x_1$ tends to the reference.",
+                *offset,
+                stuck.sticks_for_ever(),
+            ),
+        ),
+        free_difference(),
+    )
+
+
+@claim(
+    "varying-interface",
+    "V",
+    "sixth bullet",
+    CORRECTED,
+    r"""
+    The effect of the time- and state-varying behaviour of the frictional interface, i.e. $b(\cdot)$, on the motion
+    dynamics poses an interesting open problem.
+    """,
+    correction=(
+        clause(
+            "time",
+            r"For $b(t)>0$ that is constant on each of finitely many pieces of time there is one solution from every start, and two never move apart;",
+            kernel="varying-contraction varying-well-posed",
+        ),
+        clause(
+            "rate",
+            r"so it is with pieces without end, finitely many in every bounded time, with «contraction»;",
+            contraction=equal(
+                r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
+                -a1 * (v1 - v1_other) ** 2 - b * (sigma - sigma_other) * (v1 - v2 - v1_other + v2_other),
+                forced.contraction_rate,
+            ),
+        ),
+        clause("rule", r"the mode rule stays as it is, with the values of $b$ from the right."),
+        clause(
+            "state",
+            r"""
+            Where $b$ depends on the place the contraction is lost: for two slips of one sign $s$ under $b$ and
+            $\tilde b$, $a_1=0$, it becomes «rate», which can be positive.
+            """,
+            rate=Formula(
+                r"\tfrac{1}{2}\tfrac{d}{dt}N^2",
+                "=",
+                -(b - forced.b_other) * S * (v1 - v2 - v1_other + v2_other),
+                either_sign(forced.place_dependent_rate),
+            ),
+        ),
+        clause(
+            "unique",
+            r"""
+            One motion from every start there is all the same: if $|b-\tilde b|\leqslant\ell\,|x_1-\tilde x_1|$,
+            $N(t)\leqslant e^{\gamma t}N(0)$ with «place». For $b$ that depends on $z$ so it is with $(z-\tilde z)^2$
+            added to $N^2$ and another $\gamma$, and for $b(|\dot z|)$ that falls by at most $\ell$ times the increase
+            of the speed with «speed»: where $b$ does not fall with the speed, $\ell=0$, $N$ never grows.
+            """,
+            place=equal(
+                r"\gamma",
+                LIPSCHITZ * sp.sqrt((m1 + m2) / (m1 * m2 * a2)),
+                lambda: forced.growth_by_place(LIPSCHITZ),
+            ),
+            speed=equal(
+                r"\gamma",
+                LIPSCHITZ * (m1 + m2) / (m1 * m2),
+                lambda: forced.growth_by_speed(LIPSCHITZ),
+            ),
+        ),
+        clause(
+            "synchronises",
+            r"And as long as $b$ stays between some $b_{\min}>0$ and some $b_{\max}$, whatever it depends on, $\dot E\leqslant-b_{\min}|\dot z|$ for $u=0$: $\dot z\to 0$, and $z$ has a limit.",
+        ),
+    ),
+    open=(
+        "What the long-run motion is for a friction that depends on the state (who merges, how fast the others settle) is not decided here.",
+        "For a friction that jumps down where a stick ends (static above kinetic) there is not one motion from a start, stick and slip both are: which of them is meant is not decided here.",
+    ),
+)
+def varying_interface() -> Case:
+    """b(t) keeps the contraction; b(x) does not."""
+    rate = forced.place_dependent_rate(1)
+    return because(
+        """
+        For friction that varies in time the problem is not open: nothing in the theory asks for a constant $b$. Where
+        it varies with the state two motions may move apart, but a start still has one motion, and friction that stays
+        above some least value still brakes every relative motion down; how the long run looks then is open.
+        """,
+        counterexample(
+            "For $b(t)$ the effect is known: from every start there is one solution, and two solutions never move apart in $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$.",
+            contraction.friction_in_time(),
+        ),
+        carried(
+            "time",
+            argument(
+                r"At each time the equations are those of a constant friction with the value $b(t)$; at a jump of $b$ the strip changes and the state does not.",
+                contraction.friction_in_time(),
+            ),
+        ),
+        carried("rate", contraction.pieces_without_end()),
+        carried("unique", contraction.friction_of_the_state()),
+        carried("synchronises", contraction.braked()),
+        carried("rule", forced_modes.strict_rule(), forced_modes.tie_rule()),
+        carried(
+            "state",
+            exhibit(
+                "both slip forwards; the slower pair has the larger friction, and their distance grows",
+                APART,
+                (rate, ">", 0),
+                (v1 - v2, ">", 0),
+                (v1_other - v2_other, ">", 0),
+            ),
+            identity(
+                r"where both frictions are equal this is the contraction's friction term of two slips of one sign: 0",
+                rate.subs(forced.b_other, b),
+            ),
+        ),
+    )

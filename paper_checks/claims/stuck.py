@@ -1,0 +1,111 @@
+"""A pair that sticks for ever under a periodic force: when, and to which motion others tend."""
+
+from functools import cache
+
+import sympy as sp
+
+from paper_checks.claims.forced_modes import strict_rule
+from paper_checks.claims.response import one_response
+from paper_checks.decide import identity
+from paper_checks.evidence import Evidence, argument
+from theory import forced_response as response
+from theory.forced_response import amplitude, multiple, omega
+from theory.model import stick
+from theory.symbols import a1, a2, t, total_mass, u, v1, x1
+
+
+@cache
+def geometric() -> Evidence:
+    """The size of what one factor of the series has at an integer."""
+    angle = sp.Symbol("psi", real=True)
+    return identity(
+        r"$|1-e^{i\psi}|^2=4\sin^2(\psi/2)$ with $\psi=\pi(\Omega/\omega+1)$: the ratio of the geometric mean is $1$ for odd $\Omega/\omega$ only",
+        (1 - sp.cos(angle)) ** 2 + sp.sin(angle) ** 2,
+        4 * sp.sin(angle / 2) ** 2,
+    )
+
+
+@cache
+def stuck_response() -> Evidence:
+    """The stuck pair's response to the sine, and the friction that it needs."""
+    place = amplitude * sp.sin(omega * t) / (a2 - total_mass() * omega**2)
+    undamped = sp.diff(place, t, 2) - stick().acceleration1.subs(
+        {a1: 0, u: amplitude * sp.sin(omega * t), x1: place, v1: sp.diff(place, t)}, simultaneous=True
+    )
+    return argument(
+        r"The stuck pair is one body of mass $M$: its response has $|x_1|=U/|Z|$, $Z=a_2-M\omega^2+ia_1\omega$, and needs the friction $m_2\omega^2|x_1|\leqslant b$.",
+        identity(
+            r"force by place of the stuck pair on $e^{i\omega t}$",
+            response.stuck_impedance(),
+            a2 - total_mass() * omega**2 + sp.I * a1 * omega,
+        ),
+        identity(r"for $a_1=0$ the response is $U\sin\omega t/(a_2-M\omega^2)$", undamped),
+    )
+
+
+@cache
+def sticks_for_ever() -> Evidence:
+    """With a damper: exactly up to U*, and then all motions tend to it."""
+    return argument(
+        r"""
+        A motion that sticks for ever is that of one damped body, so it tends to the response and needs its friction:
+        $U\leqslant U_*$. If so, the response is a motion, periodic, and attracts all. If $U<U_*$, near it
+        $|\Lambda|\leqslant b-\eta$: a slip has $s\ddot z\leqslant-\kappa\eta$ and ends, and the stick after it lasts.
+        """,
+        stuck_response(),
+        one_response(),
+        strict_rule(),
+    )
+
+
+@cache
+def harmonic_curve() -> Evidence:
+    """cos(phi) - share cos(n phi) is largest at pi/(2 n)."""
+    phi = sp.Symbol("phi", real=True)
+    share = sp.sin(sp.pi / (2 * multiple)) / multiple
+    curve = sp.cos(phi) - share * sp.cos(multiple * phi)
+    quotient = multiple * sp.cos(multiple * phi) * sp.sin(phi) - sp.sin(multiple * phi) * sp.cos(phi)
+    return argument(
+        r"""
+        On $(0,\pi/2n)$ the quotient $\sin n\varphi/\sin\varphi$ falls, to $1/\sin(\pi/2n)$; beyond, $\sin
+        n\varphi\leqslant 1<\sin\varphi/\sin(\pi/2n)$ up to $\pi/2$. So $\cos\varphi-\frac{1}{n}\sin(\pi/2n)\cos
+        n\varphi$ rises up to $\pi/2n$, falls from there to $0$ at $\pi/2$ ($n$ odd), and is even in $\varphi$ and odd
+        beside $\pi/2$: its largest size is $\cos(\pi/2n)$.
+        """,
+        identity(
+            r"its slope is $\sin(\pi/2n)\sin n\varphi-\sin\varphi$", sp.diff(curve, phi), response.harmonic_slope()
+        ),
+        identity(
+            r"the numerator of the quotient's rate starts at $0$ and has the rate $(1-n^2)\sin n\varphi\sin\varphi<0$",
+            [quotient.subs(phi, 0), sp.diff(quotient, phi)],
+            [0, (1 - multiple**2) * sp.sin(multiple * phi) * sp.sin(phi)],
+        ),
+        identity(
+            r"at $\pm\pi/2n$ a free oscillation adds opposite values: any $A\cos n\varphi+B\sin n\varphi$ has the sum $0$ there",
+            sum(
+                (
+                    sp.cos(multiple * one) + sp.sin(multiple * one)
+                    for one in (sp.pi / 2 / multiple, -sp.pi / 2 / multiple)
+                ),
+                sp.S.Zero,
+            ),
+        ),
+    )
+
+
+@cache
+def undamped_stuck() -> Evidence:
+    """Without a damper: the response with any free oscillation."""
+    return argument(
+        r"""
+        A motion that sticks for ever has $\ddot x_1=-\omega^2X\sin\omega t$ and a free oscillation of frequency
+        $\Omega$. Take the values at $\omega t=\pi/2+\pi k$ with the signs $(-1)^k$ and their mean over $k$: the first
+        part gives $\omega^2X$, the second one a geometric mean that tends to $0$, unless $\Omega/\omega$ is odd. So
+        $\omega^2X\leqslant b/m_2$ is needed. If $\Omega=n\omega$, $n\geqslant 3$ odd, take $\omega t=\pi/2\pm\pi/2n$:
+        the mean is $\omega^2X\cos(\pi/2n)$ whatever is added, and a free oscillation attains it. If $\Omega=\omega$
+        the stuck motion grows like $t$.
+        """,
+        stuck_response(),
+        harmonic_curve(),
+        geometric(),
+    )

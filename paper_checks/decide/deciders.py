@@ -1,0 +1,117 @@
+"""How a formula of a clause is decided: from what theory derives, by solvers, in balls, or at a point."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from paper_checks.decide.exact import identity
+from paper_checks.decide.exhibit import Point, exhibit
+from paper_checks.decide.polynomial import cleared
+from paper_checks.decide.smt import prove
+from paper_checks.evidence.clause import Formula, decimal_places
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+
+if TYPE_CHECKING:
+    from flint import arb
+
+Derived = Callable[[], sp.Basic]
+Decide = Callable[[Formula], Evidence]
+_RELATIONAL = {"=": sp.Eq, "!=": sp.Ne, "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
+
+
+def shown(formula: Formula) -> str:
+    """Return the formula as the statement of its evidence."""
+    return f"${formula.latex}$"
+
+
+def equals(derived: Derived, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict) -> Decide:
+    """Decide `left = right`, or `left -> right`: what theory derives for the left side is the right side, for all values.
+
+    `where` says what the letters of the right side stand for.
+    """
+
+    def decide(formula: Formula) -> Evidence:
+        statement = f"{shown(formula)}, as derived"
+        if formula.relation not in ("=", "->"):
+            return Evidence(EvidenceKind.EXACT, "sympy", statement, None, value="only an equality is derived")
+        right = sp.sympify(formula.right)
+        return identity(statement, derived(), right.subs(where(), simultaneous=True))
+
+    return decide
+
+
+def equal(
+    left: sp.Basic | str,
+    right: sp.Basic | int,
+    derived: Derived,
+    where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict,
+) -> Formula:
+    """Return the formula `left = right`, which is decided by what theory derives for the left side."""
+    return Formula(left, "=", right, equals(derived, where))
+
+
+def implied(
+    given: Callable[[], Sequence[sp.Basic]] = list, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict
+) -> Decide:
+    """Decide an inequality: the assumptions imply it, with what theory derives in the places of `where`."""
+
+    def decide(formula: Formula) -> Evidence:
+        difference = sp.sympify(formula.left) - sp.sympify(formula.right)
+        margin = cleared(difference.subs(where(), simultaneous=True))
+        conclusion = _RELATIONAL[formula.relation](margin, 0, evaluate=False)
+        return prove(shown(formula), given(), conclusion)
+
+    return decide
+
+
+def condition(derived: Callable[[], sp.Rel]) -> Decide:
+    """Decide a sharp inequality: it is the one that theory derives, both of its sides and their relation."""
+
+    def decide(formula: Formula) -> Evidence:
+        found = derived()
+        sides = sp.Matrix([sp.sympify(formula.left) - found.lhs, sp.sympify(formula.right) - found.rhs])
+        same = identity(f"{shown(formula)}, as derived", sides, sp.zeros(2, 1))
+        return same if found.rel_op == formula.relation else replace(same, passed=False)
+
+    return decide
+
+
+def decimal(value: Callable[[], arb]) -> Decide:
+    """Decide a decimal fraction that goes on: the enclosed value has these digits."""
+
+    def decide(formula: Formula) -> Evidence:
+        from paper_checks.decide.enclosure import exact  # with it come numerics, which the list of claims does without
+
+        digits, found = sp.Rational(formula.right), value()
+        low, high = exact(digits), exact(digits + sp.Rational(1, 10 ** decimal_places(digits)))
+        inside, outside = found > low and found < high, found < low or found > high
+        passed = True if inside else False if outside else None
+        return Evidence(EvidenceKind.ENCLOSURE, "python-flint", shown(formula), passed, 1, str(found.str(20)))
+
+    return decide
+
+
+def holds_at(point: Point, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict) -> Decide:
+    """Decide a formula at one rational point, with what theory derives in the places of `where`."""
+
+    def decide(formula: Formula) -> Evidence:
+        sides = [sp.sympify(side).subs(where(), simultaneous=True) for side in (formula.left, formula.right)]
+        return exhibit(shown(formula), point, (sides[0], formula.relation, sides[1]))
+
+    return decide
+
+
+def fails_at(point: Point, where: Callable[[], Mapping[sp.Basic, sp.Basic]] = dict) -> Decide:
+    """Decide that a formula, stated for all, is false: it fails at one rational point."""
+
+    def decide(formula: Formula) -> Evidence:
+        found = holds_at(point, where)(formula)
+        passed = None if found.passed is None else not found.passed
+        statement = f"{shown(formula)} fails at a point"
+        return Evidence(found.kind, found.engine, statement, passed, found.cases, found.value)
+
+    return decide

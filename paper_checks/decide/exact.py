@@ -1,0 +1,155 @@
+"""Evidence for symbolic identities: the difference simplifies to 0, and vanishes at random rational points.
+
+The points are the check of the simplifier: they use neither the normal form nor sympy's rewriting.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import sympy as sp
+from flint import acb, arb, fmpq
+from sympy.core.function import AppliedUndef
+
+from paper_checks.decide.at_point import NotEvaluatedError, Value, at_point
+from paper_checks.decide.balls import precision
+from paper_checks.decide.normal_form import is_zero
+from paper_checks.evidence.evidence import Evidence, EvidenceKind
+
+DIGITS = 45
+"""Digits after the point to which a difference that is not rational at a point is enclosed."""
+
+
+def identity(
+    statement: str,
+    left: sp.Basic | int | Sequence[sp.Basic | int],
+    right: sp.Basic | int | Sequence[sp.Basic | int] = 0,
+    *,
+    seed: int = 0,
+    points: int = 5,
+    assumptions: tuple[str, ...] = (),
+) -> Evidence:
+    """Check that two sympy expressions, or lists or matrices entry by entry, are equal for all their symbols' values.
+
+    Passed is True where every entry of the difference simplifies to 0 and vanishes at `points` seeded random
+    rational points that meet the symbols' assumptions; False where it is not zero at one of them (the value
+    names it); None where the simplifier does not reach zero, or no point could be evaluated.
+    """
+    differences = list(_entries(left, right))
+    randomness = random.Random(seed)
+    tried, inexact, unseen = 0, 0, 0
+    for difference in differences:
+        before = tried
+        for point, value in _samples(difference, randomness, points):
+            tried += 1
+            inexact += not isinstance(value, fmpq)
+            if not _vanishes(value):
+                where = ", ".join(f"{symbol} = {point[symbol]}" for symbol in sorted(point, key=str))
+                text = f"difference {_shown(value)} at {where or 'no symbols'}"
+                return _evidence(statement, False, tried, text, assumptions)
+        unseen += tried == before
+    if unseen:
+        return _evidence(statement, None, tried, f"{unseen} of the differences could be evaluated nowhere", assumptions)
+    zero = all(simplifies_to_zero(difference) for difference in differences)
+    text = f"difference simplifies to 0; zero at {tried} rational points" if zero else "the simplifier does not reach 0"
+    if zero and inexact:
+        text += f" (to {DIGITS} digits at {inexact} of them)"
+    return _evidence(statement, True if zero else None, tried, text, assumptions)
+
+
+def simplifies_to_zero(expression: sp.Expr) -> bool:
+    """Say whether the expression is 0 by its normal form, or one of sympy's rewritings, cheapest first, makes it 0."""
+    if is_zero(expression):
+        return True
+    for rewriting in (sp.cancel, sp.trigsimp, sp.simplify):
+        try:
+            if rewriting(expression) == 0:
+                return True
+        except sp.PolynomialError:  # cancel refuses piecewise expressions
+            continue
+    return False
+
+
+def _evidence(statement: str, passed: bool | None, cases: int, value: str, assumptions: tuple[str, ...]) -> Evidence:
+    return Evidence(EvidenceKind.EXACT, "sympy", statement, passed, cases, value, assumptions)
+
+
+def _entries(
+    left: sp.Basic | int | Sequence[sp.Basic | int], right: sp.Basic | int | Sequence[sp.Basic | int]
+) -> Iterator[sp.Expr]:
+    if isinstance(left, list):
+        others = right if isinstance(right, list) else [right] * len(left)
+        for one, other in zip(left, others, strict=True):
+            yield from _entries(one, other)
+    elif isinstance(left, sp.MatrixBase):
+        yield from left - (sp.zeros(*left.shape) if right == 0 else right)
+    else:
+        yield sp.sympify(left) - sp.sympify(right)
+
+
+def _samples(
+    expression: sp.Expr, randomness: random.Random, points: int
+) -> Iterable[tuple[dict[sp.Symbol, sp.Rational], Value]]:
+    """Yield up to `points` rational points, with the expression's finite values there: exact, or in balls.
+
+    A function that is only named is stood in for by a known one: what differs for one function is no identity.
+    """
+    if expression.has(AppliedUndef):
+        expression = expression.replace(lambda part: isinstance(part, AppliedUndef), _stand_in)
+    symbols = sorted(expression.free_symbols, key=str)
+    found = 0
+    for _ in range(10 * points):
+        point = {symbol: _rational(symbol, randomness) for symbol in symbols}
+        value = _value(expression, point)
+        if value is None:
+            continue  # a pole of the expression
+        yield point, value
+        found += 1
+        if found == points:
+            return
+
+
+def _stand_in(named: sp.Expr) -> sp.Expr:
+    """Return a positive function of the same arguments that is none of the usual ones; another name, another function."""
+    number = 2 + sum(map(ord, str(named.func)))
+    return sp.Integer(1) / number + sum((1 / (number + one**2) for one in named.args), sp.Integer(0))
+
+
+def _rational(symbol: sp.Symbol, randomness: random.Random) -> sp.Rational:
+    """Return a random rational that meets what sympy assumes of the symbol."""
+    denominator = 1 if symbol.is_integer else randomness.randint(2, 50)
+    size = sp.Rational(randomness.randint(1, 100), denominator)
+    if symbol.is_nonnegative:
+        return size
+    if symbol.is_nonpositive:
+        return -size
+    return size * randomness.choice((-1, 1))
+
+
+def _value(expression: sp.Expr, point: Mapping[sp.Symbol, sp.Rational]) -> Value | None:
+    """Return the value at a point, exact or enclosed to `DIGITS`; None at a pole, or where it is not known so well."""
+    for digits in (DIGITS, 10 * DIGITS):
+        try:
+            with precision(digits):
+                value = at_point(expression, point)
+        except (ZeroDivisionError, NotEvaluatedError):
+            return None
+        if isinstance(value, fmpq) or _radius(value) < arb(10) ** -DIGITS:
+            return value
+    return None
+
+
+def _radius(value: arb | acb) -> arb:
+    return value.real.rad() + value.imag.rad()
+
+
+def _vanishes(value: Value) -> bool:
+    """Say whether a value is 0 or may be: a ball without 0 in it is proved not to be."""
+    return bool(value == 0) if isinstance(value, fmpq) else bool(value.contains(0))
+
+
+def _shown(value: Value) -> str:
+    if isinstance(value, fmpq):
+        return str(sp.N(sp.Rational(int(value.p), int(value.q)), 8))
+    return str(value.str(8, radius=False))

@@ -1,1 +1,0 @@
-"""What decides a statement, and answers with evidence: algebra, balls, one point, samples, the proof kernel."""

@@ -1,0 +1,169 @@
+(** Friction that falls with the speed. Where it falls, two slips move apart at a positive rate, whatever the damper of
+  body 1:
+    damping cannot save contraction. Where it falls by a jump, a stick can be left at any time: a continuum of motions.
+      *)
+From Coq Require Import Reals Lra Psatz.
+From Coquelicot Require Import Coquelicot.
+From InertialPair Require Import Dini Pair Stick Arcs Existence Surface Robust.
+Local Open Scope R_scope.
+
+Section Falling.
+Variables m1 m2 a1 a2 : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2).
+
+(** S3: with the slope f' < 0 of friction the difference of two slips has a motion that grows like exp (l t), l > 0 *)
+Theorem slips_part f' : f' < 0 -> exists l x0 v0 w0, 0 < l /\ w0 <> 0 /\
+  forall t, is_derive (fun t => x0 * exp (l * t)) t (v0 * exp (l * t)) /\
+    is_derive (fun t => v0 * exp (l * t)) t ((- a2 * (x0 * exp (l * t)) - a1 * (v0 * exp (l * t))
+      - f' * (v0 * exp (l * t) - w0 * exp (l * t))) / m1) /\
+    is_derive (fun t => w0 * exp (l * t)) t (f' * (v0 * exp (l * t) - w0 * exp (l * t)) / m2).
+Proof.
+  intros Hf. set (M := m1 + m2).
+  set (p := fun l => m1 * m2 * l ^ 3 + (a1 * m2 + f' * M) * l ^ 2 + (a2 * m2 + f' * a1) * l + f' * a2).
+  assert (Mp : 0 < m1 * m2) by nra. assert (P0 : p 0 < 0) by (unfold p; nra).
+  set (K := 1 + (- f' * M - f' * a1 - f' * a2) / (m1 * m2)).
+  assert (HM : 0 < M) by (unfold M; lra).
+  assert (K1 : 1 < K). { unfold K. assert (0 < (- f' * M - f' * a1 - f' * a2) / (m1 * m2)); [|lra]. apply
+    Rdiv_lt_0_compat; nra. }
+  assert (PK : 0 < p K).
+  { assert (E : m1 * m2 * K = m1 * m2 + (- f' * M - f' * a1 - f' * a2)) by (unfold K; field; lra).
+    assert (K2 : 1 <= K ^ 2) by nra. assert (KK : K <= K ^ 2) by nra. assert (0 <= a1 * m2 * K ^ 2) by (apply
+      Rmult_le_pos; nra).
+    assert (0 <= a2 * m2 * K) by (apply Rmult_le_pos; nra).
+    assert (f' * a1 * K ^ 2 <= f' * a1 * K) by (assert (f' * a1 <= 0) by nra; nra).
+    assert (f' * a2 * K ^ 2 <= f' * a2) by (assert (f' * a2 <= 0) by nra; nra).
+    replace (p K) with (m1 * m2 * K * K ^ 2 + (a1 * m2 + f' * M) * K ^ 2 + (a2 * m2 + f' * a1) * K + f' * a2) by (unfold
+      p; ring).
+    rewrite E. assert (0 < m1 * m2 * K ^ 2) by nra. lra. }
+  assert (Cp : continuity p) by (unfold p; reg).
+  destruct (IVT p 0 K Cp ltac:(lra) P0 PK) as (l & Hl & Z).
+  assert (L0 : 0 < l) by (destruct (Req_dec l 0) as [->|]; lra).
+  exists l, (m2 * l + f'), (l * (m2 * l + f')), (f' * l). split; [auto|]. split; [nra|]. intros t.
+  split; [|split]; auto_derive; auto; try ring.
+  - apply Rmult_eq_reg_l with m1; [|lra]. apply Rminus_diag_uniq.
+    match goal with |- ?a = 0 => replace a with (exp (l * t) * p l) by (unfold p, M; field; lra) end. rewrite Z. ring.
+  - field. lra.
+Qed.
+End Falling.
+
+Section Jump.
+Variables m1 m2 a2 bs bk : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hk : 0 < bk).
+Let X := X m1 m2 a2.
+Let V := V m1 m2 a2.
+Let om := omega m1 m2 a2.
+
+(** S4: from a stuck state whose load lies between two coefficients the pair may leave the stick at any time up to some
+  D > 0 *)
+Theorem sticks_left_at_will x0 v0 : bk < Rabs (stick_load m1 m2 0 a2 x0 v0) < bs -> exists D, 0 < D /\
+  forall T, 0 <= T < D -> exists x v1 v2 s, two_frictions m1 m2 0 a2 bs bk x v1 v2 s /\ x 0 = x0 /\ v1 0 = v0 /\ v2 0 =
+    v0 /\
+    (forall t, 0 <= t <= T -> v1 t = v2 t) /\ exists d, 0 < d /\ forall t, T < t < T + d -> v1 t <> v2 t.
+Proof.
+  intros Hl. assert (Mp : 0 < m1 + m2) by lra. pose proof (omega_pos m1 m2 a2 Hm1 Hm2 Ha2) as Op. fold om in Op.
+  pose proof (omega_sq m1 m2 a2 Hm1 Hm2 Ha2) as O2. fold om in O2.
+  assert (CX : cont (X x0 v0)) by (eapply cont_of_derive; intros; apply derive_X; auto).
+  assert (CV : cont (V x0 v0)) by (eapply cont_of_derive; intros; apply derive_V; auto).
+  assert (X00 : X x0 v0 0 = x0) by (unfold X, Stick.X; rewrite Rmult_0_r, cos_0, sin_0; ring).
+  assert (V00 : V x0 v0 0 = v0) by (unfold V, Stick.V; rewrite Rmult_0_r, cos_0, sin_0; ring).
+  set (c := m2 * a2 / (m1 + m2)). assert (Cp : 0 < c) by (unfold c; apply Rdiv_lt_0_compat; nra).
+  assert (Load : forall x v, Rabs (stick_load m1 m2 0 a2 x v) = c * Rabs x).
+  { intros x v. unfold stick_load. replace (- (m2 * (a2 * x + 0 * v)) / (m1 + m2)) with (- (c * x)) by (unfold c; field;
+    lra).
+    rewrite Rabs_Ropp, Rabs_mult, Rabs_pos_eq; lra. }
+  rewrite Load in Hl.
+  destruct (Forced.cont_abs _ CX 0 (Rle_refl 0) (Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0) / c)) as (D & HD & Near).
+  { apply Rdiv_lt_0_compat; [apply Rmin_glb_lt; lra|auto]. }
+  assert (Between : forall t, 0 <= t < D -> bk < c * Rabs (X x0 v0 t) < bs).
+  { intros t Ht. specialize (Near t ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)). rewrite X00 in Near.
+    apply Rmult_lt_compat_l with (r := c) in Near; auto. set (e := Rmin (c * Rabs x0 - bk) (bs - c * Rabs x0)) in *.
+    replace (c * (e / c)) with e in Near by (field; lra). rewrite <- (Rabs_pos_eq c), <- Rabs_mult in Near by lra.
+    apply Rabs_def2 in Near. assert (e <= c * Rabs x0 - bk) by apply Rmin_l. assert (e <= bs - c * Rabs x0) by apply
+      Rmin_r. lra. }
+  exists D. split; auto. intros T HT.
+  destruct (existence m1 m2 0 a2 bk (X x0 v0 T) (V x0 v0 T) (V x0 v0 T) Hm1 Hm2 (Rle_refl 0) Ha2 Hk) as (y & w1 & w2 & r
+    & H & Y0 & W1 & W2).
+  set (f := fun t => m2 / bk * V x0 v0 t). set (g := fun t => f T + (r t - r 0)).
+  assert (Cf : cont f) by (apply cont_scal, CV). assert (Cr : cont r) by (exact (cont_s _ _ _ _ _ _ _ _ _ H)).
+  assert (Cg : cont g) by (apply cont_plus; [apply cont_const|apply cont_minus; auto using cont_const]).
+  assert (Efg : f T = g 0) by (unfold g; ring).
+  assert (Rg : forall t l, rderiv r t l -> rderiv g t l).
+  { intros t l Q. apply rderiv_eq with (0 + (l - 0)); [ring|]. apply rderiv_plus; [apply rderiv_const|].
+    apply rderiv_minus; [auto|apply rderiv_const]. }
+  assert (Rf : forall t, rderiv f t (- (c / bk) * X x0 v0 t)).
+  { intros t. apply rderiv_eq with (m2 / bk * (- (om * om) * X x0 v0 t)); [rewrite O2; unfold c; field; lra|].
+    apply rderiv_scal, rderiv_of_derive, derive_V; auto. }
+  set (jx := join T (X x0 v0) y). set (jv := join T (V x0 v0) w1). set (jw := join T (V x0 v0) w2). set (js := join T f
+    g).
+  assert (Before : forall t, t <= T -> jx t = X x0 v0 t /\ jv t = V x0 v0 t /\ jw t = V x0 v0 t /\ js t = f t).
+  { intros t Ht. unfold jx, jv, jw, js. rewrite !join_before by (auto; lra). auto. }
+  assert (After : forall t, T <= t -> jx t = y (t - T) /\ jv t = w1 (t - T) /\ jw t = w2 (t - T) /\ js t = g (t - T)).
+  { intros t Ht. unfold jx, jv, jw, js. rewrite !join_after by lra. auto. }
+  assert (Lr : bk < bs) by (specialize (Between 0 ltac:(lra)); lra).
+  assert (Lf : forall p q, 0 <= p <= q -> q <= T -> bk * Rabs (f q - f p) <= bs * (q - p)).
+  { intros p q Hp Hq. apply Rle_trans with (bk * (bs / bk * (q - p))); [|apply Req_le; field; lra].
+    apply Rmult_le_compat_l; [lra|]. apply (lip_between f (fun t => - (c / bk) * X x0 v0 t)); auto. intros u Hu. split;
+      [apply Rf|].
+    pose proof (Between u ltac:(lra)) as (_ & Bu). apply Rabs_le_between. rewrite Rabs_mult, Rabs_Ropp.
+    rewrite (Rabs_pos_eq (c / bk)) by (apply Rlt_le, Rdiv_lt_0_compat; auto).
+    apply Rmult_le_reg_l with bk; auto. replace (bk * (c / bk * Rabs (X x0 v0 u))) with (c * Rabs (X x0 v0 u)) by
+      (field; lra).
+    replace (bk * (bs / bk)) with bs by (field; lra). lra. }
+  assert (Lg : forall p q, 0 <= p <= q -> bk * Rabs (g q - g p) <= bs * (q - p)).
+  { intros p q Hp. pose proof (s_lip _ _ _ _ _ _ _ _ _ H p q Hp) as L. unfold g.
+    replace (f T + (r q - r 0) - (f T + (r p - r 0))) with (r q - r p) by ring. nra. }
+  exists jx, jv, jw, js. split; [|destruct (Before 0 ltac:(lra)) as (-> & -> & -> & _); split; [auto|split; [auto|split;
+    [auto|split]]]].
+  - constructor.
+    + intros p q Hp. destruct (Rle_dec q T) as [Le|].
+      { destruct (Before p ltac:(lra)) as (_ & _ & _ & ->), (Before q Le) as (_ & _ & _ & ->). auto. }
+      destruct (Rle_dec T p) as [Le|].
+      { destruct (After p Le) as (_ & _ & _ & ->), (After q ltac:(lra)) as (_ & _ & _ & ->).
+        replace (q - p) with (q - T - (p - T)) by ring. apply Lg. lra. }
+      destruct (Before p ltac:(lra)) as (_ & _ & _ & ->), (After q ltac:(lra)) as (_ & _ & _ & ->).
+      pose proof (Lf p T ltac:(lra) ltac:(lra)). pose proof (Lg 0 (q - T) ltac:(lra)) as L2. rewrite <- Efg in L2.
+      pose proof (Rabs_triang (g (q - T) - f T) (f T - f p)) as Tr.
+      replace (g (q - T) - f T + (f T - f p)) with (g (q - T) - f p) in Tr by ring. nra.
+    + intros t Ht W. destruct (Rlt_dec t T) as [Lt|N]; [destruct (Before t ltac:(lra)) as (_ & E1 & E2 & _); lra|].
+      destruct (After t ltac:(lra)) as (_ & E1 & E2 & _). apply rderiv_join_after; [lra|]. apply Rg, (s_pos _ _ _ _ _ _
+        _ _ _ H); lra.
+    + intros t Ht W. destruct (Rlt_dec t T) as [Lt|N]; [destruct (Before t ltac:(lra)) as (_ & E1 & E2 & _); lra|].
+      destruct (After t ltac:(lra)) as (_ & E1 & E2 & _). apply rderiv_join_after; [lra|]. apply Rg, (s_neg _ _ _ _ _ _
+        _ _ _ H); lra.
+    + apply cont_join; auto; [lra|apply (s_cx _ _ _ _ _ _ _ _ _ H)].
+    + apply cont_join; auto; [lra|apply (s_cv _ _ _ _ _ _ _ _ _ H)].
+    + intros t Ht. destruct (Rlt_dec t T) as [Lt|N].
+      * destruct (Before t ltac:(lra)) as (_ & -> & _). apply rderiv_join_before; auto. apply rderiv_of_derive,
+        derive_X; auto.
+      * destruct (After t ltac:(lra)) as (_ & -> & _). apply rderiv_join_after; [lra|]. apply (s_x _ _ _ _ _ _ _ _ _ H).
+        lra.
+    + intros t Ht. destruct (Rlt_dec t T) as [Lt|N].
+      * destruct (Before t ltac:(lra)) as (-> & -> & _).
+        apply (rderiv_near (fun u => m1 * V x0 v0 u + bk * f u)) with (T - t); [lra| |].
+        { intros u Hu. destruct (Before u ltac:(lra)) as (_ & -> & _ & ->). auto. }
+        apply rderiv_eq with (m1 * (- (om * om) * X x0 v0 t) + bk * (- (c / bk) * X x0 v0 t)).
+        { rewrite O2. unfold c. field. lra. }
+        apply rderiv_plus; apply rderiv_scal; [apply rderiv_of_derive, derive_V; auto|apply Rf].
+      * destruct (After t ltac:(lra)) as (-> & -> & _).
+        apply rderiv_ext with (fun u => m1 * w1 (u - T) + bk * g (u - T)).
+        { intros u Hu. destruct (After u ltac:(lra)) as (_ & -> & _ & ->). auto. }
+        apply (rderiv_later (fun u => m1 * w1 u + bk * g u)).
+        apply rderiv_ext with (fun u => (m1 * w1 u + bk * r u) + bk * (f T - r 0)); [intros; unfold g; ring|].
+        apply rderiv_eq with (- (a2 * y (t - T) + 0 * w1 (t - T)) + 0); [ring|].
+        apply rderiv_plus; [apply (s_v1 _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_const].
+    + intros t Ht. destruct (Before 0 ltac:(lra)) as (_ & _ & -> & ->).
+      assert (B : forall u, m2 * V x0 v0 u - bk * f u = 0) by (intros; unfold f; field; lra). rewrite B.
+      destruct (Rle_dec t T); [destruct (Before t ltac:(lra)) as (_ & _ & -> & ->); apply B|].
+      destruct (After t ltac:(lra)) as (_ & _ & -> & ->). pose proof (s_v2 _ _ _ _ _ _ _ _ _ H (t - T) ltac:(lra)).
+      specialize (B T). unfold g. rewrite W2 in *. lra.
+  - intros t Ht. destruct (Before t ltac:(lra)) as (_ & -> & -> & _). auto.
+  - destruct (slips_beyond m1 m2 a2 bk Hm1 Hm2 Ha2 Hk y w1 w2 r H 0 (Rle_refl 0)) as (d & Hd & Sl); [rewrite W1, W2;
+    auto| |].
+    + intros In. apply Rabs_le in In. rewrite Y0 in In. pose proof (Between T ltac:(lra)) as (Bu & _).
+      unfold L in In. apply Rmult_le_compat_l with (r := c) in In; [|lra].
+      replace (c * (bk * (m1 + m2) / (a2 * m2))) with bk in In by (unfold c; field; lra). lra.
+    + exists d. split; auto. intros t Ht. destruct (After t ltac:(lra)) as (_ & -> & -> & _). specialize (Sl (t - T)
+      ltac:(lra)).
+      intros E. rewrite E in Sl. replace (w2 (t - T) - w2 (t - T)) with 0 in Sl by ring. rewrite Rmult_0_r in Sl. lra.
+Qed.
+End Jump.

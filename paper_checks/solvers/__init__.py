@@ -1,1 +1,0 @@
-"""Polynomial statements over the reals, proved by SMT solvers."""

@@ -1,0 +1,51 @@
+"""The boxes on a rim cover it, and what is enclosed there holds inside: Schwarz and Cauchy need every point."""
+
+from fractions import Fraction
+
+import pytest
+from flint import acb, arb
+
+from paper_checks.claims import rate_error, return_map
+from paper_checks.decide.balls import point, precision
+
+
+@pytest.mark.parametrize(
+    ("boxes", "radius"), [(return_map.quarter_rim, return_map.RADIUS), (rate_error._rim, rate_error.RIM)]
+)
+def test_the_boxes_cover_a_quarter_of_the_rim(boxes, radius):
+    with precision(20):
+        found = list(boxes())
+        for n in range(4 * len(found) + 1):
+            turn = arb.pi() / 2 * n / (4 * len(found))
+            place = acb(point(Fraction(radius)) * turn.cos(), point(Fraction(radius)) * turn.sin())
+            assert any(box.overlaps(place) and _holds(box, place) for box in found)
+
+
+def _holds(box, place):
+    return box.real.contains(place.real.mid()) and box.imag.contains(place.imag.mid())
+
+
+@pytest.mark.parametrize("quotient", [rate_error.of_map, rate_error.of_time])
+@pytest.mark.parametrize("p", ["0", "0.3", "0.7", "0.99"])
+def test_enclosures_of_a_quotient_hold_its_values(quotient, p):
+    """Near zero and beyond, on boxes: the value at points of them, from 200 digits."""
+    with precision(20):
+        box = arb(p).union(arb(p) + arb("0.005"))
+        near = rate_error.near_zero(quotient, rate_error.near(), box)
+        wide = rate_error.beyond(quotient, rate_error.slips_on(arb("0.9").union(arb("0.95"))), box)
+    with precision(100):
+        for inside in (arb(p), arb(p) + arb("0.0025"), arb(p) + arb("0.005")):
+            for theta in ("0.05", "0.2", "0.5", "0.8"):
+                above, below = quotient(rate_error.plain(arb(theta)), inside)
+                assert near.contains((above / below).mid())
+            for theta in ("0.9", "0.925", "0.95"):
+                above, below = quotient(rate_error.plain(arb(theta)), inside)
+                assert wide.contains((above / below).mid())
+
+
+def test_the_logarithm_refuses_what_its_series_does_not_reach():
+    with precision(20):
+        assert rate_error.logarithm(arb("0.5")).overlaps((arb("0.5")).log() / arb("0.5"))
+        assert rate_error.logarithm(arb(0)).contains(-1)
+        with pytest.raises(ArithmeticError, match="not proved to converge"):
+            rate_error.logarithm(arb("0.81"))

@@ -1,0 +1,80 @@
+"""Balls: proved, disproved, and neither."""
+
+import pytest
+import sympy as sp
+from flint import arb
+
+from numerics.linear.modes import Mode
+from numerics.scene.file import load_scene
+from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved, stuck_for_ever, within
+
+WIDE = arb(1, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("left", "relation", "right", "passed"),
+    [
+        (exact(1), "<", exact(2), True),
+        (exact(2), "<", exact(1), False),
+        (exact(1), "<", exact(1), False),
+        (exact(2), ">", exact(1), True),
+        (WIDE, "<", exact(1), None),
+        (WIDE, ">", WIDE, None),
+        (arb("nan"), "<", exact(1), None),
+        (exact(0), "<", arb("inf"), None),
+    ],
+)
+def test_a_comparison_is_proved_or_disproved_or_open(left, relation, right, passed):
+    assert compare("balls", left, relation, right).passed is passed
+
+
+@pytest.mark.parametrize(
+    ("value", "passed"), [(exact(1), True), (exact(3), False), (exact(2), False), (arb(2, 0.5), None)]
+)
+def test_within_is_strict(value, passed):
+    assert within("between", value, "0", "2").passed is passed
+
+
+def test_a_constant_is_enclosed():
+    assert ball(sp.pi).contains(arb.pi().mid())
+    assert ball(sp.pi).rad() < arb("1e-15")
+    assert exact(sp.Rational(1, 3)).overlaps(arb(1) / 3)
+
+
+def test_an_itinerary_has_to_be_the_proved_one():
+    trajectory = solved(load_scene("start-at-6mm"))
+    assert itinerary("right", trajectory, [Mode.SLIP_MINUS, Mode.STICK]).passed is True
+    assert itinerary("wrong", trajectory, [Mode.STICK]).passed is False
+    assert itinerary("the other way round", trajectory, [Mode.STICK, Mode.SLIP_MINUS]).passed is False
+    assert itinerary("nothing", trajectory, []).passed is None
+    assert stuck_for_ever("not yet", trajectory).passed is False
+    assert stuck_for_ever("read literally", solved(load_scene("start-at-6mm-literal"))).passed is True
+
+
+@pytest.mark.parametrize("value", [sp.pi, sp.sqrt(2) / 10**9, -sp.exp(40), sp.Rational(1, 3), sp.pi**2 / 4])
+def test_a_ball_contains_its_constant(value, request):
+    import flint
+
+    before, flint.ctx.prec = flint.ctx.prec, 1000
+    request.addfinalizer(lambda: setattr(flint.ctx, "prec", before))
+    assert ball(value).contains(arb(str(value.evalf(250))))
+    assert ball(value).rel_accuracy_bits() > 150
+
+
+@pytest.mark.parametrize(
+    ("value", "places", "shown"),
+    [
+        ("4.54976948", 4, "4.5498"),
+        ("-0.0004", 3, "0.000"),
+        ("-0.0016", 3, "-0.002"),
+        ("64.9", 0, "65"),
+        ("0.5", 1, "0.5"),
+    ],
+)
+def test_a_ball_is_rounded_to_decimals(value, places, shown):
+    assert rounded(arb(value), places) == shown
+
+
+def test_a_ball_that_rounds_to_two_decimals_is_refused():
+    with pytest.raises(ArithmeticError, match="no unique decimal"):
+        rounded(arb("1.25").union(arb("1.35")), 1)

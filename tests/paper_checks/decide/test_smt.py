@@ -1,0 +1,163 @@
+"""Two solvers, one text, and a control: true, false, vacuous and foreign statements."""
+
+import sys
+
+import pytest
+import sympy as sp
+
+from paper_checks.decide import smt
+from paper_checks.decide.polynomial import cleared
+from paper_checks.decide.smt import Answers, prove
+from paper_checks.decide.text import script
+from paper_checks.errors import NotPolynomialError, ToolMissingError
+from paper_checks.evidence.evidence import EvidenceKind
+
+x, y, z = sp.symbols("x y z", real=True)
+m = sp.Symbol("m_1", positive=True)
+n = sp.Symbol("n", positive=True)
+
+
+def test_a_true_statement_is_proved():
+    evidence = prove("a square", [x > 1], x**2 > 1)
+    assert (evidence.passed, evidence.kind, evidence.cases) == (True, EvidenceKind.SMT, 1)
+    assert evidence.assumptions == ("$x > 1$",)
+    assert evidence.decides
+
+
+def test_what_sympy_assumes_of_a_symbol_is_an_assumption():
+    assert prove("means", [], (m + n) ** 2 >= 4 * m * n).passed is True
+    assert prove("only for positive", [sp.Eq(y, m * x**2)], y >= 0).passed is True
+    assert prove("not for all", [sp.Eq(y, z * x**2)], y >= 0).passed is False
+
+
+def test_a_sign_that_sympy_leaves_open_is_left_open():
+    """At 0 a number that is only not negative is not positive; one that is not 0 has a positive square."""
+    k, w = sp.Symbol("k", nonnegative=True), sp.Symbol("w", real=True, nonzero=True)
+    assert prove("beyond 0", [], k + k**2 > 0).passed is False
+    assert prove("a square", [], sp.Gt(w**2, 0, evaluate=False)).passed is True
+    with pytest.raises(ValueError, match="not manifestly positive"):
+        cleared(x / w)
+    assert cleared(x / w**2) == x
+
+
+@pytest.mark.parametrize(
+    ("given", "conclusion"),
+    [
+        ([x >= 1], x**2 > 1),
+        ([], x**3 >= 0),
+        ([x < y], x**2 < y**2),
+        ([], sp.false),
+        ([sp.Eq(x**2, 2)], x > 0),
+    ],
+)
+def test_a_false_statement_is_refuted_with_a_model(given, conclusion):
+    evidence = prove("false", given, conclusion)
+    assert evidence.passed is False
+    assert evidence.value.startswith("counterexample: ")
+
+
+def test_the_model_is_a_counterexample():
+    assert prove("strict at the edge", [x >= 1], x > 1).value == "counterexample: x = 1"
+
+
+@pytest.mark.parametrize("given", [[x > 1, x < 0], [x**2 < 0], [sp.false], [sp.Lt(m, 0, evaluate=False)]])
+def test_a_vacuous_statement_proves_nothing(given):
+    evidence = prove("vacuous", given, y > 7)
+    assert evidence.passed is None
+    assert "the assumptions alone are unsat (z3), unsat (cvc5)" in evidence.value
+
+
+@pytest.mark.parametrize(
+    "conclusion",
+    [
+        sp.sin(x) <= 1,
+        sp.exp(x) > 0.5,
+        x > 0.1,
+        1 / x < 2,
+        sp.sqrt(m) > 2,
+        x**m > 1,
+        sp.pi * x > 1,
+        sp.Symbol("c") > 0,
+        sp.Symbol("k", integer=True) > 0,
+        sp.Symbol("a|b", real=True) > 0,
+        sp.Symbol("x", positive=True) < x,
+        sp.true,
+        x,
+    ],
+)
+def test_what_is_not_an_exact_polynomial_over_the_reals_is_refused(conclusion):
+    with pytest.raises(NotPolynomialError):
+        prove("foreign", [], conclusion)
+
+
+@pytest.mark.parametrize(
+    ("conclusion", "passed"),
+    [
+        (sp.Implies(sp.Abs(x) <= 1, x**2 <= 1), True),
+        (sp.Implies(sp.Abs(x) <= 1, x**2 < 1), False),
+        (sp.Equivalent(x**2 > 0, sp.Ne(x, 0)), True),
+        (sp.Equivalent(x**3 > 0, sp.Ne(x, 0)), False),
+        (sp.Or(x > 0, y > 0, x + y <= 0), True),
+        (sp.And(x**2 >= 0, y**2 >= 0, evaluate=False), None),
+    ],
+)
+def test_connectives_and_absolute_values(conclusion, passed):
+    if passed is None:  # sympy decides it alone, so the solvers are not asked
+        with pytest.raises(NotPolynomialError, match="evaluate=False"):
+            prove("decided", [], conclusion)
+    else:
+        assert prove("connectives", [], conclusion).passed is passed
+
+
+@pytest.mark.parametrize("solver", ["z3", "cvc5"])
+@pytest.mark.parametrize("negation", ["unknown", "sat"])
+def test_one_solver_alone_proves_nothing(monkeypatch, solver, negation):
+    def ask(name, *_):
+        return Answers("sat", negation if name == solver else "unsat")
+
+    monkeypatch.setattr(smt, "ask", ask)
+    evidence = prove("a square", [x > 1], x**2 > 1)
+    assert evidence.passed is None
+    assert f"{negation} ({solver})" in evidence.value
+
+
+@pytest.mark.parametrize("silent", [("z3",), ("cvc5",), ("z3", "cvc5")])
+@pytest.mark.parametrize("control", ["unknown", "unsat"])
+def test_a_control_without_answer_proves_nothing(monkeypatch, silent, control):
+    monkeypatch.setattr(smt, "ask", lambda name, *_: Answers(control if name in silent else "sat", "unsat"))
+    evidence = prove("a square", [x > 1], x**2 > 1)
+    assert evidence.passed is None
+    assert not evidence.decides
+    assert f"{control} ({silent[0]})" in evidence.value
+
+
+def test_a_solver_that_is_ended_for_its_time_proves_nothing(monkeypatch):
+    monkeypatch.setattr(smt, "answer", lambda *_: None)
+    assert prove("a square", [x > 1], x**2 > 1).passed is None
+    monkeypatch.setattr(smt, "SOLVERS", ("z3",))
+    assert prove("a square", [x > 1], x**2 > 1).passed is None
+
+
+def test_a_solver_that_fails_is_an_error():
+    with pytest.raises(RuntimeError, match="cvc5 failed"):
+        smt.ask("cvc5", "(nonsense", "", 1.0)
+
+
+@pytest.mark.parametrize("missing", ["z3", "cvc5"])
+def test_a_missing_solver_is_named(monkeypatch, missing):
+    monkeypatch.setitem(sys.modules, missing, None)
+    with pytest.raises(ToolMissingError, match=missing):
+        prove("a square", [x > 1], x**2 > 1)
+
+
+def test_a_time_limit_is_kept():
+    letters = sp.symbols("a:h", real=True)
+    hard = sum(letter**7 for letter in letters) > sp.prod(letters) ** 3
+    assert prove("hard", [sp.Eq(sum(letter**5 for letter in letters), 1)], hard, seconds=0.05).passed is not True
+
+
+def test_the_text_is_exact_and_the_same_for_both():
+    assert script([sp.Rational(-1, 3) * x**2 < m - x]) == (
+        "(set-logic QF_NRA)\n(declare-const |m_1| Real)\n(declare-const |x| Real)\n(assert (> |m_1| 0.0))\n"
+        "(assert (< (* (- (/ 1.0 3.0)) (* |x| |x|)) (+ |m_1| (* (- 1.0) |x|))))\n"
+    )
