@@ -15,6 +15,7 @@ from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.linear.modes import EventKind
 from numerics.plane.system import SPARE_BITS
 from numerics.scene.plane import PlaneScene
+from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.comparison import as_fraction
 from numerics.trajectory.rendering import ball_text, right_digits_text
 from numerics.trajectory.status import Status
@@ -41,8 +42,8 @@ class Working(Ball):
         self.name, self.bits = name, self.bits + SPARE_BITS
 
 
-@dataclass(frozen=True)
-class PlaneEvent:
+@dataclass(frozen=True, repr=False)
+class PlaneEvent(ShortRepr):
     """A change of mode at t (s): `direction` (n,) of v1 - v2 after it (before a stick), `load` (n,) on the friction, N.
 
     Modes are "stick" and "slip", of a box a word of + 0 -. `cause`: "guard", or "jump" of the force or of b.

@@ -88,8 +88,8 @@ class Friction(ShortRepr):
     `weakening` says how friction depends on speed and place besides; b is then what it is at rest, for C = 0.
 
     >>> friction = Friction([(4, "0.08")])
-    >>> friction.pieces, friction.starts
-    (((Fraction(4, 1), Fraction(2, 25)),), (Fraction(4, 1),))
+    >>> friction.pieces, friction.starts, friction.weakening
+    (((Fraction(4, 1), Fraction(2, 25)),), (Fraction(4, 1),), None)
     """
 
     pieces: tuple[tuple[Fraction, Fraction], ...]

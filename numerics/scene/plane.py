@@ -18,6 +18,7 @@ from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
 from numerics.scene.force import Force
 from numerics.scene.model import NO_FORCE, Law, read_law
 from numerics.scene.pieces import Piece, require_order
+from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")
 SHAPES = ("ellipsoid", "box")
@@ -25,8 +26,8 @@ Vector = tuple[Fraction, ...]
 Matrix = tuple[Vector, ...]
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class PlanePair:
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class PlanePair(ShortRepr):
     """Two bodies on a surface, n = 2 or 3 axes: m1, m2, b > 0 (n,), a1 >= 0 and a2 > 0 symmetric (n, n). Exact.
 
     A number stands for n equal ones, n numbers for a diagonal matrix. Raises InvalidScene.
@@ -69,8 +70,8 @@ class PlanePair:
         return all(not m[i][j] for m in (self.a1, self.a2) for i in range(self.axes) for j in range(i))
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class PlaneScene:
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class PlaneScene(ShortRepr):
     """A pair on a surface, x1, v1, x2, v2 (n,) at t = 0, the horizon `until` (s), u by axes, b by pieces. Exact."""
 
     pair: PlanePair

@@ -38,7 +38,7 @@ class ShortRepr:
 
 def _is(value: Any, default: Any) -> bool:
     """Return whether a value is the default one; arrays and balls are none."""
-    return bool(isinstance(value, Fraction | Enum | tuple | ShortRepr) and value == default)
+    return value is default or bool(isinstance(value, Fraction | Enum | tuple | ShortRepr) and value == default)
 
 
 def shortly(value: Any) -> str:
@@ -57,7 +57,7 @@ def shortly(value: Any) -> str:
         parts = [shortly(one) for one in (value if len(value) <= 4 else value[:2])]
         more = f", ... {len(value)} in all" if len(value) > 4 else "," if len(value) == 1 else ""
         return f"({', '.join(parts)}{more})"
-    if hasattr(value, "shape"):
+    if hasattr(value, "dtype"):
         return f"array of shape {value.shape}" if value.shape else shortly(value.item())
     if hasattr(value, "rel_accuracy_bits"):  # a ball, real or complex
         return str(value.str(6, radius=False))

@@ -10,6 +10,7 @@ from typing import Any
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
+from numerics.scene.short_repr import ShortRepr
 
 MAX_POINTS = 1000
 _TWO_COEFFICIENTS = (
@@ -18,16 +19,17 @@ _TWO_COEFFICIENTS = (
 )
 
 
-@dataclass(frozen=True, slots=True, init=False)
-class Weakening:
+@dataclass(frozen=True, slots=True, init=False, repr=False)
+class Weakening(ShortRepr):
     """F = sgn(w) (B(|w|) + C(z)), w = v1 - v2 (m/s), z = x1 - x2 (m): what friction is in slip; at rest B(0) + C(z).
 
     B goes from the pair's b at w = 0 through the points `speed`, (|w|, B in N), linear between, and on from the last
     one with `last_slope` (N s/m). C is linear between the points `place`, (z, C in N), and constant outside of them.
     Where b changes in time by pieces, B and C are both scaled by b(t)/b. Raises InvalidScene.
 
-    >>> Weakening(speed=[("0.05", "0.3")], last_slope="0.4").speed
-    ((Fraction(1, 20), Fraction(3, 10)),)
+    >>> falling = Weakening(speed=[("0.05", "0.3")], last_slope="0.4")
+    >>> falling, falling.speed, falling.last_slope, falling.place
+    (Weakening(speed=((0.05, 0.3),), last_slope=0.4), ((Fraction(1, 20), Fraction(3, 10)),), Fraction(2, 5), ())
     """
 
     speed: tuple[tuple[Fraction, Fraction], ...]
