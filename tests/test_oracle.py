@@ -8,10 +8,12 @@ from random import SystemRandom
 
 import pytest
 from oracle.controls import answers as questions
-from oracle.holding import held, same
-from oracle.reading import data
+from oracle.holding import Outcome, compared, held, same
+from oracle.reading import data, scene_of
 
+from numerics import solve
 from numerics.errors import NumericsError
+from numerics.trajectory.status import Status
 
 SCENES = data()["scenes"]
 KINDS = sorted({one["name"].split("/")[0] for one in SCENES} - {"forced", "extremes"})
@@ -94,3 +96,23 @@ def test_a_wrong_answer_is_seen(way):
         {"excess": str(float(right["excess"]) * by)},
     ]
     assert [bool(held(right | one, way).differences) for one in wrong] == [True] * len(wrong)
+
+
+class Claiming:
+    """An answer with another status."""
+
+    def __init__(self, found, status):
+        self.found, self.status = found, status
+
+    def __getattr__(self, name):
+        return getattr(self.found, name)
+
+
+@pytest.mark.parametrize(("name", "is_wrong"), [("forced-step", True), ("forced-friction-by-pieces", False)])
+def test_a_stick_at_the_horizon_that_is_said_to_last_for_ever_must_last(name, is_wrong):
+    """@example of a weak check: under a force the status was not compared where a run ends in stick."""
+    frozen = next(one for one in SCENES if one["name"] == f"shipped/{name}")
+    found, outcome = solve(scene_of(frozen), arithmetic="ball", digits=40), Outcome(name)
+    assert frozen["status"] == "REACHED_HORIZON"
+    claimed = compared(outcome, frozen, Claiming(found, Status.STUCK_FOR_EVER), 0)
+    assert ("said to be stuck for ever, and slips later" in claimed) is is_wrong

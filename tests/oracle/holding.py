@@ -1,7 +1,7 @@
 """One answer of the package held against the frozen one, through the public interface."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from time import perf_counter
 from typing import Any
@@ -112,7 +112,18 @@ def compared(outcome: Outcome, answer: dict[str, Any], found: Any, right: int) -
     may_differ |= {("STUCK_FOR_EVER", "REACHED_HORIZON")} if scene.is_forced and modes[-1] == "0" else set()
     if status != frozen and (status, frozen) not in may_differ:
         yield f"status {status}, not {frozen}"
+    if (status, frozen) == ("STUCK_FOR_EVER", "REACHED_HORIZON") and not stays(scene, len(events)):
+        yield "said to be stuck for ever, and slips later"
     yield from compared_numbers(outcome, answer, found, events, right)
+
+
+def stays(scene: Any, events: int) -> bool:
+    """Whether balls find no further event until four times the horizon; what they leave open they do not find."""
+    try:
+        later = solve(replace(scene, until=4 * scene.until), arithmetic="ball", max_events=events + 1)
+    except NumericsError:
+        return True
+    return len(later.events) <= events
 
 
 def shown(one: str, two: str) -> str:
