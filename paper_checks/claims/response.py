@@ -7,7 +7,7 @@ import sympy as sp
 from paper_checks.claims import jumping_force
 from paper_checks.claims.contraction import energy_rate, force_cancels, never_apart, one_solution
 from paper_checks.claims.forced_modes import strict_rule, tie_rule
-from paper_checks.decide import condition, equal, equals, identity
+from paper_checks.decide import equal, equals, identity, sharp
 from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
 from theory import forced
 from theory import forced_response as response
@@ -230,19 +230,11 @@ DISTANCE = sp.Symbol("N", nonnegative=True)
         slip=equal("t_s", sp.pi / 2, lambda: jumping.SLIP_TIME),
         stick=equal("t_h", 2 * sp.sqrt(2) * sp.atan(sp.sqrt(2)), jumping.stick_time),
         place=equal("x_1", -3 * sp.pi / 4 - jumping.speed, lambda: jumping.exit_state()[0]),
-        slowest=Formula(
-            jumping.speed,
-            ">",
-            1 - sp.pi / 2,
-            condition(lambda: sp.Gt(jumping.speed, jumping.slowest_and_fastest()[0], evaluate=False)),
-            sharp=True,
+        slowest=sharp(
+            jumping.speed, ">", 1 - sp.pi / 2, lambda: (jumping.speed, ">", jumping.slowest_and_fastest()[0])
         ),
-        fastest=Formula(
-            jumping.speed,
-            "<",
-            2 - 3 * sp.pi / 4,
-            condition(lambda: sp.Lt(jumping.speed, jumping.slowest_and_fastest()[1], evaluate=False)),
-            sharp=True,
+        fastest=sharp(
+            jumping.speed, "<", 2 - 3 * sp.pi / 4, lambda: (jumping.speed, "<", jumping.slowest_and_fastest()[1])
         ),
         apart=equal(DISTANCE**2, 3 * (jumping.speed - jumping.other_speed) ** 2, jumping.apart_squared),
     ),
