@@ -180,6 +180,7 @@ def trackable_references() -> Case:
         "Friction is all that the interface can pass on to body 2. Every reference that asks for no more can be followed, by a pair that sticks, under a force that can be written down.",
         carried("iff", transfers.followed()),
         carried("literal", signum.stuck_below_the_limit()),
+        carried("sticks", transfers.must_stick()),
         carried("force", transfers.stuck_force()),
     )
 

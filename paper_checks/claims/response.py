@@ -13,6 +13,7 @@ from theory import forced
 from theory import forced_response as response
 from theory import jumping_force as jumping
 from theory.energy import sigma
+from theory.filippov import STATE
 from theory.forced_response import natural, rates
 from theory.symbols import a2, b, m1, m2, t, u, undamped, v1, x1
 
@@ -164,6 +165,21 @@ def sine_at_resonance() -> Evidence:
     )
 
 
+@cache
+def drift() -> Evidence:
+    """The mirror of the response under a force with u(t + T/2) = -u(t) is the response."""
+    letters = {one: -one for one in STATE}
+    mirrored = forced.forced_system(-sigma, -u).subs(letters, simultaneous=True)
+    return argument(
+        """
+        $x_2$ gains the integral of $v_2$. If $u(t+T/2)=-u(t)$, minus the response, moved by half a period, is a
+        response too, so the same one: $v_2(t+T/2)=-v_2(t)$, and its integral over a period is $0$.
+        """,
+        identity(r"the equations are odd in the state, $\sigma$ and $u$", -mirrored, forced.forced_system(sigma)),
+        one_response(),
+    )
+
+
 SIGMA = sp.Symbol("sigma", real=True)
 
 
@@ -248,6 +264,7 @@ def forced_periodic_response() -> Case:
         families of periodic motions may lie beside one another.
         """,
         carried("one", one_response()),
+        carried("drift", drift()),
         carried("undamped", undamped_attraction()),
         carried("jump", jumping_force.keeps_apart()),
     )
