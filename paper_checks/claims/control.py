@@ -15,17 +15,9 @@ from theory.scaling import stick_frequency
 from theory.symbols import a1, a2, b, m1, m2, u, v2_0, x1_0, x2_0
 
 RESPONSE, SPREAD = sp.Symbol("g", positive=True), sp.Symbol("s", real=True)
-
-
 HALF, PART = sp.Symbol("t_{1/2}", positive=True), sp.Symbol("xi", positive=True)
-
-
 PLACE_START, PLACE_END = sp.Symbol("{x_2(0)}", real=True), sp.Symbol("{x_2(T)}", real=True)
-
-
 RATE_START, RATE_END = sp.Symbol("{v_2(0)}", real=True), sp.Symbol("{v_2(T)}", real=True)
-
-
 FIRST_ANGLE, SECOND_ANGLE, PACE = sp.symbols("alpha_1 alpha_2 Omega", positive=True)
 
 
@@ -40,23 +32,11 @@ def _off_centre() -> sp.Expr:
 
 
 OFFSET = sp.Symbol("gamma", real=True)
-
-
 WAY, WAY_RATE, WAY_BEND = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} \ddot{x}_{\mathrm{ref}}", real=True)
-
-
 THEN, LATER = sp.symbols("t_1 t_2", nonnegative=True)
-
-
 RATE_THEN, RATE_LATER = sp.symbols(r"\dot{x}_{\mathrm{ref}}(t_1) \dot{x}_{\mathrm{ref}}(t_2)", real=True)
-
-
 REFERENCE = {WAY: control.r_place, WAY_RATE: control.r_speed, WAY_BEND: control.r_acceleration}
-
-
 START = {PLACE_START: x2_0, RATE_START: v2_0}
-
-
 FIRST_PLACE, WAY_START = sp.Symbol("{x_1(0)}", real=True), sp.Symbol(r"{x_{\mathrm{ref}}(0)}", real=True)
 
 

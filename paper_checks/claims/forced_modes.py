@@ -182,14 +182,8 @@ def jump_moves_the_strip() -> Evidence:
 
 
 LOAD = sp.Symbol("Lambda", real=True)
-
-
 P = sp.Symbol("p", real=True)
-
-
 ETA, ETA_RATE = sp.Symbol("eta", real=True), sp.Symbol(r"\dot{\eta}", real=True)
-
-
 BESIDE: dict[sp.Symbol, Callable[[int], sp.Expr]] = {
     P: forced.imbalance,
     ETA: lambda _: forced.gap,

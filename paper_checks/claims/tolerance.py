@@ -120,11 +120,7 @@ def heavy_damping() -> Evidence:
 
 
 REST, ENERGY, LAST_ENERGY = sp.symbols(r"z_{\infty} E E_{\infty}", real=True)
-
-
 KAPPA, DISTANCE = sp.Symbol("kappa", positive=True), sp.Symbol("N", nonnegative=True)
-
-
 OTHER_PLACE = sp.Symbol(r"\tilde{x}_2", real=True)
 
 
