@@ -155,21 +155,6 @@ def response_peak() -> Expr:
     return min(solve(diff(response, angle), angle))
 
 
-def response_residual() -> Expr:
-    """What g leaves in m1 g'' + a1 g' + a2 g, N: zero."""
-    g = impulse_response()
-    known = {u: 0, b: 0, x1: g, v1: diff(g, t), a1: 2 * m1 * decline, a2: m1 * (decline**2 + swing**2)}
-    return cancel(m1 * (diff(g, t, 2) - slip(1).acceleration1.subs(known, simultaneous=True)))
-
-
-def addition_residual() -> Expr:
-    """What is left of g(t + s) = g(t) (m1 g'(s) + a1 g(s)) + m1 g'(t) g(s), m/(N s): zero."""
-    s = Symbol("s", positive=True)
-    g, rate = impulse_response(), diff(impulse_response(), t)
-    forward = g * (m1 * rate + 2 * m1 * decline * g).subs(t, s) + m1 * rate * g.subs(t, s)
-    return simplify((g.subs(t, t + s) - forward).expand(trig=True))
-
-
 @cache
 def slipping_amplitude() -> Expr:
     """The least amplitude with which body 2 arrives in the least time, N, by g(tau): v1 is v2 at tau."""

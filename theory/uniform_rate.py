@@ -8,14 +8,11 @@ from functools import cache
 from sympy import Expr, Max, Min, Symbol, acot, ceiling, pi, simplify, sqrt
 
 from theory.energy import critical_energy, dwell_time_bound
-from theory.excursion import slip_from
 from theory.rate_bounds import first_depth, first_excess
 from theory.return_map import depth
-from theory.scaling import excess, stick_frequency, to_reduced
-from theory.symbols import E0, V1, V2, X, q, r, tau, theta, w
+from theory.scaling import stick_frequency, to_reduced
+from theory.symbols import E0, q, r, tau, theta, w
 
-slowness = Symbol("V", positive=True)  # common velocity at the first contact of the family
-backwards = Symbol("sigma", positive=True)  # slip angle before that contact
 crossings = Symbol("N", nonnegative=True)  # bound of the number of slips that cross S
 
 
@@ -55,15 +52,3 @@ def late() -> Expr:
 def upper_bound() -> Expr:
     """The bound of w at the reduced time tau."""
     return q / (1 / first_excess + gain() * Max(0, (tau - late()) / cycle_bound() - 2))
-
-
-@cache
-def family_guard() -> Expr:
-    """V1 - V2 in the slip with v1 < v2 at the slip angle sigma before a contact at X = r with the velocity V."""
-    return slip_from(r, slowness).guard.subs(theta, -backwards)
-
-
-@cache
-def family_excess() -> Expr:
-    """w at that contact: r^2 + V^2 - 1."""
-    return simplify(excess().subs({X: r, V1: slowness, V2: slowness}, simultaneous=True))

@@ -4,8 +4,8 @@ import sympy as sp
 
 from paper_checks.claims import signum, transfers
 from paper_checks.claims.letters import MASS
-from paper_checks.decide import condition, equal, identity
-from paper_checks.evidence import HOLDS, Case, Formula, argument, because, carried, claim, clause, theorem
+from paper_checks.decide import equal, identity, sharp
+from paper_checks.evidence import HOLDS, Case, argument, because, carried, claim, clause, theorem
 from theory import forced
 from theory import forced_control as control
 from theory.energy import sigma
@@ -15,17 +15,9 @@ from theory.scaling import stick_frequency
 from theory.symbols import a1, a2, b, m1, m2, u, v2_0, x1_0, x2_0
 
 RESPONSE, SPREAD = sp.Symbol("g", positive=True), sp.Symbol("s", real=True)
-
-
 HALF, PART = sp.Symbol("t_{1/2}", positive=True), sp.Symbol("xi", positive=True)
-
-
 PLACE_START, PLACE_END = sp.Symbol("{x_2(0)}", real=True), sp.Symbol("{x_2(T)}", real=True)
-
-
 RATE_START, RATE_END = sp.Symbol("{v_2(0)}", real=True), sp.Symbol("{v_2(T)}", real=True)
-
-
 FIRST_ANGLE, SECOND_ANGLE, PACE = sp.symbols("alpha_1 alpha_2 Omega", positive=True)
 
 
@@ -40,23 +32,11 @@ def _off_centre() -> sp.Expr:
 
 
 OFFSET = sp.Symbol("gamma", real=True)
-
-
 WAY, WAY_RATE, WAY_BEND = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} \ddot{x}_{\mathrm{ref}}", real=True)
-
-
 THEN, LATER = sp.symbols("t_1 t_2", nonnegative=True)
-
-
 RATE_THEN, RATE_LATER = sp.symbols(r"\dot{x}_{\mathrm{ref}}(t_1) \dot{x}_{\mathrm{ref}}(t_2)", real=True)
-
-
 REFERENCE = {WAY: control.r_place, WAY_RATE: control.r_speed, WAY_BEND: control.r_acceleration}
-
-
 START = {PLACE_START: x2_0, RATE_START: v2_0}
-
-
 FIRST_PLACE, WAY_START = sp.Symbol("{x_1(0)}", real=True), sp.Symbol(r"{x_{\mathrm{ref}}(0)}", real=True)
 
 
@@ -139,16 +119,11 @@ def target_or_set_point() -> Case:
         """,
         place=equal(r"x_{\mathrm{ref}}(0)", PLACE_START, lambda: control.followed_start()[0], lambda: START),
         speed=equal(r"\dot x_{\mathrm{ref}}(0)", RATE_START, lambda: control.followed_start()[1], lambda: START),
-        gentle=Formula(
+        gentle=sharp(
             sp.Abs(RATE_THEN - RATE_LATER),
             "<=",
             b / m2 * sp.Abs(THEN - LATER),
-            condition(
-                lambda: sp.Le(
-                    sp.Abs(RATE_THEN - RATE_LATER), control.strongest() * sp.Abs(THEN - LATER), evaluate=False
-                )
-            ),
-            sharp=True,
+            lambda: (sp.Abs(RATE_THEN - RATE_LATER), "<=", control.strongest() * sp.Abs(THEN - LATER)),
         ),
         kernel="trackable driven-acceleration",
     ),
@@ -159,13 +134,7 @@ def target_or_set_point() -> Case:
     clause(
         "sticks",
         r"While «slower» the pair must stick. So where that is so at the start, body 1 has to start with $v_1(0)=v_2(0)$.",
-        slower=Formula(
-            sp.Abs(WAY_BEND),
-            "<",
-            b / m2,
-            condition(lambda: sp.Lt(sp.Abs(WAY_BEND), control.strongest(), evaluate=False)),
-            sharp=True,
-        ),
+        slower=sharp(sp.Abs(WAY_BEND), "<", b / m2, lambda: (sp.Abs(WAY_BEND), "<", control.strongest())),
         kernel="must-stick",
     ),
     clause(
@@ -191,6 +160,7 @@ def trackable_references() -> Case:
         "Friction is all that the interface can pass on to body 2. Every reference that asks for no more can be followed, by a pair that sticks, under a force that can be written down.",
         carried("iff", transfers.followed()),
         carried("literal", signum.stuck_below_the_limit()),
+        carried("sticks", transfers.must_stick()),
         carried("force", transfers.stuck_force()),
     )
 
@@ -202,12 +172,11 @@ def trackable_references() -> Case:
         r"""
         Whatever the force, at the time $T$ body 2 has «within», where «spread» and $\Delta v_2=v_2(T)-v_2(0)$.
         """,
-        within=Formula(
+        within=sharp(
             sp.Abs(PLACE_END - PLACE_START - duration / 2 * (RATE_START + RATE_END)),
             "<=",
             SPREAD,
-            condition(lambda: sp.Le(sp.Abs(_off_centre()), SPREAD, evaluate=False)),
-            sharp=True,
+            lambda: (sp.Abs(_off_centre()), "<=", SPREAD),
         ),
         spread=equal(
             SPREAD,
@@ -235,13 +204,7 @@ def trackable_references() -> Case:
             lambda: control.stuck_amplitudes()[0],
         ),
         hold=equal("u_2", a2 * path, lambda: control.stuck_amplitudes()[1]),
-        late=Formula(
-            a2**2 * path - a1**2 * b / m2,
-            ">=",
-            0,
-            condition(lambda: sp.Ge(control.late_peak(), 0, evaluate=False)),
-            sharp=True,
-        ),
+        late=sharp(a2**2 * path - a1**2 * b / m2, ">=", 0, lambda: (control.late_peak(), ">=", 0)),
         peak=equal(
             "u_3",
             a2 * path + a1**2 * b / (2 * a2 * m2) - b * MASS / m2,
@@ -270,9 +233,7 @@ def trackable_references() -> Case:
     clause(
         "slip-undamped",
         r"For $a_1=0$, $\theta=\omega_1t_{1/2}$ and «rising» that is «undamped».",
-        rising=Formula(
-            angle, "<=", sp.pi / 2, condition(lambda: sp.Le(angle, control.response_peak(), evaluate=False)), sharp=True
-        ),
+        rising=sharp(angle, "<=", sp.pi / 2, lambda: (angle, "<=", control.response_peak())),
         undamped=equal(r"U_{\min}", b + b * m1 / m2 * angle / sp.sin(angle), control.undamped_slipping_amplitude),
         kernel="least-amplitude-undamped",
     ),
@@ -283,20 +244,10 @@ def trackable_references() -> Case:
         $x_1=0$ to rest at $D$ it takes at least «span», «pace», with «first» and «second»: $u=U$ over the first
         angle, $-U$ over the second.
         """,
-        weak=Formula(
-            3 * strength,
-            "<=",
-            b * MASS / m2,
-            condition(lambda: sp.Le(control.pressed().subs(angle, sp.pi), load_threshold(), evaluate=False)),
-            sharp=True,
+        weak=sharp(
+            3 * strength, "<=", b * MASS / m2, lambda: (control.pressed().subs(angle, sp.pi), "<=", load_threshold())
         ),
-        held=Formula(
-            a2 * path,
-            "<=",
-            strength,
-            condition(lambda: sp.Le(control.stuck_amplitudes()[1], strength, evaluate=False)),
-            sharp=True,
-        ),
+        held=sharp(a2 * path, "<=", strength, lambda: (control.stuck_amplitudes()[1], "<=", strength)),
         share=equal(PART, a2 * path / strength, lambda: control.stuck_amplitudes()[1] / strength),
         span=equal("T_w", (FIRST_ANGLE + SECOND_ANGLE) / PACE, control.weak_time, _arcs),
         pace=equal(PACE, sp.sqrt(a2 / MASS), stick_frequency),

@@ -137,20 +137,10 @@ def two_ends() -> Evidence:
 
 
 MASS = m1 + m2
-
-
 GAIN, K, K_RATE = sp.Symbol("G", positive=True), sp.Symbol("k", real=True), sp.Symbol("k'", real=True)
-
-
 RINGING = sp.Symbol("omega_d", positive=True)
-
-
 WAVE = {K: response.square_place, K_RATE: response.square_speed}
-
-
 TURN = sp.pi * RINGING / omega
-
-
 LEFT = 1 + 2 * decayed * sp.cos(TURN) + decayed**2
 
 

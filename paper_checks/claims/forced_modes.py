@@ -169,15 +169,21 @@ def finitely_many_events() -> Evidence:
     )
 
 
+@cache
+def jump_moves_the_strip() -> Evidence:
+    """The load takes the jump of u, the state does not: it has bounded accelerations."""
+    jump = sp.Symbol("j", real=True)
+    moved = forced.load().subs({u: u + jump, x1: x1 + jump / a2}, simultaneous=True)
+    return argument(
+        r"Positions and velocities are integrals of bounded functions. The load after the jump is that before it in the strip moved by the jump$/a_2$.",
+        identity(r"$\Lambda(u+j,\,x_1+j/a_2)=\Lambda(u,x_1)$", moved, forced.load()),
+        strict_rule(),
+    )
+
+
 LOAD = sp.Symbol("Lambda", real=True)
-
-
 P = sp.Symbol("p", real=True)
-
-
 ETA, ETA_RATE = sp.Symbol("eta", real=True), sp.Symbol(r"\dot{\eta}", real=True)
-
-
 BESIDE: dict[sp.Symbol, Callable[[int], sp.Expr]] = {
     P: forced.imbalance,
     ETA: lambda _: forced.gap,
@@ -253,6 +259,7 @@ def forced_mode_rule() -> Case:
         carried("strict", strict_rule()),
         carried("tie", tie_rule()),
         carried("marginal", marginal_rule()),
+        carried("jump", jump_moves_the_strip()),
         derivation=(
             r"$$I\ddot\eta+a_1\dot\eta+a_2\eta=p(t),\qquad \Lambda-sb=\frac{m_2}{M}\,(p-a_1\dot\eta-a_2\eta).$$",
         ),

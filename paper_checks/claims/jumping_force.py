@@ -15,8 +15,6 @@ from theory import jumping_force as jump
 from theory.symbols import t
 
 HALF_PI = sp.pi / 2
-
-
 DECIMALS = 40
 """Decimals to which force, times and places are rounded where members of the family are solved."""
 

@@ -15,8 +15,6 @@ from theory.symbols import a2, b, m1, m2, v1, x1
 from theory.symbols import r as share_of_q
 
 SIGN = sp.Symbol(r"\mathrm{sign}(v_1-v_2)", real=True)
-
-
 S = sp.Symbol("s", real=True)
 """The sign of a slip."""
 
@@ -61,8 +59,6 @@ def either_sign(
 
 
 ECR = sp.Symbol("E_{cr}", positive=True)
-
-
 RATE = ECR * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
 
 

@@ -28,8 +28,6 @@ from theory.long_time import (
 from theory.symbols import q, r
 
 TIMES = ("1e6", "1e12", "1e100")
-
-
 DIGITS = {"1e6": 18, "1e12": 25, "1e100": 112}
 
 

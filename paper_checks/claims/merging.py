@@ -26,8 +26,6 @@ from theory.return_map import return_map_of_angle
 from theory.symbols import q
 
 SHARES = (Fraction(3, 5), Fraction(7, 10), Fraction(4, 5), Fraction(9, 10), Fraction(99, 100), Fraction(1))
-
-
 DIGITS = 30
 
 

@@ -28,15 +28,11 @@ from theory.symbols import X, q, r
 from theory.symbols import r as share_of_q
 
 MERGES, CREEPS = "merges", "creeps"
-
-
 SPEEDS = tuple(Fraction(n, 20) for n in range(21, 421))
 """Speeds on S0 at x1 = 0, in units of L Omega, that are looked through: w = V^2 - 1."""
 
 
 UNTIL = 150
-
-
 STAGES = (35, 200)
 """Horizons of the runs that decide in float64: the second one where the first leaves it open."""
 

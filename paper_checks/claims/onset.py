@@ -37,8 +37,6 @@ def _level() -> sp.Rel:
 
 
 START_WITH_SPEED = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.15"), v2: 0}
-
-
 TOGETHER = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.03"), v2: sp.Rational("0.03")}
 
 
@@ -243,8 +241,6 @@ def example_onset() -> Case:
 
 # A slip of the example that lasts for more than a period of body 1, and one state in which friction drives body 1.
 LONG_SLIP = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.1"), v2: -1}
-
-
 DRIVEN = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("-0.1"), v2: sp.Rational("-0.2")}
 
 

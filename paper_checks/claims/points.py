@@ -23,11 +23,7 @@ def at_rest(position: str) -> dict[Symbol, Rational | int]:
 
 # The start of the paper's Fig. 4 (a), beyond the edge of S0; a point inside it; the edge itself.
 START_AT_6MM = at_rest("0.006")
-
-
 INSIDE = at_rest("0.004")
-
-
 EDGE = at_rest("0.005")
 
 

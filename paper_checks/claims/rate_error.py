@@ -15,15 +15,11 @@ Quotient = Callable[["Slip", Any], tuple[Any, Any]]
 
 
 SPLIT, RIM = Fraction(4, 5), Fraction(7, 5)
-
-
 ORDER = 20
 """Powers of the slip angle in the Taylor polynomials."""
 
 
 ARCS = 64
-
-
 NEAR, WIDE, LONG = 200, 64, 64
 """Boxes of p near 0, and of p and of the angle beyond."""
 
@@ -33,15 +29,11 @@ TERMS = 60
 
 
 DENOMINATOR = math.lcm(*range(1, TERMS + 1))
-
-
 COEFFICIENTS = [-DENOMINATOR // n for n in range(1, TERMS + 1)]
 """Those of its series, over one denominator, so that they are exact at every precision."""
 
 
 SERIES = arb_poly(COEFFICIENTS)
-
-
 SLOPE = SERIES.derivative()
 
 

@@ -7,12 +7,13 @@ import sympy as sp
 from paper_checks.claims import jumping_force
 from paper_checks.claims.contraction import energy_rate, force_cancels, never_apart, one_solution
 from paper_checks.claims.forced_modes import strict_rule, tie_rule
-from paper_checks.decide import condition, equal, equals, identity
+from paper_checks.decide import equal, equals, identity, sharp
 from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
 from theory import forced
 from theory import forced_response as response
 from theory import jumping_force as jumping
 from theory.energy import sigma
+from theory.filippov import STATE
 from theory.forced_response import natural, rates
 from theory.symbols import a2, b, m1, m2, t, u, undamped, v1, x1
 
@@ -164,6 +165,21 @@ def sine_at_resonance() -> Evidence:
     )
 
 
+@cache
+def drift() -> Evidence:
+    """The mirror of the response under a force with u(t + T/2) = -u(t) is the response."""
+    letters = {one: -one for one in STATE}
+    mirrored = forced.forced_system(-sigma, -u).subs(letters, simultaneous=True)
+    return argument(
+        """
+        $x_2$ gains the integral of $v_2$. If $u(t+T/2)=-u(t)$, minus the response, moved by half a period, is a
+        response too, so the same one: $v_2(t+T/2)=-v_2(t)$, and its integral over a period is $0$.
+        """,
+        identity(r"the equations are odd in the state, $\sigma$ and $u$", -mirrored, forced.forced_system(sigma)),
+        one_response(),
+    )
+
+
 SIGMA = sp.Symbol("sigma", real=True)
 
 
@@ -230,19 +246,11 @@ DISTANCE = sp.Symbol("N", nonnegative=True)
         slip=equal("t_s", sp.pi / 2, lambda: jumping.SLIP_TIME),
         stick=equal("t_h", 2 * sp.sqrt(2) * sp.atan(sp.sqrt(2)), jumping.stick_time),
         place=equal("x_1", -3 * sp.pi / 4 - jumping.speed, lambda: jumping.exit_state()[0]),
-        slowest=Formula(
-            jumping.speed,
-            ">",
-            1 - sp.pi / 2,
-            condition(lambda: sp.Gt(jumping.speed, jumping.slowest_and_fastest()[0], evaluate=False)),
-            sharp=True,
+        slowest=sharp(
+            jumping.speed, ">", 1 - sp.pi / 2, lambda: (jumping.speed, ">", jumping.slowest_and_fastest()[0])
         ),
-        fastest=Formula(
-            jumping.speed,
-            "<",
-            2 - 3 * sp.pi / 4,
-            condition(lambda: sp.Lt(jumping.speed, jumping.slowest_and_fastest()[1], evaluate=False)),
-            sharp=True,
+        fastest=sharp(
+            jumping.speed, "<", 2 - 3 * sp.pi / 4, lambda: (jumping.speed, "<", jumping.slowest_and_fastest()[1])
         ),
         apart=equal(DISTANCE**2, 3 * (jumping.speed - jumping.other_speed) ** 2, jumping.apart_squared),
     ),
@@ -256,6 +264,7 @@ def forced_periodic_response() -> Case:
         families of periodic motions may lie beside one another.
         """,
         carried("one", one_response()),
+        carried("drift", drift()),
         carried("undamped", undamped_attraction()),
         carried("jump", jumping_force.keeps_apart()),
     )

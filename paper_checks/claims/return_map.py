@@ -18,15 +18,11 @@ from theory.return_map import depth_series, return_map_of_angle, return_map_seri
 from theory.symbols import epsilon, q, r, w
 
 ORDER = 8
-
-
 RADIUS = 2
 """Radius of the disc of slip angles on whose rim the remainder is bounded; h and c are analytic up to 2 pi."""
 
 
 ARCS = 512
-
-
 SHARES = (Fraction(1, 2), Fraction(1, 3), Fraction(4, 5))
 
 

@@ -113,11 +113,7 @@ def under_a_force() -> tuple[Clause, ...]:
 
 # The control under which eq. (4) stays at its equality: the path of stick with the acceleration b/m2 from rest.
 PATH = EXAMPLE_PAIR[b] * t**2 / (2 * EXAMPLE_PAIR[m2])
-
-
 CONTROL = held_at_the_limit()
-
-
 CONTRADICTION = r"""
 No solution with $u=1+50t^2$: for a short time $\dot z<0$ is impossible, as $\ddot z>0$ there. While $\dot z\geqslant
 0$, $x_1=t^2/4$ (a linear equation with zero data for the difference). Then $\dot z$ cannot grow, as $\ddot z=0$ where

@@ -67,11 +67,7 @@ def time(letter: str, digits: str, scene: str, number: int) -> Formula:
 
 
 ALTERNATION = (Mode.STICK, Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS)
-
-
 FROM_REST = "Stuck from rest, $|x_1|\\leqslant|x_1(0)|$, so the force that sticking needs is at most $b$ for ever exactly if $|x_1(0)|\\leqslant L$."
-
-
 VANISHING = r"""
 In every mode $\dot E\leqslant-b|\dot z|$, so $b\int_0^\infty|\dot z|\,dt\leqslant E(0)$; and $|\ddot z|\leqslant K$
 on $\{E\leqslant E(0)\}$. A Lipschitz function with a finite integral tends to 0 (Barbalat): $\dot z\to 0$.

@@ -27,8 +27,6 @@ from theory.model import stick
 from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, v1_other, v2, v2_other, x1
 
 LIPSCHITZ = sp.Symbol("ell", positive=True)
-
-
 APART = {b: 2, forced.b_other: 1, v1: 1, v2: 0, v1_other: 3, v2_other: 0}
 """Two slips forwards, the slower one where friction is larger (N, m/s)."""
 

@@ -10,7 +10,7 @@ from paper_checks.claims.forced_modes import strict_rule
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.points import INSIDE
 from paper_checks.claims.response import approach
-from paper_checks.decide import condition, equal, equals, exhibit, identity, implied, prove
+from paper_checks.decide import equal, equals, exhibit, identity, implied, prove, sharp
 from paper_checks.evidence import (
     CORRECTED,
     Case,
@@ -120,11 +120,7 @@ def heavy_damping() -> Evidence:
 
 
 REST, ENERGY, LAST_ENERGY = sp.symbols(r"z_{\infty} E E_{\infty}", real=True)
-
-
 KAPPA, DISTANCE = sp.Symbol("kappa", positive=True), sp.Symbol("N", nonnegative=True)
-
-
 OTHER_PLACE = sp.Symbol(r"\tilde{x}_2", real=True)
 
 
@@ -244,16 +240,11 @@ def ring_of_tolerance() -> Case:
     clause(
         "centre",
         r"Without a force $x_1-x_2$ has a limit $z_\infty$, and with the energy $E$ at a time there is «near» then, $E_\infty=\lim E$.",
-        near=Formula(
+        near=sharp(
             sp.Abs(x1 - x2 - REST),
             "<=",
             (ENERGY - LAST_ENERGY) / b,
-            condition(
-                lambda: sp.Le(
-                    sp.Abs(x1 - x2 - REST), (ENERGY - LAST_ENERGY) * control.path_per_energy(), evaluate=False
-                )
-            ),
-            sharp=True,
+            lambda: (sp.Abs(x1 - x2 - REST), "<=", (ENERGY - LAST_ENERGY) * control.path_per_energy()),
         ),
         kernel="displacement-limit displacement-paid",
     ),
@@ -274,21 +265,18 @@ def tolerance_ring() -> Case:
     clause(
         "sticks",
         r"Let a free pair be stuck at $x_1=0$ with the velocity $v_1>0$. Without a damper it sticks for ever if «captive».",
-        captive=Formula(
+        captive=sharp(
             v1**2,
             "<=",
             b**2 * MASS / (a2 * m2**2),
-            condition(lambda: sp.Le(v1**2, sp.solve(on_surface().subs(x1, 0) - critical_energy(), v1**2)[0])),
-            sharp=True,
+            lambda: (v1**2, "<=", sp.solve(on_surface().subs(x1, 0) - critical_energy(), v1**2)[0]),
         ),
         kernel="capture",
     ),
     clause(
         "breaks",
         r"With a damper it slips at once if «strong».",
-        strong=Formula(
-            a1, ">", b * MASS / (m2 * v1), condition(lambda: sp.Gt(a1, forced.breaking_damping())), sharp=True
-        ),
+        strong=sharp(a1, ">", b * MASS / (m2 * v1), lambda: (a1, ">", forced.breaking_damping())),
         kernel="damper-breaks",
     ),
     clause(

@@ -178,8 +178,6 @@ def upper() -> Evidence:
 
 
 RHO, LATE_TIME, CONTACT, LOSS = sp.symbols("rho tau^* tau_1 l", positive=True)
-
-
 DEPTH = sp.Function("c")
 
 

@@ -34,8 +34,6 @@ from theory.model import CASE_STUDY, slip
 from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
 
 TEETH = 10
-
-
 SLIPS = (Mode.SLIP_PLUS, Mode.SLIP_MINUS) * TEETH + (Mode.SLIP_PLUS,)
 """The itinerary up to the first adhesion: twenty crossings."""
 

@@ -9,7 +9,7 @@ from numerics.scene.file import load_scene
 from paper_checks.claims import capture
 from paper_checks.claims import energy as dissipation
 from paper_checks.claims.itineraries import never_merges
-from paper_checks.decide import cleared, condition, equal, identity, prove
+from paper_checks.decide import cleared, equal, identity, prove, sharp
 from paper_checks.decide.enclosure import solved
 from paper_checks.evidence import (
     CORRECTED,
@@ -36,9 +36,7 @@ from theory.symbols import a1, a2, b, free, m1, m2, undamped, v1, v2, x1
 
 def _underdamped() -> Formula:
     """Return the condition under which stick is a decaying oscillation."""
-    return Formula(
-        a1**2, "<", 4 * a2 * (m1 + m2), condition(lambda: sp.Lt(a1**2, a1**2 - discriminant("stick"))), sharp=True
-    )
+    return sharp(a1**2, "<", 4 * a2 * (m1 + m2), lambda: (a1**2, "<", a1**2 - discriminant("stick")))
 
 
 @claim(
@@ -58,12 +56,11 @@ def _underdamped() -> Formula:
         clause(
             "tilted-strip",
             r"it changes adhesion, whose region becomes «strip».",
-            strip=Formula(
+            strip=sharp(
                 sp.Abs(a2 * x1 + a1 * v1),
                 "<=",
                 b * (m1 + m2) / m2,
-                condition(lambda: sp.Le(sp.Abs(load(damped=True)), load_threshold(), evaluate=False)),
-                sharp=True,
+                lambda: (sp.Abs(load(damped=True)), "<=", load_threshold()),
             ),
         ),
     ),

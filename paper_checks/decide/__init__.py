@@ -9,6 +9,7 @@ from paper_checks.decide.deciders import (
     fails_at,
     holds_at,
     implied,
+    sharp,
     shown,
 )
 from paper_checks.decide.exact import identity
@@ -29,6 +30,7 @@ __all__ = [
     "identity",
     "implied",
     "prove",
+    "sharp",
     "shown",
     "value_at",
 ]

@@ -80,6 +80,18 @@ def condition(derived: Callable[[], sp.Rel]) -> Decide:
     return decide
 
 
+def sharp(
+    left: sp.Basic, relation: str, right: sp.Basic | int, derived: Callable[[], tuple[sp.Basic, str, sp.Basic | int]]
+) -> Formula:
+    """Return an inequality that is decided as a definition is: theory derives both of its sides and their relation."""
+
+    def found() -> sp.Rel:
+        one, sign, other = derived()
+        return _RELATIONAL[sign](one, other, evaluate=False)
+
+    return Formula(left, relation, right, condition(found), sharp=True)
+
+
 def decimal(value: Callable[[], arb]) -> Decide:
     """Decide a decimal fraction that goes on: the enclosed value has these digits."""
 

@@ -65,7 +65,7 @@ STEP_FAULTS = [
     ("minimum-transfer-time", CONTROL + "farthest", doubled),
     ("minimum-transfer-time", TWO_LAWS + "sp", misread("Gt", "Ge", 0)),
     ("trackable-references", TWO_LAWS + "spurious_branch", broken),
-    ("minimum-transfer-time", TRANSFERS + "sp", misread("Ge", "Le", 1)),
+    ("minimum-transfer-time", TRANSFERS + "sp", misread("Ge", "Le", 0)),
     ("tolerance-ring", CONTROL + "ring_ratio", doubled),
     ("tolerance-ring", CONTROL + "ring_radius", doubled),
     ("tolerance-ring", CONTROL + "path_per_energy", doubled),

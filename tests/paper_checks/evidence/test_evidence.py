@@ -1,9 +1,13 @@
 """A finding cannot claim more than its evidence carries."""
 
+from dataclasses import replace
+
 import pytest
 
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject
-from paper_checks.evidence.finding import Finding, InvalidFindingError, Verdict, conclude
+from paper_checks.evidence.claim import because, claim, correction, counterexample
+from paper_checks.evidence.clause import clause
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument
+from paper_checks.evidence.finding import Finding, InvalidFindingError, Verdict, carried, conclude
 
 EXACT = Evidence(EvidenceKind.EXACT, "sympy", "a = a", True)
 SAMPLE = Evidence(EvidenceKind.PROPERTY, "hypothesis", "a = a", True, cases=100)
@@ -100,3 +104,41 @@ def test_conclude_turns_undecided_and_keeps_the_evidence():
 
 def test_the_subject_can_be_named():
     assert (COUNTER.about, CORRECTION.about) == (Subject.COUNTEREXAMPLE, Subject.CORRECTION)
+
+
+WAITING = Evidence(EvidenceKind.KERNEL, "Coq", "the theorem t", None)
+SILENT = Evidence(EvidenceKind.SMT, "z3 and cvc5", "a < b", None)
+
+
+@pytest.mark.parametrize(
+    ("steps", "verdict"),
+    [
+        ((WAITING,), Verdict.UNCHECKED),
+        ((WAITING, SILENT), Verdict.UNDECIDED),
+        ((WAITING, FAILED), Verdict.UNDECIDED),
+        ((replace(WAITING, passed=False),), Verdict.UNDECIDED),
+        ((SILENT,), Verdict.UNDECIDED),
+    ],
+)
+def test_only_what_waits_for_the_kernel_alone_is_unchecked(steps, verdict):
+    assert conclude(Verdict.HOLDS, "r", EXACT, argument("So it is.", EXACT, *steps)).verdict is verdict
+
+
+@pytest.mark.parametrize("about", ["said", "correction"])
+def test_steps_of_a_corrected_claim_speak_about_what_they_carry(about):
+    said, corrected = clause("said", "$a$ is $b$."), clause("correction", "$a$ is not $b$.")
+
+    @claim("a", "II", "w", Verdict.HOLDS_CORRECTED, said, correction=(corrected,))
+    def one():
+        return because("r", counterexample("c", EXACT), carried(about, EXACT), correction(EXACT))
+
+    found = one.decide()
+    assert found.verdict is Verdict.HOLDS_CORRECTED
+    (steps,) = (part.steps for part in found.carried)
+    assert steps[0].about is (Subject.CORRECTION if about == "correction" else Subject.CLAIM)
+
+
+def test_words_may_stand_over_several_lines():
+    assert clause("a", "one\n    two  three").text == "one two three"
+    assert argument("one\n    two", EXACT).statement == "one two"
+    assert because("one\n  two", EXACT).reason == "one two"
