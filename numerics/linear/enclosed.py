@@ -204,7 +204,7 @@ class _Run(Path):
             one = two = one.intersection(two)
         runs = [late * (abs(speed) + bend * late) for speed, bend in zip((v1, v2), bends, strict=True)]
         place = at.place + 2 * self.kappa * at.norm * late
-        if self.cells and at.mode:
+        if at.mode:
             place = place + self.kappa * at.norm * arb(t)
         return [within(x1, (far + runs[0]).upper()), one, within(x2, (far + place + runs[1]).upper()), two]
 
