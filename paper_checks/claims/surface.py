@@ -1,0 +1,108 @@
+"""The pair on a surface under round friction: what sticks for ever, how a slip ends, a force that goes round."""
+
+from functools import cache
+
+from paper_checks.decide import identity
+from paper_checks.evidence import Case, Evidence, argument, because, carried, clause, theorem
+from theory.energy import critical_energy
+from theory.filippov import half_width
+from theory.symbols import a2, b, m1, m2
+
+
+@cache
+def load_and_place() -> Evidence:
+    """The load of a stuck pair is in proportion to its place, and L is where it is b."""
+    return argument(
+        r"""
+        Stuck, $(m_1+m_2)\ddot{\mathbf q}=-a_2\mathbf q$ moves body 1 on an ellipse with the frequency $\Omega$, and the
+        force on body 2 is $m_2\ddot{\mathbf q}$, of the size $m_2a_2|\mathbf q|/(m_1+m_2)$. With $\mathbf p=\dot{\mathbf
+        q}/\Omega$ the energy is $\frac{a_2}2(|\mathbf q|^2+|\mathbf p|^2)$.
+        """,
+        identity(r"this size at $|\mathbf q|=L$ is $b$", m2 * a2 * half_width() / (m1 + m2), b),
+        identity(r"$\frac{a_2}2L^2=E_{cr}$", a2 * half_width() ** 2 / 2, critical_energy()),
+    )
+
+
+@theorem(
+    "stuck-ellipses",
+    clause(
+        "load",
+        r"""
+        With round friction $|\mathbf f|\leqslant b$, scalar masses and spring, and no damper, a stuck pair moves on
+        $\mathbf q\cos\Omega t+\mathbf p\sin\Omega t$, its load stays within $b$ exactly while this is within $L$ of the
+        origin, and its energy is $\frac{a_2}2(|\mathbf q|^2+|\mathbf p|^2)$, $\frac{a_2}2L^2=E_{cr}$.
+        """,
+    ),
+    clause(
+        "axis",
+        r"It stays there for ever exactly if the semi-major axis of this ellipse is at most $L$:",
+        kernel="plane-stuck-iff",
+    ),
+    clause(
+        "energies",
+        r"""
+        for $E\leqslant E_{cr}$ always, for $E>2E_{cr}$ never; on a line exactly for $E\leqslant E_{cr}$, on a circle
+        exactly for $E\leqslant 2E_{cr}$. There is no single critical energy.
+        """,
+        kernel="plane-stuck-energies",
+    ),
+    clause(
+        "lands",
+        r"""
+        In a slip $\mathbf s$ with $\dot{\mathbf s}=\kappa(\Lambda-b\,\mathbf s/|\mathbf s|)$ the function
+        $G=b|\mathbf s|+\Lambda\cdot\mathbf s$ has the rate
+        $-\kappa(b^2-|\Lambda|^2)+\dot\Lambda\cdot\mathbf s$: it falls through its end at a rate that is known.
+        """,
+        kernel="plane-landing",
+    ),
+    open=("Which slipping motions on a surface stick for ever, and how fast the others settle, is not decided here.",),
+)
+def stuck_ellipses() -> Case:
+    """The load turns with the place."""
+    return because(
+        "Stuck, the load is in proportion to the place, so the pair sticks for ever exactly if its ellipse fits into the disc of the radius $L$. An ellipse of given energy fits the better the rounder it is.",
+        carried("load", load_and_place()),
+    )
+
+
+@theorem(
+    "rotating-force",
+    clause(
+        "motion",
+        r"""
+        Under the force $U(\cos\omega t,\sin\omega t)$ on body 1, $U>0$, with scalar masses, spring and damper, there is
+        a motion in which a friction of the size $f>0$ turns with the force, along a slip of the constant speed
+        $\varrho\geqslant 0$, wherever $(m_2\omega^2U)^2=f^2|D_M|^2+2a_1m_2^2\omega^4f\varrho+m_2^2\omega^2|D|^2\varrho^2$,
+        $D=a_2-m_1\omega^2+ia_1\omega$, $D_M=a_2-(m_1+m_2)\omega^2+ia_1\omega$.
+        """,
+        kernel="rotating-motion",
+    ),
+    clause(
+        "threshold",
+        r"""
+        Let $D\neq 0$ and $U_*=b|D_M|/(m_2\omega^2)$. Up to $U_*$ this holds with $\varrho=0$ and a friction
+        $f=bU/U_*$ that sticking can give; with $f=b$ it holds for a speed $\varrho>0$ exactly if $U>U_*$, and for one
+        only. Such motions know no stick-slip between sticking and slipping for ever.
+        """,
+        kernel="rotating-threshold",
+    ),
+    clause(
+        "falling",
+        r"""
+        Where friction $b(\varrho)$ depends on the speed, the $U$ of that equation with $f=b(\varrho)$ has
+        $\frac{d(U^2)}{d\varrho}=\frac{2\varrho|D|^2}{\omega^2}X(0)$,
+        $X(0)=(1+b'g_s)(1+\frac b\varrho g_s)+b'\frac b\varrho g_a^2$, with $g_s=a_1\omega^2/|D|^2$ and
+        $g_a=\omega(a_2-m_1\omega^2)/|D|^2-1/(m_2\omega)$.
+        """,
+        kernel="rotating-characteristic",
+    ),
+    open=(
+        "That with a damper every motion tends to this one is not proved here.",
+        "That $X(0)<0$ makes the motion repel its neighbours is not proved here.",
+    ),
+)
+def rotating_force() -> Case:
+    """A force that goes round meets a friction that goes round with it."""
+    return because(
+        "In axes that turn with the force the motion rests, and its equations are one quadratic for the speed of slip. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$."
+    )
