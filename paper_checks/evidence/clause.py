@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from paper_checks.errors import LedgerError
-from paper_checks.evidence import formula
 from paper_checks.evidence.evidence import Evidence, one_line
+from paper_checks.evidence.formula import latex as latex_of
 
 RELATIONS = {
     "=": "=",
@@ -112,4 +112,4 @@ def latex(expression: sp.Basic | str | int) -> str:
         return expression
     if isinstance(expression, sp.MatrixBase):
         return r"\bigl(" + r",\,".join(latex(entry) for entry in expression) + r"\bigr)"
-    return formula.latex(expression)
+    return latex_of(expression)
