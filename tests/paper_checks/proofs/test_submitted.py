@@ -82,7 +82,7 @@ FALSE = {
     "the last mode": lambda text: changed(text, r"Ending \(Slip true\)", "Ending Stick"),
     "a stick for a slip": lambda text: changed(text, r"Event \(Slip false\)", "Event Stick"),
     "a missing event": lambda text: changed(
-        changed(text, r"  Event \(Slip false\).*?;\n", ""), r";\n  Hint [^\n]*?\n", ";\n"
+        changed(text, r"  Event \(Slip false\).*?;\n", ""), r";\n  Hit [^\n]*?\n", ";\n"
     ),
 }
 
@@ -142,7 +142,7 @@ def test_nothing_false_of_a_force_is_accepted(judge, planted):
     ("pattern", "new", "said"),
     [
         (r"Proof\. exact .*", "Admitted.\n", "Admitted stands where a proof is needed"),
-        (r"Lemma accepted : (.*?)\.\nProof.*?Qed\.", r"Parameter accepted : \1.", "Parameter stands where"),
+        (r"Lemma accepted :\s+(.*?)\.\nProof.*?Qed\.", r"Parameter accepted : \1.", "Parameter stands where"),
         (r"Theorem trajectory.*", "Theorem trajectory : True. Proof. exact I. Qed.", "is no theorem of"),
         (r"Theorem trajectory.*", WEAKER, "is no theorem of"),
         (
