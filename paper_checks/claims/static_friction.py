@@ -1,6 +1,23 @@
 """Is creeping robust? Static friction above kinetic, by any jump, ends it."""
 
-from paper_checks.evidence import Case, because, clause, theorem
+from functools import cache
+
+from paper_checks.decide import identity
+from paper_checks.evidence import Case, Evidence, because, clause, theorem
+from theory.forced import load
+from theory.model import slip
+from theory.symbols import b, m1, m2
+
+
+@cache
+def begins_fast() -> Evidence:
+    """What the relative velocity of a slip begins with, by the load at its start."""
+    there = slip(1)
+    return identity(
+        r"a slip of sign $+$ has $\ddot z=\kappa(\Lambda-b)$, so it begins with $\kappa(b_s-b_k)$",
+        there.acceleration1 - there.acceleration2,
+        (1 / m1 + 1 / m2) * (load() - b),
+    )
 
 
 @theorem(
@@ -35,5 +52,6 @@ from paper_checks.evidence import Case, because, clause, theorem
 def static_friction_stops_creeping() -> Case:
     """Every slip begins with more than friction takes, and so costs a fixed energy."""
     return because(
-        "A stick that is kept up to $b_s$ ends with a load that exceeds kinetic friction by $b_s-b_k$, and the load changes at a bounded rate: the slip that follows cannot be short, nor cheap. Without the jump slips may cost as little as one likes, which is how the free pair creeps."
+        "A stick that is kept up to $b_s$ ends with a load that exceeds kinetic friction by $b_s-b_k$, and the load changes at a bounded rate: the slip that follows cannot be short, nor cheap. Without the jump slips may cost as little as one likes, which is how the free pair creeps.",
+        begins_fast(),
     )

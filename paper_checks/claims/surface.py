@@ -2,11 +2,14 @@
 
 from functools import cache
 
+import sympy as sp
+
 from paper_checks.decide import identity
 from paper_checks.evidence import Case, Evidence, argument, because, carried, clause, theorem
 from theory.energy import critical_energy
 from theory.filippov import half_width
-from theory.symbols import a2, b, m1, m2
+from theory.forced_response import omega
+from theory.symbols import a1, a2, b, m1, m2
 
 
 @cache
@@ -65,14 +68,26 @@ def stuck_ellipses() -> Case:
     )
 
 
+@cache
+def one_quadratic() -> Evidence:
+    """In the frame of the friction the force is D_M + i p D in units of f/(m2 omega^2)."""
+    p = sp.Symbol("p", nonnegative=True)
+    alone, both = (a2 - m * omega**2 for m in (m1, m1 + m2))
+    return identity(
+        r"$|D_M+ipD|^2=|D_M|^2+2a_1m_2\omega^3p+|D|^2p^2$, $p=m_2\omega\varrho/f$",
+        (both - p * a1 * omega) ** 2 + (a1 * omega + p * alone) ** 2,
+        both**2 + (a1 * omega) ** 2 + 2 * a1 * m2 * omega**3 * p + (alone**2 + (a1 * omega) ** 2) * p**2,
+    )
+
+
 @theorem(
     "rotating-force",
     clause(
         "motion",
         r"""
         Under the force $U(\cos\omega t,\sin\omega t)$ on body 1, $U>0$, with scalar masses, spring and damper, there is
-        a motion in which a friction of the size $f>0$ turns with the force, along a slip of the constant speed
-        $\varrho\geqslant 0$, wherever $(m_2\omega^2U)^2=f^2|D_M|^2+2a_1m_2^2\omega^4f\varrho+m_2^2\omega^2|D|^2\varrho^2$,
+        a motion with a friction of the constant size $f>0$, along a slip of the constant speed $\varrho\geqslant 0$,
+        wherever $(m_2\omega^2U)^2=f^2|D_M|^2+2a_1m_2^2\omega^4f\varrho+m_2^2\omega^2|D|^2\varrho^2$,
         $D=a_2-m_1\omega^2+ia_1\omega$, $D_M=a_2-(m_1+m_2)\omega^2+ia_1\omega$.
         """,
         kernel="rotating-motion",
@@ -82,7 +97,7 @@ def stuck_ellipses() -> Case:
         r"""
         Let $D\neq 0$ and $U_*=b|D_M|/(m_2\omega^2)$. Up to $U_*$ this holds with $\varrho=0$ and a friction
         $f=bU/U_*$ that sticking can give; with $f=b$ it holds for a speed $\varrho>0$ exactly if $U>U_*$, and for one
-        only. Such motions know no stick-slip between sticking and slipping for ever.
+        only: for these motions both thresholds are one.
         """,
         kernel="rotating-threshold",
     ),
@@ -104,5 +119,6 @@ def stuck_ellipses() -> Case:
 def rotating_force() -> Case:
     """A force that goes round meets a friction that goes round with it."""
     return because(
-        "In axes that turn with the force the motion rests, and its equations are one quadratic for the speed of slip. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$."
+        "In axes that turn with the force the motion rests, and its equations are one quadratic for the speed of slip. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$.",
+        one_quadratic(),
     )

@@ -1,5 +1,6 @@
 """One theorem for friction in any number of directions: the pair under a force, chains, a surface."""
 
+from paper_checks.claims import filippov
 from paper_checks.evidence import Case, because, clause, theorem
 
 
@@ -56,5 +57,6 @@ from paper_checks.evidence import Case, because, clause, theorem
 def friction_in_any_direction() -> Case:
     """Friction is a subgradient, and what is left is monotone."""
     return because(
-        "The power of the difference of two frictions on the difference of two slips is never negative, as both are subgradients of one function; nor is that of dampers and springs. Where friction only brakes, the energy pays for the path of the slip."
+        "The power of the difference of two frictions on the difference of two slips is never negative, as both are subgradients of one function; nor is that of dampers and springs. Where friction only brakes, the energy pays for the path of the slip. The pair itself shows it in one line.",
+        filippov.contraction(),
     )

@@ -56,7 +56,7 @@ BEYOND: dict[str, tuple[str, str]] = {
     ),
     "rotating-motion": (
         "Rotating.circular_motion",
-        "Under a rotating force there is a motion with the constant speed $\\varrho$ of slip that solves a quadratic, in closed form.",
+        "Under a rotating force there is a motion with a friction of constant size and the constant speed $\\varrho$ of slip that solves a quadratic.",
     ),
     "rotating-threshold": (
         "Rotating.one_threshold",

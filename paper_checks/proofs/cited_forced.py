@@ -157,7 +157,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "nonstop-by-halves-needs": (
         "Halves.by_halves_needs",
-        r"Below $U_{**}$ there is no such motion, whatever the relative velocity does at $U_{**}$.",
+        r"Below $U_{**}$ there is no such motion, whatever the relative velocity does at $U_{**}$, if it leaves the turn there ($A>0$).",
     ),
     "nonstop-undamped": (
         "Undamped.undamped_iff",
