@@ -8,6 +8,8 @@ A scene, exact:
     Piece, Sine         what a force is made of
     Friction            the friction force b by pieces, N
     Weakening           how friction depends on the speed of the slip and on the place
+    PlanePair           two bodies on a surface: lists for numbers
+    PlaneScene          such a pair, where it starts, and what acts on each axis
     Law                 how sgn(0) is read where v1 = v2
     load_scene          the scene of a TOML file, or a shipped one such as "velocities"
     scene_text          a scene as TOML text
@@ -74,6 +76,8 @@ if TYPE_CHECKING:
     from numerics.scene import Weakening as Weakening
     from numerics.scene.file import load_reference as load_reference
     from numerics.scene.file import load_scene as load_scene
+    from numerics.scene.plane import PlanePair as PlanePair
+    from numerics.scene.plane import PlaneScene as PlaneScene
     from numerics.scene.writing import scene_text as scene_text
     from numerics.solver.batch import Batch as Batch
     from numerics.solver.many import solve_many as solve_many
@@ -87,6 +91,7 @@ if TYPE_CHECKING:
 _NAMES = {
     "scene": "Force Friction Law Pair Piece Scene Sine State Weakening",
     "scene.file": "load_reference load_scene",
+    "scene.plane": "PlanePair PlaneScene",
     "scene.writing": "scene_text",
     "solver.solve": "solve",
     "solver.prepared": "Solver",

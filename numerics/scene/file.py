@@ -47,11 +47,6 @@ def described_scenes() -> dict[str, str]:
     }
 
 
-def shipped_references() -> tuple[str, ...]:
-    """Return the short names of the references in the repository, sorted."""
-    return _names_in("references")
-
-
 def _names_in(folder: str) -> tuple[str, ...]:
     files = (resources.files("numerics") / "scene" / folder).iterdir()
     return tuple(sorted(one.name.removesuffix(".toml") for one in files if one.name.endswith(".toml")))

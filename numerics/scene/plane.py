@@ -32,6 +32,10 @@ class PlanePair(ShortRepr):
 
     A number stands for n equal ones, n numbers for a diagonal matrix. Raises InvalidScene.
     `shape` "ellipsoid": sum (f_i/b_i)^2 <= 1; "box": |f_i| <= b_i.
+
+    >>> pair = PlanePair(m1=1, m2=1, a2=[200, 120], b=["0.5", "0.25"], a1=0, shape="box")
+    >>> pair.axes, pair.is_diagonal, pair.shape, [str(one) for one in pair.b]
+    (2, True, 'box', ['1/2', '1/4'])
     """
 
     m1: Vector
@@ -72,7 +76,18 @@ class PlanePair(ShortRepr):
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)
 class PlaneScene(ShortRepr):
-    """A pair on a surface, x1, v1, x2, v2 (n,) at t = 0, the horizon `until` (s), u by axes, b by pieces. Exact."""
+    """A pair on a surface, x1, v1, x2, v2 (n,) at t = 0, the horizon `until` (s), u by axes, b by pieces. Exact.
+
+    >>> from numerics import Force, solve
+    >>> pair = PlanePair(m1=1, m2=1, a2=200, b="0.5")
+    >>> along_x, softer = [Force.sine(1, 5)], [("0.5", "0.4")]
+    >>> pushed = PlaneScene(pair, 1, x1=[0.012, 0.002], v1=0, x2=0, v2=0, force=along_x, friction=softer)
+    >>> pushed.pair.axes, pushed.until, pushed.is_forced, float(pushed.energy)
+    (2, Fraction(1, 1), True, 0.0148)
+    >>> run = solve(PlaneScene(pair, 1, x1=[0.012, 0.002]), digits=12)
+    >>> run.modes[:2], run.events[0].after, run.sol(0.5).shape
+    (('slip', 'stick'), 'stick', (8,))
+    """
 
     pair: PlanePair
     x1: Vector
