@@ -65,6 +65,7 @@ def stuck_ellipses() -> Case:
     return because(
         "Stuck, the load is in proportion to the place, so the pair sticks for ever exactly if its ellipse fits into the disc of the radius $L$. An ellipse of given energy fits the better the rounder it is.",
         carried("load", load_and_place()),
+        figure="stuck-ellipses",
     )
 
 
@@ -74,7 +75,7 @@ def one_quadratic() -> Evidence:
     p = sp.Symbol("p", nonnegative=True)
     alone, both = (a2 - m * omega**2 for m in (m1, m1 + m2))
     return identity(
-        r"$|D_M+ipD|^2=|D_M|^2+2a_1m_2\omega^3p+|D|^2p^2$, $p=m_2\omega\varrho/f$",
+        r"$|D_M+ipD|^2=|D_M|^2+2a_1m_2\omega^3p+|D|^2p^2$, $p=m_2\omega\rho/f$",
         (both - p * a1 * omega) ** 2 + (a1 * omega + p * alone) ** 2,
         both**2 + (a1 * omega) ** 2 + 2 * a1 * m2 * omega**3 * p + (alone**2 + (a1 * omega) ** 2) * p**2,
     )
@@ -86,8 +87,8 @@ def one_quadratic() -> Evidence:
         "motion",
         r"""
         Under the force $U(\cos\omega t,\sin\omega t)$ on body 1, $U>0$, with scalar masses, spring and damper, there is
-        a motion with a friction of the constant size $f>0$, along a slip of the constant speed $\varrho\geqslant 0$,
-        wherever $(m_2\omega^2U)^2=f^2|D_M|^2+2a_1m_2^2\omega^4f\varrho+m_2^2\omega^2|D|^2\varrho^2$,
+        a motion with a friction of the constant size $f>0$, along a slip of the constant speed $\rho\geqslant 0$,
+        wherever $(m_2\omega^2U)^2=f^2|D_M|^2+2a_1m_2^2\omega^4f\rho+m_2^2\omega^2|D|^2\rho^2$,
         $D=a_2-m_1\omega^2+ia_1\omega$, $D_M=a_2-(m_1+m_2)\omega^2+ia_1\omega$.
         """,
         kernel="rotating-motion",
@@ -95,8 +96,8 @@ def one_quadratic() -> Evidence:
     clause(
         "threshold",
         r"""
-        Let $D\neq 0$ and $U_*=b|D_M|/(m_2\omega^2)$. Up to $U_*$ this holds with $\varrho=0$ and a friction
-        $f=bU/U_*$ that sticking can give; with $f=b$ it holds for a speed $\varrho>0$ exactly if $U>U_*$, and for one
+        Let $D\neq 0$ and $U_*=b|D_M|/(m_2\omega^2)$. Up to $U_*$ this holds with $\rho=0$ and a friction
+        $f=bU/U_*$ that sticking can give; with $f=b$ it holds for a speed $\rho>0$ exactly if $U>U_*$, and for one
         only: for these motions both thresholds are one.
         """,
         kernel="rotating-threshold",
@@ -104,9 +105,9 @@ def one_quadratic() -> Evidence:
     clause(
         "falling",
         r"""
-        Where friction $b(\varrho)$ depends on the speed, the $U$ of that equation with $f=b(\varrho)$ has
-        $\frac{d(U^2)}{d\varrho}=\frac{2\varrho|D|^2}{\omega^2}X(0)$,
-        $X(0)=(1+b'g_s)(1+\frac b\varrho g_s)+b'\frac b\varrho g_a^2$, with $g_s=a_1\omega^2/|D|^2$ and
+        Where friction $b(\rho)$ depends on the speed, the $U$ of that equation with $f=b(\rho)$ has
+        $\frac{d(U^2)}{d\rho}=\frac{2\rho|D|^2}{\omega^2}X(0)$,
+        $X(0)=(1+b'g_s)(1+\frac b\rho g_s)+b'\frac b\rho g_a^2$, with $g_s=a_1\omega^2/|D|^2$ and
         $g_a=\omega(a_2-m_1\omega^2)/|D|^2-1/(m_2\omega)$.
         """,
         kernel="rotating-characteristic",
@@ -121,4 +122,5 @@ def rotating_force() -> Case:
     return because(
         "In axes that turn with the force the motion rests, and its equations are one quadratic for the speed of slip. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$.",
         one_quadratic(),
+        figure="rotating-force",
     )

@@ -59,4 +59,5 @@ def friction_in_any_direction() -> Case:
     return because(
         "The power of the difference of two frictions on the difference of two slips is never negative, as both are subgradients of one function; nor is that of dampers and springs. Where friction only brakes, the energy pays for the path of the slip. The pair itself shows it in one line.",
         filippov.contraction(),
+        figure="two-motions",
     )

@@ -139,6 +139,24 @@ CAPTIONS: dict[str, tuple[str, str]] = {
         "The mean velocity of body 2 as a second harmonic is added to the force. Without it the force is symmetric and there is no drift. "
         "Each point is a periodic motion that is proved.",
     ),
+    "static-friction": (
+        "What a slip from the edge costs",
+        "With one coefficient of friction a slip costs the less the smaller the excess is that it begins with, and the pair creeps. "
+        "With static friction above kinetic every slip costs at least a fixed energy: there are few of them.",
+    ),
+    "two-motions": (
+        "Two motions of one force",
+        "With a constant friction their distance never grows. Where friction falls with the speed it does.",
+    ),
+    "stuck-ellipses": (
+        "What sticks for ever on a surface",
+        "A stuck path that leaves the disc of the radius $L$ does not last. On a line the critical energy is the largest that fits, on a "
+        "circle it is twice that; the red path has more energy than one that fits and less than another.",
+    ),
+    "rotating-force": (
+        "The speed of slip under a force that goes round",
+        "Up to the threshold (dot) the pair goes round stuck; from it on body 2 slips at one constant speed. There is no stick-slip between.",
+    ),
 }
 """Title and caption by the figure's name, prose with LaTeX between dollars."""
 

@@ -8,6 +8,7 @@ from paper_checks.drawing.force_needed import force_needed
 from paper_checks.drawing.itineraries import itinerary_that_creeps, itinerary_that_merges
 from paper_checks.drawing.merging import merging_bands, merging_map, merging_share
 from paper_checks.drawing.model import two_bodies
+from paper_checks.drawing.past_the_line import rotating_force, static_friction, stuck_ellipses, two_motions
 from paper_checks.drawing.phase_portraits import relative_motion, start_at_6mm, start_with_speed
 from paper_checks.drawing.rates import long_time, rate_bounds_explicit, rate_with_error, uniform_rate_figure
 from paper_checks.drawing.relative_velocity import relative_velocity
@@ -39,6 +40,10 @@ FIGURES: Figures = {
         ("long-time", long_time),
         ("rate-with-error", rate_with_error),
         ("uniform-rate", uniform_rate_figure),
+        ("static-friction", static_friction),
+        ("two-motions", two_motions),
+        ("stuck-ellipses", stuck_ellipses),
+        ("rotating-force", rotating_force),
     )
 }
 """The drawings by name; each is drawn in the house style, and saved by `paper_checks.report.formats.vector`."""

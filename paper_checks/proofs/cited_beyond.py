@@ -56,7 +56,7 @@ BEYOND: dict[str, tuple[str, str]] = {
     ),
     "rotating-motion": (
         "Rotating.circular_motion",
-        "Under a rotating force there is a motion with a friction of constant size and the constant speed $\\varrho$ of slip that solves a quadratic.",
+        "Under a rotating force there is a motion with a friction of constant size and the constant speed $\\rho$ of slip that solves a quadratic.",
     ),
     "rotating-threshold": (
         "Rotating.one_threshold",
@@ -65,7 +65,7 @@ BEYOND: dict[str, tuple[str, str]] = {
     "rotating-characteristic": (
         "Rotating.characteristic_at_zero",
         r"With a friction of the speed the characteristic function at 0 is "
-        r"$X(0)=\frac{\omega^2}{2\varrho|D|^2}\frac{d(U^2)}{d\varrho}$.",
+        r"$X(0)=\frac{\omega^2}{2\rho|D|^2}\frac{d(U^2)}{d\rho}$.",
     ),
     # friction that falls with the speed
     "falling-parts": (

@@ -237,7 +237,7 @@ def _driven() -> frozenset[str]:
             "forced-resonance-bound",
         }
         | {"entrainment-threshold", "trackable-references", "minimum-transfer-time", "tolerance-ring"}
-        | {"damping-can-desynchronise"}
+        | {"damping-can-desynchronise", "friction-in-any-direction", "rotating-force", "static-friction-stops-creeping"}
     )
 
 

@@ -1,0 +1,115 @@
+"""Past the paper's pair: static friction above kinetic, two motions of one force, stuck ellipses, a force that goes round."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle
+from numpy.typing import NDArray
+
+from numerics.plane.rotating import rotating_response, rotating_threshold
+from numerics.scene import Force, Friction, Pair, Scene, State, Weakening
+from numerics.scene.file import load_scene
+from numerics.scene.plane import PlanePair
+from numerics.solver.solve import solve
+from paper_checks.drawing.style import BODY_1, BODY_2, MM, SLIDING, new_figure
+
+EXCESSES = tuple(range(-10, 1))
+"""Decimal logarithms of the excess with which a slip begins."""
+DROPS = (0, 5, 10, 30)
+"""How much kinetic friction is below static friction, per cent."""
+_COLOURS = ("black", "#2e8b3d", BODY_2, BODY_1)
+
+
+@cache
+def first_loss(drop: int, power: int) -> float:
+    """Return what the first slip from the edge costs with the excess 10^power, in E_cr of static friction, binary64."""
+    scene = load_scene("velocities")
+    edge, rate = scene.pair.half_width, math.sqrt(scene.pair.a2 / scene.pair.mass)
+    speed = Fraction(float(edge) * rate * 10 ** (power / 2))
+    pair = replace(scene.pair, b=scene.pair.b * (100 - drop) / 100)
+    lost = solve(Scene(pair, State(-edge, -speed, 0, -speed), until=1), digits=30)
+    with lost.arithmetic.context():
+        paid = lost.energy_of(lost.y[:, 0]) - lost.energy_of(lost.y[:, 1])
+    return float(paid) / float(scene.pair.critical_energy)
+
+
+def static_friction() -> Figure:
+    """Draw what a slip from the edge costs by the excess, for kinetic friction at and below static friction."""
+    figure = new_figure(4.4, 3.6)
+    axes = figure.subplots()
+    for drop, colour in zip(DROPS, _COLOURS, strict=True):
+        label = f"kinetic {drop} % below static" if drop else "one coefficient"
+        axes.loglog([10.0**k for k in EXCESSES], [first_loss(drop, k) for k in EXCESSES], color=colour, label=label)
+    axes.set(
+        xlabel="excess $E/E_{cr}-1$ at the start of the slip (dimensionless)",
+        ylabel="energy lost in $E_{cr}$ (dimensionless)",
+    )
+    axes.legend(loc="lower right")
+    return figure
+
+
+def two_motions() -> Figure:
+    """Draw the distance N of two motions under one force, with a constant friction and with one that falls."""
+    figure = new_figure(4.4, 3.4)
+    axes = figure.subplots()
+    pair, force, times = Pair(1, 1, 200, "0.5"), Force.sine(3, 12), np.linspace(0, 3, 400)
+    falling = Weakening(speed=[("0.5", "0.1")])
+    for weakening, label, colour in ((None, "constant", BODY_1), (falling, "falls with the speed", BODY_2)):
+        friction = Friction((), weakening)
+        one, two = (
+            _path(Scene(pair, start, 3, force=force, friction=friction), times) for start in (State(), State(v1="0.01"))
+        )
+        x1, v1, _, v2 = one - two
+        distance = np.sqrt(200 * x1**2 + v1**2 + v2**2)
+        axes.semilogy(times, distance / distance[0], color=colour, label=f"friction {label}")
+    axes.set(xlabel="$t$ (s)", ylabel="$N$ of the difference over its first value (dimensionless)")
+    axes.legend(loc="best")
+    return figure
+
+
+def _path(scene: Scene, times: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return (x1, v1, x2, v2) at many times, binary64."""
+    return np.vectorize(float, otypes=[float])(solve(scene).sol(times))
+
+
+def stuck_ellipses() -> Figure:
+    """Draw stuck paths that fit into the disc of the radius L, and one that does not, with their energies."""
+    figure = new_figure(4.4, 4.4)
+    axes = figure.subplots()
+    axes.add_patch(Circle((0, 0), 1, color=SLIDING, zorder=0, label="load within friction"))
+    angle = np.linspace(0, 2 * np.pi, 200)
+    for long, short, colour in ((1, 0, "black"), (1, 0.5, BODY_2), (1, 1, BODY_1), (1.25, 0.5, "#cc2222")):
+        axes.plot(
+            long * np.cos(angle), short * np.sin(angle), color=colour, label=f"$E={long**2 + short**2:g}\\,E_{{cr}}$"
+        )
+    axes.set(
+        xlabel="$x/L$ (dimensionless)",
+        ylabel="$y/L$ (dimensionless)",
+        aspect="equal",
+        xlim=(-1.6, 1.6),
+        ylim=(-1.5, 2.3),
+    )
+    axes.legend(loc="upper center", ncols=2)
+    return figure
+
+
+def rotating_force() -> Figure:
+    """Draw the constant speed of slip by the amplitude of a force that goes round, for three dampers."""
+    figure = new_figure(4.4, 3.4)
+    axes = figure.subplots()
+    for a1, colour in zip((1, 4, 16), _COLOURS[1:], strict=True):
+        pair = PlanePair(1, 1, 200, "0.5", a1)
+        least = float(rotating_threshold(pair, 12))
+        amplitudes = least * np.linspace(0.5, 3, 60)
+        speeds = [MM * float(rotating_response(pair, Fraction(float(one)), 12, 8).speed) for one in amplitudes]
+        axes.plot(amplitudes, speeds, color=colour, label=f"$a_1={a1}$ N s/m")
+        axes.plot([least], [0], "o", color=colour)
+    axes.set(xlabel="amplitude $U$ (N)", ylabel="speed of slip (mm/s)")
+    axes.legend(loc="upper left")
+    return figure
