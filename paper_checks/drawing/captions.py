@@ -155,7 +155,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "rotating-force": (
         "The speed of slip under a force that goes round",
-        "Up to the threshold (dot) the pair goes round stuck; from it on body 2 slips at one constant speed. There is no stick-slip between.",
+        "Up to the threshold (dot) the pair goes round stuck; from it on a motion slips at one constant speed; none of these sticks and slips in turn.",
     ),
 }
 """Title and caption by the figure's name, prose with LaTeX between dollars."""
