@@ -38,7 +38,8 @@ def solve_plane(
 
     Without digits and arithmetic: 64 bits, answers in floats with proved bounds, more bits only where these leave the
     sequence open. With `digits`, or "ball" (15): as many proved digits, relative to each number, near 0 to the largest
-    of its axis along the run; what three tiny windows add is bounded with slack, not proved (docs/limits.md). "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
+    of its axis along the run. What three tiny windows add is bounded with slack, not proved (docs/limits.md).
+    "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
     """
     if arithmetic not in {None, "float64", "ball"}:
         raise InvalidScene(f"arithmetic = {arithmetic!r} does not know a surface; take float64 or ball")
