@@ -122,7 +122,7 @@ CONTROL = [
     ("Undamped", "(2 * om)) + PI * m1 / (2 * m2)) ^ 2", "(2 * om)) - PI * m1 / (2 * m2)) ^ 2", "a sign in U**"),
     ("Undamped", "0 <= F -> a2 < m1 * om ^ 2 ->", "0 <= F -> m1 * om ^ 2 < a2 ->", "U** alone below resonance"),
     ("Damped", "(PI / om)) - fade m1 a1 / ring", "(PI / om)) + fade m1 a1 / ring", "a sign in the damped turn"),
-    ("Waves", "(dsteady y) t + g * z) g d t y.", "(dsteady y) t - g * z) g d t y.", "a swing that starts with another speed"),
+    ("Waves", "+ g * z) g d t y.", "- g * z) g d t y.", "a swing that starts with another speed"),
     ("Adhesion", "tb < u < tc -> v1 u < v2 u", "tb < u < tc -> v2 u < v1 u", "the slip at 4.7 s the other way round"),
     ("Filippov", "g = -1) /\\ is_derive x", "g = 1) /\\ is_derive x", "friction that drives at almost all times"),
     ("Switching", "* (1 - sgn (Rabs a", "* (1 + sgn (Rabs a", "adhesion only beyond what friction holds"),
