@@ -5,7 +5,6 @@ A sentence that other numbers would make false says what the numbers say: who is
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from statistics import median
@@ -15,7 +14,7 @@ from matplotlib.figure import Figure
 from numerics.scene.file import load_scene
 from numerics.trade.euler import STEPS, EulerFigure, euler_figure, stick_energy
 from numerics.trade.figure import draw_trade
-from numerics.trade.recorded import Run, Trade
+from numerics.trade.recorded import Trade
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
 
@@ -33,6 +32,7 @@ EULER_SCENES = {
 
 PEER = "heyoka"
 """Whom ours is measured against: the fastest integrator of its kind that we know."""
+PEERS = (PEER, f"{PEER} long double")
 ASKED = {0: "`solve(scene)`, float64", 12: "`digits=12`", 20: "`digits=20`"}
 """Our settings, as a user writes them."""
 
@@ -44,7 +44,7 @@ def section(trade: Trade) -> Section:
         Table(
             ("ours", "scenes", "as fast as heyoka: least", "median", "heyoka is faster on"),
             tuple(lines(trade)),
-            "How many times as fast as heyoka, at its coarsest setting that is as accurate (or at its most accurate one, where none is)",
+            "How many times as fast as heyoka, at its coarsest setting that is as accurate (or at its most accurate one, where none is), in double or long double, whichever is faster",
         ),
         Picture(
             WORK_PRECISION,
@@ -97,22 +97,17 @@ def _line(name: str, ratios: Mapping[str, float]) -> Iterator[tuple[str, ...]]:
 
 
 def beside(trade: Trade, names: Iterable[str], setting: int) -> dict[str, float]:
-    """Return by scene the peer's time over that of ours with this setting (dimensionless), both with the right events."""
+    """Return by scene the peer's time over that of ours with this setting (dimensionless), both with the right events.
+
+    Of the peer in double and in long double the one that has the digits asked for, and of both the faster.
+    """
     found = {}
     for name in names:
-        timed = [one for one in trade.of(name) if one.right and one.seconds and one.digits]
-        ours = next((one for one in timed if one.who == "solve" and one.setting == setting), None)
-        peers = [one for one in timed if one.who.startswith(PEER)]
-        if ours and peers:
-            needed = min(setting or ours.digits or 0.0, ours.digits or 0.0)
-            enough = [one for one in peers if (one.digits or 0.0) >= needed]
-            best = min(enough, key=_seconds) if enough else max(peers, key=lambda one: one.digits or 0.0)
-            found[name] = _seconds(best) / _seconds(ours)
+        leads = [lead for peer in PEERS if (lead := trade.beside(name, setting, peer))]
+        enough = [one.ratio for one in leads if (one.peer.digits or 0.0) >= setting]
+        if leads:
+            found[name] = min(enough) if enough else max(leads, key=lambda one: one.peer.digits or 0.0).ratio
     return found
-
-
-def _seconds(one: Run) -> float:
-    return one.seconds or math.inf
 
 
 def figures(trade: Trade) -> Figures:
