@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -48,6 +49,35 @@ def draw_response(found: Any) -> Figure:
     for ax in axes:
         legend_below(ax)
     figure.suptitle(found.regime.value)
+    return figure
+
+
+def draw_motions(found: Any) -> Figure:
+    """Return friction against the speed of the slip, and the cycles of PeriodicMotions as x1 against v1 - v2."""
+    figure = Figure(figsize=(10.4, 5), layout="constrained")
+    law, plane = figure.subplots(1, 2)
+    fastest = 0.0
+    for number, (one, colour) in enumerate(zip(found.motions, cycle((BLUE, ORANGE, GREEN, "black"))), start=1):
+        scene = one.one_period()
+        if scene is None:
+            continue
+        solved = solve(scene)
+        curve = sampled(solved)
+        w, leaves = curve.y[1] - curve.y[3], any(abs(size) > 1 for size in one.multipliers or ())
+        name = f"{number}: {one.regime.value.split(':')[0]}{', which others leave' if leaves else ''}"
+        how: dict[str, Any] = {"color": colour, "ls": "--" if leaves else "-", "label": name, "zorder": 9 - number}
+        law.plot(w, friction_on_body_2(solved, curve), **how)
+        plane.plot(curve.y[0], w, **how)
+        fastest = max(fastest, float(abs(w).max()))
+    speeds = np.linspace(0, 1.15 * fastest or 1, _POINTS)
+    given = float(found.drive.pair.b) * found.drive.cells.relative(speeds, 0 * speeds)
+    both = np.concatenate([-speeds[::-1], speeds]), np.concatenate([-given[::-1], given])
+    law.plot(*both, color=GRAY, lw=6, alpha=0.4, zorder=0, label="what friction can be")
+    law.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)", title="Friction against the speed")
+    plane.set(xlabel="$x_1$ (m)", ylabel="$v_1 - v_2$ (m/s)", title="The periodic motions")
+    for ax in (law, plane):
+        legend_below(ax)
+    figure.suptitle(found.sentence)
     return figure
 
 

@@ -10,7 +10,6 @@ from hypothesis import given, settings
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
-from numerics.control.response import response
 from numerics.errors import InvalidScene, OutOfRange
 from numerics.linear.path_enclosed import Path
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
@@ -228,11 +227,9 @@ def test_two_coefficients_are_refused_with_the_reason():
         parse_scene("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb_s = 0.5\nb_k = 0.3\n[run]\nuntil = 1\n")
 
 
-def test_what_is_worked_out_for_one_b_only_says_so():
+def test_float64_says_that_it_does_not_solve_them():
     with pytest.raises(OutOfRange, match="in balls only"):
         solve(BISTABLE, arithmetic="float64")
-    with pytest.raises(InvalidScene, match="depends on the state"):
-        response(BISTABLE)
 
 
 def test_a_batch_solves_them_in_balls():

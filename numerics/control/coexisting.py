@@ -1,0 +1,147 @@
+"""Periodic motions where friction depends on the speed: as many as are found, each proved, stable or not.
+
+Where B falls two motions part, in every norm, so nothing says that there is one: a stuck motion, a slipping one and one
+between them that others leave may share a force. They are looked for by following the pair over periods from some
+starts, then by Newton's method from states between those that were found. What is found exists; there may be more.
+
+Where B falls nowhere and a1 > 0 there is one, and every motion tends to it: N still shrinks, and two motions at a
+constant distance have the same v1, so that F and F* differ by a constant. That is 0, else v2 - v2* would grow, or w =
+w* and v2 = v2*. So x1 = x1*, w = w* + D, and F is the same on both: with D > 0, -D < w* < 0 would give F of opposite
+signs, and a w* that is never there keeps F >= b, or F <= -b, for ever, while that of a periodic motion has the mean 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import combinations
+
+from flint import arb
+
+from numerics.arithmetic.ball import Ball, working_digits
+from numerics.control.answers import Tell, number, rounded
+from numerics.control.attraction import passage_at
+from numerics.control.guesses import SHARE, crowded, next_to_the_stuck_response, stuck_state
+from numerics.control.orbit import Drive, Orbit, in_order, solve_from
+from numerics.errors import EventUndecided, InvalidScene, OutOfRange
+from numerics.scene import State
+from numerics.trajectory.legs import Leg, legs
+from numerics.trajectory.run import run_scene
+
+State3 = tuple[arb, arb, arb]
+"""x1, v1, v2."""
+_PERIODS = (4, 12, 48)
+"""So many periods are followed from a start, one batch after the other; at the end of each Newton's method begins."""
+_BETWEEN = tuple(Fraction(k, 4) for k in (1, 2, 3))
+_LOST = (EventUndecided, InvalidScene, OutOfRange)
+"""What ends a search from one start: nothing is claimed of it."""
+_PHASE, _DIGITS = Fraction(1234567, 10**7), 20
+"""At this part of a period motions are compared; that many digits of a state are followed from period to period."""
+
+
+def coexisting(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[list[Orbit], int]:
+    """Return the periodic motions with events that are found, proved, all different, and how many starts were tried.
+
+    `sticks`: the stuck response exists. Raises NotSettled where a period has more than a fifth of `max_events` events.
+    """
+    most, found, starts = max_events // SHARE, list[Orbit](), 0
+
+    def keep(one: Orbit | None) -> None:
+        nonlocal starts
+        starts += 1
+        for new in () if one is None else (one, mirrored(one)) if drive.is_odd else (one,):
+            if all(apart(new, other) for other in found):
+                found.append(new)
+
+    for state in _first(drive):
+        keep(_followed(drive, state, most, tell))
+        if found and drive.has_one_motion:
+            return found, starts
+    for begin, at in next_to_the_stuck_response(drive):
+        keep(_proved(drive, begin, at, most, tell))
+    t = _meeting(drive)
+    states = [_state(one, t) for one in found]
+    stuck = stuck_state(drive, number(t)) if sticks else None
+    if stuck is not None:
+        states.append((stuck[0], stuck[1], stuck[3]))
+    for one, two in combinations(states, 2):
+        for share in map(number, _BETWEEN):
+            middle = [a + share * (b - a) for a, b in zip(one, two, strict=True)]
+            keep(_proved(drive, t, middle, most, tell))
+    return found, starts
+
+
+def mirrored(orbit: Orbit) -> Orbit:
+    """Return the motion opposite to one under a force that is odd but for a constant, half a period later."""
+    late, centre = orbit.drive.period / 2, 2 * number(orbit.drive.rest)
+    turned = [
+        replace(one, side=-one.side, t=one.t + late, x=centre - one.x, v=-one.v, v2=-one.v2) for one in orbit.legs
+    ]
+    return Orbit(orbit.drive, in_order(turned, orbit.drive.period))
+
+
+def apart(one: Orbit, two: Orbit) -> bool:
+    """Return whether two motions are proved to differ, by their states at one time."""
+    t = _meeting(one.drive)
+    return any(not a.overlaps(b) for a, b in zip(_state(one, t), _state(two, t), strict=True))
+
+
+def _meeting(drive: Drive) -> Fraction:
+    return rounded(drive.period * number(_PHASE), _DIGITS)
+
+
+def _state(orbit: Orbit, t: Fraction) -> State3:
+    """Return (x1, v1, v2) of a periodic motion at a time, s. Raises EventUndecided next to an event."""
+    x1, v1, _, v2 = passage_at(orbit, number(t)).state(number(t))
+    return x1, v1, v2
+
+
+def _first(drive: Drive) -> Iterator[State3]:
+    """Yield states at t = 0: one that slips at once, and body 1 as it moves without friction."""
+    yield number(2 * drive.pair.half_width), arb(0), arb(0)
+    free = stuck_state(drive, arb(0), drive.pair.m1)
+    if free is not None:
+        yield free[0], free[1], arb(0)
+
+
+def _proved(drive: Drive, t: Fraction, at: Sequence[arb], most: int, tell: Tell) -> Orbit | None:
+    """Return the periodic motion that Newton's method finds from a state, None if none is proved."""
+    try:
+        return solve_from(drive, t, at, most, tell)
+    except _LOST:
+        return None
+
+
+def _followed(drive: Drive, at: State3, most: int, tell: Tell) -> Orbit | None:
+    """Return the periodic motion to which a state at t = 0 leads, None if none is proved.
+
+    The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing.
+    """
+    for count in _PERIODS:
+        tell(f"following {count} periods of {float(drive.period):.4g} s")
+        try:
+            for _ in range(count):
+                at, longest = _one_period(drive, at, most)
+        except _LOST:
+            return None
+        if longest is None:
+            return None
+        t = rounded((longest.start + longest.end) / 2, _DIGITS)
+        motion = drive.mode(longest.side, longest.cell).motion(longest.state, longest.start)
+        x1, v1, _, v2 = motion.state(number(t) - longest.start)
+        found = _proved(drive, t, (x1, v1, v2 if longest.side else v1), most, tell)
+        if found is not None:
+            return found
+    return None
+
+
+def _one_period(drive: Drive, at: State3, most: int) -> tuple[State3, Leg | None]:
+    """Return the state a period after t = 0, and the longest leg of it; None if the mode never changes."""
+    x1, v1, v2 = (rounded(one, _DIGITS) for one in at)
+    run = run_scene(drive.one_period(Fraction(0), State(x1, v1, 0, v2), _DIGITS), Ball(working_digits()), most + 1)
+    if len(run.events) > most:
+        raise crowded(drive, SHARE * most)
+    x1, v1, _, v2 = run.final_state
+    longest = max(legs(run), key=lambda one: float(one.end - one.start))
+    return (x1, v1, v2 if run.final_mode.sign else v1), longest if len(run.events) else None
