@@ -2,7 +2,8 @@
 
 Where B falls two motions part, in every norm, so nothing says that there is one: a stuck motion, a slipping one and one
 between them that others leave may share a force. They are looked for by following the pair over periods from some
-starts, then by Newton's method from states between those that were found. What is found exists; there may be more.
+starts, then over a few from states between those that were found; Newton's method ends each search. What is found
+exists; there may be more.
 
 Where B falls nowhere and a1 > 0 there is one, and every motion tends to it: N still shrinks, and two motions at a
 constant distance have the same v1, so that F and F* differ by a constant. That is 0, else v2 - v2* would grow, or w =
@@ -33,7 +34,8 @@ State3 = tuple[arb, arb, arb]
 """x1, v1, v2."""
 _PERIODS = (4, 12, 48)
 """So many periods are followed from a start, one batch after the other; at the end of each Newton's method begins."""
-_BETWEEN = tuple(Fraction(k, 4) for k in (1, 2, 3))
+_BETWEEN, _FEW = 8, (2, 2)
+"""Into so many parts the way between two motions is cut; few periods lead from there to what nearly all leave again."""
 _LOST = (EventUndecided, InvalidScene, OutOfRange)
 """What ends a search from one start: nothing is claimed of it."""
 _PHASE, _DIGITS = Fraction(1234567, 10**7), 20
@@ -54,21 +56,21 @@ def coexisting(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tu
             if all(apart(new, other) for other in found):
                 found.append(new)
 
-    for state in _first(drive):
-        keep(_followed(drive, state, most, tell))
+    t = _meeting(drive)
+    for state in _first(drive, t):
+        keep(_followed(drive, t, state, _PERIODS, most, tell))
         if found and drive.has_one_motion:
             return found, starts
     for begin, at in next_to_the_stuck_response(drive):
         keep(_proved(drive, begin, at, most, tell))
-    t = _meeting(drive)
     states = [_state(one, t) for one in found]
     stuck = stuck_state(drive, number(t)) if sticks else None
     if stuck is not None:
         states.append((stuck[0], stuck[1], stuck[3]))
     for one, two in combinations(states, 2):
-        for share in map(number, _BETWEEN):
-            middle = [a + share * (b - a) for a, b in zip(one, two, strict=True)]
-            keep(_proved(drive, t, middle, most, tell))
+        for part in range(1, _BETWEEN):
+            x1, v1, v2 = (a + (b - a) * part / _BETWEEN for a, b in zip(one, two, strict=True))
+            keep(_followed(drive, t, (x1, v1, v2), _FEW, most, tell))
     return found, starts
 
 
@@ -97,10 +99,10 @@ def _state(orbit: Orbit, t: Fraction) -> State3:
     return x1, v1, v2
 
 
-def _first(drive: Drive) -> Iterator[State3]:
-    """Yield states at t = 0: one that slips at once, and body 1 as it moves without friction."""
+def _first(drive: Drive, t: Fraction) -> Iterator[State3]:
+    """Yield states at a time, s: one far from rest, and body 1 as it moves without friction."""
     yield number(2 * drive.pair.half_width), arb(0), arb(0)
-    free = stuck_state(drive, arb(0), drive.pair.m1)
+    free = stuck_state(drive, number(t), drive.pair.m1)
     if free is not None:
         yield free[0], free[1], arb(0)
 
@@ -113,33 +115,33 @@ def _proved(drive: Drive, t: Fraction, at: Sequence[arb], most: int, tell: Tell)
         return None
 
 
-def _followed(drive: Drive, at: State3, most: int, tell: Tell) -> Orbit | None:
-    """Return the periodic motion to which a state at t = 0 leads, None if none is proved.
+def _followed(drive: Drive, begin: Fraction, at: State3, periods: Sequence[int], most: int, tell: Tell) -> Orbit | None:
+    """Return the periodic motion to which a state at a time (s) leads, None if none is proved.
 
     The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing.
     """
-    for count in _PERIODS:
+    for count in periods:
         tell(f"following {count} periods of {float(drive.period):.4g} s")
         try:
             for _ in range(count):
-                at, longest = _one_period(drive, at, most)
+                at, longest = _one_period(drive, begin, at, most)
         except _LOST:
             return None
         if longest is None:
             return None
-        t = rounded((longest.start + longest.end) / 2, _DIGITS)
-        motion = drive.mode(longest.side, longest.cell).motion(longest.state, longest.start)
-        x1, v1, _, v2 = motion.state(number(t) - longest.start)
+        t, began = rounded(number(begin) + (longest.start + longest.end) / 2, _DIGITS), number(begin) + longest.start
+        motion = drive.mode(longest.side, longest.cell).motion(longest.state, began)
+        x1, v1, _, v2 = motion.state(number(t) - began)
         found = _proved(drive, t, (x1, v1, v2 if longest.side else v1), most, tell)
         if found is not None:
             return found
     return None
 
 
-def _one_period(drive: Drive, at: State3, most: int) -> tuple[State3, Leg | None]:
-    """Return the state a period after t = 0, and the longest leg of it; None if the mode never changes."""
+def _one_period(drive: Drive, begin: Fraction, at: State3, most: int) -> tuple[State3, Leg | None]:
+    """Return the state a period after a time (s), and the longest leg of it; None if the mode never changes."""
     x1, v1, v2 = (rounded(one, _DIGITS) for one in at)
-    run = run_scene(drive.one_period(Fraction(0), State(x1, v1, 0, v2), _DIGITS), Ball(working_digits()), most + 1)
+    run = run_scene(drive.one_period(begin, State(x1, v1, 0, v2), _DIGITS), Ball(working_digits()), most + 1)
     if len(run.events) > most:
         raise crowded(drive, SHARE * most)
     x1, v1, _, v2 = run.final_state

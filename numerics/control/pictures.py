@@ -22,7 +22,6 @@ from numerics.control.response_picture import (
     draw_motions,
     draw_response,
     draw_thresholds,
-    friction_on_body_2,
     legend_below,
     logarithmic,
     mark_limits,
@@ -36,7 +35,7 @@ from numerics.free.quadtree import raster
 from numerics.scene import Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
-from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE
+from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE, friction_on_body_2
 from numerics.trajectory.trajectory import Trajectory
 
 __all__ = [

@@ -38,7 +38,7 @@ def two_that_attract() -> PeriodicMotions:
     return falling("0.45", 13)
 
 
-ALL = [(bistable, 0), (bistable, 1), (bistable, 2), (two_that_attract, 0), (two_that_attract, 1)]
+ALL = [(bistable, 0), (bistable, 1), (bistable, 2), (two_that_attract, 0), (two_that_attract, 1), (two_that_attract, 2)]
 
 
 def returned(scene: Scene, *by: float) -> np.ndarray:
@@ -80,6 +80,7 @@ def test_multipliers_are_those_of_the_other_integrator(of, number):
 def test_two_that_attract_are_found_beside_each_other():
     tend = [one for one in two_that_attract().motions if one.attraction.endswith("tend to it")]
     assert {one.regime for one in tend} == {Regime.STICK_SLIP, Regime.NON_STOP}
+    assert len(two_that_attract().motions) == 3
     assert two_that_attract().entrainment < arb("0.45")
 
 
@@ -142,6 +143,18 @@ def test_resonance_grows_only_above_the_most_that_friction_can_be():
     assert (grows.is_all, grows.motions[0].regime) == (True, Regime.GROWS)
     assert abs(grows.motions[0].growth - (arb("0.8") - 4 * arb("0.6") / arb.pi()) / 2) < 1e-14
     assert falling(force, 10, Weakening([], "0.4"), free).motions[0].regime is not Regime.GROWS
+
+
+def test_the_picture_names_each_motion_and_what_friction_can_be():
+    law, plane = bistable().plot().axes
+    assert law.get_xlabel() == plane.get_ylabel() == "$v_1 - v_2$ (m/s)"
+    assert (law.get_ylabel(), plane.get_xlabel()) == ("friction on body 2 (N)", "$x_1$ (m)")
+    names = ["1: entrained", "2: non-stop, which others leave", "3: non-stop"]
+    assert [line.get_label() for line in plane.lines] == names
+    slip, given = law.lines[2], law.lines[-1]
+    at = np.abs(slip.get_xdata()) > 1e-3
+    expected = np.interp(slip.get_xdata()[at], *given.get_data())
+    assert np.allclose(slip.get_ydata()[at], expected, atol=1e-3)
 
 
 def test_what_is_not_worked_out_is_refused():
