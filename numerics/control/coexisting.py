@@ -21,13 +21,13 @@ from itertools import combinations
 from flint import arb
 
 from numerics.arithmetic.ball import Ball, working_digits
-from numerics.control.answers import Tell, number, rounded
+from numerics.control.answers import Tell, number, rounded, undecided
 from numerics.control.attraction import passage_at
 from numerics.control.guesses import SHARE, crowded, next_to_the_stuck_response, stuck_state
 from numerics.control.orbit import Drive, Orbit, in_order, solve_from
-from numerics.errors import EventUndecided, InvalidScene, OutOfRange
+from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
 from numerics.scene import State
-from numerics.trajectory.legs import Leg, legs
+from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
 
 State3 = tuple[arb, arb, arb]
@@ -45,32 +45,42 @@ _PHASE, _DIGITS = Fraction(1234567, 10**7), 20
 def coexisting(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[list[Orbit], int]:
     """Return the periodic motions with events that are found, proved, all different, and how many starts were tried.
 
-    `sticks`: the stuck response exists. Raises NotSettled where a period has more than a fifth of `max_events` events.
+    `sticks`: the stuck response exists. Raises NotSettled where a period has more than a fifth of `max_events` events,
+    and where nothing was found and nothing sticks.
     """
-    most, found, starts = max_events // SHARE, list[Orbit](), 0
+    most, found, starts, failure = max_events // SHARE, list[Orbit](), 0, ""
 
-    def keep(one: Orbit | None) -> None:
-        nonlocal starts
+    def look(begin: Fraction, at: Sequence[arb], periods: Sequence[int]) -> None:
+        nonlocal starts, failure
         starts += 1
-        for new in () if one is None else (one, mirrored(one)) if drive.is_odd else (one,):
+        try:
+            one = _followed(drive, begin, at, periods, most, tell)
+        except _LOST as error:
+            failure = failure or str(error)
+            return
+        for new in (one, mirrored(one)) if drive.is_odd else (one,):
             if all(apart(new, other) for other in found):
                 found.append(new)
 
     t = _meeting(drive)
     for state in _first(drive, t):
-        keep(_followed(drive, t, state, _PERIODS, most, tell))
+        look(t, state, _PERIODS)
         if found and drive.has_one_motion:
             return found, starts
     for begin, at in next_to_the_stuck_response(drive):
-        keep(_proved(drive, begin, at, most, tell))
+        look(begin, at, (0,))
     states = [_state(one, t) for one in found]
     stuck = stuck_state(drive, number(t)) if sticks else None
     if stuck is not None:
         states.append((stuck[0], stuck[1], stuck[3]))
     for one, two in combinations(states, 2):
         for part in range(1, _BETWEEN):
-            x1, v1, v2 = (a + (b - a) * part / _BETWEEN for a, b in zip(one, two, strict=True))
-            keep(_followed(drive, t, (x1, v1, v2), _FEW, most, tell))
+            look(t, [a + (b - a) * part / _BETWEEN for a, b in zip(one, two, strict=True)], _FEW)
+    if not (found or sticks):
+        raise NotSettled(
+            f"no motion that comes back after a period was found from {starts} starts, others may come back later or "
+            f"never; the first search ended so: {failure}"
+        )
     return found, starts
 
 
@@ -107,43 +117,42 @@ def _first(drive: Drive, t: Fraction) -> Iterator[State3]:
         yield free[0], free[1], arb(0)
 
 
-def _proved(drive: Drive, t: Fraction, at: Sequence[arb], most: int, tell: Tell) -> Orbit | None:
-    """Return the periodic motion that Newton's method finds from a state, None if none is proved."""
-    try:
-        return solve_from(drive, t, at, most, tell)
-    except _LOST:
-        return None
-
-
-def _followed(drive: Drive, begin: Fraction, at: State3, periods: Sequence[int], most: int, tell: Tell) -> Orbit | None:
-    """Return the periodic motion to which a state at a time (s) leads, None if none is proved.
+def _followed(drive: Drive, begin: Fraction, at: Sequence[arb], periods: Sequence[int], most: int, tell: Tell) -> Orbit:
+    """Return the periodic motion to which (x1, v1, v2) at a time (s) leads, proved. Raises one of _LOST, NotSettled.
 
     The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing.
     """
+    guess = begin, at
     for count in periods:
         tell(f"following {count} periods of {float(drive.period):.4g} s")
+        for _ in range(count):
+            at, guess = _one_period(drive, begin, at, most)
         try:
-            for _ in range(count):
-                at, longest = _one_period(drive, begin, at, most)
-        except _LOST:
-            return None
-        if longest is None:
-            return None
-        t, began = rounded(number(begin) + (longest.start + longest.end) / 2, _DIGITS), number(begin) + longest.start
-        motion = drive.mode(longest.side, longest.cell).motion(longest.state, began)
-        x1, v1, _, v2 = motion.state(number(t) - began)
-        found = _proved(drive, t, (x1, v1, v2 if longest.side else v1), most, tell)
-        if found is not None:
-            return found
-    return None
+            return solve_from(drive, *guess, most, tell)
+        except _LOST as error:
+            lost = error
+    raise lost
 
 
-def _one_period(drive: Drive, begin: Fraction, at: State3, most: int) -> tuple[State3, Leg | None]:
-    """Return the state a period after a time (s), and the longest leg of it; None if the mode never changes."""
+def _one_period(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> tuple[State3, tuple[Fraction, State3]]:
+    """Return the state a period after a time (s), and time and state in the middle of the longest leg on the way.
+
+    Raises one of _LOST, as where there is no event, and NotSettled where there are more than `most`.
+    """
     x1, v1, v2 = (rounded(one, _DIGITS) for one in at)
     run = run_scene(drive.one_period(begin, State(x1, v1, 0, v2), _DIGITS), Ball(working_digits()), most + 1)
     if len(run.events) > most:
         raise crowded(drive, SHARE * most)
-    x1, v1, _, v2 = run.final_state
+    if len(run.modes) == 1:
+        raise undecided("has a period an event?", "none")
     longest = max(legs(run), key=lambda one: float(one.end - one.start))
-    return (x1, v1, v2 if run.final_mode.sign else v1), longest if len(run.events) else None
+    began = number(begin) + longest.start
+    t = rounded(began + (longest.end - longest.start) / 2, _DIGITS)
+    within = drive.mode(longest.side, longest.cell).motion(longest.state, began).state(number(t) - began)
+    return _three(run.final_state, run.final_mode.sign), (t, _three(within, longest.side))
+
+
+def _three(state: Sequence[arb], side: int) -> State3:
+    """Return (x1, v1, v2) in a mode: where the bodies stick v2 is v1."""
+    x1, v1, _, v2 = state
+    return x1, v1, v2 if side else v1

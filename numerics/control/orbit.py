@@ -162,9 +162,9 @@ class Orbit(ShortRepr):
     def claim(self, digits: int) -> Claim:
         """Return that one period, from inside the first leg on, has these modes and comes back.
 
-        Time and state of that start are rounded to decimals; by the contraction of N nothing of it grows.
+        Time and state of that start are rounded to decimals, so far that what grows of it in a period does not count.
         """
-        kept, (leg, after) = max(digits + 3, KEPT_DIGITS), self.turns[0]
+        kept, (leg, after) = max(digits + 12, KEPT_DIGITS), self.turns[0]
         with Ball(2 * digits + 20).context():
             begin = rounded((leg.t + after.t) / 2)
             x1, v1, _, v2 = self.motion(leg).state(number(begin) - leg.t)

@@ -31,7 +31,7 @@ from numerics.control.guesses import MAX_EVENTS, find_orbit, stuck_state
 from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.stuck import entrained, flattened_state, others_stick, resonant_growth, stuck_multipliers
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
-from numerics.errors import InvalidScene, MissingTool, NotSettled
+from numerics.errors import InvalidScene, MissingTool
 from numerics.plane.rotating import rotating_force, rotating_response
 from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import Exact, exact_decimal, short
@@ -115,7 +115,7 @@ class PeriodicMotions(ShortRepr):
             return "there is no other long-time behaviour: it is the same from everywhere"
         count = len(self.motions)
         found = "1 periodic motion was" if count == 1 else f"{count} periodic motions were"
-        return f"{found} found, from {self.starts} starts; there may be more"
+        return f"{found} found, from {self.starts} starts; there may be more, and motions that come back later or never"
 
     def plot(self) -> Any:
         """Return a matplotlib figure: friction against speed, and each motion as x1 against v1 - v2 and in time.
@@ -212,10 +212,6 @@ def _motions(
         else:
             orbits, starts = coexisting(drive, sticks=sticks, max_events=max_events, tell=tell)
         motions = (*stuck, *(_of_orbit(one, None, digits[0]) for one in orbits))
-        if not motions:
-            raise NotSettled(
-                f"no periodic motion was found from {starts} starts; ask for more digits, or change the force a little"
-            )
         found = PeriodicMotions(drive, motions, edge, starts, drive.has_one_motion, digits[0])
         return found, [one for motion in motions for one in _numbers(motion)]
 
