@@ -1,4 +1,4 @@
-"""A trajectory in a file, without a pickle: what comes back equals what was saved, to the last bit.
+"""A trajectory in plain data, and in a file without a pickle: what comes back equals what was there, to the last bit.
 
 The file is a NumPy archive. Its `header` is JSON in UTF-8: the scene as TOML text, the arithmetic, how the run ended,
 and the numbers of mpmath and of balls, their mantissas as hexadecimal texts. `rows` and `end` are the record of a run
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import zipfile
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,7 @@ from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import whole_file
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
+from numerics.scene import Scene
 from numerics.scene.decimals import require_whole
 from numerics.scene.file import parse_scene
 from numerics.scene.writing import scene_text
@@ -34,17 +36,12 @@ _REMEDY = "give a file that Trajectory.save has written"
 _ARITHMETICS = ("float64", "double-double", "mpmath", "ball")
 
 
-def save(trajectory: Solution, file: str | Path) -> None:
-    """Write a trajectory to a file. Raises OSError, InvalidScene for a scene that no text of 1000 characters holds."""
-    scene, record = scene_text(trajectory.scene), trajectory.record
-    if parse_scene(scene) != trajectory.scene:
-        raise InvalidScene("a number of this scene does not fit into a scene file; round it before it is saved")
-    rows, end, how, *rest = record
+def plain(trajectory: Solution) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return what a run wrote without its scene, in what JSON holds, and its arrays; flint cannot pickle balls."""
+    rows, end, how, *rest = trajectory.record
     arrays = {"rows": rows, "end": end} if isinstance(rows, np.ndarray) else {}
     header = {
-        "format": FORMAT,
-        "scene": scene,
-        "arithmetic": (trajectory.arithmetic.name, trajectory.arithmetic.digits),
+        "arithmetic": [trajectory.arithmetic.name, trajectory.arithmetic.digits],
         "how": int(how),
         "rest": _plain(rest),
         "knots": None if arrays else _plain([*rows, end]),
@@ -52,7 +49,34 @@ def save(trajectory: Solution, file: str | Path) -> None:
         "tried": trajectory.tried,
         "t_eval": None if trajectory.t_eval is None else _plain(trajectory.t_eval),
     }
-    text = np.frombuffer(json.dumps(header).encode(), dtype=np.uint8)
+    return header, arrays
+
+
+def restored(kind: Any, scene: Scene, header: dict[str, Any], arrays: dict[str, Any]) -> Any:
+    """Return the trajectory of the class `kind` whose plain form this is.
+
+    Raises ValueError, and what else a form that nobody made can bring about.
+    """
+    header = json.loads(json.dumps(header), object_hook=_number)
+    (name, digits), right = header["arithmetic"], header["digits"]
+    if name not in _ARITHMETICS:
+        raise ValueError(f"its arithmetic is {str(name)[:40]!r}")
+    for what, count in (("digits", digits), ("right digits", right)):
+        if count is not None:
+            require_whole(what, count, 1)
+    if bool(arrays) != (name in _ARITHMETICS[:2]):
+        raise ValueError(f"its numbers are not those of {name}")
+    record = _record(header, arrays, len(pieces_of(scene)))
+    arithmetic = arithmetic_named(name, digits)
+    return kind(scene, arithmetic, record, digits=right, tried=str(header["tried"]), t_eval=header["t_eval"])
+
+
+def save(trajectory: Solution, file: str | Path) -> None:
+    """Write a trajectory to a file. Raises OSError, InvalidScene for a scene that no text of 1000 characters holds."""
+    scene, (header, arrays) = scene_text(trajectory.scene), plain(trajectory)
+    if parse_scene(scene) != trajectory.scene:
+        raise InvalidScene("a number of this scene does not fit into a scene file; round it before it is saved")
+    text = np.frombuffer(json.dumps({"format": FORMAT, "scene": scene, **header}).encode(), dtype=np.uint8)
     with whole_file(Path(file)) as opened:
         np.savez_compressed(opened, header=text, **arrays)
 
@@ -66,22 +90,11 @@ def load(file: str | Path, kind: Any) -> Any:
         raise InvalidFile(f"{str(path)!r} is no NumPy archive; {_REMEDY}")
     try:
         with np.load(path, allow_pickle=False) as archive:
-            header = json.loads(archive["header"].tobytes().decode(), object_hook=_number)
+            header = json.loads(archive["header"].tobytes().decode())
             arrays = {name: archive[name] for name in ("rows", "end") if name in archive}
         if header["format"] != FORMAT:
             raise ValueError(f"its format is {str(header['format'])[:40]!r}, not {FORMAT!r}")
-        scene = parse_scene(header["scene"])
-        (name, digits), right = header["arithmetic"], header["digits"]
-        if name not in _ARITHMETICS:
-            raise ValueError(f"its arithmetic is {str(name)[:40]!r}")
-        for what, count in (("digits", digits), ("right digits", right)):
-            if count is not None:
-                require_whole(what, count, 1)
-        if bool(arrays) != (name in _ARITHMETICS[:2]):
-            raise ValueError(f"its numbers are not those of {name}")
-        record = _record(header, arrays, len(pieces_of(scene)))
-        arithmetic = arithmetic_named(name, digits)
-        return kind(scene, arithmetic, record, digits=right, tried=str(header["tried"]), t_eval=header["t_eval"])
+        return restored(kind, parse_scene(header["scene"]), header, arrays)
     except (KeyError, IndexError, TypeError, ValueError, ArithmeticError, EOFError, zipfile.BadZipFile) as error:
         reason = " ".join(str(error).split())[:200]
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None
@@ -115,8 +128,8 @@ def _plain(value: Any) -> Any:
     if isinstance(value, mpmath.mpf):
         mantissa, exponent = value.man_exp  # without the sign
         return {"mpf": _hexadecimal(-mantissa if value < 0 else mantissa, exponent)}
-    if isinstance(value, Fraction):
-        return {"ratio": [hex(value.numerator), hex(value.denominator)]}
+    if isinstance(value, (Decimal, Fraction)):
+        return {"ratio": [hex(one) for one in value.as_integer_ratio()]}
     if isinstance(value, (list, tuple, np.ndarray)):
         return [_plain(one) for one in value]
     return value.item() if isinstance(value, np.generic) else value
