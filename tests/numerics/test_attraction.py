@@ -58,6 +58,7 @@ def after_a_period(orbit: Orbit, t: Fraction, moved: np.ndarray) -> np.ndarray:
     return np.array([float(end[0]), float(end[1]), float(end[3])])
 
 
+@settings(max_examples=3)
 @given(st.integers(500, 990))
 def test_what_is_left_holds_the_sum_of_a_map_that_shrinks_by_a_known_factor(thousandths):
     """dz is a factor times what it was, a period later: int |w - w*| dt is sqrt(kappa) T eps/(1 - factor) at most."""

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import scenes
 
@@ -55,6 +55,7 @@ def test_the_batch_has_the_results_of_solve():
         assert np.isnan(found.event_t[index, count:]).all()
 
 
+@settings(max_examples=5)
 @given(st.lists(scenes(exponents=(-3, 3), periods=(1, 2), damped=None), max_size=4))
 def test_scenes_of_exact_decimals(drawn):
     found = solve_scenes(drawn, max_events=30)

@@ -56,28 +56,6 @@ def test_a_changed_form_leaves_a_residual(monkeypatch, name, residual):
     assert any(one != 0 for one in (found if isinstance(found, tuple) else (found,)))
 
 
-def slip_by_hand(fraction, phi, half_path):
-    """Solve q V1' = -(X - r), V2' = -1 from this half angle and half path; return the excess after, over q."""
-    share = 1 - fraction
-    centre = phi * mpmath.cot(phi)
-    gap, push = centre + half_path - 1, phi - half_path * mpmath.cot(phi)
-    turn = 2 * phi
-    position = share + fraction * ((1 + gap) * mpmath.cos(turn) + push * mpmath.sin(turn))
-    first = mpmath.sqrt(fraction) * (push * mpmath.cos(turn) - (1 + gap) * mpmath.sin(turn))
-    second = mpmath.sqrt(fraction) * (push - turn)
-    assert mpmath.almosteq(first, second, 1e-40)
-    return (position**2 + first**2 - 1) / fraction
-
-
-@pytest.mark.parametrize("fraction", ["0.1", "0.5", "0.93"])
-@pytest.mark.parametrize(("phi", "half_path"), [("0.3", "1.2"), ("1.5", "0.9"), ("1.9", "3"), ("2.9", "14")])
-def test_the_excess_after_a_slip_is_that_of_the_slip_solved_by_hand(fraction, phi, half_path):
-    with mpmath.workdps(50):
-        numbers = [mpmath.mpf(text) for text in (fraction, phi, half_path)]
-        form = lambdify((merging.share, angle, merging.half_path), merging.next_excess(), "mpmath")
-        assert mpmath.almosteq(form(1 - numbers[0], *numbers[1:]), slip_by_hand(*numbers), 1e-40)
-
-
 def test_the_threshold_is_the_least_ratio_of_push_to_depth():
     with mpmath.workdps(40):
         root = mpmath.findroot(lambdify(angle, merging.turning_function(), "mpmath"), 1.9)

@@ -138,16 +138,3 @@ def test_the_named_points_stand_on_the_projected_trajectory():
     assert at["D_1"][0] == pytest.approx(-half)
     assert at["C_1"][1] > 0 > at["D_1"][1]
     assert all(abs(at[name][0]) < half for name in ("A_2", "B_2", "A_3", "O_2"))
-
-
-def test_points_keep_their_distance():
-    """No two named points closer than 8 % of the picture's width or height."""
-    axes = FIGURES["itinerary-that-creeps"]().axes[0]
-    width, height = (limits[1] - limits[0] for limits in (axes.get_xlim(), axes.get_ylim()))
-    points = [
-        text.xy for text in axes.texts if hasattr(text, "xy") and re.fullmatch(r"\$[OABCD]_\d\$", text.get_text())
-    ]
-    assert len(points) == 9
-    for number, (x, y) in enumerate(points):
-        for a, b in points[:number]:
-            assert abs(x - a) > 0.08 * width or abs(y - b) > 0.08 * height
