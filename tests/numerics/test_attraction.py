@@ -98,13 +98,6 @@ def test_the_slopes_of_a_period_hold_over_the_whole_box(amplitude, number, corne
 
 
 @pytest.mark.parametrize(("amplitude", "number"), [(SLIPS, 0), (STICKS, 0), (STICKS, 1)])
-def test_a_box_whose_motions_have_other_events_is_undecided(amplitude, number):
-    orbit = orbit_under(amplitude)
-    with Ball(20).context(), pytest.raises(EventUndecided):
-        attraction._period_slopes(orbit, in_leg(orbit, number), arb("0.3"))
-
-
-@pytest.mark.parametrize(("amplitude", "number"), [(SLIPS, 0), (STICKS, 0), (STICKS, 1)])
 def test_a_box_that_reaches_out_of_its_mode_is_undecided(amplitude, number):
     """Just before the event that ends a leg some of the states within reach have left its mode, others have not."""
     orbit = orbit_under(amplitude)

@@ -5,13 +5,13 @@ import sys
 
 import pytest
 from interruption import interrupted
+from three_scenes import PAPER
 
 from numerics.errors import OutOfRange
 from numerics.free.energy import energy_at
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 
-PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 VALID = """[pair]
 m1 = 1
 m2 = 1

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from strategies import near_critical, scenes
+from three_scenes import PAPER
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError, PrecisionExhausted
@@ -16,7 +17,6 @@ from numerics.trajectory.comparison import as_fraction, require_same_sequence
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 
-PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 ARITHMETICS = ["float64", "double-double", "mpmath", "ball"]
 
 

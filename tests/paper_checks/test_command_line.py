@@ -132,15 +132,11 @@ def test_a_missing_tool_is_named_before_anything_runs(monkeypatch, capsys, modul
     assert f"this needs {module}" in capsys.readouterr().err
 
 
-def test_the_report_takes_another_trade_and_is_the_same_on_every_run(small, capsys, tmp_path):
+def test_the_report_takes_another_trade(small, capsys, tmp_path):
     planted(tmp_path)  # writes the file
-    folders = [tmp_path / name for name in ("one", "two")]
-    for folder in folders:
-        main(["report", "--out", str(folder), "--trade", str(tmp_path / "planted.json")])
-    pages = [{one.name: one.read_bytes() for one in folder.rglob("*.*")} for folder in folders]
-    assert pages[0] == pages[1]
-    assert b"Measured once: Abacus" in pages[0]["speed-and-accuracy.html"]
-    assert b"Without a force, nobody was measured beside ours." in pages[0]["report.html"]
+    main(["report", "--out", str(tmp_path), "--trade", str(tmp_path / "planted.json")])
+    assert "Measured once: Abacus" in (tmp_path / "pages" / "speed-and-accuracy.html").read_text("utf-8")
+    assert "Without a force, nobody was measured beside ours." in (tmp_path / "report.html").read_text("utf-8")
 
 
 def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatch, capsys, tmp_path):

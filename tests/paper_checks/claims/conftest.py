@@ -57,11 +57,6 @@ def plant() -> Iterator[Callable[..., None]]:
     patch.undo()
 
 
-def finding_of(claim: Claim) -> Finding:
-    """Decide a claim with the default seed; what is raised, a test sees."""
-    return claim.decide()
-
-
 def unreadable(finding: Finding) -> list[str]:
     """Return the texts of a finding whose mathematics the report could not set."""
     evidence = [text for item in finding.evidence for text in (item.statement, item.value, *item.assumptions)]

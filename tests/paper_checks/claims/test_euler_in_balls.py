@@ -14,8 +14,6 @@ from paper_checks.decide.enclosure import solved
 from paper_checks.decide.euler_in_balls import STEPS, euler_in_balls, run
 from paper_checks.evidence.finding import Verdict
 
-from .conftest import finding_of
-
 
 def test_a_run_that_meets_the_surface_turns_the_euler_claim(monkeypatch):
     """From v1 = 2 one step of 1 s takes exactly 2 from z': it lands on z' = 0."""
@@ -23,7 +21,7 @@ def test_a_run_that_meets_the_surface_turns_the_euler_claim(monkeypatch):
     landed = euler_in_balls(scene, Fraction(1), Fraction(3))
     assert landed.contact == 1
     monkeypatch.setattr(euler, "run", lambda name, h: replace(run(name, h), contact=landed.contact))
-    assert finding_of(euler.euler_reproduces_figures).verdict is Verdict.UNDECIDED
+    assert euler.euler_reproduces_figures.decide().verdict is Verdict.UNDECIDED
 
 
 def test_euler_in_balls_is_the_program_without_rounding():

@@ -5,15 +5,14 @@ import re
 
 import matplotlib as mpl
 import pytest
-from matplotlib.colors import to_rgba
 
-from numerics.linear.modes import EventKind, Mode
+from numerics.linear.modes import EventKind
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from paper_checks.claims import CLAIMS
 from paper_checks.drawing.captions import CAPTIONS, caption
 from paper_checks.drawing.figures import FIGURES
-from paper_checks.drawing.style import MARKERS, MODE_COLOURS
+from paper_checks.drawing.style import MARKERS
 from paper_checks.evidence.claim import Kind
 from paper_checks.report.formats import vector
 
@@ -107,21 +106,6 @@ def test_the_events_that_happen_are_in_the_legend(name):
     scene = {"relative-motion": "relative-motion-b05"}.get(name, name)
     happened = {kind.value for kind in solve(load_scene(scene)).event_kinds}
     assert happened <= texts(FIGURES[name]())
-
-
-def lines_of(figure, mode):
-    """The curves (not markers) drawn in a mode's colour."""
-    return [
-        line for line in figure.axes[0].lines if line.get_color() == MODE_COLOURS[mode] and len(line.get_xdata()) > 2
-    ]
-
-
-def test_the_itinerary_is_drawn_in_the_colours_of_the_caption():
-    figure = FIGURES["itinerary-that-creeps"]()
-    assert to_rgba(MODE_COLOURS[Mode.SLIP_PLUS])[2] > 0.7  # blue in Omega+
-    assert to_rgba(MODE_COLOURS[Mode.SLIP_MINUS])[0] > 0.7  # red in Omega-
-    found = [len(lines_of(figure, mode)) for mode in (Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK)]
-    assert found == [3, 2, 3]
 
 
 def test_the_named_points_stand_on_the_projected_trajectory():
