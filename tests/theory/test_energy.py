@@ -83,4 +83,3 @@ def test_contraction_identity(same):
     assert same(viscous, printed_viscous)
     assert same(friction, printed_friction)
     assert same(energy.contraction_rate(), viscous + friction)
-    assert same(-friction / b, sum(energy.monotonicity_terms()))

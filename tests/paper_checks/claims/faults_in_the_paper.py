@@ -79,7 +79,7 @@ FAULTS = {
         "filippov.transversality": negated,
         "filippov.slip": other_sign,
         "filippov.load": squared_load,
-        "filippov.b": lambda _: sp.Integer(0),
+        "filippov.b": lambda friction: -friction,
     },
     "vector-fields": {
         "filippov.phi": (other_sign, without(b)),
