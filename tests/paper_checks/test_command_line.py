@@ -136,7 +136,9 @@ def test_the_report_takes_another_trade(small, capsys, tmp_path):
     planted(tmp_path)  # writes the file
     main(["report", "--out", str(tmp_path), "--trade", str(tmp_path / "planted.json")])
     assert "Measured once: Abacus" in (tmp_path / "pages" / "speed-and-accuracy.html").read_text("utf-8")
-    assert "Without a force, nobody was measured beside ours." in (tmp_path / "report.html").read_text("utf-8")
+    assert "Without a force, nobody was measured beside ours." in (tmp_path / "pages" / "questions.html").read_text(
+        "utf-8"
+    )
 
 
 def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatch, capsys, tmp_path):
