@@ -64,18 +64,6 @@ def test_what_does_not_settle_within_the_cap_is_said_at_once(omega, max_events, 
         response(scene, max_events=max_events)
 
 
-def test_who_waits_hears_what_is_done():
-    heard: list[str] = []
-    response(under(DAMPED, "0.5"), tell=heard.append)
-    assert any("solving a periodic motion of 4 events" in one for one in heard)
-    assert any("proving the modes" in one for one in heard)
-
-
-def test_many_digits_are_solved_again_to_as_many():
-    found = response(under(DAMPED, "0.5"), digits=120)
-    assert solved_again(found).final_mode is not None
-
-
 @given(decimals(-6, 6, 2), decimals(-2, 2, 2), st.sampled_from([0, 1, -1]), decimals(-3, 0, 2))
 @example(Fraction(1, 10**6), Fraction(1), 1, Fraction(1, 10))
 @settings(max_examples=25)
