@@ -48,6 +48,7 @@ SCENES = {
     "other units": Scene(Pair("1e-9", "2e-9", "0.3", "1e-8"), State(v1="1e-3"), until="1e-3"),
 }
 
+
 def at_speed(speed, until):
     """A stick from 4 mm: for ever up to 0.03 m/s, where its energy is critical."""
     return Scene(HARD, State("0.004", speed, 0, speed), until)
