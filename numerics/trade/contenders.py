@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from numerics.plane.answer import PlaneTrajectory
+from numerics.plane.trajectory import PlaneTrajectory
 from numerics.solver.solve import ArithmeticName, solve
 from numerics.trade.comparisons.direct import by_events, smoothed
 from numerics.trade.comparisons.euler_peer import euler_peer
