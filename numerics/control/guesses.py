@@ -23,7 +23,7 @@ from numerics.solver.solve import ArithmeticName, solve
 MAX_EVENTS = 10_000
 """Cap on the events of a run that looks for a periodic motion."""
 _PERIODS = (2, 4, 16, 128, 1024)
-_SHARE = 5
+SHARE = 5
 """One event in so many of a run may belong to one period: the equations of a period take longer than its run."""
 _SURE, _DIGITS = 16, 60
 """Up to so many periods a run climbs where float64 leaves its events open, to so many working digits."""
@@ -41,7 +41,7 @@ def find_orbit(drive: Drive, last: Orbit | None, max_events: int, tell: Tell) ->
         failure = error
     for begin, at in _starts(drive, max_events, tell):
         try:
-            return solve_from(drive, begin, at, max_events // _SHARE, tell)
+            return solve_from(drive, begin, at, max_events // SHARE, tell)
         except (EventUndecided, OutOfRange) as error:
             failure = error
     raise failure
@@ -55,10 +55,10 @@ def _starts(drive: Drive, max_events: int, tell: Tell) -> Iterator[tuple[Fractio
         if found is not None:
             yield found
         if count == _PERIODS[0]:
-            yield from _next_to_the_stuck_response(drive)
+            yield from next_to_the_stuck_response(drive)
 
 
-def _next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, list[arb]]]:
+def next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, list[arb]]]:
     """Yield the stuck response at one of some times of a period, that with the least load; none at a resonance."""
     times = [rounded(drive.period * k / _PARTS) for k in range(1, _PARTS)]
     states = [(t, state) for t in times if (state := stuck_state(drive, number(t))) is not None]
@@ -96,25 +96,33 @@ def _simulated(drive: Drive, count: int, max_events: int) -> tuple[Fraction, lis
     times = [float(t) for t in run.event_times if t > float(until) - 1.05 * period]
     if len(times) < 2:
         return None
-    if len(times) * _SHARE > max_events:
-        raise NotSettled(
-            f"a period of {period:.4g} s holds {len(times)} events, more than a fifth of max_events = {max_events}; "
-            "raise max_events, or take frequencies with a shorter common period"
-        )
+    if len(times) * SHARE > max_events:
+        raise crowded(drive, max_events)
     first, last = max(pairwise(times), key=lambda one: one[1] - one[0])
     middle = Fraction((first + last) / 2)
     x1, v1, _, v2 = (arb(run.arithmetic.to_float(one)) for one in run.sol(middle))
     return middle, [x1, v1, v2]
 
 
-def stuck_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb] | None:
-    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0."""
-    pair = drive.pair
+def crowded(drive: Drive, max_events: int) -> NotSettled:
+    """Return the error for a period with so many events that its equations would take too long."""
+    return NotSettled(
+        f"a period of {float(drive.period):.4g} s holds more than a fifth of max_events = {max_events} events; "
+        "raise max_events, or take frequencies with a shorter common period"
+    )
+
+
+def stuck_state(drive: Drive, t: arb, mass: Fraction | None = None) -> tuple[arb, arb, arb, arb] | None:
+    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0.
+
+    With another mass than M (kg) that of so large a body on the spring.
+    """
+    pair, mass = drive.pair, mass or drive.pair.mass
     x, v = number(drive.rest), arb(0)
     for one in drive.piece.sines:
-        if stiffness(pair, pair.mass, one.omega).is_zero():
+        if stiffness(pair, mass, one.omega).is_zero():
             return None
-        below = acb(number(pair.a2 - pair.mass * one.omega**2), number(pair.a1 * one.omega))
+        below = acb(number(pair.a2 - mass * one.omega**2), number(pair.a1 * one.omega))
         turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase)))
         moved = turned * number(one.amplitude) / below
         x, v = x + moved.imag, v + number(one.omega) * moved.real

@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+import numpy as np
+from numpy.typing import NDArray
+
 from numerics.scene import Scene, Sine
 from numerics.scene.pieces import shifted
 
@@ -30,6 +33,14 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     if "pieces" not in scene.made:
         scene.made["pieces"] = _pieces(scene)
     found: Sequence[ExactPiece] = scene.made["pieces"]
+    return found
+
+
+def starts_of(scene: Scene) -> NDArray[np.float64]:
+    """Return when the pieces begin, s; made once and kept with the scene."""
+    if "starts" not in scene.made:
+        scene.made["starts"] = np.array([float(piece.start) for piece in pieces_of(scene)])
+    found: NDArray[np.float64] = scene.made["starts"]
     return found
 
 

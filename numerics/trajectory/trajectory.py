@@ -10,7 +10,7 @@ from numerics.trajectory.columns import plain, restored, restored_record
 from numerics.trajectory.export import dataframe
 from numerics.trajectory.solution import Solution
 
-Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "excess", "energy"]
+Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
 
 class Trajectory(Solution):

@@ -71,7 +71,19 @@ def public(kind):
 
 
 CLASSES = [one for name in dir(numerics) if inspect.isclass(one := getattr(numerics, name))]
-FOR_THE_HOUSE = {"but", "columns", "dense", "energy_of", "event_rows", "frame", "made", "of", "pieces", "row"}
+FOR_THE_HOUSE = {
+    "but",
+    "columns",
+    "context",
+    "dense",
+    "energy_of",
+    "event_rows",
+    "frame",
+    "made",
+    "of",
+    "pieces",
+    "row",
+}
 FOR_THE_HOUSE |= {f"row_{name}" for name in ("cells", "lengths", "pieces", "signs", "states", "times")}
 FOR_THE_HOUSE |= {"require_one_b", "signs"}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")

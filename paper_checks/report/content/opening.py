@@ -40,7 +40,7 @@ _WORDS = {
 }
 EXPLORE = (
     "Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
-    "becomes of it. `python -m paper_checks explore` writes that page alone."
+    "becomes of it; on a second tab, the pair on a surface, seen from above. `python -m paper_checks explore` writes that page alone."
 )
 TO_EXPLORE = '<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
 FREE = "No damper and no force: $a_1=0$, $u=0$, $b$ constant."
