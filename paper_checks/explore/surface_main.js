@@ -143,11 +143,11 @@ function surfaceTab() {
 /* What became of a motion on a surface: {title, text, row}. */
 function regimeAbove(solution) {
   const { scene, pair, segments, capped } = solution, last = segments[segments.length - 1];
-  if (capped) return { title: "Too many events", text: `The first ${segments.length} events are shown. Choose a shorter run.` };
+  if (capped) return { title: "Too much for this page", text: `The run is shown up to \u03c4 = ${shown(last.start.t + last.duration)}, ${segments.length} motions. Choose a shorter one, or take the exact integrator.` };
   const round = scene.size && scene.omega ? turningSentence(solution) : "", known = round ? { row: "rotating-force" } : { row: "stuck-ellipses" };
   const most = last.mode === "stick" ? mostLoad(last.axes, last.duration) : Infinity, energy = energyAbove(solution, last.start);
   const slips = segments.filter(({ mode }) => mode === "slip").length, count = `${slips} slip${slips === 1 ? "" : "s"} so far.`;
-  if (most <= 1) {
+  if (most <= 1 + TIE) {
     const title = segments.length > 1 ? "Merges" : "Sticks for ever", from = `From \u03c4 = ${shown(last.start.t)} on the bodies stick for ever:`;
     if (round) return { title, text: `${from} the load they need is at most ${shown(most)} b from the end of this run on. ${round}`, ...known };
     const rest = pair.zeta > 0 ? "they come to rest together." : `their ellipse has the longer half axis ${shown(most)} L, which is at most L, and the energy ${shown(energy)} E_cr (from 1 for a line to 2 for a circle).`;
