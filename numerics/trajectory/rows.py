@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.record import AT, How, Record
 from numerics.scene import Scene
 from numerics.trajectory.columns import Columns
-from numerics.trajectory.reduced import Frame
 
 STATE = ("x1", "v1", "x2", "v2")
 _NUMBERS = slice(AT["local"], AT["v2"] + 1, 2)

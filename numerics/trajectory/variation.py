@@ -111,7 +111,7 @@ class Variation:
             sines = (_sine(given, index, name) for index in range(len(given.sines)))
             self.parts = [_polynomial(given, name), *sines]
         self.size = 2 if cells is None else 4
-        self.branches = {b: Branch(Fraction(abs(side)), Fraction(0), Fraction(0))}
+        self.branches = {b: Branch(Fraction(1), Fraction(0), Fraction(0))} if side else {}
         if cells is not None:
             self.branches = cells.by_numbers(piece, side, cell, b)
         self.systems = [self._system(part, part is self.parts[0]) for part in self.parts]
