@@ -55,15 +55,12 @@ def print_energy(options: argparse.Namespace) -> int:
 def audit_numerics(options: argparse.Namespace) -> int:
     """Measure what the package claims of its numbers; FAILED if a row is not as required."""
     from numerics.audit.plan import SIZES, audit
-    from numerics.audit.table import as_record, print_decades, print_reasons, print_rows
+    from numerics.audit.rows import as_record, print_rows
 
     with shown_steps() as say:
         rows = list(audit(SIZES[options.size], options.seed, say))
     if options.json:
         print(json.dumps(as_record(rows, options.seed, options.size), indent=1))
     else:
-        if options.decades:
-            print_decades(rows)
-        print_reasons(rows)
         print_rows(rows)
     return OK if all(row.passed for row in rows) else FAILED

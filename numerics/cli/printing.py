@@ -10,6 +10,8 @@ from typing import Any
 from numerics.shown import write_figure
 
 _SPARE = 20
+SHOWN = 20
+"""On a terminal so many events are printed at the beginning, and as many at the end."""
 
 
 def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:

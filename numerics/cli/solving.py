@@ -8,17 +8,16 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
+from numerics.cli.printing import SHOWN
 from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import write_figure
 
 if TYPE_CHECKING:
-    from numerics.plane.answer import PlaneTrajectory
+    from numerics.plane.trajectory import PlaneTrajectory
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
 UNITS = {"x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J", "energy_excess": ""}
-SHOWN = 20
-"""On a terminal so many events are printed at the beginning, and as many at the end."""
 
 
 def solve_scene(options: argparse.Namespace) -> int:
@@ -32,6 +31,12 @@ def solve_scene(options: argparse.Namespace) -> int:
     if wrong is not None:
         return refuse(wrong, USAGE)
     scene: Scene | PlaneScene = load_scene(options.scene)
+    if isinstance(scene, PlaneScene):
+        from numerics.cli import surface
+
+        wrong = surface.wrong_use(options)
+        if wrong is not None:
+            return refuse(wrong, USAGE)
     trajectory = solve(
         scene,
         digits=options.digits,
@@ -41,9 +46,7 @@ def solve_scene(options: argparse.Namespace) -> int:
         progress=_progress if sys.stderr.isatty() else None,
     )
     if isinstance(scene, PlaneScene):
-        from numerics.cli.surface import print_surface
-
-        return print_surface(cast("PlaneTrajectory", trajectory), options)
+        return surface.print_surface(cast("PlaneTrajectory", trajectory), options)
     if options.explain:
         print(explanation(trajectory), file=sys.stderr)
     if options.npz is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import mpmath
@@ -60,17 +59,14 @@ class Columns:
 
 def sums(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[mpmath.mpf]:
     """Return numbers of double-double, which may have more than 106 bits, rounded to these."""
-    (tops, top_exponents), (tails, tail_exponents) = np.frexp(high), np.frexp(low)
-    places = (top_exponents - 53).tolist(), (tail_exponents - 53).tolist()
-    wholes = ((part * 2.0**53).tolist() for part in (tops, tails))
-    found = []
-    for top, place, tail, lower in zip(next(wholes), places[0], next(wholes), places[1], strict=True):
-        if tail == 0 or top - top != 0:  # nothing below, or no number
-            found.append(mpmath.mpf(math.ldexp(top, place)))
-            continue
-        whole = (int(top) << (place - lower)) + int(tail)
-        found.append(mpmath.make_mpf(from_man_exp(whole, lower, _WIDE_BITS, "n")))
-    return found
+    places = np.frexp(high)[1]
+    tops, tails = np.ldexp(high, 53 - places).tolist(), np.rint(np.ldexp(low, _WIDE_BITS - places)).tolist()
+    return [
+        mpmath.make_mpf(from_man_exp((int(top) << 53) + int(tail), place - _WIDE_BITS))
+        if top - top == 0
+        else mpmath.mpf(top)  # no number
+        for top, tail, place in zip(tops, tails, places.tolist(), strict=True)
+    ]
 
 
 def parts_of(point: arb) -> tuple[int, int]:

@@ -122,7 +122,7 @@ def unit_of(column: str) -> str:
     )
 
 
-def as_csv(record: dict[str, Any]) -> str:
+def as_csv(record: dict[str, Any], unit_of: Callable[[str], str] = unit_of) -> str:
     """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
     rows = [{"from": "", "to": "", **event} for event in record["events"]]
     last = dict(record["final"])
@@ -161,8 +161,13 @@ def _excess(trajectory: Solution) -> NDArray[Any]:
 
 def write_npz(trajectory: Solution, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
     """Write the `arrays` of a trajectory, and `extra` ones by their names, as a NumPy archive."""
+    write_arrays(arrays(trajectory) | (extra or {}), path)
+
+
+def write_arrays(found: dict[str, NDArray[Any]], path: Path) -> None:
+    """Write arrays by their names as a NumPy archive."""
     with whole_file(path) as file:
-        np.savez(file, **(arrays(trajectory) | (extra or {})))  # type: ignore[arg-type]
+        np.savez(file, **found)  # type: ignore[arg-type]
 
 
 def dataframe(trajectory: Solution) -> Any:
@@ -170,17 +175,22 @@ def dataframe(trajectory: Solution) -> Any:
 
     The mode at an event is the one after it. Raises MissingTool.
     """
-    try:
-        import pandas as pd
-    except ImportError:
-        raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
     if trajectory.t_eval is None:
         modes = [*trajectory.modes, trajectory.final_mode]
     else:
         modes = list(trajectory.mode_at(trajectory.t_eval))
     found = arrays(trajectory)
     state = dict(zip(STATE_NAMES, found["y"], strict=True))
-    return pd.DataFrame(
+    return frame_of(
         {"t": found["t"], "mode": [mode.value for mode in modes], **state}
         | {name: found[name] for name in ("energy", "energy_excess")}
     )
+
+
+def frame_of(columns: dict[str, Any]) -> Any:
+    """Return columns as a pandas DataFrame. Raises MissingTool."""
+    try:
+        import pandas as pd
+    except ImportError:
+        raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
+    return pd.DataFrame(columns)

@@ -8,7 +8,7 @@ from typing import Any, Literal, Self
 from numerics.trajectory.export import dataframe
 from numerics.trajectory.solution import Solution
 
-Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "excess", "energy"]
+Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
 
 class Trajectory(Solution):
@@ -115,17 +115,18 @@ class Trajectory(Solution):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""
-        from numerics.trajectory.saved import plain, restored
+        from numerics.trajectory.saved import header_text, run_of, unpickled
 
-        return restored, (type(self), self.scene, *plain(self))
+        header, arrays = run_of(self)
+        return unpickled, (type(self), self.scene, header_text(header), arrays)
 
     def __eq__(self, other: object) -> bool:
         """Return whether another trajectory answers the same scene with the same numbers."""
         if not isinstance(other, Trajectory):
             return False
-        from numerics.trajectory.saved import plain
+        from numerics.trajectory.saved import run_of
 
-        (one, rows), (two, others) = plain(self), plain(other)
+        (one, rows), (two, others) = run_of(self), run_of(other)
         same = self.scene == other.scene and one == two
         return same and [a.tobytes() for a in rows.values()] == [a.tobytes() for a in others.values()]
 
