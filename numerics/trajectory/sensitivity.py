@@ -31,6 +31,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
+from numerics.scene.model import require_kind
 from numerics.trajectory.comparison import as_fraction
 from numerics.trajectory.dense import Side, exact_time, require_side
 from numerics.trajectory.derivatives import Sensitivity, parameters
@@ -121,9 +122,7 @@ def enclosures(trajectory: Trajectory) -> Sensitivity:
 
 def _require_smooth(trajectory: Trajectory) -> None:
     """Raise TypeError for what is no trajectory, NotDifferentiable for one that has no derivatives by its data."""
-    if not isinstance(trajectory, Trajectory):
-        told = type(trajectory).__name__
-        raise TypeError(f"sensitivities takes a trajectory on one line, not {told}: give it solve(scene)")
+    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
     scene = trajectory.scene
     until = math.inf if trajectory.reached else trajectory.arithmetic.to_float(trajectory.event_times[-1])
     what = corner(scene, pieces_of(scene), until) if scene.is_forced else None
