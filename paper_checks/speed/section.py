@@ -67,7 +67,9 @@ def answers(trade: Trade) -> tuple[str, ...]:
             found.append(f"{words.capitalize()}, {told({name: one.ratio for name, one in leads.items()})}")
         if leads and which not in {"free", "forced"}:
             peers, ours = ([getattr(lead, side).digits for lead in leads.values()] for side in ("peer", "ours"))
-            found[-1] += f" Its law is smoothed there, with {max(peers):.0f} right digits at most; ours has {min(ours):.0f} at least."
+            found[-1] += (
+                f" Its law is smoothed there, with {max(peers):.0f} right digits at most; ours has {min(ours):.0f} at least."
+            )
     return tuple(found)
 
 
