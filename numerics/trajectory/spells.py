@@ -35,7 +35,8 @@ class Tone(NamedTuple):
 
     def times(self, factor: int) -> Tone:
         """Return the multiple."""
-        return Tone(*(factor * one for one in self[:4]), *self[4:])
+        sine, cosine, rising_sine, rising_cosine, turn, phase = self
+        return Tone(factor * sine, factor * cosine, factor * rising_sine, factor * rising_cosine, turn, phase)
 
 
 class Steady(NamedTuple):
@@ -93,7 +94,8 @@ def spells(scene: Scene) -> Iterator[Spell]:
     starts = {Fraction(0), *scene.force.starts, *scene.friction.starts}
     for start in sorted(one for one in starts if one < scene.until):
         piece = scene.force.piece_at(start)
-        tones = tuple(Tone(one.amplitude, *3 * [Fraction(0)], one.omega, one.phase) for one in piece.sines)
+        nothing = Fraction(0)
+        tones = tuple(Tone(one.amplitude, nothing, nothing, nothing, one.omega, one.phase) for one in piece.sines)
         force = Steady(piece.start, piece.polynomial, tones)
         b = next((b for at, b in reversed(scene.friction.pieces) if at <= start), pair.b)
         yield Spell(start, b, force, _answer(pair, pair.m1, force), _answer(pair, pair.mass, force))
