@@ -18,7 +18,8 @@ Record scene := Scene { m1 : Q; m2 : Q; a1 : Q; a2 : Q; x_0 : Q; v1_0 : Q; x2_0 
 
 (** rational coefficients as real ones *)
 Definition in_R (y : steady Q) := Steady (Q2R (from y)) (map Q2R (poly y)) (map (fun z =>
-  Tone (Q2R (in_sine z)) (Q2R (in_cosine z)) (Q2R (turn z)) (Q2R (phase z))) (tones y)).
+  Tone (Q2R (in_sine z)) (Q2R (in_cosine z)) (Q2R (rise_sine z)) (Q2R (rise_cosine z)) (Q2R (turn z)) (Q2R (phase z)))
+    (tones y)).
 (** the force at the time t *)
 Fixpoint force_at now later t := match later with
   | next :: later => if Rlt_dec t (Q2R (since next)) then sval real (in_R (push now)) t else force_at next later t
@@ -181,8 +182,8 @@ Qed.
 Fixpoint tones_answer m a1 a2 (ys fs : list (tone Q)) : bool := match ys, fs with
   | y :: ys, f :: fs => let y' := dtone rational y in let y'' := dtone rational y' in
       Qeq_bool (turn y) (turn f) && Qeq_bool (phase y) (phase f) &&
-      Qeq_bool (m * in_sine y'' + a1 * in_sine y' + a2 * in_sine y) (in_sine f) &&
-      Qeq_bool (m * in_cosine y'' + a1 * in_cosine y' + a2 * in_cosine y) (in_cosine f) && tones_answer m a1 a2 ys fs
+      forallb (fun part => Qeq_bool (m * part y'' + a1 * part y' + a2 * part y) (part f))
+        [in_sine (T := Q); in_cosine (T := Q); rise_sine (T := Q); rise_cosine (T := Q)] && tones_answer m a1 a2 ys fs
   | [], [] => true | _, _ => false end.
 (** the same of all of an answer *)
 Definition is_answer m a1 a2 (y f : steady Q) := let l := poly y in
@@ -203,11 +204,12 @@ Proof.
   replace (Q2R (-1)) with (-1) by (unfold Q2R; simpl; field). intros p0 p1 p2 p3 V. revert W.
   generalize (tones f). induction (tones y) as [|z zs IH]; intros [|w ws]; cbn [tones_answer map fold_right];
     try discriminate; [intros _; lra|].
-  intros W. rewrite !andb_true_iff in W. destruct W as ((((W & P) & S) & C) & Rest). rewrite <- (IH ws Rest). clear IH.
-  apply Qeq_bool_iff, Qeq_eqR in W. apply Qeq_bool_iff, Qeq_eqR in P. apply Qeq_bool_iff, Qeq_eqR in S.
-  apply Qeq_bool_iff, Qeq_eqR in C. cbn [dtone in_sine in_cosine turn phase neg mul rational] in S, C.
-  rewrite !Q2R_plus, !Q2R_mult, !Q2R_opp, !Q2R_mult in S, C.
-  unfold tval; simpl. rewrite <- W, <- P, <- S, <- C, ?Q2R_opp, ?Q2R_mult. ring.
+  intros W. cbn [forallb] in W. rewrite !andb_true_iff in W.
+  destruct W as (((W & P) & S & C & S' & C' & _) & Rest). rewrite <- (IH ws Rest). clear IH.
+  apply Qeq_bool_iff, Qeq_eqR in W, P, S, C, S', C'.
+  cbn [dtone in_sine in_cosine rise_sine rise_cosine turn phase add sub neg mul rational] in S, C, S', C'.
+  unfold tval; simpl. rewrite <- W, <- P, <- S, <- C, <- S', <- C'.
+  repeat first [rewrite Q2R_plus | rewrite Q2R_mult | rewrite Q2R_minus | rewrite Q2R_opp]. ring.
 Qed.
 
 (** *** The program *)
@@ -254,7 +256,8 @@ Definition on_side c d := match c with Gt => 0 < d | Eq => d = 0 | Lt => d < 0 e
 
 (** the intervals have the numbers *)
 Record has_tone (Z : tone I.type) (z : tone R) : Prop := { h_in_sine : has (in_sine Z) (in_sine z);
-  h_in_cosine : has (in_cosine Z) (in_cosine z); h_turn : has (turn Z) (turn z); h_phase : has (phase Z) (phase z) }.
+  h_in_cosine : has (in_cosine Z) (in_cosine z); h_rise_sine : has (rise_sine Z) (rise_sine z);
+  h_rise_cosine : has (rise_cosine Z) (rise_cosine z); h_turn : has (turn Z) (turn z); h_phase : has (phase Z) (phase z) }.
 (** of a force *)
 Record has_steady (Y : steady I.type) (y : steady R) : Prop := { h_from : has (from Y) (from y);
   h_poly : Forall2 has (poly Y) (poly y); h_tones : Forall2 has_tone (tones Y) (tones y) }.
@@ -301,7 +304,8 @@ Definition rat q := I.div p (I.fromZ p (Qnum q)) (I.fromZ p (Zpos (Qden q))).
 Definition hull q r := I.join (rat q) (rat r).
 (** a force *)
 Definition in_I (y : steady Q) := Steady (rat (from y)) (map rat (poly y)) (map (fun z =>
-  Tone (rat (in_sine z)) (rat (in_cosine z)) (rat (turn z)) (rat (phase z))) (tones y)).
+  Tone (rat (in_sine z)) (rat (in_cosine z)) (rat (rise_sine z)) (rat (rise_cosine z)) (rat (turn z)) (rat (phase z)))
+    (tones y)).
 
 Lemma has_rat q : has (rat q) (Q2R q).
 Proof. apply J.div_correct; apply I.fromZ_correct. Qed.
@@ -321,9 +325,10 @@ Definition swung F u :=
 (** sine and cosine of its tones *)
 Definition sung F u := let t := I.add p (clock (parts F)) u in
   map (fun z => let a := I.add p (I.mul p (turn z) t) (phase z) in (I.sin p a, I.cos p a)) (tones (answer (parts F))).
-(** a sum of tones *)
-Fixpoint chord (i : I.type) zs bs := match zs, bs with
-  | z :: zs, (s, c) :: bs => I.add p (I.add p (I.mul p (in_sine z) s) (I.mul p (in_cosine z) c)) (chord i zs bs)
+(** a sum of tones at the time t *)
+Fixpoint chord t (i : I.type) zs bs := match zs, bs with
+  | z :: zs, (s, c) :: bs => I.add p (I.add p (I.mul p (I.add p (in_sine z) (I.mul p (rise_sine z) t)) s)
+      (I.mul p (I.add p (in_cosine z) (I.mul p (rise_cosine z) t)) c)) (chord t i zs bs)
   | _, _ => i end.
 (** the value of a wave, from these *)
 Definition made F u b bs :=
@@ -334,7 +339,8 @@ Definition made F u b bs :=
         (I.mul p (I.mul p half (I.sub p (even f) other)) (snd b))
   | _ => I.add p (I.mul p (even f) (fst b)) (I.mul p (odd f) (snd b)) end in
   I.add p (I.add p (I.add p (still f) (I.mul p (drift f) u)) swinging)
-    (chord (pval boxes (poly (answer f)) (I.sub p (I.add p (clock f) u) (from (answer f)))) (tones (answer f)) bs).
+    (let t := I.add p (clock f) u in
+      chord t (pval boxes (poly (answer f)) (I.sub p t (from (answer f)))) (tones (answer f)) bs).
 (** the value of a wave *)
 Definition value F u := made F u (swung F u) (sung F u).
 (** its derivative *)
@@ -367,7 +373,7 @@ Qed.
 Lemma has_dsteady Y y : has_steady Y y -> has_steady (dsteady boxes Y) (dsteady real y).
 Proof.
   intros []. constructor; cbn [from poly tones dsteady]; auto using has_dpoly.
-  apply (has_map has_tone); auto. intros Z z []. constructor; cbn [in_sine in_cosine turn phase dtone]; has.
+  apply (has_map has_tone); auto. intros Z z []. constructor; cbn [in_sine in_cosine rise_sine rise_cosine turn phase dtone]; has.
 Qed.
 Lemma has_scaled F f Y y : (forall i r, has i r -> has (F i) (f r)) -> has_steady Y y ->
   has_steady (scaled F Y) (scaled f y).
@@ -1183,7 +1189,7 @@ Proof.
     - rewrite in_R_pval, Q2R_minus, RMicromega.Q2R_0. reflexivity.
     - apply andb_true_iff in Ph. destruct Ph as (P & Ph). apply Qeq_bool_iff, Qeq_eqR in P.
       rewrite Q2R_plus, <- IH by auto. unfold tval; cbn [in_sine in_cosine turn phase add mul sin_of cos_of real].
-      rewrite P, RMicromega.Q2R_0, Rmult_0_r, Rplus_0_r, sin_0, cos_0. ring. }
+      rewrite P, RMicromega.Q2R_0, !Rmult_0_r, !Rplus_0_r, sin_0, cos_0. ring. }
   rewrite S. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E.
   rewrite Q2R_mult, Q2R_minus, Q2R_plus, !Q2R_mult, Q2R_plus in E.
   replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; unfold Q2R; simpl; lra).

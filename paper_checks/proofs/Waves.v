@@ -53,8 +53,8 @@ Record arith (T : Type) := Arith { zero : T; add : T -> T -> T; sub : T -> T -> 
 (** real numbers *)
 Definition real := Arith 0 Rplus Rminus Rmult Rdiv Ropp sin cos.
 
-(** t -> in_sine sin (turn t + phase) + in_cosine cos (turn t + phase) *)
-Record tone (T : Type) := Tone { in_sine : T; in_cosine : T; turn : T; phase : T }.
+(** t -> (in_sine + rise_sine t) sin (turn t + phase) + (in_cosine + rise_cosine t) cos (turn t + phase) *)
+Record tone (T : Type) := Tone { in_sine : T; in_cosine : T; rise_sine : T; rise_cosine : T; turn : T; phase : T }.
 (** a force, or what answers to it: a polynomial of t - from, and tones *)
 Record steady (T : Type) := Steady { from : T; poly : list T; tones : list (tone T) }.
 (** u -> still + drift u + exp (- decay u) (even cosine u + odd sine u) + answer (clock + u) *)
@@ -77,7 +77,8 @@ Local Notation "- x" := (neg A x).
 (** the value of a polynomial *)
 Definition pval l u := fold_right (fun c r => c + u * r) (zero A) l.
 (** of a tone *)
-Definition tval z t := let a := turn z * t + phase z in in_sine z * sin_of A a + in_cosine z * cos_of A a.
+Definition tval z t := let a := turn z * t + phase z in
+  (in_sine z + rise_sine z * t) * sin_of A a + (in_cosine z + rise_cosine z * t) * cos_of A a.
 (** of both *)
 Definition sval y t := fold_right (fun z r => tval z t + r) (pval (poly y) (t - from y)) (tones y).
 (** the sum of two polynomials *)
@@ -85,12 +86,14 @@ Fixpoint padd l k := match l, k with c :: l, d :: k => c + d :: padd l k | nil, 
 (** derivatives *)
 Fixpoint dpoly l := match l with c :: (_ :: _) as l => padd l (zero A :: dpoly l) | _ => nil end.
 (** of a tone *)
-Definition dtone z := Tone (- (in_cosine z * turn z)) (in_sine z * turn z) (turn z) (phase z).
+Definition dtone z := Tone (rise_sine z - in_cosine z * turn z) (rise_cosine z + in_sine z * turn z)
+  (- (rise_cosine z * turn z)) (rise_sine z * turn z) (turn z) (phase z).
 (** of both *)
 Definition dsteady y := Steady (from y) (dpoly (poly y)) (map dtone (tones y)).
 (** with all coefficients changed *)
 Definition scaled f (y : steady T) := Steady (from y) (map f (poly y))
-  (map (fun z => Tone (f (in_sine z)) (f (in_cosine z)) (turn z) (phase z)) (tones y)).
+  (map (fun z => Tone (f (in_sine z)) (f (in_cosine z)) (f (rise_sine z)) (f (rise_cosine z)) (turn z) (phase z))
+    (tones y)).
 (** the sign times the number *)
 Definition signed (k : bool) x := if k then x else - x.
 

@@ -42,6 +42,10 @@ SCENES = {
         HARD, State("0.005", "-0.05", 0, "-0.05"), until=1, force=Force.sine("0.3", 5)
     ),
     "from an edge under a sine into a slip": Scene(HARD, State("0.005"), until=1, force=Force.sine("0.3", 5)),
+    "a sine in resonance with both bodies": Scene(HARD, State(v1="0.1"), until=1, force=Force.sine(1, 10)),
+    "a sine in resonance with body 1": Scene(
+        Pair(2, 1, 200, "0.3"), State(v1="0.1"), until=1, force=Force([Piece(0, [], [Sine("0.8", 10, "0.3")])])
+    ),
     "bounds near the last bit of both programs": Scene(
         Pair(1, 2, 90, "0.3", a1="0.2"), State("0.02", "0.1"), until=5, force=Force.step("0.2", 2)
     ),
@@ -108,8 +112,8 @@ FALSE = {
 
 
 FALSE_OF_A_FORCE = {
-    "an amplitude": lambda text: changed(text, r"Tone 0\.7 0 5 0", "Tone 0.7000001 0 5 0"),
-    "a phase": lambda text: changed(text, r"Tone 0\.7 0 5 0", "Tone 0.7 0 5 0.0000001"),
+    "an amplitude": lambda text: changed(text, r"Tone 0\.7 0 0 0 5 0", "Tone 0.7000001 0 0 0 5 0"),
+    "a phase": lambda text: changed(text, r"Tone 0\.7 0 0 0 5 0", "Tone 0.7 0 0 0 5 0.0000001"),
     "a step": lambda text: changed(text, r"Spell 0\.1 ", "Spell 0.1000001 "),
     "an answer": lambda text: changed(text, r"(Definition answers.*?Tone \()(\d+)", r"\g<1>1\2"),
     "a place of body 2": lambda text: changed(text, r"(Event.*?\n +)\((\S+), (\S+)\)", later),
