@@ -27,7 +27,7 @@ from sympy import (
 )
 
 from theory.model import branch_named
-from theory.symbols import a1, a2, b, free, m1, m2, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
+from theory.symbols import a1, a2, free, m1, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
 
 decay = Symbol("beta", positive=True)  # decay rate a1/(2 I), 1/s
 rate = Symbol("omega", positive=True)  # angular frequency, or half distance of the real rates, 1/s
@@ -150,11 +150,3 @@ def slip_guard(mode: str, regime: Regime) -> Expr:
     """v1 - v2 along a slip, m/s: a decaying oscillation plus a line; its first zero ends the slip."""
     found = solution(mode, regime)
     return found.v1 - found.v2
-
-
-def friction_work(mode: str, regime: Regime) -> Expr:
-    """b times the relative displacement since t = 0 of a slip, J: the energy that the interface takes."""
-    found = solution(mode, regime)
-    sign = free(branch_named(mode).acceleration2) * m2 / b
-    displacement = (found.x1 - x1_0) - (found.x2 - x2_0)
-    return sign * b * displacement

@@ -16,7 +16,7 @@ from sympy import (
     sqrt,
 )
 
-from theory.filippov import STATE, derivative_along, guard, half_width, load_threshold, sliding_field
+from theory.filippov import STATE, derivative_along, half_width, load_threshold, sliding_field
 from theory.model import free_system, slip
 from theory.symbols import (
     E0,
@@ -141,28 +141,11 @@ def contraction_rate() -> Expr:
 def contraction_terms() -> tuple[Expr, Expr]:
     """Viscous and friction term whose sum is ``contraction_rate``; neither is ever positive.
 
-    The first is minus a square.  The friction term is -b (sigma - sigma~)(w - w~), see
-    ``monotonicity_terms``.
+    The first is minus a square.  The friction term is -b (sigma - sigma~)(w - w~).
     """
     rate = contraction_rate()
     friction = rate.subs(a1, 0)
     return factor(rate.expand() - friction.expand()), factor(friction)
-
-
-def monotonicity_terms() -> tuple[Expr, Expr]:
-    """(sigma - sigma~)(w - w~) as two terms: (sigma - sigma~) w and (sigma~ - sigma) w~.
-
-    Where w > 0 friction has sigma = 1 >= sigma~, where w < 0 sigma = -1 <= sigma~: each term is >= 0.
-    """
-    relative = guard()
-    return (sigma - sigma_other) * relative, (sigma_other - sigma) * other(relative)
-
-
-@cache
-def linear_part() -> ImmutableMatrix:
-    """The metric times the matrix of (5)-(7) without friction: skew but for -a1 in the middle."""
-    field = free_system(sigma).subs(sigma, 0)
-    return ImmutableMatrix(metric() * field.jacobian(STATE))
 
 
 @cache

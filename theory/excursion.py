@@ -204,13 +204,6 @@ def displacement_slope() -> tuple[Expr, Expr]:
 
 
 @cache
-def inward_step() -> tuple[Expr, Expr, Expr]:
-    """1 - X at re-entry as the positive factors q, 1 - cos theta, h': the edge is left inwards."""
-    depth = half_tangent_form((1 - excursion().position) / (q * (1 - cos(theta)) * h_slope()))
-    return q, depth * (1 - cos(theta)), h_slope()
-
-
-@cache
 def next_excess_slope() -> tuple[Expr, ...]:
     """dw'/dtheta as factors 2q, h, h', 1 - r(1 - cos theta): all positive while the last one is.
 

@@ -8,7 +8,7 @@ epsilon^order on are dropped.
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import Expr, Integer, Symbol, asin, atan2, cancel, cos, expand, factor, limit, simplify, sin, solve, sqrt
+from sympy import Expr, Integer, Symbol, asin, atan2, cancel, cos, expand, factor, limit, sin, solve, sqrt
 
 from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
@@ -113,36 +113,6 @@ def cycle(order: int = ORDER) -> CycleSeries:
         next_excess=excess_after,
         stick_duration=stick,
         cycle_duration=truncate(stick + expand(slip), epsilon, order - 1),
-    )
-
-
-@dataclass(frozen=True)
-class LeadingOrder:
-    """The first terms of one excursion from l_+ with excess w, SI: s, m, m/s, m, J (approximate)."""
-
-    duration: Expr
-    position: Expr
-    velocity: Expr
-    displacement: Expr
-    energy_lost: Expr
-
-
-@cache
-def leading_order() -> LeadingOrder:
-    """Duration, re-entry point, relative displacement and energy lost to leading order in w."""
-    found, length, frequency = cycle(), half_width(), stick_frequency()
-
-    def first_term(expression: Expr, unit: Expr) -> Expr:
-        reduced = expression.as_leading_term(epsilon)
-        return unit * to_si(reduced).subs(epsilon, sqrt(w))
-
-    inward = first_term(found.position - 1, length)
-    return LeadingOrder(
-        duration=simplify(first_term(found.slip_duration, 1 / frequency)),
-        position=length + simplify(inward),
-        velocity=simplify(first_term(found.velocity, length * frequency)),
-        displacement=simplify(first_term(found.displacement, length)),
-        energy_lost=simplify(first_term(epsilon**2 - found.next_excess, critical_energy())),
     )
 
 

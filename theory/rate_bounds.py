@@ -6,9 +6,9 @@ As w decreases from one excursion to the next, so does theta: a bound for the fi
 
 from functools import cache
 
-from sympy import Expr, Rational, Symbol, cos, diff, expand_trig, factor, limit, pi, simplify, sin, sqrt, tan
+from sympy import Expr, Rational, Symbol, cos, diff, factor, limit, pi, simplify, sqrt, tan
 
-from theory.excursion import angle, displacement_of_angle, excursion, h, h_slope, half_tangent, half_tangent_form
+from theory.excursion import displacement_of_angle, excursion, h, h_slope, half_tangent, half_tangent_form
 from theory.symbols import q, r, theta
 
 
@@ -33,24 +33,6 @@ def dissipation_density() -> Expr:
 def density_at_zero() -> Expr:
     """The limit of rho at theta = 0, its supremum on (0, 2 pi)."""
     return limit(dissipation_density(), theta, 0)
-
-
-@cache
-def density_slope() -> tuple[Expr, Expr]:
-    """rho' at theta = 2 phi as a factor, positive on 0 < phi < pi, times an increment that is negative there.
-
-    The increment is 0 at phi = 0 and has the derivative ``density_increment_slope``.
-    """
-    increment = 3 * angle * cos(angle) - 3 * sin(angle) + sin(angle) ** 3
-    half_angle = expand_trig(diff(dissipation_density(), theta).subs(theta, 2 * angle))
-    return simplify(half_angle / increment), increment
-
-
-@cache
-def density_increment_slope() -> tuple[Expr, Expr]:
-    """Derivative of the increment as 3 sin phi > 0 times sin phi cos phi - phi < 0: rho decreases."""
-    slope = diff(density_slope()[1], angle)
-    return 3 * sin(angle), simplify(slope / (3 * sin(angle)))
 
 
 @cache

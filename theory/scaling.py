@@ -9,7 +9,7 @@ from functools import cache
 from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, simplify, solve, sqrt, together
 
 from theory.energy import critical_energy, energy, slip_rate
-from theory.filippov import load, load_threshold, phi, sliding_field
+from theory.filippov import load_threshold, phi, sliding_field
 from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, total_mass, undamped, v1, v2, x1, zeta
 
 # Units of the reduced coordinates as free symbols: length (m), frequency (rad/s), mass (kg).
@@ -79,12 +79,6 @@ def reduced_slip(sign: int, damped: bool = False) -> ImmutableMatrix:
 def reduced_stick(damped: bool = False) -> ImmutableMatrix:
     """d(X, V1, V2)/dtau in stick, dimensionless."""
     return reduced_field(sliding_field(damped))
-
-
-@cache
-def reduced_load(damped: bool = False) -> Expr:
-    """The load over its threshold, dimensionless: S0 is where its absolute value is at most 1."""
-    return cancel(to_reduced(load(damped) / load_threshold()))
 
 
 @cache

@@ -165,8 +165,7 @@ def _audit(audit: argparse.ArgumentParser) -> None:
     audit.add_argument("--seed", type=natural, default=0, metavar="N", help="other cases (%(default)s)")
     _size(audit, "about 10 s, 2 min or 10 min")
     audit.set_defaults(needs=("rich",))
-    audit.add_argument("--json", action="store_true", help="print every figure as JSON, also by decade and by reason")
-    audit.add_argument("--decades", action="store_true", help="print the errors of each formula by decade as well")
+    audit.add_argument("--json", action="store_true", help="print every figure as JSON, and the scenes that fail")
 
 
 def _size(measured: argparse.ArgumentParser, how_long: str) -> None:

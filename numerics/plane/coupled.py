@@ -14,7 +14,7 @@ from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import NotSettled
-from numerics.plane.answer import PlaneTrajectory, Working
+from numerics.plane.answer import PlaneSolution, Working
 from numerics.plane.defect import Curve, Defect, defect
 from numerics.plane.path import SLIP, Path
 from numerics.plane.polynomial import first_root, least, scaled
@@ -32,7 +32,7 @@ _MAX_LEGS = 200_000
 
 def coupled(
     scene: PlaneScene, line: Callable[..., Any], working: int, name: str, limits: dict[str, Any]
-) -> PlaneTrajectory:
+) -> PlaneSolution:
     """Return the motion of a box with couplings. Raises EventUndecided, NotSettled."""
     del line
     run = BoxRun(System(reduced(scene), working), limits["max_events"], _MAX_LEGS, limits["progress"])
@@ -48,7 +48,7 @@ def coupled(
         events = [states.event(one, whole) for one in run.events]
         modes = [whole(run.first), *(one.after for one in events)]
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
-        return PlaneTrajectory(scene, Working(working, name), status, events, modes, states.end(), states.at)
+        return PlaneSolution(scene, Working(working, name), status, events, modes, states.end(), states)
 
 
 class BoxRun(Path):

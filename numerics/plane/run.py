@@ -25,7 +25,7 @@ from numerics.plane.onset import Onset, onset
 from numerics.plane.passage import drawn_to, end_direction
 from numerics.plane.path import SLIP, STICK, Path, log2, max_of, two_to
 from numerics.plane.polynomial import at_one, first_root, midpoints, rise, scaled
-from numerics.plane.series import slip_series, stick_series
+from numerics.plane.series import Point, Series, slip_series, stick_series
 from numerics.plane.slow import slow_series
 from numerics.plane.system import Balls, System
 from numerics.plane.window import wide
@@ -120,13 +120,13 @@ class Run(Path):
             rates = [one * k for k, one in enumerate(series.t)][1:]
             while not at_one(scaled(rates, h)) > rates[0] * _FALL:
                 h = (h * 0.75).mid()
-            t = scaled(series.t, h)
+            t = clock(at, series, h)
             ends = bool(at_one(t) > drive.length)
             if ends:
                 h = (h * rise(t, drive.length)).mid()
         for halving in range(60):
             with system.coarse():
-                t, parts = scaled(series.t, h), [tuple(scaled(x, h) for x in part) for part in series[1:]]
+                t, parts = clock(at, series, h), [tuple(scaled(x, h) for x in part) for part in series[1:]]
             with system.fine():
                 q1, v2, s = parts
                 impulse = tuple(x * (b * h) for x, b in zip(s, drive.b_squared, strict=True))
@@ -378,6 +378,13 @@ def exactly_on_edge(system: System) -> bool:
         )
         total_strain += (given.m2[i] / (given.m1[i] + given.m2[i]) * push) ** 2 / acting.b_squared[i]
     return total_strain == 1
+
+
+def clock(at: Point, series: Series, h: arb) -> arb_poly:
+    """Return the time along a slip, from exactly where the path is: the working precision has less digits of it."""
+    t = scaled(series.t, h)
+    t[0] = at.t
+    return t
 
 
 def min_of(values: Sequence[arb]) -> arb:

@@ -123,7 +123,8 @@ def enclosures(trajectory: Trajectory) -> Sensitivity:
 def _require_smooth(trajectory: Trajectory) -> None:
     """Raise TypeError for what is no trajectory, NotDifferentiable for one that has no derivatives by its data."""
     if not isinstance(trajectory, Trajectory):
-        raise TypeError(f"sensitivities takes a trajectory, not {type(trajectory).__name__}: give it solve(scene)")
+        told = type(trajectory).__name__
+        raise TypeError(f"sensitivities takes a trajectory on one line, not {told}: give it solve(scene)")
     scene = trajectory.scene
     until = math.inf if trajectory.reached else trajectory.arithmetic.to_float(trajectory.event_times[-1])
     what = corner(scene, pieces_of(scene), until) if scene.is_forced else None

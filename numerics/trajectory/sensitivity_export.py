@@ -10,7 +10,7 @@ from flint import arb
 from numpy.typing import NDArray
 
 from numerics.trajectory.export import STATE_NAMES, Written
-from numerics.trajectory.rendering import ball_text, right_digits_text
+from numerics.trajectory.rendering import right_digits_text, with_radius
 from numerics.trajectory.sensitivity import enclosures, exact_middle, sensitivities
 from numerics.trajectory.trajectory import Trajectory
 
@@ -28,8 +28,7 @@ def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
 
     def written(name: str, value: arb) -> Written:
         if in_balls:
-            text, radius = ball_text(value, digits)
-            return {name: text, f"{name}_radius": radius}
+            return with_radius(name, value, digits)
         return {name: right_digits_text(exact_middle(value), value.rad(), digits)}
 
     rows = [*record["events"], record["final"]]

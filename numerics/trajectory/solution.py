@@ -128,7 +128,7 @@ class Solution(Rows):
     @property
     def y(self) -> NDArray[Any]:
         """Return the states at `t`, shape (4, m)."""
-        return self._table[2:] if self.t_eval is None else self._asked_states
+        return self._table[1:] if self.t_eval is None else self._asked_states
 
     @cached_property
     def _asked_states(self) -> NDArray[Any]:

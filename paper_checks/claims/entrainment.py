@@ -248,7 +248,7 @@ OPEN = (
     ),
     clause(
         "non-stop-undamped",
-        r"For $a_1=0$, «natural» no odd multiple of $\omega$: «threshold»; and for $\omega>\omega_1$ $\dot z$ does keep its sign.",
+        r"For $a_1=0$, «natural» no odd multiple of $\omega$: «threshold»; and for $\omega>\omega_1$ that is so without the condition.",
         natural=natural_frequency(),
         threshold=equal(
             "U_{**}^2",

@@ -16,7 +16,6 @@ from paper_checks.evidence import (
     carried,
     claim,
     clause,
-    correction,
     counterexample,
     latex,
 )
@@ -25,9 +24,7 @@ from theory.filippov import derivative_along, half_width, load, load_threshold, 
 from theory.model import (
     RELATIVE_SIGN,
     STICTION_SIGN,
-    Branch,
     branch_named,
-    branches,
     driven_equation,
     free_system,
     slip,
@@ -279,17 +276,7 @@ def vector_fields(printed=printed_field) -> Case:  # type: ignore[no-untyped-def
 def filippov_equivalence() -> Case:
     """Compare the two systems off S, inside S0, and on the rest of S."""
     literal = undamped(free_system(sp.Integer(0)))
-    adhesion = sp.Lt(cleared(undamped(stick().field)[1] ** 2 - (b / m2) ** 2), 0, evaluate=False)
     inside = sp.Lt(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
-    spurious = [one for one in branches() if one.name in ("half adhesion", "broken adhesion")]
-    off_surface = [
-        identity(
-            f"off $S$ the field of (3), (4) with $a_1=u=0$ is that of (5)–(7), sign {sign:+d}",
-            undamped(slip(sign).field),
-            undamped(free_system(sp.Integer(sign))),
-        ).as_correction()
-        for sign in (1, -1)
-    ]
     return because(
         r"""
         Read with the three-valued signum of eq. (1), which the text prefers, (5)–(7) has no solution through the
@@ -298,24 +285,6 @@ def filippov_equivalence() -> Case:
         outside the open strip the right sides of (3)–(4) and of Filippov's system differ too, at isolated instants
         only.
         """,
-        *off_surface,
-        correction(
-            identity(
-                "on $S_0$ the adhesion branch of (3), (4) is Filippov's sliding field",
-                undamped(stick().field),
-                sliding_field(),
-            ),
-            prove("adhesion, $|\\ddot x_1|<b/m_2$, implies $|x_1|<L$", [adhesion], inside),
-            prove("$|x_1|<L$ implies adhesion, $|\\ddot x_1|<b/m_2$", [inside], adhesion),
-            *(
-                _leaves_surface(
-                    one,
-                )
-                for one in spurious
-            ),
-            spurious_branches_leave(),
-            edge_is_isolated(),
-        ),
         counterexample(
             r"""
             $m_1=m_2=1$, $a=200$, $b=0.5$, $x_1=0.004$, $v_1=v_2=0$: (3)–(4) sticks; (5)–(7) with sgn(0) = 0 asks for
@@ -332,27 +301,6 @@ def filippov_equivalence() -> Case:
                 sp.And(*(sp.Lt(cleared(sign * transversality(sign)), 0, evaluate=False) for sign in (1, -1))),
             ),
         ),
-        derivation=(
-            r"""
-            A solution of (3)–(4) spends almost every instant of $\{t:\dot z=0\}$ with $\ddot z=0$, so only a branch
-            with $\ddot x_1=\ddot x_2$ can last: adhesion, which is Filippov's sliding field.
-            """,
-            f"$$\\text{{sliding field}}={latex(sliding_field().T)}$$",
-            r"""
-            Conversely the Filippov solution slides only in $S_0$, and at $|x_1|=L$ only at isolated times, where
-            $v_1\neq 0$ or $\ddot x_1\neq 0$.
-            """,
-        ),
-    )
-
-
-def _leaves_surface(
-    branch: Branch,
-) -> Evidence:
-    """Return that a spurious branch has x1'' - x2'' a nonzero multiple of x1'': it cannot last on S."""
-    share = {"half adhesion": sp.Rational(1, 2), "broken adhesion": sp.Integer(1)}[branch.name]
-    return identity(
-        f"in the branch with {branch.name}, $\\ddot x_1-\\ddot x_2={latex(share)}\\,\\ddot x_1$",
-        branch.acceleration1 - branch.acceleration2,
-        share * branch.acceleration1,
+        carried("same-solutions", equivalent()),
+        derivation=(*ARGUMENT[:2], f"$$\\text{{sliding field}}={latex(sliding_field().T)}$$"),
     )

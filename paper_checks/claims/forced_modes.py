@@ -291,8 +291,8 @@ def forced_mode_rule() -> Case:
     clause(
         "finite",
         """
-        Where $u$ is analytic by pieces (polynomials plus sinusoids by pieces are) and $b>0$ is constant by pieces,
-        the pair changes its mode finitely often in every bounded interval of time.
+        Where $u$ is analytic by pieces (polynomials plus sinusoids by pieces are) and $b>0$ is constant on each of
+        finitely many pieces of time, the pair changes its mode finitely often in every bounded interval of time.
         """,
         kernel="no-zeno-varying scenes-analytic",
     ),

@@ -161,7 +161,7 @@ def below_the_interval() -> Evidence:
     clause(
         "same",
         r"and it is the same one: where a trajectory crosses $S$, once or more often, its first re-entry is above $E_{cr}$.",
-        kernel="merging-set",
+        kernel="merging-set sticks-iff",
     ),
     clause("below", r"Below $w_a$ it never merges."),
     clause(

@@ -295,8 +295,8 @@ def interface_force_balance() -> Case:
         In slip and in stick the two forces are opposite, as the text says; where (4) breaks adhesion they are not.
         The forces follow from the accelerations by Newton's law. In the branches at $\dot z=0$ where adhesion breaks,
         for $|\ddot x_1|>b/m_2$, body 1 carries both masses in (3) and so feels $-m_2\ddot x_1$, while (4) gives body
-        2 no force at all; at equality body 2 gets half. The paper does not say that these balance, and they last no
-        time in the free system, so they do no harm there.
+        2 no force at all; at equality body 2 gets half. Momentum is not conserved at such an instant; they last no
+        time in the free system.
         """,
         counterexample(
             (

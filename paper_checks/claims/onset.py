@@ -66,8 +66,8 @@ def subcritical_level() -> sp.Basic:
         clause(
             "stick",
             r"""
-            Where $\dot z=0$ it acts exactly if $|x_1|\geqslant L$, «width»; it does not act if $E\leqslant E_{cr}$,
-            «level» (but for $|\ddot x_1|=b/m_2$ at $E=E_{cr}$), nor in any stick phase of (3)–(4).
+            Where $\dot z=0$ it acts exactly if $|x_1|\geqslant L$, «width»; but for isolated instants with $|\ddot x_1|=b/m_2$ it
+            does not act if $E\leqslant E_{cr}$, «level», nor in any stick phase of (3)–(4).
             """,
             width=equal("L", b / 100, lambda: half_width().subs(CASE_STUDY)),
             level=equal("E_{cr}", b**2 / 100, lambda: critical_energy().subs(CASE_STUDY)),
@@ -181,7 +181,7 @@ def comes_apart() -> tuple[Evidence, ...]:
                 condition(_level),
                 sharp=True,
             ),
-            kernel="sticks-iff",
+            kernel="sticks-iff switching-iff filippov-iff",
         ),
         clause(
             "at-once",

@@ -158,7 +158,7 @@ def transversality_strip() -> Case:
     "III",
     "after (10)",
     HOLDS,
-    clause("region", r"$S_0$ is the sliding region;", kernel="transversal-inside sticks-inside"),
+    clause("region", r"$S_0$ is the sliding region;", kernel="transversal-inside sticks-inside slips-beyond"),
     clause(
         "modes",
         """

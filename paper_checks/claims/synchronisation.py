@@ -54,7 +54,7 @@ from theory.symbols import a1, a2, b, m1, m2, undamped, v1
         $\dot{z}(t)\to 0$ for $t\to\infty$ is warranted for all the admissible (i.e. physical) system parameters
         $m_1,m_2,a_2,b>0$ and $a_1\geqslant 0$.
         """,
-        kernel="synchronisation",
+        kernel="synchronisation switching-iff filippov-iff",
     ),
 )
 def synchronisation_all_parameters(seed: int) -> Case:
@@ -205,7 +205,7 @@ def merges_with_a_damper() -> tuple[Evidence, ...]:
                 b**2 * (m1 + m2) ** 3 / (2 * m2**2 * (a2 * (m1 + m2) + a1**2)),
                 captive_energy,
             ),
-            kernel="captive-merges",
+            kernel="captive-sticks contact",
         ),
         clause(
             "alternates",
@@ -213,7 +213,7 @@ def merges_with_a_damper() -> tuple[Evidence, ...]:
             for $a_1=0$ it may alternate for ever and then tends to the orbit $E=E_{cr}$. So damping the driving body
             can accelerate the synchronisation, and it replaces the endless alternation by a finite one.
             """,
-            kernel="no-merging-from-S0",
+            kernel="no-merging-from-S0 exit-and-entry-times viscous-rest",
         ),
     ),
 )

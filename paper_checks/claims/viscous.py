@@ -189,7 +189,7 @@ def viscous_energy_rate() -> Case:
             the switching does not go on: every trajectory sticks for ever from a finite time on, while without a
             damper whole families stick and slip in turn for ever;
             """,
-            kernel="viscous-rest no-merging-from-S0",
+            kernel="viscous-rest no-merging-from-S0 exit-and-entry-times",
         ),
         clause(
             "spiral",

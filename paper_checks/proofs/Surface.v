@@ -64,21 +64,15 @@ Proof.
   - assert (y * (a2 * m2) < - L * (a2 * m2)) by (apply Rmult_lt_compat_r; auto).
     apply Rmult_lt_0_compat; auto. destruct Hk; subst k; nra.
 Qed.
-(** ... and exactly inside S0 each field points back to S *)
-Theorem transversal_inside y : - L < y < L <-> normal_rate 1 y < 0 < normal_rate (-1) y.
+(** ... and exactly inside S0 both fields point back to S, on its edges one of them along it *)
+Theorem transversal_inside y : (- L < y < L <-> normal_rate 1 y < 0 < normal_rate (-1) y) /\
+  (- L <= y <= L <-> normal_rate 1 y <= 0 <= normal_rate (-1) y).
 Proof.
   assert (P : 0 < m1 * m2) by (apply Rmult_lt_0_compat; auto).
-    assert (A0 : 0 < a2 * m2) by (apply Rmult_lt_0_compat; auto).
-  assert (Lm : L * (a2 * m2) = b * (m1 + m2)) by (unfold L, Stick.L; field; lra).
-  assert (N : forall k, normal_rate k y * (m1 * m2) = - (y * (a2 * m2) + k * (L * (a2 * m2)))).
-  { intros k. rewrite Lm. unfold normal_rate. field. lra. }
-  pose proof (N 1) as N1. pose proof (N (-1)) as N2. split.
-  - intros (A & B). split; apply Rmult_lt_reg_r with (m1 * m2); auto; rewrite ?N1, ?N2, Rmult_0_l;
-      [assert (- L * (a2 * m2) < y * (a2 * m2))|assert (y * (a2 * m2) < L * (a2 * m2))];
-        try apply Rmult_lt_compat_r; auto; lra.
-  - intros (A & B). apply Rmult_lt_compat_r with (r := m1 * m2) in A; auto.
-    apply Rmult_lt_compat_r with (r := m1 * m2) in B; auto.
-    rewrite N1, Rmult_0_l in A. rewrite N2, Rmult_0_l in B. split; apply Rmult_lt_reg_r with (a2 * m2); auto; lra.
+  assert (A : 0 < a2 * m2) by (apply Rmult_lt_0_compat; auto).
+  assert (E1 : normal_rate 1 y * (m1 * m2) = (- L - y) * (a2 * m2)) by (unfold normal_rate, L, Stick.L; field; lra).
+  assert (E2 : normal_rate (-1) y * (m1 * m2) = (L - y) * (a2 * m2)) by (unfold normal_rate, L, Stick.L; field; lra).
+  split; split; intros (B & C); split; nra.
 Qed.
 
 (** Beyond S0 it slips at once, with the sign of - x. *)

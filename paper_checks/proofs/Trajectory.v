@@ -47,9 +47,9 @@ Definition in_mode m v1 v2 := match m with Slip true => v2 < v1 | Slip false => 
 (** an event: the mode that ends with it, the bounds of its time, of both places there and of the common velocity *)
 Record event := Event { mode_until : mode; time : Q * Q; place : Q * Q; place2 : Q * Q; speed : Q * Q }.
 
-(** the end: the mode, the time, the bounds of the state and of v1 - v2 *)
+(** the end: the mode, the time, the bounds of the state and of v1 - v2, and whether the pair sticks from then on *)
 Record ending := Ending { last_mode : mode; last : Q; last_place : Q * Q; last_v1 : Q * Q; last_place2 : Q * Q;
-  last_v2 : Q * Q; last_relative : Q * Q }.
+  last_v2 : Q * Q; last_relative : Q * Q; for_ever : bool }.
 
 (** between two rationals *)
 Definition within (i : Q * Q) r := Q2R (fst i) <= r <= Q2R (snd i).
@@ -64,7 +64,8 @@ Fixpoint unfolds (x v1 x2 v2 : R -> R) (t : R) (events : list event) (e : ending
   | [] => t < Q2R (last e) /\ (forall u, t < u <= Q2R (last e) -> in_mode (last_mode e) (v1 u) (v2 u)) /\
       within (last_place e) (x (Q2R (last e))) /\ within (last_v1 e) (v1 (Q2R (last e))) /\
       within (last_place2 e) (x2 (Q2R (last e))) /\ within (last_v2 e) (v2 (Q2R (last e))) /\
-      within (last_relative e) (v1 (Q2R (last e)) - v2 (Q2R (last e)))
+      within (last_relative e) (v1 (Q2R (last e)) - v2 (Q2R (last e))) /\
+      (for_ever e = true -> forall u, Q2R (last e) < u -> v1 u = v2 u)
   end.
 
 (** the mode until the next event *)
@@ -220,9 +221,10 @@ Qed.
 (** *** The program *)
 (** what helps it, event by event: in how many bits; an event, with bounds of the time since the one before or since a
     rest, and which way a stick ends; a rest at a time, where the spell may end, and a stick may break, and for how long
-    the mode before it surely lasts; the end *)
+    the mode before it surely lasts; the end; a time until which it then still sticks as long, and then for ever *)
 Inductive hint := Hit (bits : positive) (least most : Q) (towards : bool)
-  | Rest (bits : positive) (until least : Q) (breaks : bool) | Last (bits : positive) (least : Q).
+  | Rest (bits : positive) (until least : Q) (breaks : bool) | Last (bits : positive) (least : Q)
+  | Ever (bits : positive) (until least : Q).
 
 (** what is known of a state beside bounds: nothing; a contact; the edge on which a stick has ended *)
 Inductive start := Off | Touch | Edge (ahead : bool).
@@ -458,6 +460,9 @@ Proof.
   { apply has_signed. has. }
   has.
 Qed.
+(** as said *)
+Lemma has_spare T t X x V v : has T t -> has X x -> has V v -> has (spare boxes K T X V) (spare real k t x v).
+Proof. intros HT HX HV. destruct HK. unfold spare. pose proof (has_sval _ _ T t h_force0 HT). has. Qed.
 End Kit.
 End Precision.
 Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
@@ -744,6 +749,9 @@ Definition rest K final st m until least : option (state * I.type) :=
       else None
   end else None.
 
+(** a stick that lasts for ever, if the force is constant *)
+Definition captive K st := touches (how st) && nonneg (spare (boxes p) (numbers K) (at_t st) (at_x st) (at_v1 st)).
+
 (** an event is as the table says *)
 Definition agrees st now := touches (how st) && inside (at_t st) (time now) && inside (at_x st) (place now) &&
   inside (at_x2 st) (place2 now) && inside (at_v1 st) (speed now).
@@ -757,11 +765,10 @@ Variables (bits_of : positive -> I.precision) (q : I.precision) (depth : nat).
 Variable sc : scene.
 
 (** the state at the time 0 *)
-Definition on_edge (k : bool) := match tones (push (first_spell sc)) with
-  | [] => Qeq_bool (m2 sc * (a2 sc * x_0 sc + a1 sc * v1_0 sc
-      - pval rational (poly (push (first_spell sc))) (0 - from (push (first_spell sc)))%Q))
-    ((if k then -1 else 1) * (friction (first_spell sc) * both sc))
-  | _ => false end.
+Definition on_edge (k : bool) := let f := push (first_spell sc) in forallb (fun z => Qeq_bool (phase z) 0) (tones f) &&
+  Qeq_bool (m2 sc * (a2 sc * x_0 sc + a1 sc * v1_0 sc
+      - fold_right (fun z r => in_cosine z + r) (pval rational (poly f) (0 - from f)) (tones f))%Q)
+    ((if k then -1 else 1) * (friction (first_spell sc) * both sc)).
 (** as said *)
 Definition initial p := State (rat p 0) (rat p (x_0 sc)) (rat p (v1_0 sc)) (rat p (x2_0 sc)) (rat p (v2_0 sc))
   (if Qeq_bool (v1_0 sc) (v2_0 sc) then
@@ -770,6 +777,14 @@ Definition initial p := State (rat p 0) (rat p (x_0 sc)) (rat p (v1_0 sc)) (rat 
 
 (** when a spell ends *)
 Definition until_next (later : list spell) := match later with next :: _ => Some (since next) | [] => None end.
+
+(** a constant force *)
+Definition constant (f : steady Q) := match tones f with [] => vanishes (tl (poly f)) | _ => false end.
+(** whether the pair sticks for ever, if the table says so *)
+Definition lasts now (later : list spell) y st e hints := match hints, later with
+  | [Ever bits until least], [] => let p := bits_of bits in let K := tuned p sc now y in constant (push now) &&
+      match rest p q depth K None st Stick until least with Some (st, _) => captive p K st | None => false end
+  | [], _ => negb (for_ever e) | _, _ => false end.
 
 (** event after event, spell after spell; ys: how both masses answer in each *)
 Fixpoint goes now later ys st events e hints : bool := match hints, ys with
@@ -789,9 +804,9 @@ Fixpoint goes now later ys st events e hints : bool := match hints, ys with
           | [] => goes now later ys st events e hints end
         | None => false end
       | None => false end
-  | [Last bits least], y :: _ => let p := bits_of bits in
+  | Last bits least :: hints, y :: _ => let p := bits_of bits in
       match events, rest p q depth (tuned p sc now y) (until_next later) st (last_mode e) (last e) least with
-      | [], Some (st, w) => ends p st w e | _, _ => false end
+      | [], Some (st, w) => ends p st w e && lasts now later y st e hints | _, _ => false end
   | _, _ => false
   end.
 
@@ -822,6 +837,12 @@ Hypotheses (Hm1 : 0 < M1) (Hm2 : 0 < M2) (Ha1 : 0 <= A1) (Ha2 : 0 < A2).
 Lemma on_side_Q d : on_side (d ?= 0)%Q (Q2R d).
 Proof.
   destruct (Qcompare_spec d 0); simpl; rewrite <- RMicromega.Q2R_0; [apply Qeq_eqR|apply Qlt_Rlt|apply Qlt_Rlt]; auto.
+Qed.
+(** a constant force has one value *)
+Lemma constant_spec g r s : constant g = true -> sval real (in_R g) r = sval real (in_R g) s.
+Proof.
+  unfold constant. destruct g as [g [|c l] [|]]; try discriminate; cbn [tones poly tl]; intros E; [reflexivity|].
+  unfold sval, in_R; cbn [tones poly from map fold_right]. rewrite !pval_cons, !vanishes_spec by auto. ring.
 Qed.
 (** a positive number is not 0 *)
 Lemma not_0 m : 0 < Q2R m -> ~ (m == 0)%Q.
@@ -1098,6 +1119,17 @@ Proof.
       apply stick_behind; auto; [lra| |exact (eq_ind _ (has _) Hx _ Fx)]. intros r Hr. apply F; auto.
     + rewrite F1, F2, Rminus_diag_eq by auto. apply J.zero_correct.
 Qed.
+
+(** a stick for ever *)
+Lemma captive_spec : final = None -> constant (push now) = true -> captive p K st = true -> forall u, t < u -> v1 u = v2 u.
+Proof.
+  intros Ef Co E u Hu. rewrite Ef in H. apply andb_true_iff in E. destruct E as (To & Sp).
+  pose proof Kn as (Kt & Kx & K1 & _). replace u with (t + (u - t)) by ring.
+  apply (stick_for_ever M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb (in_R (fst y)) (in_R (snd y)) f HyM x v1 v2 (Q2R (since now)) u);
+    auto using knows_touch; try lra.
+  - intros r. apply constant_spec, Co.
+  - apply (nonneg_spec _ _ Sp), has_spare; auto using has_tuned.
+Qed.
 End State.
 End Spell.
 
@@ -1139,6 +1171,22 @@ Proof.
   - intros hi Hh t0 T X V1 V2 g Ht HT Hd. apply R; auto. lra.
 Qed.
 
+(** a stick for ever *)
+Lemma lasts_sound now later y : 0 < Q2R (friction now) -> 0 <= Q2R (since now) ->
+  answers M1 A1 A2 (in_R (fst y)) (in_R (push now)) -> answers (M1 + M2) A1 A2 (in_R (snd y)) (in_R (push now)) ->
+  (forall hi, match until_next later with Some q => hi <= Q2R q | None => True end ->
+    obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2) ->
+  forall st t e hints, Q2R (since now) <= t -> knows (Q2R (friction now)) (in_R (push now)) st t ->
+  lasts now later y st e hints = true -> for_ever e = true -> forall u, t < u -> v1 u = v2 u.
+Proof.
+  intros Hb Hs Y1 YM Ob st t e hints Ht Kn. unfold lasts. destruct hints as [|[| | |bits until least] [|]];
+    [intros E Ev; rewrite Ev in E; discriminate| | | | | | |destruct later; [|discriminate]|]; try discriminate.
+  rewrite andb_true_iff. intros (Co & R) _ u Hu. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
+  destruct (rest_sound now y None Hb Hs Y1 YM Ob (bits_of bits) st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & _).
+  destruct (Rle_dec u (Q2R until)); [apply Q; lra|].
+  apply (captive_spec now y None Hb YM Ob (bits_of bits) st' (Q2R until)); auto; lra.
+Qed.
+
 (** all events *)
 Lemma goes_sound e hints : forall now later ys st events t, fair_spells now later ys = true ->
   runs M1 M2 A1 A2 x v1 v2 now later -> Q2R (since now) <= t -> knows (Q2R (friction now)) (in_R (push now)) st t ->
@@ -1147,7 +1195,7 @@ Proof.
   induction hints as [|hint hints IH]; intros now later ys st events t Fa Ru Ht Kn; [destruct ys; discriminate|].
   destruct ys as [|y ys]; [destruct hint; try discriminate; destruct hints; discriminate|].
   destruct (fair_now _ _ _ _ Fa) as (Hb & Hs & Y1 & YM). pose proof (runs_now _ _ Ru) as Ob.
-  destruct hint as [bits least most k'|bits until least breaks|bits least]; cbn [goes].
+  destruct hint as [bits least most k'|bits until least breaks|bits least|]; cbn [goes]; [| | |discriminate].
   - destruct events as [|ev events]; [discriminate|]. destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
     destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
     destruct (step_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q & Kn').
@@ -1168,12 +1216,13 @@ Proof.
       apply (agrees_spec (Q2R (friction now)) (in_R (push now)) _ st' _ _ _ _ (Q2R until)) with (2 := Ea); auto.
       intros u Hu. apply Q. lra.
     + intros G. apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto.
-  - destruct hints; [|discriminate]. destruct events as [|]; [|discriminate].
+  - destruct events as [|]; [|discriminate].
     destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
     destruct (rest_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & Kw).
-    unfold ends. rewrite !andb_true_iff. intros ((((B0 & B1) & B2) & B3) & B4).
+    unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
     destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _). cbn [unfolds].
-    repeat (split; [solve [auto; eapply inside_spec; eauto]|]). eapply inside_spec; eauto.
+    repeat (split; [solve [auto; eapply inside_spec; eauto]|]).
+    apply (lasts_sound now later y Hb Hs Y1 YM Ob st' (Q2R (last e)) e hints); auto. lra.
 Qed.
 
 (** as said *)
@@ -1185,12 +1234,18 @@ Qed.
 Lemma on_edge_spec k : on_edge k = true -> A2 * Q2R (x_0 sc) + A1 * Q2R (v1_0 sc)
   - sval real (in_R (push (first_spell sc))) 0 = - (sign k * (Q2R (friction (first_spell sc)) * (M1 + M2) / M2)).
 Proof.
-  unfold on_edge. destruct (push (first_spell sc)) as [f l [|]]; [|discriminate]. cbn [tones poly from].
-  intros E. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E.
-  rewrite Q2R_mult, Q2R_minus, in_R_pval, Q2R_minus, Q2R_plus, !Q2R_mult, Q2R_plus, RMicromega.Q2R_0 in E.
+  unfold on_edge. set (g := push (first_spell sc)). rewrite andb_true_iff. intros (Ph & E).
+  assert (S : sval real (in_R g) 0 =
+    Q2R (fold_right (fun z r => in_cosine z + r)%Q (pval rational (poly g) (0 - from g)%Q) (tones g))).
+  { clear E. unfold sval, in_R; cbn [tones poly from]. induction (tones g) as [|z zs IH]; cbn [map fold_right forallb] in *.
+    - rewrite in_R_pval, Q2R_minus, RMicromega.Q2R_0. reflexivity.
+    - apply andb_true_iff in Ph. destruct Ph as (P & Ph). apply Qeq_bool_iff, Qeq_eqR in P.
+      rewrite Q2R_plus, <- IH by auto. unfold tval; cbn [in_sine in_cosine turn phase add mul sin_of cos_of real].
+      rewrite P, RMicromega.Q2R_0, Rmult_0_r, Rplus_0_r, sin_0, cos_0. ring. }
+  rewrite S. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E.
+  rewrite Q2R_mult, Q2R_minus, Q2R_plus, !Q2R_mult, Q2R_plus in E.
   replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; unfold Q2R; simpl; lra).
-  unfold sval, in_R; cbn [tones poly from map fold_right sub real]. apply Rmult_eq_reg_l with M2; [|lra].
-  unfold A1, A2, M1, M2 in *. rewrite E. field; lra.
+  apply Rmult_eq_reg_l with M2; [|lra]. unfold A1, A2, M1, M2 in *. rewrite E. field; lra.
 Qed.
 End Table.
 
@@ -1212,7 +1267,7 @@ Proof.
   destruct Fa as (((((Fm1 & Fm2) & Fa1) & Fa2) & F0) & Fs).
   apply posQ_spec in Fm1. apply posQ_spec in Fm2. apply posQ_spec in Fa2. apply nonnegQ_spec in Fa1.
   apply Qeq_bool_iff, Qeq_eqR in F0. rewrite RMicromega.Q2R_0 in F0.
-  apply (goes_sound bits_of q depth sc Fm1 Fm2 Fa2 x v1 x2 v2 C2 D2 e hints (first_spell sc) (later_spells sc) ys
+  apply (goes_sound bits_of q depth sc Fm1 Fm2 Fa1 Fa2 x v1 x2 v2 C2 D2 e hints (first_spell sc) (later_spells sc) ys
     (initial sc (bits_of bits))); auto; [|lra|].
   - apply (varying_runs _ _ _ _ Fm1 Fm2 Fa1 Fa2 _ _ U U x v1 v2 x v1 v2); eauto using fair_order.
     + intros t Ht. apply DU. lra.

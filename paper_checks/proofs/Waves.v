@@ -129,6 +129,9 @@ Definition grip_of k f := let f := sloped (sloped f) in
 Definition grip k t x v := grip_of k (stuck t x v).
 (** the place where a stick ends towards k at the time t with the velocity v *)
 Definition edge k t v := (sval (force K) t - signed k (kb K * kM K / k2 K) - ka1 K * v) / ka2 K.
+(** not negative: under a constant force a stick from (x, v) never comes to an edge *)
+Definition spare t x v := let y := ka2 K * x - sval (force K) t in let l := kb K * kM K / k2 K in
+  l * l - (y * y / ka2 K + kM K * (v * v)) * (ka2 K + ka1 K * ka1 K / kM K).
 End Computed.
 Notation slope := (sloped real).
 
@@ -405,6 +408,41 @@ Proof.
   - destruct k; simpl; ring.
 Qed.
 
+(** the energy about the place of rest never grows, and with it no stick comes to an edge that is beyond its reach *)
+Lemma grip_held k t x v u : (forall r, sval real push r = sval real push t) -> 0 <= spare real K t x v -> 0 <= u ->
+  0 <= val (grip real K k t x v) u.
+Proof.
+  intros C S Hu. assert (HM : 0 < M) by (unfold M; lra). set (c := sval real push t) in *.
+  set (X := stuck real K t x v). set (Y := fun r => a2 * val X r - c).
+  set (E := fun r => Y r * Y r / a2 + M * (val (slope X) r * val (slope X) r)).
+  assert (A : forall r, val (slope (slope X)) r = - (Y r + a1 * val (slope X) r) / M).
+  { intros r. apply Rmult_eq_reg_l with M; [|lra]. unfold Y, X. rewrite stuck_law, C. field; lra. }
+  assert (D : E u <= E 0).
+  { assert (D : forall r, is_derive E r (- (2 * a1) * (val (slope X) r * val (slope X) r))).
+    { intros r. unfold E, Y. assert (E0 : Derive (fun u => val X u) r = val (slope X) r).
+      { apply is_derive_unique, derive_val. }
+      assert (E1 : Derive (fun u => val (slope X) u) r = val (slope (slope X)) r).
+      { apply is_derive_unique, derive_val. }
+      auto_derive; [repeat split; eexists; apply derive_val|]. rewrite E0, E1, A. unfold Y. field; lra. }
+    apply (rderiv_mono E 0 u (fun r => - (2 * a1) * (val (slope X) r * val (slope X) r))); [|lra|].
+    - eapply cont_of_derive. exact D.
+    - intros r _. split; [apply rderiv_of_derive, D|nra]. }
+  destruct (stuck_start t x v) as (X0 & V0). unfold E, Y in D. unfold X in D. rewrite X0, V0 in D.
+  unfold spare, K, real_kit in S; cbn [add sub mul div real ka1 ka2 kM kb k2 force] in S. fold c M in S. fold X in D.
+  rewrite val_grip, A. fold (Y u) in D. set (y := Y u) in *. set (w := val (slope X) u) in *. set (l := b * M / m2) in *.
+  assert (Hl : 0 < l) by (apply Rdiv_lt_0_compat; nra).
+  assert (Q : (y + a1 * w) * (y + a1 * w) <= l * l).
+  { assert (0 <= (a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)).
+    { apply Rmult_le_pos; [exact (Rle_0_sqr _)|apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto]. }
+    assert (0 <= a1 * a1 / M) by (apply Rmult_le_pos; [nra|apply Rlt_le, Rinv_0_lt_compat; auto]).
+    apply Rle_trans with ((y * y / a2 + M * (w * w)) * (a2 + a1 * a1 / M)).
+    - apply Rminus_le_0. replace (_ - _) with ((a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)); [auto|].
+      field; lra.
+    - eapply Rle_trans; [apply Rmult_le_compat_r; [lra|exact D]|]. lra. }
+  assert (- l <= y + a1 * w <= l) as B by (split; nra).
+  replace (b / m2 - sign k * (- (y + a1 * w) / M)) with ((l + sign k * (y + a1 * w)) / M) by (unfold l; field; lra).
+  apply Rmult_le_pos; [destruct k; simpl; lra|apply Rlt_le, Rinv_0_lt_compat; auto].
+Qed.
 (** a place whose velocity is that of an arc *)
 Lemma same_way y v X V t0 T : cont y -> 0 <= t0 -> 0 <= T -> (forall t, 0 <= t -> rderiv y t (v t)) ->
   (forall u, is_derive X u (V u)) -> (forall u, 0 <= u <= T -> v (t0 + u) = V u) -> y (t0 + T) = y t0 + (X T - X 0).
@@ -519,6 +557,14 @@ Proof.
     replace (sign k * (b * M / m2)) with (M * (sign k * (b / m2))) by (field; lra).
     replace (sign k * (b / m2)) with (sign k * (sign k * acc)) by (f_equal; lra). destruct k; simpl; lra.
   - intros r Hr. apply F; auto.
+Qed.
+
+(** A stick under a constant force, below the level that friction holds, is for ever. *)
+Theorem stick_for_ever T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 -> (forall t, sval real push t = sval real push t0) ->
+  0 <= spare real K t0 (x t0) (v1 t0) -> v1 (t0 + T) = v2 (t0 + T).
+Proof.
+  intros HT HF Ev C S. destruct (stick_phase T HT HF Ev) with (u := T) as (_ & -> & ->); auto; [|lra].
+  intros u Hu. split; apply grip_held; auto; lra.
 Qed.
 End Along.
 End Motion.

@@ -23,7 +23,7 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "switching-iff": (
         "Switching.switching_iff",
-        "The solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.",
+        "The absolutely continuous solutions of (3), (4) without a control, met at almost all times, are Filippov's, and only they.",
     ),
     "filippov-well-posed": (
         "Filippov.filippov_well_posed",
@@ -57,7 +57,7 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "displacement-paid": (
         "Corollaries.displacement_paid",
-        "The path of the relative displacement costs $b$ times its length in energy.",
+        r"$b\,|z(t)-z(r)|\leqslant E(r)-E(t)$ for the relative displacement $z=x_1-x_2$ and $r\leqslant t$, with damping or without.",
     ),
     "displacement-limit": ("Corollaries.displacement_limit", "The relative displacement $x_1-x_2$ has a limit."),
     "sticks-iff": ("Cross.sticks_iff", "On $S$ the pair sticks for ever exactly if its energy is at most $E_{cr}$."),
@@ -65,22 +65,31 @@ _FREE: dict[str, tuple[str, str]] = {
     "follow": ("Slip.follow", "A solution that meets the start of an explicit arc that obeys the law runs along it."),
     "slip-arc": (
         "Cycle.slip",
-        "From an exit ray every solution slips with one sign up to one angle, and lands where the closed form says.",
+        r"From the right exit ray at the push $h$ of an angle every solution slips up to that angle, and lands where the closed form says.",
     ),
     "stick-arc": (
         "Cycle.stick",
-        "On $S_0$ above $E_{cr}$, moving inwards, every solution sticks until it reaches the opposite ray.",
+        "On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit ray, at a time in closed form.",
     ),
-    "cycle": ("Orbit.cycle", r"From ray to ray: one slip and one stick, with the return map $y'=h^2-r\,c^2$."),
-    "exits": ("Orbit.exits", "The exits of a solution follow the orbit of the return map."),
-    "exit-energy": ("Orbit.exit_energy", r"The energy at each exit is $E_{cr}(1+q\,y)$ along that orbit."),
-    "cycle-time": ("Orbit.cycle_time", r"The time of a cycle differs from $\pi/\Omega$ by at most $6\sqrt w/\Omega$."),
+    "cycle": (
+        "Orbit.cycle",
+        r"From a ray with slip angle up to $\pi$ and $r\,c^2<h^2$ to the other ray: one slip and one stick, with the return map $y'=h^2-r\,c^2$.",
+    ),
+    "exits": (
+        "Orbit.exits",
+        "From a ray with slip angle up to $\\pi$ and $r\\,c^2<h^2$ the exits of a solution follow the orbit of the return map.",
+    ),
+    "exit-energy": ("Orbit.exit_energy", r"Along the orbit of exits the energy at each is $E_{cr}(1+q\,y)$."),
+    "cycle-time": (
+        "Orbit.cycle_time",
+        r"With slip angle up to $\pi$ and $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $6\sqrt w/\Omega$.",
+    ),
     "cycle-time-sharp": (
         "Time.cycle_time_sharp",
-        r"The time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt q\,h^3/\Omega$ where "
+        r"With $r\,c^2<h^2$ the time of a cycle differs from $\pi/\Omega$ by at most $\tfrac{27}{2}\sqrt q\,h^3/\Omega$ where "
         r"$h=\sqrt{w/q}\leqslant\tfrac{2}{3}$: by a constant times $w^{3/2}$.",
     ),
-    "h-increases": ("Excursion.h_increases", r"$h$ increases on $(0,2\pi)$: each push has one slip angle."),
+    "h-increases": ("Excursion.h_increases", r"$h$ increases on $(0,2\pi)$: no two slip angles have one push."),
     "depth-upper": ("Rate.depth_upper", r"The depth of an excursion is at most $\tfrac{3}{2}h^2$."),
     "depth-lower": (
         "Rate.depth_lower",
@@ -90,7 +99,7 @@ _FREE: dict[str, tuple[str, str]] = {
     # slowly to E_cr
     "never-merges": (
         "Sharp.never_merges",
-        "From an exit ray at a small level the energy stays above $E_{cr}$ for ever.",
+        r"From an exit ray with slip angle up to $\pi$ and $r\,c^2<h^2$ the energy stays above $E_{cr}$ for ever.",
     ),
     "no-merging-from-S0": (
         "Law.no_merging_from_S0",
@@ -108,11 +117,11 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "two-sided-rate": (
         "Law.two_sided",
-        r"Two explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$.",
+        r"Explicit bounds of $1/w$ along a solution from $S_0$ with $0<w_0\leqslant\tfrac{4}{9}q$, that from above where $6\sqrt{w_0}<\pi$.",
     ),
     "one-over-t": (
         "Paper.one_over_t",
-        r"$c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ with explicit constants, from $S_0$ slightly above $E_{cr}$.",
+        r"From $S_0$ slightly above $E_{cr}$, for each $T>0$: $c_1/t\leqslant E/E_{cr}-1\leqslant c_2/t$ from $T$ on, explicit, $c_1$ by $T$.",
     ),
     "settling-time": (
         "Uniform.settles",
@@ -135,8 +144,8 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "exits-near-endpoints": (
         "Ends.exits_near_endpoints",
-        "A solution that never merges leaves $S_0$ exactly at its ends, enters it ever closer to them, and ever "
-        "more slowly.",
+        "A solution that never merges leaves $S_0$ exactly at its ends; the places of its entries tend to them, and all "
+        "velocities there to 0.",
     ),
     "slower-than-exponential": (
         "Consequences.slower_than_exponential",
@@ -152,7 +161,7 @@ _FREE: dict[str, tuple[str, str]] = {
     "transversal-beyond": ("Surface.transversal_beyond", "On $S$ beyond $S_0$ both rates have the sign of $-x_1$."),
     "transversal-inside": (
         "Surface.transversal_inside",
-        "Each field points back to $S$ exactly in the interior of $S_0$.",
+        "Both fields point back to $S$ exactly in the interior of $S_0$, back or along it exactly on $S_0$.",
     ),
     "slips-beyond": (
         "Surface.slips_beyond",
@@ -196,7 +205,7 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "slips-from-rest": (
         "Example.slips_from_rest",
-        "Case study, $b=0.5$: released at rest beyond 5 mm every solution slips at once.",
+        "Case study, $b=0.5$: released at rest at $x_1>5$ mm every solution slips at once.",
     ),
     "slips-from-6-mm": (
         "Example.six_millimetres",

@@ -19,16 +19,16 @@ BEYOND: dict[str, tuple[str, str]] = {
     ),
     "system-defects": (
         "Systems.system_defects",
-        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$ under two forces part by at most the integral of "
-        r"the norm of $M^{-1}(u-\tilde u)$.",
+        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$ and $C$ monotone, under two forces part by at most "
+        r"the integral of the norm of $M^{-1}(u-\tilde u)$.",
     ),
     "system-contraction": (
         "Systems.system_contracts",
-        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$ never part in the norm of the energy.",
+        r"Two motions of $Mq''+Cq'+Kq+B^{T}\partial\psi(Bq')\ni u$, $M,K\geqslant 0$ and $C$ monotone, never part in the norm of the energy.",
     ),
     "system-synchronises": (
         "Systems.system_synchronises",
-        r"Without a force, any friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the "
+        r"Without a force, $M,K\geqslant 0$ and dampers that take power, any friction with a power of at least $\beta|Bq'|$: $\int|Bq'|\leqslant E(0)/\beta$, the "
         r"displacement converges, and $Bq'\to 0$ where $|Bq'|$ is Lipschitz.",
     ),
     "system-parts": (
@@ -60,7 +60,8 @@ BEYOND: dict[str, tuple[str, str]] = {
     ),
     "rotating-threshold": (
         "Rotating.one_threshold",
-        "Under a rotating force there is a stuck circle up to $U^*$, and exactly above it one positive speed of slip.",
+        "Unless $a_1=0$ and body 1 alone is in resonance: the equation of rotating-motion has a stuck circle up to $U^*$, and exactly above it "
+        "one positive speed of slip under the friction $b$.",
     ),
     "rotating-characteristic": (
         "Rotating.characteristic_at_zero",
@@ -70,7 +71,7 @@ BEYOND: dict[str, tuple[str, str]] = {
     # friction that falls with the speed
     "falling-parts": (
         "Falling.slips_part",
-        "Where friction falls with the speed, the difference of two slips has a motion that grows exponentially, whatever "
+        "Where friction falls with the speed by a constant slope, the difference of two slips has a motion that grows exponentially, whatever "
         "the damper of body 1.",
     ),
     "jump-ill-posed": (

@@ -17,31 +17,31 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "varying-contraction": (
         "Varying.varying_contraction",
-        "The same where the friction changes in time, by pieces.",
+        "Where friction is constant on each of finitely many pieces of time, the energy distance of two solutions under one force never grows.",
     ),
     "varying-well-posed": (
         "Varying.varying_well_posed",
-        "With a friction by pieces in time, too: one motion from every start.",
+        "With friction constant on each of finitely many pieces of time, too: one motion from every start.",
     ),
     "varying-energy-rate": (
         "Pieces.varying_energy_rate",
-        "The energy has the same rate, with the friction of the time.",
+        "With friction constant on each of finitely many pieces of time $\\dot E=u\\,v_1-a_1v_1^2-b(t)|v_1-v_2|$.",
     ),
     "varying-input-to-state": (
         "Pieces.varying_input_to_state",
-        "So has the energy distance under two forces the same bound.",
+        r"With friction constant on each of finitely many pieces of time, under two forces: $N(t)\leqslant N(r)+m_1^{-1/2}\int_r^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.",
     ),
     "mode-stick": (
         "Mode.sticks_at",
-        r"At a contact with $|\Lambda|<b$ the pair sticks for a while, whatever the force does later.",
+        r"At a contact with $|\Lambda|<b$, where $u$ is continuous from the right, the pair sticks for a while.",
     ),
     "mode-slip": (
         "Mode.slips_at",
-        r"At a contact with $|\Lambda|>b$ it slips at once, with the sign of the load $\Lambda$.",
+        r"At a contact with $|\Lambda|>b$, where $u$ is continuous from the right, it slips at once, with the sign of the load $\Lambda$.",
     ),
     "mode-tie": (
         "Mode.tie_rule",
-        r"At a contact with $\Lambda=\pm b$ the first derivative that is not 0 of what the force asks beyond $\pm "
+        r"At a contact with $\Lambda=\pm b$, under a smooth force, the first derivative that is not 0 of what the force asks beyond $\pm "
         "b$ decides.",
     ),
     "mode-marginal": (
@@ -71,7 +71,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "no-zeno-varying": (
         "Zeno.no_zeno_varying",
-        "The same holds with a friction that is constant by pieces: finitely many changes of mode in every bounded time.",
+        "Under a force that is analytic by pieces and with a friction constant on each of finitely many pieces of time every bounded time holds finitely many changes of mode.",
     ),
     "scenes-analytic": (
         "Analytic.scenes_are_analytic",
@@ -80,14 +80,14 @@ FORCED: dict[str, tuple[str, str]] = {
     "forced-energy-rate": ("Forced.forced_energy_rate", r"$\dot E=u\,v_1-a_1v_1^2-b|v_1-v_2|$."),
     "input-to-state": (
         "Forced.input_to_state_integral",
-        r"The energy distance grows at most by the integral of the forces' difference over $\sqrt{m_1}$.",
+        r"Under two continuous forces $N(t)\leqslant N(0)+m_1^{-1/2}\int_0^t|u-\tilde u|$, $\frac12N^2$ the energy of the difference.",
     ),
-    "must-stick": ("Forced.must_stick", "Where body 2 accelerates by less than $b/m_2$ the pair sticks."),
+    "must-stick": ("Forced.must_stick", "At a time at which body 2 accelerates by less than $b/m_2$, $v_1=v_2$."),
     "trackable": (
         "Forced.trackable_iff",
         "From some start of body 1, some force makes body 2 follow a velocity exactly if that is $b/m_2$-Lipschitz.",
     ),
-    "reach": ("Forced.reach", "Where body 2 can be at a time, whatever the force."),
+    "reach": ("Forced.reach", "What bounds the place of body 2 at a time, whatever the force."),
     "least-time": (
         "Forced.least_time",
         r"From rest to rest over $D$ takes at least $2\sqrt{m_2D/b}$, whatever the force.",
@@ -147,8 +147,8 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "nonstop-iff": (
         "Nonstop.nonstop_iff",
-        r"$a_1\geqslant 0$: a motion that slips one way for half a period and then the other way exists exactly "
-        "from $U_{**}$ on, if its relative velocity keeps its sign at $U_{**}$.",
+        r"$a_1\geqslant 0$: a motion that slips one way for half a period, and then is its own negative, exists exactly "
+        "from $U_{**}$ on, if $A>0$ and its relative velocity keeps its sign at $U_{**}$.",
     ),
     "nonstop-by-halves": (
         "Halves.by_halves_iff",
@@ -157,28 +157,28 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "nonstop-by-halves-needs": (
         "Halves.by_halves_needs",
-        r"Below $U_{**}$ there is no such motion, whatever the relative velocity does at $U_{**}$, if it leaves the turn there ($A>0$).",
+        r"Below $U_{**}$ no motion with the force's period slips one way for half of it and then the other way, whatever the relative velocity does at $U_{**}$, if it leaves the turn there ($A>0$).",
     ),
     "nonstop-undamped": (
         "Undamped.undamped_iff",
-        "$a_1=0$: the same with $U_{**}$ in closed form, off the resonances of body 1.",
+        "$a_1=0$: the theorem nonstop-iff with $U_{**}$ in closed form, off the resonances of body 1.",
     ),
     "nonstop-above-resonance": (
         "Undamped.above_resonance",
-        r"$a_1=0$ and $\omega$ above body 1's own frequency: that motion exists exactly from $U_{**}$ on, without a "
+        r"$a_1=0$ and $\omega$ above body 1's own frequency: the motion of nonstop-iff exists exactly from $U_{**}$ on, without a "
         "condition.",
     ),
     "nonstop-damped": (
         "Damped.damped_iff",
-        "$a_1>0$, $a_1^2<4m_1a_2$: the same with $U_{**}$ in closed form.",
+        "$a_1>0$, $a_1^2<4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form.",
     ),
     "nonstop-overdamped": (
         "Overdamped.overdamped_iff",
-        "$a_1^2>4m_1a_2$: the same with $U_{**}$ in closed form, by two exponentials.",
+        "$a_1^2>4m_1a_2$: the theorem nonstop-iff with $U_{**}$ in closed form, by two exponentials.",
     ),
     "nonstop-attracts": (
         "Damped.nonstop_attracts",
-        "With $a_1>0$ a motion that slips for ever attracts every motion under its force.",
+        "With $a_1>0$ a motion of nonstop-iff attracts every motion under its force.",
     ),
     "two-stop-exists": (
         "TwoStop.two_stop_exists",
@@ -187,25 +187,25 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "two-stop-needs": (
         "TwoStop.two_stop_needs",
-        r"A motion that slips and sticks once in each half period leaves stick at the load $\Lambda=b$, and is such "
-        "a pair of arcs.",
+        r"A motion that slips and sticks once in each half period, and is its own negative after it, leaves stick at $\Lambda=b$, gains "
+        r"$bt_s/m_2$ of velocity in the slip, and has $|\Lambda|\leqslant b$ in the stick.",
     ),
     "stuck-transfer-amplitude": (
         "Transfer.stuck_amplitude",
-        "The amplitude of the force of the fastest stuck transfer over $D$.",
+        "The amplitude of the force of the fastest stuck transfer over $D$ from $x_1=0$.",
     ),
     "arrival-needs": (
         "Transfer.arrival_needs",
-        r"To bring body 2 to rest at $D$ in the least time a force needs $b+\beta\tau/g(\tau)$, where $g$ is body "
+        r"To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, a force needs $b+\beta\tau/g(\tau)$, where $g$ is body "
         r"1's impulse response and $g'\geqslant 0$ up to $\tau$.",
     ),
     "least-amplitude": (
         "Arrival.least_amplitude",
-        r"That takes exactly $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$.",
+        r"To bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+\beta\tau/g(\tau)$, where $g'\geqslant 0$ up to $\tau$.",
     ),
     "least-amplitude-undamped": (
         "Arrival.least_amplitude_undamped",
-        r"$a_1=0$, $\theta=\omega_1\tau\leqslant\pi/2$: exactly $b+m_1\beta\,\theta/\sin\theta$.",
+        r"$a_1=0$, $\theta=\omega_1\tau\leqslant\pi/2$: to bring body 2 to rest at $D$ in the least time, from rest with $x_1=0$, takes exactly $b+m_1\beta\,\theta/\sin\theta$.",
     ),
     "rest-to-rest": (
         "Arrival.rest_to_rest",
@@ -221,7 +221,7 @@ FORCED: dict[str, tuple[str, str]] = {
     ),
     "tolerance-ring": (
         "Ring.ring",
-        "With $a_1>0$ a tube around a motion has one entry time for every other motion, and its ring of relative "
-        "velocities is not left after it.",
+        "With $a_1>0$ and a bounded force every motion enters a tube around another one at one time, and stays; from then on it is in its "
+        "ring of relative velocities.",
     ),
 }

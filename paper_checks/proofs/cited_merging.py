@@ -10,17 +10,23 @@ MERGING: dict[str, tuple[str, str]] = {
     "turning-point": ("Turning.root", r"The turning function has one zero $\varphi^*$ in $(0,\pi]$."),
     "merging-threshold": (
         "Turning.threshold",
-        r"Every excursion from a ray ends above $E_{cr}$ exactly if $m_1/m_2>-\cos 2\varphi^*$.",
+        r"$h^2>r\,c^2$ at all slip angles below $2\pi$ exactly if $m_1/m_2>-\cos 2\varphi^*$; else not at $2\varphi^*$.",
     ),
-    "critical-mass-ratio-digits": ("Critical.decimals", r"14 decimals of the critical mass ratio $-\cos 2\varphi^*$."),
-    "gap-slip": ("Gap.gap_slip", "Every slip from $S$ with a gap and a push, in closed form up to its one end."),
+    "critical-mass-ratio-digits": (
+        "Critical.decimals",
+        r"The critical mass ratio $-\cos 2\varphi^*$ up to $2\cdot 10^{-14}$, and $\varphi^*$ up to $10^{-15}$.",
+    ),
+    "gap-slip": (
+        "Gap.gap_slip",
+        "A slip from $S$ with a gap and the push of an angle, in closed form up to that angle, where it ends.",
+    ),
     "crossing": (
         "Gap.crossing",
         "A slip that ends beyond the other end of $S_0$ is followed by one of the other sign.",
     ),
     "re-entry": (
         "Cross.reentry",
-        "A slip that lands in $S_0$ sticks there for ever exactly if its level is not above $E_{cr}$.",
+        "A slip from $S$ with a gap and the push of an angle that lands in $S_0$ sticks there for ever exactly if its level is not above $E_{cr}$.",
     ),
     "first-slip": (
         "Cross.first_slip",
@@ -28,13 +34,17 @@ MERGING: dict[str, tuple[str, str]] = {
     ),
     "ray-crossing": (
         "Cross.ray_crossing",
-        "From a ray with depth above $2/q$ the pair crosses $S$ and slips on with the other sign.",
+        "From a ray with the push of an angle whose depth is above $2/q$ the pair crosses $S$ and slips on with the other sign.",
     ),
     "no-first-merging": (
         "Alternation.no_first_merging",
-        r"If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ merges after its first slip.",
+        r"If $m_1/m_2>-\cos 2\varphi^*$, nothing on $S_0$ above $E_{cr}$ merges at the end of its first slip.",
     ),
-    "alternation": ("Alternation.alternation", "After a crossing long and short slips alternate."),
+    "alternation": (
+        "Alternation.alternation",
+        r"Where the longest slip from a ray that lands in $S_0$ has an angle $2\varphi_c\geqslant 4\pi/3$: after a crossing slips as long as "
+        r"that are followed by ones of at most $2\pi-2\varphi_c$, and those by ones as long as that.",
+    ),
     "margin": ("Margin.margin", "The one numerical inequality of the merging set, enclosed in balls by the kernel."),
     "kappa-large": (
         "Kappa.kappa_large",
@@ -48,8 +58,8 @@ MERGING: dict[str, tuple[str, str]] = {
     "merging-set": (
         "Merging.merging_set",
         r"For $m_1/m_2\leqslant-\cos 2\varphi^*$ the equation $h=\sqrt r\,c$ has two roots, which are one at equality; the "
-        "energies on $S_0$ between those of both roots, and no others, merge at the first contact and at the first re-entry, "
-        "after any number of crossings.",
+        "energies on $S_0$ above $E_{cr}$ from the one root to the other, and no others, merge at the first contact, and they, and no others, "
+        "at the first re-entry, after any number of crossings.",
     ),
     "no-low-level": (
         "Levels.no_low_level",

@@ -33,6 +33,7 @@ From Coquelicot Require Import Coquelicot.
 From {LIBRARY} Require %s.
 Open Scope R_scope.
 Set Printing Width 110.
+Set Printing Depth 1000.
 """
 
 
@@ -130,6 +131,8 @@ def _trimmed(name: str, text: str) -> str:
         .removeprefix(name)
         .lstrip("\n")
     )
+    if "..." in body:  # a pin of it would not see what is left out
+        raise RuntimeError(f"the kernel prints {name} in part only: its printing depth is too small")
     lines = body.splitlines()
     if lines and lines[0].lstrip().startswith(": "):  # a statement: "     : forall ...", further lines beneath "forall"
         indent = len(lines[0]) - len(lines[0].lstrip()) + 2

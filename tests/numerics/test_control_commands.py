@@ -135,31 +135,6 @@ def test_a_tracking_scene_that_does_something_else_is_refused():
             solved_again(replace(found, scene=replace(found.scene, force=force)))
 
 
-BAD = [
-    ["response", "velocities"],
-    ["response", "velocities", "--omega", "0"],
-    ["response", "none-such"],
-    ["move", "at-rest", "--distance", "0"],
-    ["move", "at-rest", "--distance", "1", "--margin", "2"],
-    ["move", "velocities", "--distance", "1"],
-    ["move", "at-rest", "--distance", "1", "--out", "no/where.toml"],
-    ["track", "at-rest", "--reference", "none-such"],
-    ["track", "at-rest", "--reference", "s-curve", "--plot", "x.txt"],
-    ["ring", "velocities", "--radius", "x"],
-    ["response-map", "at-rest", "--amplitude", "1", "1", "--omega", "1", "2"],
-    ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "0", "2"],
-    ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "1", "2", "--depth", "40"],
-]
-
-
-@pytest.mark.parametrize("arguments", BAD)
-def test_bad_input_is_one_line_and_exit_code_2(capsys, arguments):
-    assert main(arguments) == 2
-    error = capsys.readouterr().err
-    assert error.startswith("error: ")
-    assert error.count("\n") == 1
-
-
 def test_the_map_of_regimes_is_printed_and_drawn(tmp_path, capsys):
     window = ["--amplitude", "0.1", "10", "--omega", "4", "40", "--depth", "3"]
     assert main(["response-map", "at-rest", *window, "--out", str(tmp_path / "map.svg")]) == 0

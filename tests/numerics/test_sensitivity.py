@@ -278,16 +278,6 @@ def test_an_event_by_a_jump_moves_with_it():
     assert found.t[0].tolist() == [float(name == "force[0].from") for name in found.wrt]
 
 
-def test_resonance_has_its_derivative_by_the_frequency():
-    """M x'' + a2 x = U sin(Omega t) in stick, differentiated by omega at omega = Omega by hand."""
-    scene = Scene(Pair(1, 3, 4, 1000), State(), 2, force=Force.sine(1, 1))
-    found = sensitivities(solve(scene))
-    # x = (sin t - t cos t)/8; by omega: the answer from rest to t cos t, which is (t sin t - t^2 cos t ... )/16
-    t, s, c = 2.0, np.sin(2.0), np.cos(2.0)
-    by_omega = (t * t * s + t * c - s) / 16
-    assert found.final[0, found.wrt.index("force[0].sines[0].omega")] == pytest.approx(by_omega, rel=1e-13)
-
-
 def forgetful_guard(self, *given):
     by_state, by_numbers, rate = HONEST_GUARD(self, *given)
     return by_state, 0 * by_numbers, rate
