@@ -23,10 +23,11 @@ from flint import arb
 from numerics.audit.draws import KINDS
 from numerics.audit.rows import Progress, Row, counted
 from numerics.errors import NumericsError
-from numerics.plane.answer import NAMES, PlaneTrajectory
+from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene import Force, Friction, Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction
+from numerics.trajectory.rows import STATE
 
 Solver: TypeAlias = Callable[[Any], Any]
 Figure: TypeAlias = tuple[str, Fraction, Fraction | None]
@@ -39,7 +40,7 @@ SOLVERS: dict[str, Solver] = {
     "ball": partial(solve, arithmetic="ball", digits=BALL_DIGITS, max_events=MAX_EVENTS, max_digits=2000),
 }
 SURFACES, TIGHT = ("ellipsoid", "box"), "ellipsoid"
-KNOWN = {"friction of the state": ("ball",)} | dict.fromkeys(SURFACES, ("float64", "ball"))
+KNOWN = {"friction of the state": ("mpmath", "ball")} | dict.fromkeys(SURFACES, ("float64", "ball"))
 """The arithmetics of a kind, where not all of them know it."""
 solve_truly: Any = partial(solve, arithmetic="ball", max_events=MAX_EVENTS, max_digits=2000)
 MOST_RESIDUAL = {"float64": 1e-9, "double-double": 1e-24, "mpmath": 1e-33, "ball": 1e-10}
@@ -155,7 +156,7 @@ def figures(trajectory: Any) -> Iterator[Figure]:
 
 
 def _state(state: Any, bounds: Any) -> Iterator[Figure]:
-    for name, part, bound in zip(NAMES, state, [None] * 4 if bounds is None else bounds, strict=True):
+    for name, part, bound in zip(STATE, state, [None] * 4 if bounds is None else bounds, strict=True):
         yield from (_figure(name, x, bound) for x in (part if isinstance(part, tuple) else (part,)))
 
 

@@ -1,9 +1,13 @@
-"""Periodic motions where friction depends on the speed: as many as are found, each proved, stable or not.
+"""The search for periodic motions: as many as are found, each proved, attracting or not.
 
-Where B falls two motions part, in every norm, so nothing says that there is one: a stuck motion, a slipping one and one
-between them that others leave may share a force. They are looked for by following the pair over periods from some
-starts, then over a few from states between those that were found; Newton's method ends each search. What is found
-exists; there may be more.
+The pair is followed over periods from some starts; Newton's method on the period map (`solve_from`) ends each search. A
+pair that is followed does not see how the stuck response breaks where the force is a little above what friction holds,
+by too short slips: a search begins there, too.
+
+With one b one motion is enough (response.py says when it is the only one). Where B falls two motions part, in every
+norm, so nothing says that there is one: a stuck motion, a slipping one and one between them that others leave may share
+a force. From states between those that were found few periods lead to such a one. What is found exists; there may be
+more.
 
 Where B falls nowhere and a1 > 0 there is one, and every motion tends to it: N still shrinks, and two motions at a
 constant distance have the same v1, so that F and F* differ by a constant. That is 0, else v2 - v2* would grow, or w =
@@ -13,7 +17,7 @@ signs, and a w* that is never there keeps F >= b, or F <= -b, for ever, while th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
@@ -23,8 +27,8 @@ from flint import arb
 from numerics.arithmetic.ball import Ball, working_digits
 from numerics.control.answers import Tell, number, rounded, undecided
 from numerics.control.attraction import passage_at
-from numerics.control.guesses import SHARE, crowded, next_to_the_stuck_response, stuck_state
 from numerics.control.orbit import Drive, Orbit, in_order, solve_from
+from numerics.control.stuck import next_to_the_stuck_response, stuck_state
 from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
 from numerics.scene import State
 from numerics.trajectory.legs import legs
@@ -32,7 +36,9 @@ from numerics.trajectory.run import run_scene
 
 State3 = tuple[arb, arb, arb]
 """x1, v1, v2."""
-_PERIODS = (4, 12, 48)
+MAX_EVENTS, _SHARE = 10_000, 5
+"""Cap on events, and which part of it a period may have: its equations take longer than a run."""
+_PERIODS, _MANY = (4, 12, 48), (16, 64, 256)
 """So many periods are followed from a start, one batch after the other; at the end of each Newton's method begins."""
 _BETWEEN, _FEW = 8, (2, 2)
 """Into so many parts the way between two motions is cut; few periods lead from there to what nearly all leave again."""
@@ -42,44 +48,58 @@ _PHASE, _DIGITS = Fraction(1234567, 10**7), 20
 """At this part of a period motions are compared; that many digits of a state are followed from period to period."""
 
 
-def coexisting(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[list[Orbit], int]:
-    """Return the periodic motions with events that are found, proved, all different, and how many starts were tried.
+def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[list[Orbit], int]:
+    """Return periodic motions with events, proved and all different, and how many starts were tried.
 
-    `sticks`: the stuck response exists. Raises NotSettled where a period has more than a fifth of `max_events` events,
-    and where nothing was found and nothing sticks.
+    One, unless there may be several that matter; `sticks`: the stuck response exists. Raises NotSettled where a period
+    has more than a fifth of `max_events` events or, if there may be several, none is found and none sticks; else what
+    ended the first search.
     """
-    most, found, starts, failure = max_events // SHARE, list[Orbit](), 0, ""
+    most, found, failures, starts = max_events // _SHARE, list[Orbit](), list[Exception](), 0
+    is_enough = drive.weakening is None or drive.has_one_motion
 
     def look(begin: Fraction, at: Sequence[arb], periods: Sequence[int]) -> None:
-        nonlocal starts, failure
+        nonlocal starts
+        if found and is_enough:
+            return
         starts += 1
         try:
             one = _followed(drive, begin, at, periods, most, tell)
         except _LOST as error:
-            failure = failure or str(error)
+            failures.append(error)
             return
-        for new in (one, mirrored(one)) if drive.is_odd else (one,):
+        for new in (one, mirrored(one)) if drive.is_odd and not is_enough else (one,):
             if all(apart(new, other) for other in found):
                 found.append(new)
 
-    t = _meeting(drive)
-    for state in _first(drive, t):
-        look(t, state, _PERIODS)
-        if found and drive.has_one_motion:
-            return found, starts
+    t = rounded(drive.period * number(_PHASE), _DIGITS)
+    # it slips at once: a pair that would stay stuck elsewhere does not hide the motion
+    far = number(2 * drive.pair.half_width), arb(0), arb(0)
+    look(t, far, _PERIODS[:1])
     for begin, at in next_to_the_stuck_response(drive):
         look(begin, at, (0,))
-    states = [_state(one, t) for one in found]
-    stuck = stuck_state(drive, number(t)) if sticks else None
-    if stuck is not None:
-        states.append((stuck[0], stuck[1], stuck[3]))
-    for one, two in combinations(states, 2):
-        for part in range(1, _BETWEEN):
-            look(t, [a + (b - a) * part / _BETWEEN for a, b in zip(one, two, strict=True)], _FEW)
+    free = stuck_state(drive, number(t), drive.pair.m1)
+    if free is not None:
+        look(t, (free[0], free[1], arb(0)), _PERIODS)
+        # body 2 may be carried along for ever, even by a force that favours no side
+        if not is_enough:
+            look(t, (free[0], free[1], abs(free[1]) / 2), _PERIODS)
+    if not found:
+        look(t, far, _MANY)
+    if not is_enough:
+        states = [_state(one, t) for one in found]
+        stuck = stuck_state(drive, number(t)) if sticks else None
+        if stuck is not None:
+            states.append((stuck[0], stuck[1], stuck[3]))
+        for one, two in combinations(states, 2):
+            for part in range(1, _BETWEEN):
+                look(t, [a + (b - a) * part / _BETWEEN for a, b in zip(one, two, strict=True)], _FEW)
+    if is_enough and not found:
+        raise failures[0]
     if not (found or sticks):
         raise NotSettled(
             f"no motion that comes back after a period was found from {starts} starts, others may come back later or "
-            f"never; the first search ended so: {failure}"
+            f"never; the first search ended so: {failures[0]}"
         )
     return found, starts
 
@@ -95,26 +115,14 @@ def mirrored(orbit: Orbit) -> Orbit:
 
 def apart(one: Orbit, two: Orbit) -> bool:
     """Return whether two motions are proved to differ, by their states at one time."""
-    t = _meeting(one.drive)
+    t = rounded(one.drive.period * number(_PHASE), _DIGITS)
     return any(not a.overlaps(b) for a, b in zip(_state(one, t), _state(two, t), strict=True))
-
-
-def _meeting(drive: Drive) -> Fraction:
-    return rounded(drive.period * number(_PHASE), _DIGITS)
 
 
 def _state(orbit: Orbit, t: Fraction) -> State3:
     """Return (x1, v1, v2) of a periodic motion at a time, s. Raises EventUndecided next to an event."""
     x1, v1, _, v2 = passage_at(orbit, number(t)).state(number(t))
     return x1, v1, v2
-
-
-def _first(drive: Drive, t: Fraction) -> Iterator[State3]:
-    """Yield states at a time, s: one far from rest, and body 1 as it moves without friction."""
-    yield number(2 * drive.pair.half_width), arb(0), arb(0)
-    free = stuck_state(drive, number(t), drive.pair.m1)
-    if free is not None:
-        yield free[0], free[1], arb(0)
 
 
 def _followed(drive: Drive, begin: Fraction, at: Sequence[arb], periods: Sequence[int], most: int, tell: Tell) -> Orbit:
@@ -142,7 +150,10 @@ def _one_period(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> 
     x1, v1, v2 = (rounded(one, _DIGITS) for one in at)
     run = run_scene(drive.one_period(begin, State(x1, v1, 0, v2), _DIGITS), Ball(working_digits()), most + 1)
     if len(run.events) > most:
-        raise crowded(drive, SHARE * most)
+        raise NotSettled(
+            f"a period of {float(drive.period):.4g} s holds more than {most} events, a fifth of max_events; raise "
+            "max_events, or take frequencies with a shorter common period"
+        )
     if len(run.modes) == 1:
         raise undecided("has a period an event?", "none")
     longest = max(legs(run), key=lambda one: float(one.end - one.start))

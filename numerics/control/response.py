@@ -26,10 +26,16 @@ from numerics.control.answers import (
     silent,
     to_digits,
 )
-from numerics.control.coexisting import coexisting
-from numerics.control.guesses import MAX_EVENTS, find_orbit, stuck_state
+from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Drive, Orbit, solve_orbit
-from numerics.control.stuck import entrained, flattened_state, others_stick, resonant_growth, stuck_multipliers
+from numerics.control.stuck import (
+    entrained,
+    flattened_state,
+    others_stick,
+    resonant_growth,
+    stuck_multipliers,
+    stuck_state,
+)
 from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene, MissingTool
 from numerics.plane.rotating import rotating_force, rotating_response
@@ -147,11 +153,11 @@ def response(
 
     For a scene without a force both together are its force, amplitude sin(omega t). On a surface the force goes round,
     and the answer is a RotatingResponse (plane/rotating.py). With a [weakening] by speed there may be several periodic
-    motions, and the answer is PeriodicMotions: those found, each proved. A run of up to `max_events` events
-    finds a motion; `tell` hears what is being done.
+    motions, and the answer is PeriodicMotions: those found, each proved. A period
+    may have a fifth of `max_events` events; `tell` hears what is being done.
 
     Raises InvalidScene (a force that is not periodic, friction by place), EventUndecided (nothing was proved at the cap
-    on digits, by default 16 times as many as are asked for), NotSettled (no motion was found within max_events),
+    on digits, by default 16 times as many as are asked for), NotSettled (a period has too many events),
     PrecisionExhausted, TypeError (no scene).
 
     >>> from numerics import load_scene
@@ -166,56 +172,30 @@ def response(
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
     require_kind("response", scene, Scene, BUILD)
     drive = _drive_under(scene, amplitude, omega)
-    known, orbit, most = None, None, most_digits(digits, max_digits)
+    known, orbits, starts = None, list[Orbit](), 0
     if len(drive.piece.sines) == 1:
         known = thresholds(drive.pair, drive.piece.sines[0].omega, digits=digits, max_digits=max_digits)
-    if drive.weakening is not None:
-        return cast("Response", _motions(drive, known, (digits, most), max_events, tell))
 
-    def attempt(_: Ball) -> tuple[Response, list[arb]]:
-        nonlocal orbit
-        growth = resonant_growth(drive)
-        if growth > 0:
-            return _growing(drive, known, growth, digits), [growth]
-        if entrained(drive) or others_stick(drive, known):
-            found = _entrained(drive, known, digits)
-        else:
-            orbit = find_orbit(drive, orbit, max_events, tell)
-            found = _of_orbit(orbit, known, digits)
-        return found, _numbers(found)
-
-    return to_digits(attempt, digits, most)
-
-
-def _motions(
-    drive: Drive, known: Thresholds | None, digits: tuple[int, int], max_events: int, tell: Tell
-) -> PeriodicMotions:
-    """Return all periodic motions that are found; `digits`: those asked for, and the cap. Raises what `response` does.
-
-    U* is that of friction at rest; U** has no meaning here.
-    """
-    orbits: list[Orbit] | None = None
-    starts, edge = 0, known and known.entrainment
-
-    def attempt(_: Ball) -> tuple[PeriodicMotions, list[arb]]:
+    def attempt(_: Ball) -> tuple[tuple[Response, ...], list[arb]]:
         nonlocal orbits, starts
         growth = resonant_growth(drive)
         if growth > 0:
-            only = (_growing(drive, None, growth, digits[0]),)
-            return PeriodicMotions(drive, only, edge, 0, True, digits[0]), [growth]
+            return (_growing(drive, known, growth, digits),), [growth]
         sticks = entrained(drive) or others_stick(drive, known)
-        stuck = [replace(_entrained(drive, known, digits[0]), thresholds=None)] if sticks else []
-        if orbits is not None:
+        if orbits:
             orbits = [solve_orbit(one, tell) for one in orbits]
-        elif stuck and drive.has_one_motion:
-            orbits = []
-        else:
-            orbits, starts = coexisting(drive, sticks=sticks, max_events=max_events, tell=tell)
-        motions = (*stuck, *(_of_orbit(one, None, digits[0]) for one in orbits))
-        found = PeriodicMotions(drive, motions, edge, starts, drive.has_one_motion, digits[0])
-        return found, [one for motion in motions for one in _numbers(motion)]
+        elif not (sticks and (drive.weakening is None or drive.has_one_motion)):
+            orbits, starts = search(drive, sticks=sticks, max_events=max_events, tell=tell)
+        stuck = [_entrained(drive, known, digits)] if sticks else []
+        found = (*stuck, *(_of_orbit(one, known, digits) for one in orbits))
+        return found, [one for motion in found for one in _numbers(motion)]
 
-    return to_digits(attempt, *digits)
+    motions = to_digits(attempt, digits, most_digits(digits, max_digits))
+    if drive.weakening is None:
+        return motions[0]
+    is_all = drive.has_one_motion or motions[0].regime is Regime.GROWS
+    without = tuple(replace(one, thresholds=None) for one in motions)
+    return cast("Response", PeriodicMotions(drive, without, known and known.entrainment, starts, is_all, digits))
 
 
 def _growing(drive: Drive, known: Thresholds | None, growth: arb, digits: int) -> Response:

@@ -7,15 +7,50 @@ breaks.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from functools import partial
 
 from flint import acb, arb
 
-from numerics.control.answers import not_negative, number, undecided
-from numerics.control.guesses import stuck_state
+from numerics.control.answers import not_negative, number, rounded, undecided
 from numerics.control.orbit import Drive
-from numerics.control.thresholds import Thresholds, load_margin, odd_ratio
+from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, stiffness
 from numerics.linear.system import ONE, is_positive_on
+
+_PARTS = 8
+"""Times of a period among which the one with the least load is taken."""
+
+
+def stuck_state(drive: Drive, t: arb, mass: Fraction | None = None) -> tuple[arb, arb, arb, arb] | None:
+    """Return (x1, v1, 0, v1) of the stuck response at a time (s); None at a resonance of the stuck pair, a1 = 0.
+
+    With another mass than M (kg) that of so large a body on the spring.
+    """
+    pair, mass = drive.pair, mass or drive.pair.mass
+    x, v = number(drive.rest), arb(0)
+    for one in drive.piece.sines:
+        if stiffness(pair, mass, one.omega).is_zero():
+            return None
+        below = acb(number(pair.a2 - mass * one.omega**2), number(pair.a1 * one.omega))
+        turned = acb.exp(acb(0, number(one.omega) * t + number(one.phase)))
+        moved = turned * number(one.amplitude) / below
+        x, v = x + moved.imag, v + number(one.omega) * moved.real
+    return x, v, arb(0), v
+
+
+def next_to_the_stuck_response(drive: Drive) -> Iterator[tuple[Fraction, list[arb]]]:
+    """Yield the stuck response at one of some times of a period, that with the least load; none at a resonance."""
+    times = [rounded(drive.period * k / _PARTS) for k in range(1, _PARTS)]
+    states = [(t, state) for t in times if (state := stuck_state(drive, number(t))) is not None]
+    for t, (x1, v1, _, v2) in sorted(states, key=lambda one: _load(drive, *one))[:1]:
+        yield t, [x1, v1, v2]
+
+
+def _load(drive: Drive, t: Fraction, state: Sequence[arb]) -> float:
+    """Return the size of the load at a time (s) in a state, N."""
+    motion = drive.mode(0).motion(state, number(t))
+    return abs(float(motion.range(motion.mode.load, arb(0))))
 
 
 def resonant_growth(drive: Drive) -> arb:

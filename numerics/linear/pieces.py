@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from numerics.scene import Scene, Sine
 from numerics.scene.pieces import shifted
 
+_AT_ONCE = np.zeros(1)
+
 
 @dataclass(frozen=True, slots=True)
 class ExactPiece:
@@ -38,6 +40,8 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
 
 def starts_of(scene: Scene) -> NDArray[np.float64]:
     """Return when the pieces begin, s; made once and kept with the scene."""
+    if not scene.is_forced:
+        return _AT_ONCE
     if "starts" not in scene.made:
         scene.made["starts"] = np.array([float(piece.start) for piece in pieces_of(scene)])
     found: NDArray[np.float64] = scene.made["starts"]

@@ -44,6 +44,8 @@ def solve_plane(
     """
     if arithmetic not in {None, "float64", "ball"}:
         raise InvalidScene(f"arithmetic = {arithmetic!r} does not know a surface; take float64 or ball")
+    if arithmetic == "float64" and digits is not None:
+        raise ValueError("float64 has the digits that it has; leave digits out, or the choice of arithmetic")
     limits: dict[str, Any] = {"max_events": max_events, "progress": progress}
     if arithmetic == "float64" or (arithmetic is None and digits is None):
         tries = _LADDER if arithmetic is None else _LADDER[:1]

@@ -89,12 +89,8 @@ def solve(
     >>> solve(scene, t_eval=[0, 0.5, 1]).y.shape
     (4, 3)
     """
-    if isinstance(scene, PlaneScene):
-        from numerics.plane.solve import solve_plane
-
-        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
-        return cast("Trajectory", solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits))
-    require_kind("solve", scene, Scene, BUILD)
+    if not isinstance(scene, PlaneScene):
+        require_kind("solve", scene, Scene, BUILD)
     if digits is not None or max_events is not MAX_EVENTS or max_digits is not MAX_DIGITS:
         for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
             if value is not None:
@@ -103,6 +99,11 @@ def solve(
         require_function("progress", progress, "(events, fraction)")
     if t_eval is not None:
         require_times(t_eval, scene.until)
+    if isinstance(scene, PlaneScene):
+        from numerics.plane.solve import solve_plane
+
+        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
+        return cast("Trajectory", solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits))
     limits = _Limits(max_events, max_digits, progress)
     found = _solve(scene, digits, arithmetic, limits)
     return found if t_eval is None else found.but(t_eval=t_eval)

@@ -1,4 +1,4 @@
-"""A record (numerics/linear/record.py) read by the names of its columns, compared, and taken apart for a pickle."""
+"""A record (numerics/linear/record.py) read by the names of its columns; balls taken apart and put together again."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import precision
 from numerics.arithmetic.protocol import Number
-from numerics.linear.record import AT, How, Knot, Record
+from numerics.linear.record import AT, Record
 
 _RADIUS_BITS, _WIDE_BITS = 30, 106
 
@@ -67,36 +67,6 @@ def sums(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[mpmath.mpf
         else mpmath.mpf(top)  # no number
         for top, tail, place in zip(tops, tails, places.tolist(), strict=True)
     ]
-
-
-def plain(value: Any) -> Any:
-    """Return a record, its rows or numbers in a form that can be compared and pickled; flint has neither for balls."""
-    if isinstance(value, arb):
-        return ("ball", *parts_of(value.mid()), *parts_of(value.rad()))
-    if isinstance(value, np.ndarray) and value.dtype != object:
-        return ("floats", value.shape, value.tobytes())
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return tuple(plain(one) for one in value)
-    return value
-
-
-def restored(value: Any) -> Any:
-    """Return rows or numbers from their plain form, as lists; the very same balls."""
-    if not isinstance(value, tuple):
-        return value
-    if value[:1] == ("ball",):
-        return ball_of(*value[1:])
-    if value[:1] == ("floats",):
-        return np.frombuffer(value[2]).reshape(value[1])
-    return [restored(one) for one in value]
-
-
-def restored_record(value: Any) -> Record:
-    """Return a record from its plain form."""
-    rows, end, how, *rest = restored(value)
-    if isinstance(rows, list):
-        rows, end = [Knot(*row) for row in rows], Knot(*end)
-    return Record(rows, end, How(how), *rest)
 
 
 def parts_of(point: arb) -> tuple[int, int]:

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, digits_within
 from numerics.arithmetic.compiled import compilable, compilable_with, compiled, compiles_now
+from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.rows import Rows
@@ -95,7 +96,7 @@ def accuracy_of(trajectory: Rows) -> Accuracy:
     record, pair, certain = trajectory.record, trajectory.scene.pair, trajectory.certain
     name, critical = trajectory.arithmetic.name, float(pair.critical_energy)
     judge = compiled(judged) if compiles_now() else judged
-    weights, starts = (float(pair.a2), float(pair.m1), float(pair.m2)), trajectory.piece_starts
+    weights, starts = (float(pair.a2), float(pair.m1), float(pair.m2)), starts_of(trajectory.scene)
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(record.rows, record.end, starts, weights, critical, ROUNDING[name])
     digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0

@@ -20,8 +20,6 @@ from numerics.trajectory.columns import Columns
 from numerics.trajectory.reduced import Frame
 
 STATE = ("x1", "v1", "x2", "v2")
-_AT_ONCE = np.zeros(1)
-"""When the one piece of a scene without a force begins, s."""
 
 
 class Rows:
@@ -55,11 +53,6 @@ class Rows:
         """Return the pieces of force and friction, exact."""
         return pieces_of(self.scene)
 
-    @property
-    def piece_starts(self) -> NDArray[np.float64]:
-        """Return when the pieces begin, s, as floats."""
-        return starts_of(self.scene) if self.scene.is_forced else _AT_ONCE
-
     @cached_property
     def row_signs(self) -> NDArray[np.int64]:
         """Return the mode that starts at each row, the sign of v1 - v2."""
@@ -84,7 +77,7 @@ class Rows:
         if not self.row_pieces.any():
             return local
         if self.arithmetic.name == "float64":
-            return np.asarray(self.piece_starts[self.row_pieces] + local)
+            return np.asarray(starts_of(self.scene)[self.row_pieces] + local)
         with self.arithmetic.context():
             starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=object)
             return np.asarray(starts[self.row_pieces] + local)
@@ -120,7 +113,7 @@ class Rows:
         record, count = self.record, self.record.events + 1
         if self.arithmetic.name == "float64":
             read = compiled(tabulate) if compiles_now() else tabulate
-            return read(record.rows, record.end, count, self.piece_starts, float(self.scene.until), self.reached)
+            return read(record.rows, record.end, count, starts_of(self.scene), float(self.scene.until), self.reached)
         at, table = np.append(0, self.event_rows), np.empty((5, count + self.reached), dtype=object)
         table[0, :count], table[1:, :count] = self.row_times[at], self.row_states[:, at]
         if self.reached:

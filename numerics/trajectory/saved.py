@@ -1,4 +1,4 @@
-"""A trajectory in a file, without a pickle: what comes back equals what was saved, to the last bit.
+"""A trajectory in plain data, and in a file without a pickle: what comes back equals what was there, to the last bit.
 
 The file is a NumPy archive. Its `header` is JSON in UTF-8: the scene as TOML text, the arithmetic, how the run ended,
 and the numbers of mpmath and of balls, their mantissas as hexadecimal texts. `rows` and `end` are the record of a run
@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import zipfile
 from collections.abc import Callable
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from numerics.errors import InvalidFile, InvalidScene
 from numerics.files import whole_file
 from numerics.linear.pieces import pieces_of
 from numerics.linear.record import END_ROW, ROW, How, Knot, Record
+from numerics.scene import Scene
 from numerics.scene.decimals import require_whole
 from numerics.scene.file import parse_scene
 from numerics.scene.writing import scene_text
@@ -46,13 +48,17 @@ def load(file: str | Path, kind: Any) -> Any:
 
 
 def contents(trajectory: Solution) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return header and arrays of a trajectory."""
+    """Return header and arrays of a trajectory in a file."""
+    header, arrays = run_of(trajectory)
+    return {"format": FORMAT, "scene": kept_scene(trajectory.scene), **header}, arrays
+
+
+def run_of(trajectory: Solution) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return what a run wrote, without its scene: what JSON holds, and arrays."""
     rows, end, how, *rest = trajectory.record
     arrays = {"rows": rows, "end": end} if isinstance(rows, np.ndarray) else {}
     return {
-        "format": FORMAT,
-        "scene": kept_scene(trajectory.scene),
-        "arithmetic": (trajectory.arithmetic.name, trajectory.arithmetic.digits),
+        "arithmetic": [trajectory.arithmetic.name, trajectory.arithmetic.digits],
         "how": int(how),
         "rest": plain(rest),
         "knots": None if arrays else plain([*rows, end]),
@@ -65,7 +71,16 @@ def contents(trajectory: Solution) -> tuple[dict[str, Any], dict[str, Any]]:
 def restored(header: dict[str, Any], arrays: dict[str, Any], kind: Any) -> Any:
     """Return the trajectory of header and arrays. Raises ValueError, and what else others' files can bring about."""
     require_format(header, FORMAT)
-    scene = parse_scene(header["scene"])
+    return of_run(kind, parse_scene(header["scene"]), header, arrays)
+
+
+def unpickled(kind: Any, scene: Scene, header: str, arrays: dict[str, Any]) -> Any:
+    """Return the trajectory that a pickle holds: flint has no pickles of balls, so its header is JSON there, too."""
+    return of_run(kind, scene, header_of(header), arrays)
+
+
+def of_run(kind: Any, scene: Scene, header: dict[str, Any], arrays: dict[str, Any]) -> Any:
+    """Return the trajectory of the class `kind` with what a run wrote; raises as `restored`."""
     (name, digits), right = header["arithmetic"], header["digits"]
     if name not in _ARITHMETICS:
         raise ValueError(f"its arithmetic is {str(name)[:40]!r}")
@@ -158,8 +173,8 @@ def plain(value: Any) -> Any:
     if isinstance(value, mpmath.mpf):
         mantissa, exponent = value.man_exp  # without the sign
         return {"mpf": _hexadecimal(-mantissa if value < 0 else mantissa, exponent)}
-    if isinstance(value, Fraction):
-        return {"ratio": [hex(value.numerator), hex(value.denominator)]}
+    if isinstance(value, (Decimal, Fraction)):
+        return {"ratio": [hex(one) for one in value.as_integer_ratio()]}
     if isinstance(value, (list, tuple, np.ndarray)):
         return [plain(one) for one in value]
     return value.item() if isinstance(value, np.generic) else value

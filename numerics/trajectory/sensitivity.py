@@ -32,6 +32,7 @@ from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
+from numerics.scene.model import require_kind
 from numerics.trajectory.comparison import as_fraction
 from numerics.trajectory.dense import Side, exact_time, require_side
 from numerics.trajectory.derivatives import Sensitivity, parameters
@@ -122,8 +123,7 @@ def enclosures(trajectory: Trajectory) -> Sensitivity:
 
 def _require_smooth(trajectory: Trajectory) -> None:
     """Raise TypeError for what is no trajectory, NotDifferentiable for one that has no derivatives by its data."""
-    if not isinstance(trajectory, Trajectory):
-        raise TypeError(f"sensitivities takes a trajectory, not {type(trajectory).__name__}: give it solve(scene)")
+    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
     scene = trajectory.scene
     until = math.inf if trajectory.reached else trajectory.arithmetic.to_float(trajectory.event_times[-1])
     what = corner(scene, pieces_of(scene), until) if scene.is_forced else None

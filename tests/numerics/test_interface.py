@@ -140,7 +140,7 @@ def test_only_digits_that_something_bounds_are_called_right():
 
 @pytest.mark.parametrize("scene", [PAPER, DAMPED, STUCK, load_scene("forced-friction-by-pieces")])
 def test_what_was_pickled_or_saved_comes_back_to_the_last_bit_and_is_equal(scene, tmp_path):
-    times = [0, "1/3", 0.5, 2]
+    times = [0, Decimal("0.25"), "1/3", 0.5, 2]
     answers = [*runs(scene), solve(scene, t_eval=times), solve(scene, digits=20, t_eval=times)]
     for one in [*answers, Solver(PAPER.pair)((0.0, 0.15, 0.0, 0.0), until=3)]:
         one.save(tmp_path / "run.npz")
