@@ -47,7 +47,7 @@ def section(trade: Trade) -> Section:
         Picture(
             WORK_PRECISION,
             "One panel for each scene: the further up and to the left, the better. Filled: the events are right; hollow: they are wrong, "
-            "however many digits agree. The last panel: time for an excursion on longer and longer horizons; flat is good.",
+            "however many digits agree.",
             "Right digits against time",
         ),
         *provenance(trade),
@@ -67,7 +67,9 @@ def answers(trade: Trade) -> tuple[str, ...]:
             found.append(f"{words.capitalize()}, {told({name: one.ratio for name, one in leads.items()})}")
         if leads and which not in {"free", "forced"}:
             peers, ours = ([getattr(lead, side).digits for lead in leads.values()] for side in ("peer", "ours"))
-            found[-1] += f" Its law is smoothed there, with {max(peers):.0f} right digits at most; ours has {min(ours):.0f} at least."
+            found[-1] += (
+                f" Its law is smoothed there, with {max(peers):.0f} right digits at most; ours has {min(ours):.0f} at least."
+            )
     return tuple(found)
 
 

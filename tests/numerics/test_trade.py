@@ -190,7 +190,7 @@ class TestRecorded:
     def test_what_is_written_is_read_again(self, tmp_path):
         sweep = Sweep("velocities", 30.0, 100, 11.0, 13.5)
         peers = [run("heyoka", "velocities", 2e-3, 9.0), run("SciPy", "velocities", None, None, None)]
-        given = trade_of(*peers, run("heyoka", "velocities", 3e-3, 1.0, False), sweeps=(sweep,), sine_cosines=3.5)
+        given = trade_of(*peers, run("heyoka", "velocities", 3e-3, 1.0, False), sweeps=(sweep,))
         (tmp_path / "trade.json").write_text(given.text(), "utf-8")
         found = recorded(tmp_path / "trade.json")
         assert found.sweeps == (sweep,)
@@ -222,7 +222,7 @@ class TestRecorded:
         )
         found = recorded()
         assert set(found.machine) == {*MACHINE, "busy"}
-        assert len(draw_trade(found).axes) == len(found.scenes) + 1
+        assert len(draw_trade(found).axes) == len(found.scenes)
         assert {one.who for one in found.runs} <= {one.label for one in CONTENDERS}
         assert all(one.digits and one.peer_digits for one in found.sweeps)
 
@@ -236,7 +236,6 @@ class TestCommand:
         monkeypatch.setattr(measure, "judged_and_timed", lambda *_: (2.0, 9.0, ""))
         monkeypatch.setattr(measure, "total_time", lambda call, loops: 1e-3 * loops)
         monkeypatch.setattr(measure, "swept", lambda name, size, _: Sweep(name, 30.0, size, 11.0, 13.5))
-        monkeypatch.setattr(measure, "sine_cosines", lambda _: 3.5)
         monkeypatch.setattr(measure, "proved", lambda _: None)
         absent = CONTENDERS[0]._replace(label="absent tool", package="a-package-that-nobody-has")
         some = (contender("solve"), contender("heyoka")._replace(package=""), contender("forward Euler"), absent)
