@@ -27,7 +27,7 @@ from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene import Force, Friction, Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction
-from numerics.trajectory.export import STATE_NAMES
+from numerics.trajectory.rows import STATE
 
 Solver: TypeAlias = Callable[[Any], Any]
 Figure: TypeAlias = tuple[str, Fraction, Fraction | None]
@@ -156,7 +156,7 @@ def figures(trajectory: Any) -> Iterator[Figure]:
 
 
 def _state(state: Any, bounds: Any) -> Iterator[Figure]:
-    for name, part, bound in zip(STATE_NAMES, state, [None] * 4 if bounds is None else bounds, strict=True):
+    for name, part, bound in zip(STATE, state, [None] * 4 if bounds is None else bounds, strict=True):
         yield from (_figure(name, x, bound) for x in (part if isinstance(part, tuple) else (part,)))
 
 

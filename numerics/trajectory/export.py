@@ -18,10 +18,10 @@ from numerics.files import whole_file
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
 from numerics.trajectory.digits import MOST_DIGITS, ROUNDING
 from numerics.trajectory.rendering import right_digits_text, with_radius
+from numerics.trajectory.rows import STATE
 from numerics.trajectory.solution import Solution
 
-STATE_NAMES = ("x1", "v1", "x2", "v2")
-END_NAMES = (*STATE_NAMES, "energy", "energy_excess")
+END_NAMES = (*STATE, "energy", "energy_excess")
 Written = dict[str, str]
 Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
@@ -66,7 +66,7 @@ def _events(trajectory: Solution, write: Writer, wanted: Iterable[int] | None) -
         row = write("t", event.t, index) | {"from": event.before.value, "to": event.after.value}
         if trajectory.scene.is_forced:
             row["cause"] = event.cause
-        for name, value in zip(STATE_NAMES, event.y, strict=True):
+        for name, value in zip(STATE, event.y, strict=True):
             row |= write(name, value, index)
         yield row
 
@@ -180,7 +180,7 @@ def dataframe(trajectory: Solution) -> Any:
     else:
         modes = list(trajectory.mode_at(trajectory.t_eval))
     found = arrays(trajectory)
-    state = dict(zip(STATE_NAMES, found["y"], strict=True))
+    state = dict(zip(STATE, found["y"], strict=True))
     return frame_of(
         {"t": found["t"], "mode": [mode.value for mode in modes], **state}
         | {name: found[name] for name in ("energy", "energy_excess")}

@@ -46,13 +46,12 @@ Proof.
     rewrite Rmult_0_r, ?Ropp_0, ?exp_0, ?sin_0; field; lra.
 Qed.
 
+Set Implicit Arguments.
 (** what is computed with: real numbers, or intervals of them *)
 Record arith (T : Type) := Arith { zero : T; add : T -> T -> T; sub : T -> T -> T; mul : T -> T -> T; div : T -> T -> T;
   neg : T -> T; sin_of : T -> T; cos_of : T -> T }.
-Arguments zero {T}. Arguments add {T}. Arguments sub {T}. Arguments mul {T}. Arguments div {T}. Arguments neg {T}.
-Arguments sin_of {T}. Arguments cos_of {T}.
 (** real numbers *)
-Definition real := Arith R 0 Rplus Rminus Rmult Rdiv Ropp sin cos.
+Definition real := Arith 0 Rplus Rminus Rmult Rdiv Ropp sin cos.
 
 (** t -> in_sine sin (turn t + phase) + in_cosine cos (turn t + phase) *)
 Record tone (T : Type) := Tone { in_sine : T; in_cosine : T; turn : T; phase : T }.
@@ -65,13 +64,7 @@ Record wave (T : Type) := Wave { still : T; drift : T; even : T; odd : T; decay 
     swing of body 1 and of both; how each answers to the force, and the force *)
 Record kit (T : Type) := Kit { k1 : T; k2 : T; kM : T; ka1 : T; ka2 : T; kb : T; slow1 : T; stiff1 : T; slowM : T;
   stiffM : T; answer1 : steady T; answerM : steady T; force : steady T }.
-Arguments Tone {T}. Arguments in_sine {T}. Arguments in_cosine {T}. Arguments turn {T}. Arguments phase {T}.
-Arguments Steady {T}. Arguments from {T}. Arguments poly {T}. Arguments tones {T}.
-Arguments Wave {T}. Arguments still {T}. Arguments drift {T}. Arguments even {T}. Arguments odd {T}.
-Arguments decay {T}. Arguments square {T}. Arguments clock {T}. Arguments answer {T}.
-Arguments Kit {T}. Arguments k1 {T}. Arguments k2 {T}. Arguments kM {T}. Arguments ka1 {T}. Arguments ka2 {T}.
-Arguments kb {T}. Arguments slow1 {T}. Arguments stiff1 {T}. Arguments slowM {T}. Arguments stiffM {T}.
-Arguments answer1 {T}. Arguments answerM {T}. Arguments force {T}.
+Unset Implicit Arguments.
 
 Section Computed.
 Context {T : Type} (A : arith T).
@@ -140,7 +133,6 @@ Lemma is_derive_unique_at (f : R -> R) u k l : is_derive f u k -> is_derive f u 
 Proof. intros D E. rewrite <- (is_derive_unique f u k D). apply is_derive_unique, E. Qed.
 (** a sign *)
 Definition sign (k : bool) := if k then 1 else -1.
-(** as said *)
 Lemma signed_real k x : signed real k x = sign k * x.
 Proof. destruct k; simpl; ring. Qed.
 
@@ -148,7 +140,6 @@ Proof. destruct k; simpl; ring. Qed.
 Definition val f u := still f + drift f * u +
   exp (- (decay f * u)) * (even f * cosine (square f) u + odd f * sine (square f) u) + sval real (answer f) (clock f + u).
 
-(** as said *)
 Lemma pval_cons c l u : pval real (c :: l) u = c + u * pval real l u. Proof. reflexivity. Qed.
 (** a sum of polynomials *)
 Lemma pval_padd l : forall k u, pval real (padd real l k) u = pval real l u + pval real k u.
@@ -327,7 +318,6 @@ Proof.
   assert (E1 : a1 = 2 * m * g) by (unfold g, fade; field; lra). clearbody d g. rewrite E1, E2. ring.
 Qed.
 
-(** as said *)
 Lemma val_guard k t x v1 v2 u :
   val (guard real K k t x v1 v2) u = sign k * (val (slope (slide real K k t x v1)) u - drive real K k v2 u).
 Proof.
@@ -337,7 +327,6 @@ Proof.
   rewrite (scaled_ext _ (fun r => sign k * r)), sval_scaled by (intros; apply signed_real).
   rewrite !signed_real. simpl. destruct k; simpl; field; lra.
 Qed.
-(** as said *)
 Lemma val_grip k t x v u : val (grip real K k t x v) u = b / m2 - sign k * val (slope (slope (stuck real K t x v))) u.
 Proof.
   unfold grip, grip_of. set (f := slope (slope (stuck real K t x v))). assert (S : still f = 0) by reflexivity.
