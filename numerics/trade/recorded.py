@@ -36,7 +36,7 @@ COMMAND = "python -m numerics trade --json"
 PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka")
 OURS, PEERS = ("solve", "ball"), ("heyoka", "heyoka long double", "heyoka, smoothed")
 """Ours, and whom it is measured against: the fastest integrator of its kind that we know."""
-ASKED = {0: "`solve(scene)`, float64", 12: "`digits=12`", 20: "`digits=20`"}
+ASKED = {0: "`solve(scene)`", 12: "`digits=12`", 20: "`digits=20`"}
 """Our settings, as a user writes them."""
 NONE = "no answer: "
 
