@@ -13,14 +13,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, digits_within
-from numerics.arithmetic.compiled import compilable, compilable_with, compiled, compiles_now
+from numerics.arithmetic.compiled import compiled, compiles_now
+from numerics.linear.errors_of import errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
 from numerics.scene.short_repr import ShortRepr
@@ -31,14 +31,10 @@ ROUNDING = {"float64": 2.0**-53, "double-double": 2.0**-105}
 """The rounding of one operation."""
 MOST_DIGITS = {"float64": 17, "double-double": 31}
 """The most digits that numbers of an arithmetic can show."""
-_TINY = 2.0**-1060
-"""More than squares can lose below the normal numbers."""
 
 
 _STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
 """Where the bounds of x1, v1, x2, v2 stand in a row."""
-_EVENT, _PIECE, _LOCAL, _X1, _LATE = (AT[name] for name in ("event", "piece", "local", "x1", "late"))
-_ERRORS, _EXCESS, _EXCESS_ERROR = (AT[name] for name in ("x1_error", "excess", "excess_error"))
 
 
 def proved_digits(trajectory: Rows) -> int:
@@ -95,7 +91,7 @@ def accuracy_of(trajectory: Rows) -> Accuracy:
     """Return the bounds of a trajectory in SI units; they are binary64, whatever its numbers are."""
     record, pair, certain = trajectory.record, trajectory.scene.pair, trajectory.certain
     name, critical = trajectory.arithmetic.name, float(pair.critical_energy)
-    judge = compiled(judged) if compiles_now() else judged
+    judge = compiled(errors_of) if compiles_now() else errors_of
     weights, starts = (float(pair.a2), float(pair.m1), float(pair.m2)), starts_of(trajectory.scene)
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(record.rows, record.end, starts, weights, critical, ROUNDING[name])
@@ -104,53 +100,3 @@ def accuracy_of(trajectory: Rows) -> Accuracy:
     return Accuracy(
         late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, certain, digits if certain else 0
     )
-
-
-@compilable_with(makes_arrays=True, forceinline=False)
-def judged(
-    rows: Any, end: Any, starts: Any, weights: tuple[float, float, float], critical: float, rounding: float
-) -> tuple[Any, float, float, float]:
-    """Return the bounds of the events' times (s), of energy (J) and excess at the end, and the worst relative error.
-
-    It compares the high halves of numbers with bounds; `weights` are a2, m1 and m2; inf where a bound is no number.
-    """
-    count, events = len(rows), 0
-    late, worst = np.empty(count), 0.0
-    sizes, errors, highest, carried = np.zeros(2), np.zeros(2), 0.0, 0.0
-    for index in range(count + 1):
-        row = rows[index] if index < count else end
-        for k in range(4):
-            sizes[k % 2] = max(sizes[k % 2], abs(row[_X1 + 2 * k]))
-            error = row[_ERRORS + k]
-            errors[k % 2] = max(errors[k % 2], math.inf if math.isnan(error) else error)
-        x1, v1, v2 = row[_X1], row[_X1 + 2], row[_X1 + 6]
-        highest = max(highest, (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2)
-        carried = max(carried, abs(row[_EXCESS]))
-        if index < count and row[_EVENT] == 1.0:
-            t = abs(starts[int(row[_PIECE])] + row[_LOCAL])
-            # 4 roundings: of where the piece begins, and of the sum
-            late[events] = row[_LATE] + 4 * rounding * t
-            worst = worse(worst, late[events], t)
-            events += 1
-    for k in range(2):
-        worst = worse(worst, errors[k], sizes[k])
-    x1, v1, v2 = end[_X1], end[_X1 + 2], end[_X1 + 6]
-    last = (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2
-    energy = 8 * rounding * last + (_TINY if x1 != 0 or v1 != 0 or v2 != 0 else 0.0)
-    for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
-        error = end[_ERRORS + k]
-        energy += weight * error * (abs(end[_X1 + 2 * k]) + error / 2)
-    worst = worse(worst, energy, highest)
-    excess = end[_EXCESS_ERROR]
-    if math.isnan(end[_EXCESS]):  # not carried: formed from the energy
-        excess = energy / critical + 8 * rounding * (1 + last / critical)
-    else:
-        worst = worse(worst, excess, carried)
-    return late[:events].copy(), energy, excess, worst
-
-
-@compilable
-def worse(worst: float, error: float, size: float) -> float:
-    """Return the larger of a relative error and that of error and size; inf where there is none."""
-    ratio = 0.0 if error == 0.0 else error / size if size > 0.0 else math.inf
-    return math.inf if math.isnan(ratio) else max(worst, ratio)
