@@ -10,7 +10,7 @@ from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import closure
 from paper_checks.evidence.finding import Verdict
 from paper_checks.running.runner import Context, decide
-from theory.symbols import a1, b, u, v1
+from theory.symbols import a1, b, v1
 
 from .conftest import CHECKS, doubled, finding_of, misread, negated, plus, two_of_each
 
@@ -35,10 +35,9 @@ def entry(index, change):
 
 STEP_FAULTS = [
     ("forced-mode-rule", FORCED + "coupling", doubled),
-    ("forced-mode-rule", FORCED + "imbalance", plus(u)),
-    ("forced-mode-rule", FORCED + "excess_load", doubled),
-    ("forced-mode-rule", RULE + "sp", misread("Lt", "Le", 0)),
-    ("forced-mode-rule", RULE + "sp", misread("Gt", "Ge", 0)),
+    ("forced-no-zeno", FORCED + "excess_load", doubled),
+    ("varying-interface", RULE + "sp", misread("Lt", "Le", 0)),
+    ("varying-interface", RULE + "sp", misread("Gt", "Ge", 0)),
     ("forced-no-zeno", FORCED + "deviation_force", plus(b)),
     ("forced-contraction", FORCED + "energy_rate", plus(a1 * v1**2)),
     ("forced-contraction", FORCED + "distance_rate", doubled),
@@ -58,17 +57,17 @@ STEP_FAULTS = [
     ("entrainment-threshold", RESPONSE + "non_stop_parts", entry(1, lambda value: -value)),
     ("entrainment-threshold", RESPONSE + "short_slip", entry(1, lambda value: value / 2)),
     ("entrainment-threshold", RESPONSE + "two_stop_conditions", entry(2, lambda value: value + 1)),
-    ("trackable-references", CONTROL + "strongest", doubled),
+    ("driven-body-steered", CONTROL + "strongest", doubled),
     ("trackable-references", CONTROL + "stuck_force", negated),
     ("minimum-transfer-time", CONTROL + "switching", entry(0, lambda value: value / 2)),
     ("minimum-transfer-time", CONTROL + "pressed", doubled),
-    ("minimum-transfer-time", CONTROL + "farthest", doubled),
+    ("driven-body-steered", CONTROL + "farthest", doubled),
     ("minimum-transfer-time", TWO_LAWS + "sp", misread("Gt", "Ge", 0)),
     ("trackable-references", TWO_LAWS + "spurious_branch", broken),
     ("minimum-transfer-time", TRANSFERS + "sp", misread("Ge", "Le", 0)),
     ("tolerance-ring", CONTROL + "ring_ratio", doubled),
     ("tolerance-ring", CONTROL + "ring_radius", doubled),
-    ("tolerance-ring", CONTROL + "path_per_energy", doubled),
+    ("ring-of-tolerance", CONTROL + "path_per_energy", doubled),
     ("tolerance-ring", TOLERANCE + "sp", misread("Le", "Ge", 0)),
     ("damping-can-desynchronise", FORCED + "creeping_load", negated),
 ]

@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from paper_checks.claims import example, onset
+from paper_checks.claims import onset
 from paper_checks.claims.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.evidence.finding import Verdict
 from theory.symbols import acceleration1, b, x1
@@ -15,27 +15,18 @@ ONSET = "paper_checks.claims.onset."
 DISSIPATION = "paper_checks.claims.energy."
 
 
-@pytest.mark.parametrize("printed", [-10, 11, 100, 14])
-def test_another_eigenfrequency_does_not_hold(printed):
-    assert example.example_eigenfrequency.decide(printed=printed).verdict is Verdict.UNDECIDED
-
-
 def with_entry(change):
     """Return a fault that changes one printed pair of right sides."""
     return lambda printed: lambda *sign: printed(*sign) + sp.Matrix(change)
 
 
 STEP_FAULTS = [
-    ("example-eigenfrequency", EXAMPLE + "case_study_eigenfrequency", squared),
     ("example-reduction", EXAMPLE + "printed_reduction", negated),
     ("example-reduction", EXAMPLE + "printed_reduction", with_entry([200 * x1, 0])),
     ("example-reduction", EXAMPLE + "printed_reduction", with_entry([0, b])),
     ("example-reduction", EXAMPLE + "printed_reduction", with_entry([0, acceleration1])),
     ("example-reduction", EXAMPLE + "START_AT_6MM", lambda _: INSIDE),
     ("example-reduction", EXAMPLE + "START_AT_6MM", lambda _: EDGE),
-    ("example-two-modes", EXAMPLE + "printed_modes", with_entry([b, 0])),
-    ("example-two-modes", EXAMPLE + "printed_modes", with_entry([100 * x1, 0])),
-    ("example-two-modes", EXAMPLE + "printed_modes", lambda printed: lambda sign: printed(-sign)),
     ("example-two-modes", EXAMPLE + "residual", lambda _: lambda found: (found.x1,)),
     ("example-stiction-never-violated", ONSET + "START_AT_6MM", lambda _: EDGE),
     ("example-stiction-never-violated", ONSET + "critical_energy", doubled),
@@ -49,9 +40,8 @@ STEP_FAULTS = [
     ("example-damped-oscillations", ONSET + "amplitude_squared", lambda amplitude: lambda sign: amplitude(-sign)),
     ("example-damped-oscillations", ONSET + "LONG_SLIP", lambda point: {**point, onset.v2: 0}),
     ("example-damped-oscillations", ONSET + "DRIVEN", lambda point: {**point, onset.v1: 1}),
-    ("example-damped-oscillations", DISSIPATION + "slip_rate", doubled),
+    ("example-damped-oscillations", DISSIPATION + "energy", doubled),
     ("example-damped-oscillations", DISSIPATION + "slip_rate", negated),
-    ("example-damped-oscillations", DISSIPATION + "stick_rate", doubled),
 ]
 
 
