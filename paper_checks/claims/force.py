@@ -17,12 +17,13 @@ REFERENCE, REFERENCE_RATE, DISTURBANCE = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{
 STIFFNESS, VISCOSITY = sp.symbols("k_1 k_2", positive=True)
 
 
+COMMAND = DISTURBANCE - STIFFNESS * (x1 - REFERENCE) - VISCOSITY * (v1 - REFERENCE_RATE)
+VIRTUAL = {a1: a1 + VISCOSITY, a2: a2 + STIFFNESS}
+
+
 def _feedback() -> sp.Expr:
     """Return the force u of (3) for a feedback on the place and velocity beside a reference, and a disturbance, N."""
-    command = DISTURBANCE - STIFFNESS * (x1 - REFERENCE) - VISCOSITY * (v1 - REFERENCE_RATE)
-    virtual = {a1: a1 + VISCOSITY, a2: a2 + STIFFNESS}
-    closed, given = (driving_equation() + u).subs(virtual, simultaneous=True), driving_equation() + u
-    return sp.expand(closed - given + command)
+    return sp.expand(driving_equation().subs(VIRTUAL, simultaneous=True) - driving_equation() + COMMAND)
 
 
 AT_REST = {**EXAMPLE_PAIR, u: sp.Rational("0.01"), x1: sp.Rational("0.00005")}
@@ -72,6 +73,11 @@ def force_as_reference_or_disturbance() -> Case:
         ),
         carried("input"),
         correction(
+            identity(
+                r"(3) under the feedback is (3) with the gains beside $a_2$, $a_1$, under that $u$",
+                driving_equation().subs(u, COMMAND),
+                driving_equation().subs(VIRTUAL, simultaneous=True).subs(u, _feedback()),
+            ),
             identity(
                 r"(4) has no $u$, $a_1$, $a_2$",
                 sp.Matrix([sp.diff(driven_equation(), one) for one in (u, a1, a2)]),
