@@ -95,8 +95,6 @@ STEP_FAULTS = [
     ("merging-set", SHARE + "critical_mass_ratio_residual", plus(theta)),
     ("merging-set", SHARE + "half_angle", lambda f: lambda: f() + arb("1e-40")),
     ("long-time-expansion", LATE + "map_coefficients", entry(1, lambda c: 2 * c)),
-    ("long-time-expansion", LATE + "logarithm_weight", negated),
-    ("long-time-expansion", LATE + "leading_coefficient", doubled),
     ("long-time-expansion", LATE + "logarithm_coefficient", halved),
     ("long-time-expansion", LATE + "balanced_share", squared),
     ("long-time-expansion", LATE + "abel_defect", plus(q)),
