@@ -20,6 +20,7 @@ Solving:
     solve_scenes        the same from a list of scenes
 Answers:
     Trajectory          events, state at any time, energy, error bounds; plot, animate, save, load
+    PlaneTrajectory     the same of a scene on a surface
     Batch               the ends of many runs as arrays
     Mode                slip+, slip- or stick
     sensitivities       derivatives of a trajectory by every number of its scene
@@ -65,6 +66,7 @@ if TYPE_CHECKING:
     from numerics.errors import OutOfRange as OutOfRange
     from numerics.errors import PrecisionExhausted as PrecisionExhausted
     from numerics.linear.modes import Mode as Mode
+    from numerics.plane.trajectory import PlaneTrajectory as PlaneTrajectory
     from numerics.scene import Force as Force
     from numerics.scene import Friction as Friction
     from numerics.scene import Law as Law
@@ -98,6 +100,7 @@ _NAMES = {
     "solver.many": "solve_many solve_scenes",
     "solver.batch": "Batch",
     "trajectory.trajectory": "Trajectory",
+    "plane.trajectory": "PlaneTrajectory",
     "trajectory.sensitivity": "sensitivities",
     "linear.modes": "Mode",
     "control.response": "response",

@@ -1,8 +1,11 @@
 """Scenes and answers of numerics/control; both handed to the independent reference, which shares no code with it."""
 
 import tomllib
+from dataclasses import replace
 from fractions import Fraction
+from typing import Any
 
+import numpy as np
 from forced_reference import Reference
 
 from numerics.arithmetic.ball import Ball
@@ -10,6 +13,7 @@ from numerics.control.answers import rounded
 from numerics.control.orbit import Orbit
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.writing import scene_text
+from numerics.solver.solve import solve
 
 FREE, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 3)
 
@@ -39,3 +43,11 @@ def one_period(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fract
     start = State(x1=x1 + moved[0], v1=v1 + moved[1], v2=v2 + moved[2])
     force = Force((Piece(0, piece.polynomial, sines),))
     return Scene(orbit.drive.pair, start, until=period, force=force)
+
+
+def outside(found: Any, until: float, points: int = 4_001) -> np.ndarray:
+    """The times of a run at which the distance from the ring's centre is above its radius."""
+    t = np.linspace(0, until * (1 - 1e-12), points)
+    y = solve(replace(found.scene, until=until)).sol(t)
+    distance = np.hypot(y[0] - y[2] - float(found.centre), (y[1] - y[3]) / float(found.rate))
+    return t[distance > float(found.radius) * (1 + 1e-9)]

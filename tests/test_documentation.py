@@ -61,12 +61,6 @@ def test_the_commands_of_a_page_are_understood(page):
             assert _parser().parse_args(words if known else ["run", *words]).command
 
 
-def test_a_command_that_is_not_understood_is_noticed(capsys):
-    with pytest.raises(SystemExit):
-        parser().parse_args(["solve", "velocities", "--digit", "3"])
-    assert "unrecognized" in capsys.readouterr().err
-
-
 @pytest.mark.parametrize("page", PAGES)
 def test_no_link_is_dead(page):
     folder = ROOT if page == "README.md" else ROOT / "docs"

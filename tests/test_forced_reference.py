@@ -51,45 +51,6 @@ def test_fewer_digits_and_other_steps_come_to_the_same_and_the_energy_balances(n
     assert abs(left) <= turned * arb(10) ** -50
 
 
-BY_HAND = {
-    # name: modes, then t, x1, v1 of the first event, from the derivation at the head of the scene
-    "exit-at-a-rational-time": ("0+", "1", "1/120", "1/40"),
-    "jump-at-exit-slips": ("0+", "1", "1/120", "1/40"),
-    "jump-at-exit-to-the-other-side": ("0-", "1", "1/120", "1/40"),
-    "tie-by-first-derivative-slips": ("0+", "1", "1/120", "1/40"),
-    "tie-by-second-derivative-slips": ("0+", "1", "1/120", "1/40"),
-    "tie-by-third-derivative-slips": ("0+", "1", "1/120", "1/40"),
-    "tie-by-second-derivative-sticks": ("0",),
-    "tie-by-third-derivative-sticks": ("0",),
-    "tie-on-the-lower-edge": ("0-", "1", "-1/120", "-1/40"),
-    "tie-at-the-start-fourth-derivative-slips": ("+",),
-    "load-touches-the-edge": ("0-",),
-    "load-touches-to-fourth-order": ("0-",),
-    "load-crosses-to-third-order": ("0+", "1", "3/200", "3/80"),
-    "contact-at-a-rational-time": ("+0", "1", "3/40", "1/20"),
-    "jump-at-contact-sticks": ("+0", "1", "3/40", "1/20"),
-    "jump-at-contact-reverses": ("+-", "1", "3/40", "1/20"),
-    "tie-at-a-jump-at-contact-sticks": ("+0", "1", "3/40", "1/20"),
-    "tie-at-a-jump-at-contact-slips-on": ("+",),
-    "contact-to-third-order": ("+0", "1", "1/20", "1/20"),
-    "touch-in-slip": ("+",),
-    "friction-jumps-onto-the-load-slips": ("0+", "1/2", "1/960", "1/160"),
-    "friction-jumps-onto-the-load-sticks": ("0-", "3"),
-    "sine-at-threshold": ("0",),
-    "sine-at-threshold-damped": ("0",),
-}
-
-
-@pytest.mark.parametrize("name", BY_HAND)
-def test_what_is_derived_by_hand(name, digits):
-    right, *state = BY_HAND[name]
-    assert ANSWER[name]["modes"].startswith(right)
-    if len(right) == 1:
-        assert ANSWER[name]["modes"] == right
-    for got, exact in zip(ANSWER[name]["events"][0]["row"] if state else [], state, strict=False):
-        assert near(got, exact, 0, -58)
-
-
 def test_the_rule_for_ties_is_needed(monkeypatch):
     """A mode that the derivatives do not allow cannot begin: its guard is negative at once."""
     right = Reference.decided

@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -43,6 +44,7 @@ def test_imports_point_one_way(package):
     assert not offenders
 
 
+@cache
 def imported_modules(path: Path) -> set[str]:
     """Return the modules that a module imports, by their full names; of `from a import b` both a and a.b."""
     found = set()
@@ -180,35 +182,6 @@ def test_help_answers_without_heavy_imports(package):
     assert done.returncode == 0, done.stderr
     assert "usage:" in done.stdout
     assert done.stderr.strip().splitlines()[-1] == "[]"
-
-
-def unsaid_encodings(path: Path) -> list[int]:
-    """Return the lines that open a text, or read a process's, in an encoding that depends on the system."""
-    found = []
-    for call in (node for node in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(node, ast.Call)):
-        name = call.func.attr if isinstance(call.func, ast.Attribute) else getattr(call.func, "id", "")
-        given = {one.arg: one.value for one in call.keywords}
-        values = [one.value for one in (*call.args, *given.values()) if isinstance(one, ast.Constant)]
-        binary = any(isinstance(one, str) and "b" in one and len(one) < 4 for one in values)
-        said = "encoding" in given or "utf-8" in values or "utf-8-sig" in values
-        text = name in {"read_text", "write_text"} or (name in {"open", "fdopen"} and not binary)
-        of_system = isinstance(call.func, ast.Attribute) and ast.unparse(call.func) == "os.open"
-        if (text and not said and not of_system) or ("text" in given and name in {"run", "Popen"} and not said):
-            found.append(call.lineno)
-    return found
-
-
-@pytest.mark.parametrize("package", FORBIDDEN)
-def test_every_text_says_its_encoding(package):
-    assert not {str(path): lines for path in (ROOT / package).rglob("*.py") if (lines := unsaid_encodings(path))}
-
-
-@pytest.mark.parametrize(
-    "line", ["open('a')", "p.open('w')", "p.read_text()", "p.write_text('x')", "run(c, text=True)", "os.fdopen(1, 'w')"]
-)
-def test_a_text_without_its_encoding_is_noticed(tmp_path, line):
-    (tmp_path / "a.py").write_text(line, "utf-8")
-    assert unsaid_encodings(tmp_path / "a.py") == [1]
 
 
 def test_names_of_files_are_fit_for_every_system():

@@ -23,6 +23,8 @@ from theory.symbols import a1, a2, b, m1, m2
 
 HEAVY = Pair(m1="3/2", m2="2/3", a1="2/5", a2=7, b="1/3")
 LIGHT = Pair(m1="0.4", m2=3, a2=50, b="0.7")
+SLOWED = Pair(m1="0.9", m2="0.4", a1=40, a2=12, b="0.2")
+"""Beyond critical damping."""
 
 
 def letters(pair, omega=None):
@@ -52,7 +54,7 @@ def test_the_stuck_response_breaks_at_the_same_amplitude(pair, omega):
     assert close(thresholds(pair, omega).entrainment, expected)
 
 
-@pytest.mark.parametrize("pair", [HEAVY, LIGHT])
+@pytest.mark.parametrize("pair", [HEAVY, LIGHT, SLOWED])
 @pytest.mark.parametrize("omega", [Fraction(1, 3), Fraction(5, 2), Fraction(40)])
 def test_permanent_slip_begins_at_the_same_amplitude(pair, omega):
     values = letters(pair, omega)

@@ -13,3 +13,5 @@ ARITHMETICS: list[dict[str, Any]] = [
     {"arithmetic": "mpmath"},
     {"arithmetic": "ball", "digits": 20},
 ]
+SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[initial]\nv1 = 0.15\n[run]\nuntil = 2\n"
+"""The text of the first, for two seconds."""

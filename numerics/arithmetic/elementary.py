@@ -18,7 +18,7 @@ LONGEST, SHORTEST = 1e12, 1e-97
 """Angles that binary64 resolves: beyond the first no phase is left, below the second the cube has no digits."""
 sqrt, sin, atan2, finite = math.sqrt, math.sin, math.atan2, math.isfinite
 _SERIES_BELOW = 1.2
-"""From 1.2 on x - sin x and sin x - x cos x lose less than two bits, and the subtraction itself next to nothing."""
+"""From 1.2 on x - sin x loses less than two bits, and the subtraction itself next to nothing."""
 _COSINE_SERIES_BELOW = 2.0
 _QUOTIENT_SERIES_BELOW = 3.0
 
@@ -35,7 +35,6 @@ def _depth_series(order: int) -> list[Fraction]:
 # Coefficients run from the highest power of x^2 down. Of the alternating series, what is left out after 12 terms is
 # below 2^-70 of the leading term.
 _SINE_TERMS = tuple((-1) ** k * 6 / math.factorial(2 * k + 5) for k in reversed(range(12)))
-_LAG_TERMS = tuple((-1) ** k * 3 * (2 * k + 4) / math.factorial(2 * k + 5) for k in reversed(range(12)))
 _COSINE_TERMS = tuple((-1) ** k * 24 / math.factorial(2 * k + 6) for k in reversed(range(12)))
 # The radius of convergence of the quotients is 2 pi: 14 terms below 1.2, 20 below 2 and 34 below 3 leave out less than
 # 2^-60 of the first.
@@ -118,20 +117,6 @@ def cosine_deficit(x: float) -> float:
 
 
 @compilable
-def lag(x: float) -> float:
-    """Return sin x - x cos x for |x| <= pi (it vanishes at 4.49); by x^3 (1 - x^2/10 + ...)/3 for |x| < 1.2.
-
-    Within 4 ulp: as sine_deficit, the lower terms weigh 0.144. From 1.2 on within 2.9 ulp: there both products
-    err by less than 0.7 ulp of the value, which is above 0.49, and sin x by 1.1 ulp. Normal from |x| = 1e-102 on.
-    """
-    if abs(x) >= _SERIES_BELOW:
-        return math.sin(x) - x * math.cos(x)
-    square = x * x
-    cube = square * x
-    return (cube - cube * (square * horner(_LAG_TERMS, square))) / 3.0
-
-
-@compilable
 def rise(x: float) -> float:
     """Return (x - sin x)/(1 - cos x); by its series x (1/3 + x^2/90 + ...) for x < 3. All its terms are > 0.
 
@@ -152,7 +137,8 @@ def depth(x: float) -> float:
     """
     if x < _QUOTIENT_SERIES_BELOW:
         return x * x * _quotient_series(_DEPTH, x)
-    return 2.0 * lag(0.5 * x) / math.sin(0.5 * x)
+    half = 0.5 * x
+    return 2.0 * (math.sin(half) - half * math.cos(half)) / math.sin(half)
 
 
 @compilable

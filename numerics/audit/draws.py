@@ -6,16 +6,18 @@ import math
 from collections.abc import Callable
 from fractions import Fraction
 from random import Random
+from typing import TypeAlias
 
-from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
+from numerics.scene.plane import PlanePair, PlaneScene
 
+AnyScene: TypeAlias = Scene | PlaneScene
 _PERIODS = Fraction(25, 4)
 
 
 def decimal(random: Random, low: float, high: float) -> Fraction:
     """Return a positive decimal of four digits, its exponent uniform in [low, high)."""
-    exponent = math.floor(random.uniform(low, high))
-    return Fraction(random.randint(1000, 9999)) * Fraction(10) ** (exponent - 3)
+    return Fraction(random.randint(1000, 9999)) * Fraction(10) ** (math.floor(random.uniform(low, high)) - 3)
 
 
 def signed(random: Random, low: float, high: float) -> Fraction:
@@ -24,10 +26,8 @@ def signed(random: Random, low: float, high: float) -> Fraction:
 
 
 def rate(stiffness: Fraction, mass: Fraction) -> Fraction:
-    """Return a rational near sqrt(stiffness/mass), 1/s, to 12 digits: the exact one is irrational."""
-    squared = stiffness / mass
-    shift = 40 + max(0, squared.denominator.bit_length() - squared.numerator.bit_length())
-    return Fraction(math.isqrt(squared.numerator * 4**shift // squared.denominator), 2**shift)
+    """Return a rational near sqrt(stiffness/mass), 1/s: the exact one is irrational."""
+    return Fraction(math.sqrt(stiffness / mass))
 
 
 def _pair(random: Random, **given: Fraction) -> Pair:
@@ -63,9 +63,8 @@ def near_critical(random: Random) -> Scene:
     """Return a pair on an exit ray, or at rest beside it, with energy excess from 1e-300 to 1e-3."""
     pair, side = _pair(random, m1=decimal(random, -3, 3)), random.choice((-1, 1))
     width, omega, least = pair.half_width, rate(pair.a2, pair.mass), random.choice((-300, -20, -8))
+    at = State(x1=side * width * (1 + decimal(random, least, -3)))
     if random.random() < 0.5:
-        at = State(x1=side * width * (1 + decimal(random, least, -3)))
-    else:
         v = side * width * omega * decimal(random, least / 2, -2)
         at = State(side * width, v, 0, v)
     return Scene(pair, at, _PERIODS * random.randint(1, 3) / omega)
@@ -102,7 +101,51 @@ def _sine(random: Random, held: Fraction, omega: Fraction) -> Sine:
     return Sine(signed(random, -1, 1) * held, factor * omega, random.choice((Fraction(0), signed(random, -1, 1))))
 
 
-KINDS: dict[str, Callable[[Random], Scene]] = {
+def state_friction(random: Random) -> Scene:
+    """Return a scene whose friction falls and rises with speed, at knots where it goes, and changes by place."""
+    free = random.random() < 0.5
+    scene = _scene(random, _pair(random), 0.5) if free else driven(random, sines=1, friction=random.random() < 0.3)
+    pair = scene.pair
+    width, b = pair.half_width, pair.b
+    fast = width * rate(pair.a2, pair.mass)
+    knots = sorted({decimal(random, -2, 1) for _ in range(random.randint(0, 3))})
+    speed = [(fast * knot, b * Fraction(random.randint(100, 1300), 1000)) for knot in knots]
+    slope = random.choice((0, decimal(random, -2, 0) * b / fast))
+    places = sorted({signed(random, -1, 1) for _ in range(random.choice((0, 2)))})
+    place = [(width * z, b * Fraction(random.randint(0, 600), 1000)) for z in places]
+    friction = Friction(scene.friction.pieces, Weakening(speed, slope, place))
+    return Scene(pair, scene.initial, scene.until / random.choice((1, 4)), force=scene.force, friction=friction)
+
+
+def surface(random: Random, shape: str = "ellipsoid") -> PlaneScene:
+    """Return a scene on two axes or three: round or not, coupled or not, from anywhere, together, nearly on a line."""
+    n, moderate = random.choice((2, 2, 3)), (-1, 1)
+    m1, m2, a2, b = ([decimal(random, *moderate) for _ in range(n)] for _ in range(4))
+    if random.random() < 0.4:
+        m1, m2, a2, b = ([one[0]] * n for one in (m1, m2, a2, b))
+    rows = [[a2[i] if i == j else Fraction(0) for j in range(n)] for i in range(n)]
+    if random.random() < 0.5:
+        rows[0][1] = rows[1][0] = Fraction(random.randint(-9, 9), 10) * Fraction(math.sqrt(a2[0] * a2[1]))
+    omega = [rate(a, x + y) for a, x, y in zip(a2, m1, m2, strict=True)]
+    held = [f * (x + y) / y for f, x, y in zip(b, m1, m2, strict=True)]
+    a1 = random.choice((0, [decimal(random, -2, 0) * a / w for a, w in zip(a2, omega, strict=True)]))
+
+    def start(powers: int, size: float = 0.5) -> list[Fraction]:
+        sizes = (h / a * w**powers for h, a, w in zip(held, a2, omega, strict=True))
+        return [signed(random, -size, size) * one for one in sizes]
+
+    x1, v1, v2, kind = start(0), start(1), start(1), random.choice(("any", "together", "at rest", "narrow"))
+    if kind in {"together", "at rest"}:
+        v2 = v1 = v1 if kind == "together" else [Fraction(0)] * n
+    elif kind == "narrow":  # near reversals: across the line of motion there is little
+        v1, v2 = ([v[0], *(one * decimal(random, -9, -2) for one in v[1:])] for v in (v1, v2))
+    force = [Force([Piece(0, [], [_sine(random, h, w)])]) for h, w in zip(held, omega, strict=True)]
+    until = _PERIODS * Fraction(random.randint(1, 4), 4) / min(omega)
+    pair = PlanePair(m1, m2, rows, b, a1, shape)
+    return PlaneScene(pair, until, x1, v1, 0, v2, force if random.random() < 0.5 else ())
+
+
+KINDS: dict[str, Callable[[Random], AnyScene]] = {
     "masses": lambda random: _scene(random, _pair(random, m1=decimal(random, -6, 6), m2=decimal(random, -6, 6))),
     "stiffness": lambda random: _scene(random, _pair(random, a2=decimal(random, -30, 30))),
     "friction": lambda random: _scene(random, _pair(random, b=decimal(random, -30, 30)), size=2),
@@ -113,4 +156,7 @@ KINDS: dict[str, Callable[[Random], Scene]] = {
     "force": driven,
     "sines": lambda random: driven(random, sines=3),
     "force and friction": lambda random: driven(random, sines=1, friction=True),
+    "friction of the state": state_friction,
+    "ellipsoid": surface,
+    "box": lambda random: surface(random, "box"),
 }

@@ -139,7 +139,7 @@ def _response(asked: argparse.ArgumentParser) -> None:
     ):
         text = f"{what}, in place of the scene's; with {other} also for a scene without a force"
         asked.add_argument(flag, metavar=metavar, help=text)
-    what = "cap on the events in the search for the periodic motion; a period may have a fifth"
+    what = "cap on events: a period of the motion may have a fifth"
     _count(asked, "--max-events", 10_000, what)
 
 
@@ -165,8 +165,7 @@ def _audit(audit: argparse.ArgumentParser) -> None:
     audit.add_argument("--seed", type=natural, default=0, metavar="N", help="other cases (%(default)s)")
     _size(audit, "about 10 s, 2 min or 10 min")
     audit.set_defaults(needs=("rich",))
-    audit.add_argument("--json", action="store_true", help="print every figure as JSON, also by decade and by reason")
-    audit.add_argument("--decades", action="store_true", help="print the errors of each formula by decade as well")
+    audit.add_argument("--json", action="store_true", help="print every figure as JSON, and the scenes that fail")
 
 
 def _size(measured: argparse.ArgumentParser, how_long: str) -> None:
@@ -176,7 +175,7 @@ def _size(measured: argparse.ArgumentParser, how_long: str) -> None:
 
 def _trade(trade: argparse.ArgumentParser) -> None:
     _size(trade, "half a minute, some minutes or half an hour")
-    what = "free or forced scenes, or contenders and scenes whose names contain NAME"
+    what = "free, forced, surface or state scenes, or contenders and scenes whose names contain NAME"
     trade.add_argument("--only", nargs="+", default=[], metavar="NAME", help=what)
     what = "only the public interface beside heyoka"
     trade.add_argument("--interface", action="store_true", help=what)

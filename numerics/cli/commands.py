@@ -24,7 +24,7 @@ def print_energy(options: argparse.Namespace) -> int:
     """Print the energy of a scene at one time, however late."""
     from numerics.free.energy import energy_at
     from numerics.scene.file import load_line
-    from numerics.trajectory.rendering import ball_text
+    from numerics.trajectory.rendering import with_radius
 
     found = energy_at(
         load_line(options.scene),
@@ -38,7 +38,7 @@ def print_energy(options: argparse.Namespace) -> int:
     shown = {"t": options.at, "mode": found.mode.value}
     with found.frame.arithmetic.context():
         for name, value in values.items():
-            shown[name], shown[f"{name}_radius"] = ball_text(value, options.digits)
+            shown |= with_radius(name, value, options.digits)
     road = found.road.name.lower().replace("_", "-")
     way = {"excursions": str(found.excursions), "road": road, "stepped": found.stepped, "digits": options.digits}
     lines = [
@@ -55,15 +55,12 @@ def print_energy(options: argparse.Namespace) -> int:
 def audit_numerics(options: argparse.Namespace) -> int:
     """Measure what the package claims of its numbers; FAILED if a row is not as required."""
     from numerics.audit.plan import SIZES, audit
-    from numerics.audit.table import as_record, print_decades, print_reasons, print_rows
+    from numerics.audit.rows import as_record, print_rows
 
     with shown_steps() as say:
         rows = list(audit(SIZES[options.size], options.seed, say))
     if options.json:
         print(json.dumps(as_record(rows, options.seed, options.size), indent=1))
     else:
-        if options.decades:
-            print_decades(rows)
-        print_reasons(rows)
         print_rows(rows)
     return OK if all(row.passed for row in rows) else FAILED

@@ -27,7 +27,7 @@ def overview(trajectory: Trajectory) -> Any:
     common: dict[str, Any] = {}
     kinds = FORCED if trajectory.scene.is_forced else FREE
     if trajectory.scene.friction.weakening:
-        kinds = ("friction", *FORCED[1:])
+        kinds = ("friction", "relative", *FORCED[1:4], "energy")
     for kind, ax in zip(kinds, figure.subplots(3, 2).flat, strict=True):
         draw(trajectory, kind, ax, curve)
         common |= _moved_out(ax)

@@ -10,6 +10,8 @@ from typing import Any
 from numerics.shown import write_figure
 
 _SPARE = 20
+SHOWN = 20
+"""On a terminal so many events are printed at the beginning, and as many at the end."""
 
 
 def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:
@@ -18,13 +20,13 @@ def numbers(values: dict[str, Any], digits: int) -> dict[str, str]:
     What is exactly infinite is "inf".
     """
     from numerics.arithmetic.ball import Ball
-    from numerics.trajectory.rendering import ball_text
+    from numerics.trajectory.rendering import with_radius
 
-    found = {}
+    found: dict[str, str] = {}
     with Ball(digits + _SPARE).context():
         for name, value in values.items():
             if value is not None and value.is_finite():
-                found[name], found[f"{name}_radius"] = ball_text(value, digits)
+                found |= with_radius(name, value, digits)
             elif value is not None:
                 found[name] = "inf"
     return found

@@ -12,14 +12,14 @@ from numerics.shown import shown_steps
 if TYPE_CHECKING:
     from flint import acb
 
-    from numerics.control.response import Response
+    from numerics.control.response import PeriodicMotions, Response
     from numerics.plane.rotating import RotatingResponse
 
 
 def print_response(options: argparse.Namespace) -> int:
     """Print the regime of a scene under its periodic force, with thresholds, periodic motion and multipliers."""
     from numerics.control.answers import solved_again
-    from numerics.control.response import response
+    from numerics.control.response import PeriodicMotions, response
     from numerics.scene import Scene
     from numerics.scene.file import load_scene
     from numerics.scene.plane import PlaneScene
@@ -32,11 +32,39 @@ def print_response(options: argparse.Namespace) -> int:
         print_rotating(cast("RotatingResponse", response(scene, **asked)), options)
         return OK
     with shown_steps() as say:
-        found = response(scene, **asked, tell=say)
+        found = cast("Response | PeriodicMotions", response(scene, **asked, tell=say))
         say("solving one period of it again by events")
-        solved_again(found)
-    draw(options, "draw_response", found)
-    record = _of_response(found)
+        for one in found.motions if isinstance(found, PeriodicMotions) else [found]:
+            solved_again(one)
+    if isinstance(found, PeriodicMotions):
+        draw(options, "draw_motions", found)
+        record, lines = _of_motions(found)
+    else:
+        draw(options, "draw_response", found)
+        record, lines = _of_response(found)
+    answer(options, record, [*lines, f"{found.digits} right digits, proved"])
+    return OK
+
+
+def _of_motions(found: PeriodicMotions) -> tuple[dict[str, Any], list[str]]:
+    """Return all motions that were found for JSON, and as lines."""
+    edge = numbers({"entrainment": found.entrainment}, found.digits)
+    motions = [_of_response(one) for one in found.motions]
+    record = {
+        "sentence": found.sentence,
+        "is_all": found.is_all,
+        "starts": found.starts,
+        "digits": found.digits,
+        **edge,
+    }
+    lines = [found.sentence, *number_lines(edge, _NAMED)]
+    for number, (_, (first, *others)) in enumerate(motions, start=1):
+        lines += [f"{number}: {first}", *others]
+    return record | {"motions": [one for one, _ in motions]}, lines
+
+
+def _lines(found: Response, record: dict[str, Any]) -> list[str]:
+    """Return a response as lines."""
     lines = [f"{record['sentence']}; {record['attraction']}", *number_lines(record, _NAMED)]
     if "slips_for_ever" in record:
         lines.append(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
@@ -45,8 +73,7 @@ def print_response(options: argparse.Namespace) -> int:
         lines.append(f"  multiplier {_complex_text(multiplier, found.digits)}, size {size}")
     for event in record["events"]:
         lines.append(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
-    answer(options, record, [*lines, f"{found.digits} right digits, proved"])
-    return OK
+    return lines
 
 
 _NAMED = {
@@ -94,8 +121,8 @@ def _complex_text(number: acb, digits: int) -> str:
     return f"{real} {'-' if imaginary.startswith('-') else '+'} {side}"
 
 
-def _of_response(found: Response) -> dict[str, Any]:
-    """Return a response for JSON."""
+def _of_response(found: Response) -> tuple[dict[str, Any], list[str]]:
+    """Return a response for JSON, and as lines."""
     from numerics.linear.modes import MODES
 
     digits, known = found.digits, found.thresholds
@@ -116,8 +143,8 @@ def _of_response(found: Response) -> dict[str, Any]:
     record |= numbers(values, digits)
     record["multipliers"] = [numbers({"re": one.real, "im": one.imag, "size": abs(one)}, digits) for one in multipliers]
     record["events"] = []
-    for leg in found.orbit.legs if found.orbit is not None else ():
+    for leg in found.orbit.events if found.orbit is not None else ():
         record["events"].append(
             {"to": MODES[leg.side].value, **numbers({"t": leg.t, "x1": leg.x, "v1": leg.v}, digits)}
         )
-    return record
+    return record, _lines(found, record)

@@ -6,19 +6,17 @@ import argparse
 import json
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any
 
+from numerics.cli.printing import SHOWN
 from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import write_figure
 
 if TYPE_CHECKING:
-    from numerics.plane.answer import PlaneTrajectory
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
 UNITS = {"x1": "m", "v1": "m/s", "x2": "m", "v2": "m/s", "energy": "J", "energy_excess": ""}
-SHOWN = 20
-"""On a terminal so many events are printed at the beginning, and as many at the end."""
 
 
 def solve_scene(options: argparse.Namespace) -> int:
@@ -32,18 +30,19 @@ def solve_scene(options: argparse.Namespace) -> int:
     if wrong is not None:
         return refuse(wrong, USAGE)
     scene: Scene | PlaneScene = load_scene(options.scene)
-    trajectory = solve(
-        scene,
-        digits=options.digits,
-        arithmetic=options.arithmetic or (None if options.digits else "ball"),
-        max_events=options.max_events,
-        max_digits=options.max_digits,
-        progress=_progress if sys.stderr.isatty() else None,
-    )
+    asked: dict[str, Any] = {
+        "digits": options.digits,
+        "arithmetic": options.arithmetic or (None if options.digits else "ball"),
+        "max_events": options.max_events,
+        "max_digits": options.max_digits,
+        "progress": _progress if sys.stderr.isatty() else None,
+    }
     if isinstance(scene, PlaneScene):
-        from numerics.cli.surface import print_surface
+        from numerics.cli import surface
 
-        return print_surface(cast("PlaneTrajectory", trajectory), options)
+        wrong = surface.wrong_use(options)
+        return surface.print_surface(solve(scene, **asked), options) if wrong is None else refuse(wrong, USAGE)
+    trajectory = solve(scene, **asked)
     if options.explain:
         print(explanation(trajectory), file=sys.stderr)
     if options.npz is not None:

@@ -18,8 +18,10 @@ from flint import acb, acb_mat, arb, arb_mat
 
 from numerics.arithmetic.ball import Ball, working_digits
 from numerics.control.answers import KEPT_DIGITS, Claim, Tell, number, rounded, rounded_up, silent, undecided
+from numerics.linear.cells import PLAIN, Cells, cells_of, mode_in
+from numerics.linear.pieces import pieces_of
 from numerics.linear.system import V1, V2, X1, X2, LinearMode, Motion
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.legs import legs
 from numerics.trajectory.run import run_scene
@@ -32,10 +34,14 @@ STATE = X1, V1, V2
 
 @dataclass(frozen=True, repr=False)
 class Drive(ShortRepr):
-    """A pair under a periodic force: sines and a constant (N), t from the start of the run."""
+    """A pair under a periodic force: sines and a constant (N), t from the start of the run.
+
+    `weakening` says how friction depends on the speed of the slip; b is then what it is at rest.
+    """
 
     pair: Pair
     piece: Piece
+    weakening: Weakening | None = None
 
     @cached_property
     def frequency(self) -> Fraction:
@@ -53,30 +59,57 @@ class Drive(ShortRepr):
         return all((one.omega / self.frequency) % 2 == 1 for one in self.piece.sines)
 
     @property
+    def has_one_motion(self) -> bool:
+        """Return whether one periodic (x1, v1, v2) is proved to exist for this pair, whatever the force is."""
+        return self.pair.a1 > 0 and (self.cells is None or self.cells.falling == 0)
+
+    @property
+    def most_friction(self) -> Fraction | None:
+        """Return the most that friction can be, N; None if it rises with the speed for ever."""
+        if self.weakening is None:
+            return self.pair.b
+        heights = [self.pair.b, *(b for _, b in self.weakening.speed)]
+        return None if self.weakening.last_slope > 0 else max(heights)
+
+    @property
     def rest(self) -> Fraction:
         """Return where the constant part of the force holds body 1, m."""
         return sum(self.piece.polynomial, Fraction(0)) / self.pair.a2
 
-    def mode(self, side: int) -> LinearMode:
-        """Return the mode `side` under this force."""
-        return LinearMode(self.pair, self.pair.b, side, self.piece)
+    @cached_property
+    def _scene(self) -> Scene:
+        return Scene(self.pair, State(), 1, force=Force((self.piece,)), friction=Friction((), self.weakening))
+
+    @property
+    def cells(self) -> Cells | None:
+        """Return friction cut into cells, None where it is one number b in slip."""
+        return cells_of(self._scene)
+
+    def mode(self, side: int, cell: tuple[int, int] = PLAIN) -> LinearMode:
+        """Return the mode `side` under this force, in a cell of friction (linear/cells.py)."""
+        return mode_in(self._scene, pieces_of(self._scene)[0], side, cell)
 
     def one_period(self, begin: Fraction, state: State, digits: int) -> Scene:
         """Return a period from a time (s) and a state on as a scene; a period is rounded up to so many digits."""
         # a constant part of a phase beyond a turn is kept: the sine is the same function of time
         sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in self.piece.sines]
         force = Force((Piece(0, self.piece.polynomial, sines),))
-        return Scene(self.pair, state, rounded_up(self.period, digits), force=force)
+        return replace(self._scene, initial=state, until=rounded_up(self.period, digits), force=force)
 
 
 @dataclass(frozen=True, repr=False)
 class Leg(ShortRepr):
-    """One mode of a periodic motion: its side (0 sticks), the time of its first event (s), x1 and v1 = v2 there."""
+    """One mode of a periodic motion: its side (0 sticks), when it begins (s), x1 and v1 there; v2 is v1 at an event.
+
+    Where friction depends on the speed a leg is in one `cell`, and some begin at a knot of that, which is no event.
+    """
 
     side: int
     t: arb
     x: arb
     v: arb
+    v2: arb
+    cell: tuple[int, int] = PLAIN
 
 
 @dataclass(frozen=True, repr=False)
@@ -93,9 +126,14 @@ class Orbit(ShortRepr):
         after = (*self.legs[1:], replace(first, t=first.t + self.drive.period))
         return list(zip(self.legs, after, strict=True))
 
+    @property
+    def events(self) -> list[Leg]:
+        """Return the legs that begin with an event."""
+        return _begun_by_events(self.legs)
+
     def motion(self, leg: Leg, x2: int | arb = 0) -> Motion:
         """Return the motion of a leg from a place of body 2 (m) on."""
-        return self.drive.mode(leg.side).motion((leg.x, leg.v, arb(x2), leg.v), leg.t)
+        return self.drive.mode(leg.side, leg.cell).motion((leg.x, leg.v, arb(x2), leg.v2), leg.t)
 
     @cached_property
     def places(self) -> list[arb]:
@@ -124,9 +162,9 @@ class Orbit(ShortRepr):
     def claim(self, digits: int) -> Claim:
         """Return that one period, from inside the first leg on, has these modes and comes back.
 
-        Time and state of that start are rounded to decimals; by the contraction of N nothing of it grows.
+        Time and state of that start are rounded to decimals, so far that what grows of it in a period does not count.
         """
-        kept, (leg, after) = max(digits + 3, KEPT_DIGITS), self.turns[0]
+        kept, (leg, after) = max(digits + 12, KEPT_DIGITS), self.turns[0]
         with Ball(2 * digits + 20).context():
             begin = rounded((leg.t + after.t) / 2)
             x1, v1, _, v2 = self.motion(leg).state(number(begin) - leg.t)
@@ -134,7 +172,7 @@ class Orbit(ShortRepr):
             scene = self.drive.one_period(begin, start, kept)
             near = (abs(x1) + abs(v1) + abs(v2)) * arb(10) ** (3 - digits)
             ends = {"x1": (x1, near), "v1": (v1, near), "v2": (v2, near)}
-        return Claim(scene, "after a period", ends, (*(one.side for one in self.legs), leg.side), digits)
+        return Claim(scene, "after a period", ends, (*(one.side for one in self.events), leg.side), digits)
 
 
 def across(motion: Motion, length: arb, after: Motion) -> arb_mat:
@@ -143,8 +181,8 @@ def across(motion: Motion, length: arb, after: Motion) -> arb_mat:
     Both at fixed times: a later event lets the earlier mode act longer. `after` is the motion that the event begins.
     """
     flow = motion.flow(length)
-    if motion.mode.side == 0:
-        return state_part(flow)  # at an exit both modes have the same accelerations
+    if motion.mode.side in {0, after.mode.side}:
+        return state_part(flow)  # at an exit both modes have the same accelerations, and so have both sides of a knot
     before, behind = motion.rate(flow * motion.begin), after.rate(after.begin)
     closing = before[V1, 0] - before[V2, 0]
     jump = [(before[place, 0] - behind[place, 0]) / closing for place in STATE]
@@ -215,13 +253,17 @@ def one_round(drive: Drive, begin: Fraction, start: Sequence[Fraction], radius: 
     run = run_scene(scene, Box(working_digits(), radius), most)
     parts, period, origin = legs(run), drive.period, number(begin)
     left = period - parts[-1].start
-    if not (run.reached and len(parts) > 1 and parts[-1].side == parts[0].side and left > 0):
+    first, last = ((one.side, one.cell) for one in (parts[0], parts[-1]))
+    if not (run.reached and len(run.modes) > 1 and first == last and left > 0):
         raise undecided("does the pair come back after a period?", f"after {len(parts)} legs")
-    motions = [drive.mode(one.side).motion(one.state, origin + one.start) for one in parts]
+    motions = [drive.mode(one.side, one.cell).motion(one.state, origin + one.start) for one in parts]
     ended = zip(parts, motions, motions[1:], strict=False)
     maps = [across(one, part.end - part.start, two) for part, one, two in ended]
     maps.append(state_part(motions[-1].flow(left)))
-    found = [Leg(one.side, origin + one.start, one.state[0], one.state[1]) for one in parts[1:]]
+    found = []
+    for one in parts[1:]:
+        x1, v1, _, v2 = one.state
+        found.append(Leg(one.side, origin + one.start, x1, v1, v2, one.cell))
     end = motions[-1].state(left)
     found = [replace(one, t=one.t - period) for one in found[-1:]] + found[:-1]
     return Round(found, [end[0], end[1], end[3]], _product(maps))
@@ -256,16 +298,21 @@ def solve_from(drive: Drive, begin: Fraction, at: Sequence[arb], most: int, tell
     for factor in (4, 64, 4096):
         wide = one_round(drive, begin, start, factor * size, most)
         if _largest(_newton_step(wide, missed)) < factor * size:
-            return Orbit(drive, _in_order(wide.legs, drive.period))
+            return Orbit(drive, in_order(wide.legs, drive.period))
     raise undecided("is there a periodic motion with these events?", size)
 
 
-def _in_order(legs: Sequence[Leg], period: arb) -> tuple[Leg, ...]:
+def in_order(legs: Sequence[Leg], period: arb) -> tuple[Leg, ...]:
     """Return the legs of a period from the first slip + (else any leg) on that begins in [0, period)."""
     early = [replace(one, t=one.t - period * math.floor(float(one.t / period))) for one in legs]
-    first = min(early, key=lambda one: (one.side != 1, float(one.t)))
+    first = min(_begun_by_events(early), key=lambda one: (one.side != 1, float(one.t)))
     late = [one if float(one.t) >= float(first.t) else replace(one, t=one.t + period) for one in early]
     return tuple(sorted(late, key=lambda one: float(one.t)))
+
+
+def _begun_by_events(legs: Sequence[Leg]) -> list[Leg]:
+    """Return the legs of a period, in their order, whose mode is not that of the leg before."""
+    return [leg for before, leg in zip((legs[-1], *legs), legs, strict=False) if before.side != leg.side]
 
 
 def _newton_step(over: Round, missed: Sequence[arb]) -> list[arb]:

@@ -19,9 +19,9 @@ from numerics.control.response_picture import (
     SHADES,
     both_bodies,
     draw_lines,
+    draw_motions,
     draw_response,
     draw_thresholds,
-    friction_on_body_2,
     legend_below,
     logarithmic,
     mark_limits,
@@ -35,10 +35,18 @@ from numerics.free.quadtree import raster
 from numerics.scene import Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
-from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE
+from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE, friction_on_body_2
 from numerics.trajectory.trajectory import Trajectory
 
-__all__ = ["draw_response", "draw_response_map", "draw_ring", "draw_thresholds", "draw_tracking", "draw_transfer"]
+__all__ = [
+    "draw_motions",
+    "draw_response",
+    "draw_response_map",
+    "draw_ring",
+    "draw_thresholds",
+    "draw_tracking",
+    "draw_transfer",
+]
 _POINTS = 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""

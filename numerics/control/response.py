@@ -2,15 +2,15 @@
 
 The last piece of the force decides, a constant and sines of commensurable frequencies, with the last friction. For a1 >
 0 there is one periodic (x1, v1, v2), and every motion tends to it. For a1 = 0 what is found exists; `attraction` says
-more.
+more. Where friction depends on the speed there may be several periodic motions (coexisting.py).
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import Enum
 from fractions import Fraction
-from functools import partial
 from typing import Any, cast
 
 from flint import acb, arb
@@ -21,20 +21,25 @@ from numerics.control.answers import (
     Claim,
     Tell,
     most_digits,
-    not_negative,
     number,
     rounded,
     silent,
     to_digits,
-    undecided,
 )
-from numerics.control.guesses import MAX_EVENTS, find_orbit, stuck_state
-from numerics.control.orbit import Drive, Orbit
-from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, thresholds
+from numerics.control.coexisting import MAX_EVENTS, search
+from numerics.control.orbit import Drive, Orbit, solve_orbit
+from numerics.control.stuck import (
+    entrained,
+    flattened_state,
+    others_stick,
+    resonant_growth,
+    stuck_multipliers,
+    stuck_state,
+)
+from numerics.control.thresholds import Thresholds, load_margin, thresholds
 from numerics.errors import InvalidScene, MissingTool
-from numerics.linear.system import ONE, is_positive_on
 from numerics.plane.rotating import rotating_force, rotating_response
-from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Law, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.decimals import Exact, exact_decimal, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.plane import PlaneScene
@@ -74,11 +79,7 @@ class Response(ShortRepr):
 
         Raises MissingTool.
         """
-        try:
-            from numerics.control.response_picture import draw_response
-        except ModuleNotFoundError as error:
-            raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
-        return draw_response(self)
+        return _drawn("draw_response", self)
 
     def claim(self) -> Claim | None:
         """Return that its periodic motion comes back after a period, None without events."""
@@ -97,6 +98,47 @@ class Response(ShortRepr):
             return None if start is None else self.drive.one_period(Fraction(0), start, KEPT_DIGITS)
 
 
+@dataclass(frozen=True, repr=False)
+class PeriodicMotions(ShortRepr):
+    """The periodic motions of a pair whose friction depends on the speed, as many as were found; each is proved.
+
+    `motions`: a stuck one first if it exists, each a Response whose `attraction` speaks of motions next to it;
+    `entrainment`: U* (N), up to which a motion may stick for ever, one sine only; `starts`: so many were looked from.
+    `is_all`: no other exists, as B falls nowhere and a1 > 0, or as every motion grows.
+    """
+
+    drive: Drive
+    motions: tuple[Response, ...]
+    entrainment: arb | None
+    starts: int
+    is_all: bool
+    digits: int
+
+    @property
+    def sentence(self) -> str:
+        """Return how many were found, and whether there may be more."""
+        if self.is_all:
+            return "there is no other long-time behaviour: it is the same from everywhere"
+        count = len(self.motions)
+        found = "1 periodic motion was" if count == 1 else f"{count} periodic motions were"
+        return f"{found} found, from {self.starts} starts; there may be more, and motions that come back later or never"
+
+    def plot(self) -> Any:
+        """Return a matplotlib figure: friction against speed, and each motion as x1 against v1 - v2 and in time.
+
+        Raises MissingTool.
+        """
+        return _drawn("draw_motions", self)
+
+
+def _drawn(how: str, found: Response | PeriodicMotions) -> Any:
+    try:
+        from numerics.control import response_picture
+    except ModuleNotFoundError as error:
+        raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
+    return getattr(response_picture, how)(found)
+
+
 def response(
     scene: Scene | PlaneScene,
     *,
@@ -110,11 +152,12 @@ def response(
     """Return the long-time response of a scene; amplitude (N) and omega (rad/s) replace those of its one sine.
 
     For a scene without a force both together are its force, amplitude sin(omega t). On a surface the force goes round,
-    and the answer is a RotatingResponse (plane/rotating.py). A run of up to `max_events` events
-    finds the motion; `tell` hears what is being done.
+    and the answer is a RotatingResponse (plane/rotating.py). With a [weakening] by speed there may be several periodic
+    motions, and the answer is PeriodicMotions: those found, each proved. A period
+    may have a fifth of `max_events` events; `tell` hears what is being done.
 
-    Raises InvalidScene (a force that is not periodic), EventUndecided (nothing was proved at the cap on digits, by
-    default 16 times as many as are asked for), NotSettled (no motion was found within max_events),
+    Raises InvalidScene (a force that is not periodic, friction by place), EventUndecided (nothing was proved at the cap
+    on digits, by default 16 times as many as are asked for), NotSettled (a period has too many events),
     PrecisionExhausted, TypeError (no scene).
 
     >>> from numerics import load_scene
@@ -129,25 +172,39 @@ def response(
         return cast("Response", rotating_response(scene.pair, amplitude, omega, digits))
     require_kind("response", scene, Scene, BUILD)
     drive = _drive_under(scene, amplitude, omega)
-    known, orbit = None, None
+    known, orbits, starts = None, list[Orbit](), 0
     if len(drive.piece.sines) == 1:
         known = thresholds(drive.pair, drive.piece.sines[0].omega, digits=digits, max_digits=max_digits)
 
-    def attempt(_: Ball) -> tuple[Response, list[arb]]:
-        nonlocal orbit
+    def attempt(_: Ball) -> tuple[tuple[Response, ...], list[arb]]:
+        nonlocal orbits, starts
         growth = resonant_growth(drive)
         if growth > 0:
-            found = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
-            return found, [growth]
-        if entrained(drive) or others_stick(drive, known):
-            found = _entrained(drive, known, digits)
-            return found, [abs(one) for one in found.multipliers or () if drive.pair.a1 > 0]
-        orbit = find_orbit(drive, orbit, max_events, tell)
-        found = _of_orbit(orbit, known, digits)
-        events = [one for leg in orbit.legs for one in (leg.t, leg.x, leg.v)]
-        return found, [found.drift or arb(0), *(abs(one) for one in found.multipliers or ()), *events]
+            grows = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
+            return (grows,), [growth]
+        sticks = entrained(drive) or others_stick(drive, known)
+        if orbits:
+            orbits = [solve_orbit(one, tell) for one in orbits]
+        elif not (sticks and (drive.weakening is None or drive.has_one_motion)):
+            orbits, starts = search(drive, sticks=sticks, max_events=max_events, tell=tell)
+        stuck = [_entrained(drive, known, digits)] if sticks else []
+        found = (*stuck, *(_of_orbit(one, known, digits) for one in orbits))
+        return found, [one for motion in found for one in _numbers(motion)]
 
-    return to_digits(attempt, digits, most_digits(digits, max_digits))
+    motions = to_digits(attempt, digits, most_digits(digits, max_digits))
+    if drive.weakening is None:
+        return motions[0]
+    is_all = drive.has_one_motion or motions[0].regime is Regime.GROWS
+    without = tuple(replace(one, thresholds=None) for one in motions)
+    return cast("Response", PeriodicMotions(drive, without, known and known.entrainment, starts, is_all, digits))
+
+
+def _numbers(found: Response) -> list[arb]:
+    """Return the numbers of a response that must have the digits asked for."""
+    sizes = [abs(one) for one in found.multipliers or ()]
+    if found.orbit is None:
+        return sizes if found.drive.pair.a1 > 0 else []
+    return [found.drift or arb(0), *sizes, *(one for leg in found.orbit.events for one in (leg.t, leg.x, leg.v))]
 
 
 def _drive_under(scene: Scene, amplitude: Exact | None, omega: Exact | None) -> Drive:
@@ -169,7 +226,7 @@ def _drive_under(scene: Scene, amplitude: Exact | None, omega: Exact | None) -> 
         raise InvalidScene("amplitude and omega replace those of one sine; the last piece of this force has more")
     one = drive.piece.sines[0]
     sine = Sine(asked.get("amplitude", one.amplitude), asked.get("omega", one.omega), one.phase)
-    return Drive(drive.pair, Piece(0, drive.piece.polynomial, [sine]))
+    return replace(drive, piece=Piece(0, drive.piece.polynomial, [sine]))
 
 
 def steady_drive(scene: Scene) -> Drive:
@@ -186,82 +243,27 @@ def steady_drive(scene: Scene) -> Drive:
 
 def last_drive(scene: Scene) -> Drive | None:
     """Return what acts from the last piece of force and friction on; None unless that is a constant and sines."""
-    scene.require_one_b("what happens in the long run")
     last = scene.force.pieces[-1] if scene.force.pieces else Piece(0)
     if len(last.polynomial) > 1:
         return None
     pair, b = scene.pair, scene.friction.pieces[-1][1] if scene.friction.pieces else scene.pair.b
-    return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), Piece(0, last.polynomial, last.sines))
-
-
-def resonant_growth(drive: Drive) -> arb:
-    """Return (U^ - 4b/pi)/(2 m1) if a1 = 0 and the force's amplitude U^ at omega1 is above 4b/pi, m/s^2; else 0."""
-    pair = drive.pair
-    resonant = [one for one in drive.piece.sines if one.omega**2 * pair.m1 == pair.a2]
-    if pair.a1 != 0 or not resonant:
-        return arb(0)
-    total = sum((acb.exp(acb(0, number(one.phase))) * number(one.amplitude) for one in resonant), acb(0))
-    over = abs(total) - 4 * number(pair.b) / arb.pi()
-    grows = not_negative(over, "does the force bring more than friction takes at resonance?")
-    return over / (2 * number(pair.m1)) if grows else arb(0)
-
-
-# stuck for ever
-
-
-def entrained(drive: Drive) -> bool:
-    """Return whether the stuck response exists: |Lambda| <= b along it. Raises EventUndecided."""
-    sines = drive.piece.sines
-    if len(sines) == 1:
-        return load_margin(drive.pair, sines[0].amplitude, sines[0].omega) >= 0
-    state = stuck_state(drive, arb(0))
-    if state is None:
-        return False
-    motion = drive.mode(0).motion(state, arb(0))
-    rows = [(*((place, -side * c) for place, c in motion.mode.load), (ONE, drive.pair.b)) for side in (1, -1)]
-    held = [is_positive_on(partial(motion.range, row), arb(0), drive.period) for row in rows]
-    if None in held and False not in held:
-        raise undecided("does friction hold the pair in its stuck response?", "load near b")
-    return all(held)
-
-
-def others_stick(drive: Drive, known: Thresholds | None) -> bool:
-    """Return whether motions other than the response stick for ever (`Thresholds.exception`). Raises EventUndecided."""
-    if known is None or known.exception is None:
-        return False
-    under = known.exception - number(abs(drive.piece.sines[0].amplitude))
-    return not_negative(under, "does a free oscillation let the pair stick?")
-
-
-def flattened_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb]:
-    """Return (x1, v1, 0, v1) of the stuck motion under one sine whose load has the lowest peaks, where others stick.
-
-    The response A sin p, p = omega t + phase, and with Omega = n omega the free A c/n^2 sin(n p), where c =
-    -(-1)^((n - 1)/2) sin(pi/(2 n))/n: the acceleration is then cos(pi/(2 n)) of that of the response at most.
-    """
-    pair, sine = drive.pair, drive.piece.sines[0]
-    odd, state = odd_ratio(pair, pair.mass, sine.omega), stuck_state(drive, t)
-    assert odd is not None
-    assert state is not None
-    share = (1 if odd % 4 == 3 else -1) * (arb.pi() / (2 * odd)).sin() / odd**2
-    free = share * number(sine.amplitude / (pair.a2 - pair.mass * sine.omega**2))
-    turn, turned = (odd * (number(sine.omega) * t + number(sine.phase))).sin_cos()
-    v = state[1] + free * number(sine.omega) * turned
-    return state[0] + free / odd * turn, v, arb(0), v
-
-
-def stuck_multipliers(drive: Drive) -> tuple[acb, ...]:
-    """Return exp(lambda T) of the stuck pair's two rates, and 0: w dies in a finite time."""
-    pair = drive.pair
-    half = pair.a1 / (2 * pair.mass)
-    rest = acb(number(half**2 - pair.a2 / pair.mass)).sqrt()
-    return (*(acb.exp((one - number(half)) * drive.period) for one in (rest, -rest)), acb(0))
+    given = scene.friction.weakening
+    if given is not None:
+        if given.place:
+            raise InvalidScene(
+                "where friction depends on the place a motion repeats only if x1 - x2 does, and stuck ones fill "
+                "intervals: a response is not worked out for that; leave place out of [weakening]"
+            )
+        given = Weakening([(w, one * b / pair.b) for w, one in given.speed], given.last_slope * b / pair.b)
+    return Drive(Pair(pair.m1, pair.m2, pair.a2, b, pair.a1), Piece(0, last.polynomial, last.sines), given)
 
 
 def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
     pair, sines = drive.pair, drive.piece.sines
     multipliers: tuple[acb, ...] | None = stuck_multipliers(drive)
     why = "every motion tends to it, and sticks after a finite time"
+    if not drive.has_one_motion and pair.a1 > 0:
+        why = "motions next to it tend to it, and stick after a finite time"
     if pair.a1 == 0:
         why = "not all motions tend to it: a free oscillation of the stuck pair stays"
         if known is not None and known.exception is not None:
@@ -271,28 +273,34 @@ def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
             )
             why = f"{why}; others stick {up_to}" if entrained(drive) else f"{breaks} they stick {up_to}"
     elif len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0:
-        multipliers, why = None, "every motion tends to it; its load touches the limit"
+        tend = "every motion tends to it" if drive.has_one_motion else "what tends to it is open"
+        multipliers, why = None, f"{tend}; its load touches the limit"
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)
-
-
-# with events
 
 
 def _of_orbit(orbit: Orbit, known: Thresholds | None, digits: int) -> Response:
     drive = orbit.drive
     regime = Regime.STICK_SLIP if any(leg.side == 0 for leg in orbit.legs) else Regime.NON_STOP
     multipliers = tuple(orbit.multipliers())
-    is_only_one, attraction = _attraction(orbit)
+    is_only_one, attraction = _attraction(orbit, [abs(one) for one in multipliers])
     # the only periodic motion of an odd force is odd itself, but for the constant part of x1
     drift = arb(0) if drive.is_odd and is_only_one else orbit.travel / drive.period
     return Response(drive, regime, known, orbit, multipliers, drift, arb(0), attraction, digits)
 
 
-def _attraction(orbit: Orbit) -> tuple[bool, str]:
-    """Return whether it is proved to be the only periodic motion, and what is proved of other motions."""
+def _attraction(orbit: Orbit, sizes: Sequence[arb]) -> tuple[bool, str]:
+    """Return whether it is proved to be the only periodic motion, and what is proved of others.
+
+    `sizes` are those of its multipliers.
+    """
     pair = orbit.drive.pair
-    if pair.a1 > 0:
+    if orbit.drive.has_one_motion:
         return True, "every motion tends to it"
+    if orbit.drive.weakening is not None:
+        if any(one > 1 for one in sizes):
+            return False, "almost all motions next to it leave it"
+        tends = all(one < 1 for one in sizes)
+        return False, "motions next to it tend to it" if tends else "whether motions next to it tend to it is open"
     rate = number(pair.a2 / pair.m1).sqrt()
     for before, (leg, after) in zip((orbit.legs[-1], *orbit.legs[:-1]), orbit.turns, strict=True):
         turns = rate * (after.t - leg.t) / (2 * arb.pi())

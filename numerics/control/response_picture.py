@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -16,8 +17,7 @@ from numerics.control.thresholds import NonStop, entrainment_threshold, non_stop
 from numerics.scene import Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import Curve, sampled
-from numerics.trajectory.figures import BLUE, FIRST, GRAY, GREEN, ORANGE, SECOND
-from numerics.trajectory.trajectory import Trajectory
+from numerics.trajectory.figures import BLUE, FIRST, GRAY, GREEN, ORANGE, SECOND, friction_on_body_2
 
 Floats = NDArray[np.float64]
 DIGITS = 16
@@ -51,17 +51,48 @@ def draw_response(found: Any) -> Figure:
     return figure
 
 
+def draw_motions(found: Any) -> Figure:
+    """Return friction against the speed of the slip, and the cycles of PeriodicMotions as x1 against v1 - v2."""
+    figure = Figure(figsize=(10.4, 5), layout="constrained")
+    law, plane = figure.subplots(1, 2)
+    fastest = 0.0
+    for number, (one, colour) in enumerate(zip(found.motions, cycle((BLUE, ORANGE, GREEN, "black"))), start=1):
+        scene = one.one_period()
+        if scene is None:
+            continue
+        solved = solve(scene)
+        curve = sampled(solved)
+        w, leaves = curve.y[1] - curve.y[3], any(abs(size) > 1 for size in one.multipliers or ())
+        name = f"{number}: {one.regime.value.split(':')[0]}{', which others leave' if leaves else ''}"
+        size = float(abs(w).max())
+        # the widest lies below the others
+        how: dict[str, Any] = {
+            "color": colour,
+            "ls": "--" if leaves else "-",
+            "label": name,
+            "zorder": 2 + 1 / (1 + size),
+        }
+        law.plot(w, friction_on_body_2(solved, curve), **how)
+        plane.plot(curve.y[0], w, **how)
+        fastest = max(fastest, size)
+    speeds = np.linspace(0, 1.15 * fastest or 1, _POINTS)
+    given = float(found.drive.pair.b) * found.drive.cells.relative(speeds, 0 * speeds)
+    both = np.concatenate([-speeds[::-1], speeds]), np.concatenate([-given[::-1], given])
+    law.plot(*both, color=GRAY, lw=6, alpha=0.4, zorder=0, label="what friction can be")
+    law.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)", title="Friction against the speed")
+    plane.set(xlabel="$x_1$ (m)", ylabel="$v_1 - v_2$ (m/s)", title="The periodic motions")
+    for ax in (law, plane):
+        ax.locator_params(axis="x", nbins=6)
+        legend_below(ax)
+    figure.suptitle(found.sentence)
+    return figure
+
+
 def both_bodies(ax: Any, curve: Curve, row: int, label: str) -> None:
     """Draw a coordinate of both bodies, x (row 0) or v (row 1)."""
     ax.plot(curve.t, curve.y[row], **FIRST)
     ax.plot(curve.t, curve.y[row + 2], **SECOND)
     ax.set_ylabel(label)
-
-
-def friction_on_body_2(solved: Trajectory, curve: Curve) -> Floats:
-    """Return the friction force on body 2, N."""
-    signs = np.array([mode.sign for mode in solved.modes])[curve.segment]
-    return np.where(curve.stick, curve.load(solved.scene.pair), curve.b * signs)
 
 
 def mark_limits(ax: Any, pair: Pair) -> None:

@@ -26,9 +26,10 @@ from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.resting_place import creeping_place
+from numerics.linear.cells import mode_in
 from numerics.linear.pieces import pieces_of
-from numerics.linear.system import X1, X2, LinearMode, Row, W
-from numerics.scene import Piece, Scene
+from numerics.linear.system import X1, X2, Row, W
+from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
 from numerics.scene.model import BUILD, require_kind
 from numerics.scene.short_repr import ShortRepr
@@ -85,6 +86,7 @@ def ring_entry(
     for name, one in (("radius", size), ("rate", per)):
         if one <= 0:
             raise InvalidScene(f"{name} = {short(one)} must be > 0; give a positive {name}")
+    scene.require_one_b("a tolerance ring")
     drive = last_drive(scene)
     if drive is None:
         raise InvalidScene("the force grows for ever: its last piece must be a constant and sines for a ring")
@@ -217,12 +219,11 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 
 def stretches(trajectory: Trajectory) -> list[Passage]:
     """Return the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
-    pair, pieces, found = trajectory.scene.pair, pieces_of(trajectory.scene), []
-    for leg in legs(trajectory):
-        piece = pieces[leg.piece]
-        mode = LinearMode(pair, piece.b, leg.side, Piece(piece.start, piece.polynomial, piece.sines))
-        found.append(Passage(leg.start, leg.end, mode.motion(leg.state, leg.start)))
-    return found
+    scene, pieces = trajectory.scene, pieces_of(trajectory.scene)
+    return [
+        Passage(one.start, one.end, mode_in(scene, pieces[one.piece], one.side, one.cell).motion(one.state, one.start))
+        for one in legs(trajectory)
+    ]
 
 
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:

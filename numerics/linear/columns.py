@@ -11,7 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.linear.pairs import add, multiply, sine_cosine
+from numerics.arithmetic.pair import Pair
+from numerics.arithmetic.pair_elementary import sine_cosine
+from numerics.linear.pairs import add, multiply
 from numerics.linear.record import AT
 from numerics.linear.table import FIRST, FRICTION, Tables
 
@@ -171,9 +173,9 @@ def force_columns(room: Room, drive: Drive, piece: int, late: float, wide: bool)
         ph, pl = multiply(sine[1, 0], sine[1, 1], th, tl)
         ph, pl = add(ph, pl, sine[2, 0], sine[2, 1])
         if wide:
-            sh, sl, ch, cl = sine_cosine(ph, pl)
-            z[0, at], z[1, at] = multiply(sh, sl, sine[0, 0], sine[0, 1])
-            z[0, at + 1], z[1, at + 1] = multiply(ch, cl, sine[0, 0], sine[0, 1])
+            wide_sine, wide_cosine = sine_cosine(Pair(ph, pl))
+            z[0, at], z[1, at] = multiply(wide_sine.high, wide_sine.low, sine[0, 0], sine[0, 1])
+            z[0, at + 1], z[1, at + 1] = multiply(wide_cosine.high, wide_cosine.low, sine[0, 0], sine[0, 1])
         else:
             turns = np.rint(ph / 6.283185307179586)
             rh, rl = multiply(6.283185307179586, 2.4492935982947064e-16, turns, 0.0)

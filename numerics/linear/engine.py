@@ -21,7 +21,6 @@ from numerics.linear.record import AT, END_ROW, ROW, How, Record, finish
 from numerics.scene import Scene
 
 Progress = Callable[[int, float], None]
-_FIRST_ROOM = 256
 _MOST_ORDER = 7
 """Derivatives of a guard that may vanish at an exact start (table.ORDERS less one)."""
 
@@ -61,7 +60,7 @@ def _run(
     prepared: Prepared, start: NDArray[np.float64], is_decided: bool, clear: float, most: int, *, wide: bool
 ) -> tuple[int, NDArray[np.float64], NDArray[np.float64]]:
     """Return how the kernel ended, its rows, and the row of the end."""
-    run, room, end = compiled(follow), _FIRST_ROOM + len(prepared.pieces), np.zeros(END_ROW)
+    run, room, end = compiled(follow), prepared.room, np.zeros(END_ROW)
     while True:
         rows = np.empty((room, ROW))
         pair, drive, tables = prepared.pair, prepared.drive, prepared.tables
@@ -131,6 +130,8 @@ def _name(wide: bool) -> str:
 
 def _require_answer(how: int, prepared: Prepared, end: NDArray[np.float64], *, wide: bool) -> None:
     """Raise what says why a run could not go on."""
+    if how in {How.REACHED, How.STUCK, How.EVENT_LIMIT}:
+        return
     if how == How.OUT_OF_RANGE:
         raise OutOfRange(f'a number of this scene left the range of {_name(wide)} on the way; use arithmetic="ball"')
     local = np.ldexp(end[AT["local"]], prepared.units.time)

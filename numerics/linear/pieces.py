@@ -6,8 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+import numpy as np
+from numpy.typing import NDArray
+
 from numerics.scene import Scene, Sine
 from numerics.scene.pieces import shifted
+
+_AT_ONCE = np.zeros(1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +35,16 @@ def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
     if "pieces" not in scene.made:
         scene.made["pieces"] = _pieces(scene)
     found: Sequence[ExactPiece] = scene.made["pieces"]
+    return found
+
+
+def starts_of(scene: Scene) -> NDArray[np.float64]:
+    """Return when the pieces begin, s; made once and kept with the scene."""
+    if not scene.is_forced:
+        return _AT_ONCE
+    if "starts" not in scene.made:
+        scene.made["starts"] = np.array([float(piece.start) for piece in pieces_of(scene)])
+    found: NDArray[np.float64] = scene.made["starts"]
     return found
 
 

@@ -5,6 +5,7 @@ Units of mass, time and length are powers of 2, so that they change no bit of wh
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache
@@ -14,6 +15,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
+from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, constants
@@ -29,6 +31,8 @@ _WIDE_REACH, _WIDE_TERMS = 1.0, 32
 """The same in double-double."""
 _MORE_TERMS = 14
 """So many terms more than the polynomial of u has coefficients."""
+_ROWS_PER_HALF_TURN, _MOST_HALF_TURNS = 3, 5_000
+"""Events that a half turn of the fastest rate is given room for, and how many half turns are foreseen."""
 
 
 class Units(NamedTuple):
@@ -53,6 +57,8 @@ class Prepared(NamedTuple):
     is_decided: bool
     units: Units
     pieces: Sequence[ExactPiece]
+    room: int
+    """So many rows are given room for at first; with more the run is made again."""
 
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
@@ -83,8 +89,7 @@ def reduced(phase: Fraction) -> Fraction:
 def _turn(bits: int) -> Fraction:
     """Return 2 pi to so many bits."""
     with ctx.workprec(bits):
-        mantissa, exponent = (2 * arb.pi()).mid().man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+        return exact_middle(2 * arb.pi())
 
 
 class Bodies(NamedTuple):
@@ -140,7 +145,15 @@ def _prepared(scene: Scene, *, wide: bool) -> Prepared:
         start[AT[name] : AT[name] + 2] = halves(value, exponent)
     gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
     start[AT["mode"]] = gap
-    return Prepared(pair, drive, tables, start, gap != 0, units, pieces)
+    room = len(pieces) + 16 + int(_ROWS_PER_HALF_TURN * _half_turns(pair, drive))
+    return Prepared(pair, drive, tables, start, gap != 0, units, pieces, room)
+
+
+def _half_turns(pair: Constants, drive: Drive) -> float:
+    """Return how often the fastest of body 1 alone and the sines turns by pi over the run, or the most foreseen."""
+    fastest = max((pair.a2 / pair.m1) ** 0.5, float(drive.sines[:, 1, 0].max(initial=0.0)))
+    found = float(drive.length[:, 0].sum()) * fastest / math.pi
+    return found if found < _MOST_HALF_TURNS else _MOST_HALF_TURNS
 
 
 Kind = tuple[int, tuple[Halves, ...]]

@@ -34,7 +34,8 @@ AT = {name: index for index, name in enumerate((*COLUMNS, *END))}
 ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
 
 
-_LOCAL, _X1, _EXCESS, _LATE, _FRICTION = (AT[name] for name in ("local", "x1", "excess", "late", "friction"))
+_EVENT, _PIECE, _LOCAL, _X1 = (AT[name] for name in ("event", "piece", "local", "x1"))
+_EXCESS, _LATE, _FRICTION = (AT[name] for name in ("excess", "late", "friction"))
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -63,6 +64,28 @@ def finish(rows: Any, end: Any, mass: int, time: int, length: int) -> bool:
     in_si(end.reshape(1, -1), mass, time, length)
     is_finite = np.isfinite(rows[:, :_EXCESS]).all() and np.isfinite(rows[:, _EXCESS + 2 :]).all()
     return is_finite and np.isfinite(end[:_EXCESS]).all() and np.isfinite(end[_EXCESS + 2 :]).all()
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def tabulate(rows: Any, end: Any, count: int, starts: Any, until: float, reached: bool) -> tuple[Any, Any]:
+    """Return the rows (count,) at which segments start, and t, x1, v1, x2, v2 at these and at the end, if `reached`.
+
+    Of binary64; `starts` are those of the pieces, s. The table has the shape (5, count), or one column more.
+    """
+    at, table = np.empty(count, np.int64), np.empty((5, count + (1 if reached else 0)))
+    found = 0
+    for index in range(len(rows)):
+        if index == 0 or rows[index, _EVENT] == 1.0:
+            at[found] = index
+            table[0, found] = starts[int(rows[index, _PIECE])] + rows[index, _LOCAL]
+            for k in range(4):
+                table[1 + k, found] = rows[index, _X1 + 2 * k]
+            found += 1
+    if reached:
+        table[0, count] = until
+        for k in range(4):
+            table[1 + k, count] = end[_X1 + 2 * k]
+    return at, table
 
 
 class How(IntEnum):

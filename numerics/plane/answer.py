@@ -1,11 +1,10 @@
-"""The answer of a scene on a surface, in the words of the line's Trajectory: events, any time, JSON."""
+"""The answer of a scene on a surface, in the words of the line's Solution: events, any time, bounds."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from flint import arb
@@ -14,13 +13,11 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.linear.modes import EventKind
 from numerics.plane.system import SPARE_BITS
+from numerics.scene.decimals import exact_decimal
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.comparison import as_fraction
-from numerics.trajectory.rendering import ball_text, right_digits_text
 from numerics.trajectory.status import Status
 
-NAMES = ("x1", "v1", "x2", "v2")
 Numbers = tuple[arb, ...]
 
 
@@ -31,6 +28,13 @@ class PlaneState(NamedTuple):
     v1: Numbers
     x2: Numbers
     v2: Numbers
+
+
+class Motion(Protocol):
+    """What knows the state at any time of a run."""
+
+    def at(self, t: arb) -> PlaneState:
+        """Return the state at a time, enclosed."""
 
 
 class Working(Ball):
@@ -64,7 +68,7 @@ class PlaneEvent(ShortRepr):
         return EventKind.ENTRY if held > 0 else EventKind.EXIT if held < 0 else EventKind.CROSSING
 
 
-class PlaneTrajectory:
+class PlaneSolution:
     """A solved scene on a surface. Numbers are enclosures (balls), or floats with bounds on their errors beside them.
 
     `t` (m,): start, events, end, or t_eval; `y` (4 n, m): x1, v1, x2, v2 by axes; `sol(t)` (4 n,). With float64
@@ -79,13 +83,13 @@ class PlaneTrajectory:
         events: Sequence[PlaneEvent],
         modes: Sequence[str],
         end: tuple[arb, PlaneState],
-        state_at: Callable[[arb], PlaneState],
+        motion: Motion,
         t_eval: Any = None,
     ) -> None:
-        """Keep what a run found; `state_at` gives the state at a time."""
+        """Keep what a run found; `motion` gives the state at a time."""
         self.scene, self.arithmetic, self.status = scene, arithmetic, status
         self.events, self.modes, self.end_time, self.final_state = tuple(events), tuple(modes), end[0], end[1]
-        self._state_at, self.t_eval, self.digits, self.tried = state_at, t_eval, 0, ""
+        self.motion, self.t_eval, self.digits, self.tried = motion, t_eval, 0, ""
         with self.context():
             self.digits = min(MOST if self.is_float else EXACT, self._right_digits())
 
@@ -147,13 +151,13 @@ class PlaneTrajectory:
     def energy(self) -> NDArray[Any]:
         """Return the energy at `t`, J."""
         with self.context():
-            return self._shown([energy_of(self.scene, y) for _, y in self._points()])
+            return self._shown([self.energy_of(y) for _, y in self._points()])
 
     @property
     def final_energy(self) -> Any:
         """Return the energy at the end, J."""
         with self.context():
-            return self._shown([energy_of(self.scene, self.final_state)])[0]
+            return self._shown([self.energy_of(self.final_state)])[0]
 
     def sol(self, t: Any) -> NDArray[Any]:
         """Return x1, v1, x2, v2 at time(s) t (s), exact or enclosed: (4 n,) or (4 n, m). Raises ValueError outside."""
@@ -163,15 +167,19 @@ class PlaneTrajectory:
 
     def _at(self, t: Any) -> PlaneState:
         with self.context():
-            time = t if isinstance(t, arb) else Ball.number(Fraction(t))
-            if time < 0 or time > self.end_time:
-                raise ValueError(f"t = {time.str(6)} s is outside of the run, [0, {self.end_time.str(6)}] s")
-            return self._state_at(time)
+            return self.motion.at(self._time(t))
+
+    def _time(self, t: Any) -> arb:
+        """Return a time of the run as a ball. Raises ValueError."""
+        time = t if isinstance(t, arb) else Ball.number(exact_decimal(t, "t"))
+        if time < 0 or time > self.end_time:
+            raise ValueError(f"t = {time.str(6)} s is outside of the run, [0, {self.end_time.str(6)}] s")
+        return time
 
     def _points(self) -> list[tuple[arb, PlaneState]]:
         if self.t_eval is not None:
             with self.context():
-                return [(Ball.number(Fraction(t)), self._at(t)) for t in self.t_eval]
+                return [(self._time(t), self._at(t)) for t in self.t_eval]
         return [(arb(0), self._at(0)), *((one.t, one.y) for one in self.events), (self.end_time, self.final_state)]
 
     def _shown(self, numbers: Sequence[arb]) -> NDArray[Any]:
@@ -192,52 +200,20 @@ class PlaneTrajectory:
                 for x in column:
                     size = scale if x.contains(0) else x
                     found.append(EXACT if x.rad().is_zero() else digits_within(x.rad(), size, size))
-        energy = energy_of(self.scene, self.final_state)
+        energy = self.energy_of(self.final_state)
         return min([*found, digits_within(energy.rad(), energy, energy)])
 
-    def record(self) -> dict[str, Any]:
-        """Return the JSON object of the interface: decimal strings of right digits, with radii beside balls."""
+    def mode_at(self, t: Any) -> Any:
+        """Return the mode at time t (s), at an event the one after it; a list for several times."""
+        if np.ndim(t):
+            return [self.mode_at(one) for one in t]
         with self.context():
-            return {
-                "status": self.status.name.lower().replace("_", "-"),
-                "message": self.message,
-                "arithmetic": self.arithmetic.name,
-                "digits": self.digits,
-                "events": list(self._written_events()),
-                "final": self._written("t", self.end_time)
-                | {"mode": self.final_mode}
-                | self._written_state(self.final_state)
-                | self._written("energy", energy_of(self.scene, self.final_state)),
-            }
+            time = self._time(t)
+            return self.modes[sum(1 for one in self.events if not one.t > time)]
 
-    def _written_events(self) -> Iterator[dict[str, Any]]:
-        for one in self.events:
-            row = self._written("t", one.t) | {"from": one.before, "to": one.after}
-            if self.scene.is_forced:
-                row["cause"] = one.cause
-            yield (
-                row
-                | self._written_state(one.y)
-                | self._listed("direction", one.direction)
-                | self._listed("load", one.load)
-            )
-
-    def _written_state(self, y: PlaneState) -> dict[str, Any]:
-        found: dict[str, Any] = {}
-        for name, values in zip(NAMES, y, strict=True):
-            found |= self._listed(name, values)
-        return found
-
-    def _written(self, name: str, x: arb) -> dict[str, str]:
-        if self.is_float:
-            value = float(x.mid())
-            return {name: right_digits_text(as_fraction(value), abs(x - arb(value)).upper(), 17)}
-        text, radius = ball_text(x, self.digits)
-        return {name: text, f"{name}_radius": radius}
-
-    def _listed(self, name: str, values: Numbers) -> dict[str, list[str]]:
-        rows = [self._written(name, x) for x in values]
-        return {key: [row[key] for row in rows] for key in (rows[0] if rows else {name: ""})}
+    def energy_of(self, y: PlaneState) -> arb:
+        """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2 of a state, J, as a ball."""
+        return energy_of(self.scene, y)
 
     def __repr__(self) -> str:
         """Return a short summary."""

@@ -14,7 +14,7 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
-from numerics.plane.answer import PlaneEvent, PlaneState, PlaneTrajectory, Working
+from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
 from numerics.plane.coupled import force_at
 from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlaneScene
@@ -38,7 +38,7 @@ def axis_scene(scene: PlaneScene, i: int) -> Scene:
 
 def independent(
     scene: PlaneScene, line: Callable[..., Any], working: int, name: str, limits: dict[str, Any]
-) -> PlaneTrajectory:
+) -> PlaneSolution:
     """Return the axes' motions as one. Raises EventUndecided."""
     parts = [axis_scene(scene, i) for i in range(scene.pair.axes)]
     asked = {"digits": working - _SPARE, "arithmetic": "ball", **limits}
@@ -57,16 +57,24 @@ def _key(part: Scene) -> tuple[Any, ...]:
     return part.pair, (at.x1, at.v1, at.v2), part.until, part.force, part.friction
 
 
-def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> PlaneTrajectory:
-    """Return the motions of all axes with one list of events."""
-    starts = [one.scene.initial for one in answers]
-    places = [Ball.number(a - b - (y.x1 - y.x2)) for a, b, y in zip(scene.x1, scene.x2, starts, strict=True)]
+class Axes:
+    """The motions of all axes as one, at any time."""
 
-    def state_at(t: Any) -> PlaneState:
-        y = [one.sol(t) for one in answers]
+    def __init__(self, scene: PlaneScene, answers: list[Any]) -> None:
+        """Take the answer of each axis, which may be that of another one with the same motion and other places."""
+        self.answers, starts = answers, [one.scene.initial for one in answers]
+        self.places = [x - y - (at.x1 - at.x2) for x, y, at in zip(scene.x1, scene.x2, starts, strict=True)]
+
+    def at(self, t: Any) -> PlaneState:
+        """Return the state at a time."""
+        y = [one.sol(t) for one in self.answers]
         x1, v1, x2, v2 = (tuple(state[k] for state in y) for k in range(4))
-        return PlaneState(x1, v1, tuple(x - by for x, by in zip(x2, places, strict=True)), v2)
+        return PlaneState(x1, v1, tuple(x - Ball.number(by) for x, by in zip(x2, self.places, strict=True)), v2)
 
+
+def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> PlaneSolution:
+    """Return the motions of all axes with one list of events."""
+    motion = Axes(scene, answers)
     happened = [(event, i) for i, one in enumerate(answers) for event in one.events]
     happened.sort(key=lambda one: (float(one[0].t.mid()), one[1]))
     groups: list[list[tuple[Any, int]]] = []
@@ -86,7 +94,7 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
         t = group[0][0].t
         for event, i in group:
             word[i] = LETTERS[event.after]
-        y = state_at(t)
+        y = motion.at(t)
         slips = max(1, len(word) - word.count("0"))
         direction = tuple(arb({"+": 1, "0": 0, "-": -1}[one]) / arb(slips).sqrt() for one in word)
         load = tuple(_load(scene, y, t, i) for i in range(scene.pair.axes))
@@ -95,8 +103,8 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
         events.append(PlaneEvent(t, modes[-2], modes[-1], y, direction, load, cause))
     stuck = all(one.status is Status.STUCK_FOR_EVER for one in answers)
     status = Status.STUCK_FOR_EVER if stuck else Status.REACHED_HORIZON
-    end = Ball.number(scene.until), state_at(scene.until)
-    return PlaneTrajectory(scene, arithmetic, status, events, modes, end, state_at)
+    end = Ball.number(scene.until), motion.at(scene.until)
+    return PlaneSolution(scene, arithmetic, status, events, modes, end, motion)
 
 
 def _load(scene: PlaneScene, y: PlaneState, t: arb, i: int) -> arb:

@@ -1,33 +1,75 @@
-"""A motion on a surface, seen from above: both bodies' paths and the relative velocity; what sticks is grey."""
+"""A motion on a surface, seen from above: both bodies' paths and the relative velocity; what sticks is grey; a film."""
 
 from __future__ import annotations
 
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from numerics.plane.answer import PlaneTrajectory
+from numerics.plane.answer import PlaneSolution
+from numerics.trajectory.animation import film
+from numerics.trajectory.figures import BLUE, GRAY, ORANGE
 
 _POINTS = 60
+_TITLES = {"above": "bodies 1 (blue) and 2 (orange), m", "relative": "$v_1-v_2$, m/s"}
 
 
-def overview(trajectory: PlaneTrajectory) -> Any:
+def overview(trajectory: PlaneSolution) -> Any:
     """Return a figure: x1 and x2 from above, and v1 - v2 (m/s), by segments."""
     import matplotlib.pyplot as plt
 
-    figure, (above, relative) = plt.subplots(1, 2, figsize=(9, 4.5), layout="constrained")
-    n = trajectory.scene.pair.axes
-    times = [0.0, *(float(t.mid()) if hasattr(t, "mid") else float(t) for t in trajectory.event_times)]
-    ends = [*times, float(trajectory.end_time.mid())]
-    for (start, end), mode in zip(pairwise(ends), trajectory.modes, strict=False):
-        inside = np.linspace(start, end, _POINTS)[1:-1]
-        y = np.array([[float(x) for x in trajectory.sol(float(t))] for t in inside]).reshape(-1, 4 * n).T
-        grey = set(mode) <= {"0"} or mode == "stick"
-        above.plot(y[0], y[1], color="0.7" if grey else "C0", lw=1.2)
-        above.plot(y[2 * n], y[2 * n + 1], color="0.85" if grey else "C1", lw=1.2)
-        relative.plot(y[n] - y[3 * n], y[n + 1] - y[3 * n + 1], color="0.7" if grey else "C2", lw=1.2)
-    for axes, title in ((above, "bodies 1 (blue) and 2 (orange), m"), (relative, "$v_1-v_2$, m/s")):
-        axes.set_title(title)
-        axes.set_aspect("equal", "datalim")
+    figure, both = plt.subplots(1, 2, figsize=(9, 4.5), layout="constrained")
+    for kind, axes in zip(_TITLES, both, strict=True):
+        draw(trajectory, kind, axes)
     return figure
+
+
+def draw(trajectory: PlaneSolution, kind: str, axes: Any = None) -> Any:
+    """Draw x1 and x2 from above, or v1 - v2, into axes (new ones, if none are given) and return them."""
+    if kind not in _TITLES:
+        raise ValueError(f"kind = {str(kind)[:40]!r} is not one of {', '.join(_TITLES)}")
+    if axes is None:
+        import matplotlib.pyplot as plt
+
+        axes = plt.subplots()[1]
+    times = [0.0, *(float(one.t.mid()) for one in trajectory.events), float(trajectory.end_time.mid())]
+    for (start, end), mode in zip(pairwise(times), trajectory.modes, strict=False):
+        x1, v1, x2, v2 = _at(trajectory, np.linspace(start, end, _POINTS)[1:-1])
+        stuck = set(mode) <= {"0"} or mode == "stick"
+        lines = [(x1, BLUE), (x2, ORANGE)] if kind == "above" else [(v1 - v2, "C2")]
+        for (x, y, *_), color in lines:
+            axes.plot(x, y, color=GRAY if stuck else color, lw=1.2)
+    axes.set_title(_TITLES[kind])
+    axes.set_aspect("equal", "datalim")
+    return axes
+
+
+def _at(trajectory: PlaneSolution, times: Any) -> Any:
+    """Return x1, v1, x2, v2 at times (s): (4, n, m), in binary64."""
+    y = [[float(x.mid()) if hasattr(x, "mid") else float(x) for x in trajectory.sol(float(t))] for t in times]
+    return np.array(y).T.reshape(4, trajectory.scene.pair.axes, len(times))
+
+
+def animate(trajectory: PlaneSolution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
+    """Return a matplotlib animation from above; see PlaneTrajectory.animate."""
+
+    def drawn(count: int) -> Any:
+        import matplotlib.pyplot as plt
+
+        times = np.linspace(0.0, float(trajectory.end_time.lower()), count)
+        (x1, _, x2, _), modes = _at(trajectory, times), trajectory.mode_at(times)
+        figure, axes = plt.subplots(figsize=(5, 5), layout="constrained")
+        draw(trajectory, "above", axes)
+        marks = [axes.plot([], [], "o", color=BLUE, ms=9)[0], axes.plot([], [], "s", color=ORANGE, ms=6)[0]]
+
+        def show(k: int) -> tuple[Any, ...]:
+            for mark, (x, y, *_) in zip(marks, (x1, x2), strict=True):
+                mark.set_data([x[k]], [y[k]])
+            axes.set_title(f"t = {times[k]:.3f} s, {modes[k]}", fontsize="medium")
+            return tuple(marks)
+
+        return figure, show
+
+    return film(drawn, file, duration, frames_per_second)

@@ -6,13 +6,14 @@ from collections.abc import Callable
 from typing import Any
 
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
-from numerics.plane.answer import PlaneTrajectory, Working
+from numerics.plane.answer import PlaneSolution, Working
 from numerics.plane.box import independent
 from numerics.plane.coupled import coupled
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
 from numerics.plane.states import States
 from numerics.plane.system import System
+from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
 
@@ -38,11 +39,13 @@ def solve_plane(
 
     Without digits and arithmetic: 64 bits, answers in floats with proved bounds, more bits only where these leave the
     sequence open. With `digits`, or "ball" (15): as many proved digits, relative to each number, near 0 to the largest
-    of its axis along the run. What three tiny windows add is bounded with slack, not proved (docs/limits.md).
+    of its axis along the run. The direction with which a slip ends is not proved.
     "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
     """
     if arithmetic not in {None, "float64", "ball"}:
         raise InvalidScene(f"arithmetic = {arithmetic!r} does not know a surface; take float64 or ball")
+    if arithmetic == "float64" and digits is not None:
+        raise ValueError("float64 has the digits that it has; leave digits out, or the choice of arithmetic")
     limits: dict[str, Any] = {"max_events": max_events, "progress": progress}
     if arithmetic == "float64" or (arithmetic is None and digits is None):
         tries = _LADDER if arithmetic is None else _LADDER[:1]
@@ -56,7 +59,7 @@ def solve_plane(
                     raise
                 continue
             found.t_eval, found.tried = t_eval, "; ".join(tried)
-            return found
+            return PlaneTrajectory.of(found)
     wanted = digits or 15
     working, undecided = wanted + _GUARD, 0
     while True:
@@ -74,11 +77,11 @@ def solve_plane(
             continue
         if found.digits >= wanted:
             found.t_eval, found.digits = t_eval, wanted
-            return found
+            return PlaneTrajectory.of(found)
         working += wanted - found.digits + 3
 
 
-def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneTrajectory:
+def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneSolution:
     """Solve a scene once."""
     if scene.pair.shape == "box":
         return (independent if scene.pair.is_diagonal else coupled)(scene, line, working, name, limits)
@@ -90,4 +93,4 @@ def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[s
         first = run.events[0].before if run.events else run.mode
         modes = [first, *(one.after for one in events)]
         status = Status.EVENT_LIMIT if not run.reached else Status.REACHED_HORIZON
-        return PlaneTrajectory(scene, Working(working, name), status, events, modes, states.end(), states.at)
+        return PlaneSolution(scene, Working(working, name), status, events, modes, states.end(), states)

@@ -59,7 +59,7 @@ class Piece(ShortRepr):
     def __init__(self, start: Exact, polynomial: Iterable[Exact] = (), sines: Iterable[Sine] = ()) -> None:
         """Read start and coefficients (N, N/s, N/s^2, ...)."""
         keep(self, start=start)
-        _require_not_before_zero("a piece of force", self.start)
+        not_before_zero("a piece of force", self.start)
         coefficients = [exact_decimal(one, f"polynomial[{k}]") for k, one in enumerate(polynomial)]
         kept = tuple(sines)
         if not all(isinstance(one, Sine) for one in kept):
@@ -101,9 +101,8 @@ class Friction(ShortRepr):
             raise InvalidScene("weakening must be a Weakening(speed, last_slope, place); build it first")
         kept = []
         for one in pieces:
-            start, b = _two(one)
-            kept.append((exact_decimal(start, "from"), exact_decimal(b, "b")))
-            _require_not_before_zero("a piece of friction", kept[-1][0])
+            start, b = two_of(one)
+            kept.append((not_before_zero("a piece of friction", start), exact_decimal(b, "b")))
             if kept[-1][1] <= 0:
                 raise InvalidScene(f"b = {short(kept[-1][1])} must be > 0; give a positive b")
         require_order("friction", [start for start, _ in kept])
@@ -124,9 +123,12 @@ def shifted(polynomial: tuple[Fraction, ...], by: Fraction) -> tuple[Fraction, .
     return tuple(found)
 
 
-def _require_not_before_zero(what: str, start: Fraction) -> None:
-    if start < 0:
-        raise InvalidScene(f"from = {short(start)} of {what} must be >= 0; a run starts at t = 0")
+def not_before_zero(what: str, start: Exact) -> Fraction:
+    """Return when a piece begins, s, exact and not before the run."""
+    found = exact_decimal(start, "from")
+    if found < 0:
+        raise InvalidScene(f"from = {short(found)} of {what} must be >= 0; a run starts at t = 0")
+    return found
 
 
 def require_order(what: str, starts: list[Fraction]) -> None:
@@ -140,7 +142,8 @@ def require_order(what: str, starts: list[Fraction]) -> None:
             )
 
 
-def _two(piece: Any) -> tuple[Any, Any]:
+def two_of(piece: Any) -> tuple[Any, Any]:
+    """Return start and b of a piece of friction."""
     try:
         start, b = piece
     except (TypeError, ValueError):

@@ -7,7 +7,7 @@ on the axes x, y and, with three, the angle phi (rad; its m are moments of inert
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
@@ -17,7 +17,7 @@ from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
 from numerics.scene.force import Force
 from numerics.scene.model import NO_FORCE, Law, read_law
-from numerics.scene.pieces import Piece, require_order
+from numerics.scene.pieces import Piece, not_before_zero, require_order, two_of
 from numerics.scene.short_repr import ShortRepr
 
 AXES = ("x", "y", "phi")
@@ -49,19 +49,28 @@ class PlanePair(ShortRepr):
         self, m1: Any, m2: Any, a2: Any, b: Any, a1: Any = 0, shape: str = "ellipsoid", axes: int | None = None
     ) -> None:
         """Read every number as an exact decimal and check its bound."""
-        n = axes or max([2, *(len(one) for one in (m1, m2, a2, b, a1) if isinstance(one, list | tuple))])
+        m1, m2, a2, b, a1 = map(_listed, (m1, m2, a2, b, a1))
+        if axes is not None and axes not in (2, 3):
+            raise InvalidScene(f"axes = {str(axes)[:40]} must be 2 (x, y) or 3 (x, y, phi); on one line take a Pair")
+        n = axes or max([2, *(len(one) for one in (m1, m2, a2, b, a1) if isinstance(one, list))])
         if n > len(AXES):
             raise InvalidScene(f"a list of {n} numbers in [pair]; at most 3 axes are known: {', '.join(AXES)}")
-        if shape not in SHAPES:
+        if not isinstance(shape, str) or shape not in SHAPES:
             raise InvalidScene(f"shape = {str(shape)[:40]!r} is not one of {', '.join(SHAPES)}")
         for name, given in (("m1", m1), ("m2", m2), ("b", b)):
             put(self, **{name: positive(given, name, n)})
         put(self, a1=_matrix(a1, "a1", n), a2=_matrix(a2, "a2", n), shape=shape)
         for rows in _principal(n):
-            if _determinant(self.a1, rows) < 0:
-                raise InvalidScene("a1 must damp every motion (no negative eigenvalue); give a matrix that does")
-            if _determinant(self.a2, rows) <= 0:
-                raise InvalidScene("a2 must hold every axis (positive definite); give a spring to each")
+            along, damps, holds = _named(rows), _determinant(self.a1, rows), _determinant(self.a2, rows)
+            if damps < 0:
+                raise InvalidScene(
+                    f"a1 has the minor {short(damps)} on {along}, which must be >= 0; give a damper that takes "
+                    "energy from every motion"
+                )
+            if holds <= 0:
+                raise InvalidScene(
+                    f"a2 has the minor {short(holds)} on {along}, which must be > 0; give springs that hold every axis"
+                )
 
     @property
     def axes(self) -> int:
@@ -110,14 +119,19 @@ class PlaneScene(ShortRepr):
         friction: Iterable[tuple[Exact, Any]] = (),
     ) -> None:
         """Check the parts; raises InvalidScene."""
-        n, forces = pair.axes, tuple(force)
+        if not isinstance(pair, PlanePair):
+            raise InvalidScene(f"pair must be a PlanePair, not {type(pair).__name__}; build it first")
+        n, forces = pair.axes, _sequence(force, "force", "one Force for each axis, as [Force.sine(1, 5), Force()]")
+        if not all(isinstance(one, Force) for one in forces):
+            raise InvalidScene("force must be a list of one Force for each axis; build them first")
         if len(forces) > n:
             raise InvalidScene(f"{len(forces)} forces for {n} axes; give one Force for each axis")
         keep(self, until=until)
         if self.until <= 0:
             raise InvalidScene(f"until = {short(self.until)} must be > 0; give the horizon in seconds")
         state = {name: vector(one, name, n) for name, one in (("x1", x1), ("v1", v1), ("x2", x2), ("v2", v2))}
-        changes = tuple((exact_decimal(start, "from"), positive(b, "b", n)) for start, b in friction)
+        pairs = map(two_of, _sequence(friction, "friction", 'pairs (start, b), as [("0.5", "0.4")]'))
+        changes = tuple((not_before_zero("a piece of friction", start), positive(b, "b", n)) for start, b in pairs)
         require_order("friction", [start for start, _ in changes])
         put(self, pair=pair, force=forces + (NO_FORCE,) * (n - len(forces)), friction=changes, **state)
 
@@ -137,9 +151,23 @@ class PlaneScene(ShortRepr):
         return Fraction(spring + moving) / 2
 
 
+def _listed(given: Any) -> Any:
+    """Return a list for a tuple or an array, and everything else as it is."""
+    made = given.tolist() if hasattr(given, "tolist") else given
+    return list(made) if isinstance(made, tuple) else made
+
+
+def _sequence(given: Any, name: str, of: str) -> tuple[Any, ...]:
+    """Return the parts of what is a sequence of them, no text and no table."""
+    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
+        raise InvalidScene(f"{name} = {str(given)[:40]!r} must be a list of {of}")
+    return tuple(given)
+
+
 def vector(given: Any, name: str, n: int) -> Vector:
     """Return n exact numbers from a list of n, or from one number."""
-    if not isinstance(given, list | tuple):
+    given = _listed(given)
+    if not isinstance(given, list):
         return (exact_decimal(given, name),) * n
     if len(given) != n:
         raise InvalidScene(f"{name} has {len(given)} numbers and the scene {n} axes; give {n}")
@@ -149,26 +177,41 @@ def vector(given: Any, name: str, n: int) -> Vector:
 def positive(given: Any, name: str, n: int) -> Vector:
     """Return n exact numbers > 0."""
     found = vector(given, name, n)
-    if min(found) <= 0:
-        raise InvalidScene(f"{name} = {short(min(found))} must be > 0; give a positive {name} on every axis")
+    for axis, one in zip(AXES, found, strict=False):
+        if one <= 0:
+            raise InvalidScene(f"{name} = {short(one)} on {axis} must be > 0; give a positive {name} on every axis")
     return found
 
 
 def _matrix(given: Any, name: str, n: int) -> Matrix:
     """Return a symmetric matrix from one, from its diagonal, or from one number."""
-    if not (isinstance(given, list | tuple) and any(isinstance(row, list | tuple) for row in given)):
+    if not (isinstance(given, list) and any(isinstance(row, list | tuple) for row in given)):
         diagonal = vector(given, name, n)
         return tuple(tuple(one if i == j else Fraction(0) for j in range(n)) for i, one in enumerate(diagonal))
     if len(given) != n:
         raise InvalidScene(f"{name} has {len(given)} rows and the scene {n} axes; give {n}")
+    for k, row in enumerate(given):
+        if not isinstance(row, list | tuple):
+            raise InvalidScene(
+                f"{name}[{k}] = {str(row)[:40]} must be a row of {n} numbers; give a list, as the others"
+            )
     found = tuple(vector(row, f"{name}[{k}]", n) for k, row in enumerate(given))
-    if any(found[i][j] != found[j][i] for i in range(n) for j in range(i)):
-        raise InvalidScene(f"{name} must be symmetric; what one axis does to another comes back")
+    for i, j in combinations(range(n), 2):
+        one, two = found[i][j], found[j][i]
+        if one != two:
+            raise InvalidScene(
+                f"{name}[{i}][{j}] = {short(one)} and {name}[{j}][{i}] = {short(two)} must be equal; what one axis "
+                "does to another comes back"
+            )
     return found
 
 
 def _principal(n: int) -> Iterable[tuple[int, ...]]:
     return (rows for size in range(1, n + 1) for rows in combinations(range(n), size))
+
+
+def _named(rows: Sequence[int]) -> str:
+    return ", ".join(AXES[i] for i in rows)
 
 
 def _determinant(matrix: Matrix, rows: Sequence[int]) -> Fraction:
@@ -209,5 +252,10 @@ def plane_scene(tables: dict[str, Any], read_piece: Callable[[dict[str, Any], in
     pieces: list[list[Piece]] = [[] for _ in range(n)]
     for number, (axis, one) in enumerate(zip(named, tables.get("force", []), strict=True), start=1):
         pieces[AXES.index(axis)].append(read_piece({key: v for key, v in one.items() if key != "axis"}, number))
-    friction = [(one.get("from", 0), one.get("b", 0)) for one in tables.get("friction", [])]
+    friction = []
+    for number, one in enumerate(tables.get("friction", []), start=1):
+        for key in ("from", "b"):
+            if key not in one:
+                raise InvalidScene(f"[[friction]] number {number}: missing key {key} in friction; give it")
+        friction.append((one["from"], one["b"]))
     return PlaneScene(PlanePair(**pair, axes=n), run["until"], **initial, force=map(Force, pieces), friction=friction)

@@ -139,7 +139,9 @@ def _scenes(given: Any) -> Sequence[Scene]:
     """Return what was given as a list of scenes. Raises TypeError."""
     kept = list(given) if isinstance(given, Iterable) else [given]
     if not isinstance(given, Iterable) or not all(isinstance(one, Scene) for one in kept):
-        raise TypeError("solve_scenes takes a list of Scenes; for one scene there is solve, for arrays solve_many")
+        raise TypeError(
+            "solve_scenes takes a list of Scenes of one line; for one scene there is solve, for arrays solve_many"
+        )
     return kept
 
 

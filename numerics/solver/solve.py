@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
@@ -19,6 +19,9 @@ from numerics.trajectory.dense import require_times
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.run import MAX_EVENTS, Progress, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from numerics.plane.trajectory import PlaneTrajectory
 
 ArithmeticName = Literal["float64", "double-double", "mpmath", "ball"]
 MAX_DIGITS = 20_000
@@ -46,6 +49,32 @@ class _Limits(NamedTuple):
         return run_scene(scene, arithmetic, self.events, self.progress)
 
 
+@overload
+def solve(
+    scene: PlaneScene,
+    *,
+    digits: int | None = None,
+    arithmetic: ArithmeticName | None = None,
+    t_eval: Sequence[Any] | None = None,
+    max_events: int = MAX_EVENTS,
+    max_digits: int = MAX_DIGITS,
+    progress: Progress | None = None,
+) -> PlaneTrajectory: ...
+
+
+@overload
+def solve(
+    scene: Scene,
+    *,
+    digits: int | None = None,
+    arithmetic: ArithmeticName | None = None,
+    t_eval: Sequence[Any] | None = None,
+    max_events: int = MAX_EVENTS,
+    max_digits: int = MAX_DIGITS,
+    progress: Progress | None = None,
+) -> Trajectory: ...
+
+
 def solve(
     scene: Scene | PlaneScene,
     *,
@@ -55,7 +84,7 @@ def solve(
     max_events: int = MAX_EVENTS,
     max_digits: int = MAX_DIGITS,
     progress: Progress | None = None,
-) -> Trajectory:
+) -> Trajectory | PlaneTrajectory:
     """Solve a scene and return its Trajectory; `arithmetic.name` says what answered, `tried` what did not, and why.
 
     Of a PlaneScene it is a PlaneTrajectory (plane/solve.py).
@@ -89,12 +118,8 @@ def solve(
     >>> solve(scene, t_eval=[0, 0.5, 1]).y.shape
     (4, 3)
     """
-    if isinstance(scene, PlaneScene):
-        from numerics.plane.solve import solve_plane
-
-        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
-        return cast("Trajectory", solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits))
-    require_kind("solve", scene, Scene, BUILD)
+    if not isinstance(scene, PlaneScene):
+        require_kind("solve", scene, Scene, BUILD)
     if digits is not None or max_events is not MAX_EVENTS or max_digits is not MAX_DIGITS:
         for name, value in (("digits", digits), ("max_events", max_events), ("max_digits", max_digits)):
             if value is not None:
@@ -103,6 +128,11 @@ def solve(
         require_function("progress", progress, "(events, fraction)")
     if t_eval is not None:
         require_times(t_eval, scene.until)
+    if isinstance(scene, PlaneScene):
+        from numerics.plane.solve import solve_plane
+
+        asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
+        return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
     limits = _Limits(max_events, max_digits, progress)
     found = _solve(scene, digits, arithmetic, limits)
     return found if t_eval is None else found.but(t_eval=t_eval)

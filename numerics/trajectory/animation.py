@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,34 @@ _TURNS = 9
 
 def animate(trajectory: Solution, file: str | Path | None, duration: float, frames_per_second: int) -> Any:
     """Return a matplotlib animation of a trajectory; see Trajectory.animate."""
+
+    def drawn(count: int) -> tuple[Any, Callable[[int], tuple[Any, ...]]]:
+        from matplotlib import pyplot as plt
+
+        number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+        times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
+        y, modes = number(trajectory.sol(times)), trajectory.mode_at(times)
+        figure, (above, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
+        draw(trajectory, "velocities", below)
+        below.set_title("")
+        moment = below.axvline(0.0, color="black", lw=1)
+        bodies = _Bodies(above, y)
+
+        def show(k: int) -> tuple[Any, ...]:
+            moment.set_xdata([times[k]] * 2)
+            above.set_title(f"t = {times[k]:.3f} s, {modes[k].value}", fontsize="medium")
+            return moment, *bodies.move(y[0, k], y[2, k], modes[k])
+
+        return figure, show
+
+    return film(drawn, file, duration, frames_per_second)
+
+
+def film(drawn: Callable[[int], Any], file: str | Path | None, duration: float, frames_per_second: int) -> Any:
+    """Return the animation of `drawn(count)`, a figure and what shows a frame by its number; write it to `file`.
+
+    Raises MissingTool, OSError, ValueError.
+    """
     path = None if file is None else Path(file)
     count = _frames(duration, frames_per_second)
     writer = None if path is None else _writer(path)
@@ -34,28 +63,15 @@ def animate(trajectory: Solution, file: str | Path | None, duration: float, fram
         raise MissingTool("an animation needs matplotlib; python -m pip install matplotlib") from None
     if writer is not None and not animation.writers.is_available(writer):
         raise MissingTool(f"this film needs {writer}, which is not installed; write a .gif, or install {writer}")
-    number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
-    times = np.linspace(0.0, trajectory.arithmetic.to_float(trajectory.end_time), count)
-    y, modes = number(trajectory.sol(times)), trajectory.mode_at(times)
-    figure, (above, below) = plt.subplots(2, 1, figsize=(7, 5), height_ratios=(2, 3), layout="constrained")
-    draw(trajectory, "velocities", below)
-    below.set_title("")
-    moment = below.axvline(0.0, color="black", lw=1)
-    bodies = _Bodies(above, y)
-
-    def show(k: int) -> tuple[Any, ...]:
-        moment.set_xdata([times[k]] * 2)
-        above.set_title(f"t = {times[k]:.3f} s, {modes[k].value}", fontsize="medium")
-        return moment, *bodies.move(y[0, k], y[2, k], modes[k])
-
-    film = animation.FuncAnimation(figure, show, frames=count, interval=1000 / frames_per_second, blit=False)
+    figure, show = drawn(count)
+    made = animation.FuncAnimation(figure, show, frames=count, interval=1000 / frames_per_second, blit=False)
     if path is not None and writer is not None:
         with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:
-            made = Path(folder) / path.name
-            film.save(made, writer=writer, fps=frames_per_second)
-            opened.write(made.read_bytes())
+            kept = Path(folder) / path.name
+            made.save(kept, writer=writer, fps=frames_per_second)
+            opened.write(kept.read_bytes())
         plt.close(figure)
-    return film
+    return made
 
 
 def _frames(duration: float, frames_per_second: int) -> int:
@@ -85,8 +101,6 @@ class _Bodies:
 
     def __init__(self, ax: Any, y: Floats) -> None:
         """Draw both at rest in axes as wide as the positions y[0], y[2] (m) need."""
-        from matplotlib.patches import Rectangle
-
         self.size = size = max(float(np.abs(y[[0, 2]]).max()), 1e-300)
         self.wall, low, high = -7 * size, float(y[[0, 2]].min()), float(y[[0, 2]].max())
         ax.set(xlim=(self.wall - 0.3 * size, high + 4 * size), ylim=(-0.2, 2.6), yticks=[], xlabel="x1, x2 (m)")
@@ -94,8 +108,8 @@ class _Bodies:
         ax.axhline(0.0, color=GRAY, lw=1)
         for place in (low, high):
             ax.plot([place, place], [0, 2.5], color=GRAY, lw=0.6, ls=":")
-        self.first = ax.add_patch(Rectangle((0, 0.05), 6 * size, 1.0, facecolor=BLUE, alpha=0.6))
-        self.second = ax.add_patch(Rectangle((0, 1.15), 2.4 * size, 0.9, facecolor=ORANGE, alpha=0.6))
+        widths, heights = (6 * size, 2.4 * size), (1.0, 0.9)
+        self.first, self.second = ax.bar((0, 0), heights, widths, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
         self.spring = ax.plot([], [], color="black", lw=1)[0]
         self.joint = ax.plot([], [], lw=3)[0]
         self.zigzag = np.tile([0.4, 0.7], _TURNS)

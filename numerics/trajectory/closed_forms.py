@@ -75,6 +75,7 @@ class ClosedForms:
         """Read the exact parameters; whether damping is below its critical value is decided exactly."""
         self.on, self.spell = on, spell
         self.a1, self.a2, self.b = (self.number(one) for one in (pair.a1, pair.a2, spell.friction))
+        self.mass = self.number(pair.mass)
         self.gained = self.number(spell.friction / pair.m2)
         self.edge_load = self.number(spell.friction * pair.mass / pair.m2)
         self.alone, self.together = (self._swing(pair, mass) for mass in (pair.m1, pair.mass))
@@ -123,3 +124,9 @@ class ClosedForms:
     def edge(self, k: int, t: Value, v: Value) -> Value:
         """Return the place where a stick ends towards k at the time t with the velocity v, m."""
         return (self.spell.force(self.on, t) - k * self.edge_load - self.a1 * v) / self.a2
+
+    def spare(self, at: State) -> Value:
+        """Return what no stick under a constant force uses up from a state on, N^2: for ever, if it is not negative."""
+        away = self.a2 * at.x1 - self.spell.force(self.on, at.t)
+        reach = (away**2 / self.a2 + self.mass * at.v1**2) * (self.a2 + self.a1**2 / self.mass)
+        return self.edge_load**2 - reach

@@ -1,8 +1,7 @@
-"""A record (numerics/linear/record.py) read by the names of its columns, compared, and taken apart for a pickle."""
+"""A record (numerics/linear/record.py) read by the names of its columns; balls taken apart and put together again."""
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import mpmath
@@ -13,7 +12,7 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import precision
 from numerics.arithmetic.protocol import Number
-from numerics.linear.record import AT, How, Knot, Record
+from numerics.linear.record import AT, Record
 
 _RADIUS_BITS, _WIDE_BITS = 30, 106
 
@@ -60,47 +59,14 @@ class Columns:
 
 def sums(high: NDArray[np.float64], low: NDArray[np.float64]) -> list[mpmath.mpf]:
     """Return numbers of double-double, which may have more than 106 bits, rounded to these."""
-    (tops, top_exponents), (tails, tail_exponents) = np.frexp(high), np.frexp(low)
-    places = (top_exponents - 53).tolist(), (tail_exponents - 53).tolist()
-    wholes = ((part * 2.0**53).tolist() for part in (tops, tails))
-    found = []
-    for top, place, tail, lower in zip(next(wholes), places[0], next(wholes), places[1], strict=True):
-        if tail == 0 or top - top != 0:  # nothing below, or no number
-            found.append(mpmath.mpf(math.ldexp(top, place)))
-            continue
-        whole = (int(top) << (place - lower)) + int(tail)
-        found.append(mpmath.make_mpf(from_man_exp(whole, lower, _WIDE_BITS, "n")))
-    return found
-
-
-def plain(value: Any) -> Any:
-    """Return a record, its rows or numbers in a form that can be compared and pickled; flint has neither for balls."""
-    if isinstance(value, arb):
-        return ("ball", *parts_of(value.mid()), *parts_of(value.rad()))
-    if isinstance(value, np.ndarray) and value.dtype != object:
-        return ("floats", value.shape, value.tobytes())
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return tuple(plain(one) for one in value)
-    return value
-
-
-def restored(value: Any) -> Any:
-    """Return rows or numbers from their plain form, as lists; the very same balls."""
-    if not isinstance(value, tuple):
-        return value
-    if value[:1] == ("ball",):
-        return ball_of(*value[1:])
-    if value[:1] == ("floats",):
-        return np.frombuffer(value[2]).reshape(value[1])
-    return [restored(one) for one in value]
-
-
-def restored_record(value: Any) -> Record:
-    """Return a record from its plain form."""
-    rows, end, how, *rest = restored(value)
-    if isinstance(rows, list):
-        rows, end = [Knot(*row) for row in rows], Knot(*end)
-    return Record(rows, end, How(how), *rest)
+    places = np.frexp(high)[1]
+    tops, tails = np.ldexp(high, 53 - places).tolist(), np.rint(np.ldexp(low, _WIDE_BITS - places)).tolist()
+    return [
+        mpmath.make_mpf(from_man_exp((int(top) << 53) + int(tail), place - _WIDE_BITS))
+        if top - top == 0
+        else mpmath.mpf(top)  # no number
+        for top, tail, place in zip(tops, tails, places.tolist(), strict=True)
+    ]
 
 
 def parts_of(point: arb) -> tuple[int, int]:

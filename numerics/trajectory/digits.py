@@ -20,7 +20,9 @@ from flint import arb
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import EXACT, digits_within
-from numerics.linear.record import AT, ROW
+from numerics.arithmetic.compiled import compilable, compilable_with, compiled, compiles_now
+from numerics.linear.pieces import starts_of
+from numerics.linear.record import AT
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.rows import Rows
 
@@ -33,8 +35,10 @@ _TINY = 2.0**-1060
 """More than squares can lose below the normal numbers."""
 
 
-_STATE, _STATE_ERRORS = slice(AT["x1"], AT["v2"] + 1, 2), slice(AT["x1_error"], AT["v2_error"] + 1)
-"""Where x1, v1, x2, v2 and their bounds stand in a row."""
+_STATE_ERRORS = slice(AT["x1_error"], AT["v2_error"] + 1)
+"""Where the bounds of x1, v1, x2, v2 stand in a row."""
+_EVENT, _PIECE, _LOCAL, _X1, _LATE = (AT[name] for name in ("event", "piece", "local", "x1", "late"))
+_ERRORS, _EXCESS, _EXCESS_ERROR = (AT[name] for name in ("x1_error", "excess", "excess_error"))
 
 
 def proved_digits(trajectory: Rows) -> int:
@@ -89,38 +93,64 @@ class Accuracy(ShortRepr):
 
 def accuracy_of(trajectory: Rows) -> Accuracy:
     """Return the bounds of a trajectory in SI units; they are binary64, whatever its numbers are."""
-    record, rounding = trajectory.record, ROUNDING[trajectory.arithmetic.name]
-    rows = np.concatenate([record.rows, record.end[None, :ROW]])  # high halves: what is compared with bounds
-    states, errors, carried = rows[:, _STATE].T, rows[:, _STATE_ERRORS].T, rows[:, AT["excess"]]
-    times = trajectory.event_times.astype(float)
-    # 4 roundings: of where the piece begins, and of the sum
-    late = rows[trajectory.event_rows, AT["late"]] + 4 * rounding * abs(times)
-    pair = trajectory.scene.pair
-    weights = np.array([float(pair.a2), float(pair.m1), 0.0, float(pair.m2)])
-    energies = weights @ states**2 / 2
-    with np.errstate(invalid="ignore"):  # no bound, on a weight of 0
-        parts = np.nan_to_num(weights * errors[:, -1] * (abs(states[:, -1]) + errors[:, -1] / 2), posinf=np.inf)
-    energy = float(parts.sum() + 8 * rounding * energies[-1] + (_TINY if states[:, -1].any() else 0.0))
-    critical = float(pair.critical_energy)
-    if math.isnan(carried[-1]):
-        carried, excess = np.zeros(1), energy / critical + 8 * rounding * (1 + energies[-1] / critical)
-        excess_digits = (np.zeros(1), carried)
+    record, pair, certain = trajectory.record, trajectory.scene.pair, trajectory.certain
+    name, critical = trajectory.arithmetic.name, float(pair.critical_energy)
+    judge = compiled(judged) if compiles_now() else judged
+    weights, starts = (float(pair.a2), float(pair.m1), float(pair.m2)), starts_of(trajectory.scene)
+    with np.errstate(all="ignore"):
+        late, energy, excess, worst = judge(record.rows, record.end, starts, weights, critical, ROUNDING[name])
+    digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0
+    errors, dissipated = record.rows[trajectory.event_rows, _STATE_ERRORS], float(record.end[AT["dissipated_error"]])
+    return Accuracy(
+        late, errors, record.end[_STATE_ERRORS], energy, excess, dissipated, certain, digits if certain else 0
+    )
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def judged(
+    rows: Any, end: Any, starts: Any, weights: tuple[float, float, float], critical: float, rounding: float
+) -> tuple[Any, float, float, float]:
+    """Return the bounds of the events' times (s), of energy (J) and excess at the end, and the worst relative error.
+
+    It compares the high halves of numbers with bounds; `weights` are a2, m1 and m2; inf where a bound is no number.
+    """
+    count, events = len(rows), 0
+    late, worst = np.empty(count), 0.0
+    sizes, errors, highest, carried = np.zeros(2), np.zeros(2), 0.0, 0.0
+    for index in range(count + 1):
+        row = rows[index] if index < count else end
+        for k in range(4):
+            sizes[k % 2] = max(sizes[k % 2], abs(row[_X1 + 2 * k]))
+            error = row[_ERRORS + k]
+            errors[k % 2] = max(errors[k % 2], math.inf if math.isnan(error) else error)
+        x1, v1, v2 = row[_X1], row[_X1 + 2], row[_X1 + 6]
+        highest = max(highest, (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2)
+        carried = max(carried, abs(row[_EXCESS]))
+        if index < count and row[_EVENT] == 1.0:
+            t = abs(starts[int(row[_PIECE])] + row[_LOCAL])
+            # 4 roundings: of where the piece begins, and of the sum
+            late[events] = row[_LATE] + 4 * rounding * t
+            worst = worse(worst, late[events], t)
+            events += 1
+    for k in range(2):
+        worst = worse(worst, errors[k], sizes[k])
+    x1, v1, v2 = end[_X1], end[_X1 + 2], end[_X1 + 6]
+    last = (weights[0] * x1 * x1 + weights[1] * v1 * v1 + weights[2] * v2 * v2) / 2
+    energy = 8 * rounding * last + (_TINY if x1 != 0 or v1 != 0 or v2 != 0 else 0.0)
+    for k, weight in ((0, weights[0]), (1, weights[1]), (3, weights[2])):
+        error = end[_ERRORS + k]
+        energy += weight * error * (abs(end[_X1 + 2 * k]) + error / 2)
+    worst = worse(worst, energy, highest)
+    excess = end[_EXCESS_ERROR]
+    if math.isnan(end[_EXCESS]):  # not carried: formed from the energy
+        excess = energy / critical + 8 * rounding * (1 + last / critical)
     else:
-        excess = rows[-1, AT["excess_error"]]
-        excess_digits = np.array([excess]), abs(carried).max()
-    sizes = abs(states).max(axis=1)
-    sizes = np.maximum(sizes, sizes[[2, 3, 0, 1]])[:, None]
-    judged = [(late, abs(times)), (errors, sizes), (np.array([energy]), energies.max()), excess_digits]
-    certain = trajectory.certain
-    digits = min(MOST_DIGITS[trajectory.arithmetic.name], *(least_digits(*one) for one in judged)) if certain else 0
-    dissipated = float(record.end[AT["dissipated_error"]])
-    at_events = errors[:, trajectory.event_rows].T
-    return Accuracy(late, at_events, errors[:, -1], energy, float(excess), dissipated, certain, digits)
+        worst = worse(worst, excess, carried)
+    return late[:events].copy(), energy, excess, worst
 
 
-def least_digits(errors: Floats, sizes: Any) -> int:
-    """Return how many digits errors leave right, relative to sizes that broadcast with them, at the worst of them."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = np.where(errors == 0, 0.0, errors / sizes)
-    worst = float(ratio.max(initial=0.0))
-    return 99 if worst == 0.0 else max(0, math.floor(-math.log10(worst))) if worst < 1.0 else 0
+@compilable
+def worse(worst: float, error: float, size: float) -> float:
+    """Return the larger of a relative error and that of error and size; inf where there is none."""
+    ratio = 0.0 if error == 0.0 else error / size if size > 0.0 else math.inf
+    return math.inf if math.isnan(ratio) else max(worst, ratio)

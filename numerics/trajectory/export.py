@@ -17,11 +17,11 @@ from numerics.errors import MissingTool
 from numerics.files import whole_file
 from numerics.trajectory.comparison import as_fraction, distance, require_same_sequence
 from numerics.trajectory.digits import MOST_DIGITS, ROUNDING
-from numerics.trajectory.rendering import ball_text, right_digits_text
+from numerics.trajectory.rendering import right_digits_text, with_radius
+from numerics.trajectory.rows import STATE
 from numerics.trajectory.solution import Solution
 
-STATE_NAMES = ("x1", "v1", "x2", "v2")
-END_NAMES = (*STATE_NAMES, "energy", "energy_excess")
+END_NAMES = (*STATE, "energy", "energy_excess")
 Written = dict[str, str]
 Writer = Callable[[str, Number, int], Written]
 """Takes a name, a number, and the index of its event, or -1 for the end."""
@@ -66,7 +66,7 @@ def _events(trajectory: Solution, write: Writer, wanted: Iterable[int] | None) -
         row = write("t", event.t, index) | {"from": event.before.value, "to": event.after.value}
         if trajectory.scene.is_forced:
             row["cause"] = event.cause
-        for name, value in zip(STATE_NAMES, event.y, strict=True):
+        for name, value in zip(STATE, event.y, strict=True):
             row |= write(name, value, index)
         yield row
 
@@ -83,58 +83,34 @@ def _end_values(trajectory: Solution) -> tuple[Number, ...]:
 
 
 def _writer(trajectory: Solution, truth: Any) -> Writer:
-    if trajectory.arithmetic.name == "ball":
-        return _ball_writer(trajectory.digits or trajectory.arithmetic.digits)
+    """Return a writer that cuts each number by its error bound, or where it parts from the true one."""
+    name_of, arithmetic = trajectory.arithmetic.name, trajectory.arithmetic
+    if name_of == "ball":
+        return lambda name, value, _: with_radius(name, value, trajectory.digits or arithmetic.digits)
+    final: tuple[Any, ...]
     if truth is not None:
-        return _compared_writer(trajectory, truth)
-    if knows_its_digits(trajectory):
-        return _bounded_writer(trajectory)
-    raise ValueError(
-        f"this trajectory in {trajectory.arithmetic.name} does not know which of its digits are right; "
-        "give `truth`, a solve of the same scene in balls"
-    )
-
-
-def _ball_writer(digits: int) -> Writer:
-    def write(name: str, value: Number, _: int) -> Written:
-        text, radius = ball_text(value, digits)
-        return {name: text, f"{name}_radius": radius}
-
-    return write
-
-
-def _bounded_writer(trajectory: Solution) -> Writer:
-    """Return a writer that cuts each number by its error bound."""
-    accuracy, name_of = trajectory.accuracy, trajectory.arithmetic.name
-    rounding, most = ROUNDING[name_of], MOST_DIGITS[name_of]
-    assert accuracy is not None
-    final = dict(zip(END_NAMES, (*accuracy.final, accuracy.energy, accuracy.energy_excess), strict=True))
-
-    def error(name: str, value: Number, index: int) -> float:
-        if index >= 0:
-            return float(accuracy.t[index] if name == "t" else accuracy.y[index][STATE_NAMES.index(name)])
-        if name != "t":
-            return float(final[name])
-        last = float(accuracy.t[-1]) if not trajectory.reached else 0.0
-        return last + abs(float(value)) * 4 * rounding
-
-    return lambda name, value, index: {
-        name: right_digits_text(as_fraction(value), arb(error(name, value, index)), most)
-    }
-
-
-def _compared_writer(trajectory: Solution, truth: Any) -> Writer:
-    """Return a writer that cuts each number where it parts from the true one."""
-    require_same_sequence(trajectory, truth)
-    most = 17 if trajectory.arithmetic.name == "float64" else trajectory.arithmetic.digits
-    times, states = truth.event_times, truth.event_states
-    with truth.arithmetic.context():
-        final = dict(zip(("t", *END_NAMES), (truth.end_time, *_end_values(truth)), strict=True))
+        require_same_sequence(trajectory, truth)
+        times, states = truth.event_times, truth.event_states
+        with truth.arithmetic.context():
+            final = truth.end_time, *_end_values(truth)
+    elif knows_its_digits(trajectory) and (accuracy := trajectory.accuracy) is not None:
+        times, states = accuracy.t, accuracy.y.T
+        last = 0.0 if trajectory.reached else float(times[-1])
+        late = last + abs(float(trajectory.end_time)) * 4 * ROUNDING[name_of]
+        final = late, *accuracy.final, accuracy.energy, accuracy.energy_excess
+    else:
+        raise ValueError(
+            f"this trajectory in {name_of} does not know which of its digits are right; "
+            "give `truth`, a solve of the same scene in balls"
+        )
+    at_events, most = (times, *states), MOST_DIGITS.get(name_of, arithmetic.digits)
 
     def write(name: str, value: Number, index: int) -> Written:
-        true = final[name] if index < 0 else (times if name == "t" else states[STATE_NAMES.index(name)])[index]
-        with truth.arithmetic.context():
-            return {name: right_digits_text(as_fraction(value), distance(value, true), most)}
+        place = ("t", *END_NAMES).index(name)
+        given = final[place] if index < 0 else at_events[place][index]
+        with (truth or trajectory).arithmetic.context():
+            error = arb(float(given)) if truth is None else distance(value, given)
+            return {name: right_digits_text(as_fraction(value), error, most)}
 
     return write
 
@@ -146,7 +122,7 @@ def unit_of(column: str) -> str:
     )
 
 
-def as_csv(record: dict[str, Any]) -> str:
+def as_csv(record: dict[str, Any], unit_of: Callable[[str], str] = unit_of) -> str:
     """Return the events and the final state of a record as CSV text: the columns of the JSON records, with units."""
     rows = [{"from": "", "to": "", **event} for event in record["events"]]
     last = dict(record["final"])
@@ -185,8 +161,13 @@ def _excess(trajectory: Solution) -> NDArray[Any]:
 
 def write_npz(trajectory: Solution, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
     """Write the `arrays` of a trajectory, and `extra` ones by their names, as a NumPy archive."""
+    write_arrays(arrays(trajectory) | (extra or {}), path)
+
+
+def write_arrays(found: dict[str, NDArray[Any]], path: Path) -> None:
+    """Write arrays by their names as a NumPy archive."""
     with whole_file(path) as file:
-        np.savez(file, **(arrays(trajectory) | (extra or {})))  # type: ignore[arg-type]
+        np.savez(file, **found)  # type: ignore[arg-type]
 
 
 def dataframe(trajectory: Solution) -> Any:
@@ -194,17 +175,22 @@ def dataframe(trajectory: Solution) -> Any:
 
     The mode at an event is the one after it. Raises MissingTool.
     """
-    try:
-        import pandas as pd
-    except ImportError:
-        raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
     if trajectory.t_eval is None:
         modes = [*trajectory.modes, trajectory.final_mode]
     else:
         modes = list(trajectory.mode_at(trajectory.t_eval))
     found = arrays(trajectory)
-    state = dict(zip(STATE_NAMES, found["y"], strict=True))
-    return pd.DataFrame(
+    state = dict(zip(STATE, found["y"], strict=True))
+    return frame_of(
         {"t": found["t"], "mode": [mode.value for mode in modes], **state}
         | {name: found[name] for name in ("energy", "energy_excess")}
     )
+
+
+def frame_of(columns: dict[str, Any]) -> Any:
+    """Return columns as a pandas DataFrame. Raises MissingTool."""
+    try:
+        import pandas as pd
+    except ImportError:
+        raise MissingTool("a data frame needs pandas, which is not installed; use t, y and energy") from None
+    return pd.DataFrame(columns)

@@ -29,8 +29,9 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
 
     Kinds: "velocities" and "positions" of both bodies against time; "load", the friction that sticking needs, and what
     the interface can give; "force", u(t); "friction", what it is against v1 - v2; "phase", x1 against v1, with S0
-    shaded; "excess", |E/E_cr - 1| on a logarithmic axis; "energy", what is left of it and who took the rest. Raises
-    ValueError for any other kind, MissingTool. `curve` saves sampling the trajectory for every picture of it.
+    shaded; "relative", x1 against v1 - v2; "excess", |E/E_cr - 1| on a logarithmic axis; "energy", what is left of it
+    and who took the rest. Raises ValueError for any other kind, MissingTool. `curve` saves sampling the trajectory for
+    every picture of it.
     """
     if not isinstance(kind, str) or kind not in _KINDS:
         raise ValueError(f"kind = {kind!r} is not one of {', '.join(_KINDS)}")
@@ -42,7 +43,7 @@ def draw(trajectory: Solution, kind: str, ax: Any = None, curve: Curve | None = 
     title, drawn = _KINDS[kind]
     ax.set_title(title, fontsize="medium")
     drawn(trajectory, curve, ax)
-    if kind not in {"phase", "friction"}:
+    if kind not in {"phase", "friction", "relative"}:
         _shade_stick(trajectory, curve, ax)
         _against_time(trajectory, curve, ax)
     if ax.get_legend_handles_labels()[0]:
@@ -94,22 +95,25 @@ def _mark_events(trajectory: Solution, ax: Any, across: int | None, up: int) -> 
             ax.plot(x, number(y[:, up]), marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
+def _both_bodies(curve: Curve, ax: Any, row: int) -> None:
+    ax.plot(curve.t, curve.y[row], **FIRST)
+    ax.plot(curve.t, curve.y[row + 2], **SECOND)
+
+
 def _velocities(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.y[1], **FIRST)
-    ax.plot(curve.t, curve.y[3], **SECOND)
+    _both_bodies(curve, ax, 1)
     _mark_events(trajectory, ax, None, 1)
     ax.set_ylabel("$v_1$, $v_2$ (m/s)")
 
 
 def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
     scene = trajectory.scene
-    ax.plot(curve.t, curve.y[0], **FIRST)
-    ax.plot(curve.t, curve.y[2], **SECOND)
+    _both_bodies(curve, ax, 0)
     if scene.pair.a1 == 0 and not scene.friction.weakening:
         stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
-        t, centre, half = curve.t, curve.u / stiffness, curve.b * share / stiffness
-        ax.plot(t, centre + half, color="black", lw=0.8, ls=":", label="edges of $S_0$, for $x_1$")
-        ax.plot(t, centre - half, color="black", lw=0.8, ls=":")
+        edges = np.stack([curve.u + curve.b * share, curve.u - curve.b * share], axis=1) / stiffness
+        label = ["edges of $S_0$, for $x_1$", "_"]
+        ax.plot(curve.t, edges, color="black", lw=0.8, ls=":", label=label)
     ax.set_ylabel("$x_1$, $x_2$ (m)")
 
 
@@ -128,35 +132,54 @@ def _force(trajectory: Solution, curve: Curve, ax: Any) -> None:
     ax.set_ylabel("u (N)")
 
 
+def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
+    """Return the friction force on body 2, N: by the mode, since rounding gives w a sign of its own at an event."""
+    signs = np.array([mode.sign for mode in trajectory.modes])[curve.segment]
+    return np.where(curve.stick, curve.load(trajectory.scene.pair), curve.b * signs)
+
+
 def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
-    w = curve.y[1] - curve.y[3]
-    given = np.where(curve.stick, curve.load(trajectory.scene.pair), np.sign(w) * curve.b)
-    for kept, how in ((~curve.stick, {"color": ORANGE, "lw": 0.8}), (curve.stick, {"color": BLUE, "lw": 2.0})):
+    w, given = curve.y[1] - curve.y[3], friction_on_body_2(trajectory, curve)
+    for kept, color, width, label in (
+        (~curve.stick, ORANGE, 0.8, "slip"),
+        (curve.stick, BLUE, 2.0, "friction in stick"),
+    ):
         if kept.any():
-            label = "slip" if how["color"] == ORANGE else "friction in stick"
-            ax.plot(np.where(kept, w, np.nan), np.where(kept, given, np.nan), label=label, **how)
+            ax.plot(*np.where(kept, (w, given), np.nan), color=color, lw=width, label=label)
     ax.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)")
 
 
 def _phase(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    """Draw x1 against v1: on S, where v1 = v2, with a full line, in slip with a thin one."""
+    """Draw x1 against v1, and S0 where it stays."""
+    _plane(curve, ax, curve.y[1])
+    _mark_events(trajectory, ax, 0, 1)
+    if not trajectory.scene.is_forced:
+        _sliding_region(trajectory.scene.pair, ax)
+    ax.set_ylabel("$v_1$ (m/s)")
+
+
+def _relative(_: Solution, curve: Curve, ax: Any) -> None:
+    """Draw x1 against v1 - v2: on S that is 0, and a cycle of stick and slip closes."""
+    _plane(curve, ax, curve.y[1] - curve.y[3])
+    ax.set_ylabel("$v_1 - v_2$ (m/s)")
+
+
+def _plane(curve: Curve, ax: Any, up: Any) -> None:
+    """Draw x1 against a velocity: on S, where v1 = v2, with a full line, in slip with a thin one."""
     for kept, color, width, dashes, label in (
         (~curve.stick, ORANGE, 0.8, "--", "slip"),
         (curve.stick, BLUE, 2.0, "-", "stick, on $S$"),
     ):
-        x, v = (np.where(kept & curve.resolved, row, np.nan) for row in curve.y[:2])
+        x, v = (np.where(kept & curve.resolved, row, np.nan) for row in (curve.y[0], up))
         if np.isfinite(x).any():
             ax.plot(x, v, color=color, lw=width, ls=dashes, label=label)
         sparse = kept & ~curve.resolved
         if sparse.any():  # lines between these points would not be the curve
-            ax.plot(*curve.y[:2, sparse], ",", color=color)
-    _mark_events(trajectory, ax, 0, 1)
-    ax.plot(*curve.y[:2, :1], "s", color="black", ms=5, label="start")
-    if not trajectory.scene.is_forced:
-        _sliding_region(trajectory.scene.pair, ax)
+            ax.plot(curve.y[0, sparse], up[sparse], ",", color=color)
+    ax.plot(curve.y[0, :1], up[:1], "s", color="black", ms=5, label="start")
     ax.locator_params(axis="x", nbins=6)
-    ax.set(xlabel="$x_1$ (m)", ylabel="$v_1$ (m/s)")
+    ax.set_xlabel("$x_1$ (m)")
 
 
 def _sliding_region(pair: Any, ax: Any) -> None:
@@ -225,6 +248,7 @@ _KINDS = {
     "load": ("The friction that sticking needs, and can get", _load),
     "force": ("Force on body 1", _force),
     "phase": ("Phase portrait of body 1", _phase),
+    "relative": ("Phase plane of the slip", _relative),
     "excess": ("Distance from the critical energy", _excess),
     "energy": ("Where the energy went", _energy),
     "friction": ("Friction against the relative speed", _friction),

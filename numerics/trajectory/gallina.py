@@ -84,14 +84,14 @@ Definition the_scene := Scene {scene}
 (** its events: the mode until then; bounds of the time, of both places, and of the common velocity *)
 Definition the_events : list event := {events}.
 
-(** its end: the mode and the time; bounds of x1, v1, x2 and v2, and of v1 - v2 *)
+(** its end: the mode and the time; bounds of x1, v1, x2 and v2, and of v1 - v2; whether it sticks for ever *)
 Definition the_ending := {ending}.
 
 (** how body 1 and both bodies answer to the force *)
 Definition answers := {answers}.
 
 (** what helps the program: in how many bits to compute, bounds of the time since the event before, which way a stick
-    ends; until when a mode lasts, and for how long at least *)
+    ends; until when a mode lasts, and for how long at least; until when a stick that is for ever is followed *)
 Definition hints := [
   {hints}].
 

@@ -21,6 +21,12 @@ def ball_text(x: arb, digits: int) -> tuple[str, str]:
     return text, _upwards(abs(x - arb(text)).upper())
 
 
+def with_radius(name: str, x: arb, digits: int) -> dict[str, str]:
+    """Return the text of a ball under a name, and its radius beside it, under `name_radius`."""
+    text, radius = ball_text(x, digits)
+    return {name: text, f"{name}_radius": radius}
+
+
 def _wide(digits: int, rounding: str) -> Context:
     """Return a decimal context whose exponents cannot overflow here."""
     return Context(prec=digits, rounding=rounding, Emax=10**15, Emin=-(10**15))

@@ -9,18 +9,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN
 from numerics.linear.modes import MODES, Mode
-from numerics.linear.pieces import ExactPiece, pieces_of
-from numerics.linear.record import AT, How, Record
+from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
+from numerics.linear.record import How, Record, tabulate
 from numerics.scene import Scene
 from numerics.trajectory.columns import Columns
-from numerics.trajectory.reduced import Frame
 
 STATE = ("x1", "v1", "x2", "v2")
-_NUMBERS = slice(AT["local"], AT["v2"] + 1, 2)
-"""The high halves of local, length, x1, v1, x2, v2 in a row of floats."""
 
 
 class Rows:
@@ -77,8 +76,10 @@ class Rows:
         local = self.columns.numbers("local")
         if not self.row_pieces.any():
             return local
+        if self.arithmetic.name == "float64":
+            return np.asarray(starts_of(self.scene)[self.row_pieces] + local)
         with self.arithmetic.context():
-            starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=local.dtype)
+            starts = np.array([self.arithmetic.number(piece.start) for piece in self.pieces], dtype=object)
             return np.asarray(starts[self.row_pieces] + local)
 
     @cached_property
@@ -98,34 +99,26 @@ class Rows:
         return np.flatnonzero(self.columns.code("event") == 1.0)
 
     @cached_property
-    def _starts(self) -> slice | NDArray[np.int64]:
-        """Return the rows at which segments start: all of them, where no piece of force begins within one."""
-        if len(self.record.rows) == self.record.events + 1:
-            return slice(None)
-        return np.append(0, self.event_rows)
+    def _starts(self) -> NDArray[np.int64]:
+        """Return the rows at which segments start."""
+        return self._tabulated[0]
+
+    @property
+    def _table(self) -> NDArray[Any]:
+        """Return t, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (5, m)."""
+        return self._tabulated[1]
 
     @cached_property
-    def _table(self) -> NDArray[Any]:
-        """Return t, length, x1, v1, x2, v2 at start, events and, if it was reached, horizon, shape (6, m)."""
-        record, starts, count = self.record, self._starts, self.record.events + 1
+    def _tabulated(self) -> tuple[NDArray[np.int64], NDArray[Any]]:
+        record, count = self.record, self.record.events + 1
         if self.arithmetic.name == "float64":
-            table = np.empty((6, count + self.reached))
-            table[:, :count] = record.rows[starts, _NUMBERS].T
-            if self.reached:
-                table[:, count] = record.end[_NUMBERS]
-                table[0, count] = self.end_time
-            if not self.row_pieces.any():
-                return table
-        else:
-            table = np.empty((6, count + self.reached), dtype=object)
-            table[2:, :count] = self.row_states[:, starts]
-            if self.reached:
-                table[2:, count] = self.final_state
-        with self.arithmetic.context():
-            table[0, :count] = self.row_times[starts]
-            if self.reached:
-                table[0, count] = self.end_time
-        return table
+            read = compiled(tabulate) if compiles_now() else tabulate
+            return read(record.rows, record.end, count, starts_of(self.scene), float(self.scene.until), self.reached)
+        at, table = np.append(0, self.event_rows), np.empty((5, count + self.reached), dtype=object)
+        table[0, :count], table[1:, :count] = self.row_times[at], self.row_states[:, at]
+        if self.reached:
+            table[0, count], table[1:, count] = self.end_time, self.final_state
+        return at, table
 
     @property
     def signs(self) -> list[float]:
@@ -141,7 +134,7 @@ class Rows:
     @property
     def event_states(self) -> NDArray[Any]:
         """Return x1, v1, x2, v2 at all events, shape (4, k)."""
-        return self._table[2:, 1 : self.record.events + 1]
+        return self._table[1:, 1 : self.record.events + 1]
 
     @property
     def final_mode(self) -> Mode:

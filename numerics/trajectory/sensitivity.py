@@ -21,17 +21,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from fractions import Fraction
 from typing import Any, overload
 
 import numpy as np
 from flint import arb
 
-from numerics.arithmetic.ball import EXACT, Ball, digits_within, precision
+from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle, precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.linear.corners import corner
 from numerics.linear.pieces import pieces_of
+from numerics.scene.model import require_kind
 from numerics.trajectory.comparison import as_fraction
 from numerics.trajectory.dense import Side, exact_time, require_side
 from numerics.trajectory.derivatives import Sensitivity, parameters
@@ -122,8 +122,7 @@ def enclosures(trajectory: Trajectory) -> Sensitivity:
 
 def _require_smooth(trajectory: Trajectory) -> None:
     """Raise TypeError for what is no trajectory, NotDifferentiable for one that has no derivatives by its data."""
-    if not isinstance(trajectory, Trajectory):
-        raise TypeError(f"sensitivities takes a trajectory, not {type(trajectory).__name__}: give it solve(scene)")
+    require_kind("sensitivities", trajectory, Trajectory, "give it solve(scene) of a scene on one line")
     scene = trajectory.scene
     until = math.inf if trajectory.reached else trajectory.arithmetic.to_float(trajectory.event_times[-1])
     what = corner(scene, pieces_of(scene), until) if scene.is_forced else None
@@ -193,12 +192,6 @@ def _time(trajectory: Trajectory, t: Any) -> arb:
 def _ball(x: Any) -> arb:
     """Return a number of any arithmetic as a ball."""
     return x if isinstance(x, arb) else Ball.number(as_fraction(x))
-
-
-def exact_middle(x: arb) -> Fraction:
-    """Return the middle of a ball, exact."""
-    middle = x.mid().fmpq()
-    return Fraction(int(middle.p), int(middle.q))
 
 
 def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:

@@ -9,9 +9,11 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from numerics.trajectory.export import STATE_NAMES, Written
-from numerics.trajectory.rendering import ball_text, right_digits_text
-from numerics.trajectory.sensitivity import enclosures, exact_middle, sensitivities
+from numerics.arithmetic.ball import exact_middle
+from numerics.trajectory.export import Written
+from numerics.trajectory.rendering import right_digits_text, with_radius
+from numerics.trajectory.rows import STATE
+from numerics.trajectory.sensitivity import enclosures, sensitivities
 from numerics.trajectory.trajectory import Trajectory
 
 TABLE_DIGITS = 6
@@ -28,8 +30,7 @@ def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
 
     def written(name: str, value: arb) -> Written:
         if in_balls:
-            text, radius = ball_text(value, digits)
-            return {name: text, f"{name}_radius": radius}
+            return with_radius(name, value, digits)
         return {name: right_digits_text(exact_middle(value), value.rad(), digits)}
 
     rows = [*record["events"], record["final"]]
@@ -61,8 +62,8 @@ def sensitivity_table(trajectory: Trajectory) -> str:
 def _records(trajectory: Trajectory, written: Callable[[str, arb], Written]) -> list[dict[str, Written]]:
     """Return one record of derivatives for every event, and then that of the final state."""
     found = enclosures(trajectory)
-    events = [(("t", t), *zip(STATE_NAMES, y, strict=True)) for t, y in zip(found.t, found.y, strict=True)]
-    final = (*zip(STATE_NAMES, found.final, strict=True), ("energy", found.energy))
+    events = [(("t", t), *zip(STATE, y, strict=True)) for t, y in zip(found.t, found.y, strict=True)]
+    final = (*zip(STATE, found.final, strict=True), ("energy", found.energy))
 
     def record(values: Any) -> Written:
         return {

@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from itertools import zip_longest
 from typing import Any, NamedTuple
 
 from mpmath.ctx_mp import MPContext
 
-from numerics.errors import NoProof
+from numerics.linear.pieces import particular
 from numerics.scene import Pair, Scene
 
 Polynomial = tuple[Fraction, ...]
@@ -20,16 +19,24 @@ Polynomial = tuple[Fraction, ...]
 
 
 class Tone(NamedTuple):
-    """in_sine sin(turn t + phase) + in_cosine cos(turn t + phase), turn in rad/s."""
+    """(in_sine + rise_sine t) sin(turn t + phase) + (in_cosine + rise_cosine t) cos(turn t + phase), turn in rad/s."""
 
     in_sine: Fraction
     in_cosine: Fraction
+    rise_sine: Fraction
+    rise_cosine: Fraction
     turn: Fraction
     phase: Fraction
 
     def slope(self) -> Tone:
         """Return the derivative."""
-        return Tone(-self.in_cosine * self.turn, self.in_sine * self.turn, self.turn, self.phase)
+        steady = self.rise_sine - self.in_cosine * self.turn, self.rise_cosine + self.in_sine * self.turn
+        return Tone(*steady, -self.rise_cosine * self.turn, self.rise_sine * self.turn, self.turn, self.phase)
+
+    def times(self, factor: int) -> Tone:
+        """Return the multiple."""
+        sine, cosine, rising_sine, rising_cosine, turn, phase = self
+        return Tone(factor * sine, factor * cosine, factor * rising_sine, factor * rising_cosine, turn, phase)
 
 
 class Steady(NamedTuple):
@@ -50,8 +57,8 @@ class Steady(NamedTuple):
             value = number(coefficient) + after * value
         for tone in self.tones:
             angle = number(tone.turn) * t + number(tone.phase)
-            value += number(tone.in_sine) * _bounded(on, on.sin, angle)
-            value += number(tone.in_cosine) * _bounded(on, on.cos, angle)
+            value += (number(tone.in_sine) + number(tone.rise_sine) * t) * _bounded(on, on.sin, angle)
+            value += (number(tone.in_cosine) + number(tone.rise_cosine) * t) * _bounded(on, on.cos, angle)
         return value
 
     def slope(self) -> Steady:
@@ -60,9 +67,7 @@ class Steady(NamedTuple):
 
     def times(self, factor: int) -> Steady:
         """Return the multiple."""
-        tones = tuple(
-            one._replace(in_sine=factor * one.in_sine, in_cosine=factor * one.in_cosine) for one in self.tones
-        )
+        tones = tuple(one.times(factor) for one in self.tones)
         return Steady(self.since, tuple(factor * one for one in self.polynomial), tones)
 
 
@@ -84,12 +89,13 @@ class Spell(NamedTuple):
 
 
 def spells(scene: Scene) -> Iterator[Spell]:
-    """Yield the spells that begin before the end. Raises NoProof at resonance."""
+    """Yield the spells that begin before the end."""
     pair = scene.pair
     starts = {Fraction(0), *scene.force.starts, *scene.friction.starts}
     for start in sorted(one for one in starts if one < scene.until):
         piece = scene.force.piece_at(start)
-        tones = tuple(Tone(one.amplitude, Fraction(0), one.omega, one.phase) for one in piece.sines)
+        nothing = Fraction(0)
+        tones = tuple(Tone(one.amplitude, nothing, nothing, nothing, one.omega, one.phase) for one in piece.sines)
         force = Steady(piece.start, piece.polynomial, tones)
         b = next((b for at, b in reversed(scene.friction.pieces) if at <= start), pair.b)
         yield Spell(start, b, force, _answer(pair, pair.m1, force), _answer(pair, pair.mass, force))
@@ -97,20 +103,15 @@ def spells(scene: Scene) -> Iterator[Spell]:
 
 def _answer(pair: Pair, mass: Fraction, force: Steady) -> Steady:
     """Return a solution y of mass y'' + a1 y' + a2 y = force."""
-    y: Polynomial = ()
-    for _ in force.polynomial:  # each round gets one more coefficient right, from the last one on
-        first = _slope(y)
-        parts = zip_longest(force.polynomial, first, _slope(first), fillvalue=Fraction(0))
-        y = tuple((u - pair.a1 * v - mass * a) / pair.a2 for u, v, a in parts)
-    tones = []
+    y, tones = tuple(particular(force.polynomial, mass, pair.a1, pair.a2)), []
     for tone in force.tones:
         stiff, damp = pair.a2 - mass * tone.turn**2, pair.a1 * tone.turn
-        if not (size := stiff**2 + damp**2):
-            raise NoProof(
-                "no theorem is written: a sine of the force is in resonance, which the checker does not cover"
-            )
-        sine, cosine = tone.in_sine, tone.in_cosine
-        answer = (stiff * sine + damp * cosine) / size, (stiff * cosine - damp * sine) / size
+        size, sine, cosine, nothing = stiff**2 + damp**2, tone.in_sine, tone.in_cosine, Fraction(0)
+        if size:
+            answer = (stiff * sine + damp * cosine) / size, (stiff * cosine - damp * sine) / size, nothing, nothing
+        else:  # resonance
+            growth = 2 * mass * tone.turn
+            answer = nothing, nothing, cosine / growth, -sine / growth
         tones.append(Tone(*answer, tone.turn, tone.phase))
     return Steady(force.since, y, tuple(tones))
 

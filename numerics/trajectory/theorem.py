@@ -19,10 +19,10 @@ from numerics.scene import Law, Scene
 from numerics.scene.decimals import decimal_text
 from numerics.trajectory import gallina
 from numerics.trajectory.closed_forms import ClosedForms, State, Value, Wave
-from numerics.trajectory.events import Event
 from numerics.trajectory.export import arrays
 from numerics.trajectory.solution import Solution
 from numerics.trajectory.spells import spells
+from numerics.trajectory.status import Status
 
 SHOWN = 12
 """Digits of the bounds in a theorem, of the greatest time, place or velocity."""
@@ -30,6 +30,10 @@ STATE_BITS = (64, 96, 128, 192, 256, 384, 512, 768, 1024)
 """The precisions of the first state that are tried."""
 SPARE_BITS, STEP_BITS = 32, 16
 """With how many bits more than it is known to a state is computed with, and in what steps these become fewer."""
+KERNEL_BITS = 8
+"""With how many bits more the kernel computes, which rounds elsewhere than mpmath."""
+DOUBLINGS = 24
+"""How often the time is doubled after which a damped stick is seen to be for ever."""
 
 
 class _TooCoarse(Exception):
@@ -58,7 +62,7 @@ def theorem(trajectory: Solution) -> str:
     times = [float(one) for one in table["t"][1:]]
     for bits in STATE_BITS:
         try:
-            return _Writer(scene, places, bits).text(trajectory.events, trajectory.final_mode, times)
+            return _Writer(scene, places, bits).text(trajectory, times)
         except _TooCoarse:
             continue
     raise NoProof(f"no theorem is written: {STATE_BITS[-1]} bits are too few for {len(times)} events; shorten until")
@@ -98,14 +102,14 @@ class _Writer:
         self.index, spell = index, self.spells[index]
         self.sharp, self.wide = (ClosedForms(on, self.scene.pair, spell) for on in (self.points, self.boxes))
 
-    def text(self, found: tuple[Event, ...], last: Mode, times: list[float]) -> str:
+    def text(self, trajectory: Solution, times: list[float]) -> str:
         """Return the file; the last of the times is the end."""
-        events, (time_shown, place, speed) = [], self.places
-        for event, time in zip(found, times, strict=False):
+        events, last, (time_shown, place, speed) = [], trajectory.final_mode, self.places
+        for event, time in zip(trajectory.events, times, strict=False):
             jump = event.cause == "jump"
             self._rest_before(time, event.before, jump=jump)
             if jump:
-                self._rest(event.before, self.spells[self.index + 1].since, "true")
+                self._rest(event.before, self.spells[self.index + 1].since, "Rest {bits} {until} {least} true")
                 self._begin(self.index + 1)
             else:
                 self._hit(event.before, event.before.sign or event.after.sign, time)
@@ -113,17 +117,18 @@ class _Writer:
             bounds = self._bounds((t, x1, x2, v1), (time_shown, place, place, speed))
             events.append(f"Event {gallina.mode(event.before)} {bounds}")
         self._rest_before(math.inf, last, jump=False)
-        relative = self._rest(last, self.scene.until, "")
+        relative = self._rest(last, self.scene.until, "Last {bits} {least}")
         _, x1, v1, x2, v2 = self.at
         ends = self._bounds((x1, v1, x2, v2, relative), (place, speed, place, speed, speed))
-        ending = f"Ending {gallina.mode(last)} {gallina.number(self.scene.until)} {ends}"
-        return gallina.proof_file(self.scene, self.spells, events, ending, self.hints, self.most)
+        ever = gallina.truth(trajectory.status is Status.STUCK_FOR_EVER and self._for_ever())
+        ending = f"Ending {gallina.mode(last)} {gallina.number(self.scene.until)} {ends} {ever}"
+        return gallina.proof_file(self.scene, self.spells, events, ending, self.hints, self.most + KERNEL_BITS)
 
     def _rest_before(self, time: float, mode: Mode, *, jump: bool) -> None:
         """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
         ending = [one.since for one in self.spells[self.index + 1 :] if one.since <= time]
         for since in ending[: len(ending) - jump]:
-            self._rest(mode, since, "false")
+            self._rest(mode, since, "Rest {bits} {until} {least} false")
             self._begin(self.index + 1)
 
     def _narrow(self) -> None:
@@ -147,10 +152,25 @@ class _Writer:
         between = self.boxes.mpf([self.wide.number(low).a, self.wide.number(high).b])
         self.at_points = _moved(self.sharp, mode, k, self.at_points, self.sharp.number((low + high) / 2), ends=True)
         self.at = _moved(self.wide, mode, k, self.at, between, ends=True)
-        self.hints.append(f"Hit {self.bits} {gallina.number(low)} {gallina.number(high)} {gallina.truth(k > 0)}")
+        bits, ahead = self.bits + KERNEL_BITS, gallina.truth(k > 0)
+        self.hints.append(f"Hit {bits} {gallina.number(low)} {gallina.number(high)} {ahead}")
 
-    def _rest(self, mode: Mode, time: Fraction, breaks: str) -> Value:
-        """Go on in a mode to a time, and return v1 - v2 there; `breaks`: whether an event is there, "" at the end."""
+    def _for_ever(self) -> bool:
+        """Go on in a stick that does not end until its energy shows that; return whether that is shown."""
+        scene, force = self.scene, self.spells[self.index].force
+        changes = max((*scene.force.starts, *scene.friction.starts), default=Fraction(0)) >= scene.until
+        if changes or force.tones or any(force.polynomial[1:]):
+            return False
+        least = Fraction(f"{math.sqrt(scene.pair.mass / scene.pair.a2) / 8:.1g}")
+        for doubling in range(DOUBLINGS if scene.pair.a1 else 1):
+            left = least * 2**doubling
+            if self.wide.spare(_moved(self.wide, Mode.STICK, 0, self.at, self.wide.number(left), ends=False)) > 0:
+                self._rest(Mode.STICK, scene.until + left, "Ever {bits} {until} {least}")
+                return True
+        return False
+
+    def _rest(self, mode: Mode, time: Fraction, hint: str) -> Value:
+        """Go on in a mode to a time, and return v1 - v2 there."""
         self._narrow()
         left = self.wide.number(time) - self.at.t
         if not left > 0:  # the last event may be at the end
@@ -164,10 +184,8 @@ class _Writer:
         since = self.sharp.number(time) - self.at_points.t
         self.at_points = _moved(self.sharp, mode, mode.sign, self.at_points, since, ends=False)
         self.at = _moved(self.wide, mode, mode.sign, self.at, left, ends=False)._replace(t=self.wide.number(time))
-        if breaks:
-            self.hints.append(f"Rest {self.bits} {gallina.number(time)} {gallina.number(least)} {breaks}")
-        else:
-            self.hints.append(f"Last {self.bits} {gallina.number(least)}")
+        until, lasting = gallina.number(time), gallina.number(least)
+        self.hints.append(hint.format(bits=self.bits + KERNEL_BITS, until=until, least=lasting))
         return relative
 
     def _bracket(self, guess: float, sharp: Wave, wide: Wave) -> tuple[Fraction, Fraction]:

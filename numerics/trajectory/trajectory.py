@@ -5,12 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, Literal, Self
 
-from numerics.arithmetic.by_name import arithmetic_named
-from numerics.trajectory.columns import plain, restored, restored_record
 from numerics.trajectory.export import dataframe
 from numerics.trajectory.solution import Solution
 
-Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "excess", "energy"]
+Kind = Literal["velocities", "positions", "load", "force", "friction", "phase", "relative", "excess", "energy"]
 
 
 class Trajectory(Solution):
@@ -115,26 +113,21 @@ class Trajectory(Solution):
             "final mode": self.final_mode.value,
         }
 
-    def __getstate__(self) -> tuple[Any, ...]:
-        """Return what is compared and pickled: the scene and what the run wrote, without what was made of it since."""
-        arithmetic = self.arithmetic.name, self.arithmetic.digits
-        times = None if self.t_eval is None else plain(tuple(self.t_eval))
-        return self.scene, arithmetic, plain(self.record), self.digits, self.tried, times
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""
+        from numerics.trajectory.saved import header_text, run_of, unpickled
 
-    def __setstate__(self, state: tuple[Any, ...]) -> None:
-        """Restore a pickled trajectory."""
-        scene, arithmetic, record, digits, tried, t_eval = state
-        self.__init__(  # type: ignore[misc]
-            scene,
-            arithmetic_named(*arithmetic),
-            restored_record(record),
-            digits=digits,
-            tried=tried,
-            t_eval=restored(t_eval),
-        )
+        header, arrays = run_of(self)
+        return unpickled, (type(self), self.scene, header_text(header), arrays)
 
     def __eq__(self, other: object) -> bool:
         """Return whether another trajectory answers the same scene with the same numbers."""
-        return isinstance(other, Trajectory) and self.__getstate__() == other.__getstate__()
+        if not isinstance(other, Trajectory):
+            return False
+        from numerics.trajectory.saved import run_of
+
+        (one, rows), (two, others) = run_of(self), run_of(other)
+        same = self.scene == other.scene and one == two
+        return same and [a.tobytes() for a in rows.values()] == [a.tobytes() for a in others.values()]
 
     __hash__ = None  # type: ignore[assignment]

@@ -1,11 +1,11 @@
 /* Joins controls, solver and pictures. */
 
 const root = document.getElementById("explore"), part = (name) => document.getElementById(`explore-${name}`);
-const space = part("space"), strips = part("strips"), clock = part("time"), playing = part("play");
-const calm = matchMedia("(prefers-reduced-motion: reduce)"), dark = matchMedia("(prefers-color-scheme: dark)");
-const state = { solution: null, parts: [], reach: null, t: 0, timer: 0, units: null };
+const space = part("space"), strips = part("strips"), dark = matchMedia("(prefers-color-scheme: dark)");
+const state = { solution: null, parts: [], reach: null, units: null };
 
-const controls = controlsOf(root, () => { state.units = null; pressed(null); renew(); });
+const player = playerOf(part, { until: () => state.solution.scene.until, next: (t) => nextStart(state.solution, t), show: drawAt });
+const controls = controlsOf(part("line"), () => { state.units = null; pressed(null); renew(); });
 const view = cameraOf(space, draw);
 
 /* The scene that the controls say. */
@@ -20,7 +20,7 @@ function sceneNow() {
 
 /* Solve anew, from the start of time. */
 function renew() {
-  stop();
+  player.stop();
   const kind = part("force").value;
   controls.show("size", kind !== "none");
   controls.show("omega", kind === "sine");
@@ -32,9 +32,8 @@ function renew() {
   }
   state.parts = sampled(state.solution);
   state.reach = reachOf(state.parts);
-  state.t = Math.min(state.t, state.solution.scene.until);
   tell();
-  draw();
+  player.go(player.t);
 }
 
 function tell() {
@@ -85,57 +84,17 @@ function canvasOf(canvas) {
 }
 
 function draw() {
-  if (!state.solution) return;
-  const now = stateOf(state.solution, state.t), { until } = state.solution.scene, colors = colorsNow();
-  const picture = { ...state, camera: view.camera, now: { ...now, t: state.t }, colors };
+  if (state.solution) player.show();
+}
+
+/* Everything at a time; returns what it says of that time. */
+function drawAt(t) {
+  const now = stateOf(state.solution, t), picture = { ...state, camera: view.camera, now: { ...now, t }, colors: colorsNow() };
   drawScene(...canvasOf(space), picture);
   drawStrips(...canvasOf(strips), picture);
-  clock.value = Math.round(1000 * state.t / until);
-  clock.setAttribute("aria-valuetext", `\u03c4 = ${shown(state.t)}, ${MODE_NAMES[now.mode]}`);
   const energy = energyAbout(state.solution, now), load = loadOf(state.solution.pair, state.solution.force, now);
-  part("now").textContent = `\u03c4 = ${shown(state.t)}: ${MODE_NAMES[now.mode]}; x\u2081/L = ${shown(now.X)}, v\u2081 = ${shown(now.V1)}, v\u2082 = ${shown(now.V2)}; E/E_cr = ${shown(energy)}; sticking needs ${shown(load)} b`;
-}
-
-function go(t) {
-  state.t = Math.max(0, Math.min(t, state.solution.scene.until));
-  draw();
-}
-
-/* The first start of a motion after now, or the end. */
-function nextEvent() {
-  const next = state.solution.segments.find(({ start }) => start.t > state.t * (1 + 1e-12) + 1e-12);
-  return next ? next.start.t : state.solution.scene.until;
-}
-
-/* Play: smoothly in half a minute at most; from event to event where the reader wants less motion. */
-function play() {
-  if (state.t >= state.solution.scene.until) go(0);
-  playing.textContent = "Pause";
-  if (calm.matches) {
-    state.timer = setInterval(() => step(nextEvent()), 1000);
-    return;
-  }
-  const speed = Math.max(1.5, state.solution.scene.until / 30);
-  let before = performance.now();
-  const frame = (instant) => {
-    const passed = Math.min(0.1, (instant - before) / 1000);
-    before = instant;
-    step(state.t + speed * passed);
-    if (state.timer) state.timer = requestAnimationFrame(frame);
-  };
-  state.timer = requestAnimationFrame(frame);
-}
-
-function step(t) {
-  go(t);
-  if (state.t >= state.solution.scene.until) stop();
-}
-
-function stop() {
-  clearInterval(state.timer);
-  cancelAnimationFrame(state.timer);
-  state.timer = 0;
-  playing.textContent = "Play";
+  part("now").textContent = `\u03c4 = ${shown(t)}: ${MODE_NAMES[now.mode]}; x\u2081/L = ${shown(now.X)}, v\u2081 = ${shown(now.V1)}, v\u2082 = ${shown(now.V2)}; E/E_cr = ${shown(energy)}; sticking needs ${shown(load)} b`;
+  return `\u03c4 = ${shown(t)}, ${MODE_NAMES[now.mode]}`;
 }
 
 function pressed(button) {
@@ -149,7 +108,7 @@ function load(button) {
   part("force").value = scene.amplitude ? "sine" : scene.constant ? "constant" : "none";
   part("literal").checked = scene.literal;
   state.units = units;
-  state.t = 0;
+  player.t = 0;
   pressed(button);
   view.reset();
   renew();
@@ -157,23 +116,19 @@ function load(button) {
 
 for (const button of root.querySelectorAll("[data-scene]")) button.addEventListener("click", () => load(button));
 for (const name of ["force", "literal"]) part(name).addEventListener("change", () => { pressed(null); renew(); });
-playing.addEventListener("click", () => (state.timer ? stop() : play()));
-part("next").addEventListener("click", () => { stop(); go(nextEvent()); });
-part("start").addEventListener("click", () => { stop(); go(0); });
-part("end").addEventListener("click", () => { stop(); go(state.solution.scene.until); });
-clock.addEventListener("input", () => { stop(); go(state.solution.scene.until * clock.value / 1000); });
 part("closer").addEventListener("click", () => view.turn(0, 0, 1.5));
 part("farther").addEventListener("click", () => view.turn(0, 0, 1 / 1.5));
 part("reset").addEventListener("click", view.reset);
 strips.addEventListener("click", (event) => {
   const share = (event.offsetX - MARGIN.left) / (strips.clientWidth - MARGIN.left - MARGIN.right);
-  stop();
-  go(share * state.solution.scene.until);
+  player.jump(() => share * state.solution.scene.until);
 });
-new ResizeObserver(draw).observe(root);
-dark.addEventListener("change", draw);
-addEventListener("beforeprint", () => { root.classList.add("explore-print"); draw(); });
-addEventListener("afterprint", () => { root.classList.remove("explore-print"); draw(); });
+new ResizeObserver(() => redraw()).observe(root);
 part("body").hidden = false;
 load(root.querySelector("[data-scene]"));
-go(state.solution.scene.until);
+player.go(state.solution.scene.until);
+const surface = surfaceTab(), redraw = () => { draw(); surface.draw(); };
+dark.addEventListener("change", redraw);
+addEventListener("beforeprint", () => { root.classList.add("explore-print"); redraw(); });
+addEventListener("afterprint", () => { root.classList.remove("explore-print"); redraw(); });
+tabsOf(root.querySelector("[role=tablist]"), redraw);

@@ -10,10 +10,24 @@ from html import escape
 from pathlib import Path
 
 from paper_checks.explore.scenes import OWN, Button, Reduced, paper_buttons
+from paper_checks.explore.surfaces import SurfaceButton, surface_buttons
 
-SCRIPTS = ("oscillator", "first_root", "solver", "regimes", "scene_file", "scene3d", "strips", "controls", "main")
-"""The page's programs in the order in which they are joined; the first three are the solver and know no page."""
-SOLVER = SCRIPTS[:3]
+SOLVER = ("oscillator", "first_root", "solver", "surface")
+"""What solves, on one line and on a surface; it knows no page."""
+_SHOWN = (
+    "regimes",
+    "scene_file",
+    "scene3d",
+    "strips",
+    "surface_view",
+    "controls",
+    "player",
+    "tabs",
+    "surface_main",
+    "main",
+)
+SCRIPTS = (*SOLVER, *_SHOWN)
+"""The page's programs in the order in which they are joined."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +57,18 @@ FORCE = (
     Slider("omega", "frequency ω/Ω", "log", 0.05, 20, 1e-3, 100),
 )
 RUN = (Slider("until", "length of the run, Ωt", "log", 2, 400, 0.01, 2000),)
+ABOVE = "above-"
+"""What the ids of the second tab begin with."""
+ABOVE_START = tuple(
+    Slider(name, label, "signed", -20, 20, -1000, 1000)
+    for name, label in (("x", "x/L"), ("y", "y/L"), ("v1x", "v₁/(LΩ) in x"), ("v1y", "v₁/(LΩ) in y"))
+)
+ABOVE_SECOND = tuple(Slider(f"v2{one}", f"v₂/(LΩ) in {one}", "signed", -20, 20, -1000, 1000) for one in "xy")
+ABOVE_FORCE = (
+    Slider("size", "size of u/b", "log", 0.05, 40, 1e-4, 1000),
+    Slider("angle", "its angle at the start, degrees", "linear", -180, 180, -180, 180),
+    Slider("omega", "frequency ω/Ω", "log", 0.05, 20, 1e-3, 100),
+)
 
 
 def source(names: Iterable[str] = SCRIPTS) -> str:
@@ -55,10 +81,11 @@ def section(beside: Iterable[str] = ()) -> str:
 
     `beside` names rows whose pages stand in the same folder: what is said of all runs links to them.
     """
-    paper = paper_buttons()
+    paper, surfaces = paper_buttons(), surface_buttons()
     data = json.dumps(
         {
             "scenes": [one.data() for one in (*paper, *OWN)],
+            "above": [one.data() for one in surfaces],
             "criticalRatio": critical_ratio(),
             "beside": [*beside],
         },
@@ -71,8 +98,16 @@ def section(beside: Iterable[str] = ()) -> str:
         pair=_rows(PAIR),
         force=_rows(FORCE),
         run=_rows(RUN),
+        above=_beside("surface.html").format(
+            scenes=_buttons(surfaces, 0, "above"),
+            start=_rows(ABOVE_START, ABOVE),
+            second=_rows(ABOVE_SECOND, ABOVE),
+            force=_rows(ABOVE_FORCE, ABOVE),
+            pair=_rows(PAIR, ABOVE),
+            run=_rows(RUN, ABOVE),
+        ),
     )
-    program = f'(() => {{\n"use strict";\nconst EXPLORE = {data};\n{source()}\nEXPLORE.solve = solve; EXPLORE.thresholds = thresholds;\nglobalThis.inertialPair = EXPLORE;\n}})();'
+    program = f'(() => {{\n"use strict";\nconst EXPLORE = {data};\n{source()}\nObject.assign(EXPLORE, {{ solve, thresholds, solveAbove }});\nglobalThis.inertialPair = EXPLORE;\n}})();'
     return f"<style>\n{_beside('explore.css')}</style>\n{body}<script>\n{program}\n</script>\n"
 
 
@@ -94,23 +129,23 @@ def critical_ratio() -> float:
         return float(((1 - share) / share).upper())
 
 
-def _buttons(buttons: Iterable[Button], first: int) -> str:
+def _buttons(buttons: Iterable[Button | SurfaceButton], first: int, kind: str = "scene") -> str:
     return "\n".join(
-        f'<button type="button" data-scene="{number}" aria-pressed="false">{escape(one.label)}</button>'
+        f'<button type="button" data-{kind}="{number}" aria-pressed="false">{escape(one.label)}</button>'
         for number, one in enumerate(buttons, first)
     )
 
 
-def _rows(sliders: Iterable[Slider]) -> str:
-    return "\n".join(_row(one) for one in sliders)
+def _rows(sliders: Iterable[Slider], prefix: str = "") -> str:
+    return "\n".join(_row(one, prefix) for one in sliders)
 
 
-def _row(one: Slider) -> str:
-    label, value = escape(one.label), getattr(Reduced(), one.name, 0)
+def _row(one: Slider, prefix: str) -> str:
+    label, value, name = escape(one.label), getattr(Reduced(), one.name, 0), f"explore-{prefix}{one.name}"
     return (
         f'<div class="explore-row" data-name="{one.name}" data-scale="{one.scale}" data-low="{one.low}" data-high="{one.high}">'
-        f'<label for="explore-{one.name}">{label}</label>'
-        f'<input type="range" id="explore-{one.name}" min="0" max="1000" step="1">'
+        f'<label for="{name}">{label}</label>'
+        f'<input type="range" id="{name}" min="0" max="1000" step="1">'
         f'<input type="number" aria-label="{label}, as a number" min="{one.least}" max="{one.most}" step="any" value="{value}"></div>'
     )
 

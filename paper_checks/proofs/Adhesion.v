@@ -90,10 +90,3 @@ Proof.
   - intros u Hu. apply Mc; lra.
   - intros u Hu. destruct (Req_dec u tc) as [->|]; auto. destruct (Req_dec u td) as [->|]; auto. apply Md; lra.
 Qed.
-
-(** There is such a motion, and only one. *)
-Corollary the_motion : exists x v1 v2 s, solution 1 1 0 200 (5 / 100) x v1 v2 s /\ x 0 = 0 /\ v1 0 = 15 / 100 /\
-  v2 0 = 0.
-Proof.
-  destruct (existence 1 1 0 200 (5 / 100) 0 (15 / 100) 0) as (x & v1 & v2 & s & H); try lra. exists x, v1, v2, s; auto.
-Qed.

@@ -1,6 +1,5 @@
 (** Almost everywhere, without measure theory: null sets by covers, absolute continuity by lists of intervals.
-    An absolutely
-    continuous function with a derivative >= 0 outside a null set does not decrease. *)
+    An absolutely continuous function with a derivative >= 0 outside a null set does not decrease. *)
 From Coq Require Import Reals List Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.

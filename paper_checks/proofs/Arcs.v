@@ -126,8 +126,7 @@ Theorem arc_begins U u X V1 V2 g T : 0 <= T -> cont U -> (forall t, 0 <= t < T -
 Proof.
   intros HT CU DU [AX AV AW Law].
   destruct (forced_existence m1 m2 a1 a2 b (X T) (V1 T) (V2 T) (fun t => U (T + t)) Hm1 Hm2 Ha1 Ha2 Hb (cont_shift _ _
-    HT CU))
-    as (y & w1 & w2 & z & H & Y0 & W10 & W20). pose proof (forced_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ H) as Cw2.
+    HT CU)) as (y & w1 & w2 & z & H & Y0 & W10 & W20). pose proof (forced_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ H) as Cw2.
   destruct H as [L P N _ Cy Cw1 Dy Dw W].
   assert (CX : cont X) by (eapply cont_of_derive; eauto). assert (CV : cont V1) by exact (cont_of_derive V1 _ AV).
   assert (CW : cont V2) by exact (cont_of_derive V2 _ AW).
@@ -198,8 +197,7 @@ Proof.
   { intros r Hr. apply rderiv_earlier. replace (u r) with (u (t0 + r - t0)) by (f_equal; ring). apply DU; lra. }
   destruct (Q 0 ltac:(lra)) as (Q0 & Q1 & Q2). destruct (Q t Ht) as (<- & <- & <-).
   apply (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 Sh H'); try lra; cbv beta;
-    rewrite Rplus_0_r;
-    congruence.
+    rewrite Rplus_0_r; congruence.
 Qed.
 
 (** under a force that repeats with the opposite sign, a motion whose state does so once does so for ever *)

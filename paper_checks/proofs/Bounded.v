@@ -94,8 +94,7 @@ Qed.
 
 (** that rate is at most a constant minus c/3 W *)
 Lemma W_rate t : - a1 * v1 t ^ 2 + c * m1 * v1 t ^ 2 - c * a2 * x t ^ 2 - c * a1 * (x t * v1 t) + g * (Rabs (v1 t)
-  + c * Rabs (x t))
-  <= g ^ 2 / a1 + c * (g ^ 2 / a2) - c / 3 * W t.
+  + c * Rabs (x t)) <= g ^ 2 / a1 + c * (g ^ 2 / a2) - c / 3 * W t.
 Proof.
   pose proof (pow2_abs (v1 t)) as Av. pose proof (pow2_abs (x t)) as Ax. pose proof (W_below t) as (_ & Wu).
   assert (S1 : g * Rabs (v1 t) <= a1 / 4 * v1 t ^ 2 + g ^ 2 / a1).

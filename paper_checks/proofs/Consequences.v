@@ -42,8 +42,7 @@ Proof.
     assert (S1 : 0 < w t * w t1).
     { destruct (Req_dec t t1) as [<-|]; [nra|]. set (u := Rmax t (t1 - d / 2)).
       assert (Hu : t <= u < t1 /\ t1 - d / 2 <= u) by (unfold u; pose proof (Rmax_l t (t1 - d / 2));
-        pose proof (Rmax_r t (t1 - d / 2));
-        split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
+        pose proof (Rmax_r t (t1 - d / 2)); split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
       pose proof (Below u ltac:(lra)) as B1. pose proof (Same u ltac:(lra) ltac:(apply Rabs_def1; lra)) as B2.
       assert (0 < (w t * w u) * (w t1 * w u)) by (apply Rmult_lt_0_compat; auto). nra. }
     assert (A (t1 + d / 2)); [|assert (t1 + d / 2 <= t1) by (apply Ub; auto); lra].
@@ -60,8 +59,7 @@ Proof.
   destruct (s_cx _ _ _ _ _ _ _ _ _ H t1 ltac:(lra) (x t1 - L) ltac:(lra)) as (d & Hd & K).
   set (u := Rmax t (t1 - d / 2)).
   assert (Hu : t <= u < t1 /\ t1 - d / 2 <= u) by (unfold u; pose proof (Rmax_l t (t1 - d / 2));
-    pose proof (Rmax_r t (t1 - d / 2));
-    split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
+    pose proof (Rmax_r t (t1 - d / 2)); split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
   assert (F : w t1 <= w u).
   { apply (rderiv_mono w u t1 (fun r => normal_rate m1 m2 a2 b (-1) (x r)) CW); [lra|]. intros r Hr. split.
     - apply (rate_below m1 m2 a2 b Hm1 Hm2 x v1 v2 s H r); [lra|]. pose proof (Neg r ltac:(lra)) as Q.

@@ -44,8 +44,7 @@ Proof.
 Qed.
 
 (** A, B and E converge, so the solution tends to the stuck motion with those values *)
-Theorem convergence : exists x0 v0,
-  energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\
+Theorem convergence : exists x0 v0, energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\
   (forall t, 0 <= t -> energy m1 m2 a2 x0 v0 v0 <= E t) /\
   (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> E t <= energy m1 m2 a2 x0 v0 v0 + e) /\
   (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> distance x0 v0 t <= e).
@@ -140,8 +139,7 @@ Proof.
 Qed.
 
 (** The dichotomy of Section III *)
-Theorem dichotomy :
-  (exists t0 x0 v0, 0 <= t0 /\ energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\
+Theorem dichotomy : (exists t0 x0 v0, 0 <= t0 /\ energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\
      forall u, 0 <= u -> x (t0 + u) = X x0 v0 u /\ v1 (t0 + u) = V x0 v0 u /\ v2 (t0 + u) = V x0 v0 u) \/
   (exists x0 v0, energy m1 m2 a2 x0 v0 v0 = Ecr m1 m2 a2 b /\ (forall t, 0 <= t -> Ecr m1 m2 a2 b < E t) /\
      forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> distance x0 v0 t <= e).

@@ -111,10 +111,6 @@ Proof.
   nra.
 Qed.
 
-(** a product of O(h) and o(h) is o(h) *)
-Lemma big_little_mult f g : big f -> little g -> little (fun h => f h * g h).
-Proof. intros; apply big_mult; auto; apply little_big; auto. Qed.
-
 (** increments *)
 Lemma rderiv_big f t l : rderiv f t l -> big (fun h => f (t + h) - f t).
 Proof.

@@ -54,8 +54,7 @@ Proof.
     + intros T HT. destruct (In T HT) as (N & HN & Inn). exists N. split; auto.
       intros u Hu Nu. destruct (Inn u Hu Nu) as (g & _ & _ & _ & _ & D1 & D2).
       replace (- (a2 * x u + a1 * v1 u)) with (plus (m1 * ((- a2 * x u - a1 * v1 u - b * g) / m1)) (b * (m2 / b * (b
-        * g /
-        m2)))) by (unfold plus; simpl; field; lra).
+        * g / m2)))) by (unfold plus; simpl; field; lra).
       apply (is_derive_plus (fun u => m1 * v1 u) (fun u => b * (m2 / b * v2 u))).
       * apply (is_derive_scal v1 u m1 _ D1).
       * apply (is_derive_scal (fun u => m2 / b * v2 u) u b). apply (is_derive_scal v2 u (m2 / b) _ D2).
@@ -71,8 +70,7 @@ Proof.
   assert (Hd' : 0 < Rmin d t) by (apply Rmin_glb_lt; auto). exists (mkposreal _ Hd'). simpl. intros h Nh Hh.
   pose proof (Rmin_l d t). pose proof (Rmin_r d t).
   assert (S : forall p q, t - Rmin d t < p <= q -> q < t + Rmin d t ->
-    (g t - e / 2) * (q - p) <= f q - f p <= (g t + e /
-    2) * (q - p)).
+    (g t - e / 2) * (q - p) <= f q - f p <= (g t + e / 2) * (q - p)).
   { intros p q Hp Hq.
     assert (B : forall u, p <= u < q -> g t - e / 2 <= g u <= g t + e / 2).
     { intros u Hu. specialize (K u ltac:(lra)). assert (Q : Rabs (u - t) < d) by (apply Rabs_def1; lra).

@@ -35,6 +35,70 @@ Proof.
     eapply rderiv_dini; [|exact Q]. lra.
 Qed.
 
+(** sqrt is concave: it carries an upper right derivative over without a condition on the increment *)
+Lemma sqrt_dini y t k : (forall u, 0 < y u) -> dini_le y t k -> dini_le (fun u => sqrt (y u)) t (k / (2 * sqrt (y t))).
+Proof.
+  intros P F e He. pose proof (sqrt_lt_R0 _ (P t)) as Sp. destruct (F (2 * sqrt (y t) * e)) as (d & Hd & K); [nra|].
+  exists d; split; auto. intros h Hh. specialize (K h Hh).
+  assert (Q : sqrt (y (t + h)) - sqrt (y t) <= (y (t + h) - y t) / (2 * sqrt (y t))).
+  { rewrite <- (sqrt_sqrt (y (t + h))) at 2 by (apply Rlt_le; auto).
+    rewrite <- (sqrt_sqrt (y t)) at 2 by (apply Rlt_le; auto).
+    apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    pose proof (pow2_ge_0 (sqrt (y (t + h)) - sqrt (y t))). nra. }
+  eapply Rle_trans; [exact Q|]. apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|].
+  unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  replace ((k / (2 * sqrt (y t)) + e) * h * (2 * sqrt (y t))) with ((k + 2 * sqrt (y t) * e) * h) by (field; lra). auto.
+Qed.
+
+(** so is the root of what is bounded away from 0 *)
+Lemma cont_sqrt y c : 0 < c -> (forall u, c <= y u) -> cont y -> cont (fun u => sqrt (y u)).
+Proof.
+  intros Hc P C t Ht e He. pose proof (sqrt_lt_R0 _ Hc) as Sp. destruct (C t Ht (sqrt c * e)) as (d & Hd & K); [nra|].
+  exists d; split; auto. intros u Hu Hd1. specialize (K u Hu Hd1).
+  assert (S1 : sqrt c <= sqrt (y u)) by (apply sqrt_le_1_alt; auto).
+    assert (S2 : sqrt c <= sqrt (y t)) by (apply sqrt_le_1_alt; auto).
+  apply Rmult_lt_reg_l with (sqrt c); auto. eapply Rle_lt_trans; [|exact K].
+  rewrite <- (sqrt_sqrt (y u)) at 2 by (specialize (P u); lra).
+    rewrite <- (sqrt_sqrt (y t)) at 2 by (specialize (P t); lra).
+  replace (sqrt (y u) * sqrt (y u) - sqrt (y t) * sqrt (y t)) with ((sqrt (y u) + sqrt (y t)) * (sqrt (y u) - sqrt
+    (y t))) by ring.
+  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. apply Rmult_le_compat_r; [apply Rabs_pos|lra].
+Qed.
+
+(** if D' <= j sqrt (2 D), then sqrt (2 D) grows at most by the integral J of j *)
+Lemma root_grows D j J r t : cont D -> (forall u, 0 <= D u) -> cont J -> (forall u, 0 <= u -> 0 <= j u /\ rderiv J u (j
+  u)) ->
+  (forall u, 0 <= u -> dini_le D u (j u * sqrt (2 * D u))) -> 0 <= r <= t ->
+  sqrt (2 * D t) <= sqrt (2 * D r) + (J t - J r).
+Proof.
+  intros CD PD CJ HJ HD Hr. apply le_epsilon. intros e He. assert (e2 : 0 < e ^ 2) by nra.
+  set (y := fun u => 2 * D u + e ^ 2). assert (yP : forall u, e ^ 2 <= y u) by (intros u; unfold y; specialize (PD u);
+    lra).
+  assert (yP0 : forall u, 0 < y u) by (intros u; specialize (yP u); lra).
+  assert (G : sqrt (y t) - J t <= sqrt (y r) - J r).
+  { apply (dini_mono (fun u => sqrt (y u) - J u)); auto.
+    - apply cont_minus; auto. apply (cont_sqrt y (e ^ 2)); auto. apply cont_plus; [apply cont_scal; auto|apply
+      cont_const].
+    - intros u Hu q Hq. destruct (HJ u ltac:(lra)) as (Pj & Ju). set (l := j u * sqrt (2 * D u)) in *.
+      assert (Fy : dini_le y u (2 * l)).
+      { intros p Hp. destruct (HD u ltac:(lra) (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
+        specialize (K h Hh). fold l in K. unfold y. lra. }
+      destruct (sqrt_dini y u _ yP0 Fy (q / 2)) as (d1 & Hd1 & K1); [lra|]. destruct (Ju (q / 2)) as (d2 & Hd2 & K2);
+        [lra|].
+      exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2).
+      pose proof (Rmin_r d1 d2). specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
+      assert (B : 2 * l / (2 * sqrt (y u)) <= j u).
+      { pose proof (sqrt_lt_R0 _ (yP0 u)) as Sy. apply Rmult_le_reg_r with (sqrt (y u)); auto.
+        replace (2 * l / (2 * sqrt (y u)) * sqrt (y u)) with l by (field; lra). apply Rmult_le_compat_l; auto.
+        apply sqrt_le_1_alt. unfold y. lra. }
+      nra. }
+  assert (A : sqrt (2 * D t) <= sqrt (y t)) by (apply sqrt_le_1_alt; unfold y; lra).
+  assert (B : sqrt (y r) <= sqrt (2 * D r) + e).
+  { pose proof (sqrt_pos (2 * D r)) as Q. rewrite <- (sqrt_pow2 (sqrt (2 * D r) + e)) by lra. apply sqrt_le_1_alt.
+    pose proof (sqrt_sqrt (2 * D r) ltac:(specialize (PD r); lra)). unfold y. nra. }
+  lra.
+Qed.
+
 Section Forced.
 Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -134,8 +198,7 @@ Proof.
     intros h; simpl; ring. }
   destruct (distance_dini m1 m2 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ (f_x _ _ _ _ _ H t Ht) (f_x _ _ _ _ _ H' t Ht) V
     (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H' Ht
-      ltac:(lra))
-    (forced_pushes _ _ _ _ _ t H Ht) (forced_pushes _ _ _ _ _ t H' Ht) e He) as (d & Hd & K).
+      ltac:(lra)) (forced_pushes _ _ _ _ _ t H Ht) (forced_pushes _ _ _ _ _ t H' Ht) e He) as (d & Hd & K).
   exists d; split; auto. intros h Hh. specialize (K h Hh). unfold D, energy.
   replace (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2) with
     ((du - (a2 * (x t - x' t) + a1 * (v1 t - v1' t)) + a2 * (x t - x' t)) * (v1 t - v1' t)) by ring. exact K.
@@ -144,86 +207,25 @@ Qed.
 (** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
 Let N t := sqrt (2 * D t).
 
-(** sqrt is concave: it carries an upper right derivative over without a condition on the increment *)
-Lemma sqrt_dini y t k : (forall u, 0 < y u) -> dini_le y t k -> dini_le (fun u => sqrt (y u)) t (k / (2 * sqrt (y t))).
-Proof.
-  intros P F e He. pose proof (sqrt_lt_R0 _ (P t)) as Sp. destruct (F (2 * sqrt (y t) * e)) as (d & Hd & K); [nra|].
-  exists d; split; auto. intros h Hh. specialize (K h Hh).
-  assert (Q : sqrt (y (t + h)) - sqrt (y t) <= (y (t + h) - y t) / (2 * sqrt (y t))).
-  { rewrite <- (sqrt_sqrt (y (t + h))) at 2 by (apply Rlt_le; auto).
-    rewrite <- (sqrt_sqrt (y t)) at 2 by (apply Rlt_le; auto).
-    apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    pose proof (pow2_ge_0 (sqrt (y (t + h)) - sqrt (y t))). nra. }
-  eapply Rle_trans; [exact Q|]. apply Rmult_le_reg_r with (2 * sqrt (y t)); [lra|].
-  unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-  replace ((k / (2 * sqrt (y t)) + e) * h * (2 * sqrt (y t))) with ((k + 2 * sqrt (y t) * e) * h) by (field; lra). auto.
-Qed.
-
-(** so is the root of what is bounded away from 0 *)
-Lemma cont_sqrt y c : 0 < c -> (forall u, c <= y u) -> cont y -> cont (fun u => sqrt (y u)).
-Proof.
-  intros Hc P C t Ht e He. pose proof (sqrt_lt_R0 _ Hc) as Sp. destruct (C t Ht (sqrt c * e)) as (d & Hd & K); [nra|].
-  exists d; split; auto. intros u Hu Hd1. specialize (K u Hu Hd1).
-  assert (S1 : sqrt c <= sqrt (y u)) by (apply sqrt_le_1_alt; auto).
-    assert (S2 : sqrt c <= sqrt (y t)) by (apply sqrt_le_1_alt; auto).
-  apply Rmult_lt_reg_l with (sqrt c); auto. eapply Rle_lt_trans; [|exact K].
-  rewrite <- (sqrt_sqrt (y u)) at 2 by (specialize (P u); lra).
-    rewrite <- (sqrt_sqrt (y t)) at 2 by (specialize (P t); lra).
-  replace (sqrt (y u) * sqrt (y u) - sqrt (y t) * sqrt (y t)) with ((sqrt (y u) + sqrt (y t)) * (sqrt (y u) - sqrt
-    (y t))) by ring.
-  rewrite Rabs_mult, (Rabs_pos_eq (_ + _)) by lra. apply Rmult_le_compat_r; [apply Rabs_pos|lra].
-Qed.
-
 (** two forces: the root of twice the energy distance grows at most by the integral of their difference over sqrt m1 *)
 Theorem input_to_state du J r t : (forall u, 0 <= u -> rderiv (fun r => U r - U' r) u (du u)) ->
   cont J -> (forall u, 0 <= u -> rderiv J u (Rabs (du u))) -> 0 <= r <= t -> N t <= N r + (J t - J r) / sqrt m1.
 Proof.
-  intros HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. apply le_epsilon. intros e He.
-  assert (DP : forall u, 0 <= 2 * D u) by (intros u;
-    pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x u - x' u) (v1 u - v1' u) (v2 u - v2' u)); unfold D, energy; lra).
-  assert (e2 : 0 < e ^ 2) by nra.
-  set (y := fun u => 2 * D u + e ^ 2). assert (yP : forall u, e ^ 2 <= y u) by (intros u; unfold y;
-    specialize (DP u); lra).
-  assert (yP0 : forall u, 0 < y u) by (intros u; specialize (yP u); lra).
-  assert (G : sqrt (y t) - / sqrt m1 * J t <= sqrt (y r) - / sqrt m1 * J r).
-  { apply (dini_mono (fun u => sqrt (y u) - / sqrt m1 * J u)); auto.
-    - apply cont_minus; [|apply cont_scal; auto]. apply (cont_sqrt y (e ^ 2)); auto. unfold y.
-      apply cont_plus; [apply cont_scal, forced_cont_D|apply cont_const].
-    - intros u Hu q Hq. pose proof (forced_D_dini u _ ltac:(lra) (HU u ltac:(lra))) as F.
-      set (l := du u * (v1 u - v1' u) - a1 * (v1 u - v1' u) ^ 2) in *.
-      assert (Fy : dini_le y u (2 * l)).
-      { intros p Hp. destruct (F (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
-        specialize (K h Hh). unfold y. lra. }
-      pose proof (sqrt_dini y u _ yP0 Fy) as Fs.
-      destruct (Fs (q / 2)) as (d1 & Hd1 & K1); [lra|].
-      pose proof (rderiv_scal (/ sqrt m1) _ _ _ (HJ u ltac:(lra))) as Jd.
-        destruct (Jd (q / 2)) as (d2 & Hd2 & K2); [lra|].
-      exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2).
-        pose proof (Rmin_r d1 d2).
-      specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
-      assert (B : 2 * l / (2 * sqrt (y u)) <= / sqrt m1 * Rabs (du u)).
-      { pose proof (sqrt_lt_R0 _ (yP0 u)) as Sy.
-        assert (Vb : sqrt m1 * Rabs (v1 u - v1' u) <= sqrt (y u)).
-        { rewrite <- (sqrt_Rsqr_abs (v1 u - v1' u)), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
-          unfold y, D, energy, Pair.energy, Rsqr.
-          pose proof (pow2_ge_0 (x u - x' u)). pose proof (pow2_ge_0 (v2 u - v2' u)). nra. }
-        assert (Lb : l <= Rabs (du u) * Rabs (v1 u - v1' u)).
-        { unfold l. rewrite <- Rabs_mult. pose proof (Rle_abs (du u * (v1 u - v1' u))).
-          pose proof (pow2_ge_0 (v1 u - v1' u)). nra. }
-        apply Rmult_le_reg_r with (sqrt m1 * sqrt (y u)); [nra|].
-        replace (2 * l / (2 * sqrt (y u)) * (sqrt m1 * sqrt (y u))) with (sqrt m1 * l) by (field; lra).
-        replace (/ sqrt m1 * Rabs (du u) * (sqrt m1 * sqrt (y u))) with (Rabs (du u) * sqrt (y u)) by (field; lra).
-        apply Rle_trans with (sqrt m1 * (Rabs (du u) * Rabs (v1 u - v1' u))); [apply Rmult_le_compat_l; lra|].
-        replace (sqrt m1 * (Rabs (du u) * Rabs (v1 u - v1' u))) with (Rabs (du u) * (sqrt m1 * Rabs (v1 u - v1'
-          u))) by ring.
-        apply Rmult_le_compat_l; [apply Rabs_pos|auto]. }
-      assert ((2 * l / (2 * sqrt (y u)) - / sqrt m1 * Rabs (du u)) * h <= 0) by nra. lra. }
-  assert (A : N t <= sqrt (y t)) by (apply sqrt_le_1_alt; unfold y; lra).
-  assert (B : sqrt (y r) <= N r + e).
-  { unfold N. pose proof (sqrt_pos (2 * D r)) as Q. rewrite <- (sqrt_pow2 (sqrt (2 * D r) + e)) by lra.
-    apply sqrt_le_1_alt.
-    pose proof (sqrt_sqrt (2 * D r) (DP r)). unfold y. nra. }
-  unfold Rdiv. lra.
+  intros HU CJ HJ Hr. pose proof (sqrt_lt_R0 _ Hm1) as Sm. pose proof (Rinv_0_lt_compat _ Sm) as Sp.
+  replace ((J t - J r) / sqrt m1) with (/ sqrt m1 * J t - / sqrt m1 * J r) by (field; lra).
+  apply (root_grows D (fun u => / sqrt m1 * Rabs (du u)) (fun u => / sqrt m1 * J u)); auto using forced_cont_D, cont_scal.
+  - intros u. apply (energy_pos m1 m2 a2 Hm1 Hm2 Ha2).
+  - intros u Hu. split; [apply Rmult_le_pos; [lra|apply Rabs_pos]|apply rderiv_scal; auto].
+  - intros u Hu e He. destruct (forced_D_dini u _ Hu (HU u Hu) e He) as (d & Hd & K). exists d; split; auto.
+    intros h Hh. specialize (K h Hh). set (w := v1 u - v1' u) in *.
+    assert (W : Rabs w <= / sqrt m1 * sqrt (2 * D u)).
+    { apply Rmult_le_reg_l with (sqrt m1); auto. rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by lra.
+      rewrite <- (sqrt_Rsqr_abs w), <- sqrt_mult_alt by lra. apply sqrt_le_1_alt.
+      unfold D, energy, Pair.energy, Rsqr. fold w. pose proof (pow2_ge_0 (x u - x' u)).
+      pose proof (pow2_ge_0 (v2 u - v2' u)). nra. }
+    assert (P : du u * w <= Rabs (du u) * Rabs w) by (rewrite <- Rabs_mult; apply Rle_abs).
+    assert (Rabs (du u) * Rabs w <= Rabs (du u) * (/ sqrt m1 * sqrt (2 * D u))) by (apply Rmult_le_compat_l; [apply Rabs_pos|auto]).
+    pose proof (pow2_ge_0 w). eapply Rle_trans; [exact K|]. apply Rmult_le_compat_r; [lra|]. nra.
 Qed.
 End Two.
 
@@ -275,8 +277,7 @@ Proof.
   assert (V : rderiv (fun r => m1 * v1 r + b * s r) t (u - (a2 * x t + a1 * v1 t))).
   { eapply little_ext; [|exact (little_plus _ _ (f_v1 _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
   eapply little_ext; [|exact (little_minus _ _ (energy_increment m1 m2 a2 b Hm1 Hm2 x v1 v2 s t _ (f_x _ _ _ _ _ H t
-    Ht) V
-    (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) (pushes_big _ _ _ S)) (little_scal b _
+    Ht) V (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) (pushes_big _ _ _ S)) (little_scal b _
       (friction_power _ _ _ S)))].
   intros h. unfold energy. cbv beta. ring.
 Qed.

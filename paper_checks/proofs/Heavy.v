@@ -3,8 +3,7 @@
     For m1/m2 <= - cos (2 phi* ) the energies on S0 that merge at the first re-entry are exactly one closed
       interval above
     E_cr. For m1/m2 > - cos (2 phi* ) nothing that has touched S above E_cr ever merges: not after the first slip,
-      nor after
-    any later one. *)
+      nor after any later one. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap

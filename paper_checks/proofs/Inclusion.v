@@ -10,40 +10,6 @@ Local Open Scope R_scope.
 
 (** *** Real functions *)
 
-(** if D' <= j sqrt (2 D), then sqrt (2 D) grows at most by the integral J of j *)
-Lemma root_grows D j J r t : cont D -> (forall u, 0 <= D u) -> cont J -> (forall u, 0 <= u -> 0 <= j u /\ rderiv J u (j
-  u)) ->
-  (forall u, 0 <= u -> dini_le D u (j u * sqrt (2 * D u))) -> 0 <= r <= t ->
-  sqrt (2 * D t) <= sqrt (2 * D r) + (J t - J r).
-Proof.
-  intros CD PD CJ HJ HD Hr. apply le_epsilon. intros e He. assert (e2 : 0 < e ^ 2) by nra.
-  set (y := fun u => 2 * D u + e ^ 2). assert (yP : forall u, e ^ 2 <= y u) by (intros u; unfold y; specialize (PD u);
-    lra).
-  assert (yP0 : forall u, 0 < y u) by (intros u; specialize (yP u); lra).
-  assert (G : sqrt (y t) - J t <= sqrt (y r) - J r).
-  { apply (dini_mono (fun u => sqrt (y u) - J u)); auto.
-    - apply cont_minus; auto. apply (cont_sqrt y (e ^ 2)); auto. apply cont_plus; [apply cont_scal; auto|apply
-      cont_const].
-    - intros u Hu q Hq. destruct (HJ u ltac:(lra)) as (Pj & Ju). set (l := j u * sqrt (2 * D u)) in *.
-      assert (Fy : dini_le y u (2 * l)).
-      { intros p Hp. destruct (HD u ltac:(lra) (p / 2)) as (d & Hd & K); [lra|]. exists d; split; auto. intros h Hh.
-        specialize (K h Hh). fold l in K. unfold y. lra. }
-      destruct (sqrt_dini y u _ yP0 Fy (q / 2)) as (d1 & Hd1 & K1); [lra|]. destruct (Ju (q / 2)) as (d2 & Hd2 & K2);
-        [lra|].
-      exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2).
-      pose proof (Rmin_r d1 d2). specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
-      assert (B : 2 * l / (2 * sqrt (y u)) <= j u).
-      { pose proof (sqrt_lt_R0 _ (yP0 u)) as Sy. apply Rmult_le_reg_r with (sqrt (y u)); auto.
-        replace (2 * l / (2 * sqrt (y u)) * sqrt (y u)) with l by (field; lra). apply Rmult_le_compat_l; auto.
-        apply sqrt_le_1_alt. unfold y. lra. }
-      nra. }
-  assert (A : sqrt (2 * D t) <= sqrt (y t)) by (apply sqrt_le_1_alt; unfold y; lra).
-  assert (B : sqrt (y r) <= sqrt (2 * D r) + e).
-  { pose proof (sqrt_pos (2 * D r)) as Q. rewrite <- (sqrt_pow2 (sqrt (2 * D r) + e)) by lra. apply sqrt_le_1_alt.
-    pose proof (sqrt_sqrt (2 * D r) ltac:(specialize (PD r); lra)). unfold y. nra. }
-  lra.
-Qed.
-
 (** y' <= k y gives an exponential: the logarithm is concave *)
 Lemma log_dini y q k t : 0 < q -> 0 <= t -> (forall u, q <= y u) -> cont y -> (forall u, 0 <= u -> dini_le y u (k * y
   u)) ->
@@ -337,8 +303,7 @@ Lemma distance_dini t d : 0 <= t -> vderiv (fun r => minus (G r) (G' r)) t d ->
 Proof.
   intros Ht HG e He. destruct (proj1 H) as [_ _ Ra], (proj1 H') as [_ _ Ra'].
   destruct (energy_increment (fun r => minus (y r) (y' r)) (fun r => minus (P r) (P' r)) t (plus (minus (A (y t)) (A (y'
-    t))) d))
-    with (eps := e / 2) as (d1 & H1 & K1); try lra.
+    t))) d)) with (eps := e / 2) as (d1 & H1 & K1); try lra.
   - intros q Hq. destruct (Ra t Ht (q / 3)) as (c1 & Hc1 & Q1); [lra|]. destruct (Ra' t Ht (q / 3)) as (c2 & Hc2 & Q2);
     [lra|].
     destruct (HG (q / 3)) as (c3 & Hc3 & Q3); [lra|]. exists (Rmin c1 (Rmin c2 c3)).
@@ -404,8 +369,7 @@ Proof.
 Qed.
 
 (** where A parts two states at most at the rate c, so do their motions: a friction that falls with the speed at most at
-  the
-    slope l is monotone with l more, and l less of a damper *)
+  the slope l is monotone with l more, and l less of a damper *)
 Theorem parts_at_most c A phi G P y P' y' t : 0 <= c ->
   (forall y z, ip (minus (A y) (A z)) (minus y z) <= c * ip (minus y z) (minus y z)) ->
   motion A phi G P y -> motion A phi G P' y' -> 0 <= t ->

@@ -1,8 +1,7 @@
 (** Below the critical share r* = 1/(2 sin^2 phi* ) no slip from S ends at or below E_cr, whatever its gap and its push.
 
     In D = depth + gap the level after a slip is a parabola, h^2 - 2 (1 - h k) D + (k^2 + q) D^2 with k = cot p,
-      and D is
-    at least the depth c. Where k^2 + 2 q >= 1 it rises from D = c on,
+      and D is at least the depth c. Where k^2 + 2 q >= 1 it rises from D = c on,
       where it is the level after an excursion from a ray,
     which is positive. Elsewhere its least value, h^2 - (1 - h k)^2/(k^2 + q), falls in p up to the angle with
     k^2 + 2 q = 1, and there it is again the level after an excursion from a ray. *)

@@ -431,8 +431,7 @@ Proof.
 Qed.
 
 (** *** The dichotomy, first form: E falls to a limit <= E_cr; once E <= E_cr the pair merges in bounded time. *)
-Theorem dichotomy_energy :
-  (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b) \/
+Theorem dichotomy_energy : (exists T, 0 <= T /\ E T <= Ecr m1 m2 a2 b) \/
   ((forall t, 0 <= t -> Ecr m1 m2 a2 b < E t) /\ forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
     E t <= Ecr m1 m2 a2 b + e).
 Proof.

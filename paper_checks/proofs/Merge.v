@@ -25,21 +25,6 @@ Proof.
       unfold energy. field.
 Qed.
 
-(** y1 <= 0: it merges at the first landing *)
-Theorem merges_at_landing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
-  hh p ^ 2 <= m2 / (m1 + m2) * depth p ^ 2 -> let t1 := t0 + 2 * p / o1 m1 a2 in
-  forall u, 0 <= u -> x (t1 + u) = X m1 m2 a2 (x t1) (v1 t1) u /\ v1 (t1 + u) = V m1 m2 a2 (x t1) (v1 t1) u /\
-    v2 (t1 + u) = V m1 m2 a2 (x t1) (v1 t1) u.
-Proof.
-  intros Hk Ht Hp HR Hy t1. destruct (first_landing k t0 p Hk Ht Hp HR) as (Ev & En). fold t1 in Ev, En.
-  pose proof (o1_pos m1 a2 Hm1 Ha2). assert (0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; lra).
-  apply (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H); auto; [unfold t1; lra|]. rewrite En.
-  pose proof (q_pos m1 m2 Hm1 Hm2). assert (E0 : 0 < Ecr m1 m2 a2 b).
-  { rewrite Ecr_L by auto. pose proof (pow_lt _ 2 (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)). nra. }
-  set (y := hh p ^ 2 - m2 / (m1 + m2) * depth p ^ 2) in *. assert (y <= 0) by (unfold y; lra).
-  assert (m1 / (m1 + m2) * y <= 0) by nra. nra.
-Qed.
-
 (** From S0, at a level with theta <= pi (E <= E_cr (1 + q pi^2/4)): the solution never merges exactly if r c^2 <
   h^2. *)
 Theorem merges_iff t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L m1 m2 a2 b <= x t0 <= L m1 m2 a2 b -> 0 < p <= PI / 2 ->
@@ -61,29 +46,3 @@ Proof.
   - intros Y. exact (never_merges m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) (conj Hp Y) HR).
 Qed.
 End Merge.
-
-(** The threshold for solutions: above -cos 2p the first landing of every exit (p < pi) stays above E_cr;
-    up to it, every solution on the exit ray with the half angle p merges at its first landing. *)
-Theorem threshold_of_solutions : exists p, 0 < p < PI /\ K p = 0 /\ forall m1 m2 a2 b, 0 < m1 -> 0 < m2 ->
-  0 < a2 -> 0 < b ->
-  forall x v1 v2 s k t0, solution m1 m2 0 a2 b x v1 v2 s -> k = 1 \/ k = -1 -> 0 <= t0 ->
-  (- cos (2 * p) < m1 / m2 -> forall p', 0 < p' < PI -> on_ray m1 m2 a2 b k (hh p') x v1 v2 t0 ->
-     let t1 := t0 + 2 * p' / o1 m1 a2 in Ecr m1 m2 a2 b < energy m1 m2 a2 (x t1) (v1 t1) (v2 t1)) /\
-  (m1 / m2 <= - cos (2 * p) -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 -> let t1 := t0 + 2 * p / o1 m1 a2 in
-     forall u, 0 <= u -> x (t1 + u) = X m1 m2 a2 (x t1) (v1 t1) u /\ v1 (t1 + u) = V m1 m2 a2 (x t1) (v1 t1) u /\
-       v2 (t1 + u) = V m1 m2 a2 (x t1) (v1 t1) u).
-Proof.
-  destruct threshold as (p & Hp & Z & _ & Up & Lo & Iff). exists p. split; [auto|]. split; [auto|].
-  intros m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s k t0 H Hk Ht. split.
-  - intros Hr p' Hp' HR t1. destruct (first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p' Hk Ht Hp' HR) as
-    (_ & En). fold t1 in En. rewrite En.
-    apply Iff in Hr; auto. assert (R0 : 0 < m2 / (m1 + m2)) by (apply Rdiv_lt_0_compat; lra).
-    pose proof (Up _ R0 Hr p' Hp') as Y. assert (Q0 : 0 < m1 / (m1 + m2)) by (apply Rdiv_lt_0_compat; lra).
-    assert (E0 : 0 < Ecr m1 m2 a2 b). { rewrite Ecr_L by auto.
-      pose proof (pow_lt _ 2 (L_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb)). nra. }
-    pose proof (Rmult_lt_0_compat _ _ Q0 Y) as QY. pose proof (Rmult_lt_0_compat _ _ E0 QY). lra.
-  - intros Hr HR. apply (merges_at_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t0 p Hk Ht Hp HR).
-    assert (hh p ^ 2 - m2 / (m1 + m2) * depth p ^ 2 <= 0); [|lra]. apply Lo.
-    destruct (Rle_dec (/ (2 * sin p ^ 2)) (m2 / (m1 + m2))) as [|N]; auto. exfalso.
-      assert (- cos (2 * p) < m1 / m2) by (apply Iff; auto; lra). lra.
-Qed.

@@ -1,7 +1,6 @@
 (** Who merges from S0 when it first meets S after it left S0, and who at the first re-entry of S0,
     after any number of crossings: exactly the energies of one and the same closed interval above E_cr,
-    whose ends are the two roots of
-    hh = sqrt r depth. *)
+    whose ends are the two roots of hh = sqrt r depth. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp MergeSet Cross

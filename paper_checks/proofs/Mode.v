@@ -223,8 +223,7 @@ Proof.
       pose proof (Rmin_r e1 e2).
     specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. cbv beta in K1. unfold Phi.
     assert (Rate : - ((beyond k t - a2 * y t - a1 * y' t) / m1) * A t + -1 * W t * c + (y' t * - B t + y t * - (a2 /
-      m1 * A t))
-      <= - (A t * beyond k t / m1)); [|nra].
+      m1 * A t)) <= - (A t * beyond k t / m1)); [|nra].
     assert (Bn : 0 <= - B t <= a2 / m1 * (T - t)).
     { assert (Cz : 0 <= c * (T - t) <= / 2).
       { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (c * d); [apply Rmult_le_compat_l; lra|lra]. }
@@ -242,8 +241,7 @@ Proof.
       assert (0 <= a1 / m1) by (apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; auto]).
       assert (0 < a2 / m1) by (apply Rdiv_lt_0_compat; auto). nra. }
     replace (- ((beyond k t - a2 * y t - a1 * y' t) / m1) * A t + -1 * W t * c + (y' t * - B t + y t * - (a2 / m1 * A
-      t)))
-      with (- (A t * beyond k t / m1) + (y' t * (a1 / m1 * A t - B t) - W t * c)) by (field; lra). lra. }
+      t))) with (- (A t * beyond k t / m1) + (y' t * (a1 / m1 * A t - B t) - W t * c)) by (field; lra). lra. }
   assert (CPhi : cont Phi).
   { assert (CA : cont A) by (apply cont_of_derive with (fun _ => c); intros; unfold A; auto_derive; auto; ring).
     assert (CB : cont B) by (apply cont_of_derive with (fun t => a2 / m1 * A t); intros; unfold A, B; auto_derive;
@@ -447,8 +445,7 @@ Proof.
   { apply (rise_le k 0 d Hk); [lra|lra| |lra]. intros r Hr _. rewrite Load.
     destruct (Req_dec r t0) as [->|N].
     - rewrite B0. unfold f. rewrite Y0. unfold y'. replace ((0 + - (a1 * (k * v1 t0 - (k * v1 t0 + b / m2 * (t0 -
-      t0))) + a2 * 0)) / m1) with 0
-        by (field; lra). lra.
+      t0))) + a2 * 0)) / m1) with 0 by (field; lra). lra.
     - pose proof (Low r ltac:(lra)). pose proof (Mono t0 r ltac:(lra) ltac:(lra)).
       assert (beyond k r + f r <= 0) by lra. assert (0 < / m1) by (apply Rinv_0_lt_compat; auto).
       apply Rmult_le_0_r; lra. }

@@ -1,14 +1,11 @@
 (** A sinusoidal force u = F sin (om t + phi) so strong that the pair never sticks: the motion that slips one way for
-  half a
-    period and then the other way exists exactly from one amplitude on, U**. With damping a1 >= 0.
+  half a period and then the other way exists exactly from one amplitude on, U**. With damping a1 >= 0.
 
     Body 1 then feels the force and a push -b, +b that is turned round after each half period.
       Its motion is the response to
     the sinusoid minus b times k, where k is its response to the push 1 of that kind: k and its speed change sign over
-      half a
-    period. What is left to choose is the phase; v1 = v2 at the turn fixes one part of the response,
-      and v1 > v2 afterwards
-    asks at least so much of the other. *)
+      half a period. What is left to choose is the phase; v1 = v2 at the turn fixes one part of the response,
+      and v1 > v2 afterwards asks at least so much of the other. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Chase Forced ForcedExistence Response Bounded Arcs.
@@ -50,8 +47,7 @@ Proof.
     destruct (Ex d Hd) as (t & Ht & Dt). specialize (K t ltac:(lra) Dt). specialize (P t Ht). apply Rabs_def2 in K.
       lra. }
   split; apply Near; try lra; intros d Hd; pose proof (Rmin_l (d / 2) ((q - p) / 2));
-    pose proof (Rmin_r (d / 2) ((q - p) / 2));
-    assert (0 < Rmin (d / 2) ((q - p) / 2)) by (apply Rmin_glb_lt; lra).
+    pose proof (Rmin_r (d / 2) ((q - p) / 2)); assert (0 < Rmin (d / 2) ((q - p) / 2)) by (apply Rmin_glb_lt; lra).
   - exists (p + Rmin (d / 2) ((q - p) / 2)). split; [lra|]. apply Rabs_def1; lra.
   - exists (q - Rmin (d / 2) ((q - p) / 2)). split; [lra|]. apply Rabs_def1; lra.
 Qed.
@@ -226,8 +222,7 @@ Proof.
         assert (Bs * sin (om * t) <= B * sin (om * t)) by (apply Rmult_le_compat_r; lra).
         unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra. }
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) _ X V1 V2 _ T ltac:(lra) (cont_wave F om phi
-    Hom)
-    (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
+    Hom) (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
   exists phi, x, v1, v2, s. destruct (E 0 ltac:(lra)) as (X0 & V10 & V20).
     destruct (E T ltac:(lra)) as (XT & V1T & V2T).
   assert (OT : om * T = PI) by (unfold T; field; lra).
@@ -297,8 +292,7 @@ Proof.
   destruct (Anti 0 (Rle_refl 0)) as (X0 & V0 & W0). rewrite Rplus_0_r in X0, V0, W0.
   assert (Meet : v1 0 = v2 0).
   { destruct (ends_nonneg (fun t => v1 t - v2 t) 0 T) as (A & B); [apply cont_minus; auto|lra|intros t Ht;
-    specialize (Pos t Ht);
-    lra|]. lra. }
+    specialize (Pos t Ht); lra|]. lra. }
   assert (V20 : v2 0 = - (b / m2 * (T / 2))).
   { pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ 0 T H ltac:(lra) ltac:(lra)) as Q.
     rewrite (Clock T) in Q by lra. lra. }

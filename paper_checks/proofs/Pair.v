@@ -224,8 +224,7 @@ Proof.
 Qed.
 
 (** *** Forward uniqueness *)
-Theorem unique x v1 v2 s x' v1' v2' s' t0 :
-  solution x v1 v2 s -> solution x' v1' v2' s' -> 0 <= t0 ->
+Theorem unique x v1 v2 s x' v1' v2' s' t0 : solution x v1 v2 s -> solution x' v1' v2' s' -> 0 <= t0 ->
   x t0 = x' t0 -> v1 t0 = v1' t0 -> v2 t0 = v2' t0 ->
   forall t, t0 <= t -> x t = x' t /\ v1 t = v1' t /\ v2 t = v2' t.
 Proof.
@@ -246,8 +245,7 @@ Theorem energy_rate t : 0 <= t -> rderiv E t (- b * Rabs (v1 t - v2 t) - a1 * v1
 Proof.
   intros Ht. pose proof (solution_pushes _ _ _ _ t H Ht) as S. eapply little_ext; [|exact (little_minus _ _
     (energy_increment x v1 v2 s t _ (s_x _ _ _ _ H t Ht) (s_v1 _ _ _ _ H t Ht) (driven_v2 _ _ _ _ t H Ht) (pushes_big
-      _ _ _ S))
-    (little_scal b _ (friction_power _ _ _ S)))].
+      _ _ _ S)) (little_scal b _ (friction_power _ _ _ S)))].
   intros h. unfold E. cbv beta. ring.
 Qed.
 

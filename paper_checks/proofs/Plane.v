@@ -1,8 +1,6 @@
 (** The pair on a surface, round friction. A stuck pair runs on an ellipse: it sticks for ever exactly if the semi-major
-  axis
-    is at most L, so the energy of the edge lies between E_cr (a line) and 2 E_cr (a circle). The end of a slip is a
-      regular
-    event of G = b|s| + Lambda.s. *)
+  axis is at most L, so the energy of the edge lies between E_cr (a line) and 2 E_cr (a circle). The end of a slip is a
+      regular event of G = b|s| + Lambda.s. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Inclusion Limit.
@@ -53,8 +51,7 @@ Proof.
       assert (E : (A - B) * cos (2 * th) + 2 * C * sin (2 * th) = R0).
       { apply Rmult_eq_reg_l with R0; auto. pose proof (sin2_cos2 (2 * th)) as SC. unfold Rsqr in SC.
         replace (R0 * ((A - B) * cos (2 * th) + 2 * C * sin (2 * th))) with ((A - B) * (R0 * cos (2 * th)) + 2 * C * (R0
-          * sin
-          (2 * th))) by ring. rewrite Ec, Es. lra. }
+          * sin (2 * th))) by ring. rewrite Ec, Es. lra. }
       lra.
   - intros th. apply Sq. rewrite ellipse_square. pose proof (sin2_cos2 (2 * th)) as SC. unfold Rsqr in SC.
     set (c := cos (2 * th)) in *. set (s := sin (2 * th)) in *. assert (Q : (A - B) * c + 2 * C * s <= R0); [|lra].
@@ -67,8 +64,7 @@ Proof.
 Qed.
 
 (** in units of E_cr the energy is (|q|^2 + |p|^2) / L^2: up to 1 it sticks for ever, beyond 2 never, and a line or a
-  circle
-    exactly up to there *)
+  circle exactly up to there *)
 Theorem stuck_energies L : 0 <= L ->
   (A + B <= L ^ 2 -> forall th, norm ip (ellipse th) <= L) /\
   ((forall th, norm ip (ellipse th) <= L) -> A + B <= 2 * L ^ 2) /\
@@ -91,8 +87,7 @@ Qed.
 End Ellipse.
 
 (** T4: in slip s' = k (Lambda - b s/|s|) the function G = b|s| + Lambda.s falls towards its zero, the end of the slip,
-  at a
-    rate that does not vanish there while |Lambda| < b *)
+  at a rate that does not vanish there while |Lambda| < b *)
 Theorem landing_rate k b (x y p q : R -> R) l l' t : 0 < x t ^ 2 + y t ^ 2 ->
   is_derive x t (k * (p t - b * x t / sqrt (x t ^ 2 + y t ^ 2))) ->
   is_derive y t (k * (q t - b * y t / sqrt (x t ^ 2 + y t ^ 2))) -> is_derive p t l -> is_derive q t l' ->

@@ -1,8 +1,7 @@
 (** From every contact beyond the ends of S0 the pair comes back to S0 after finitely many slips, for every mass ratio.
 
     Each slip that crosses S0 moves body 1 by more than 2 L, so it lasts some time, so its depth is not small,
-      so it costs
-    a fixed amount of energy. *)
+      so it costs a fixed amount of energy. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Gap Alternate
@@ -196,8 +195,7 @@ Proof.
         apply Rmult_le_compat_l; lra]);
     assert (- L <= k * x t1 <= L) by (rewrite A; split; nra); destruct Hk; subst k; lra.
   all: apply Rnot_le_lt in Out; pose proof (crossing_costs k d p t0 e Hk Ht D0 Hp He Hep HG Out) as Drop;
-    fold t1 in Drop;
-    pose proof (least_cost_pos e Hep) as Cost.
+    fold t1 in Drop; pose proof (least_cost_pos e Hep) as Cost.
   - exfalso. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t1) (v1 t1) (v2 t1)). unfold E in *. simpl in En. lra.
   - destruct (crossing m1 m2 a2 b Hm1 Hm2 Ha2 Hb k x v1 v2 s t0 d p Hk H Ht D0 Hp HG Out) as (D' & _ & G' & _).
     fold q o1 in D', G'. fold t1 in G'. rewrite S_INR in En.

@@ -34,8 +34,7 @@ Proof.
   apply Rle_trans with ((m1 + m2) / (m1 * m2) * (m1 * p ^ 2 + m2 * q ^ 2)).
   - apply Rmult_le_reg_r with (m1 * m2); [nra|].
     replace ((m1 + m2) / (m1 * m2) * (m1 * p ^ 2 + m2 * q ^ 2) * (m1 * m2)) with ((p - q) * (p - q) * (m1 * m2) + (m1
-      * p + m2 * q) ^ 2)
-      by (field; lra).
+      * p + m2 * q) ^ 2) by (field; lra).
     pose proof (pow2_ge_0 (m1 * p + m2 * q)). lra.
   - replace (2 * ((m1 + m2) / (m1 * m2)) * e) with ((m1 + m2) / (m1 * m2) * (2 * e)) by ring. apply Rmult_le_compat_l;
     [lra|].

@@ -110,8 +110,7 @@ Proof.
       intros h; simpl. rewrite Rabs_pos_eq by lra. ring. }
   assert (B : big (fun h => s (t + h) - s t)).
   { exists (bs / bk), 1. split; [apply Rdiv_lt_0_compat; lra|]. split; [lra|]. intros h Hh. apply Rmult_le_reg_l with
-    bk;
-    auto. pose proof (j_lip _ _ _ _ H t (t + h) ltac:(lra)) as L. replace (t + h - t) with h in L by ring.
+    bk; auto. pose proof (j_lip _ _ _ _ H t (t + h) ltac:(lra)) as L. replace (t + h - t) with h in L by ring.
     replace (bk * (bs / bk * h)) with (bs * h) by (field; lra). auto. }
   eapply little_ext; [|exact (little_minus _ _ (energy_increment m1 m2 a2 bk Hm1 Hm2 x v1 v2 s t _ (j_x _ _ _ _ H t Ht)
     (j_v1 _ _ _ _ H t Ht) (fun h Hh => ltac:(rewrite (jumping_v2 t (t + h)) by lra; ring)) B) (little_scal bk _ F))].
@@ -166,8 +165,7 @@ Proof.
   replace (C * (t - r)) with (m2 / M * (a2 * (V * (t - r)) + a1 * (A * (t - r)))) by (unfold C, load_rate, M, A, V, P;
     field; split; lra).
   unfold ld, stick_load. replace (- (m2 * (a2 * x t + a1 * v1 t)) / (m1 + m2) - - (m2 * (a2 * x r + a1 * v1 r)) / (m1 +
-    m2))
-    with (m2 / M * (- (a2 * (x t - x r) + a1 * (v1 t - v1 r)))) by (unfold M; field; lra).
+    m2)) with (m2 / M * (- (a2 * (x t - x r) + a1 * (v1 t - v1 r)))) by (unfold M; field; lra).
   assert (0 < m2 / M) by (apply Rdiv_lt_0_compat; auto). rewrite Rabs_mult, Rabs_pos_eq by lra.
   apply Rmult_le_compat_l; [lra|]. rewrite Rabs_Ropp. apply Rabs_inv in Lx. apply Rabs_inv in Lv. apply Rabs_le. split;
     nra.
@@ -274,8 +272,7 @@ Proof.
   - exfalso. destruct (j_keeps _ _ _ _ H c Hc Meet Lt) as (d & Hd & K). destruct (Out d Hd) as (u & Hu & Nu).
     apply Nu, K. lra.
   - destruct (Rle_dec 0 (ld c)); [exists 1|exists (-1)]; [rewrite Rabs_pos_eq in N by lra|rewrite Rabs_left in N by
-    lra];
-    split; auto; lra.
+    lra]; split; auto; lra.
 Qed.
 
 (** a slip from one contact to the next *)

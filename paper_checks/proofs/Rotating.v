@@ -1,6 +1,5 @@
 (** The pair in the plane under a rotating force, round friction: while U <= U* it moves on a circle, stuck; above, body
-  2
-    slips at a constant speed given by a quadratic. So there is no regime of sticking and slipping in turn: U** = U*. *)
+  2 slips at a constant speed given by a quadratic. So there is no regime of sticking and slipping in turn: U** = U*. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Limit.
@@ -60,8 +59,7 @@ Proof.
   - split; auto_derive; auto; unfold X, Z; field; lra.
   - split; auto_derive; auto; field; lra.
   - pose proof (sin2_cos2 (om * t + p)) as SC. unfold Rsqr in SC. replace (f ^ 2) with (f ^ 2 * (sin (om * t + p) * sin
-    (om *
-      t + p) + cos (om * t + p) * cos (om * t + p))) by (rewrite SC; ring). ring.
+    (om * t + p) + cos (om * t + p) * cos (om * t + p))) by (rewrite SC; ring). ring.
   - split; ring.
 Qed.
 

@@ -106,15 +106,13 @@ Proof.
         + a1 * (k * v1 t0 + k * k * (b / m2) * (t - t0))) by (field; lra). rewrite KK. lra. }
   exists d. split; auto. intros t Ht.
   destruct (follow_arc m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U f x v1 v2 s X V V (fun _ => k) d t0 (Rlt_le _ _ Hd) Ht0)
-    with (t := t - t0)
-    as (Ex & Ev1 & Ev2); try exact Arc; auto; try lra.
+    with (t := t - t0) as (Ex & Ev1 & Ev2); try exact Arc; auto; try lra.
   { intros r Hr. rewrite <- Asks by auto. apply DU. lra. }
   { unfold X. field. lra. } { unfold V. ring. } { unfold V. lra. }
   replace (t0 + (t - t0)) with t in * by ring. split; [lra|]. split; [|rewrite Ex; unfold X; field; lra].
   unfold load, Mode.load. rewrite Asks, Ex, Ev1 by auto. unfold f.
   replace (k * (m2 * (k * ((m1 + m2) * (b / m2)) + a2 * X (t - t0) + a1 * V (t - t0) - a2 * X (t - t0) - a1 * V (t -
-    t0)) / (m1 + m2)))
-    with (k * k * b) by (field; lra). rewrite KK. ring.
+    t0)) / (m1 + m2))) with (k * k * b) by (field; lra). rewrite KK. ring.
 Qed.
 
 (** the state has no jumps, and a jump j of the force moves the strip by j/a2: the load at the place beside is the

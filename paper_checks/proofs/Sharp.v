@@ -69,14 +69,6 @@ Theorem level_to_zero : is_lim_seq y 0. Proof. exact (y_to_zero r r_pos ph ph_pi
 (** at the rate of the return map *)
 Theorem level_rate : is_lim_seq (fun n => INR n * y n) (4 / (9 * r)). Proof.
   exact (Rate.sharp r r_pos ph ph_pi y_step). Qed.
-(** k w_k -> 4 q / (9 r) for the exits of the solution *)
-Theorem exit_rate : is_lim_seq (fun n => INR n * (E (tm n) / Ecr - 1)) (4 * q / (9 * r)).
-Proof.
-  pose proof Ecr_pos. apply is_lim_seq_ext with (fun n => q * (INR n * y n)).
-  { intros n. rewrite exit_level. field. lra. }
-  replace (Finite (4 * q / (9 * r))) with (Rbar_mult q (4 / (9 * r))) by (simpl; f_equal; field; lra).
-  apply is_lim_seq_scal_l, level_rate.
-Qed.
 
 (** cycle times *)
 Theorem cycle_limit : is_lim_seq (fun n => tm (S n) - tm n) (PI / om).

@@ -150,8 +150,7 @@ Proof.
   destruct Bd as (By & Bp).
   pose proof (balance m1 m2 a1 a2 F om HZ t) as Ba. pose proof (rX_bound m1 m2 a1 a2 F om HF HZ t) as BX. fold R0 in BX.
   replace (m2 * (F * sin (om * t) - a2 * x t - a1 * v1 t) / M) with (- (m2 * (om ^ 2 * rX m1 m2 a1 a2 F om t) + m2
-    / M * (a2 * y + a1 * p)))
-    by (rewrite <- Ba; unfold y, p, M; field; lra).
+    / M * (a2 * y + a1 * p))) by (rewrite <- Ba; unfold y, p, M; field; lra).
   rewrite Rabs_Ropp. eapply Rle_trans; [apply Rabs_triang|].
   pose proof (abs_scal m2 _ _ ltac:(lra) (abs_scal (om ^ 2) _ _ ltac:(lra) BX)) as N1.
   assert (N2 : Rabs (m2 / M * (a2 * y + a1 * p)) <= m2 / M * ((a1 + a2) * d)).

@@ -48,8 +48,7 @@ Qed.
 
 (** the power of an impulse of friction is the one that it has at the contact *)
 Lemma friction_work F t u (z : V * V) : state_ip (minus (impulse (fun t => Bt (F t)) u) (impulse (fun t => Bt (F t)) t))
-  z =
-  dotw (minus (F u) (F t)) (B (snd z)).
+  z = dotw (minus (F u) (F t)) (B (snd z)).
 Proof.
   rewrite (ip_minus _ state_inner). unfold state_ip, impulse; simpl. rewrite !(m_inverse S), !(b_transposed S).
   rewrite (ip_minus _ (dotw_inner S)). ring.
@@ -166,8 +165,7 @@ Proof.
   - intros. ring.
   - intros. unfold plus; simpl. unfold plus; simpl. ring.
   - intros c y z. change (a2 * (c * fst (fst y) * fst (fst z)) + m1 * (c * snd (fst y) * snd (fst z)) + m2 * (c * snd y
-    * snd z) =
-      c * (a2 * (fst (fst y) * fst (fst z)) + m1 * (snd (fst y) * snd (fst z)) + m2 * (snd y * snd z))). ring.
+    * snd z) = c * (a2 * (fst (fst y) * fst (fst z)) + m1 * (snd (fst y) * snd (fst z)) + m2 * (snd y * snd z))). ring.
   - intros y. pose proof (Rle_0_sqr (fst (fst y))) as P1. pose proof (Rle_0_sqr (snd (fst y))) as P2.
     pose proof (Rle_0_sqr (snd y)) as P3. unfold Rsqr in *. repeat apply Rplus_le_le_0_compat; apply Rmult_le_pos; auto;
       lra.

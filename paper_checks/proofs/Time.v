@@ -2,10 +2,8 @@
   w the excess of its exit: the orders sqrt w and w cancel.
 
     In Omega t the slip takes 2 p sqrt q and the stick pi - A - B, with sin A = sqrt q u'/rho,
-      sin B = sqrt q (2 p - u)/rho,
-    where u = h(p), u' is that of the next exit, and rho^2 = 1 + q u'^2.
-      A small angle is its sine up to its cube over 6,
-    rho is 1 up to q u^2/2, and u' is u up to r c^2/u. *)
+      sin B = sqrt q (2 p - u)/rho, where u = h(p), u' is that of the next exit, and rho^2 = 1 + q u'^2.
+      A small angle is its sine up to its cube over 6, rho is 1 up to q u^2/2, and u' is u up to r c^2/u. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Law.

@@ -18,7 +18,8 @@ Record scene := Scene { m1 : Q; m2 : Q; a1 : Q; a2 : Q; x_0 : Q; v1_0 : Q; x2_0 
 
 (** rational coefficients as real ones *)
 Definition in_R (y : steady Q) := Steady (Q2R (from y)) (map Q2R (poly y)) (map (fun z =>
-  Tone (Q2R (in_sine z)) (Q2R (in_cosine z)) (Q2R (turn z)) (Q2R (phase z))) (tones y)).
+  Tone (Q2R (in_sine z)) (Q2R (in_cosine z)) (Q2R (rise_sine z)) (Q2R (rise_cosine z)) (Q2R (turn z)) (Q2R (phase z)))
+    (tones y)).
 (** the force at the time t *)
 Fixpoint force_at now later t := match later with
   | next :: later => if Rlt_dec t (Q2R (since next)) then sval real (in_R (push now)) t else force_at next later t
@@ -26,7 +27,6 @@ Fixpoint force_at now later t := match later with
 (** friction and duration of all spells but the last, and the last one's friction *)
 Fixpoint pieces now later := match later with
   | next :: later => (Q2R (friction now), Q2R (since next) - Q2R (since now)) :: pieces next later | [] => [] end.
-(** as said *)
 Fixpoint last_friction now later := match later with
   | next :: later => last_friction next later | [] => Q2R (friction now) end.
 
@@ -47,9 +47,9 @@ Definition in_mode m v1 v2 := match m with Slip true => v2 < v1 | Slip false => 
 (** an event: the mode that ends with it, the bounds of its time, of both places there and of the common velocity *)
 Record event := Event { mode_until : mode; time : Q * Q; place : Q * Q; place2 : Q * Q; speed : Q * Q }.
 
-(** the end: the mode, the time, the bounds of the state and of v1 - v2 *)
+(** the end: the mode, the time, the bounds of the state and of v1 - v2, and whether the pair sticks from then on *)
 Record ending := Ending { last_mode : mode; last : Q; last_place : Q * Q; last_v1 : Q * Q; last_place2 : Q * Q;
-  last_v2 : Q * Q; last_relative : Q * Q }.
+  last_v2 : Q * Q; last_relative : Q * Q; for_ever : bool }.
 
 (** between two rationals *)
 Definition within (i : Q * Q) r := Q2R (fst i) <= r <= Q2R (snd i).
@@ -64,7 +64,8 @@ Fixpoint unfolds (x v1 x2 v2 : R -> R) (t : R) (events : list event) (e : ending
   | [] => t < Q2R (last e) /\ (forall u, t < u <= Q2R (last e) -> in_mode (last_mode e) (v1 u) (v2 u)) /\
       within (last_place e) (x (Q2R (last e))) /\ within (last_v1 e) (v1 (Q2R (last e))) /\
       within (last_place2 e) (x2 (Q2R (last e))) /\ within (last_v2 e) (v2 (Q2R (last e))) /\
-      within (last_relative e) (v1 (Q2R (last e)) - v2 (Q2R (last e)))
+      within (last_relative e) (v1 (Q2R (last e)) - v2 (Q2R (last e))) /\
+      (for_ever e = true -> forall u, Q2R (last e) < u -> v1 u = v2 u)
   end.
 
 (** the mode until the next event *)
@@ -110,13 +111,11 @@ Fixpoint runs x v1 v2 now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (si
 Fixpoint in_order now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (since now) /\ match later with
   | next :: later => Q2R (since now) < Q2R (since next) /\ in_order next later | [] => True end.
 
-(** as said *)
 Lemma force_now now later t : in_order now later ->
   (match later with next :: _ => t < Q2R (since next) | [] => True end) ->
   force_at now later t = sval real (in_R (push now)) t.
 Proof. intros _. destruct later as [|next later]; simpl; auto. intros Ht. destruct Rlt_dec; auto; lra. Qed.
 
-(** as said *)
 Lemma varying_runs later : forall now U U' x v1 v2 x' v1' v2', in_order now later ->
   (forall t, Q2R (since now) <= t -> rderiv U t (force_at now later t)) ->
   (forall t, 0 <= t -> U' t = U (Q2R (since now) + t) /\ x' t = x (Q2R (since now) + t) /\
@@ -157,27 +156,23 @@ End Spells.
 
 (** *** Answers *)
 (** rational numbers; their sines are not asked for *)
-Definition rational := Arith Q 0%Q Qplus Qminus Qmult Qdiv Qopp (fun q => q) (fun q => q).
-(** as said *)
+Definition rational := Arith 0%Q Qplus Qminus Qmult Qdiv Qopp (fun q => q) (fun q => q).
 Lemma in_R_padd l : forall k, map Q2R (padd rational l k) = padd real (map Q2R l) (map Q2R k).
 Proof.
   induction l as [|c l IH]; intros [|d k]; auto. cbn [padd map]. rewrite IH. simpl. rewrite Q2R_plus. auto.
 Qed.
-(** as said *)
 Lemma in_R_dpoly l : map Q2R (dpoly rational l) = dpoly real (map Q2R l).
 Proof.
   induction l as [|c [|d l] IH]; auto. change (dpoly rational (c :: d :: l)) with
     (padd rational (d :: l) (0%Q :: dpoly rational (d :: l))). rewrite in_R_padd. cbn [map] in *. rewrite IH.
   rewrite RMicromega.Q2R_0. reflexivity.
 Qed.
-(** as said *)
 Lemma pval_times c l u : pval real (map Q2R (map (Qmult c) l)) u = Q2R c * pval real (map Q2R l) u.
 Proof.
   induction l as [|d l IH]; cbn [map]; rewrite ?pval_cons, ?IH, ?Q2R_mult; [unfold pval; simpl|]; ring.
 Qed.
 (** coefficients that are all 0 *)
 Definition vanishes := forallb (Qeq_bool 0).
-(** as said *)
 Lemma vanishes_spec l u : vanishes l = true -> pval real (map Q2R l) u = 0.
 Proof.
   induction l as [|c l IH]; auto. cbn [vanishes forallb map]. intros E. apply andb_true_iff in E. destruct E as (E & F).
@@ -187,8 +182,8 @@ Qed.
 Fixpoint tones_answer m a1 a2 (ys fs : list (tone Q)) : bool := match ys, fs with
   | y :: ys, f :: fs => let y' := dtone rational y in let y'' := dtone rational y' in
       Qeq_bool (turn y) (turn f) && Qeq_bool (phase y) (phase f) &&
-      Qeq_bool (m * in_sine y'' + a1 * in_sine y' + a2 * in_sine y) (in_sine f) &&
-      Qeq_bool (m * in_cosine y'' + a1 * in_cosine y' + a2 * in_cosine y) (in_cosine f) && tones_answer m a1 a2 ys fs
+      forallb (fun part => Qeq_bool (m * part y'' + a1 * part y' + a2 * part y) (part f))
+        [in_sine (T := Q); in_cosine (T := Q); rise_sine (T := Q); rise_cosine (T := Q)] && tones_answer m a1 a2 ys fs
   | [], [] => true | _, _ => false end.
 (** the same of all of an answer *)
 Definition is_answer m a1 a2 (y f : steady Q) := let l := poly y in
@@ -196,7 +191,6 @@ Definition is_answer m a1 a2 (y f : steady Q) := let l := poly y in
   Qeq_bool (from y) (from f) && tones_answer m a1 a2 (tones y) (tones f) &&
   vanishes (padd rational (map (Qmult m) (dpoly rational l')) (padd rational (map (Qmult a1) l')
     (padd rational (map (Qmult a2) l) (map (Qmult (-1)) (poly f))))).
-(** as said *)
 Lemma is_answer_spec m a1 a2 y f : is_answer m a1 a2 y f = true -> answers (Q2R m) (Q2R a1) (Q2R a2) (in_R y) (in_R f).
 Proof.
   intros E. apply andb_true_iff in E. destruct E as (E & V). apply andb_true_iff in E. destruct E as (E & W). intros t.
@@ -210,26 +204,27 @@ Proof.
   replace (Q2R (-1)) with (-1) by (unfold Q2R; simpl; field). intros p0 p1 p2 p3 V. revert W.
   generalize (tones f). induction (tones y) as [|z zs IH]; intros [|w ws]; cbn [tones_answer map fold_right];
     try discriminate; [intros _; lra|].
-  intros W. rewrite !andb_true_iff in W. destruct W as ((((W & P) & S) & C) & Rest). rewrite <- (IH ws Rest). clear IH.
-  apply Qeq_bool_iff, Qeq_eqR in W. apply Qeq_bool_iff, Qeq_eqR in P. apply Qeq_bool_iff, Qeq_eqR in S.
-  apply Qeq_bool_iff, Qeq_eqR in C. cbn [dtone in_sine in_cosine turn phase neg mul rational] in S, C.
-  rewrite !Q2R_plus, !Q2R_mult, !Q2R_opp, !Q2R_mult in S, C.
-  unfold tval; simpl. rewrite <- W, <- P, <- S, <- C, ?Q2R_opp, ?Q2R_mult. ring.
+  intros W. cbn [forallb] in W. rewrite !andb_true_iff in W.
+  destruct W as (((W & P) & S & C & S' & C' & _) & Rest). rewrite <- (IH ws Rest). clear IH.
+  apply Qeq_bool_iff, Qeq_eqR in W, P, S, C, S', C'.
+  cbn [dtone in_sine in_cosine rise_sine rise_cosine turn phase add sub neg mul rational] in S, C, S', C'.
+  unfold tval; simpl. rewrite <- W, <- P, <- S, <- C, <- S', <- C'.
+  repeat first [rewrite Q2R_plus | rewrite Q2R_mult | rewrite Q2R_minus | rewrite Q2R_opp]. ring.
 Qed.
 
 (** *** The program *)
 (** what helps it, event by event: in how many bits; an event, with bounds of the time since the one before or since a
     rest, and which way a stick ends; a rest at a time, where the spell may end, and a stick may break, and for how long
-    the mode before it surely lasts; the end *)
+    the mode before it surely lasts; the end; a time until which it then still sticks as long, and then for ever *)
 Inductive hint := Hit (bits : positive) (least most : Q) (towards : bool)
-  | Rest (bits : positive) (until least : Q) (breaks : bool) | Last (bits : positive) (least : Q).
+  | Rest (bits : positive) (until least : Q) (breaks : bool) | Last (bits : positive) (least : Q)
+  | Ever (bits : positive) (until least : Q).
 
 (** what is known of a state beside bounds: nothing; a contact; the edge on which a stick has ended *)
 Inductive start := Off | Touch | Edge (ahead : bool).
 
 (** the rational numbers that are checked to be positive, or in order *)
 Definition posQ q := (0 <? Qnum q)%Z.
-(** as said *)
 Lemma posQ_spec q : posQ q = true -> 0 < Q2R q.
 Proof.
   intros H. apply Z.ltb_lt in H. unfold Q2R. apply Rmult_lt_0_compat; [apply (IZR_lt 0); auto|].
@@ -237,7 +232,6 @@ Proof.
 Qed.
 (** not negative *)
 Definition nonnegQ q := (0 <=? Qnum q)%Z.
-(** as said *)
 Lemma nonnegQ_spec q : nonnegQ q = true -> 0 <= Q2R q.
 Proof.
   intros H. apply Z.leb_le in H. unfold Q2R. apply Rmult_le_pos; [apply (IZR_le 0); auto|].
@@ -245,7 +239,6 @@ Proof.
 Qed.
 (** the middle of two *)
 Definition mid p q := Qred ((p + q) * (1 # 2)).
-(** as said *)
 Lemma mid_spec p q : Q2R (mid p q) = (Q2R p + Q2R q) / 2.
 Proof. unfold mid. rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_mult, Q2R_plus. unfold Q2R at 3; simpl. field. Qed.
 
@@ -263,7 +256,8 @@ Definition on_side c d := match c with Gt => 0 < d | Eq => d = 0 | Lt => d < 0 e
 
 (** the intervals have the numbers *)
 Record has_tone (Z : tone I.type) (z : tone R) : Prop := { h_in_sine : has (in_sine Z) (in_sine z);
-  h_in_cosine : has (in_cosine Z) (in_cosine z); h_turn : has (turn Z) (turn z); h_phase : has (phase Z) (phase z) }.
+  h_in_cosine : has (in_cosine Z) (in_cosine z); h_rise_sine : has (rise_sine Z) (rise_sine z);
+  h_rise_cosine : has (rise_cosine Z) (rise_cosine z); h_turn : has (turn Z) (turn z); h_phase : has (phase Z) (phase z) }.
 (** of a force *)
 Record has_steady (Y : steady I.type) (y : steady R) : Prop := { h_from : has (from Y) (from y);
   h_poly : Forall2 has (poly Y) (poly y); h_tones : Forall2 has_tone (tones Y) (tones y) }.
@@ -287,13 +281,11 @@ Definition pos i := match I.sign_strict i with Xgt => true | _ => false end.
 (** known not to be negative *)
 Definition nonneg i := match I.sign_large i with Xgt | Xeq => true | _ => false end.
 
-(** as said *)
 Lemma pos_spec i r : pos i = true -> has i r -> 0 < r.
 Proof.
   unfold pos, has. pose proof (I.sign_strict_correct i) as C. destruct I.sign_strict; try discriminate.
   intros _ H. exact (proj2 (C _ H)).
 Qed.
-(** as said *)
 Lemma nonneg_spec i r : nonneg i = true -> has i r -> 0 <= r.
 Proof.
   unfold nonneg, has. pose proof (I.sign_large_correct i) as C. destruct I.sign_large; try discriminate; intros _ H.
@@ -305,19 +297,18 @@ Section Precision.
 Variable p : I.precision.
 
 (** intervals *)
-Definition boxes := Arith I.type I.zero (I.add p) (I.sub p) (I.mul p) (I.div p) I.neg (I.sin p) (I.cos p).
+Definition boxes := Arith I.zero (I.add p) (I.sub p) (I.mul p) (I.div p) I.neg (I.sin p) (I.cos p).
 (** the rational number *)
 Definition rat q := I.div p (I.fromZ p (Qnum q)) (I.fromZ p (Zpos (Qden q))).
 (** the rational numbers between two *)
 Definition hull q r := I.join (rat q) (rat r).
 (** a force *)
 Definition in_I (y : steady Q) := Steady (rat (from y)) (map rat (poly y)) (map (fun z =>
-  Tone (rat (in_sine z)) (rat (in_cosine z)) (rat (turn z)) (rat (phase z))) (tones y)).
+  Tone (rat (in_sine z)) (rat (in_cosine z)) (rat (rise_sine z)) (rat (rise_cosine z)) (rat (turn z)) (rat (phase z)))
+    (tones y)).
 
-(** as said *)
 Lemma has_rat q : has (rat q) (Q2R q).
 Proof. apply J.div_correct; apply I.fromZ_correct. Qed.
-(** as said *)
 Lemma has_hull q r u : Q2R q <= u <= Q2R r -> has (hull q r) u.
 Proof. intros Hu. exact (J.join_correct _ _ _ _ _ (has_rat q) (has_rat r) Hu). Qed.
 
@@ -334,9 +325,10 @@ Definition swung F u :=
 (** sine and cosine of its tones *)
 Definition sung F u := let t := I.add p (clock (parts F)) u in
   map (fun z => let a := I.add p (I.mul p (turn z) t) (phase z) in (I.sin p a, I.cos p a)) (tones (answer (parts F))).
-(** a sum of tones *)
-Fixpoint chord (i : I.type) zs bs := match zs, bs with
-  | z :: zs, (s, c) :: bs => I.add p (I.add p (I.mul p (in_sine z) s) (I.mul p (in_cosine z) c)) (chord i zs bs)
+(** a sum of tones at the time t *)
+Fixpoint chord t (i : I.type) zs bs := match zs, bs with
+  | z :: zs, (s, c) :: bs => I.add p (I.add p (I.mul p (I.add p (in_sine z) (I.mul p (rise_sine z) t)) s)
+      (I.mul p (I.add p (in_cosine z) (I.mul p (rise_cosine z) t)) c)) (chord t i zs bs)
   | _, _ => i end.
 (** the value of a wave, from these *)
 Definition made F u b bs :=
@@ -347,7 +339,8 @@ Definition made F u b bs :=
         (I.mul p (I.mul p half (I.sub p (even f) other)) (snd b))
   | _ => I.add p (I.mul p (even f) (fst b)) (I.mul p (odd f) (snd b)) end in
   I.add p (I.add p (I.add p (still f) (I.mul p (drift f) u)) swinging)
-    (chord (pval boxes (poly (answer f)) (I.sub p (I.add p (clock f) u) (from (answer f)))) (tones (answer f)) bs).
+    (let t := I.add p (clock f) u in
+      chord t (pval boxes (poly (answer f)) (I.sub p t (from (answer f)))) (tones (answer f)) bs).
 (** the value of a wave *)
 Definition value F u := made F u (swung F u) (sung F u).
 (** its derivative *)
@@ -359,53 +352,43 @@ Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat firs
   | apply J.mul_correct | apply J.div_correct | apply J.neg_correct | apply J.sqrt_correct | apply J.exp_correct
   | apply J.cos_correct | apply J.sin_correct].
 
-(** as said *)
 Lemma has_map {S T U V} (P : S -> T -> Prop) (Q : U -> V -> Prop) f g l k : (forall x y, P x y -> Q (f x) (g y)) ->
   Forall2 P l k -> Forall2 Q (map f l) (map g k).
 Proof. intros E. induction 1; constructor; auto. Qed.
-(** as said *)
 Lemma has_in_I y : has_steady (in_I y) (in_R y).
 Proof.
   constructor; cbn [from poly tones in_I in_R]; [has| |].
   - induction (poly y); constructor; auto. apply has_rat.
   - induction (tones y); constructor; auto. constructor; apply has_rat.
 Qed.
-(** as said *)
 Lemma has_pval L l i u : Forall2 has L l -> has i u -> has (pval boxes L i) (pval real l u).
 Proof. intros H Hu. induction H; unfold pval in *; cbn [fold_right]; has. Qed.
-(** as said *)
 Lemma has_padd L l : Forall2 has L l -> forall K k, Forall2 has K k -> Forall2 has (padd boxes L K) (padd real l k).
 Proof. induction 1; intros K k HK; [destruct HK; constructor; auto|]. destruct HK; constructor; auto. has. Qed.
-(** as said *)
 Lemma has_dpoly L l : Forall2 has L l -> Forall2 has (dpoly boxes L) (dpoly real l).
 Proof.
   induction 1 as [|C c L l Hc H IH]; [constructor|]. destruct H as [|D d L l Hd H]; [constructor|].
   exact (has_padd _ _ (Forall2_cons _ _ Hd H) _ _ (Forall2_cons _ _ (J.zero_correct : has I.zero 0) IH)).
 Qed.
-(** as said *)
 Lemma has_dsteady Y y : has_steady Y y -> has_steady (dsteady boxes Y) (dsteady real y).
 Proof.
   intros []. constructor; cbn [from poly tones dsteady]; auto using has_dpoly.
-  apply (has_map has_tone); auto. intros Z z []. constructor; cbn [in_sine in_cosine turn phase dtone]; has.
+  apply (has_map has_tone); auto. intros Z z []. constructor; cbn [in_sine in_cosine rise_sine rise_cosine turn phase dtone]; has.
 Qed.
-(** as said *)
 Lemma has_scaled F f Y y : (forall i r, has i r -> has (F i) (f r)) -> has_steady Y y ->
   has_steady (scaled F Y) (scaled f y).
 Proof.
   intros E []. constructor; cbn [from poly tones scaled]; auto; [apply (has_map has); auto|].
   apply (has_map has_tone); auto. intros Z z []. constructor; simpl; auto.
 Qed.
-(** as said *)
 Lemma has_sval Y y i t : has_steady Y y -> has i t -> has (sval boxes Y i) (sval real y t).
 Proof.
   intros [Hf Hp Ht] Hi. unfold sval. induction Ht as [|Z z L l [] H IH]; cbn [fold_right].
   - apply has_pval; has.
   - unfold tval. has.
 Qed.
-(** as said *)
 Lemma has_signed k i r : has i r -> has (signed boxes k i) (signed real k r).
 Proof. intros H. destruct k; simpl; has. Qed.
-(** as said *)
 Lemma has_swing G g D d C c Y y T t X x V v : has G g -> has D d -> has C c -> has_steady Y y -> has T t -> has X x ->
   has V v -> has_parts (swing boxes G D C Y T X V) (swing real g d c y t x v).
 Proof.
@@ -413,7 +396,6 @@ Proof.
   pose proof (has_sval _ _ T t (has_dsteady Y y HY) HT).
   unfold swing. constructor; cbn [still drift even odd decay square clock answer]; auto; has; auto.
 Qed.
-(** as said *)
 Lemma has_sloped F f : has_parts F f -> has_parts (sloped boxes F) (slope f).
 Proof.
   intros []. constructor; cbn [still drift even odd decay square clock answer sloped]; auto using has_dsteady; has.
@@ -422,17 +404,13 @@ Qed.
 Section Kit.
 Variables (K : kit I.type) (k : kit R).
 Hypothesis HK : has_kit K k.
-(** as said *)
 Lemma has_slide s T t X x V v : has T t -> has X x -> has V v ->
   has_parts (slide boxes K s T X V) (slide real k s t x v).
 Proof. intros. destruct HK. apply has_swing; auto. pose proof (has_signed s _ _ h_kb0). has. Qed.
-(** as said *)
 Lemma has_drive s V v U u : has V v -> has U u -> has (drive boxes K s V U) (drive real k s v u).
 Proof. intros. pose proof (has_signed s _ _ (h_kb _ _ HK)). pose proof (h_k2 _ _ HK). unfold drive. has. Qed.
-(** as said *)
 Lemma has_stuck T t X x V v : has T t -> has X x -> has V v -> has_parts (stuck boxes K T X V) (stuck real k t x v).
 Proof. destruct HK. intros. apply has_swing; auto. has. Qed.
-(** as said *)
 Lemma has_guard s T t X x V v W w : has T t -> has X x -> has V v -> has W w ->
   has_parts (guard boxes K s T X V W) (guard real k s t x v w).
 Proof.
@@ -441,7 +419,6 @@ Proof.
   - apply J.neg_correct, has_signed; auto.
   - apply has_scaled; auto using has_signed.
 Qed.
-(** as said *)
 Lemma has_grip s T t X x V v : has T t -> has X x -> has V v ->
   has_parts (grip boxes K s T X V) (grip real k s t x v).
 Proof.
@@ -450,7 +427,6 @@ Proof.
     try (apply J.neg_correct, has_signed; auto).
   apply has_scaled; auto. intros. apply J.neg_correct, has_signed; auto.
 Qed.
-(** as said *)
 Lemma has_edge s T t V v : has T t -> has V v -> has (edge boxes K s T V) (edge real k s t v).
 Proof.
   intros HT HV. destruct HK. unfold edge. pose proof (has_sval _ _ T t (h_force _ _ HK) HT).
@@ -458,6 +434,8 @@ Proof.
   { apply has_signed. has. }
   has.
 Qed.
+Lemma has_spare T t X x V v : has T t -> has X x -> has V v -> has (spare boxes K T X V) (spare real k t x v).
+Proof. intros HT HX HV. destruct HK. unfold spare. pose proof (has_sval _ _ T t h_force0 HT). has. Qed.
 End Kit.
 End Precision.
 Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
@@ -483,19 +461,16 @@ Definition has_swung c g d u (b : I.type * I.type) := match c with
 (** sines and cosines *)
 Definition has_sung t := Forall2 (fun (b : I.type * I.type) (z : R * R) =>
   has (fst b) (sin (fst z * t + snd z)) /\ has (snd b) (cos (fst z * t + snd z))).
-(** as said *)
 Lemma swung_spec p F f u i : has_wave F f -> has i u -> has_swung (side F) (decay f) (square f) u (swung p F i).
 Proof.
   intros [[] S W] Hu. unfold swung, has_swung, cosine, sine. destruct (side F); simpl in S; cbn [fst snd];
     repeat (destruct Rlt_dec; try lra); rewrite ?Rmult_1_r; split; has.
 Qed.
-(** as said *)
 Lemma sung_spec p F f u i : has_wave F f -> has i u -> has_sung (clock f + u) (sung p F i) (angles f).
 Proof.
   intros [[] _ _] Hu. unfold sung, angles, has_sung. apply (has_map has_tone); [|apply h_answer0].
   intros Z z []. cbn [fst snd]. split; has.
 Qed.
-(** as said *)
 Lemma has_made p F f u i b bs : has_wave F f -> has i u -> has_swung (side F) (decay f) (square f) u b ->
   has_sung (clock f + u) bs (angles f) -> has (made p F i b bs) (val f u).
 Proof.
@@ -511,10 +486,8 @@ Proof.
     + inversion Hs as [|B z' bs' l' (Hsin & Hcos) Hr]; subst. destruct B as (s, c). cbn [chord]. cbn [fst snd] in *.
       specialize (IH _ Hr). unfold tval. has.
 Qed.
-(** as said *)
 Lemma has_value p F f u i : has_wave F f -> has i u -> has (value p F i) (val f u).
 Proof. intros. apply has_made; auto using swung_spec, sung_spec. Qed.
-(** as said *)
 Lemma has_steep p F f : has_wave F f -> has_wave (steep p F) (slope f).
 Proof. intros []. constructor; cbn [steep parts side root]; auto using has_sloped. Qed.
 
@@ -536,7 +509,6 @@ Fixpoint stays depth (F F' F'' : bounded) a b : bool :=
       if pos (value q F (rat q c)) then if stays depth F F' F'' a c then stays depth F F' F'' c b else false else false
   end.
 
-(** as said *)
 Lemma stays_spec n F f a b : has_wave F f -> stays n F (steep q F) (steep q (steep q F)) a b = true ->
   Q2R a <= Q2R b -> 0 < val f (Q2R a) -> 0 < val f (Q2R b) -> forall u, Q2R a <= u <= Q2R b -> 0 < val f u.
 Proof.
@@ -566,7 +538,6 @@ Qed.
 Fixpoint early n (F : bounded) d : option Q :=
   if pos (value q F (hull q 0 d)) then Some d else match n with O => None | S n => early n F (mid 0 d) end.
 
-(** as said *)
 Lemma early_spec n F f d e : has_wave F f -> early n F d = Some e -> 0 < Q2R d ->
   0 < Q2R e <= Q2R d /\ forall u, 0 <= u <= Q2R e -> 0 < val f u.
 Proof.
@@ -591,7 +562,6 @@ Definition begins how k F b at_b : bool :=
       | Some d => pos (value q F (rat q d)) && stays depth F F' F'' d b | None => false end
   end.
 
-(** as said *)
 Lemma begins_spec how k F f b at_b : has_wave F f -> has at_b (val f (Q2R b)) -> begins how k F b at_b = true ->
   (how = Touch -> val f 0 = 0) -> (how = Edge k -> val f 0 = 0 /\ val (slope f) 0 = 0) ->
   0 < Q2R b /\ 0 <= val f 0 /\ (forall u, 0 < u <= Q2R b -> 0 < val f u).
@@ -602,8 +572,7 @@ Proof.
   apply posQ_spec in Hb. apply pos_spec with (r := val f (Q2R b)) in Pb; [|auto].
   split; auto. pose proof (mid_spec 0 b) as Mid. rewrite RMicromega.Q2R_0 in Mid.
   assert (Rest : forall d, 0 < Q2R d <= Q2R (mid 0 b) ->
-    pos (value q F (rat q d)) && stays depth F (steep q F) (steep q
-    (steep q F)) d b = true ->
+    pos (value q F (rat q d)) && stays depth F (steep q F) (steep q (steep q F)) d b = true ->
     (forall u, 0 < u <= Q2R d -> 0 < val f u) -> forall u, 0 < u <= Q2R b -> 0 < val f u).
   { intros d Hd E Q u Hu. apply andb_true_iff in E. destruct E as (Pd & St). destruct (Rle_dec u (Q2R d));
     [apply Q; lra|].
@@ -654,7 +623,6 @@ Definition sticks K st := Bounded (stuck (boxes p) (numbers K) (at_t st) (at_x s
 Definition grips K k f := Bounded (grip_of (boxes p) (numbers K) k (parts f)) (sideM K) (rootM K).
 (** the value of a wave next to a time at which it is known: a time d after [most], not before [least] *)
 Definition near F known least most d := I.add p known (I.mul p (value q (steep q F) (hull p least most)) d).
-(** as said *)
 Lemma has_near F f known least most i u : has_wave F f -> has known (val f (Q2R most)) -> Q2R least <= u <= Q2R most ->
   has i (u - Q2R most) -> has (near F known least most i) (val f u).
 Proof.
@@ -675,7 +643,6 @@ Definition touches h := match h with Off => false | _ => true end.
 Definition held h k := match h with Edge k' => if eqb k' k then Touch else Off | _ => Off end.
 (** not after the end of the spell *)
 Definition fits final i := match final with Some q => nonneg (I.sub p (rat p q) i) | None => true end.
-(** as said *)
 Definition upto final until := match final with Some q => Qle_bool until q | None => true end.
 (** where body 2 is after the time u, the velocity being w then *)
 Definition behind st w u := I.add p (at_x2 st) (I.mul p (I.mul p (rat p (1 # 2)) (I.add p (at_v2 st) w)) u).
@@ -691,8 +658,7 @@ Definition step K final st m least most (k' : bool) : option state :=
       let b := swung p F (rat p most) in
       let bs := sung p F (rat p most) in
       let end_ := made p F (rat p most) b bs in
-      if begins (how st) k F least (near F end_ least most (rat p (least - most))) && nonneg (I.neg end_)
-      then
+      if begins (how st) k F least (near F end_ least most (rat p (least - most))) && nonneg (I.neg end_) then
         let v := drive (boxes p) (numbers K) k (at_v2 st) u in
         Some (State (I.add p (at_t st) u) (near f (made p f (rat p most) b bs) least most d) v (behind st v u) v Touch)
       else None
@@ -704,8 +670,7 @@ Definition step K final st m least most (k' : bool) : option state :=
       let bs := sung p F (rat p most) in
       let end_ := made p F (rat p most) b bs in
       if touches (how st) && begins (held (how st) k') k' F least (near F end_ least most (rat p (least - most))) &&
-        begins (held (how st) (negb k')) (negb k') G most (made p G (rat p most) b bs) && nonneg (I.neg end_)
-      then
+        begins (held (how st) (negb k')) (negb k') G most (made p G (rat p most) b bs) && nonneg (I.neg end_) then
         let f' := steep p f in
         let v := near f' (made p f' (rat p most) b bs) least most d in
         let x := near f (made p f (rat p most) b bs) least most d in
@@ -726,8 +691,7 @@ Definition rest K final st m until least : option (state * I.type) :=
       let bs := sung p F u in
       if begins (how st) k F least (value p F (rat p least)) then
         Some (State (rat p until) (made p f u b bs) (made p (steep p f) u b bs) (behind st w u) w Off,
-          signed (boxes p) k (made p F u b bs))
-      else None
+          signed (boxes p) k (made p F u b bs)) else None
   | Stick =>
       let f := sticks K st in
       let F := grips K true f in
@@ -740,9 +704,11 @@ Definition rest K final st m until least : option (state * I.type) :=
       let v := made p (steep p f) u b' bs' in
       if touches (how st) && begins (held (how st) true) true F least (made p F (rat p least) b bs) &&
         begins (held (how st) false) false G least (made p G (rat p least) b bs) then
-        Some (State (rat p until) x v (I.add p (at_x2 st) (I.sub p x (at_x st))) v Touch, I.zero)
-      else None
+        Some (State (rat p until) x v (I.add p (at_x2 st) (I.sub p x (at_x st))) v Touch, I.zero) else None
   end else None.
+
+(** a stick that lasts for ever, if the force is constant *)
+Definition captive K st := touches (how st) && nonneg (spare (boxes p) (numbers K) (at_t st) (at_x st) (at_v1 st)).
 
 (** an event is as the table says *)
 Definition agrees st now := touches (how st) && inside (at_t st) (time now) && inside (at_x st) (place now) &&
@@ -757,19 +723,24 @@ Variables (bits_of : positive -> I.precision) (q : I.precision) (depth : nat).
 Variable sc : scene.
 
 (** the state at the time 0 *)
-Definition on_edge (k : bool) := match tones (push (first_spell sc)) with
-  | [] => Qeq_bool (m2 sc * (a2 sc * x_0 sc + a1 sc * v1_0 sc
-      - pval rational (poly (push (first_spell sc))) (0 - from (push (first_spell sc)))%Q))
-    ((if k then -1 else 1) * (friction (first_spell sc) * both sc))
-  | _ => false end.
-(** as said *)
+Definition on_edge (k : bool) := let f := push (first_spell sc) in forallb (fun z => Qeq_bool (phase z) 0) (tones f) &&
+  Qeq_bool (m2 sc * (a2 sc * x_0 sc + a1 sc * v1_0 sc
+      - fold_right (fun z r => in_cosine z + r) (pval rational (poly f) (0 - from f)) (tones f))%Q)
+    ((if k then -1 else 1) * (friction (first_spell sc) * both sc)).
 Definition initial p := State (rat p 0) (rat p (x_0 sc)) (rat p (v1_0 sc)) (rat p (x2_0 sc)) (rat p (v2_0 sc))
   (if Qeq_bool (v1_0 sc) (v2_0 sc) then
-     if on_edge true then Edge true else if on_edge false then Edge false else Touch
-   else Off).
+     if on_edge true then Edge true else if on_edge false then Edge false else Touch else Off).
 
 (** when a spell ends *)
 Definition until_next (later : list spell) := match later with next :: _ => Some (since next) | [] => None end.
+
+(** a constant force *)
+Definition constant (f : steady Q) := match tones f with [] => vanishes (tl (poly f)) | _ => false end.
+(** whether the pair sticks for ever, if the table says so *)
+Definition lasts now (later : list spell) y st e hints := match hints, later with
+  | [Ever bits until least], [] => let p := bits_of bits in let K := tuned p sc now y in constant (push now) &&
+      match rest p q depth K None st Stick until least with Some (st, _) => captive p K st | None => false end
+  | [], _ => negb (for_ever e) | _, _ => false end.
 
 (** event after event, spell after spell; ys: how both masses answer in each *)
 Fixpoint goes now later ys st events e hints : bool := match hints, ys with
@@ -789,9 +760,9 @@ Fixpoint goes now later ys st events e hints : bool := match hints, ys with
           | [] => goes now later ys st events e hints end
         | None => false end
       | None => false end
-  | [Last bits least], y :: _ => let p := bits_of bits in
+  | Last bits least :: hints, y :: _ => let p := bits_of bits in
       match events, rest p q depth (tuned p sc now y) (until_next later) st (last_mode e) (last e) least with
-      | [], Some (st, w) => ends p st w e | _, _ => false end
+      | [], Some (st, w) => ends p st w e && lasts now later y st e hints | _, _ => false end
   | _, _ => false
   end.
 
@@ -823,16 +794,20 @@ Lemma on_side_Q d : on_side (d ?= 0)%Q (Q2R d).
 Proof.
   destruct (Qcompare_spec d 0); simpl; rewrite <- RMicromega.Q2R_0; [apply Qeq_eqR|apply Qlt_Rlt|apply Qlt_Rlt]; auto.
 Qed.
+(** a constant force has one value *)
+Lemma constant_spec g r s : constant g = true -> sval real (in_R g) r = sval real (in_R g) s.
+Proof.
+  unfold constant. destruct g as [g [|c l] [|]]; try discriminate; cbn [tones poly tl]; intros E; [reflexivity|].
+  unfold sval, in_R; cbn [tones poly from map fold_right]. rewrite !pval_cons, !vanishes_spec by auto. ring.
+Qed.
 (** a positive number is not 0 *)
 Lemma not_0 m : 0 < Q2R m -> ~ (m == 0)%Q.
 Proof. intros Hm E. apply Qeq_eqR in E. rewrite RMicromega.Q2R_0 in E. lra. Qed.
-(** as said *)
 Lemma fadeQ_spec m : 0 < Q2R m -> Q2R (fadeQ sc m) = fade (Q2R m) A1.
 Proof.
   intros Hm. assert (E : Q2R (2 * m) = 2 * Q2R m) by (rewrite Q2R_mult; unfold Q2R at 1; simpl; lra).
   unfold fadeQ, fade. rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_div, E; auto. apply not_0. lra.
 Qed.
-(** as said *)
 Lemma squareQ_spec m : 0 < Q2R m -> Q2R (squareQ sc m) = A2 / Q2R m - fade (Q2R m) A1 * fade (Q2R m) A1.
 Proof.
   intros Hm. unfold squareQ.
@@ -890,16 +865,12 @@ Hypotheses (Kn : knows B f st t) (Ht : Q2R (since now) <= t).
 Let g k' := guard real k k' t (x t) (v1 t) (v2 t).
 Let h k' := grip real k k' t (x t) (v1 t).
 
-(** as said *)
 Lemma has_guards k' : has_wave (guards p K st k' (slides p K st k')) (g k').
 Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply (has_guard p (numbers K) k has_tuned); auto|auto]. Qed.
-(** as said *)
 Lemma has_slides k' : has_wave (slides p K st k') (slide real k k' t (x t) (v1 t)).
 Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_alone; [apply has_slide; auto using has_tuned|auto]. Qed.
-(** as said *)
 Lemma has_sticks : has_wave (sticks p K st) (stuck real k t (x t) (v1 t)).
 Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply has_stuck; auto using has_tuned|auto]. Qed.
-(** as said *)
 Lemma has_grips k' : has_wave (grips p K k' (sticks p K st)) (h k').
 Proof. destruct Kn as (? & ? & ? & ? & ? & _). apply has_joint; [apply (has_grip p (numbers K) k has_tuned); auto|auto]. Qed.
 
@@ -1098,6 +1069,17 @@ Proof.
       apply stick_behind; auto; [lra| |exact (eq_ind _ (has _) Hx _ Fx)]. intros r Hr. apply F; auto.
     + rewrite F1, F2, Rminus_diag_eq by auto. apply J.zero_correct.
 Qed.
+
+(** a stick for ever *)
+Lemma captive_spec : final = None -> constant (push now) = true -> captive p K st = true -> forall u, t < u -> v1 u = v2 u.
+Proof.
+  intros Ef Co E u Hu. rewrite Ef in H. apply andb_true_iff in E. destruct E as (To & Sp).
+  pose proof Kn as (Kt & Kx & K1 & _). replace u with (t + (u - t)) by ring.
+  apply (stick_for_ever M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb (in_R (fst y)) (in_R (snd y)) f HyM x v1 v2 (Q2R (since now)) u);
+    auto using knows_touch; try lra.
+  - intros r. apply constant_spec, Co.
+  - apply (nonneg_spec _ _ Sp), has_spare; auto using has_tuned.
+Qed.
 End State.
 End Spell.
 
@@ -1139,6 +1121,22 @@ Proof.
   - intros hi Hh t0 T X V1 V2 g Ht HT Hd. apply R; auto. lra.
 Qed.
 
+(** a stick for ever *)
+Lemma lasts_sound now later y : 0 < Q2R (friction now) -> 0 <= Q2R (since now) ->
+  answers M1 A1 A2 (in_R (fst y)) (in_R (push now)) -> answers (M1 + M2) A1 A2 (in_R (snd y)) (in_R (push now)) ->
+  (forall hi, match until_next later with Some q => hi <= Q2R q | None => True end ->
+    obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2) ->
+  forall st t e hints, Q2R (since now) <= t -> knows (Q2R (friction now)) (in_R (push now)) st t ->
+  lasts now later y st e hints = true -> for_ever e = true -> forall u, t < u -> v1 u = v2 u.
+Proof.
+  intros Hb Hs Y1 YM Ob st t e hints Ht Kn. unfold lasts. destruct hints as [|[| | |bits until least] [|]];
+    [intros E Ev; rewrite Ev in E; discriminate| | | | | | |destruct later; [|discriminate]|]; try discriminate.
+  rewrite andb_true_iff. intros (Co & R) _ u Hu. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
+  destruct (rest_sound now y None Hb Hs Y1 YM Ob (bits_of bits) st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & _).
+  destruct (Rle_dec u (Q2R until)); [apply Q; lra|].
+  apply (captive_spec now y None Hb YM Ob (bits_of bits) st' (Q2R until)); auto; lra.
+Qed.
+
 (** all events *)
 Lemma goes_sound e hints : forall now later ys st events t, fair_spells now later ys = true ->
   runs M1 M2 A1 A2 x v1 v2 now later -> Q2R (since now) <= t -> knows (Q2R (friction now)) (in_R (push now)) st t ->
@@ -1147,7 +1145,7 @@ Proof.
   induction hints as [|hint hints IH]; intros now later ys st events t Fa Ru Ht Kn; [destruct ys; discriminate|].
   destruct ys as [|y ys]; [destruct hint; try discriminate; destruct hints; discriminate|].
   destruct (fair_now _ _ _ _ Fa) as (Hb & Hs & Y1 & YM). pose proof (runs_now _ _ Ru) as Ob.
-  destruct hint as [bits least most k'|bits until least breaks|bits least]; cbn [goes].
+  destruct hint as [bits least most k'|bits until least breaks|bits least|]; cbn [goes]; [| | |discriminate].
   - destruct events as [|ev events]; [discriminate|]. destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
     destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
     destruct (step_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q & Kn').
@@ -1168,29 +1166,34 @@ Proof.
       apply (agrees_spec (Q2R (friction now)) (in_R (push now)) _ st' _ _ _ _ (Q2R until)) with (2 := Ea); auto.
       intros u Hu. apply Q. lra.
     + intros G. apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto.
-  - destruct hints; [|discriminate]. destruct events as [|]; [|discriminate].
+  - destruct events as [|]; [|discriminate].
     destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
     destruct (rest_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & Kw).
-    unfold ends. rewrite !andb_true_iff. intros ((((B0 & B1) & B2) & B3) & B4).
+    unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
     destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _). cbn [unfolds].
-    repeat (split; [solve [auto; eapply inside_spec; eauto]|]). eapply inside_spec; eauto.
+    repeat (split; [solve [auto; eapply inside_spec; eauto]|]).
+    apply (lasts_sound now later y Hb Hs Y1 YM Ob st' (Q2R (last e)) e hints); auto. lra.
 Qed.
 
-(** as said *)
 Lemma in_R_pval l u : Q2R (pval rational l u) = pval real (map Q2R l) (Q2R u).
 Proof.
   induction l as [|c l IH]; [apply RMicromega.Q2R_0|]. cbn [map]. rewrite pval_cons, <- IH, <- Q2R_mult, <- Q2R_plus. auto.
 Qed.
-(** as said *)
 Lemma on_edge_spec k : on_edge k = true -> A2 * Q2R (x_0 sc) + A1 * Q2R (v1_0 sc)
   - sval real (in_R (push (first_spell sc))) 0 = - (sign k * (Q2R (friction (first_spell sc)) * (M1 + M2) / M2)).
 Proof.
-  unfold on_edge. destruct (push (first_spell sc)) as [f l [|]]; [|discriminate]. cbn [tones poly from].
-  intros E. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E.
-  rewrite Q2R_mult, Q2R_minus, in_R_pval, Q2R_minus, Q2R_plus, !Q2R_mult, Q2R_plus, RMicromega.Q2R_0 in E.
+  unfold on_edge. set (g := push (first_spell sc)). rewrite andb_true_iff. intros (Ph & E).
+  assert (S : sval real (in_R g) 0 =
+    Q2R (fold_right (fun z r => in_cosine z + r)%Q (pval rational (poly g) (0 - from g)%Q) (tones g))).
+  { clear E. unfold sval, in_R; cbn [tones poly from]. induction (tones g) as [|z zs IH]; cbn [map fold_right forallb] in *.
+    - rewrite in_R_pval, Q2R_minus, RMicromega.Q2R_0. reflexivity.
+    - apply andb_true_iff in Ph. destruct Ph as (P & Ph). apply Qeq_bool_iff, Qeq_eqR in P.
+      rewrite Q2R_plus, <- IH by auto. unfold tval; cbn [in_sine in_cosine turn phase add mul sin_of cos_of real].
+      rewrite P, RMicromega.Q2R_0, !Rmult_0_r, !Rplus_0_r, sin_0, cos_0. ring. }
+  rewrite S. apply Qeq_bool_iff, Qeq_eqR in E. unfold both in E.
+  rewrite Q2R_mult, Q2R_minus, Q2R_plus, !Q2R_mult, Q2R_plus in E.
   replace (Q2R (if k then -1 else 1)) with (- sign k) in E by (destruct k; unfold Q2R; simpl; lra).
-  unfold sval, in_R; cbn [tones poly from map fold_right sub real]. apply Rmult_eq_reg_l with M2; [|lra].
-  unfold A1, A2, M1, M2 in *. rewrite E. field; lra.
+  apply Rmult_eq_reg_l with M2; [|lra]. unfold A1, A2, M1, M2 in *. rewrite E. field; lra.
 Qed.
 End Table.
 
@@ -1212,7 +1215,7 @@ Proof.
   destruct Fa as (((((Fm1 & Fm2) & Fa1) & Fa2) & F0) & Fs).
   apply posQ_spec in Fm1. apply posQ_spec in Fm2. apply posQ_spec in Fa2. apply nonnegQ_spec in Fa1.
   apply Qeq_bool_iff, Qeq_eqR in F0. rewrite RMicromega.Q2R_0 in F0.
-  apply (goes_sound bits_of q depth sc Fm1 Fm2 Fa2 x v1 x2 v2 C2 D2 e hints (first_spell sc) (later_spells sc) ys
+  apply (goes_sound bits_of q depth sc Fm1 Fm2 Fa1 Fa2 x v1 x2 v2 C2 D2 e hints (first_spell sc) (later_spells sc) ys
     (initial sc (bits_of bits))); auto; [|lra|].
   - apply (varying_runs _ _ _ _ Fm1 Fm2 Fa1 Fa2 _ _ U U x v1 v2 x v1 v2); eauto using fair_order.
     + intros t Ht. apply DU. lra.

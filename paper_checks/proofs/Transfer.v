@@ -62,8 +62,7 @@ Proof.
   destruct (Rle_dec 0 (t - 2 * tau)); [lra|]. destruct (Rle_dec 0 (t - 0)); [|lra]. destruct (Rle_dec 0 (t - tau));
     [lra|].
   rewrite (Rabs_left (t - 2 * tau)), (Rabs_pos_eq (t - 0)), (Rabs_left (t - tau)), (Rabs_left (0 - 2 * tau)),
-    (Rabs_left (0 - tau)),
-    (Rminus_0_r 0), Rabs_R0 by lra. field.
+    (Rabs_left (0 - tau)), (Rminus_0_r 0), Rabs_R0 by lra. field.
 Qed.
 (** while it brakes *)
 Lemma force_then t : tau <= t < 2 * tau ->
@@ -73,8 +72,7 @@ Proof.
   destruct (Rle_dec 0 (t - 2 * tau)); [lra|]. destruct (Rle_dec 0 (t - 0)); [|lra]. destruct (Rle_dec 0 (t - tau));
     [|lra].
   rewrite (Rabs_left (t - 2 * tau)), (Rabs_pos_eq (t - 0)), (Rabs_pos_eq (t - tau)), (Rabs_left (0 - 2 * tau)),
-    (Rabs_left (0 - tau)),
-    (Rminus_0_r 0), Rabs_R0 by lra. field.
+    (Rabs_left (0 - tau)), (Rminus_0_r 0), Rabs_R0 by lra. field.
 Qed.
 (** at the target *)
 Lemma force_last t : 2 * tau <= t -> stuck_force t = a2 * D.
@@ -83,8 +81,7 @@ Proof.
   destruct (Rle_dec 0 (t - 2 * tau)); [|lra]. destruct (Rle_dec 0 (t - 0)); [|lra]. destruct (Rle_dec 0 (t - tau));
     [|lra].
   rewrite (Rabs_pos_eq (t - 2 * tau)), (Rabs_pos_eq (t - 0)), (Rabs_pos_eq (t - tau)), (Rabs_left (0 - 2 * tau)),
-    (Rabs_left (0 - tau)),
-    (Rminus_0_r 0), Rabs_R0 by lra. field.
+    (Rabs_left (0 - tau)), (Rminus_0_r 0), Rabs_R0 by lra. field.
 Qed.
 
 (** its amplitude: the push just before the middle, the hold, and, with little damping, the largest push while it
@@ -219,8 +216,7 @@ Proof.
   { pose proof (f_cU _ _ _ _ _ _ _ _ _ _ H). pose proof (f_cv _ _ _ _ _ _ _ _ _ _ H).
     pose proof (f_cx _ _ _ _ _ _ _ _ _ _ H).
     pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H). unfold f, Pm.
-      repeat first [apply cont_minus|apply cont_plus|apply cont_mult];
-    auto using cont_const, cont_scal. }
+      repeat first [apply cont_minus|apply cont_plus|apply cont_mult]; auto using cont_const, cont_scal. }
   assert (Le : f tau <= f 0).
   { apply dini_mono; auto; [lra|]. intros t Ht.
     assert (Dr : rderiv (fun t => (Pm t - b * (s 0 + t)) * G t - a2 * (x t * K t) - (F - b) * (K 0 - K t)) t

@@ -48,16 +48,14 @@ Proof.
     - intros t Ht. split; [lra|split; [auto|]]. intros N. exfalso. destruct (Req_dec t 0) as [->|Nz]; [lra|].
       specialize (Slip t ltac:(lra)). lra. }
   assert (A2 : forced_arc m1 m2 a1 a2 b (T - ts) (fun t => u (t + ts)) (fun t => Y (t + ts)) (fun t => W (t + ts))
-    (fun t => W (t + ts))
-    (fun t => load Y W (t + ts) / b)).
+    (fun t => W (t + ts)) (fun t => load Y W (t + ts) / b)).
   { assert (Sh : forall (f : R -> R) (l t : R), is_derive f (t + ts) l -> is_derive (fun t => f (t + ts)) t l).
     { intros f l t D. replace l with (scal 1 l) by (unfold scal; simpl; unfold mult; simpl; ring).
       apply (is_derive_comp f (fun t => t + ts)); auto. auto_derive; auto. }
     constructor.
     - intros t. apply (Sh Y), DY.
     - intros t. apply (Sh W). replace ((u (t + ts) - a2 * Y (t + ts) - a1 * W (t + ts) - b * (load Y W (t + ts) / b))
-      / m1)
-        with ((F * sin (om * (t + ts) + phi) - a2 * Y (t + ts) - a1 * W (t + ts)) / (m1 + m2)); [apply DW|].
+      / m1) with ((F * sin (om * (t + ts) + phi) - a2 * Y (t + ts) - a1 * W (t + ts)) / (m1 + m2)); [apply DW|].
       unfold load, u, M in *. field. repeat split; lra.
     - intros t. apply (Sh W). replace (b * (load Y W (t + ts) / b) / m2)
         with ((F * sin (om * (t + ts) + phi) - a2 * Y (t + ts) - a1 * W (t + ts)) / (m1 + m2)); [apply DW|].
@@ -104,13 +102,11 @@ Proof.
   assert (Load : forall t, ts <= t < T -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b).
   { intros t Ht. assert (D : rderiv v2 t ((u t - a2 * x t - a1 * v1 t) / M)).
     { apply rderiv_near with (fun r => / M * ((m1 * v1 r + b * s r - wave F om phi r) + wave F om phi r + (m2 * v2 0 -
-      b * s 0)))
-        (T - t); [lra| |].
+      b * s 0))) (T - t); [lra| |].
       - intros r Hr. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H r ltac:(lra)) as Q. rewrite (St r) by lra.
         apply Rmult_eq_reg_l with M; [|lra]. rewrite <- Rmult_assoc, Rinv_r by lra. unfold M. lra.
       - eapply rderiv_eq; [|apply rderiv_scal, rderiv_plus; [apply rderiv_plus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H);
-        lra|
-          apply rderiv_wave; auto]|apply rderiv_const]]. fold (u t). field; lra. }
+        lra| apply rderiv_wave; auto]|apply rderiv_const]]. fold (u t). field; lra. }
     assert (L : forall p q, 0 <= p <= q -> Rabs (v2 q - v2 p) <= b / m2 * (q - p)).
     { intros p q Hp. exact (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ p q H Hp). }
     pose proof (lip_rderiv v2 (b / m2) t _ L ltac:(lra) D) as B.
@@ -134,8 +130,7 @@ Proof.
       rewrite ut, X0, V0 in Q0. apply Rmult_le_reg_l with (m2 / M); [apply Rdiv_lt_0_compat; auto|].
       replace (m2 / M * ((m1 + m2) * (b / m2))) with b by (unfold M; field; unfold M in Mp; lra).
       replace (m2 * (- (F * sin phi) - a2 * - x 0 - a1 * - v1 0) / M) with (- (m2 / M * (F * sin phi - a1 * v1 0 - a2
-        * x 0))) in Q0
-        by (field; lra). lra.
+        * x 0))) in Q0 by (field; lra). lra.
     + pose proof (exit_load _ _ _ _ _ _ _ _ _ _ 0 ts _ Hm1 Hm2 H ltac:(lra) Slip Meet (rderiv_wave F om phi 0 Hom)) as
       Q.
       rewrite Rmult_0_r, Rplus_0_l in Q. lra.

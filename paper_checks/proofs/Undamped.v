@@ -167,8 +167,7 @@ Proof.
   pose proof own_pos. rewrite k_0, k'_0. unfold Fslip, Fslip_undamped. fold o1. fold al.
   set (A := om / o1 * tan al + PI * m1 / (2 * m2)). set (B := (m1 + m2) / m2).
   replace (Z1 m1 0 a2 om * (turn m2 b om (- (tan al / (m1 * o1))) ^ 2 + leave m1 m2 0 a2 b om 0 (- (tan al / (m1 *
-    o1))) ^ 2))
-    with ((b / om ^ 2 * (a2 / m1 - om ^ 2)) ^ 2 * (A ^ 2 + B ^ 2)).
+    o1))) ^ 2)) with ((b / om ^ 2 * (a2 / m1 - om ^ 2)) ^ 2 * (A ^ 2 + B ^ 2)).
   - rewrite sqrt_mult by (try apply pow2_ge_0; pose proof (pow2_ge_0 A); pose proof (pow2_ge_0 B); lra). f_equal.
     rewrite <- Rsqr_pow2, sqrt_Rsqr_abs, Rabs_mult. f_equal. apply Rabs_pos_eq. apply Rlt_le, Rdiv_lt_0_compat; nra.
   - unfold A, B, turn, leave, Z1. field. repeat split; lra.

@@ -26,8 +26,7 @@ Proof.
   assert (O2 : m1 * (o1 * o1) = a2).
   { unfold o1, Cycle.o1. rewrite sqrt_sqrt by (apply Rlt_le, Rdiv_lt_0_compat; auto). field; lra. }
   assert (A : forced_arc m1 m2 0 a2 b T (fun _ => 0) (fun t => b / a2 + v / o1 * sin (o1 * (t - T))) (fun t => v * cos
-    (o1 * (t - T)))
-    (fun t => v - be * (t - T)) (fun _ => -1)).
+    (o1 * (t - T))) (fun t => v - be * (t - T)) (fun _ => -1)).
   { constructor.
     - intros t. auto_derive; auto. unfold Rminus. field; lra.
     - intros t. auto_derive; auto. rewrite <- O2. unfold Rminus. field; lra.
@@ -93,8 +92,7 @@ Proof.
       assert (S2 : sqrt (2 * E0 * m2) * sqrt (2 * E0 * m2) = 2 * E0 * m2) by (apply sqrt_sqrt; nra).
       assert (B2 : m2 * (be * Tm) ^ 2 / 2 = E0).
       { rewrite B. replace (m2 * (sqrt (2 * E0 * m2) / m2) ^ 2 / 2) with (sqrt (2 * E0 * m2) * sqrt (2 * E0 * m2) / (2
-        * m2))
-          by (field; lra). rewrite S2. field; lra. }
+        * m2)) by (field; lra). rewrite S2. field; lra. }
       assert (0 < be * Tm) by (apply Rmult_lt_0_compat; auto).
       assert ((be * Tm) ^ 2 <= (v + be * Tm) ^ 2) by (apply pow_incr; lra).
       assert (m2 * (be * Tm) ^ 2 <= m2 * (v + be * Tm) ^ 2) by (apply Rmult_le_compat_l; lra).
@@ -243,8 +241,7 @@ Proof.
       apply Rmult_le_compat; try lra; [apply Rmult_le_pos; lra|]. apply Rmult_le_compat_l; lra. }
     apply Rle_trans with (2 / (K * F * A) / t).
     + specialize (Wp t ltac:(lra)). rewrite <- (Rinv_inv (w t)).
-      replace (2 / (K * F * A) / t) with (/ (K * F * (A * t / 2)))
-        by (field; repeat split; lra).
+      replace (2 / (K * F * A) / t) with (/ (K * F * (A * t / 2))) by (field; repeat split; lra).
       apply Rinv_le_contravar; auto. apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; auto|lra].
     + apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; auto|lra].
 Qed.

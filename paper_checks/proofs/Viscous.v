@@ -17,15 +17,6 @@ Let Mp : 0 < M. Proof. unfold M; lra. Qed.
 (** at or below the captive level, S is met only inside the strip |a2 x + a1 v| <= b M / m2 *)
 Definition captive (e : R) := 2 * e * (a2 + a1 ^ 2 / M) <= (b * M / m2) ^ 2.
 
-(** without damping it is the critical energy *)
-Lemma captive_Ecr e : a1 = 0 -> captive e <-> e <= Ecr m1 m2 a2 b.
-Proof.
-  intros Z. unfold captive, Ecr. rewrite Z. fold M.
-  replace (2 * e * (a2 + 0 ^ 2 / M)) with (2 * a2 * e) by (field; lra).
-  replace ((b * M / m2) ^ 2) with (2 * a2 * (b ^ 2 * M ^ 2 / (2 * a2 * m2 ^ 2))) by (field; lra).
-  split; intros Q; [apply Rmult_le_reg_l with (2 * a2); lra|apply Rmult_le_compat_l; lra].
-Qed.
-
 (** the load at the mean velocity is inside the strip, by Cauchy-Schwarz, on S or not *)
 Lemma captive_load x v1 v2 : captive (energy m1 m2 a2 x v1 v2) ->
   - (b * M / m2) <= a2 * x + a1 * ((m1 * v1 + m2 * v2) / M) <= b * M / m2.

@@ -46,16 +46,15 @@ Proof.
     rewrite Rmult_0_r, ?Ropp_0, ?exp_0, ?sin_0; field; lra.
 Qed.
 
+Set Implicit Arguments.
 (** what is computed with: real numbers, or intervals of them *)
 Record arith (T : Type) := Arith { zero : T; add : T -> T -> T; sub : T -> T -> T; mul : T -> T -> T; div : T -> T -> T;
   neg : T -> T; sin_of : T -> T; cos_of : T -> T }.
-Arguments zero {T}. Arguments add {T}. Arguments sub {T}. Arguments mul {T}. Arguments div {T}. Arguments neg {T}.
-Arguments sin_of {T}. Arguments cos_of {T}.
 (** real numbers *)
-Definition real := Arith R 0 Rplus Rminus Rmult Rdiv Ropp sin cos.
+Definition real := Arith 0 Rplus Rminus Rmult Rdiv Ropp sin cos.
 
-(** t -> in_sine sin (turn t + phase) + in_cosine cos (turn t + phase) *)
-Record tone (T : Type) := Tone { in_sine : T; in_cosine : T; turn : T; phase : T }.
+(** t -> (in_sine + rise_sine t) sin (turn t + phase) + (in_cosine + rise_cosine t) cos (turn t + phase) *)
+Record tone (T : Type) := Tone { in_sine : T; in_cosine : T; rise_sine : T; rise_cosine : T; turn : T; phase : T }.
 (** a force, or what answers to it: a polynomial of t - from, and tones *)
 Record steady (T : Type) := Steady { from : T; poly : list T; tones : list (tone T) }.
 (** u -> still + drift u + exp (- decay u) (even cosine u + odd sine u) + answer (clock + u) *)
@@ -65,13 +64,7 @@ Record wave (T : Type) := Wave { still : T; drift : T; even : T; odd : T; decay 
     swing of body 1 and of both; how each answers to the force, and the force *)
 Record kit (T : Type) := Kit { k1 : T; k2 : T; kM : T; ka1 : T; ka2 : T; kb : T; slow1 : T; stiff1 : T; slowM : T;
   stiffM : T; answer1 : steady T; answerM : steady T; force : steady T }.
-Arguments Tone {T}. Arguments in_sine {T}. Arguments in_cosine {T}. Arguments turn {T}. Arguments phase {T}.
-Arguments Steady {T}. Arguments from {T}. Arguments poly {T}. Arguments tones {T}.
-Arguments Wave {T}. Arguments still {T}. Arguments drift {T}. Arguments even {T}. Arguments odd {T}.
-Arguments decay {T}. Arguments square {T}. Arguments clock {T}. Arguments answer {T}.
-Arguments Kit {T}. Arguments k1 {T}. Arguments k2 {T}. Arguments kM {T}. Arguments ka1 {T}. Arguments ka2 {T}.
-Arguments kb {T}. Arguments slow1 {T}. Arguments stiff1 {T}. Arguments slowM {T}. Arguments stiffM {T}.
-Arguments answer1 {T}. Arguments answerM {T}. Arguments force {T}.
+Unset Implicit Arguments.
 
 Section Computed.
 Context {T : Type} (A : arith T).
@@ -84,7 +77,8 @@ Local Notation "- x" := (neg A x).
 (** the value of a polynomial *)
 Definition pval l u := fold_right (fun c r => c + u * r) (zero A) l.
 (** of a tone *)
-Definition tval z t := let a := turn z * t + phase z in in_sine z * sin_of A a + in_cosine z * cos_of A a.
+Definition tval z t := let a := turn z * t + phase z in
+  (in_sine z + rise_sine z * t) * sin_of A a + (in_cosine z + rise_cosine z * t) * cos_of A a.
 (** of both *)
 Definition sval y t := fold_right (fun z r => tval z t + r) (pval (poly y) (t - from y)) (tones y).
 (** the sum of two polynomials *)
@@ -92,12 +86,14 @@ Fixpoint padd l k := match l, k with c :: l, d :: k => c + d :: padd l k | nil, 
 (** derivatives *)
 Fixpoint dpoly l := match l with c :: (_ :: _) as l => padd l (zero A :: dpoly l) | _ => nil end.
 (** of a tone *)
-Definition dtone z := Tone (- (in_cosine z * turn z)) (in_sine z * turn z) (turn z) (phase z).
+Definition dtone z := Tone (rise_sine z - in_cosine z * turn z) (rise_cosine z + in_sine z * turn z)
+  (- (rise_cosine z * turn z)) (rise_sine z * turn z) (turn z) (phase z).
 (** of both *)
 Definition dsteady y := Steady (from y) (dpoly (poly y)) (map dtone (tones y)).
 (** with all coefficients changed *)
 Definition scaled f (y : steady T) := Steady (from y) (map f (poly y))
-  (map (fun z => Tone (f (in_sine z)) (f (in_cosine z)) (turn z) (phase z)) (tones y)).
+  (map (fun z => Tone (f (in_sine z)) (f (in_cosine z)) (f (rise_sine z)) (f (rise_cosine z)) (turn z) (phase z))
+    (tones y)).
 (** the sign times the number *)
 Definition signed (k : bool) x := if k then x else - x.
 
@@ -129,6 +125,9 @@ Definition grip_of k f := let f := sloped (sloped f) in
 Definition grip k t x v := grip_of k (stuck t x v).
 (** the place where a stick ends towards k at the time t with the velocity v *)
 Definition edge k t v := (sval (force K) t - signed k (kb K * kM K / k2 K) - ka1 K * v) / ka2 K.
+(** not negative: under a constant force a stick from (x, v) never comes to an edge *)
+Definition spare t x v := let y := ka2 K * x - sval (force K) t in let l := kb K * kM K / k2 K in
+  l * l - (y * y / ka2 K + kM K * (v * v)) * (ka2 K + ka1 K * ka1 K / kM K).
 End Computed.
 Notation slope := (sloped real).
 
@@ -137,7 +136,6 @@ Lemma is_derive_unique_at (f : R -> R) u k l : is_derive f u k -> is_derive f u 
 Proof. intros D E. rewrite <- (is_derive_unique f u k D). apply is_derive_unique, E. Qed.
 (** a sign *)
 Definition sign (k : bool) := if k then 1 else -1.
-(** as said *)
 Lemma signed_real k x : signed real k x = sign k * x.
 Proof. destruct k; simpl; ring. Qed.
 
@@ -145,7 +143,6 @@ Proof. destruct k; simpl; ring. Qed.
 Definition val f u := still f + drift f * u +
   exp (- (decay f * u)) * (even f * cosine (square f) u + odd f * sine (square f) u) + sval real (answer f) (clock f + u).
 
-(** as said *)
 Lemma pval_cons c l u : pval real (c :: l) u = c + u * pval real l u. Proof. reflexivity. Qed.
 (** a sum of polynomials *)
 Lemma pval_padd l : forall k u, pval real (padd real l k) u = pval real l u + pval real k u.
@@ -324,7 +321,6 @@ Proof.
   assert (E1 : a1 = 2 * m * g) by (unfold g, fade; field; lra). clearbody d g. rewrite E1, E2. ring.
 Qed.
 
-(** as said *)
 Lemma val_guard k t x v1 v2 u :
   val (guard real K k t x v1 v2) u = sign k * (val (slope (slide real K k t x v1)) u - drive real K k v2 u).
 Proof.
@@ -334,7 +330,6 @@ Proof.
   rewrite (scaled_ext _ (fun r => sign k * r)), sval_scaled by (intros; apply signed_real).
   rewrite !signed_real. simpl. destruct k; simpl; field; lra.
 Qed.
-(** as said *)
 Lemma val_grip k t x v u : val (grip real K k t x v) u = b / m2 - sign k * val (slope (slope (stuck real K t x v))) u.
 Proof.
   unfold grip, grip_of. set (f := slope (slope (stuck real K t x v))). assert (S : still f = 0) by reflexivity.
@@ -405,6 +400,41 @@ Proof.
   - destruct k; simpl; ring.
 Qed.
 
+(** the energy about the place of rest never grows, and with it no stick comes to an edge that is beyond its reach *)
+Lemma grip_held k t x v u : (forall r, sval real push r = sval real push t) -> 0 <= spare real K t x v -> 0 <= u ->
+  0 <= val (grip real K k t x v) u.
+Proof.
+  intros C S Hu. assert (HM : 0 < M) by (unfold M; lra). set (c := sval real push t) in *.
+  set (X := stuck real K t x v). set (Y := fun r => a2 * val X r - c).
+  set (E := fun r => Y r * Y r / a2 + M * (val (slope X) r * val (slope X) r)).
+  assert (A : forall r, val (slope (slope X)) r = - (Y r + a1 * val (slope X) r) / M).
+  { intros r. apply Rmult_eq_reg_l with M; [|lra]. unfold Y, X. rewrite stuck_law, C. field; lra. }
+  assert (D : E u <= E 0).
+  { assert (D : forall r, is_derive E r (- (2 * a1) * (val (slope X) r * val (slope X) r))).
+    { intros r. unfold E, Y. assert (E0 : Derive (fun u => val X u) r = val (slope X) r).
+      { apply is_derive_unique, derive_val. }
+      assert (E1 : Derive (fun u => val (slope X) u) r = val (slope (slope X)) r).
+      { apply is_derive_unique, derive_val. }
+      auto_derive; [repeat split; eexists; apply derive_val|]. rewrite E0, E1, A. unfold Y. field; lra. }
+    apply (rderiv_mono E 0 u (fun r => - (2 * a1) * (val (slope X) r * val (slope X) r))); [|lra|].
+    - eapply cont_of_derive. exact D.
+    - intros r _. split; [apply rderiv_of_derive, D|nra]. }
+  destruct (stuck_start t x v) as (X0 & V0). unfold E, Y in D. unfold X in D. rewrite X0, V0 in D.
+  unfold spare, K, real_kit in S; cbn [add sub mul div real ka1 ka2 kM kb k2 force] in S. fold c M in S. fold X in D.
+  rewrite val_grip, A. fold (Y u) in D. set (y := Y u) in *. set (w := val (slope X) u) in *. set (l := b * M / m2) in *.
+  assert (Hl : 0 < l) by (apply Rdiv_lt_0_compat; nra).
+  assert (Q : (y + a1 * w) * (y + a1 * w) <= l * l).
+  { assert (0 <= (a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)).
+    { apply Rmult_le_pos; [exact (Rle_0_sqr _)|apply Rlt_le, Rinv_0_lt_compat, Rmult_lt_0_compat; auto]. }
+    assert (0 <= a1 * a1 / M) by (apply Rmult_le_pos; [nra|apply Rlt_le, Rinv_0_lt_compat; auto]).
+    apply Rle_trans with ((y * y / a2 + M * (w * w)) * (a2 + a1 * a1 / M)).
+    - apply Rminus_le_0. replace (_ - _) with ((a1 * y - a2 * M * w) * (a1 * y - a2 * M * w) / (a2 * M)); [auto|].
+      field; lra.
+    - eapply Rle_trans; [apply Rmult_le_compat_r; [lra|exact D]|]. lra. }
+  assert (- l <= y + a1 * w <= l) as B by (split; nra).
+  replace (b / m2 - sign k * (- (y + a1 * w) / M)) with ((l + sign k * (y + a1 * w)) / M) by (unfold l; field; lra).
+  apply Rmult_le_pos; [destruct k; simpl; lra|apply Rlt_le, Rinv_0_lt_compat; auto].
+Qed.
 (** a place whose velocity is that of an arc *)
 Lemma same_way y v X V t0 T : cont y -> 0 <= t0 -> 0 <= T -> (forall t, 0 <= t -> rderiv y t (v t)) ->
   (forall u, is_derive X u (V u)) -> (forall u, 0 <= u <= T -> v (t0 + u) = V u) -> y (t0 + T) = y t0 + (X T - X 0).
@@ -519,6 +549,14 @@ Proof.
     replace (sign k * (b * M / m2)) with (M * (sign k * (b / m2))) by (field; lra).
     replace (sign k * (b / m2)) with (sign k * (sign k * acc)) by (f_equal; lra). destruct k; simpl; lra.
   - intros r Hr. apply F; auto.
+Qed.
+
+(** A stick under a constant force, below the level that friction holds, is for ever. *)
+Theorem stick_for_ever T : 0 <= T -> t0 + T <= final -> v1 t0 = v2 t0 -> (forall t, sval real push t = sval real push t0) ->
+  0 <= spare real K t0 (x t0) (v1 t0) -> v1 (t0 + T) = v2 (t0 + T).
+Proof.
+  intros HT HF Ev C S. destruct (stick_phase T HT HF Ev) with (u := T) as (_ & -> & ->); auto; [|lra].
+  intros u Hu. split; apply grip_held; auto; lra.
 Qed.
 End Along.
 End Motion.

@@ -44,13 +44,11 @@ Proof.
     set (d := Rmin d0 d1). assert (d <= d0) by apply Rmin_l. assert (d <= d1) by apply Rmin_r.
     assert (Hd : 0 < d) by (apply Rmin_glb_lt; auto). destruct Way as [Up|Down].
     - destruct (slips_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht Hd ltac:(intros; apply DU;
-      lra) Cu Meet k Hk Tie)
-        as (d' & Hd' & Slip); [|exists d'; auto].
+      lra) Cu Meet k Hk Tie) as (d' & Hd' & Slip); [|exists d'; auto].
       intros t Hr. rewrite Same by lra. specialize (Up (t - t0) ltac:(lra)). rewrite Z in Up.
       replace (t0 + 1 * (t - t0)) with t in Up by ring. exact Up.
     - destruct (sticks_at_edge m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d H Ht Hd ltac:(intros; apply DU;
-      lra) Cu Meet k Hk Tie)
-        as (d' & Hd' & Stick); [|exists d'; auto].
+      lra) Cu Meet k Hk Tie) as (d' & Hd' & Stick); [|exists d'; auto].
       intros r t Hr Ht'. rewrite !Same by lra. specialize (Down (r - t0) (t - t0) ltac:(lra) ltac:(lra)).
       replace (t0 + 1 * (t - t0)) with t in Down by ring. replace (t0 + 1 * (r - t0)) with r in Down by ring.
       exact Down. }
@@ -60,8 +58,7 @@ Proof.
       + destruct Hk; subst k; [right; left|right; right]; intros t Hr; specialize (Slip t Hr); lra.
       + left. intros t Hr. apply Stick. lra.
     - destruct (slips_at m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s t0 d0 H Ht Hd0 ltac:(intros; apply DU;
-      lra) Cu Meet k Hk)
-        as (d & Hd & Slip); [unfold load in *; lra|]. exists d. split; auto.
+      lra) Cu Meet k Hk) as (d & Hd & Slip); [unfold load in *; lra|]. exists d. split; auto.
       destruct Hk; subst k; [right; left|right; right]; intros t Hr; specialize (Slip t Hr); lra. }
   destruct (Rle_dec b (load t0)) as [Up|]; [apply (Beyond 1); [auto|lra]|].
   destruct (Rle_dec (load t0) (- b)) as [Lo|]; [apply (Beyond (-1)); [auto|lra]|].

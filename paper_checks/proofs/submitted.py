@@ -28,6 +28,7 @@ _FIRST_FORCE = f"(Trajectory.push (Trajectory.first_spell {NAME}.the_scene))"
 _TOLD = _NUMBERS | {
     "count": f"List.length {NAME}.the_events",
     "last": f"Trajectory.last {NAME}.the_ending",
+    "ever": f"Trajectory.for_ever {NAME}.the_ending",
     "terms": f"(List.length (Waves.poly {_FIRST_FORCE}) + List.length (Waves.tones {_FIRST_FORCE}))%nat",
     "later": f"List.length (Trajectory.later_spells {NAME}.the_scene)",
 }
@@ -71,7 +72,9 @@ def _asked(compiled: kernel.Compiled) -> Judged:
     numbers = ", ".join(f"{one} = {told[one]}" for one in _NUMBERS)
     changes = f", and {told['later']} changes of force or friction" if told["later"] != "0" else ""
     force = "" if told["terms"] == "0" else ", under a force"
+    ever = ", sticking for ever then" if told["ever"] == "true" else ""
     return Judged(
         True,
-        f"{told['count']} events until t = {told['last']}, of every motion with {numbers} (SI units){force}{changes}",
+        f"{told['count']} events until t = {told['last']}{ever}, of every motion with {numbers} (SI units)"
+        f"{force}{changes}",
     )

@@ -19,6 +19,11 @@ EXACTLY_CRITICAL = [
     Scene(Pair(1, 1, 1, 1, a1=2), State(x1=1, v1=5), until=20),  # slip
     Scene(Pair(1, 1, 2, 1, a1=4), State("0.3", 2, 0, -3), until=20),  # stick
 ]
+FAR_AND_SLOW = Scene(  # both positions have one scale, both velocities another
+    Pair("1/10", 100, "1/10", 1, "1/5"),
+    State("-1001/100", 0, 0, Fraction(-17810939411133869, 5629499534213120)),
+    Fraction(6983112751249713, 35184372088832),
+)
 LIGHT_DRIVER = Scene(  # its contact after 1e-16 of reduced time was passed over in float64
     Pair(m1="1e-3", m2="4.2e12", a2=1, b=1, a1="409877.8"),
     State(x1="-1.00000000000000024", v2="4.8795e-7"),
@@ -64,6 +69,7 @@ def test_the_bounds_hold(kind, arithmetic):
     @given(kind())
     @example(EXACTLY_CRITICAL[0])
     @example(EXACTLY_CRITICAL[1])
+    @example(FAR_AND_SLOW)
     @example(load_scene("relative-motion-b05"))
     def hold(scene):
         assert claimed(scene, arithmetic) <= 1.0

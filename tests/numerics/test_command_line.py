@@ -5,41 +5,25 @@ import io
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from decimal import Decimal, localcontext
 
 import numpy as np
 import pytest
+from three_scenes import PAPER, SCENE
 
-from numerics.__main__ import main
 from numerics.cli import solving
 from numerics.cli.arguments import parser
-from numerics.scene import Pair, Scene, State
 from numerics.scene.file import shipped_scenes
 from numerics.solver.solve import solve
 from numerics.trajectory.export import as_record
 
-SCENE = "[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[initial]\nv1 = 0.15\n[run]\nuntil = 2\n"
+TWO_SECONDS = replace(PAPER, until=2)
 STATE = ("x1", "v1", "x2", "v2")
 
 
-@pytest.fixture
-def scene_file(tmp_path):
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE)
-    return path
-
-
-def run(capsys, *arguments) -> tuple[int, str, str]:
-    try:
-        code = main([str(one) for one in arguments])
-    except SystemExit as stop:
-        code = stop.code
-    captured = capsys.readouterr()
-    return code, captured.out, captured.err
-
-
-def test_json_has_the_shape_of_the_interface(capsys, scene_file):
-    code, out, err = run(capsys, "solve", scene_file, "--json", "--digits", 30)
+def test_json_has_the_shape_of_the_interface(run, scene_file):
+    code, out, err = run("solve", scene_file, "--json", "--digits", 30)
     found = json.loads(out)
     assert (code, err) == (0, "")
     assert list(found) == ["status", "message", "arithmetic", "digits", "events", "final"]
@@ -54,9 +38,9 @@ def test_json_has_the_shape_of_the_interface(capsys, scene_file):
 
 
 @pytest.mark.parametrize("digits", [3, 15, 40])
-def test_the_printed_balls_enclose_a_far_better_solution(scene_file, capsys, digits):
-    found = json.loads(run(capsys, "solve", scene_file, "--json", "--digits", digits)[1])
-    truth = as_record(solve(Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=2), digits=90, arithmetic="ball"))
+def test_the_printed_balls_enclose_a_far_better_solution(run, scene_file, digits):
+    found = json.loads(run("solve", scene_file, "--json", "--digits", digits)[1])
+    truth = as_record(solve(TWO_SECONDS, digits=90, arithmetic="ball"))
     with localcontext() as context:
         context.prec = 120
         for row, exact in zip([*found["events"], found["final"]], [*truth["events"], truth["final"]], strict=True):
@@ -67,9 +51,9 @@ def test_the_printed_balls_enclose_a_far_better_solution(scene_file, capsys, dig
 
 
 @pytest.mark.parametrize("arithmetic", ["float64", "double-double", "mpmath"])
-def test_point_arithmetics_print_only_right_digits(scene_file, capsys, arithmetic):
-    found = json.loads(run(capsys, "solve", scene_file, "--json", "--arithmetic", arithmetic)[1])
-    truth = as_record(solve(Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=2), digits=60, arithmetic="ball"))
+def test_point_arithmetics_print_only_right_digits(run, scene_file, arithmetic):
+    found = json.loads(run("solve", scene_file, "--json", "--arithmetic", arithmetic)[1])
+    truth = as_record(solve(TWO_SECONDS, digits=60, arithmetic="ball"))
     for row, exact in zip([*found["events"], found["final"]], [*truth["events"], truth["final"]], strict=True):
         for name in [key for key in row if key not in ("from", "to", "mode")]:
             printed = Decimal(row[name])
@@ -79,19 +63,19 @@ def test_point_arithmetics_print_only_right_digits(scene_file, capsys, arithmeti
             assert abs(printed - Decimal(exact[name])) <= unit * Decimal("1.5")
 
 
-def test_csv_has_a_row_for_each_event_and_the_end(capsys, scene_file):
-    code, out, _ = run(capsys, "solve", scene_file, "--csv")
+def test_csv_has_a_row_for_each_event_and_the_end(run, scene_file):
+    code, out, _ = run("solve", scene_file, "--csv")
     rows = list(csv.DictReader(io.StringIO(out)))
-    found = as_record(solve(Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=2), digits=15, arithmetic="ball"))
+    found = as_record(solve(TWO_SECONDS, digits=15, arithmetic="ball"))
     assert code == 0
     assert len(rows) == len(found["events"]) + 1
     assert [row["t (s)"] for row in rows] == [row["t"] for row in [*found["events"], found["final"]]]
     assert {"from", "to", "x1 (m)", "x1_radius (m)", "v2 (m/s)", "energy (J)", "energy_excess"} <= set(rows[0])
 
 
-def test_npz_holds_plain_arrays(capsys, scene_file, tmp_path):
+def test_npz_holds_plain_arrays(run, scene_file, tmp_path):
     target = tmp_path / "run.npz"
-    assert run(capsys, "solve", scene_file, "--npz", target) == (0, "", "")
+    assert run("solve", scene_file, "--npz", target) == (0, "", "")
     with np.load(target, allow_pickle=False) as archive:
         m = len(archive["t"])
         assert archive["y"].shape == (4, m)
@@ -101,17 +85,17 @@ def test_npz_holds_plain_arrays(capsys, scene_file, tmp_path):
 
 
 @pytest.mark.parametrize("suffix", [".svg", ".pdf", ".png"])
-def test_plots(capsys, scene_file, tmp_path, suffix):
+def test_plots(run, scene_file, tmp_path, suffix):
     target = tmp_path / f"run{suffix}"
-    assert run(capsys, "solve", scene_file, "--plot", target)[0] == 0
+    assert run("solve", scene_file, "--plot", target)[0] == 0
     assert target.stat().st_size > 1000
 
 
-def test_the_table_and_the_list(capsys):
-    code, out, err = run(capsys, "solve", "velocities")
+def test_the_table_and_the_list(run):
+    code, out, err = run("solve", "velocities")
     assert (code, err) == (0, "")
     assert "entry" in out or "stick" in out
-    code, out, _ = run(capsys, "scenes")
+    code, out, _ = run("scenes")
     assert code == 0
     names = [line.split()[0] for line in out.splitlines()]
     assert names == list(shipped_scenes())
@@ -119,19 +103,19 @@ def test_the_table_and_the_list(capsys):
 
 
 @pytest.mark.parametrize("command", [["solve", "-", "--json"], ["energy", "-", "--at", "2", "--json"]])
-def test_a_scene_is_read_from_standard_input(capsys, monkeypatch, scene_file, command):
+def test_a_scene_is_read_from_standard_input(run, monkeypatch, scene_file, command):
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(SCENE.encode())))
-    piped = run(capsys, *command)
-    assert piped == run(capsys, command[0], scene_file, *command[2:])
+    piped = run(*command)
+    assert piped == run(command[0], scene_file, *command[2:])
     assert piped[0] == 0
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"m1 = ")))
-    code, out, err = run(capsys, *command)
+    code, out, err = run(*command)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert "standard input is not a TOML scene" in err
 
 
-def test_the_version_is_that_of_the_project(capsys):
-    code, out, _ = run(capsys, "--version")
+def test_the_version_is_that_of_the_project(run):
+    code, out, _ = run("--version")
     assert (code, out.split()[0]) == (0, "inertial-pair")
 
 
@@ -146,8 +130,8 @@ def test_the_version_is_that_of_the_project(capsys):
         (["solve", "velocities", "--plot", "/proc/x.svg"], "cannot be written to"),
     ],
 )
-def test_a_mistake_is_told_with_what_was_meant(capsys, words, said):
-    code, out, err = run(capsys, *words)
+def test_a_mistake_is_told_with_what_was_meant(run, words, said):
+    code, out, err = run(*words)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert said in err
 
@@ -161,11 +145,11 @@ def test_a_mistake_is_told_with_what_was_meant(capsys, words, said):
         ("rich", ["trade"]),
     ],
 )
-def test_a_missing_tool_is_named_before_anything_runs(capsys, monkeypatch, tmp_path, module, command):
+def test_a_missing_tool_is_named_before_anything_runs(run, monkeypatch, tmp_path, module, command):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setitem(sys.modules, module, None)
     monkeypatch.setattr(solving, "solve_scene", lambda _: pytest.fail("it was solved"))
-    code, out, err = run(capsys, *command)
+    code, out, err = run(*command)
     assert (code, out, err.count("\n")) == (1, "", 1)
     assert f"needs {module}" in err
     assert "pip install" in err
@@ -184,7 +168,7 @@ def test_a_shell_completes_commands_flags_and_scenes(monkeypatch):
     assert "--arithmetic" in completed("inertial-pair", "solve", "velocities", "--ar")
 
 
-def test_output_to_a_folder_is_refused(capsys, scene_file, tmp_path):
+def test_output_to_a_folder_is_refused(run, scene_file, tmp_path):
     for name in ("folder.npz", "folder.svg"):
         (tmp_path / name).mkdir()
     for arguments in (
@@ -194,7 +178,7 @@ def test_output_to_a_folder_is_refused(capsys, scene_file, tmp_path):
         ("--plot", tmp_path / "x.gif"),
         ("--plot", tmp_path / "x"),
     ):
-        code, out, err = run(capsys, "solve", scene_file, *arguments)
+        code, out, err = run("solve", scene_file, *arguments)
         assert (code, out, len(err.splitlines())) == (2, "", 1)
     assert not list(tmp_path.rglob(".*"))
 
@@ -220,17 +204,38 @@ def test_output_to_a_folder_is_refused(capsys, scene_file, tmp_path):
         ["map", "--jobs", "0"],
         ["map", "--energy", "0.5", "0.7"],
         ["energy", "forced-step", "--at", "1"],
+        ["map", "--depth", "40"],
+        ["map", "--ratio", "2", "1"],
+        ["map", "--ratio", "0", "1"],
+        ["map", "--energy", "1", "2"],
+        ["map", "--energy", "3", "3"],
+        ["map", "--energy", "x", "2"],
+        ["map", "--out", "map.txt"],
+        ["map", "--out", "no/m.png"],
+        ["response", "velocities"],
+        ["response", "velocities", "--omega", "0"],
+        ["response", "none-such"],
+        ["move", "at-rest", "--distance", "0"],
+        ["move", "at-rest", "--distance", "1", "--margin", "2"],
+        ["move", "velocities", "--distance", "1"],
+        ["move", "at-rest", "--distance", "1", "--out", "no/where.toml"],
+        ["track", "at-rest", "--reference", "none-such"],
+        ["track", "at-rest", "--reference", "s-curve", "--plot", "x.txt"],
+        ["ring", "velocities", "--radius", "x"],
+        ["response-map", "at-rest", "--amplitude", "1", "1", "--omega", "1", "2"],
+        ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "0", "2"],
+        ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "1", "2", "--depth", "40"],
     ],
 )
-def test_bad_usage(capsys, arguments):
-    code, out, err = run(capsys, *arguments)
+def test_bad_usage(run, arguments):
+    code, out, err = run(*arguments)
     assert (code, out) == (2, "")
     assert err.startswith("error: ")
     assert (err.count("error"), err.count("\n")) == (1, 1)
 
 
-def test_the_cap_on_events_is_a_status(capsys):
-    found = json.loads(run(capsys, "solve", "velocities", "--max-events", "2", "--json")[1])
+def test_the_cap_on_events_is_a_status(run):
+    found = json.loads(run("solve", "velocities", "--max-events", "2", "--json")[1])
     assert found["status"] == "event-limit"
     assert len(found["events"]) == 2
     assert found["final"]["t"] == found["events"][-1]["t"]
@@ -247,10 +252,10 @@ BAD_FILES = {
 
 
 @pytest.mark.parametrize("kind", BAD_FILES)
-def test_an_invalid_scene_is_one_line_and_exit_code_2(capsys, tmp_path, kind):
+def test_an_invalid_scene_is_one_line_and_exit_code_2(run, tmp_path, kind):
     path = tmp_path / "scene.toml"
     path.write_bytes(BAD_FILES[kind])
-    code, out, err = run(capsys, "solve", path)
+    code, out, err = run("solve", path)
     assert (code, out, len(err.splitlines())) == (2, "", 1)
     assert err.startswith("error: ")
 

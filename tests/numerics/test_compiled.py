@@ -5,11 +5,10 @@ import threading
 import numpy as np
 import pytest
 from forced.catalogue import scene as scene_of
-from hypothesis import example, given, settings
-from strategies import free_scenes, wide_numbers
+from hypothesis import example, given
+from strategies import free_scenes
 
 from numerics.arithmetic import compiled as compiling
-from numerics.arithmetic import functions
 from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.double_numbers import DoubleDouble
 from numerics.arithmetic.float64 import Float64
@@ -63,31 +62,6 @@ def test_a_forced_run_has_the_same_answers(name, monkeypatch):
     assert plain.modes == fast.modes
     assert (abs(plain.event_times - fast.event_times) <= plain.accuracy.t + fast.accuracy.t).all()
     assert (abs(plain.event_states.T - fast.event_states.T) <= plain.accuracy.y + fast.accuracy.y).all()
-
-
-def everything(x, y):
-    """All operators, with numbers on either side, and all functions."""
-    sine, cosine = functions.sine_cosine(x)
-    depth, cotangent = functions.depth_and_cotangent(functions.like(x, 0.5) + x / 1000000)
-    total = ((x + y) * 2 - 3 * sine) / (1 + cosine * cosine) + y / 8 - 1 / (4.5 + abs(-y))
-    total = total + functions.versine(x) * functions.sine_deficit(y) + functions.cosine_deficit(x) - depth * cotangent
-    total, rest = functions.clock(total, y, functions.atan2(functions.sqrt(x), y))
-    last = functions.signed(-1.0, functions.nonnegative(total)) + functions.two_pi(x) * functions.tolerance(x)
-    return last + rest, functions.ceiling(x, 0), functions.sign(-y, 0), functions.resolved(x), x < y
-
-
-@needs_numba
-@pytest.mark.slow
-def test_functions_have_the_same_bits():
-    fast = compiled(everything)
-
-    @settings(max_examples=4 * settings().max_examples)
-    @given(wide_numbers(-30, 30), wide_numbers(-30, 30))
-    def check(x, y):
-        assert fast(x, y) == everything(x, y)
-        assert fast(x.high, y.high) == everything(x.high, y.high)
-
-    check()
 
 
 def test_one_process_compiles_while_the_others_wait(tmp_path):

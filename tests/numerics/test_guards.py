@@ -5,14 +5,13 @@ import sys
 
 import pytest
 from interruption import interrupted
+from three_scenes import PAPER
 
-from numerics.errors import OutOfRange, PrecisionExhausted
+from numerics.errors import OutOfRange
 from numerics.free.energy import energy_at
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
-from numerics.trajectory.status import Status
 
-PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 VALID = """[pair]
 m1 = 1
 m2 = 1
@@ -31,30 +30,9 @@ until = 1e22
 # caps
 
 
-@pytest.mark.parametrize("arithmetic", ["ball", "mpmath"])
-def test_the_cap_on_digits_names_its_argument_at_once(arithmetic):
-    with pytest.raises(PrecisionExhausted, match="raise the cap max_digits"):
-        solve(PAPER, arithmetic=arithmetic, digits=10**8)
-    with pytest.raises(PrecisionExhausted, match="raise the cap max_digits"):
-        solve(PAPER, arithmetic=arithmetic, digits=100, max_digits=50)
-
-
-def test_the_caps_on_late_energies_name_their_arguments():
-    with pytest.raises(PrecisionExhausted, match="raise max_digits"):
-        energy_at(PAPER, "1e50", digits=200, max_digits=100)
-    with pytest.raises(OutOfRange, match="raise max_steps"):
-        energy_at(PAPER, "1e50", max_steps=3)
-
-
 def test_digits_that_need_countless_steps_are_refused_at_once():
     with pytest.raises(OutOfRange, match=r"about .*e\+?\d+ events .*max_steps"):
         energy_at(PAPER, "1e1000", digits=1000)
-
-
-def test_the_cap_on_events_names_its_argument():
-    run = solve(Scene(PAPER.pair, PAPER.initial, "1e22"), max_events=5)
-    assert run.status is Status.EVENT_LIMIT
-    assert "raise the cap max_events" in run.message
 
 
 # phases
@@ -127,15 +105,12 @@ HALF_WRITTEN = {
 }
 
 
-@pytest.mark.parametrize("before", [None, b"before"])
 @pytest.mark.parametrize("where", HALF_WRITTEN)
-def test_kill_in_mid_export_leaves_no_partial_file(tmp_path, where, before):
-    if before:
-        (tmp_path / "result").write_bytes(before)
+def test_kill_in_mid_export_leaves_what_was_there(tmp_path, where):
+    (tmp_path / "result").write_bytes(b"before")
     code = "import os, sys, time\nfrom pathlib import Path\ndef wait(): print('half', flush=True); time.sleep(60)\n"
     process = subprocess.Popen([sys.executable, "-c", code + HALF_WRITTEN[where]], cwd=tmp_path, stdout=subprocess.PIPE)
     assert process.stdout.readline() == b"half\n"
     process.kill()
     process.communicate(timeout=20)
-    assert (tmp_path / "result").exists() == bool(before)
-    assert not before or (tmp_path / "result").read_bytes() == before
+    assert (tmp_path / "result").read_bytes() == b"before"

@@ -1,6 +1,5 @@
 """What every trajectory does, over masses, stiffness, friction, damping and states of many magnitudes."""
 
-from fractions import Fraction
 from itertools import pairwise
 
 import mpmath
@@ -11,7 +10,7 @@ from strategies import driven_scenes, scenes
 
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Pair, Scene, State
+from numerics.scene import Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 
@@ -127,23 +126,3 @@ def test_the_sign_flip_commutes_with_solving_bit_for_bit(scene):
                 assert a == -b or (enclosed and a.overlaps(-b))
             for a, b in zip(one.t, two.t, strict=True):
                 assert a == b or (enclosed and a.overlaps(b))
-
-
-@given(scenes(damped=None), *(st.integers(-20, 20) for _ in range(3)))
-def test_units_commute_with_solving_bit_for_bit(scene, length, mass, time):
-    """Powers of two: in units of 2^length m, 2^mass kg, 4^time s every float64 keeps its mantissa."""
-    m, kg, s = Fraction(2) ** length, Fraction(2) ** mass, Fraction(4) ** time
-    pair, at = scene.pair, scene.initial
-    scaled = Scene(
-        Pair(m1=pair.m1 * kg, m2=pair.m2 * kg, a2=pair.a2 * kg / s**2, b=pair.b * kg * m / s**2, a1=pair.a1 * kg / s),
-        State(at.x1 * m, at.v1 * m / s, at.x2 * m, at.v2 * m / s),
-        until=scene.until * s,
-    )
-    one, two = solved(scene), solved(scaled)
-    assert one.modes == two.modes
-    if one.arithmetic.name != "float64":  # solve has climbed next to a tie
-        return
-    assert [t * float(s) for t in one.t] == list(two.t)
-    units = [float(m), float(m / s), float(m), float(m / s)]
-    for row, other, unit in zip(one.y, two.y, units, strict=True):
-        assert [value * unit for value in row] == list(other)

@@ -14,9 +14,9 @@ from reaching import LeftOut, reaching
 from strategies import decimals, sine_scenes
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.guesses import stuck_state
 from numerics.control.orbit import Orbit
 from numerics.control.response import Regime, response, steady_drive
+from numerics.control.stuck import stuck_state
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
 

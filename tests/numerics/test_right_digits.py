@@ -4,13 +4,12 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from three_scenes import DAMPED, PAPER
 
 from numerics import Force, Pair, Scene, State, load_scene, solve, solve_many
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.status import Status
 
-PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
-DAMPED = Scene(Pair(1, 1, 200, "0.5", a1=4), State(v1="0.45"), until=3)
 FORCED = Scene(Pair(1, 1, 200, "0.05", "0.5"), State(v1="0.15"), until=3, force=Force.sine("0.35", 5))
 SCENES = [PAPER, DAMPED, FORCED]
 

@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from control_scenes import outside
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import decimals
@@ -19,15 +20,6 @@ from numerics.errors import InvalidScene
 from numerics.scene import Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
-
-
-def outside(found, until, points=4_001):
-    """The times of a run at which the distance from the ring's centre is above its radius."""
-    scene = found.scene
-    t = np.linspace(0, until * (1 - 1e-12), points)
-    y = solve(Scene(scene.pair, scene.initial, until, scene.law)).sol(t)
-    distance = np.hypot(y[0] - y[2] - float(found.centre), (y[1] - y[3]) / float(found.rate))
-    return t[distance > float(found.radius) * (1 + 1e-9)]
 
 
 @pytest.mark.parametrize(

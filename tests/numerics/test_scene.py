@@ -53,6 +53,8 @@ BAD_VALUES = {
     "text": '"abc"',
     "empty text": '""',
     "expression": '"1/0"',
+    "two bars": '"1/2/3"',
+    "ratio without end": '"1/"',
     "python": '"__import__"',
     "fullwidth digit": '"１"',
     "hexadecimal text": '"0x10"',

@@ -3,32 +3,25 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from flint import arb
+from three_scenes import PAPER
 
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
-from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.derivatives import WRT
 from numerics.trajectory.sensitivity import sensitivities
 
-PAPER = Pair(1, 1, 200, "0.5")
-
-
-def scene_file(tmp_path):
-    path = tmp_path / "scene.toml"
-    path.write_text("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[initial]\nv1 = 0.15\n[run]\nuntil = 1\n")
-    return str(path)
-
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath", "float64"])
-def test_json_carries_them(arithmetic, tmp_path, capsys):
-    assert main(["solve", scene_file(tmp_path), "--json", "--sensitivity", "--arithmetic", arithmetic]) == 0
+def test_json_carries_them(arithmetic, scene_file, capsys):
+    assert main(["solve", str(scene_file), "--json", "--sensitivity", "--arithmetic", arithmetic]) == 0
     record = json.loads(capsys.readouterr().out)
-    truth = sensitivities(solve(Scene(PAPER, State(v1="0.15"), 1), digits=60, arithmetic="ball"))
+    truth = sensitivities(solve(replace(PAPER, until=2), digits=60, arithmetic="ball"))
     for event, t, y in zip(record["events"], truth.t, truth.y, strict=True):
         assert set(event["sensitivity"]) == {"t", "x1", "v1", "x2", "v2"}
         for row, true in zip(event["sensitivity"].values(), (t, *y), strict=True):
@@ -51,21 +44,21 @@ def exponent(text):
     return int(power or 0) - len(digits.partition(".")[2])
 
 
-def test_the_archive_and_the_table_carry_them(tmp_path, capsys):
+def test_the_archive_and_the_table_carry_them(scene_file, tmp_path, capsys):
     path = tmp_path / "out.npz"
-    assert main(["solve", scene_file(tmp_path), "--npz", str(path), "--sensitivity", "--digits", "20"]) == 0
-    found = sensitivities(solve(Scene(PAPER, State(v1="0.15"), 1)))
+    assert main(["solve", str(scene_file), "--npz", str(path), "--sensitivity", "--digits", "20"]) == 0
+    found = sensitivities(solve(replace(PAPER, until=2)))
     with np.load(path) as archive:
         assert tuple(archive["sensitivity_wrt"]) == WRT
         for name in ("t", "y", "final", "energy"):
             assert np.allclose(archive[f"sensitivity_{name}"], getattr(found, name), rtol=1e-9, atol=1e-12)
-    assert main(["solve", scene_file(tmp_path), "--sensitivity"]) == 0
+    assert main(["solve", str(scene_file), "--sensitivity"]) == 0
     lines = capsys.readouterr().out.splitlines()
     last = next(line for line in lines if line.startswith("by b ")).split()
     assert float(last[2]) == pytest.approx(found.t[-1, WRT.index("b")], rel=1e-5)
 
 
 @pytest.mark.parametrize("output", ["--csv", "--plot=x.svg"])
-def test_outputs_without_room_for_them_refuse(output, tmp_path, capsys):
-    assert main(["solve", scene_file(tmp_path), output, "--sensitivity"]) == 2
+def test_outputs_without_room_for_them_refuse(output, scene_file, capsys):
+    assert main(["solve", str(scene_file), output, "--sensitivity"]) == 2
     assert "--sensitivity" in capsys.readouterr().err

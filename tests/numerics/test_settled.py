@@ -18,10 +18,10 @@ from strategies import decimals, signed
 from numerics.arithmetic.ball import Ball
 from numerics.control import ring as rings
 from numerics.control.attraction import distance, passage_at
-from numerics.control.guesses import stuck_state
 from numerics.control.orbit import Orbit
 from numerics.control.response import last_drive, response
 from numerics.control.ring import Settled, periodic_settled, ring_entry, stretches, stuck_settled
+from numerics.control.stuck import stuck_state
 from numerics.errors import EventUndecided
 from numerics.scene import Force, Pair, Piece, Scene, State
 from numerics.solver.solve import solve

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 
-from numerics import Force, Law, Pair, Scene, State, solve
+from numerics import Law, Pair, Scene, State, solve
 from numerics.__main__ import main
 from numerics.errors import NoProof
 from numerics.trajectory.theorem import theorem
@@ -28,7 +28,6 @@ def test_every_event_is_within_its_bounds():
 @pytest.mark.parametrize(
     ("scene", "said"),
     [
-        (Scene(PAIR, MOVING, 1, force=Force.sine(1, 100) + Force.sine(1, 10)), "in resonance"),
         (Scene(PAIR, MOVING, 1, Law.THREE_VALUED_SGN), 'the law "filippov" only'),
         (Scene(PAIR, State(x1="0.005"), 1), "at rest on an edge"),
         (Scene(PAIR, State(x1="0.003", v1="0.04", v2="0.04"), 1), "exactly the critical energy"),
@@ -43,7 +42,7 @@ def test_the_command_writes_a_file_or_says_why_not(tmp_path, capsys):
     path = tmp_path / "a.v"
     assert main(["solve", "velocities", "--proof", str(path)]) == 0
     assert "Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2" in path.read_text("utf-8")
-    assert main(["solve", "forced-resonance", "--proof", str(tmp_path / "b.v")]) == 1
+    assert main(["solve", "velocities-literal", "--proof", str(tmp_path / "b.v")]) == 1
     out, err = capsys.readouterr()
     assert (out, err.count("\n")) == ("", 1)
     assert err.startswith("error: no theorem is written: ")

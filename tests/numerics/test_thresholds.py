@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-import mpmath
 import numpy as np
 import pytest
 from control_scenes import referred
 from flint import arb
 from hypothesis import example, given
 from hypothesis import strategies as st
-from strategies import decimals, pairs
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import to_digits
@@ -22,39 +20,6 @@ from numerics.errors import InvalidScene, PrecisionExhausted
 from numerics.scene import Force, Pair, Scene, State
 
 PAIR = Pair(1, 1, 200, "0.5", 3)
-
-
-def by_linear_system(pair: Pair, omega: Fraction) -> tuple[mpmath.mpf, mpmath.mpf]:
-    """U* by the phasor, U** by the antiperiodic slip: x(h) = -x(0) with the exponential of a matrix, 60 digits."""
-    with mpmath.workdps(60):
-        m1, m2, a1, a2, b, w = (mpmath.mpf(one.numerator) / one.denominator for one in (*_numbers(pair), omega))
-        flow = mpmath.expm(mpmath.matrix([[0, 1], [-a2 / m1, -a1 / m1]]) * (mpmath.pi / w), method="taylor")
-        rest = mpmath.matrix([-b / a2, 0])
-        x, v = mpmath.lu_solve(flow + mpmath.eye(2), flow * rest - rest)
-        velocity = -b * mpmath.pi / (2 * m2 * w) - v
-        acceleration = b / m2 + (b + a1 * v + a2 * x) / m1
-        reach = mpmath.hypot(velocity / w, acceleration / w**2)
-        stuck = b / m2 * abs(mpmath.mpc(a2 - (m1 + m2) * w * w, a1 * w)) / w**2
-        return stuck, reach * abs(mpmath.mpc(a2 - m1 * w * w, a1 * w))
-
-
-def _numbers(pair: Pair) -> tuple[Fraction, ...]:
-    return pair.m1, pair.m2, pair.a1, pair.a2, pair.b
-
-
-def near(ball: arb, value: mpmath.mpf) -> bool:
-    return bool(abs(ball - arb(mpmath.nstr(value, 50))) <= abs(ball) * arb(10) ** -18)
-
-
-@given(pairs((-1, 1), damped=None), decimals(-1, 1))
-def test_thresholds_come_from_their_linear_systems(pair, ratio):
-    # the factor keeps off resonances, which have a test of their own
-    omega = ratio * Fraction(98, 97) * Fraction(float(pair.a2 / pair.m1) ** 0.5).limit_denominator(1000)
-    found = thresholds(pair, omega, digits=20)
-    stuck, slipping = by_linear_system(pair, omega)
-    with Ball(40).context():
-        assert near(found.entrainment, stuck)
-        assert near(found.non_stop, slipping)
 
 
 def test_resonances_are_exact():

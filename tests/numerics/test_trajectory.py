@@ -1,25 +1,22 @@
 """A trajectory speaks SciPy, is evaluated anywhere from either side, and restores the precision it used."""
 
-from fractions import Fraction
-
 import flint
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import example, given
-from reaching import LeftOut, reaching
+from hypothesis import given
 from strategies import near_critical, scenes
+from three_scenes import PAPER
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError, PrecisionExhausted
-from numerics.linear.modes import EventKind, Mode
+from numerics.linear.modes import EventKind
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction, require_same_sequence
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.status import Status
 
-PAPER = Scene(Pair(1, 1, 200, "0.5"), State(v1="0.15"), until=3)
 ARITHMETICS = ["float64", "double-double", "mpmath", "ball"]
 
 
@@ -105,45 +102,6 @@ def test_the_mode_next_to_an_event_is_right_however_short_the_slip(scene):
         for run in (points, balls):
             assert run.mode_at(time - near) is event.before
             assert run.mode_at(time + near) is event.after
-
-
-@reaching
-@given(scenes(damped=None))
-@example(
-    Scene(
-        Pair("1/10", 100, "1/10", 1, "1/5"),
-        State("-1001/100", 0, 0, Fraction(-17810939411133869, 5629499534213120)),
-        Fraction(6983112751249713, 35184372088832),
-    )
-)
-def test_a_run_split_in_two_is_the_whole_run(scene):
-    """The second half starts from the exact rational midpoint of the first, in a phase of its own."""
-    whole = solve(scene, arithmetic="mpmath", digits=60, max_events=6)
-    if not whole.success or scene.energy_excess == 0:
-        raise LeftOut  # exactly on E = E_cr a rounded middle is another trajectory
-    half = scene.until / 2
-    x1, v1, x2, v2 = (as_fraction(one) for one in whole.sol(half))
-    if whole.mode_at(half) is Mode.STICK:
-        v1 = v2
-    # 70 digits of the middle are a scene: exact rationals of this length are within the limits
-    middle = State(*(round_to(value, 65) for value in (x1, v1, x2, v2)))
-    if middle.v1 != middle.v2 and whole.mode_at(half) is Mode.STICK:
-        raise LeftOut
-    rest = solve(Scene(scene.pair, middle, scene.until - half, scene.law), arithmetic="mpmath", digits=60)
-    late = [event for event in whole.events if as_fraction(event.t) > half]
-    assert [(event.before, event.after) for event in late] == [(event.before, event.after) for event in rest.events]
-    with whole.arithmetic.context():
-        # both positions have one scale, and both velocities: what is nearly 0 was rounded beside the other
-        position, speed = (max(abs(one) for one in whole.y[rows].ravel()) for rows in ([0, 2], [1, 3]))
-        for one, two, size in zip(whole.y[:, -1], rest.y[:, -1], [position, speed] * 2, strict=True):
-            assert abs(one - two) <= mpmath.mpf(10) ** -40 * size
-
-
-def round_to(value, digits):
-    if value == 0:
-        return value
-    scale = Fraction(10) ** (digits - len(str(abs(value.numerator))) + len(str(value.denominator)))
-    return Fraction(round(value * scale), 1) / scale
 
 
 def test_precisions_are_restored_after_errors():

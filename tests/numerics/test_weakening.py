@@ -3,14 +3,15 @@
 from dataclasses import replace
 from fractions import Fraction
 
+import matplotlib as mpl
 import numpy as np
 import pytest
 from flint import arb
 from hypothesis import given, settings
+from matplotlib import pyplot as plt
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.orbit import Box
-from numerics.control.response import response
 from numerics.errors import InvalidScene, OutOfRange
 from numerics.linear.path_enclosed import Path
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
@@ -24,6 +25,8 @@ from numerics.trajectory.sensitivity import sensitivities
 from tests.differences import CENTRAL, moved
 from tests.state_reference import reference
 from tests.strategies import weakened_scenes
+
+mpl.use("Agg")
 
 PAIR = Pair(1, 1, 200, "0.5")
 FALLING = Weakening([("0.05", "0.3")], "0.4")
@@ -228,11 +231,24 @@ def test_two_coefficients_are_refused_with_the_reason():
         parse_scene("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb_s = 0.5\nb_k = 0.3\n[run]\nuntil = 1\n")
 
 
-def test_what_is_worked_out_for_one_b_only_says_so():
+def test_float64_says_that_it_does_not_solve_them():
     with pytest.raises(OutOfRange, match="in balls only"):
         solve(BISTABLE, arithmetic="float64")
-    with pytest.raises(InvalidScene, match="depends on the state"):
-        response(BISTABLE)
+
+
+def test_a_heavy_body_2_is_a_belt_on_which_body_1_sticks_and_slips_in_one_cycle():
+    """It lets go where the load is b; slip is drawn on the falling branch, on one side of v1 = v2 only."""
+    pair, law = Pair(1, 100_000, 200, "0.5", "0.2"), Friction((), Weakening([("0.05", "0.25")], "0.05"))
+    run = solve(Scene(pair, State(v2="0.02"), 3, friction=law), digits=12)
+    let_go = [float(event.y[0]) for event in run.events if event.after.sign]
+    assert len(let_go) > 4
+    assert np.allclose(let_go, (0.5 - 0.2 * 0.02) / 200, rtol=1e-4)
+    slip = run.plot("friction").lines[0].get_ydata()
+    assert np.nanmin(slip) >= -0.5
+    assert np.nanmax(slip) <= -0.25
+    cycle = run.plot("relative")
+    assert (cycle.get_xlabel(), cycle.get_ylabel()) == ("$x_1$ (m)", "$v_1 - v_2$ (m/s)")
+    plt.close("all")
 
 
 def test_a_batch_solves_them_in_balls():

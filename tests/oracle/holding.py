@@ -3,12 +3,10 @@
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from time import perf_counter
 from typing import Any
 
 from flint import acb, arb
 
-import numerics
 from numerics import solve
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
 from oracle.reading import scene_of
@@ -29,7 +27,7 @@ FIXED = {"float64", "double-double", "mpmath"}
 """Those that do not climb: they may say that they are in doubt."""
 SIGNS = {"stick": "0", "slip+": "+", "slip-": "-"}
 NAMES = ("t", "x1", "v1", "x2", "v2")
-FROZEN, FROZEN_SLOPES, FROZEN_LEDGER = Fraction(1, 10**23), Fraction(1, 10**14), Fraction(1, 10**19)
+FROZEN, FROZEN_LEDGER = Fraction(1, 10**23), Fraction(1, 10**19)
 """By how much of itself a frozen number may be off: it is rounded."""
 NOTHING, NOTHING_IN_FLOATS = Fraction(1, 10**100), Fraction(1, 10**30)
 """A frozen 0 is less than this of its scale; points are not asked for more."""
@@ -42,10 +40,6 @@ class Outcome:
     name: str
     differences: list[str] = field(default_factory=list)
     left_open: str = ""
-    arithmetic: str = ""
-    seconds: float = 0.0
-    worst: float = 0.0
-    """The largest error over its bound."""
 
 
 def exact(value: Any) -> tuple[Fraction, Fraction]:
@@ -65,25 +59,20 @@ def dyadic(value: arb) -> Fraction:
     return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
-def held(answer: dict[str, Any], way: str, *, slopes: bool = False) -> Outcome:
+def held(answer: dict[str, Any], way: str) -> Outcome:
     """Solve the scene of a frozen answer and compare all that is frozen."""
     outcome = Outcome(answer["name"])
-    scene, began = scene_of(answer), perf_counter()
     try:
-        found = solve(scene, max_events=answer["max_events"], **WAYS[way])
+        found = solve(scene_of(answer), max_events=answer["max_events"], **WAYS[way])
     except NumericsError as error:
-        outcome.seconds = perf_counter() - began
         refused(outcome, answer, way, error)
         return outcome
-    outcome.seconds, outcome.arithmetic = perf_counter() - began, found.arithmetic.name
     if "refused" in answer:
         outcome.left_open = f"answered where {answer['refused']} was raised"
     elif way in FIXED and not found.certain:
         outcome.left_open = "the sequence is left open"
     else:
-        outcome.differences += compared(outcome, answer, found, RIGHT.get(way, 0))
-        if slopes and "slopes" in answer and not outcome.differences:
-            outcome.differences += compared_slopes(answer["slopes"], found)
+        outcome.differences += compared(answer, found, RIGHT.get(way, 0))
     return outcome
 
 
@@ -97,7 +86,7 @@ def refused(outcome: Outcome, answer: dict[str, Any], way: str, error: NumericsE
         outcome.differences.append(f"refused: {kind}: {str(error)[:150]}")
 
 
-def compared(outcome: Outcome, answer: dict[str, Any], found: Any, right: int) -> Iterator[str]:
+def compared(answer: dict[str, Any], found: Any, right: int) -> Iterator[str]:
     """What differs: sequence first; then, if it is the same, every number."""
     scene, events = found.scene, list(found.events)
     modes = "".join(SIGNS[one.before.value] for one in events) + SIGNS[found.final_mode.value]
@@ -114,7 +103,7 @@ def compared(outcome: Outcome, answer: dict[str, Any], found: Any, right: int) -
         yield f"status {status}, not {frozen}"
     if (status, frozen) == ("STUCK_FOR_EVER", "REACHED_HORIZON") and not stays(scene, len(events)):
         yield "said to be stuck for ever, and slips later"
-    yield from compared_numbers(outcome, answer, found, events, right)
+    yield from compared_numbers(answer, found, events, right)
 
 
 def stays(scene: Any, events: int) -> bool:
@@ -132,9 +121,7 @@ def shown(one: str, two: str) -> str:
     return f"{one[: at + 3]!r} ({len(one)}), not {two[: at + 3]!r} ({len(two)}), from {at} on"
 
 
-def compared_numbers(
-    outcome: Outcome, answer: dict[str, Any], found: Any, events: list[Any], right: int
-) -> Iterator[str]:
+def compared_numbers(answer: dict[str, Any], found: Any, events: list[Any], right: int) -> Iterator[str]:
     rows = [(f"event {k}", int(k), [Fraction(one) for one in row]) for k, row in answer["events"].items()]
     rows.append(("end", -1, [Fraction(one) for one in answer["final"]]))
     tops = [max(abs(row[k]) for _, _, row in rows) for k in range(5)]
@@ -146,8 +133,12 @@ def compared_numbers(
             middle, radius = exact(value)
             if radius > scale / 10**right:
                 yield f"{name} at {where}: radius {short(radius)}, scale {short(scale)}"
-            yield from one_number(outcome, f"{name} at {where}", (middle, radius), true, bound, scale)
-    yield from compared_energies(outcome, answer, found)
+            nothing = NOTHING if bound is None else NOTHING_IN_FLOATS
+            allowed = (radius if bound is None else bound) + abs(true) * FROZEN + scale * nothing
+            if abs(middle - true) > allowed:
+                off = short(abs(middle - true))
+                yield f"{name} at {where}: off by {off}, allowed {short(allowed)}, of {short(true)}"
+    yield from compared_energies(answer, found)
 
 
 def bounds_of(found: Any, index: int, scales: list[Fraction]) -> list[Fraction | None]:
@@ -169,24 +160,6 @@ def bound(value: float) -> Fraction:
     return Fraction(value) if abs(value) < float("inf") else Fraction(10) ** 400
 
 
-def one_number(
-    outcome: Outcome,
-    where: str,
-    value: tuple[Fraction, Fraction],
-    true: Fraction,
-    bound: Fraction | None,
-    scale: Fraction,
-) -> Iterator[str]:
-    middle, radius = value
-    nothing = NOTHING if bound is None else NOTHING_IN_FLOATS
-    allowed = (radius if bound is None else bound) + abs(true) * FROZEN + scale * nothing
-    off = abs(middle - true)
-    if off > allowed:
-        yield f"{where}: off by {short(off)}, allowed {short(allowed)}, of {short(true)}"
-    if allowed and bound is not None:
-        outcome.worst = max(outcome.worst, short_ratio(off, allowed))
-
-
 def short(value: Fraction) -> str:
     try:
         return f"{float(value):.3g}"
@@ -194,12 +167,7 @@ def short(value: Fraction) -> str:
         return "more than 1e308"
 
 
-def short_ratio(one: Fraction, two: Fraction) -> float:
-    ratio = one / two
-    return float(ratio) if ratio < 10**9 else 1e9
-
-
-def compared_energies(outcome: Outcome, answer: dict[str, Any], found: Any) -> Iterator[str]:
+def compared_energies(answer: dict[str, Any], found: Any) -> Iterator[str]:
     """E/E_cr - 1 at the end, and the ledger; points have a bound of both."""
     accuracy, balls = found.accuracy, found.arithmetic.name == "ball"
     with found.arithmetic.context():
@@ -222,31 +190,6 @@ def compared_energies(outcome: Outcome, answer: dict[str, Any], found: Any) -> I
     for name, (middle, radius), true in zip(("friction", "viscous", "work"), parts, truths, strict=True):
         if abs(middle - true) > radius + abs(true) * FROZEN_LEDGER + size * NOTHING:
             yield f"{name}: off by {short(abs(middle - true))}, radius {short(radius)}, of {short(true)}"
-
-
-def compared_slopes(answer: Any, found: Any) -> Iterator[str]:
-    """Derivatives: enclosed in balls, elsewhere right to five digits of the largest by the same number of the scene."""
-    try:
-        slope = numerics.sensitivities(found)
-    except NumericsError as error:
-        if not isinstance(answer, str):
-            yield f"no sensitivities: {type(error).__name__}: {str(error)[:150]}"
-        return
-    if isinstance(answer, str):
-        return  # refused when it was frozen
-    balls = found.arithmetic.name == "ball"
-    rows = [("last t", slope.t[-1] if len(slope.t) else [], answer["t"])]
-    rows += [(f"final {name}", slope.final[k], answer["final"][k]) for k, name in enumerate(NAMES[1:])]
-    places = {name: k for k, name in enumerate(slope.wrt)}
-    for k, name in enumerate(answer["wrt"]):
-        column = [abs(Fraction(row[k])) for _, _, row in rows if row]
-        for (where, got, true), top in zip([one for one in rows if one[2]], column, strict=True):
-            middle, radius = exact(got[places[name]])
-            largest = max(column)
-            slack = radius + largest / 10**35 if balls else largest / 10**5
-            off = abs(middle - Fraction(true[k]))
-            if off > slack + top * FROZEN_SLOPES:
-                yield f"d {where} / d {name}: off by {short(off)}, allowed {short(slack)}, of {true[k]}"
 
 
 def same(frozen: Any, got: Any) -> bool:

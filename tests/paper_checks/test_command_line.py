@@ -1,7 +1,6 @@
 """The command line: its default, its exit codes, its one clear line for each mistake."""
 
 import json
-import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -81,9 +80,8 @@ def test_list_in_a_pipe_has_one_line_for_each_claim(capsys):
     assert lines[1 : 1 + len(CLAIMS)] == [claim.id for claim in CLAIMS]
 
 
-@pytest.mark.parametrize("form", ["html", "latex", "html,latex"])
-def test_report_writes_and_complains(small, capsys, tmp_path, form):
-    assert main(["report", "--out", str(tmp_path), "--format", form]) == 1
+def test_report_writes_and_complains(small, capsys, tmp_path):
+    assert main(["report", "--out", str(tmp_path), "--format", "html,latex"]) == 1
     captured = capsys.readouterr()
     assert captured.out.strip().startswith(str(tmp_path))
     assert captured.err == "paper_checks: the figure lost is not known\n"
@@ -133,15 +131,13 @@ def test_a_missing_tool_is_named_before_anything_runs(monkeypatch, capsys, modul
     assert f"this needs {module}" in capsys.readouterr().err
 
 
-def test_the_report_takes_another_trade_and_is_the_same_on_every_run(small, capsys, tmp_path):
+def test_the_report_takes_another_trade(small, capsys, tmp_path):
     planted(tmp_path)  # writes the file
-    folders = [tmp_path / name for name in ("one", "two")]
-    for folder in folders:
-        main(["report", "--out", str(folder), "--trade", str(tmp_path / "planted.json")])
-    pages = [{one.name: one.read_bytes() for one in folder.rglob("*.*")} for folder in folders]
-    assert pages[0] == pages[1]
-    assert b"Measured once: Abacus" in pages[0]["speed-and-accuracy.html"]
-    assert b"Without a force, nobody was measured beside ours." in pages[0]["report.html"]
+    main(["report", "--out", str(tmp_path), "--trade", str(tmp_path / "planted.json")])
+    assert "Measured once: Abacus" in (tmp_path / "pages" / "speed-and-accuracy.html").read_text("utf-8")
+    assert "Without a force, nobody was measured beside ours." in (tmp_path / "pages" / "questions.html").read_text(
+        "utf-8"
+    )
 
 
 def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatch, capsys, tmp_path):
@@ -172,17 +168,6 @@ def test_an_interruption_is_130(monkeypatch, capsys):
     assert capsys.readouterr().err == "paper_checks: interrupted\n"
 
 
-def test_help_imports_nothing_heavy():
-    program = (
-        "import sys, contextlib, paper_checks.__main__ as m\n"
-        "with contextlib.suppress(SystemExit): m.main(['--help'])\n"
-        "print(sorted({'sympy', 'z3', 'cvc5', 'flint', 'matplotlib', 'rich', 'numpy'} & set(sys.modules)))"
-    )
-    result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert result.stdout.endswith("[]\n")
-    assert "Exit codes" in result.stdout
-
-
 def test_a_closed_pipe_is_no_error():
     command = f"{sys.executable} -m paper_checks list | head -n 1"
     result = subprocess.run(command, shell=True, capture_output=True, text=True, check=False)
@@ -197,20 +182,3 @@ def test_an_output_that_takes_nothing_is_told_in_one_line():
         )
     assert result.returncode == 2
     assert result.stderr == "paper_checks: cannot read or write the output: No space left on device\n"
-
-
-def test_ctrl_c_ends_the_process_cleanly():
-    program = (
-        "import signal, sys, time, paper_checks.running.rows as r, paper_checks.__main__ as m\n"
-        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # whatever the shell that started the tests does
-        "def slow(*all):\n    print('begun', flush=True)\n    time.sleep(60)\n"
-        "r.rows = slow\nsys.exit(m.main([]))"
-    )
-    process = subprocess.Popen(
-        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    )
-    assert process.stdout is not None
-    assert process.stdout.readline() == "begun\n"
-    process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=120)
-    assert (process.returncode, out, err) == (130, "", "paper_checks: interrupted\n")

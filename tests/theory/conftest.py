@@ -1,7 +1,7 @@
 """How the theory's tests compare expressions, draw numbers and plant faults."""
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
 from sympy import Expr, Rational, Symbol, simplify
@@ -46,17 +46,3 @@ def same(at_random) -> Callable[[Expr, Expr], bool]:
         return identically
 
     return compare
-
-
-@pytest.fixture
-def near_misses() -> Callable[[Expr], Iterator[Expr]]:
-    """Wrong versions of an expression: its sign, a factor, and a power of each symbol changed."""
-
-    def faults(expression: Expr) -> Iterator[Expr]:
-        yield -expression
-        yield 2 * expression
-        for symbol in sorted(expression.free_symbols, key=str):
-            yield expression * symbol
-            yield expression / symbol
-
-    return faults

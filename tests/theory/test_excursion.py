@@ -1,7 +1,5 @@
-"""The slip excursion: exact identities, signs on the whole range of angles, and 40-digit events."""
+"""The slip excursion: exact identities, and signs on the whole range of angles."""
 
-import mpmath
-import pytest
 from sympy import Integer, Rational, S, cos, diff, expand, limit, pi, simplify, sin, sqrt
 
 from theory import excursion as exc
@@ -73,37 +71,6 @@ def test_displacement_and_energy():
     assert identical(exc.next_excess(), exc.h() ** 2 * q - 2 * r * q * printed)
     assert not identical(one.next_excess, exc.h() ** 2 * q - r * q * printed)
     assert not identical(one.next_excess, exc.h() ** 2 * q - 2 * q * q * printed)
-
-
-@pytest.mark.parametrize(("mass_fraction", "speed"), [("0.5", "0.1"), ("0.2", "1"), ("0.9", "3"), ("0.05", "0.01")])
-def test_against_the_event_of_the_flow(mass_fraction, speed):
-    """The first zero of the guard after its start, bracketed and bisected in 40 digits, in raw form."""
-    with mpmath.workdps(40):
-        fraction, start = mpmath.mpf(mass_fraction), mpmath.mpf(speed)
-        scale = mpmath.sqrt(fraction)
-
-        def guard(angle):
-            return start * (mpmath.cos(angle) - 1) + scale * (angle - mpmath.sin(angle))
-
-        inner = start / scale / 10  # before the event, as theta >= u there
-        assert guard(inner) < 0
-        outer = inner
-        while guard(outer) < 0:
-            outer += mpmath.mpf(1) / 50
-        end = mpmath.findroot(guard, (outer - mpmath.mpf(1) / 50, outer), solver="anderson", tol=1e-70)
-        position = 1 - fraction * (1 - mpmath.cos(end)) + scale * start * mpmath.sin(end)
-        velocity = start - scale * end
-        excess = position**2 + velocity**2 - 1
-        known = {q: Rational(mass_fraction), theta: S(mpmath.nstr(end, 40))}
-        one = exc.excursion()
-        expected = {
-            one.start_velocity: start,
-            one.position: position,
-            one.velocity: velocity,
-            one.next_excess: excess,
-        }
-        for value, reached in expected.items():
-            assert abs(mpmath.mpf(str(value.subs(known).evalf(40))) - reached) < mpmath.mpf(10) ** -30
 
 
 def test_the_duration_in_si(same):

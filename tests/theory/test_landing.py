@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import mpmath
 import pytest
 from slip_by_hand import DIGITS, SLIPS, TOLERANCE, SlipByHand, at
-from sympy import Rational, cot, diff
+from sympy import Rational, cot
 
 from theory import return_map
 from theory.symbols import theta
@@ -52,14 +52,3 @@ def landed(slip, landing, end):
 @pytest.mark.parametrize("slip", SLIPS)
 def test_where_a_slip_lands(slip):
     assert all(abs(difference) < TOLERANCE for difference in landed(slip, return_map.landing(), slip.end()))
-
-
-def test_both_terms_of_the_contact_slope_are_its_derivative_and_positive():
-    first, second = return_map.contact_slope()
-    for slip in SLIPS:
-        for angle in map(mpmath.mpf, ("0.01", "1", "3", "5", "6.28")):
-            known = {"d": slip.d, "nu": slip.u, "theta": angle}
-            terms = at(first, **known), at(second, **known)
-            assert terms[0] > 0
-            assert terms[1] >= 0
-            assert abs(at(diff(return_map.contact_condition(), theta), **known) - sum(terms)) < TOLERANCE * 10**9

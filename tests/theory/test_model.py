@@ -1,7 +1,5 @@
 """The closed form (3), (4) and its branches: signum at numbers, forces, the printed equations."""
 
-from dataclasses import replace
-
 import pytest
 from sympy import Abs, Rational, S, simplify
 
@@ -76,15 +74,6 @@ def test_a_branch_solves_the_closed_form_nowhere_else(name):
     assert not any(satisfies(model.branch_named(name), state) for state in elsewhere)
 
 
-@pytest.mark.parametrize("name", STATES)
-def test_a_wrong_acceleration_is_noticed(name):
-    found = model.branch_named(name)
-    state = STATES[name][0]
-    for fault in (-1, 2):
-        assert not satisfies(replace(found, acceleration1=fault * found.acceleration1), state)
-        assert not satisfies(replace(found, acceleration2=fault * found.acceleration2 + fault), state)
-
-
 def test_forces_are_equal_and_opposite_in_the_two_modes_only():
     balanced = {found.name for found in model.branches() if found.force_imbalance == 0}
     assert balanced == {"stick", "slip+", "slip-"}
@@ -118,11 +107,10 @@ def test_the_printed_equations_5_and_6(same):
     assert simplify(second - ((1 - Abs(relative)) * acceleration1 + b * relative)) == 0
 
 
-def test_the_printed_equations_7_and_8(same, near_misses):
+def test_the_printed_equations_7_and_8(same):
     assert model.case_study_mode(0) == (-100 * x1, -100 * x1)
     for sign in (1, -1):
         first, second = model.case_study_mode(sign)
         assert same(first, -200 * x1 - sign * b)
         assert same(second, sign * b)
-        assert not any(same(second, wrong) for wrong in near_misses(sign * b))
     assert model.case_study_eigenfrequency() == 10

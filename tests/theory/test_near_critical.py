@@ -26,24 +26,6 @@ def value(expression, fraction, start):
     return mpmath.mpf(str(expression.subs({q: Rational(fraction), epsilon: S(mpmath.nstr(start, 60))}).evalf(60)))
 
 
-def test_the_leading_order(same, near_misses):
-    found = near.cycle()
-    excess = epsilon**2
-
-    def lowest(expression, order):
-        return expression.series(epsilon, 0, order).removeO()
-
-    assert same(lowest(found.slip_angle, 2), 3 * epsilon / sqrt(q))
-    assert same(lowest(found.position, 4), 1 - 3 * excess / 2)
-    assert same(lowest(found.velocity, 2), -2 * epsilon)
-    assert same(lowest(found.displacement, 5), 9 * excess**2 / (8 * q))
-    printed = excess - 9 * r / (4 * q) * excess**2
-    assert same(lowest(found.next_excess, 6), printed)
-    assert not any(same(lowest(found.next_excess, 6), wrong) for wrong in near_misses(printed))
-    assert same(lowest(found.stick_duration, 2), pi - 3 * epsilon)
-    assert same(lowest(found.cycle_duration, 3), pi)
-
-
 @pytest.mark.parametrize("fraction", FRACTIONS)
 def test_every_series_has_its_order(fraction):
     """Halving the angle divides the error by 2^order or more: the coefficients kept are all right."""
@@ -74,7 +56,7 @@ def test_the_stick_rotation_is_a_rotation_on_one_level(same):
     assert same(norm, 1 + epsilon**2)
 
 
-def test_the_rate_law(same, near_misses):
+def test_the_rate_law(same):
     assert same(near.quadratic_coefficient(), 9 * r / (4 * q))
     assert same(near.inverse_step(), near.quadratic_coefficient())
     assert near.cycle_limit() == pi
@@ -83,5 +65,4 @@ def test_the_rate_law(same, near_misses):
     mass = total_mass()
     printed = b**2 * mass**2 / (2 * a2 * m2**2) * (4 * pi / 9) * (m1 / m2) * sqrt(mass / a2)
     assert same(near.rate_constant(), printed)
-    assert not any(same(near.rate_constant(), wrong) for wrong in near_misses(printed))
     assert near.rate_constant().free_symbols == {m1, m2, a2, b}

@@ -1,10 +1,10 @@
 """The manifest signs behind the 1/t bound and the absence of merging, and the bounds at numbers."""
 
 import pytest
-from sympy import Rational, S, cos, diff, limit, pi
+from sympy import Rational, S, limit, pi
 
 from theory import near_critical, rate_bounds
-from theory.excursion import angle, displacement_of_angle, excursion, h, next_excess_slope
+from theory.excursion import angle, excursion, next_excess_slope
 from theory.symbols import q, r, theta
 
 ANGLES = [Rational(1, 1000), Rational(1, 3), S(1), pi / 2]
@@ -14,14 +14,6 @@ FRACTIONS = [Rational(1, 50), Rational(1, 2), Rational(49, 50)]
 def close(expression, **choices):
     point = {theta: choices.get("theta", S(1)), q: choices.get("q", Rational(1, 3)), angle: Rational(1, 2)}
     return abs(expression.subs(point).evalf(40)) < 1e-30
-
-
-def test_the_density_is_the_ratio_of_differentials():
-    density = rate_bounds.dissipation_density()
-    assert close(density - (1 - cos(theta)) / h() ** 2)
-    assert close(diff(displacement_of_angle(), theta) - density * h() ** 3 * diff(h(), theta))
-    assert not close(density - (1 - cos(theta)) / h())
-    assert rate_bounds.density_at_zero() == Rational(9, 2)
 
 
 @pytest.mark.parametrize("fraction", FRACTIONS)

@@ -27,12 +27,11 @@ def test_viscous_fields(sign):
 
 
 @SIGNS
-def test_energy_and_excess(sign, same, near_misses):
+def test_energy_and_excess(sign, same):
     assert same(scaling.reduced_energy(), X**2 + q * V1**2 + r * V2**2)
     printed = -2 * r * sign * (V1 - V2)
     assert same(scaling.excess_rate(sign), printed)
     assert same(scaling.excess_rate(sign, damped=True), printed - 4 * zeta * V1**2)
-    assert not any(same(scaling.excess_rate(sign), wrong) for wrong in near_misses(printed))
 
 
 @SIGNS

@@ -73,10 +73,18 @@ def document(rows: Sequence[Row], chapters: Sequence[Section] = (), answers: Seq
     """Return the report on these rows, with `chapters` among its own, and `answers` for who asks how fast it is."""
     elsewhere = frozenset(anchor for chapter in chapters for anchor in blocks.anchors(chapter))
     common = shared.names(rows)
-    after = (opening.new(rows), opening.still_open(rows), *chapters, kernel.section(rows), shared.section(rows, common))
+    asked = opening.questions(rows, answers)
+    after = (
+        opening.new(rows),
+        opening.still_open(rows),
+        asked,
+        *chapters,
+        kernel.section(rows),
+        shared.section(rows, common),
+    )
     return Document(
         TITLE,
-        opening.front(rows, answers),
+        opening.front(rows),
         tuple(rows),
         (*(one for one in after if one.blocks), trust.section(rows), notation.section(), trust.provenance()),
         {row.claim.id: story(row, common, elsewhere) for row in rows},

@@ -1,4 +1,4 @@
-"""What a reader meets first: the pair, what fails, what is new, how sure it is, and what is often asked."""
+"""What a reader meets first: the pair, what fails, what is new, how sure it is; and what is often asked."""
 
 from __future__ import annotations
 
@@ -25,11 +25,6 @@ MODEL = (
     "moving table is. The pair either sticks and swings as one mass, or slips. The paper says how the free pair moves in the long run; "
     "its claims, and more, are checked here."
 )
-LAW = (
-    "All verdicts are under Coulomb's law, with the whole interval $[-b,b]$ as friction while the bodies stick (Filippov's reading). "
-    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no motion where a stuck pair stays at the limit $b$ "
-    "(`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they allow another motion, the row says so."
-)
 STRENGTHS = {
     "a theorem of the proof kernel": (EvidenceKind.KERNEL,),
     "solvers, exact algebra or enclosures": (EvidenceKind.SMT, EvidenceKind.EXACT, EvidenceKind.ENCLOSURE),
@@ -45,7 +40,7 @@ _WORDS = {
 }
 EXPLORE = (
     "Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
-    "becomes of it. `python -m paper_checks explore` writes that page alone."
+    "becomes of it; on a second tab, the pair on a surface, seen from above. `python -m paper_checks explore` writes that page alone."
 )
 TO_EXPLORE = '<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
 FREE = "No damper and no force: $a_1=0$, $u=0$, $b$ constant."
@@ -81,7 +76,7 @@ NEW: dict[str, tuple[str, str, str]] = {
 _SLOT = re.compile("«([a-z]+)/([a-z]+)»")
 
 
-def front(rows: Sequence[Row], answers: Sequence[str] = ()) -> tuple[Section, ...]:
+def front(rows: Sequence[Row]) -> tuple[Section, ...]:
     """Return the sections of the first page, those that have something to say."""
     shown = {row.claim.id: row for row in rows}
     past = tuple(
@@ -90,7 +85,17 @@ def front(rows: Sequence[Row], answers: Sequence[str] = ()) -> tuple[Section, ..
         if name in shown and shown[name].as_recorded
     )
     sections = (
-        Section("model", "The pair", (Paragraph(MODEL), Markup(motion.section()), Paragraph(counts(rows)))),
+        Section(
+            "model",
+            "The pair",
+            (
+                Paragraph(MODEL),
+                Markup(motion.section()),
+                Paragraph(counts(rows)),
+                Paragraph(EXPLORE),
+                Markup(TO_EXPLORE),
+            ),
+        ),
         Section("refuted", "What fails", tuple(_refuted(rows))),
         Section(
             "results",
@@ -98,8 +103,6 @@ def front(rows: Sequence[Row], answers: Sequence[str] = ()) -> tuple[Section, ..
             (Cards(past), Paragraph("Everything past the paper, in one list: `new`.")) if past else (),
         ),
         Section("sure", "How sure it is", tuple(_sure(rows))),
-        Section("explore", "Explore", (Paragraph(EXPLORE), Markup(TO_EXPLORE))),
-        Section("questions", "Asked often", (Table(("question", "answer"), tuple(_questions(shown, answers)), ""),)),
     )
     return tuple(one for one in sections if one.blocks)
 
@@ -183,14 +186,15 @@ def strengths(rows: Sequence[Row]) -> tuple[tuple[str, ...], ...]:
 
 
 def _sure(rows: Sequence[Row]) -> Iterator[Block]:
-    some = [row.claim.id for row in rows if row.open]
     yield Table(("weakest step that the verdict needs", "claims", "theorems"), strengths(rows), "")
-    yield Paragraph(
-        f"A part is left open in {', '.join(f'`{one}`' for one in some)}: see `open`."
-        if some
-        else "No row leaves a part open."
-    )
-    yield Paragraph(f"{LAW} What each kind of step guarantees, and what you have to believe: `trust`.")
+    left = "What rows leave open: `open`." if any(row.open for row in rows) else "No row leaves a part open."
+    yield Paragraph(f"What each kind of step guarantees, what you have to believe, and by which law: `trust`. {left}")
+
+
+def questions(rows: Sequence[Row], answers: Sequence[str]) -> Section:
+    """Return what is often asked, in one table."""
+    lines = tuple(_questions({row.claim.id: row for row in rows}, answers))
+    return Section("questions", "Asked often", (Table(("question", "answer"), lines, ""),))
 
 
 def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[str, str]]:

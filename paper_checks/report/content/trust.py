@@ -11,6 +11,11 @@ from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.report.content.blocks import Code, Paragraph, Points, Section, Table
 from paper_checks.running.runner import Row
 
+LAW = (
+    "All verdicts are under Coulomb's law, with the whole interval $[-b,b]$ as friction while the bodies stick (Filippov's reading). "
+    "For $u=0$ that is the paper's system (3), (4); under a force (3), (4) have no motion where a stuck pair stays at the limit $b$ "
+    "(`sgn-three-valued`). Section IV goes on with (11), (12), which leave the limit $b$ out: where they allow another motion, the row says so."
+)
 SOFTWARE = "inertial-pair"
 INSTALL = "python3 -m venv .venv && .venv/bin/python -m pip install -e '.[checks]' && .venv/bin/python -m paper_checks"
 """The first command of the README."""
@@ -67,6 +72,7 @@ def section(rows: Sequence[Row]) -> Section:
                 lines,
                 "Kinds of steps, and rows by their weakest step",
             ),
+            Paragraph(LAW),
             Paragraph("What guards the report against its own errors:"),
             Points(tuple(_guards(rows))),
             Paragraph("To check everything again:"),

@@ -62,9 +62,10 @@ def _page(writer: HtmlWriter, report: Document, heading: str, body: str, anchor:
 
 
 def _navigation(writer: HtmlWriter, report: Document) -> str:
-    targets = [*((one.id, one.title) for one in report.front[1:]), (ROWS, "All rows")]
-    targets += [(one.id, one.title) for one in report.chapters]
-    return "".join(f'<li><a href="{writer.link(name)}">{escape(title)}</a></li>' for name, title in targets)
+    targets = [(writer.link(one.id), one.title) for one in report.front[1:]]
+    targets += [(writer.path(EXPLORE), "Explore"), (writer.link(ROWS), "All rows")]
+    targets += [(writer.link(one.id), one.title) for one in report.chapters]
+    return "".join(f'<li><a href="{target}">{escape(title)}</a></li>' for target, title in targets)
 
 
 def _beside(name: str) -> str:

@@ -8,7 +8,7 @@ from strategies import plane_scenes
 
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided, InvalidScene, NumericsError
+from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.defect import Curve, slip_defect
 from numerics.plane.polynomial import scaled
 from numerics.plane.reduced import reduced
@@ -74,6 +74,9 @@ def test_an_eccentric_ellipse_never_merges():
 
 @given(plane_scenes())
 @example(PlaneScene(PlanePair(1, 1, 80, "0.2"), 1, x1="0.01"))  # a load of 0 at the end of a slip
+@example(  # late: the time has more bits than the state, and a slip's clock began at a rounded one
+    PlaneScene(PlanePair(6, 1, 1, "0.5"), 40, x1=["-0.15", 21], v1=["0.43", 1], v2=["0.49", "-0.18"])
+)
 @settings(max_examples=3)
 def test_what_a_bound_says_holds_at_more_digits(scene):
     try:
@@ -121,18 +124,6 @@ def test_a_circle_on_the_edge_is_not_decided():
     pair = PlanePair(1, 1, 200, "0.5")
     with pytest.raises(EventUndecided, match="leave the friction set"):
         solve(PlaneScene(pair, 1, x1=["0.005", 0], v1=[0, "0.05"], v2=[0, "0.05"]), digits=10)
-
-
-def test_what_is_no_scene_is_refused():
-    for wrong in (
-        {"shape": "star"},
-        {"a2": [[1, 2], [2, 1]]},
-        {"b": [1, -1]},
-        {"m1": [1, 1, 1, 1]},
-        {"a2": [[1, 0], [1, 1]]},
-    ):
-        with pytest.raises(InvalidScene):
-            PlanePair(**({"m1": 1, "m2": 1, "a2": 1, "b": 1} | wrong))
 
 
 @pytest.mark.parametrize(("v", "before"), [("0.05", "slip"), ("-0.05", "stick")])

@@ -30,10 +30,6 @@ def test_every_statement_is_a_sentence_with_balanced_mathematics():
         assert row.where, row.id
 
 
-def test_no_verdict_on_record_is_open():
-    assert {row.recorded for row in CLAIMS} == {Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED}
-
-
 @pytest.mark.parametrize("name", ["", "Upper", "two words", "-a", "a--b", "a#b"])
 def test_an_id_must_be_fit_for_an_anchor(name):
     with pytest.raises(LedgerError, match="claim id"):

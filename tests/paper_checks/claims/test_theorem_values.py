@@ -11,20 +11,18 @@ from flint import arb
 from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
 from numerics.linear.modes import EventKind
-from numerics.trajectory.reduced import Frame
 from numerics.trajectory.status import Status
 from paper_checks.claims import long_time, merging, merging_share, rate, return_map, slips, uniform_rate
 from paper_checks.decide.balls import precision
-from paper_checks.decide.roots import enclosed_root
 from paper_checks.evidence.clause import Formula
 
-from .conftest import CHECKS, finding_of
-from .test_theorems import BANDS, LATE, MAP, MEASURE, RATE
+from .conftest import CHECKS
 
 
 def value_of(claim_id, beginning):
-    texts = [part for item in finding_of(CHECKS[claim_id]).evidence for part in item.value.split("; ")]
+    texts = [part for item in CHECKS[claim_id].decide().evidence for part in item.value.split("; ")]
     return next(text for text in texts if text.startswith(beginning))
 
 
@@ -35,18 +33,12 @@ def test_the_threshold_has_fifty_digits():
     assert "3.797275743253600858209591026138283661307880652212" in value_of("critical-mass-ratio", "theta* =")
 
 
-def test_closed_forms_are_given_as_sympy_reads_them():
-    assert sp.sympify(value_of("long-time-expansion", "B =").split(" = ")[1]).subs("q", sp.Rational(3, 5)) == 0
-    series = sp.sympify(value_of("return-map-expansion", "coefficients of c").split(" = ")[1])
-    assert series[:3] == [sp.Rational(3, 2), -sp.Rational(27, 40), sp.Rational(243, 560)]
-
-
 def test_the_same_ray_is_not_the_opposite_one():
     assert slips.exits_twice_by(Fraction(1, 5), Fraction(15), same=False).passed is False
 
 
 def test_bounds_that_are_too_tight_fail(plant):
-    plant(RATE + "bounds", lambda bounds: lambda *numbers: (bounds(*numbers)[1], bounds(*numbers)[1]))
+    plant("paper_checks.claims.rate.bounds", lambda bounds: lambda *numbers: (bounds(*numbers)[1], bounds(*numbers)[1]))
     assert rate.bounded_run(Fraction(1, 2), Fraction(3, 2), 5).passed is False
 
 
@@ -61,21 +53,14 @@ def test_no_window_below_the_threshold():
         merging.window(arb("0.5578"))
 
 
-def test_a_root_without_a_change_of_sign_is_refused():
-    with pytest.raises(ArithmeticError, match="no change of sign"):
-        enclosed_root(lambda x: x * x + 1, 0, 1)
-    with pytest.raises(ArithmeticError, match="not decided"):
-        enclosed_root(lambda x: x, 0, 1)
-
-
 def test_the_remainder_needs_all_its_terms(plant):
-    plant(MAP + "lost_coefficients", lambda original: lambda: original()[:-1])
+    plant("paper_checks.claims.return_map.lost_coefficients", lambda original: lambda: original()[:-1])
     assert return_map.remainder()[0].passed is False
 
 
 def test_the_constant_is_not_found_again_too_early(plant):
-    plant(LATE + "DIGITS", lambda digits: {**digits, "1e4": 20})
-    plant(LATE + "TIMES", lambda times: (times[0], "1e4", times[2]))
+    plant("paper_checks.claims.long_time.DIGITS", lambda digits: {**digits, "1e4": 20})
+    plant("paper_checks.claims.long_time.TIMES", lambda times: (times[0], "1e4", times[2]))
     assert long_time.constant_found_again(Fraction(1, 2), Fraction(3, 2)).passed is False
 
 
@@ -127,10 +112,10 @@ def test_a_family_with_one_energy_has_no_lower_bound():
 
 
 def test_another_share_is_not_that_of_random_states(plant):
-    plant(MEASURE + "by_quadrature", lambda f: lambda *numbers: 1.2 * f(*numbers))
+    plant("paper_checks.claims.merging_share.by_quadrature", lambda f: lambda *numbers: 1.2 * f(*numbers))
     assert merging_share.random_states(Fraction(3, 10), Fraction(4), 2000, 0).passed is False
 
 
 def test_one_outcome_is_one_band(plant):
-    plant(BANDS + "outcome", lambda _: lambda share, run: "merges")
+    plant("paper_checks.claims.merging_share.outcome", lambda _: lambda share, run: "merges")
     assert merging_share.bands(Fraction(3, 5))[0] < 2

@@ -5,15 +5,14 @@ import re
 
 import matplotlib as mpl
 import pytest
-from matplotlib.colors import to_rgba
 
-from numerics.linear.modes import EventKind, Mode
+from numerics.linear.modes import EventKind
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from paper_checks.claims import CLAIMS
 from paper_checks.drawing.captions import CAPTIONS, caption
 from paper_checks.drawing.figures import FIGURES
-from paper_checks.drawing.style import MARKERS, MODE_COLOURS
+from paper_checks.drawing.style import MARKERS
 from paper_checks.evidence.claim import Kind
 from paper_checks.report.formats import vector
 
@@ -75,7 +74,7 @@ def test_axes_have_labels_with_units_and_a_legend(name):
     assert texts(figure) or name in DIRECT
 
 
-QUICK = ("force-needed", "long-time", "start-with-speed")
+QUICK = ("force-needed", "long-time")
 """Drawn twice by the default run, as they take little; the `long` tests draw all of them twice."""
 
 
@@ -109,21 +108,6 @@ def test_the_events_that_happen_are_in_the_legend(name):
     assert happened <= texts(FIGURES[name]())
 
 
-def lines_of(figure, mode):
-    """The curves (not markers) drawn in a mode's colour."""
-    return [
-        line for line in figure.axes[0].lines if line.get_color() == MODE_COLOURS[mode] and len(line.get_xdata()) > 2
-    ]
-
-
-def test_the_itinerary_is_drawn_in_the_colours_of_the_caption():
-    figure = FIGURES["itinerary-that-creeps"]()
-    assert to_rgba(MODE_COLOURS[Mode.SLIP_PLUS])[2] > 0.7  # blue in Omega+
-    assert to_rgba(MODE_COLOURS[Mode.SLIP_MINUS])[0] > 0.7  # red in Omega-
-    found = [len(lines_of(figure, mode)) for mode in (Mode.SLIP_PLUS, Mode.SLIP_MINUS, Mode.STICK)]
-    assert found == [3, 2, 3]
-
-
 def test_the_named_points_stand_on_the_projected_trajectory():
     """C1 and D1 on the rays, A1 in S+, B1 in S-, A2, B2, A3 inside S0; coordinates (x1, (v1 + v2)/2) in mm and mm/s."""
     annotations = [
@@ -138,16 +122,3 @@ def test_the_named_points_stand_on_the_projected_trajectory():
     assert at["D_1"][0] == pytest.approx(-half)
     assert at["C_1"][1] > 0 > at["D_1"][1]
     assert all(abs(at[name][0]) < half for name in ("A_2", "B_2", "A_3", "O_2"))
-
-
-def test_points_keep_their_distance():
-    """No two named points closer than 8 % of the picture's width or height."""
-    axes = FIGURES["itinerary-that-creeps"]().axes[0]
-    width, height = (limits[1] - limits[0] for limits in (axes.get_xlim(), axes.get_ylim()))
-    points = [
-        text.xy for text in axes.texts if hasattr(text, "xy") and re.fullmatch(r"\$[OABCD]_\d\$", text.get_text())
-    ]
-    assert len(points) == 9
-    for number, (x, y) in enumerate(points):
-        for a, b in points[:number]:
-            assert abs(x - a) > 0.08 * width or abs(y - b) > 0.08 * height

@@ -43,7 +43,7 @@ def elements(whole):
 
 
 def test_it_is_one_light_file_that_needs_no_network(whole, elements):
-    assert len(whole.encode()) < 100_000
+    assert len(whole.encode()) < 150_000
     assert not [one for one in elements if {"src", "href", "srcset"} & set(one[1])]
     assert not re.search(r"https?:|//cdn|import\s|fetch\(|XMLHttp|@import|url\(|eval\(", whole)
 
@@ -86,6 +86,9 @@ def test_every_element_that_the_program_asks_for_is_there(whole, elements):
     asked = set(re.findall(r'part\("([a-z]+)"\)', source()))
     assert len(asked) > 15
     assert {f"explore-{name}" for name in asked} <= ids
+    above = set(re.findall(r'find\("([a-z]+)"\)', source(["player", "surface_main"])))
+    assert len(above) > 10
+    assert {f"explore-above-{name}" for name in above} <= ids
 
 
 def test_the_papers_scenes_are_those_of_the_files(whole):
@@ -117,7 +120,7 @@ def test_a_force_that_the_page_does_not_know_is_refused(force):
 
 def test_the_rows_that_it_names_are_in_the_ledger():
     named = set(re.findall(r'row: "([a-z-]+)"', source()))
-    assert len(named) == 3
+    assert len(named) == 5
     assert named <= {claim.id for claim in CLAIMS}
 
 

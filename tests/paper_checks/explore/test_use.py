@@ -66,9 +66,30 @@ def test_the_pictures_have_names_and_print_in_ink(found):
     assert found["after"]
 
 
-def test_nothing_overflows_on_a_phone(whole, tmp_path):
+def test_the_second_tab_is_reached_and_used_by_the_keyboard(found):
+    """Its tab, its scenes with what becomes of them, what is dragged, and what the arrow keys move."""
+    assert found["tabs"] == [["false", "true"], True, False, "explore-tab-above"]
+    for name, regime in found["above"]:
+        for word in ("merges", "sticks"):
+            if word in name:
+                assert regime.startswith(("Merges", "Sticks for ever")), name
+    said = dict(found["above"])
+    assert len(said) == 8
+    assert said["Ellipse: creeps"].startswith("Not merged yet")
+    assert "constant speed 4 L" in said["Goes round: slips"]
+    assert found["dragged"] == ["0.5", "0.25", True]
+    assert found["pushed"] == pytest.approx([0.55, 0.25])
+    assert found["turned-force"] == pytest.approx(5)
+    assert [*map(float, found["thrown"])] == pytest.approx([0.5, 0.25, 1, -1], abs=0.05)
+    assert found["file"].startswith("[pair]\nm1")
+    assert found["mode"] in ("slip", "stick")
+    assert found["back"] == [False, True]
+
+
+@pytest.mark.parametrize("last", [False, True], ids=["line", "surface"])
+def test_nothing_overflows_on_a_phone(whole, tmp_path, last):
     empty = "<!DOCTYPE html><html><body></body></html>"
-    width, out, picture = asked(empty, HERE / "phone.js", tmp_path, WHOLE=whole)
+    width, out, picture = asked(empty, HERE / "phone.js", tmp_path, WHOLE=whole, LAST=last)
     assert width <= 390
     assert out == []
     assert picture > 320

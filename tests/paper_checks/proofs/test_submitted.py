@@ -38,7 +38,31 @@ SCENES = {
     "a sine beyond critical damping": Scene(
         Pair(1, 1, 200, "0.05", a1=40), State("0.01", "0.15", 0, "-0.1"), until=2, force=Force.sine(3, 2)
     ),
+    "from an edge under a sine into a stick": Scene(
+        HARD, State("0.005", "-0.05", 0, "-0.05"), until=1, force=Force.sine("0.3", 5)
+    ),
+    "from an edge under a sine into a slip": Scene(HARD, State("0.005"), until=1, force=Force.sine("0.3", 5)),
+    "a sine in resonance with both bodies": Scene(HARD, State(v1="0.1"), until=1, force=Force.sine(1, 10)),
+    "a sine in resonance with body 1": Scene(
+        Pair(2, 1, 200, "0.3"), State(v1="0.1"), until=1, force=Force([Piece(0, [], [Sine("0.8", 10, "0.3")])])
+    ),
+    "bounds near the last bit of both programs": Scene(
+        Pair(1, 2, 90, "0.3", a1="0.2"), State("0.02", "0.1"), until=5, force=Force.step("0.2", 2)
+    ),
     "other units": Scene(Pair("1e-9", "2e-9", "0.3", "1e-8"), State(v1="1e-3"), until="1e-3"),
+}
+
+
+def at_speed(speed, until):
+    """A stick from 4 mm: for ever up to 0.03 m/s, where its energy is critical."""
+    return Scene(HARD, State("0.004", speed, 0, speed), until)
+
+
+EVER = {
+    "without a damper": at_speed("0.0299999", 1),
+    "with a damper": Scene(Pair("0.8", "1.7", 310, "0.4", a1="0.11"), State("-0.012", "0.31", 0, "0.02"), until=2),
+    "beyond critical damping": Scene(Pair("0.5", "0.5", 20, "0.2", a1=30), State("0.07", "-0.4", 0, "0.3"), until=6),
+    "under a constant force": Scene(HARD, State("0.004"), until=1, force=Force.step("0.1", "0.1")),
 }
 
 WEAKER = """Definition unfolds (x v1 x2 v2 : R -> R) (t : R) (l : list event) (e : ending) := True.
@@ -88,8 +112,8 @@ FALSE = {
 
 
 FALSE_OF_A_FORCE = {
-    "an amplitude": lambda text: changed(text, r"Tone 0\.7 0 5 0", "Tone 0.7000001 0 5 0"),
-    "a phase": lambda text: changed(text, r"Tone 0\.7 0 5 0", "Tone 0.7 0 5 0.0000001"),
+    "an amplitude": lambda text: changed(text, r"Tone 0\.7 0 0 0 5 0", "Tone 0.7000001 0 0 0 5 0"),
+    "a phase": lambda text: changed(text, r"Tone 0\.7 0 0 0 5 0", "Tone 0.7 0 0 0 5 0.0000001"),
     "a step": lambda text: changed(text, r"Spell 0\.1 ", "Spell 0.1000001 "),
     "an answer": lambda text: changed(text, r"(Definition answers.*?Tone \()(\d+)", r"\g<1>1\2"),
     "a place of body 2": lambda text: changed(text, r"(Event.*?\n +)\((\S+), (\S+)\)", later),
@@ -116,6 +140,25 @@ def test_a_trajectory_is_accepted_and_with_one_digit_changed_it_is_refused(judge
 @pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 def test_trajectories_of_every_kind_are_accepted(judge, scene):
     assert judge(proof(scene)).holds is True
+
+
+@pytest.mark.long
+@needs_kernel
+@pytest.mark.parametrize("scene", EVER.values(), ids=EVER)
+def test_a_stick_for_ever_is_proved_to_be_one(judge, scene):
+    said = judge(proof(scene))
+    assert said.holds is True
+    assert f"until t = {scene.until}, sticking for ever then, of every motion" in said.reason
+
+
+@pytest.mark.long
+@needs_kernel
+def test_a_stick_that_breaks_is_not_accepted_for_ever(judge):
+    text = proof(at_speed("0.0300001", "0.01"))
+    assert judge(text).holds is True
+    planted = changed(text, r"(Definition the_ending.*?) false\.", r"\1 true.")
+    assert judge(planted).holds is False
+    assert judge(changed(planted, r"  (Last \d+ \S+)\]", r"  \1; Ever 72 0.02 0.01]")).holds is False
 
 
 @pytest.mark.long

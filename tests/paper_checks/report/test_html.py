@@ -207,16 +207,6 @@ def test_a_figure_that_fails_costs_only_itself(rows, figures, tmp_path):
     ]
 
 
-def test_an_interruption_leaves_no_partial_file(rows, figures, tmp_path, monkeypatch):
-    def interrupted(*_):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(html, "render", interrupted)
-    with pytest.raises(KeyboardInterrupt):
-        write(tmp_path, ("html",), document(rows), figures, print)
-    assert list(tmp_path.iterdir()) == []
-
-
 @pytest.mark.parametrize(
     ("where", "shown"),
     [

@@ -71,7 +71,7 @@ def test_the_terminal_knows_every_command_that_a_row_is_written_with():
     known = {*COMMANDS, *unicode._ACCENTS, *ARRANGED}
     unknown = {
         (path.name, name)
-        for room in ("checks", "ledger", "steps")
+        for room in ("claims", "decide")
         for path in (root / room).rglob("*.py")
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         if isinstance(node, ast.Constant) and isinstance(node.value, str)

@@ -105,8 +105,7 @@ def test_the_numbers_of_the_first_page_are_computed():
 
 
 def test_who_asks_for_the_law_reads_that_it_is_without_damper_and_force():
-    (section,) = [one for one in opening.front([settled("sharp-rate-constant")]) if one.id == "questions"]
-    (table,) = section.blocks
+    (table,) = opening.questions([settled("sharp-rate-constant")], ()).blocks
     told = dict(table.rows)
     assert "`sharp-law`" in told["Which theorem carries the 1/t law, and what does it assume?"]
     assert "$a_1=0$" in told["Which theorem carries the 1/t law, and what does it assume?"]

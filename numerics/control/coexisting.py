@@ -1,0 +1,169 @@
+"""The search for periodic motions: as many as are found, each proved, attracting or not.
+
+The pair is followed over periods from some starts; Newton's method on the period map (`solve_from`) ends each search. A
+pair that is followed does not see how the stuck response breaks where the force is a little above what friction holds,
+by too short slips: a search begins there, too.
+
+With one b one motion is enough (response.py says when it is the only one). Where B falls two motions part, in every
+norm, so nothing says that there is one: a stuck motion, a slipping one and one between them that others leave may share
+a force. From states between those that were found few periods lead to such a one. What is found exists; there may be
+more.
+
+Where B falls nowhere and a1 > 0 there is one, and every motion tends to it: N still shrinks, and two motions at a
+constant distance have the same v1, so that F and F* differ by a constant. That is 0, else v2 - v2* would grow, or w =
+w* and v2 = v2*. So x1 = x1*, w = w* + D, and F is the same on both: with D > 0, -D < w* < 0 would give F of opposite
+signs, and a w* that is never there keeps F >= b, or F <= -b, for ever, while that of a periodic motion has the mean 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import combinations
+
+from flint import arb
+
+from numerics.arithmetic.ball import Ball, working_digits
+from numerics.control.answers import Tell, number, rounded, undecided
+from numerics.control.attraction import passage_at
+from numerics.control.orbit import Drive, Orbit, in_order, solve_from
+from numerics.control.stuck import next_to_the_stuck_response, stuck_state
+from numerics.errors import EventUndecided, InvalidScene, NotSettled, OutOfRange
+from numerics.scene import State
+from numerics.trajectory.legs import legs
+from numerics.trajectory.run import run_scene
+
+State3 = tuple[arb, arb, arb]
+"""x1, v1, v2."""
+MAX_EVENTS, _SHARE = 10_000, 5
+"""Cap on events, and which part of it a period may have: its equations take longer than a run."""
+_PERIODS, _MANY = (4, 12, 48), (16, 64, 256)
+"""So many periods are followed from a start, one batch after the other; at the end of each Newton's method begins."""
+_BETWEEN, _FEW = 8, (2, 2)
+"""Into so many parts the way between two motions is cut; few periods lead from there to what nearly all leave again."""
+_LOST = (EventUndecided, InvalidScene, OutOfRange)
+"""What ends a search from one start: nothing is claimed of it."""
+_PHASE, _DIGITS = Fraction(1234567, 10**7), 20
+"""At this part of a period motions are compared; that many digits of a state are followed from period to period."""
+
+
+def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[list[Orbit], int]:
+    """Return periodic motions with events, proved and all different, and how many starts were tried.
+
+    One, unless there may be several that matter; `sticks`: the stuck response exists. Raises NotSettled where a period
+    has more than a fifth of `max_events` events or, if there may be several, none is found and none sticks; else what
+    ended the first search.
+    """
+    most, found, failures, starts = max_events // _SHARE, list[Orbit](), list[Exception](), 0
+    is_enough = drive.weakening is None or drive.has_one_motion
+
+    def look(begin: Fraction, at: Sequence[arb], periods: Sequence[int]) -> None:
+        nonlocal starts
+        if found and is_enough:
+            return
+        starts += 1
+        try:
+            one = _followed(drive, begin, at, periods, most, tell)
+        except _LOST as error:
+            failures.append(error)
+            return
+        for new in (one, mirrored(one)) if drive.is_odd and not is_enough else (one,):
+            if all(apart(new, other) for other in found):
+                found.append(new)
+
+    t = rounded(drive.period * number(_PHASE), _DIGITS)
+    # it slips at once: a pair that would stay stuck elsewhere does not hide the motion
+    far = number(2 * drive.pair.half_width), arb(0), arb(0)
+    look(t, far, _PERIODS[:1])
+    for begin, at in next_to_the_stuck_response(drive):
+        look(begin, at, (0,))
+    free = stuck_state(drive, number(t), drive.pair.m1)
+    if free is not None:
+        look(t, (free[0], free[1], arb(0)), _PERIODS)
+        # body 2 may be carried along for ever, even by a force that favours no side
+        if not is_enough:
+            look(t, (free[0], free[1], abs(free[1]) / 2), _PERIODS)
+    if not found:
+        look(t, far, _MANY)
+    if not is_enough:
+        states = [_state(one, t) for one in found]
+        stuck = stuck_state(drive, number(t)) if sticks else None
+        if stuck is not None:
+            states.append((stuck[0], stuck[1], stuck[3]))
+        for one, two in combinations(states, 2):
+            for part in range(1, _BETWEEN):
+                look(t, [a + (b - a) * part / _BETWEEN for a, b in zip(one, two, strict=True)], _FEW)
+    if is_enough and not found:
+        raise failures[0]
+    if not (found or sticks):
+        raise NotSettled(
+            f"no motion that comes back after a period was found from {starts} starts, others may come back later or "
+            f"never; the first search ended so: {failures[0]}"
+        )
+    return found, starts
+
+
+def mirrored(orbit: Orbit) -> Orbit:
+    """Return the motion opposite to one under a force that is odd but for a constant, half a period later."""
+    late, centre = orbit.drive.period / 2, 2 * number(orbit.drive.rest)
+    turned = [
+        replace(one, side=-one.side, t=one.t + late, x=centre - one.x, v=-one.v, v2=-one.v2) for one in orbit.legs
+    ]
+    return Orbit(orbit.drive, in_order(turned, orbit.drive.period))
+
+
+def apart(one: Orbit, two: Orbit) -> bool:
+    """Return whether two motions are proved to differ, by their states at one time."""
+    t = rounded(one.drive.period * number(_PHASE), _DIGITS)
+    return any(not a.overlaps(b) for a, b in zip(_state(one, t), _state(two, t), strict=True))
+
+
+def _state(orbit: Orbit, t: Fraction) -> State3:
+    """Return (x1, v1, v2) of a periodic motion at a time, s. Raises EventUndecided next to an event."""
+    x1, v1, _, v2 = passage_at(orbit, number(t)).state(number(t))
+    return x1, v1, v2
+
+
+def _followed(drive: Drive, begin: Fraction, at: Sequence[arb], periods: Sequence[int], most: int, tell: Tell) -> Orbit:
+    """Return the periodic motion to which (x1, v1, v2) at a time (s) leads, proved. Raises one of _LOST, NotSettled.
+
+    The pair is followed period by period, each from a rounded state: bounds that grow over many would say nothing.
+    """
+    guess = begin, at
+    for count in periods:
+        tell(f"following {count} periods of {float(drive.period):.4g} s")
+        for _ in range(count):
+            at, guess = _one_period(drive, begin, at, most)
+        try:
+            return solve_from(drive, *guess, most, tell)
+        except _LOST as error:
+            lost = error
+    raise lost
+
+
+def _one_period(drive: Drive, begin: Fraction, at: Sequence[arb], most: int) -> tuple[State3, tuple[Fraction, State3]]:
+    """Return the state a period after a time (s), and time and state in the middle of the longest leg on the way.
+
+    Raises one of _LOST, as where there is no event, and NotSettled where there are more than `most`.
+    """
+    x1, v1, v2 = (rounded(one, _DIGITS) for one in at)
+    run = run_scene(drive.one_period(begin, State(x1, v1, 0, v2), _DIGITS), Ball(working_digits()), most + 1)
+    if len(run.events) > most:
+        raise NotSettled(
+            f"a period of {float(drive.period):.4g} s holds more than {most} events, a fifth of max_events; raise "
+            "max_events, or take frequencies with a shorter common period"
+        )
+    if len(run.modes) == 1:
+        raise undecided("has a period an event?", "none")
+    longest = max(legs(run), key=lambda one: float(one.end - one.start))
+    began = number(begin) + longest.start
+    t = rounded(began + (longest.end - longest.start) / 2, _DIGITS)
+    within = drive.mode(longest.side, longest.cell).motion(longest.state, began).state(number(t) - began)
+    return _three(run.final_state, run.final_mode.sign), (t, _three(within, longest.side))
+
+
+def _three(state: Sequence[arb], side: int) -> State3:
+    """Return (x1, v1, v2) in a mode: where the bodies stick v2 is v1."""
+    x1, v1, _, v2 = state
+    return x1, v1, v2 if side else v1

@@ -1,0 +1,28 @@
+"""The paper's pair as a file, and a command as a user meets it: exit code, output, errors."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from three_scenes import SCENE
+
+from numerics.__main__ import main
+
+
+@pytest.fixture
+def scene_file(tmp_path) -> Path:
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE)
+    return path
+
+
+@pytest.fixture
+def run(capsys) -> Callable[..., tuple[int, str, str]]:
+    def told(*arguments):
+        try:
+            code = main([str(one) for one in arguments])
+        except SystemExit as stop:
+            code = stop.code
+        return code, *capsys.readouterr()
+
+    return told

@@ -1,0 +1,123 @@
+"""A motion on a surface in files: saved and read again, CSV with units, arrays, data frame, film, and the commands."""
+
+import csv
+import io
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+from numerics import load_scene, solve
+from numerics.__main__ import main
+from numerics.errors import InvalidFile
+from numerics.plane.trajectory import PlaneTrajectory
+from numerics.scene.file import parse_scene
+from numerics.scene.plane import PlanePair, PlaneScene
+from numerics.scene.writing import scene_text
+from numerics.trajectory.trajectory import Trajectory
+
+PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.3"], shape="box")
+APART = PlaneScene(PAIR, 2, x1=["0.012", 0], v1=["0.1", "-0.2"], x2=[0, "1/3"])
+"""A box without couplings: two motions of the line, which their own archives keep."""
+ROUND = PlaneScene(PlanePair(1, 1, 200, "0.5"), 2, v1=["0.06", "0.01"])
+SCENES = [load_scene("plane-box"), APART, ROUND]
+
+
+@pytest.fixture(scope="module")
+def turning() -> PlaneTrajectory:
+    """Three axes, one of them an angle."""
+    return solve(load_scene("plane-slip-turns"))
+
+
+@pytest.mark.parametrize("scene", [*SCENES, load_scene("plane-slip-turns"), load_scene("plane-rotating-force")])
+def test_a_scene_is_written_as_the_text_of_the_same_scene(scene):
+    assert parse_scene(scene_text(scene)) == scene
+
+
+@pytest.mark.parametrize(
+    ("scene", "asked"), [(SCENES[0], {}), (APART, {"digits": 12}), (SCENES[2], {"t_eval": [0, "1/3"]})]
+)
+def test_what_was_saved_comes_back_to_the_last_bit(scene, asked, tmp_path):
+    run = solve(scene, **asked)
+    run.save(tmp_path / "run.npz")
+    again = PlaneTrajectory.load(tmp_path / "run.npz")
+    assert again == run == pickle.loads(pickle.dumps(run))
+    assert (again.record(), repr(again), again.tried) == (run.record(), repr(run), run.tried)
+    for t in (0, "1/3", 1.25, scene.until):
+        with run.context():
+            assert all(
+                x == y if run.is_float else x.mid() == y.mid() and x.rad() == y.rad()
+                for x, y in zip(run.sol(t), again.sol(t), strict=True)
+            )
+    assert again != solve(scene, digits=13)
+
+
+def test_what_is_no_such_file_is_refused(tmp_path):
+    run, path = solve(SCENES[0]), tmp_path / "run.npz"
+    solve(load_scene("velocities")).save(path)
+    with pytest.raises(InvalidFile, match="its format is 'inertial-pair trajectory 1'"):
+        PlaneTrajectory.load(path)
+    run.save(path)
+    with pytest.raises(InvalidFile, match="surface trajectory 1'"):
+        Trajectory.load(path)
+    kept = dict(np.load(path))
+    text = kept["header"].tobytes().decode()
+    for right, wrong in (
+        ('"legs": [[', '"legs": [7, ['),
+        ('"digits"', '"numbers"'),
+        ('"float64"', '"mpmath"'),
+        ('shape = \\"box\\"', 'shape = \\"star\\"'),
+        ('"modes": [', '"modes": ["slip", '),
+        ('"status": ', '"status": 77'),
+        ('"polynomial"', '"polynomials"'),
+        ('"ball"', '"bullet"'),
+    ):
+        assert right in text
+        header = np.frombuffer(text.replace(right, wrong, 1).encode(), dtype=np.uint8)
+        np.savez(path, header=header)
+        with pytest.raises(InvalidFile, match="holds no saved trajectory"):
+            PlaneTrajectory.load(path)
+
+
+def test_a_table_has_a_column_for_each_axis_with_its_unit(turning):
+    head, *rows = csv.reader(io.StringIO(turning.to_csv()))
+    assert [*head[2:7]] == ["t (s)", "cause", "x1_x (m)", "x1_y (m)", "x1_phi (rad)"]
+    assert {"v2_phi (rad/s)", "direction_y", "load_x (N)", "load_phi (N m)", "energy (J)"} <= set(head)
+    record = turning.record()
+    assert len(rows) == len(record["events"]) + 1
+    assert rows[-1][head.index("x2_y (m)")] == record["final"]["x2"][1]
+    assert rows[0][head.index("load_x (N)")] == record["events"][0]["load"][0]
+
+
+def test_arrays_and_data_frame_have_the_numbers_of_the_run(turning, tmp_path, capsys):
+    frame = turning.to_dataframe()
+    assert [*frame["mode"]] == [*turning.modes, turning.final_mode]
+    assert [*frame["x1_phi"]] == [*turning.y[2]]
+    assert turning.mode_at([0, 1]) == [turning.modes[0], turning.final_mode]
+    assert main(["solve", "plane-slip-turns", "--arithmetic", "float64", "--npz", str(tmp_path / "run.npz")]) == 0
+    with np.load(tmp_path / "run.npz") as found:
+        assert np.array_equal(found["y"], turning.y)
+        assert found["y_error"].shape == (12, len(turning.t))
+        assert [*found["modes"]] == [*turning.modes]
+    assert main(["solve", "plane-slip-turns", "--arithmetic", "float64", "--csv", "--explain"]) == 0
+    told = capsys.readouterr()
+    assert told.out == turning.to_csv()
+    assert "working digits" in told.err
+
+
+@pytest.mark.parametrize(
+    "flags", ["--proof F.v", "--sensitivity --json", "--arithmetic mpmath", "--arithmetic double-double"]
+)
+def test_what_only_a_line_has_is_refused_in_a_sentence(flags, capsys):
+    assert main(["solve", "plane-circle-merges", *flags.split()]) == 2
+    assert "knows a line only" in capsys.readouterr().err
+
+
+def test_it_is_drawn_and_filmed(turning, tmp_path):
+    assert turning.plot("relative").get_title() == "$v_1-v_2$, m/s"
+    turning.animate(tmp_path / "run.gif", duration=0.2, frames_per_second=10)
+    assert (tmp_path / "run.gif").read_bytes()[:3] == b"GIF"
+    with pytest.raises(ValueError, match="is not one of above, relative"):
+        turning.plot("velocities")
+    assert json.loads(json.dumps(turning.record())) == turning.record()

@@ -1,0 +1,42 @@
+"""The paper's forward Euler in balls: what would turn its claim, and that it is the program."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import pytest
+
+from numerics.scene import Pair, Scene, State
+from numerics.scene.file import load_scene
+from numerics.trade.comparisons.forward_euler import forward_euler
+from paper_checks.claims import euler
+from paper_checks.claims.itineraries import never_merges
+from paper_checks.decide.enclosure import solved
+from paper_checks.decide.euler_in_balls import STEPS, euler_in_balls, run
+from paper_checks.evidence.finding import Verdict
+
+
+def test_a_run_that_meets_the_surface_turns_the_euler_claim(monkeypatch):
+    """From v1 = 2 one step of 1 s takes exactly 2 from z': it lands on z' = 0."""
+    scene = Scene(Pair(m1=1, m2=1, a2=1, b=1), State(v1=2), until=3)
+    landed = euler_in_balls(scene, Fraction(1), Fraction(3))
+    assert landed.contact == 1
+    monkeypatch.setattr(euler, "run", lambda name, h: replace(run(name, h), contact=landed.contact))
+    assert euler.euler_reproduces_figures.decide().verdict is Verdict.UNDECIDED
+
+
+def test_euler_in_balls_is_the_program_without_rounding():
+    scene = load_scene("start-with-speed")
+    program, method = forward_euler(scene, 1e-3), euler_in_balls(scene, Fraction(1, 1000), Fraction(5))
+    assert method.chatter == program.chatter
+    assert float(method.energy_ratio.mid()) == pytest.approx(program.energy[-1] / program.energy[0], rel=1e-9)
+
+
+@pytest.mark.parametrize("changed", [{"b": "0.05", "m2": 2}])
+def test_the_argument_for_endless_slips_refuses_a_heavier_driven_body(changed):
+    scene = replace(load_scene("velocities"), pair=Pair(m1=1, a2=200, **changed))
+    with pytest.raises(ValueError, match="m2 <= m1"):
+        never_merges(solved(scene), "heavier")
+
+
+def test_the_steps_of_euler_reach_over_three_decades():
+    assert max(STEPS) / min(STEPS) == 1000

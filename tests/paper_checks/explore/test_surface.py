@@ -1,0 +1,105 @@
+"""The solver of the page's second tab, in headless Chromium, against `numerics.solve` on the scenes that it writes."""
+
+from dataclasses import asdict, replace
+from pathlib import Path
+
+import pytest
+from chromium import asked
+
+from numerics import solve
+from numerics.plane.rotating import rotating_response
+from numerics.scene.file import load_scene, parse_scene
+from numerics.scene.plane import PlanePair
+from paper_checks.explore.page import SOLVER, source
+from paper_checks.explore.surfaces import OWN_SURFACES, ReducedSurface, reduced_surface
+
+CLOSE = 1e-9
+STUCK = ReducedSurface(until=8)
+SCENES = (
+    *(replace(one.scene, until=min(6.0, one.scene.until)) for one in OWN_SURFACES),
+    replace(STUCK, X=(1.01, 0), V1=(0, 1.01), V2=(0, 1.01)),
+    replace(STUCK, X=(1.01, 0), V1=(0, 0.4), V2=(0, 0.4), until=4),
+    replace(STUCK, ratio=4, zeta=0.2, X=(-2, 0.5), V1=(0, 3), V2=(1, -1)),
+    replace(STUCK, ratio=0.1, X=(1.3, -0.4), V1=(1, 2), V2=(1, 2)),
+    replace(STUCK, size=4, V1=(-3, 1e-5), until=3),
+    replace(STUCK, size=4, V1=(-3, 0), until=3),
+    replace(STUCK, X=(1.5, 0), V1=(0.3, 0), V2=(-1, 0), until=6),
+    replace(STUCK, X=(0.6, 0.8), V1=(0.3, 0.1), V2=(0.3, 0.1), zeta=0.3, until=6),
+    replace(STUCK, X=(0.6, 0.8), V1=(-0.3, 0.1), V2=(-0.3, 0.1), until=4),
+    replace(STUCK, X=(1.2, 0.1), until=6),
+    replace(STUCK, size=1.5, omega=1.0, V1=(0.3, 0)),
+    replace(STUCK, ratio=0.5, zeta=0.1, size=3, omega=1.7, angle=0.6, V1=(0, 1), V2=(0, 1)),
+    replace(STUCK, size=2.4, angle=-2.5, zeta=0.05, V1=(0, 1), V2=(0, 1)),
+)
+FAULTS = (
+    ("at = omega * t + angle", "at = omega * t - angle"),
+    ("dot(rising, p) > TIE", "dot(rising, p) < TIE"),
+    ("V1, -2 * zeta));", "V1, -zeta));"),
+    ("/ (1 + q * (k + 1) * a.R[1])", "/ (1 + q * k * a.R[1])"),
+    ("dot(a.E[j], a.E[k - j]) / 2", "dot(a.E[j], a.E[k - j])"),
+    ("times(a.R[j], a.E[k + 1 - j])", "times(a.R[j], a.E[k - j])"),
+    ("first = leaves ? (leaves.rate > 0 ? 1 : 2) : 0", "first = leaves ? 1 : 0"),
+    ("if (numberAt(speed, length * n / LOOKS) > 0) continue;", "continue;"),
+    ("LEFT_OUT * most", "1e9 * LEFT_OUT * most"),
+    ("inside > 0 ? NEAR : NONE", "1e-4"),
+    ("pair.q * (speed + dot(p, state.S)) / inside", "pair.q * speed / inside + 1e-3"),
+    ("8 * low * high", "low"),
+    ("mostLoad(axes, t) <= 1 + TIE", "mostLoad(axes, t) <= 1.02"),
+    ("plus(start.x2, plus(X, start.X, -1))", "start.x2"),
+)
+"""Changes of the program, each of which a comparison has to see."""
+
+
+@pytest.fixture(scope="module")
+def answers(whole, tmp_path_factory) -> dict:
+    program, scenes = source((*SOLVER, "scene_file")), [asdict(one) for one in SCENES]
+    assert all(program.count(right) == 1 for right, _ in FAULTS), [one for one, _ in FAULTS if program.count(one) != 1]
+    faulty = [program.replace(right, wrong) for right, wrong in FAULTS]
+    question, folder = Path(__file__).with_name("solve_above.js"), tmp_path_factory.mktemp("above")
+    return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=faulty)
+
+
+@pytest.fixture(scope="module")
+def runs(answers) -> list:
+    return [solve(parse_scene(one["file"])) for one in answers["right"]]
+
+
+def differs(found, run) -> bool:
+    """Whether the page's answer has another itinerary, or a time or a final value that is off by more than CLOSE."""
+    if not isinstance(found, dict) or found["modes"] != [*run.modes]:
+        return True
+    pairs = [*zip(found["times"], run.event_times, strict=True)]
+    for ours, theirs in zip(found["final"], run.final_state, strict=True):
+        pairs += zip(ours, theirs, strict=True)
+    return not all(abs(ours - float(theirs)) <= CLOSE * max(1, abs(float(theirs))) for ours, theirs in pairs)
+
+
+def test_events_and_states_are_those_of_numerics(answers, runs):
+    found = answers["right"]
+    assert not [scene for scene, one, run in zip(SCENES, found, runs, strict=True) if differs(one, run)]
+    assert sum(len(one["modes"]) for one in found) > 45
+
+
+@pytest.mark.parametrize("number", range(len(FAULTS)), ids=[wrong for _, wrong in FAULTS])
+def test_a_fault_in_the_program_is_seen(answers, runs, number):
+    scene, found = answers["faulty"][number]
+    assert differs(found, runs[scene])
+
+
+def test_a_force_that_goes_round_is_answered_as_in_closed_form(answers):
+    turning = [(one, found["turning"]) for one, found in zip(SCENES, answers["right"], strict=True) if one.omega]
+    assert len(turning) == 4
+    for one, found in turning:
+        if one.zeta == 0:
+            continue  # at that frequency it resonates
+        pair = PlanePair(str(one.ratio), 1, str(1 + one.ratio), 1, str(2 * one.zeta * (1 + one.ratio)))
+        right = rotating_response(pair, str(one.size), str(one.omega), 20)
+        assert (found["edge"], found["speed"]) == pytest.approx((float(right.threshold), float(right.speed)), abs=1e-14)
+
+
+def test_what_is_not_the_same_in_all_directions_is_not_shown():
+    found = reduced_surface(load_scene("plane-circle-merges"))
+    assert [*found.V1] == pytest.approx([0, 1.01])
+    for name in ("plane-box", "plane-slip-turns", "plane-rotating-force"):
+        with pytest.raises(ValueError, match="in all directions"):
+            reduced_surface(load_scene(name))
