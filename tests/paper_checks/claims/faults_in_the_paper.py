@@ -345,7 +345,6 @@ FAULTS = {
     "start-with-speed-synchronises": {"itineraries.next_excess": doubled, "itineraries.h": squared},
     "relative-motion-converges": {"itineraries.h": squared},
     "synchronisation-time": {"itineraries.guard_of_u": doubled},
-    "saw-tooth": {"velocities.slip": other_sign},
     "constant-damping-rate": {"velocities.slip": other_sign},
     "euler-reproduces-figures": {"euler.sliding_field": doubled},
 }
