@@ -9,28 +9,14 @@ from paper_checks.claims import filippov
 from paper_checks.decide import cleared, identity, prove
 from paper_checks.evidence import Evidence
 from theory.closed_forms import Regime, residual, solution
-from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, sigma, stick_rate
-from theory.filippov import derivative_along, half_width, phi, transversality
-from theory.model import free_system
-from theory.symbols import E0, a1, b, m2, undamped, v1, v2, x1
-
-
-@cache
-def energy_rate() -> Evidence:
-    """dE/dt for every value of set-valued friction."""
-    return identity(
-        r"""
-        $\dot E=-b\,\sigma\,(v_1-v_2)-a_1v_1^2$ for every $\sigma$ that set-valued friction may take, and
-        $\sigma(v_1-v_2)=|v_1-v_2|$
-        """,
-        derivative_along(free_system(sigma), energy()),
-        -b * sigma * (v1 - v2) - a1 * v1**2,
-    )
+from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, stick_rate
+from theory.filippov import half_width, phi, transversality
+from theory.symbols import E0, b, m2, undamped, v1, v2, x1
 
 
 def energy_decreases() -> tuple[Evidence, ...]:
     """E never increases, and falls wherever the bodies slide."""
-    return energy_rate(), dissipation.energy_never_grows()
+    return dissipation.energy_rate(), dissipation.energy_never_grows()
 
 
 def contraction() -> tuple[Evidence, ...]:

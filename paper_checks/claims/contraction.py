@@ -222,13 +222,7 @@ def forced_contraction() -> Case:
     """The force cancels in the distance of two solutions."""
     return because(
         "A force common to both cancels in their distance. A friction that depends on the place would not: the friction of one solution is then not a monotone function of its own relative velocity alone.",
-        carried("energy", energy_rate()),
-        carried("rate", force_cancels(), filippov.contraction(), filippov.never_apart()),
-        carried("distance", never_apart()),
-        carried("unique", one_solution()),
-        carried("forces", forces_apart()),
-        carried("interface", friction_in_time()),
-        carried("interface-rates", friction_in_time()),
+        carried("rate", filippov.never_apart()),
         carried("interface-contraction", friction_in_time()),
         carried("interface-for-ever", pieces_without_end()),
     )

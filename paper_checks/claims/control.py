@@ -158,9 +158,7 @@ def trackable_references() -> Case:
     """Friction is the only force on body 2."""
     return because(
         "Friction is all that the interface can pass on to body 2. Every reference that asks for no more can be followed, by a pair that sticks, under a force that can be written down.",
-        carried("iff", transfers.followed()),
         carried("literal", signum.stuck_below_the_limit()),
-        carried("sticks", transfers.must_stick()),
         carried("force", transfers.stuck_force()),
     )
 
@@ -272,8 +270,6 @@ def minimum_transfer_time() -> Case:
     """A bound for every control, and what attaining it costs."""
     return because(
         "The least time is set by the interface alone, whatever the force. How strong a force must be is another matter: body 1 can run ahead of body 2 through the first half and be met at half time, which takes less than to stick all the way.",
-        carried("reach", transfers.spread()),
-        carried("least", transfers.least_time()),
         carried("literal", signum.stuck_below_the_limit()),
         carried("weak", transfers.weak_force()),
         derivation=(r"$$g(t_{1/2}+s)-2g(s)\leqslant g(t_{1/2})-g(s)\leqslant g(t_{1/2})\,(1-s/t_{1/2}).$$",),

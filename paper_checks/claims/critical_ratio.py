@@ -16,7 +16,6 @@ from paper_checks.evidence import (
     EvidenceKind,
     Formula,
     because,
-    carried,
     clause,
     form,
     stating,
@@ -200,7 +199,7 @@ def mass_ratio() -> Case:
         $w'$ falls with $r$, it is positive after every slip from $S$ for $r<r^*$, and negative after that one for
         $r>r^*$.
         """,
-        carried("root", *threshold(), *one_turning_point()),
+        *one_turning_point(),
         derivation=(
             r"""
             $$\varphi^*-\sin\varphi^*\cos\varphi^*=\sqrt2\,(\sin\varphi^*-\varphi^*\cos\varphi^*),\qquad

@@ -11,7 +11,7 @@ from paper_checks.claims import filippov as solutions
 from paper_checks.claims import signum, transfers
 from paper_checks.claims.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.claims.signum import none_under_control, under_a_force
-from paper_checks.decide import Decide, equal, exhibit, identity, implied, prove, value_at
+from paper_checks.decide import Decide, equal, exhibit, identity, implied, value_at
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
 from paper_checks.evidence import (
     CORRECTED,
@@ -29,7 +29,7 @@ from paper_checks.evidence import (
 )
 from theory.filippov import load, load_threshold, phi, sliding_field
 from theory.model import CASE_STUDY, branch_named, branches, case_study_mode, slip
-from theory.symbols import a1, b, free, m2, x1
+from theory.symbols import b, free, m2, x1
 
 DRIVEN, DRIVING = sp.symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
 
@@ -167,29 +167,6 @@ def two_descriptions() -> Case:
     )
 
 
-def bounded_in_slip() -> Evidence:
-    """m2 x2'' is plus or minus b in slip."""
-    return identity(
-        "in slip $m_2\\ddot x_2=\\pm b$: the bound is attained",
-        sp.Matrix([m2 * branch_named(name).acceleration2 for name in ("slip+", "slip-")]),
-        sp.Matrix([b, -b]),
-    )
-
-
-def bounded_in_stick() -> Evidence:
-    """On S0 stick has m2 |x2''| <= b, for all parameters, a1 >= 0."""
-    force, width = sp.fraction(load_threshold())
-    pull = load(damped=True)
-    masses, carried = sp.fraction(sp.cancel(-pull / sliding_field(damped=True)[2]))
-    # m2 |x2''| = m2 |load|/M <= b, with M = masses/carried put on the other side.
-    closed = {a1: sp.Symbol("a1", nonnegative=True)}
-    return prove(
-        "on $S_0$ stick has $|\\ddot x_2|\\leqslant b/m_2$, with $(m_1+m_2)\\,\\ddot x_2=-(a_2x_1+a_1v_1)$",
-        [sp.Le(sp.Abs(pull) * width, force).subs(closed)],
-        sp.Le(sp.Abs(pull) * m2 * carried, b * masses).subs(closed),
-    )
-
-
 @claim(
     "acceleration-bound",
     "V",
@@ -250,12 +227,7 @@ def acceleration_bound() -> Case:
             ),
         ),
         carried("bound", transfers.gentle()),
-        carried(
-            "modes",
-            bounded_in_slip(),
-            bounded_in_stick(),
-            solutions.stick_is_filippov(),
-        ),
+        carried("modes"),
         carried(
             "equality",
             signum.agree(),

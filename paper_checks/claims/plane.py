@@ -38,16 +38,6 @@ def one_size() -> Evidence:
 
 
 @cache
-def against_the_slip() -> Evidence:
-    """By components, at an angle to the axes."""
-    return identity(
-        r"by components the friction against a slip at the angle $\alpha$ is $b(|\cos\alpha|+|\sin\alpha|)$",
-        plane.against_slip(plane.direction),
-        b * (sp.Abs(sp.cos(plane.direction)) + sp.Abs(sp.sin(plane.direction))),
-    )
-
-
-@cache
 def energy_rate() -> Evidence:
     """The chain rule with vectors."""
     return identity(
@@ -162,14 +152,7 @@ def motions_on_a_surface() -> Case:
             """,
             depends_on_axes(),
         ),
-        carried(
-            "components",
-            argument(
-                "A signum for each component takes the power $b(|w_1|+|w_2|)$, which depends on the direction of the slip to the axes.",
-                against_the_slip(),
-                depends_on_axes(),
-            ),
-        ),
+        carried("components"),
         carried(
             "direction",
             one_size(),

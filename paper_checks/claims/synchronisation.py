@@ -1,17 +1,9 @@
 """Section V: whether, when and how the pair synchronises."""
 
-import random
-from fractions import Fraction
-from typing import Any
-
 import sympy as sp
-from numpy.typing import NDArray
 
 from numerics.linear.modes import Mode
-from numerics.scene import Pair, Scene
 from numerics.scene.file import load_scene
-from numerics.solver.solve import solve
-from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims import energy as dissipation
 from paper_checks.claims import itineraries
 from paper_checks.claims.capture import meets_surface
@@ -21,13 +13,11 @@ from paper_checks.claims.points import EXAMPLE_PAIR, INSIDE, scene_at
 from paper_checks.claims.tolerance import sticks_for_ever_below
 from paper_checks.decide import equal, exhibit, identity
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.decide.samples import random_pair, random_state
 from paper_checks.evidence import (
     CORRECTED,
     HOLDS,
     Case,
     Evidence,
-    EvidenceKind,
     argument,
     because,
     carried,
@@ -57,17 +47,15 @@ from theory.symbols import a1, a2, b, m1, m2, undamped, v1
         kernel="synchronisation switching-iff filippov-iff",
     ),
 )
-def synchronisation_all_parameters(seed: int) -> Case:
+def synchronisation_all_parameters() -> Case:
     """Prove z' -> 0 step by step, for all parameters and all initial states."""
     return because(
         r"""
         Under the Filippov law, whose solutions are those of (3)–(4), friction takes $b|\dot z|$ from a finite energy,
         so $\int|\dot z|\,dt\leqslant E(0)/b$, and $|\ddot z|$ is bounded in every mode: an integrable function with a
-        bounded rate tends to 0. Each step is checked for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$; the random scenes
-        only support it. (11)–(12) read literally with a stick that never ends reach $\dot z=0$ at the first contact.
+        bounded rate tends to 0. Each step is checked for all $m_1,m_2,a_2,b>0$, $a_1\geqslant 0$. (11)–(12) read literally with a stick that never ends reach $\dot z=0$ at the first contact.
         """,
         carried("synchronises", dissipation.synchronises()),
-        price_is_paid(seed),
         derivation=(
             *dissipation.SYNCHRONISATION,
             equation(r"\dot{E}|_{\dot{z}>0}", slip_rate(1)),
@@ -256,56 +244,4 @@ def viscous_accelerates() -> Case:
             f"The sliding region: ${latex(tilted)}$.",
             equation(r"E_{\mathrm{captive}}", captive_energy()),
         ),
-    )
-
-
-def price_is_paid(seed: int, scenes: int = 30, times: int = 20) -> Evidence:
-    """Return that in random scenes, damped or not, a relative speed costs at least the energy that the proof says."""
-    source = random.Random(seed)
-    paid = tried = 0
-    for number in range(scenes):
-        damping = Fraction(source.randint(1, 99), 100) if number % 2 else Fraction(0)
-        pair = random_pair(source, damping)
-        until = Fraction(str(20 * float(pair.mass / pair.a2) ** 0.5))
-        trajectory = solve(Scene(pair, random_state(source, pair), until=until))
-        for _ in range(times):
-            answer = pays(trajectory, until * Fraction(source.randint(0, 500), 1000))
-            tried += answer is not None
-            paid += answer is True
-    return Evidence(
-        EvidenceKind.PROPERTY,
-        "numerics, float64",
-        r"""
-        in random scenes at random times, $E$ falls by at least $b\eta^2/(2K)$ within $\eta/K$ from a time with $|\dot
-        z|=\eta>0$
-        """,
-        paid == tried,
-        tried,
-        f"{paid} of {tried} times in {scenes} scenes",
-    )
-
-
-def pays(trajectory: Trajectory, time: Fraction) -> bool | None:
-    """Say whether the energy falls as the proof says from a time on; None where nothing slips, or the run ends before."""
-    scene, pair = trajectory.scene, trajectory.scene.pair
-    energy = float(scene.energy)
-    bounds = {dissipation.P: (2 * energy / float(pair.a2)) ** 0.5, dissipation.Q: (2 * energy / float(pair.m1)) ** 0.5}
-    parameters = {m1: pair.m1, m2: pair.m2, a1: pair.a1, a2: pair.a2, b: pair.b}
-    rate = float(
-        dissipation.lipschitz_constant().subs({**bounds, **{key: float(one) for key, one in parameters.items()}})
-    )
-    state = trajectory.sol(time)
-    relative = abs(float(state[1] - state[3]))
-    later = float(time) + relative / rate
-    if relative == 0 or later > float(scene.until):
-        return None
-    fall = energy_of(pair, state) - energy_of(pair, trajectory.sol(later))
-    return bool(fall >= float(pair.b) * relative**2 / (2 * rate) * (1 - 1e-9) - 1e-12 * energy)
-
-
-def energy_of(pair: Pair, state: NDArray[Any]) -> float:
-    """Return E (J) of a state (x1, v1, x2, v2); approximate."""
-    return (
-        float(pair.a2 * Fraction(state[0]) ** 2 + pair.m1 * Fraction(state[1]) ** 2 + pair.m2 * Fraction(state[3]) ** 2)
-        / 2
     )

@@ -129,13 +129,3 @@ def weak_force() -> Evidence:
         nothing_breaks(),
         stuck_force(),
     )
-
-
-@cache
-def must_stick() -> Evidence:
-    """Less than full friction is stick."""
-    return argument(
-        r"Slip has $|\ddot x_2|=b/m_2$; so where $|\ddot x_{\mathrm{ref}}|<b/m_2$ there is none, at the start neither.",
-        gentle(),
-        same_modes(),
-    )

@@ -181,11 +181,6 @@ RHO, LATE_TIME, CONTACT, LOSS = sp.symbols("rho tau^* tau_1 l", positive=True)
 DEPTH = sp.Function("c")
 
 
-def _of_error(formula: Formula) -> Evidence:
-
-    return bounds_error(formula)
-
-
 def _depths() -> dict[sp.Basic, sp.Basic]:
     """Return what the letters r and c(...) of the least loss stand for."""
     angle = 2 * sp.acot(q * (sp.sqrt(first_excess) + sp.pi / 2))
@@ -203,8 +198,8 @@ def _depths() -> dict[sp.Basic, sp.Basic]:
         """,
         leading=of_share("C", 4 * sp.pi * q / (9 * R), leading_coefficient),
         weight=of_share("B", 1 - 2 / (5 * R), logarithm_weight),
-        lower=Formula("R_n", ">=", -sp.Rational(9, 20) * (first_excess + sp.sqrt(first_excess)) / R, _of_error),
-        upper=Formula("R_n", "<=", (5 * first_excess + sp.sqrt(first_excess) / 10) / R, _of_error),
+        lower=Formula("R_n", ">=", -sp.Rational(9, 20) * (first_excess + sp.sqrt(first_excess)) / R, bounds_error),
+        upper=Formula("R_n", "<=", (5 * first_excess + sp.sqrt(first_excess) / 10) / R, bounds_error),
     ),
     open=(
         "Whether the factor $1/r$ of these bounds is needed: in the numbers that were tried $R_n$ stays small for small $r$, too.",
@@ -286,13 +281,6 @@ def uniform_rate() -> Case:
         $E(0)$ may lose as much of it as one likes in their first slip. For starts on $S_0$ slightly above $E_{cr}$
         both constants exist (rate-one-over-t).
         """,
-        carried(
-            "one",
-            argument(
-                "$\\tau w_+$ is bounded: $w_+\\leqslant q\\,y_0$ up to some time, and is at most a constant over $\\tau$ after it, both by $E(0)$ alone.",
-                upper(),
-            ),
-        ),
         carried("upper", upper()),
         derivation=(
             "$$X=r,\\quad V=\\sqrt{1-r^2+\\delta},\\qquad V_1-V_2=V(\\cos\\sigma-1)-\\sqrt q\\,\\sigma<0\\quad(\\sigma>0)$$",

@@ -100,11 +100,6 @@ def viscous_no_direct_effect() -> Case:
                     free(force),
                     -m2 * (a2 * x1 + a1 * v1) / (m1 + m2),
                 ),
-                identity(
-                    "the edge of $S_0$ is at the load $b(m_1+m_2)/m_2$",
-                    load_threshold(),
-                    b * (m1 + m2) / m2,
-                ),
             ),
         ),
         carried(
@@ -142,14 +137,6 @@ def viscous_no_direct_effect() -> Case:
 )
 def viscous_energy_rate() -> Case:
     """Derive dE/dt with a1 > 0 along both slip fields and the sliding field."""
-    modes = [
-        identity(
-            f"in slip of sign {sign:+d}, $\\dot E=-b\\,({sign:+d})(v_1-v_2)-a_1v_1^2$",
-            slip_rate(sign),
-            -b * sign * (v1 - v2) - a1 * v1**2,
-        )
-        for sign in (1, -1)
-    ]
     return because(
         "The chain rule along each slip field and along the sliding field gives the printed rate.",
         carried(
@@ -160,8 +147,6 @@ def viscous_energy_rate() -> Case:
                 chain rule gives the rate.
                 """,
                 *capture.energy_decreases(),
-                *modes,
-                identity(r"on $S_0$, $\dot E=-a_1v_1^2$", stick_rate(), -a1 * v1**2),
             ),
         ),
         derivation=(f"$$\\dot E|_{{S_0}}={latex(stick_rate())}$$",),

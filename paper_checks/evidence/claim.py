@@ -133,6 +133,9 @@ class Claim:
         """Return a part of the case with its subject said to its steps."""
         if isinstance(part, About):
             return tuple(step.about_(part.subject) for step in part.steps)
+        if isinstance(part, Carried) and not part.steps:
+            clause = next(one for one in (*self.clauses, *self.correction) if one.id == part.clause)
+            part = carried(part.clause, *(one.evidence() for one in clause.formulas.values()))
         if isinstance(part, Carried) and part.clause in {clause.id for clause in self.correction}:
             return (carried(part.clause, *(step.as_correction() for step in part.steps)),)
         return (part,)

@@ -38,7 +38,7 @@ class Carried:
 
 
 def carried(clause: str, *steps: Evidence) -> Carried:
-    """Return that these steps carry the clause: each states it, or a part of it, as it stands."""
+    """Return that these steps carry the clause: each states it, or a part of it, as it stands; without steps its formulas do."""
     return Carried(clause, steps)
 
 

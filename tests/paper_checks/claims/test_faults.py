@@ -37,7 +37,7 @@ def planted():
 REMEMBERED = [
     (module, name, cache(getattr(module, name)))
     for module, *names in (
-        (near_critical, "enclosed_creep", "enclosed_rate"),
+        (near_critical, "enclosed_rate"),
         (convergence, "dichotomy_samples"),
         (long_time, "constant_found_again"),
         (merging_share, "random_states", "bands"),
@@ -65,7 +65,6 @@ def test_a_fault_in_a_step_or_a_point_turns_its_row(plant, row, target, fault):
 
 
 IN_THEORY = [
-    ("energy.slip", other_sign, ("energy-rate", "energy-dissipation-places")),
     ("energy.half_width", doubled, ("critical-energy",)),
     ("energy.half_width", halved, ("supercritical-arcs",)),
     ("filippov.slip", other_sign, ("vector-fields", "transversality-strip", "return-alternatives")),
