@@ -30,10 +30,14 @@ for (const page of pages) {
   if (inside.querySelector("[data-row] a")) inside.querySelector("[data-row] a").click();
   await new Promise((done) => setTimeout(done, page.includes("/") ? 20 : 500));
   inside.head.append(Object.assign(inside.createElement("script"), { textContent: axe }));
-  const { violations } = await frame.contentWindow.axe.run(inside, { resultTypes: ["violations"] });
-  found.push(...violations.filter((one) => one.impact !== "minor").map((one) => (
-    `${page}: ${one.impact}: ${one.id}, ${one.help}; ${one.nodes.length} times, `
-    + `first ${one.nodes[0].html.slice(0, 160)}`)));
+  const tabs = [...inside.querySelectorAll("[role=tab]")];
+  for (const tab of tabs.length ? tabs : [inside.body]) {
+    if (tabs.length) tab.click();
+    const { violations } = await frame.contentWindow.axe.run(inside, { resultTypes: ["violations"] });
+    found.push(...violations.filter((one) => one.impact !== "minor").map((one) => (
+      `${page}: ${one.impact}: ${one.id}, ${one.help}; ${one.nodes.length} times, `
+      + `first ${one.nodes[0].html.slice(0, 160)}`)));
+  }
   frame.remove();
 }
 return found;

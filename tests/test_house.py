@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -43,6 +44,7 @@ def test_imports_point_one_way(package):
     assert not offenders
 
 
+@cache
 def imported_modules(path: Path) -> set[str]:
     """Return the modules that a module imports, by their full names; of `from a import b` both a and a.b."""
     found = set()

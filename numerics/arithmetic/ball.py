@@ -185,6 +185,12 @@ def digits_within(error: arb, value: arb, scale: arb) -> int:
     return digits // 4 if value.contains(0) else digits
 
 
+def exact_middle(x: arb) -> Fraction:
+    """Return the midpoint of a ball, exact."""
+    middle = x.mid().fmpq()
+    return Fraction(int(middle.p), int(middle.q))
+
+
 def nonnegative(x: arb) -> arb:
     """Return an enclosure of max(x, 0)."""
     return x.max(arb(0))

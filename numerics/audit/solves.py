@@ -40,7 +40,7 @@ SOLVERS: dict[str, Solver] = {
     "ball": partial(solve, arithmetic="ball", digits=BALL_DIGITS, max_events=MAX_EVENTS, max_digits=2000),
 }
 SURFACES, TIGHT = ("ellipsoid", "box"), "ellipsoid"
-KNOWN = {"friction of the state": ("ball",)} | dict.fromkeys(SURFACES, ("float64", "ball"))
+KNOWN = {"friction of the state": ("mpmath", "ball")} | dict.fromkeys(SURFACES, ("float64", "ball"))
 """The arithmetics of a kind, where not all of them know it."""
 solve_truly: Any = partial(solve, arithmetic="ball", max_events=MAX_EVENTS, max_digits=2000)
 MOST_RESIDUAL = {"float64": 1e-9, "double-double": 1e-24, "mpmath": 1e-33, "ball": 1e-10}

@@ -175,7 +175,7 @@ def _size(measured: argparse.ArgumentParser, how_long: str) -> None:
 
 def _trade(trade: argparse.ArgumentParser) -> None:
     _size(trade, "half a minute, some minutes or half an hour")
-    what = "free or forced scenes, or contenders and scenes whose names contain NAME"
+    what = "free, forced, surface or state scenes, or contenders and scenes whose names contain NAME"
     trade.add_argument("--only", nargs="+", default=[], metavar="NAME", help=what)
     what = "only the public interface beside heyoka"
     trade.add_argument("--interface", action="store_true", help=what)

@@ -15,12 +15,11 @@ from typing import NamedTuple
 
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import working_digits
+from numerics.arithmetic.ball import exact_middle, working_digits
 from numerics.control.answers import number, rounded, undecided
 from numerics.control.orbit import Orbit, one_round
 from numerics.linear.system import Motion
 from numerics.scene import Pair
-from numerics.trajectory.sensitivity import exact_middle
 
 _DOUBLINGS = 10
 """The period map is taken up to 2^n times in a row until it shrinks all distances."""

@@ -81,6 +81,9 @@ def search(drive: Drive, *, sticks: bool, max_events: int, tell: Tell) -> tuple[
     free = stuck_state(drive, number(t), drive.pair.m1)
     if free is not None:
         look(t, (free[0], free[1], arb(0)), _PERIODS)
+        # body 2 may be carried along for ever, even by a force that favours no side
+        if not is_enough:
+            look(t, (free[0], free[1], abs(free[1]) / 2), _PERIODS)
     if not found:
         look(t, far, _MANY)
     if not is_enough:

@@ -1,8 +1,16 @@
-"""Between SI units and the reduced coordinates (start.py), in which the undamped family has one parameter."""
+"""Reduced coordinates, in which the free pair has one parameter, and a pair's constants in an arithmetic.
+
+With M = m1 + m2, L = b M/(a2 m2), Omega = sqrt(a2/M), q = m1/M, r = m2/M, 2 zeta = a1/(M Omega):
+X = x1/L, V_i = v_i/(L Omega), Z = (x1 - x2)/L, tau = Omega t, w = E/E_cr - 1 (all dimensionless). Then
+
+    stick            X'' + 2 zeta X' + X = 0
+    slip, sign s     q V1' = -(X + 2 zeta V1 + r s),   V2' = s
+    energy           E/E_cr = X^2 + q V1^2 + r V2^2,   w' = -2 r |V1 - V2| - 4 zeta V1^2
+"""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import fmpq
 
@@ -12,9 +20,20 @@ from numerics.free.start import SI, in_si, narrowing, parameters_of, units_of, w
 from numerics.scene import Pair
 
 
-class Frame:
-    """The constants of one pair in one arithmetic: dimensionless q, r, sqrt_q; SI length, rate, speed, critical_energy.
+class ReducedState(NamedTuple):
+    """A point of the reduced state space; w is a variable of its own, accurate where E/E_cr - 1 would cancel."""
 
+    X: Number
+    V1: Number
+    V2: Number
+    Z: Number
+    w: Number
+
+
+class Frame:
+    """The constants of one pair in one arithmetic: dimensionless q, r, sqrt_q, two_zeta; SI units of what is reduced.
+
+    These are length, rate, speed and critical_energy. two_zeta = 2 zeta is 0 for a free pair.
     In float64 rationals are rounded once (0.5 ulp), so roots of them are within 1 ulp and the speed within 3 ulp.
     """
 
@@ -26,6 +45,14 @@ class Frame:
         self.units = units_of(si, narrow)
         self.length, self.rate, self.critical_energy = self.units
         self.speed = self.length * self.rate
+        self.two_zeta = arithmetic.number(pair.a1 / pair.mass) / self.rate
+
+    def reduced(self, y: Any, excess: Number | None = None) -> ReducedState:
+        """Return (x1, v1, x2, v2) in reduced coordinates; without an excess, w is formed from the state."""
+        x1, v1, x2, v2 = y
+        X, V1, V2 = x1 / self.length, v1 / self.speed, v2 / self.speed
+        w = self.energy_ratio(X, V1, V2) - 1 if excess is None else excess
+        return ReducedState(X, V1, V2, (x1 - x2) / self.length, w)
 
     def si_state(self, state: State) -> tuple[Number, Number, Number, Number]:
         """Return (x1, v1, x2, v2) in m and m/s of a reduced state."""

@@ -7,14 +7,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from numerics.errors import InvalidMap
 from numerics.free.merging import CRITICAL_SHARE, Rectangle, Verdict, verdict
-from numerics.free.quadtree import Leaf, Progress, Sides, Verdicts, leaves_of, raster, shares
+from numerics.free.quadtree import Leaf, Sides, Verdicts, leaves_of, raster, shares
 from numerics.scene.decimals import decimal_text
 
 COLOURS = {Verdict.CREEPS: "#f3e6c4", Verdict.UNDECIDED: "#d1603d", Verdict.MERGES: "#1f3a5f"}
@@ -85,9 +84,7 @@ class MergingMap:
     def as_record(self) -> dict[str, Any]:
         """Return the map for JSON: exact fractions as text, one [m2/m1 from, to, E/E_cr from, to, verdict] a cell."""
         return {
-            "ratio": [str(one) for one in self.window.ratio],
-            "energy": [str(one) for one in self.window.energy],
-            "depth": self.depth,
+            **_title(self.window, self.depth),
             "shares": {one.name.lower(): share for one, share in self.shares().items()},
             "cells": [
                 [*(str(one) for one in cell.rectangle.ratio + cell.rectangle.energy), cell.verdict.name.lower()]
@@ -101,38 +98,24 @@ def decide(sides: Sides) -> Verdict:
     return verdict(Rectangle(*sides))
 
 
-def merging_cells(
-    window: Window,
-    depth: int,
-    *,
-    jobs: int = 1,
-    dask: str | None = None,
-    resume: Path | None = None,
-    progress: Progress | None = None,
-) -> MergingMap:
+def merging_cells(window: Window, depth: int, **roads: Any) -> MergingMap:
     """Return the map of a window, cells down to 2^-depth of its sides; every verdict is proved for its whole cell.
 
-    `jobs` processes by joblib, or the Dask cluster at the address `dask`; neither changes the result. `resume` is a
-    checkpoint of finished blocks: those in it are not computed again. `progress` is called with (blocks done, all).
+    `roads` are `jobs`, `dask`, `resume` and `progress` of quadtree.leaves_of; none changes the result.
     Raises InvalidMap (depth, checkpoint of another map) and MissingTool (joblib or distributed is not installed).
     """
-    leaves = leaves_of(
-        window.rectangle,
+    verdicts = Verdicts(decide, Verdict, Verdict.UNDECIDED)
+    return MergingMap(
+        window,
         depth,
-        Verdicts(decide, Verdict, Verdict.UNDECIDED),
-        _title(window, depth),
-        jobs=jobs,
-        dask=dask,
-        resume=resume,
-        progress=progress,
+        leaves_of(window.rectangle, depth, verdicts, {"map": "merging", **_title(window, depth)}, **roads),
     )
-    return MergingMap(window, depth, leaves)
 
 
 def _title(window: Window, depth: int) -> dict[str, object]:
-    """Return what a checkpoint must agree with."""
+    """Return what a checkpoint must agree with, but for the kind of the map."""
     sides = {"ratio": [str(one) for one in window.ratio], "energy": [str(one) for one in window.energy]}
-    return {"map": "merging", **sides, "depth": depth}
+    return {**sides, "depth": depth}
 
 
 def draw_map(cells: MergingMap) -> Any:

@@ -7,7 +7,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from flint import arb, ctx, fmpz_poly
+from flint import ctx, fmpz_poly
+
+from numerics.arithmetic.ball import exact_middle
 
 _BITS = 256
 
@@ -63,10 +65,5 @@ def _roots(polynomials: Polynomials) -> list[_Root]:
                 continue
             with ctx.workprec(_BITS):
                 roots = [one.real for one, _ in factor.complex_roots() if one.imag.is_zero()]
-                found += [_Root(_exact(one.lower()), _exact(one.upper()), multiplicity) for one in roots]
+                found += [_Root(exact_middle(one.lower()), exact_middle(one.upper()), multiplicity) for one in roots]
     return sorted(found)
-
-
-def _exact(x: arb) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)

@@ -15,6 +15,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
+from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, constants
@@ -88,8 +89,7 @@ def reduced(phase: Fraction) -> Fraction:
 def _turn(bits: int) -> Fraction:
     """Return 2 pi to so many bits."""
     with ctx.workprec(bits):
-        mantissa, exponent = (2 * arb.pi()).mid().man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+        return exact_middle(2 * arb.pi())
 
 
 class Bodies(NamedTuple):

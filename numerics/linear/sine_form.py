@@ -11,8 +11,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 
+from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.arithmetic.protocol import Arithmetic
 
 _FIRST_BITS = 128
@@ -83,25 +84,20 @@ class SineForm:
     def enclosed(self, bits: int) -> arb:
         """Return an enclosure, formed with so many bits."""
         with ctx.workprec(bits):
-            total = _ball(self.constant)
+            total = Ball.number(self.constant)
             for angle, (sine, cosine) in self.parts.items():
-                s, c = _ball(angle).sin_cos()
-                total += _ball(sine) * s + _ball(cosine) * c
+                s, c = Ball.number(angle).sin_cos()
+                total += Ball.number(sine) * s + Ball.number(cosine) * c
             return total
 
     def rounded(self, bits: int) -> Fraction:
         """Return the number, approximate to so many bits; itself if it is rational."""
         if not self.parts:
             return self.constant
-        mantissa, exponent = self.enclosed(bits).mid().man_exp()
-        return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+        return exact_middle(self.enclosed(bits))
 
     def number(self, arithmetic: Arithmetic) -> Any:
         """Return it as a number of an arithmetic, rounded once; in its context."""
         if self.parts and arithmetic.name == "ball":
             return self.enclosed(4 * arithmetic.digits + 64)
         return arithmetic.number(self.rounded(4 * arithmetic.digits + 128))
-
-
-def _ball(x: Fraction) -> arb:
-    return arb(fmpq(x.numerator, x.denominator))

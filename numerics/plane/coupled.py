@@ -139,7 +139,7 @@ class BoxRun(Path):
                 curve = self.curve(h, q1, v2, s)
                 found = defect(system, curve, [arb(0)] * system.n)
                 norm = (self.norm + found.norm).upper()
-                if all(self.has_begun(i, s[i], norm, found, h) for i in self.young):
+                if all(self.has_begun(i, s[i], norm, h) for i in self.young):
                     break
             h = (h / 2).mid()
             if h < left * self.eps and h < self.sizes[2] * self.eps:
@@ -159,58 +159,70 @@ class BoxRun(Path):
         )
         return Curve(at.piece, t, q1, v2, s, self.apart_of(s, t), impulse)
 
-    def has_begun(self, i: int, s: arb_poly, norm: arb, found: Defect, h: arb) -> bool:
-        """Return whether an axis surely slips, and goes on to, from where it begins to the end of a step."""
+    def has_begun(self, i: int, s: arb_poly, norm: arb, h: arb) -> bool:
+        """Return whether an axis surely slips, and goes on to, from where it begins to the end of a step.
+
+        In a window that ends before another event the friction of all other axes that slip is known.
+        """
         order, sign = self.young[i], SIGNS[self.mode[i]]
         shape = arb_poly([x * sign for x in s.coeffs()[order:]])
         low = least(shape)
         if not low > 0:
             return False
         window = (2 * self.system.apart[i] * norm / low).upper().root(order) * h + 2 * self.after
+        self.clear = self.clear.max(window)
         normal = [arb(sign if j == i else 0) for j in self.system.axes]
-        return bool(window < h / 2) and self.leaves(found, normal, window, h, order)
+        slips = [self.friction(j) if self.mode[j] != "0" and j != i else None for j in self.system.axes]
+        return bool(window < h / 2) and self.leaves(normal, window, order, slips)
 
+    def friction(self, i: int) -> arb:
+        """Return the friction on an axis that slips, N."""
+        return self.system.pieces[self.at.piece].b[i] * SIGNS[self.mode[i]]
+
+    clear = arb(0)
+    """Until when after the point no other event is allowed for, s."""
     after = arb(0)
     """By how much the event here may be misplaced, s."""
 
     def go_to_event(self, curve: Curve, found: Defect, norm: arb, h: arb, *, ends: bool) -> None:
         """Go to the end of a step or to the first event in it."""
         system, drive = self.system, self.system.pieces[curve.piece]
-        roots = [(root, i) for i in system.axes if (root := self.end_of(i, curve, found, norm, h)) is not None]
+        roots = [(root, i) for i in system.axes if (root := self.end_of(i, curve, found, norm)) is not None]
         self.young, self.after = {}, arb(0)
         if not roots:
             self.go_on(curve, SLIP, arb(1), norm, ends=ends)
+            self.clear = arb(0)
             return
         (x, off), i = min(roots, key=lambda one: float(one[0][0]))
         for (y, other), j in roots:
             if j != i and not x + off < y - other:
                 raise self.undecided("which axis has its event first")
+        if not (x - off) * h > self.clear:
+            raise self.undecided("which axis has its event first")
+        self.clear = arb(0)
         self.go_on(curve, SLIP, x, norm, ends=False)
         before, late, load = self.mode, (off * h).upper(), self.load()[i]
         if before[i] == "0":
             self.let_go(i, 1 if load > 0 else -1, 2)
         else:
             self.halt(i)
-            inside = abs(load) + late * self.rates()[2][i]
-            if inside < drive.b[i]:
+            load = self.around(late).load[i]
+            if abs(load) < drive.b[i]:
                 self.let_go(i, 0, 0)
-            elif abs(load) > drive.b[i] + late * self.rates()[2][i]:
+            elif abs(load) > drive.b[i]:
                 self.let_go(i, 1 if load > 0 else -1, 1)
             else:
                 raise self.undecided("is the load inside the friction set where the slip ends")
         self.after = late
         self.tell(before, late, "guard")
 
-    def end_of(self, i: int, curve: Curve, found: Defect, norm: arb, h: arb) -> tuple[arb, arb] | None:
+    def end_of(self, i: int, curve: Curve, found: Defect, norm: arb) -> tuple[arb, arb] | None:
         """Return where an axis ends to slip or to stick in a step, and how far that may be off; None if it does not."""
-        system = self.system
         if i in self.young:
             return None
         if self.mode[i] == "0":
-            return self.exit(curve, found, norm, h, (i,))
-        error = (system.apart[i] * norm).upper()
-        steep = h * 4 * system.kappa[i] * (system.load_error[i] * norm + found.load_error[i]) + self.eps * 2**16 * error
-        root = first_root(curve.s[i] * SIGNS[self.mode[i]], error, steep.upper())
+            return self.exit(curve, found, norm, (i,))
+        root = first_root(curve.s[i] * SIGNS[self.mode[i]], (self.system.apart[i] * norm).upper())
         if isinstance(root, bool):
             raise self.undecided("does the slip turn or end")
         return root

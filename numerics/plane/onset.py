@@ -1,10 +1,6 @@
-"""How a slip begins: s = tau^m S(tau), tau the time since. Outside K m = 1, and S is analytic; at its edge m = 2.
+"""How a slip begins where the load is outside K: s = tau S(tau), tau the time since; S is analytic.
 
-There S is a divergent series (its equation is singular at tau = 0, irregularly): it is cut before its least term, and
-the defect says how good that is. Orders of kap^-1 s' = Lam - f(S), with H = D^2 h(S_0):
-
-    m = 1:   ((k+1) kap^-1 + H) S_k = Lam_k - (what is known of f_k)
-    m = 2:   H S_k = Lam_k - (what is known of f_k) - (k+1) kap^-1 S_{k-1};   H n = 0 gives the part of S_{k-1} along n.
+With H = D^2 h(S_0):   ((k+1) kap^-1 + H) S_k = Lam_k - (what is known of f_k).
 """
 
 from __future__ import annotations
@@ -13,12 +9,12 @@ from typing import NamedTuple
 
 from flint import arb
 
-from numerics.plane.series import Forcing, Point, convolved
+from numerics.plane.series import Point, convolved, force_series
 from numerics.plane.system import Balls, System
 
 
 class Onset(NamedTuple):
-    """Coefficients by tau of q1, v2, S (of s = tau^m S) by axes, and of h(S)."""
+    """Coefficients by tau of q1, v2, S by axes, and of h(S): s = tau S, tau^2 S where it begins at the edge, or S."""
 
     q1: list[Balls]
     v2: list[Balls]
@@ -51,36 +47,28 @@ class _Friction:
         self.size[k:] = [size.mid()]
 
 
-def onset(system: System, at: Point, load: Balls, m: int, degree: int) -> Onset:
-    """Return the series of a slip from s = 0 at a point where the load is outside K (m = 1) or leaves it (m = 2)."""
+def onset(system: System, at: Point, load: Balls, degree: int) -> Onset:
+    """Return the series of a slip from s = 0 at a point where the load is outside K."""
     drive, axes = system.pieces[at.piece], system.axes
-    q1, v2, t = [[x] for x in at.q1], [[x] for x in at.v2], [at.t]
-    v1 = [[x] for x in at.v2]
-    forcing, friction = Forcing(drive, t), _Friction(drive.b_squared)
+    q1, v2, v1 = [[x] for x in at.q1], [[x] for x in at.v2], [[x] for x in at.v2]
+    friction, u = _Friction(drive.b_squared), force_series(drive, at.t, degree)
     inverse = [1 / one for one in system.kappa]
-    forcing.next(0)
-    start, f = first_slip(system, drive.b_squared, load, m)
+    start, f = first_slip(system, drive.b_squared, load)
     for one, value in zip(friction.slip, start, strict=True):
         one.append(value)
     friction.keep(0, f, drive.friction(start)[1])
     for k in range(1, degree):
-        t.append(arb(1) if k == 1 else arb(0))
-        forcing.swing_on(k - 1, [arb(1)] + [arb(0)] * k)
-        u = forcing.next(k)
         for i in axes:
             q1[i].append((v1[i][k - 1] / k).mid())
             v2[i].append((friction.f[i][k - 1] / (system.m2[i] * k)).mid())
-            v1[i].append((v2[i][k] + (friction.slip[i][k - m] if k >= m else 0)).mid())
-        now = system.load(u, [one[k] for one in q1], [one[k] for one in v1])
-        (_at_once if m == 1 else _at_edge)(friction, drive.b_squared, inverse, now, k)
+            v1[i].append((v2[i][k] + friction.slip[i][k - 1]).mid())
+        now = system.load([one[k] for one in u], [one[k] for one in q1], [one[k] for one in v1])
+        _next(friction, drive.b_squared, inverse, now, k)
     return Onset(q1, v2, friction.slip, friction.size)
 
 
-def first_slip(system: System, b_squared: Balls, load: Balls, m: int) -> tuple[Balls, Balls]:
-    """Return S_0 and f_0: outside K kap (Lam - f_0), f_0 nearest to Lam; at the edge the normal, to be scaled."""
-    if m == 2:
-        strain = sum((x * x / b for x, b in zip(load, b_squared, strict=True)), arb(0)).sqrt()
-        return [(x / b).mid() for x, b in zip(load, b_squared, strict=True)], [x / strain for x in load]
+def first_slip(system: System, b_squared: Balls, load: Balls) -> tuple[Balls, Balls]:
+    """Return S_0 = kap (Lam - f_0) and f_0, the point of K nearest to Lam."""
 
     def slip(size: arb) -> Balls:
         return [x / (1 / k + b / size) for x, k, b in zip(load, system.kappa, b_squared, strict=True)]
@@ -108,8 +96,8 @@ def first_slip(system: System, b_squared: Balls, load: Balls, m: int) -> tuple[B
     return found, [b * x / one for b, x in zip(b_squared, found, strict=True)]
 
 
-def _at_once(friction: _Friction, b_squared: Balls, inverse: Balls, load: Balls, k: int) -> None:
-    """Add S_k outside K: (D - g g^T/h^3) S_k = r with D = (k+1) kap^-1 + B^2/h and g = B^2 S_0."""
+def _next(friction: _Friction, b_squared: Balls, inverse: Balls, load: Balls, k: int) -> None:
+    """Add S_k: (D - g g^T/h^3) S_k = r with D = (k+1) kap^-1 + B^2/h and g = B^2 S_0."""
     for one in friction.slip:
         one.append(arb(0))
     known, size = friction.order(k)
@@ -123,38 +111,4 @@ def _at_once(friction: _Friction, b_squared: Balls, inverse: Balls, load: Balls,
         one[k] = ((r[i] + g[i] * bent / room) / diagonal[i]).mid()
     size = size + sum((x * one[k] for x, one in zip(g, friction.slip, strict=True)), arb(0)) / whole
     f = [x - (k + 1) * c * one[k] for x, c, one in zip(load, inverse, friction.slip, strict=True)]
-    friction.keep(k, f, size)
-
-
-def _at_edge(friction: _Friction, b_squared: Balls, inverse: Balls, load: Balls, k: int) -> None:
-    """Add the part of S_{k-1} along n, and the rest of S_k, where the load leaves K."""
-    slip = friction.slip
-    if k == 1:
-        normal = [one[0] for one in slip]
-        weight = sum((n * n * c for n, c in zip(normal, inverse, strict=True)), arb(0))
-        scale = sum((n * x for n, x in zip(normal, load, strict=True)), arb(0)) / (2 * weight)
-        for one, n in zip(slip, normal, strict=True):
-            one[0] = (n * scale).mid()
-        friction.keep(0, [one[0] for one in friction.f], friction.size[0] * scale)
-    else:
-        normal = [one[0] for one in slip]
-        for one in slip:
-            one.append(arb(0))
-        known, _ = friction.order(k)
-        left = arb(0)
-        for n, c, x, y, one in zip(normal, inverse, load, known, slip, strict=True):
-            left += n * (x - y - (k + 1) * c * one[k - 1])
-        by = left / ((k + 1) * sum((n * n * c for n, c in zip(normal, inverse, strict=True)), arb(0)))
-        for one, n in zip(slip, normal, strict=True):
-            one[k - 1] = (one[k - 1] + by * n).mid()
-        friction.size[k - 1] = (friction.size[k - 1] + by * friction.size[0]).mid()
-    for one in slip:
-        one[k:] = [arb(0)]
-    known, size = friction.order(k)
-    r = [x - y - (k + 1) * c * one[k - 1] for x, y, c, one in zip(load, known, inverse, slip, strict=True)]
-    along = sum((n[0] * y for n, y in zip(slip, r, strict=True)), arb(0))
-    square = sum((one[0] * one[0] for one in slip), arb(0))
-    for b, one, y in zip(b_squared, slip, r, strict=True):
-        one[k] = (friction.size[0] * (y - along * one[0] / square) / b).mid()
-    f = [x - (k + 1) * c * one[k - 1] for x, c, one in zip(load, inverse, slip, strict=True)]
     friction.keep(k, f, size)

@@ -1,8 +1,12 @@
 """The direction in which a slip ends: it runs down psi(e) = h(e) - Lam.e on e.kap^-1 e = 1, to f - Lam = psi kap^-1 e.
 
-With Lam outside K a slip gets to s = 0 only if e is near a minimum e* with psi(e*) > 0. All e within a of e* are drawn
-to it, and psi > 0 there, if the matrix D^2 h - (psi* + psi)/2 kap^-1, with something added along kap^-1 e*, is positive
-for all of them: e* - e grows shorter then, and |s| falls at the rate psi.
+With Lam outside K a slip gets to s = 0 only if e is near a minimum e* with psi(e*) > 0. Then it gets there if no e goes
+farther from e* than a, which is so if the matrix D^2 h - (psi* + psi)/2 kap^-1 - |r|/a kap^-1, with something added
+along n = kap^-1 e*, is positive for all of them and all loads in question: for d = e - e*, dt = |s| dsigma,
+
+    -(|d|^2)'/2 = d.[D^2 h - (psi* + psi)/2 kap^-1] d + r.d,   n.d = -|d|^2/2,   r = f(e*) - Lam - psi* kap^-1 e*,
+
+D^2 h a mean over the way from e* to e, psi* = psi(e*); e* need not be critical, nor the same for all loads.
 """
 
 from __future__ import annotations
@@ -12,6 +16,7 @@ from collections.abc import Sequence
 from flint import arb, arb_mat
 
 from numerics.plane.system import Balls, Drive, System
+from numerics.plane.window import wide
 
 _STEPS = 60
 
@@ -58,7 +63,7 @@ def _critical(system: System, drive: Drive, load: Balls, s: Balls) -> Balls:
         return start
     bent = matrix.inv()  # how far the critical point moves with the load, to first order, twice
     off = [2 * system.row_sum([bent[i, j] for j in range(system.n)], [x.rad() for x in load]) for i in range(system.n)]
-    return [x + arb(0, (change + y).upper()) for x, y in zip(e, off, strict=True)]
+    return [wide(x, change + y) for x, y in zip(e, off, strict=True)]
 
 
 def hessian(drive: Drive, e: Sequence[arb], f: Balls, size: arb) -> list[Balls]:
@@ -67,28 +72,34 @@ def hessian(drive: Drive, e: Sequence[arb], f: Balls, size: arb) -> list[Balls]:
     return [[((drive.b_squared[i] if i == j else 0) - f[i] * f[j]) / size for j in n] for i in n]
 
 
-def drawn_to(system: System, drive: Drive, load: Balls, s: Balls) -> tuple[Balls, arb] | None:
-    """Return the direction in which a slip passes through s = 0 and its least psi, None if it may turn instead."""
-    inverse = [1 / k for k in system.kappa]
-    e = [x.mid() for x in _critical(system, drive, load, s)]
-    length = sum((c * x * x for c, x in zip(inverse, s, strict=True)), arb(0)).sqrt()
-    far = sum((c.sqrt() * abs(x / length - y) for c, x, y in zip(inverse, s, e, strict=True)), arb(0))
-    a = (2 * far + arb(1) / 32).upper()  # twice: what the path may be off
-    wide = [x + arb(0, (a / c.sqrt()).upper()) for x, c in zip(e, inverse, strict=True)]
-    f, size = drive.friction(wide)
-    psi = sum(((x - y) * z for x, y, z in zip(f, load, wide, strict=True)), arb(0))
+def drawn_to(system: System, drive: Drive, load: Balls, s: Balls) -> arb | None:
+    """Return the least psi with which a slip surely gets to s = 0, None if it may turn instead.
+
+    `load`: the loads from a time on at which s points in a direction of these, until it is there; enclosures.
+    """
+    inverse, axes = [1 / k for k in system.kappa], system.axes
+
+    def unit(x: Balls) -> Balls:
+        length = sum((c * y * y for c, y in zip(inverse, x, strict=True)), arb(0)).sqrt()
+        return [y / length for y in x]
+
+    e = unit([x.mid() for x in _critical(system, drive, load, s)])
+    far = sum((c.sqrt() * abs(x - y) for c, x, y in zip(inverse, unit(s), e, strict=True)), arb(0))
+    a = (2 * far).upper()
+    around = [wide(x, a / c.sqrt()) for x, c in zip(e, inverse, strict=True)]
+    (f, size), (end, _) = drive.friction(around), drive.friction(e)
+    psi = size - sum((x * y for x, y in zip(load, around, strict=True)), arb(0))
     if not (psi > 0 and a < 1):
         return None
-    if system.n > 1:
-        bent, much = hessian(drive, wide, f, size), 4 * psi.mid()
-        normal = [c * x for c, x in zip(inverse, e, strict=True)]
-        taken = psi + much * a * a / 4
-        rows = [
-            [bent[i][j] + much * normal[i] * normal[j] - (taken * inverse[i] if i == j else 0) for j in system.axes]
-            for i in system.axes
-        ]
-        minors = [arb_mat([row[:k] for row in rows[:k]]).det() for k in range(1, system.n + 1)]
-        if not all(one > 0 for one in minors):
-            return None
-    ends = sum((x * x for x in e), arb(0)).sqrt()
-    return [x / ends for x in e], psi.lower()
+    least = sum(((x - y) * z for x, y, z in zip(end, load, e, strict=True)), arb(0))
+    normal = [c * x for c, x in zip(inverse, e, strict=True)]
+    r = [k.sqrt() * abs(x - y - least * n) for k, x, y, n in zip(system.kappa, end, load, normal, strict=True)]
+    bent, much = hessian(drive, around, f, size), 4 * psi.mid()
+    taken = psi + much * a * a / 4 + sum(r, arb(0)) / a
+    rows = [
+        [bent[i][j] + much * normal[i] * normal[j] - (taken * inverse[i] if i == j else 0) for j in axes] for i in axes
+    ]
+    minors = [arb_mat([row[:k] for row in rows[:k]]).det() for k in range(1, system.n + 1)]
+    if system.n > 1 and not all(one > 0 for one in minors):
+        return None
+    return psi.lower()

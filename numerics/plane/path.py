@@ -14,9 +14,10 @@ from flint import arb, arb_poly
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided
 from numerics.plane.defect import Curve, Defect
-from numerics.plane.polynomial import first_root, midpoints, total
+from numerics.plane.polynomial import first_root, midpoints
 from numerics.plane.series import Point
 from numerics.plane.system import Balls, System
+from numerics.plane.window import Around, around, wide
 
 STICK, SLIP = "stick", "slip"
 
@@ -72,7 +73,6 @@ class Path:
             self.sizes.append(max_of([*v1, *v2, *(one / (m * a.sqrt()) for one, (m, a) in zip(b, stiff, strict=True))]))
             self.sizes.append(max_of([m / a.sqrt() for m, a in stiff]))
         self.mode, self.on_edge = SLIP, False
-        self.doubt: arb | None = None
         self.reached = False
 
     @property
@@ -111,8 +111,8 @@ class Path:
             self.norm = norm
             self.set(Point(curve.piece, t, *([p(end) for p in part] for part in curve[2:6])))
             true = self.system.pieces[curve.piece].length if ends else self.at.t
-            # the curve is there a little earlier or later
-            self.norm = (self.norm + self.speed() * abs(t - true)).upper()
+            # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
+            self.norm = (self.norm + self.speed(true) * abs(t - true)).upper()
             self.legs.append(Leg(curve, mode, end, self.norm, self.apart))
             if ends:
                 self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
@@ -123,43 +123,28 @@ class Path:
         """Choose the mode where a piece of force begins."""
         raise NotImplementedError
 
-    def rates(self) -> tuple[Balls, Balls, Balls]:
-        """Return bounds near the point on the rates of v1, v2 and Lam, whatever the friction in K is."""
-        system, at = self.system, self.at
-        drive = system.pieces[min(at.piece, len(system.pieces) - 1)]
-        u, v1 = drive.force(at.t), at.v1
-        steep = [abs(arb_poly(one).derivative()(at.t)) if one else arb(0) for one in drive.polynomial]
-        for omega, _, amplitudes in drive.sines:
-            steep = [x + omega * abs(a) for x, a in zip(steep, amplitudes, strict=True)]
-        first = [2 * (abs(system.push(u, at.q1, v1, i)) + drive.b[i]) / system.m1[i] for i in system.axes]
-        second = [b / m for b, m in zip(drive.b, system.m2, strict=True)]
-        load = [
-            2
-            * system.share[i]
-            * (steep[i] + system.row_sum(system.a2[i], [*map(abs, v1)]) + system.row_sum(system.a1[i], first))
-            for i in system.axes
-        ]
-        return first, second, load
+    def around(self, window: arb, slips: Sequence[arb | None] = ()) -> Around:
+        """Return what holds of the true motion within `window` (s) of the point, proved. Raises EventUndecided."""
+        found = around(self.system, self.at, self.norm, window, slips)
+        if found is None:
+            raise self.undecided("how far does the motion get in a window")
+        return found
 
-    def speed(self) -> arb:
-        """Return a bound on N of the rate of the state near the point."""
-        first, second, _ = self.rates()
-        return self.system.norm(self.at.v1, first, second)
+    def speed(self, true: arb) -> arb:
+        """Return a bound on the rate of N by which a path that rests at the point, until a time, leaves the motion."""
+        system, at = self.system, self.at
+        drive = system.pieces[at.piece]
+        u = drive.force(at.t.union(true))
+        first = [(abs(system.push(u, at.q1, at.v1, i)) + drive.b[i]) / system.m1[i] for i in system.axes]
+        return system.norm(at.v1, first, [b / m for b, m in zip(drive.b, system.m2, strict=True)])
 
     def load(self, late: arb | None = None) -> Balls:
         """Return an enclosure of the true motion's Lam at the point, or within `late` (s) of it."""
         if late is not None:
-            return [x + arb(0, (late * r).upper()) for x, r in zip(self.load(), self.rates()[2], strict=True)]
+            return self.around(late).load
         system, at = self.system, self.at
         found = system.load(system.pieces[at.piece].force(at.t), at.q1, at.v1)
-        return [x + arb(0, (e * self.norm).upper()) for x, e in zip(found, system.load_error, strict=True)]
-
-    def loads_along(self, found: Defect) -> Balls:
-        """Return enclosures of the true motion's Lam along a short curve that begins or ends at the point."""
-        return [
-            x + arb(0, (total(p - p[0]) + e).upper())
-            for x, p, e in zip(self.load(), found.load, found.load_error, strict=True)
-        ]
+        return [wide(x, e * self.norm) for x, e in zip(found, system.load_error, strict=True)]
 
     def step(self, groups: Sequence[tuple[Sequence[arb], arb]]) -> arb:
         """Return how far coefficients reach: there their last two terms are 2^-bits of a size."""
@@ -177,51 +162,42 @@ class Path:
         return tuple(midpoints((x * rate).integral() + z) for x, z in zip(s, self.at.z, strict=True))
 
     def exit(
-        self, curve: Curve, found: Defect, norm: arb, h: arb, of: Sequence[int] | None = None
+        self, curve: Curve, found: Defect, norm: arb, of: Sequence[int] | None = None, start: float = 0.0
     ) -> tuple[arb, arb] | None:
         """Return where the load leaves K first, None if it does not; of some axes only, if they are given."""
         system, drive = self.system, self.system.pieces[curve.piece]
-        inside, error, steep = arb_poly([1]), arb(0), arb(0)
+        inside, error = arb_poly([1]), arb(0)
         for i in system.axes if of is None else of:
-            load = found.load[i]
-            b, square = drive.b[i], drive.b_squared[i]
+            load, square = found.load[i], drive.b_squared[i]
             inside = inside - load * load * (1 / square)
             off = system.load_error[i] * norm + found.load_error[i]
-            error += off * (2 * b + off) / square
-            bent = [
-                system.row_sum(system.a2[j], system.soft) * norm / system.mass[j]
-                + system.row_sum(system.a1[j], [1 / m for m in system.root_m1]) * norm / system.mass[j]
-                for j in system.axes
-            ]
-            rate = system.row_sum(system.a2[i], [norm / m for m in system.root_m1]) + system.row_sum(system.a1[i], bent)
-            steep += 2 * (h * system.share[i] * rate * (b + off) + off * total(load.derivative())) / square
-        root = first_root(inside, error.upper(), steep.upper(), rises=self.on_edge)
+            error += off * (2 * drive.b[i] + off) / square
+        root = first_root(inside, error.upper(), start)
         if isinstance(root, bool):
             raise self.undecided("does the load leave the friction set, or only touch its edge")
         return root
 
-    def leaves(self, found: Defect, normal: Balls, window: arb, h: arb, m: int) -> bool:
-        """Return whether n.Lam > h(n) surely lasts for a time, n.Lam = h(n) at its beginning for m = 2."""
-        system, drive = self.system, self.system.pieces[self.at.piece]
-        sizes, rates = [abs(x) for x in normal], self.rates()[2]
+    def leaves(self, normal: Balls, window: arb, m: int, slips: Sequence[arb | None] = ()) -> bool:
+        """Return whether n.Lam > h(n) from the beginning of a slip to the end of a window: then s != 0 in it.
+
+        n.kap^-1 s rises, n.kap^-1 s' = n.(Lam - f) >= n.Lam - h(n). For m = 2, n.Lam = h(n) at the beginning, n its
+        normal there: without a damper n.Lam rises by n.drift. With one the slip itself enters Lam; but |s|_{kap^-1}
+        grows no faster than the kap-distance of Lam from K, so to second order: at most by sum_i sqrt(kap_i) steep_i
+        t^2/2 in a time t < 2 window.
+        """
+        system, near = self.system, self.around(window, slips)
         if m == 1:
-            most = sum((b * x * x for b, x in zip(drive.b_squared, normal, strict=True)), arb(0)).sqrt()
-            gap = sum(map(mul, normal, self.load()), arb(0)) - most - sum(map(mul, sizes, rates), arb(0)) * window
-            return bool(gap > 0)
-        x = arb(0).union((window / h).upper())
-        off = [
-            system.share[i] * system.row_sum(system.a2[i], [self.norm / r for r in system.root_m1]) for i in system.axes
-        ]
-        steep = sum((n * p.derivative()(x) for n, p in zip(normal, found.load, strict=True)), arb(0)) / h
-        steep = steep - sum(map(mul, sizes, off), arb(0))
-        # with a damper the slip itself enters Lam, to second order in the time
-        weighted = sum((r * k.sqrt() for r, k in zip(rates, system.kappa, strict=True)), arb(0))
+            size = self.system.pieces[self.at.piece].friction(normal)[1]
+            return bool(sum(map(mul, normal, near.load), arb(0)) > size)
+        far = system.row_sum(system.apart, near.steep) * window
         damp = [system.share[i] * system.row_sum(system.a1[i], system.apart) for i in system.axes]
-        late = sum(map(mul, sizes, damp), arb(0)) * weighted * window if system.damped else arb(0)
-        return bool(steep > 2 * late) and bool(steep > 0)
+        return bool(sum(map(mul, normal, near.drift), arb(0)) > far * system.row_sum(normal, damp))
 
     def happened(self, before: str, direction: Balls, late: arb, cause: str) -> None:
-        """Record a change of mode."""
+        """Record a change of mode, which comes before or after a piece of force, not perhaps the one or the other."""
+        length = self.system.pieces[self.at.piece].length
+        if late > 0 and not (late < self.at.t and self.at.t + late < length):
+            raise self.undecided("does the event come before the force changes, or the run ends")
         load = self.load(late)
         self.events.append(Happening(self.at, late, before, self.mode, direction, load, cause, self.norm, self.apart))
 

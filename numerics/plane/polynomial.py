@@ -70,24 +70,21 @@ def arb_value(p: arb_poly, x: float) -> arb:
     return found
 
 
-def first_root(p: arb_poly, error: arb, slope_error: arb, *, rises: bool = False) -> tuple[arb, arb] | bool | None:
-    """Return where p, known to `error`, its slope to `slope_error`, falls to 0 first: x and how far it may be off.
+def first_root(p: arb_poly, error: arb, start: float = 0.0) -> tuple[arb, arb] | bool | None:
+    """Return where a function that p gives to `error` falls to 0 first after `start`: x and how far it may be off.
 
-    None if it stays > 0 on [0, 1]; False if that is not decided. `rises`: it starts at 0 and rises at first.
+    None if it stays > 0; False if that is not decided. It is > 0 where p > error, < 0 where p < -error, and p itself
+    falls between: so its first zero is there.
     """
-    slope, waiting = p.derivative(), [(0.0, 1.0)]
+    slope, waiting = p.derivative(), [(start, 1.0)]
     while waiting:
         a, b = waiting.pop()
         value, *rest = on(p, a, b)
         if value - sum(map(abs, rest), arb(0)) > error:
-            rises = False
             continue
         steep, *others = on(slope, a, b)
-        room = abs(steep) - sum(map(abs, others), arb(0)) - slope_error
-        if rises and a == 0.0 and steep > 0 and room > 0:
-            rises = False
-            continue
-        if room > 0 and steep < 0 and (a > 0 or not rises):
+        room = -steep - sum(map(abs, others), arb(0))
+        if room > 0:
             if arb_value(p, b) > error:
                 continue
             if arb_value(p, a) > error and arb_value(p, b) < -error:

@@ -1,36 +1,49 @@
 """The path of a scene on a surface: stick, slip, and what joins them; N bounds how far the true motion is from it.
 
 A motion sticks while Lam = M2 (M1+M2)^-1 (u - A2 q1 - A1 v1) is in K. Where the bound N leaves no doubt that s is not 0
-(or that Lam is inside K), the true motion is in the path's mode; between, short windows remain, in which:
+(or that Lam is inside K), the true motion is in the path's mode; between, short windows remain, in which (window.py
+says what holds all through one):
 
-- a slip whose h(s) has come down to N ends, if Lam is inside K: |s| falls at a rate of at least (1 - |B^-1 Lam|) h;
+- a slip ends, if Lam is inside K: |s|_{kap^-1} is at most N where the path has s = 0, it falls at a rate of at least
+  (1 - |B^-1 Lam|) min b sqrt(kap), since s.(Lam - f) <= -(1 - |B^-1 Lam|) h(s), and then the motion sticks;
 - a slip begins, if n.Lam > h(n) with one n: n.kap^-1 s rises then, whatever f is;
-- with Lam outside K it passes through s = 0, if all directions near it are drawn to one (passage.py).
+- with Lam outside K it passes through s = 0, if no direction near its own is drawn away (passage.py).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import accumulate
 
 from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import sqrt
 from numerics.errors import NotSettled
-from numerics.plane.defect import Curve, Defect, defect, onset_defect, slip_defect
-from numerics.plane.onset import onset
+from numerics.plane.defect import Curve, Defect, Polynomials, defect, onset_defect, slip_defect
+from numerics.plane.onset import Onset, onset
 from numerics.plane.passage import drawn_to, end_direction
 from numerics.plane.path import SLIP, STICK, Path, log2, max_of, two_to
-from numerics.plane.polynomial import at_one, midpoints, rise, scaled
+from numerics.plane.polynomial import at_one, first_root, midpoints, rise, scaled
 from numerics.plane.series import Point, Series, slip_series, stick_series
+from numerics.plane.slow import slow_series
 from numerics.plane.system import Balls, System
+from numerics.plane.window import wide
 
 _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
+_NARROW = 2.0**-20
+"""How well the direction of a slip is known where its end is decided."""
+_OFTEN = 8
+"""Steps of a slip between two questions whether it has settled."""
+_SHORT = 2.0**-20
+"""The part of a step after which a load that falls from the edge into K is seen inside."""
 
 
 class Run(Path):
-    """The path of an ellipsoid."""
+    """The path of an ellipsoid; `steps` counts those of a slip since one that had settled was tried."""
+
+    steps = 0
 
     def follow(self) -> None:
         """Follow the path to the end, or to the cap on events. Raises EventUndecided, NotSettled."""
@@ -68,8 +81,7 @@ class Run(Path):
             curve = Curve(at.piece, arb_poly([at.t, h]), q1, v2, none, z, impulse)
             found = defect(system, curve, zeros)
             norm = (self.norm + found.norm).upper()
-            root = self.exit(curve, found, norm, h)
-            self.on_edge = False
+            root = self.exit(curve, found, norm, start=_SHORT if self.falls_inside(h) else 0.0)
             if root is None:
                 self.go_on(curve, STICK, arb(1), norm, ends=ends)
                 return
@@ -77,8 +89,27 @@ class Run(Path):
             self.go_on(curve, STICK, x, norm, ends=False)
             self.begin(2, "guard", STICK, (off * h).upper())
 
+    def falls_inside(self, h: arb) -> bool:
+        """Return whether the step begins on the edge of K: the load falls inside then, till _SHORT of it at least."""
+        if not self.on_edge:
+            return False
+        self.on_edge = False
+        near = self.around(h * _SHORT)
+        if not self.outward(near.drift, near.load) < 0:
+            raise self.undecided("does the load leave the friction set at t = 0")
+        return True
+
+    def outward(self, turn: Balls, load: Balls) -> arb:
+        """Return half the rate of |B^-1 Lam|^2, at the rate `turn` of Lam."""
+        b_squared = self.system.pieces[self.at.piece].b_squared
+        return sum((x * y / b for x, y, b in zip(turn, load, b_squared, strict=True)), arb(0))
+
     def slip_on(self) -> None:
-        """Slip for a step, and on to what follows if s gets to 0 in it."""
+        """Slip for a step, and on to what follows if s gets to 0 in it; a slip that has settled, for a long one."""
+        self.steps += 1
+        if self.steps % _OFTEN == 0 and self.settled():
+            self.steps = -1
+            return
         system, at = self.system, self.at
         drive, (q, v, time) = system.pieces[at.piece], self.sizes
         with system.coarse():
@@ -93,7 +124,7 @@ class Run(Path):
             ends = bool(at_one(t) > drive.length)
             if ends:
                 h = (h * rise(t, drive.length)).mid()
-        for _ in range(60):
+        for halving in range(60):
             with system.coarse():
                 t, parts = clock(at, series, h), [tuple(scaled(x, h) for x in part) for part in series[1:]]
             with system.fine():
@@ -101,28 +132,74 @@ class Run(Path):
                 impulse = tuple(x * (b * h) for x, b in zip(s, drive.b_squared, strict=True))
                 curve = Curve(at.piece, t, q1, v2, s, self.apart_of(s, t), impulse)
                 found, slowest = slip_defect(system, curve, h)
-            if found.norm.is_finite() and slowest > 0:
+                norm = (self.norm + found.norm).upper()
+            if slowest > drive.reach * norm:
                 break
+            if slowest > 0 and halving > 5:
+                self.stop()
+                return
             h, ends = (h / 2).mid(), False
         else:
             raise self.undecided("does the slip turn or end")
         with system.fine():
-            norm = (self.norm + found.norm).upper()
-            limit = 2 * drive.reach * norm
-            if slowest > limit and self.doubt is None:
+            self.go_on(curve, SLIP, arb(1), norm, ends=ends)
+            if not ends:
+                self.land()
+
+    @property
+    def enough(self) -> arb:
+        """Return what N may grow by where a slip begins or ends: a rounding of velocities, some bits larger."""
+        return self.eps * 2**12 * self.sizes[1] * max_of(self.system.root_m1 + self.system.root_m2)
+
+    def settled(self) -> bool:
+        """Go on with the series of a slip that has settled, to its end if it comes in it; return whether that is it."""
+        system = self.system
+        with system.coarse():
+            series = slow_series(system, self.at, system.degree, 0)
+            if series is None:
+                return False
+            h, top = self.reach(series.slip, 0)
+        return any(self.settle(series, (h / 2**k).mid(), top) for k in range(3))
+
+    def settle(self, series: Onset, h: arb, top: int) -> bool:
+        """Go on with a series for a time h, if it is as good as a step."""
+        system, at = self.system, self.at
+        drive, still = system.pieces[at.piece], [arb(0)] * system.n
+        with system.coarse():
+            left = (drive.length - at.t).mid()
+            h, ends = (left, True) if h >= left else (h, False)
+            root = first_root(scaled(series.size[:top], h), arb(0))
+            if isinstance(root, bool):
+                return False
+            if root is not None:
+                h, ends = (h * root[0]).mid(), False
+            size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
+            if root is not None:  # s = (1 - x) S
+                size, *slip = (arb_poly(list(accumulate(one.coeffs()))[:-1]) for one in (size, *slip))
+        with system.fine():
+            weight = arb_poly([1] if root is None else [1, -1])
+            curve, found, slowest = self.along(series, h, top, tuple(slip), size, weight)
+            jump = [abs(x[0] - y) for x, y in zip(curve.s, at.s, strict=True)]
+            added = found.norm + system.norm(still, jump, still)
+            norm = (self.norm + added).upper()
+            if not (added < self.enough / 2**7 + self.norm / 8 and _NARROW * slowest > 4 * drive.reach * norm):
+                return False
+            if root is None:
                 self.go_on(curve, SLIP, arb(1), norm, ends=ends)
-                if not ends:
-                    self.land()
-                return
-            self.doubt = at.t if self.doubt is None else self.doubt
-            before = drive.friction(at.s)[1]
-            self.go_on(curve, SLIP, arb(1), norm, ends=False)
-            after = drive.friction(self.at.s)[1]
-            if ends or slowest > limit or not after < before:
-                raise self.undecided("does the slip turn or end")
-            if after < limit:
-                late, self.doubt = abs(self.at.t - self.doubt), None
-                self.meet(found, late, self.at.s)
+            else:
+                self.end(curve, norm, slip, slowest)
+        return True
+
+    def along(
+        self, series: Onset, h: arb, top: int, slip: Polynomials, size: arb_poly, weight: arb_poly
+    ) -> tuple[Curve, Defect, arb]:
+        """Return the curve of a slip s = weight S on [0, h], its defect, and a lower bound of h(S) (0: none)."""
+        at, system = self.at, self.system
+        q1, v2 = (tuple(scaled(x[: top + 1], h) for x in part) for part in series[:2])
+        s, t = tuple(x * weight for x in slip), arb_poly([at.t, h])
+        impulse = tuple(p.derivative() * w for p, w in zip(v2, system.m2, strict=True))
+        curve = Curve(at.piece, t, q1, v2, s, self.apart_of(s, t), impulse)
+        return curve, *onset_defect(system, curve, slip, size, h)
 
     def land(self) -> None:
         """Slip straight to s = 0, if that is a motion as good as any: with f constant s falls linearly."""
@@ -131,7 +208,7 @@ class Run(Path):
         f, size = drive.friction(at.s)
         weight = sum((x * x / k for x, k in zip(at.s, system.kappa, strict=True)), arb(0))
         fall = sum(((x - y) * s for x, y, s in zip(f, load, at.s, strict=True)), arb(0))
-        enough = self.norm / 64 + self.eps * self.sizes[1] * max_of(system.root_m1 + system.root_m2)
+        enough = self.norm / 64 + self.enough / 2**12
         if not (fall > 0 and (h := (weight / fall).mid()) < left):
             return
         off = [abs(s / (k * h) + x - y) * h for s, k, x, y in zip(at.s, system.kappa, load, f, strict=True)]
@@ -145,53 +222,61 @@ class Run(Path):
         curve = Curve(at.piece, t, q1, v2, s, self.apart_of(s, t), impulse)
         found = defect(system, curve, [h * x.rad() for x in f])
         norm = (self.norm + found.norm).upper()
-        limit = 2 * drive.reach * norm
-        if not (found.norm < 2 * enough and limit < size):
+        if not (found.norm < 2 * enough and 4 * drive.reach * norm < size * _NARROW):
             return
-        near = self.loads_along(found)
-        if not drive.strain(near) < 1 and drawn_to(system, drive, near, at.s) is None:
-            return
-        direction = at.s
+        if drive.strain(load) < 1 or drawn_to(system, drive, load, at.s) is not None:
+            self.end(curve, norm, [arb_poly([x]) for x in at.s], size)
+
+    def end(self, curve: Curve, norm: arb, slip: Sequence[arb_poly], slowest: arb) -> None:
+        """Go along s = (1 - x) S to s = 0; the motion slips up to a time `early` before, when h(s) is 2 sup h(N).
+
+        At a time early/_NARROW its direction is that of S up to _NARROW.
+        """
+        system, drive = self.system, self.system.pieces[curve.piece]
         self.go_on(curve, SLIP, arb(1), norm, ends=False)
         self.at = self.at._replace(s=[arb(0)] * system.n)
-        self.meet(found, h * limit / size, direction)
+        part = (2 * drive.reach * self.norm / slowest).upper()
+        near_end = arb(1) - arb(0).union(part / _NARROW)
+        self.arrive(part * curve.t[1], [p(near_end) for p in slip])
 
-    def meet(self, found: Defect, late: arb, s: Balls) -> None:
-        """Go on from s = 0, which a slip has come to: it sticks if the load is inside K, and passes if outside."""
-        system, drive = self.system, self.system.pieces[self.at.piece]
-        at = self.at
-        left = sum((x * x / k for x, k in zip(at.s, system.kappa, strict=True)), arb(0)).sqrt() + self.norm
-        weak = min_of([b * root for b, root in zip(drive.b, system.apart, strict=True)])
-        near = self.loads_along(found)
-        strain = drive.strain(near)
-        if strain < 1:
-            rate, direction = (1 - sqrt(strain)) * weak, s
-        elif strain > 1:
-            drawn = drawn_to(system, drive, near, s)
-            if drawn is None:
+    def stop(self) -> None:
+        """Put s = 0 where it is no larger than N allows: the motion slips up to here."""
+        system, at = self.system, self.at
+        with system.fine():
+            if not system.pieces[at.piece].strain(self.load()) < 1:
                 raise self.undecided("does the slip turn around s = 0 or pass through it")
-            direction, rate = drawn
-        else:
-            raise self.undecided("is the load inside the friction set where the slip ends")
-        late = (late + left / rate).upper()
-        moved = [late * r for r in self.rates()[2]]
-        wide = drive.strain([x + arb(0, m.upper()) for x, m in zip(near, moved, strict=True)])
-        if not (wide < 1 if strain < 1 else wide > 1):
-            raise self.undecided("is the load inside the friction set where the slip ends")
-        if strain < 1:
-            direction = end_direction(system, drive, self.load(late), s)
-        jump = system.norm(
-            [arb(0)] * system.n,
-            [y / m * s for y, m, s in zip(system.m2, system.mass, at.s, strict=True)],
-            [y / m * s for y, m, s in zip(system.m1, system.mass, at.s, strict=True)],
-        )
-        self.norm = (self.norm + jump).upper()
-        v2 = [v + m / w * s for v, m, w, s in zip(at.v2, system.m1, system.mass, at.s, strict=True)]
+            first = [y / m * s for y, m, s in zip(system.m2, system.mass, at.s, strict=True)]
+            second = [s - x for s, x in zip(at.s, first, strict=True)]
+            self.norm = (self.norm + system.norm([arb(0)] * system.n, first, second)).upper()
+            v2 = [v + x for v, x in zip(at.v2, second, strict=True)]
+            self.set(at._replace(v2=v2, s=[arb(0)] * system.n))
+            self.arrive(arb(0), at.s)
+
+    def arrive(self, early: arb, s: Balls) -> None:
+        """Go on from s = 0, where |s|_{kap^-1} <= N: it sticks if the load is inside K, and passes if it is outside."""
+        system, drive = self.system, self.system.pieces[self.at.piece]
+        length = sum((x * x / k for x, k in zip(s, system.kappa, strict=True)), arb(0)).sqrt()
+        s_wide = [wide(x, length * _NARROW * root) for x, root in zip(s, system.apart, strict=True)]
+        weak = min_of([b * root for b, root in zip(drive.b, system.apart, strict=True)])
+        inside = drive.strain(self.load()) < 1
+
+        def rate(load: Balls) -> arb | None:
+            if not inside:
+                return drawn_to(system, drive, load, s_wide)
+            strain = drive.strain(load)
+            return (1 - sqrt(strain)) * weak if strain < 1 else None
+
+        about = rate(self.load())
+        window = early / _NARROW + 2 * self.norm / about if about is not None else arb(0)
+        near = self.load(window)
+        fall = rate(near)
+        outside = bool(drive.strain(near) > 1)
+        if fall is None or inside == outside or not (late := early + self.norm / fall) < window:
+            raise self.undecided("does the slip end, turn around s = 0 or pass through it")
         self.apart = [(x + r * self.norm * late).upper() for x, r in zip(self.apart, system.apart, strict=True)]
-        self.set(at._replace(v2=v2, s=[arb(0)] * system.n))
-        if strain < 1:
+        if inside:
             self.mode = STICK
-            self.happened(SLIP, direction, late, "guard")
+            self.happened(SLIP, end_direction(system, drive, self.load(late), s), late, "guard")
         else:
             self.begin(1, "guard", SLIP, late)
 
@@ -205,13 +290,8 @@ class Run(Path):
         elif not strain < 1:
             if cause is not None or not exactly_on_edge(system):
                 raise self.undecided("is the load inside the friction set")
-            at, acting = self.at, system.given.pieces[0]
-            u = [p[1] if len(p) > 1 else arb(0) for p in drive.polynomial]
-            for (omega, phase, amplitudes), _ in zip(drive.sines, acting.sines, strict=True):
-                u = [x + a * omega * phase.cos() for x, a in zip(u, amplitudes, strict=True)]
-            pull = [system.push(drive.force(at.t), at.q1, at.v1, i) / system.mass[i] for i in system.axes]
-            turn = system.load(u, at.v1, pull)
-            way = sum((x * y / b for x, y, b in zip(turn, self.load(), drive.b_squared, strict=True)), arb(0))
+            near = self.around(arb(0))
+            way = self.outward(near.drift, near.load)
             if way > 0:
                 self.begin(2, None, STICK, arb(0))
             elif way < 0:
@@ -224,8 +304,13 @@ class Run(Path):
         system, at = self.system, self.at
         drive, load = system.pieces[at.piece], self.load()
         with system.coarse():
-            degree = system.degree if m == 1 else int(0.75 * system.bits) + 8
-            series = onset(system, at, [x.mid() for x in load], m, degree)
+            series: Onset | None
+            if m == 1:
+                series = onset(system, at, [x.mid() for x in load], system.degree)
+            else:
+                series = slow_series(system, at, int(0.75 * system.bits) + 8, 2)
+            if series is None:
+                raise self.undecided("how does the slip begin")
             h, top = self.reach(series.slip, m)
             left = (drive.length - at.t).mid()
             ends = bool(h >= left)
@@ -233,22 +318,17 @@ class Run(Path):
         first = [one[0] for one in series.slip]
         with system.fine():
             direction = self.first_direction(first, self.load(late), m)
-        self.mode = SLIP
+        self.mode, self.steps = SLIP, 0 if m == 1 else -1
         if cause is not None:
             self.happened(before, direction, late, cause)
         for _ in range(60):
             with system.coarse():
-                q1, v2, slip = (tuple(scaled(x[:top], h) for x in part) for part in series[:3])
-                size = scaled(series.size[:top], h)
+                size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
             with system.fine():
-                power = arb_poly([0] * m + [(h**m).mid()])
-                s = tuple(x * power for x in slip)
-                impulse = tuple(p.derivative() * w for p, w in zip(v2, system.m2, strict=True))
-                t = arb_poly([at.t, h])
-                curve = Curve(at.piece, t, q1, v2, s, self.apart_of(s, t), impulse)
-                found, slowest = onset_defect(system, curve, slip, size, h)
-                bound = self.eps * 2**12 * self.sizes[1] * max_of(system.root_m1 + system.root_m2)
-            if found.norm < bound:
+                curve, found, slowest = self.along(
+                    series, h, top, tuple(slip), size, arb_poly([0] * m + [(h**m).mid()])
+                )
+            if found.norm < self.enough:
                 break
             h, ends = (h / 2).mid(), False
         else:
@@ -256,7 +336,7 @@ class Run(Path):
         with system.fine():
             norm = (self.norm + found.norm).upper()
             window = (2 * drive.reach * norm / slowest).upper().root(m) + 2 * late
-            if not (window < h / 2 and self.leaves(found, first, window, h, m)):
+            if not (window < h / 2 and self.leaves(first if m == 1 else direction, window, m)):
                 raise self.undecided("does the load leave the friction set, or only touch its edge")
             self.go_on(curve, SLIP, arb(1), norm, ends=ends)
 
@@ -270,16 +350,19 @@ class Run(Path):
 
     def reach(self, slip: Sequence[Balls], m: int) -> tuple[arb, int]:
         """Return how far the series of a beginning slip reaches, and how many of its terms: for m = 2 it diverges."""
-        size, count = log2(max_of([one[0] for one in slip])), len(slip[0]) - (m == 2)
+        size, least = log2(max_of([one[0] for one in slip])), 4
         reach = [
             (size - self.system.bits - max(log2(one[k]) for one in slip)) / k
             if any(one[k] != 0 for one in slip)
             else 64.0
-            for k in range(1, count)
+            for k in range(1, len(slip[0]) - 1)
         ]
-        found = max(min(reach[k - 1], reach[k]) for k in range(4, len(reach))) if m == 2 else min(reach[-2:])
-        top = 1 + max(k for k in range(4, len(reach)) if min(reach[k - 1], reach[k]) >= found) if m == 2 else count
-        return two_to(min(found, log2(self.sizes[2]) + 4) - (0.4 if m == 2 else 0.1)), top
+        if m == 1:
+            found, top = min(reach[-2:]), len(reach) + 1
+        else:
+            found = max(min(reach[k - 1], reach[k]) for k in range(least, len(reach)))
+            top = 1 + max(k for k in range(least, len(reach)) if min(reach[k - 1], reach[k]) >= found)
+        return two_to(min(found, log2(self.sizes[2]) + 4) - (0.1 if m == 1 else 0.4)), top
 
 
 def exactly_on_edge(system: System) -> bool:

@@ -12,9 +12,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from operator import mul
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from flint import arb, arb_poly
+from flint import arb, arb_poly, arb_series
 
 from numerics.plane.system import Drive, System
 
@@ -78,6 +78,16 @@ class Forcing:
             c, s = convolved(cosines, rate, k), convolved(sines, rate, k)
             cosines.append((-omega * s / (k + 1)).mid())
             sines.append((omega * c / (k + 1)).mid())
+
+
+def force_series(drive: Drive, start: arb, degree: int) -> list[Any]:
+    """Return u by the time from a start, by axes, as power series."""
+    t = [start, arb(1)] + [arb(0)] * degree
+    forcing, rows = Forcing(drive, t), []
+    for k in range(degree):
+        rows.append(forcing.next(k))
+        forcing.swing_on(k, t[1:])
+    return [arb_series(list(one), degree) for one in zip(*rows, strict=True)]
 
 
 def slip_series(system: System, at: Point, degree: int) -> Series:

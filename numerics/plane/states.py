@@ -9,11 +9,13 @@ from fractions import Fraction
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent, PlaneState
 from numerics.plane.path import SLIP, Happening, Leg, Path
 from numerics.plane.polynomial import rise
 from numerics.plane.series import Point
 from numerics.plane.system import Balls
+from numerics.plane.window import around, wide
 from numerics.scene.plane import Matrix, PlaneScene
 
 
@@ -28,32 +30,22 @@ class States:
     def enclosed(self, at: Point, norm: arb, apart: Balls, late: arb) -> PlaneState:
         """Return the true state within `late` (s) of a point of the path, by the bounds on N and on z."""
         system, given = self.system, self.system.given
-        first, second = self._rates(at)
+        near = around(system, at, norm, late)
+        if near is None:
+            raise EventUndecided("how far does the motion get in a window", f"{late.str(3)} s", system.digits)
         q1, v1, v2, z = [], [], [], []
         for i in system.axes:
-            fast = abs(at.v1[i]) + first[i] * late + norm / system.root_m1[i]
-            q1.append(_wide(at.q1[i], system.soft[i] * norm + fast * late))
-            v1.append(_wide(at.v1[i], norm / system.root_m1[i] + first[i] * late))
-            v2.append(_wide(at.v2[i], norm / system.root_m2[i] + second[i] * late))
-            z.append(
-                _wide(
-                    at.z[i], apart[i] + (abs(at.s[i]) + system.apart[i] * norm + (first[i] + second[i]) * late) * late
-                )
-            )
+            first, second = near.first[i] * late, near.second[i] * late
+            q1.append(wide(at.q1[i], system.soft[i] * norm + (abs(at.v1[i]) + norm / system.root_m1[i] + first) * late))
+            v1.append(wide(at.v1[i], norm / system.root_m1[i] + first))
+            v2.append(wide(at.v2[i], norm / system.root_m2[i] + second))
+            z.append(wide(at.z[i], apart[i] + (abs(at.s[i]) + system.apart[i] * norm + first + second) * late))
         if all(x.is_zero() for x in at.s):
             v1 = v2 = [x.intersection(y) for x, y in zip(v1, v2, strict=True)] if _meet(v1, v2) else v1
         x1 = taken(given.place, q1)
         gone = [Ball.number(x - y) for x, y in zip(self.scene.x1, self.scene.x2, strict=True)]
         x2 = [x - y - w for x, y, w in zip(x1, gone, taken(given.place, z), strict=True)]
         return PlaneState(tuple(x1), tuple(taken(given.place, v1)), tuple(x2), tuple(taken(given.place, v2)))
-
-    def _rates(self, at: Point) -> tuple[Balls, Balls]:
-        """Return bounds on the rates of v1 and v2."""
-        system = self.system
-        drive = system.pieces[min(at.piece, len(system.pieces) - 1)]
-        u = drive.force(at.t)
-        first = [2 * (abs(system.push(u, at.q1, at.v1, i)) + drive.b[i]) / system.m1[i] for i in system.axes]
-        return first, [b / m for b, m in zip(drive.b, system.m2, strict=True)]
 
     def event(self, one: Happening, name: Callable[[str], str] = str) -> PlaneEvent:
         """Return an event on the axes of the scene."""
@@ -116,10 +108,6 @@ class States:
 def taken(matrix: Matrix, values: Sequence[arb]) -> Balls:
     """Return a rational matrix times a vector."""
     return [sum((Ball.number(a) * x for a, x in zip(row, values, strict=True) if a), arb(0)) for row in matrix]
-
-
-def _wide(x: arb, by: arb) -> arb:
-    return x + arb(0, by.upper())
 
 
 def _meet(one: Balls, two: Balls) -> bool:

@@ -103,6 +103,14 @@ class Drive:
             found = [x + a * sine for x, a in zip(found, amplitudes, strict=True)]
         return found
 
+    def force_rate(self, t: arb) -> Balls:
+        """Return du/dt at a time from the beginning of the piece."""
+        found = [arb_poly(one).derivative()(t) if one else arb(0) for one in self.polynomial]
+        for omega, phase, amplitudes in self.sines:
+            cosine = (omega * t + phase).cos()
+            found = [x + a * omega * cosine for x, a in zip(found, amplitudes, strict=True)]
+        return found
+
     def swing(self, t: arb) -> list[tuple[arb, arb]]:
         """Return cosine and sine of each phase at a time."""
         found = []

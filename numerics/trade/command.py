@@ -9,9 +9,6 @@ from typing import Any
 from numerics.exits import OK, USAGE, refuse
 from numerics.shown import print_table, shown_steps, write_figure
 
-BESIDE = ((0, "heyoka"), (12, "heyoka long double"), (20, "heyoka long double"))
-"""At the public interface: digits that are asked for, 0 for none, and beside whom."""
-
 
 def measure_trade(options: argparse.Namespace) -> int:
     """Measure speed against accuracy, or only the public interface beside heyoka; print, write the figure."""
@@ -38,25 +35,17 @@ def measure_trade(options: argparse.Namespace) -> int:
 
 def print_ratios(trade: Any) -> None:
     """Print how many times as fast as heyoka ours is: the least and the median over the scenes, then each of them."""
-    found: dict[str, list[tuple[float, str, str]]] = {}
-    for digits, peer in BESIDE:
-        for scene in trade.scenes:
-            if lead := trade.beside(scene, digits, peer):
-                kind = "forced" if scene in trade.names(forced=True) else "free"
-                what = f"solve({f'digits={digits}' if digits else ''}).t .y .modes, {kind}, beside {peer}"
-                note = f"digits {lead.ours.digits:.1f} and {lead.peer.digits:.1f}"
-                found.setdefault(what, []).append((lead.ratio, scene, note))
-    for one in trade.sweeps:
-        note = f"{one.size} scenes, digits {one.digits:.0f} and {one.peer_digits:.1f}, {one.peer_wrong} wrong"
-        found.setdefault("solve_many, one core each", []).append((one.ratio, one.scene, note))
-    lines = []
-    for what, some in found.items():
-        least, where, _ = min(some)
-        lines.append((what, str(len(some)), f"{least:.3g}", f"{median(ratio for ratio, *_ in some):.3g}", where))
+    found = {what.replace("`", ""): ratios for what, ratios in trade.ratios().items()}
+    lines = [
+        (what, str(len(some)), f"{min(some.values()):.3g}", f"{median(some.values()):.3g}", min(some, key=some.get))
+        for what, some in found.items()
+    ]
     print_table(("how many times as fast as heyoka", "scenes", "least", "median", "least on"), lines)
     for what, some in found.items():
-        for ratio, scene, note in some:
-            print(f"{what}, {scene}: {ratio:.3g} {note}")
+        print(f"{what}: {', '.join(f'{scene} {ratio:.3g}' for scene, ratio in some.items())}")
+    for one in trade.sweeps:
+        digits = f"{one.digits:.0f} and {one.peer_digits:.1f} digits, {one.peer_wrong} wrong"
+        print(f"{one.scene}, {one.size} at once: {one.ratio:.3g}, {digits}")
     if trade.sine_cosines:
         print(f"sine-cosines for an event in balls of 10,000 digits: {trade.sine_cosines:.3g}")
 
@@ -68,7 +57,8 @@ def print_trade(trade: Any) -> None:
         for one in trade.of(scene):
             digits = "-" if one.digits is None else f"{one.digits:.1f}"
             ratio = f"{ahead[one].ratio:.3g} x" if one in ahead and ahead[one].ours else ""
-            lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, one.note or "right", ratio))
+            events = one.note or ("none" if one.who.endswith("smoothed") else "right")
+            lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, events, ratio))
         print(f"{scene}: {why}")
         print_table(("", "setting", "time", "digits", "events", "ours faster"), lines)
         print()
@@ -77,8 +67,8 @@ def print_trade(trade: Any) -> None:
     print(f"{of['processor']}, {of['cores']} cores, load {of['load']}; Python {of['python']}, {versions}")
     print(
         "Times are processor times of warm calls, taken in turns with solve(scene) in one process. Digits are those of "
-        "the worst error: of the state at the horizon relative to L and L Omega, of the events' times and of the "
-        "dissipated energy relative to themselves."
+        "the worst error: of the state at the horizon relative to L and L Omega, of the events' times and, on a line, "
+        "of the dissipated energy relative to themselves. A smoothed law has no events."
     )
     for name, missing in trade.left_out.items():
         print(f"left out: {name}: needs {missing}")

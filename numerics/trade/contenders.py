@@ -3,30 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 from importlib.util import find_spec
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from numerics.scene import Scene
+from numerics.plane.trajectory import PlaneTrajectory
 from numerics.solver.solve import ArithmeticName, solve
+from numerics.trade.comparisons.direct import by_events, smoothed
 from numerics.trade.comparisons.euler_peer import euler_peer
 from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
 from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.comparisons.scipy_peer import scipy_arcs
 from numerics.trade.comparisons.switched import switched
-from numerics.trajectory.trajectory import Trajectory
 
 MAX_EVENTS = 10**7
+LINE, OFF = ("free", "forced"), ("surface", "state")
 Call = Callable[[], Any]
-Prepare = Callable[[Scene, float], Call]
+Prepare = Callable[[Any, float], Call]
 """prepare(scene, setting) builds and compiles everything; the call that it returns is timed, and solves each time."""
 
 
-@dataclass(frozen=True)
-class Contender:
+class Contender(NamedTuple):
     """A method with the settings that are worth measuring, from coarse to fine: digits, tolerances, steps (s)."""
 
     label: str
@@ -34,6 +33,7 @@ class Contender:
     prepare: Prepare
     package: str = ""
     """What has to be installed."""
+    kinds: tuple[str, ...] = LINE + OFF
 
     def missing(self) -> str | None:
         """Return what has to be installed before it can run, in words for a reader; None if nothing is missing."""
@@ -43,14 +43,14 @@ class Contender:
 def solved(arithmetic: ArithmeticName | None = None) -> Prepare:
     """Return what prepares `solve`: the setting is its digits, 0 for none. Its answer is read as a peer's is."""
 
-    def prepare(scene: Scene, digits: float) -> Callable[[], Trajectory]:
+    def prepare(scene: Any, digits: float) -> Call:
         asked = int(digits) or None
         return lambda: looked_at(solve(scene, arithmetic=arithmetic, digits=asked, max_events=MAX_EVENTS))
 
     return prepare
 
 
-def looked_at(trajectory: Trajectory) -> Trajectory:
+def looked_at(trajectory: Any) -> Any:
     """Look at what a user looks at, t, y and modes, and return the trajectory: they are made when they are read."""
     trajectory.t, trajectory.y, trajectory.modes  # noqa: B018
     return trajectory
@@ -60,22 +60,26 @@ def answer_of(found: Any) -> PeerRun:
     """Return what a run of anybody says of a scene."""
     if isinstance(found, PeerRun):
         return found
+    if isinstance(found, PlaneTrajectory):
+        final = tuple(x for part in found.final_state for x in part)
+        return PeerRun(found.modes, tuple(one.t for one in found.events), final, None)
     with found.arithmetic.context():
-        lost = found.ledger.friction + found.ledger.viscous
+        off_line = found.scene.friction.weakening is not None
+        lost = None if off_line else found.ledger.friction + found.ledger.viscous
     signs = tuple(mode.sign for mode in found.modes)
     return PeerRun(signs, tuple(found.t[1 : len(signs)]), tuple(found.y[:, -1]), lost)
 
 
 CONTENDERS = (
     Contender("solve", (0, 12, 20), solved()),
-    Contender("ball", (15, 100, 1000, 10_000), solved("ball")),
-    Contender("mpmath", (30,), solved("mpmath")),
-    Contender("forward Euler", (1e-3, 1e-4, 1e-5), euler_peer),
-    Contender("SciPy RK45", (1e-6, 1e-9), switched(partial(scipy_arcs, method="RK45")), "scipy"),
-    Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), "scipy"),
-    Contender("SciPy LSODA", (1e-6, 1e-9), switched(partial(scipy_arcs, method="LSODA")), "scipy"),
-    Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), "heyoka"),
-    Contender("heyoka long double", (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), "heyoka"),
+    Contender("ball", (15, 100, 1000, 10_000), solved("ball"), kinds=LINE),
+    Contender("forward Euler", (1e-3, 1e-4, 1e-5), euler_peer, kinds=("free",)),
+    Contender("SciPy DOP853", (1e-6, 1e-9, 1e-12), switched(scipy_arcs), "scipy", LINE),
+    Contender("SciPy DOP853, events", (1e-4, 1e-6, 1e-8), by_events, "scipy", ("surface",)),
+    Contender("SciPy Radau, smoothed", (1e-2, 1e-3, 1e-4), partial(smoothed, integrator="SciPy"), "scipy", OFF),
+    Contender("heyoka", (1e-9, 1e-12, 1e-15), switched(heyoka_arcs), "heyoka", LINE),
+    Contender("heyoka long double", (1e-15, 1e-18), switched(heyoka_arcs, np.longdouble), "heyoka", LINE),
+    Contender("heyoka, smoothed", (1e-3, 1e-4, 1e-5, 1e-6), partial(smoothed, integrator="heyoka"), "heyoka", OFF),
 )
 
 

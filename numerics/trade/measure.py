@@ -25,18 +25,16 @@ from numerics.trade.comparisons.peer import PeerFailed, PeerRun, Unsupported
 from numerics.trade.comparisons.switched import SwitchedPair, run
 from numerics.trade.contenders import CONTENDERS, Call, Contender, answer_of, contender
 from numerics.trade.judge import judge, proved
-from numerics.trade.recorded import NONE, OURS, Run, Sweep, Trade, machine
-from numerics.trade.scenes import FORCED, HEADLINE, LONG, NAMES, benchmark, kind, why
+from numerics.trade.recorded import NONE, OURS, Run, Sweep, Trade, machine, short
+from numerics.trade.scenes import HEADLINE, LONG, NAMES, benchmark, kind, why
 
 
 class Size(NamedTuple):
-    """How much is measured."""
+    """How much is measured: processor time for a ratio (s), and scenes that are solved at once."""
 
     scenes: Sequence[str]
     budget: float
-    """Processor time for a ratio, s."""
     sweep: int
-    """Scenes that are solved at once."""
 
 
 SIZES = {
@@ -62,31 +60,24 @@ def trade(
 ) -> Trade:
     """Measure everybody on every scene; `only` keeps those whose names contain one of its words.
 
-    "free" and "forced" name the scenes without a force and with one. Raises NoSuchContender if a word fits no name.
+    "free", "forced", "surface" and "state" name kinds of scenes. Raises NoSuchContender if a word fits no name.
     """
     size, of = SIZES[size_name], machine()
     solve_many(1, 1, 200, 0.5, v1=[0.15], until=1, jobs=1)  # brings up what is compiled
     everyone, scenes = selected(only, size.scenes, contenders)
     left_out = {one.label: missing for one in everyone if (missing := one.missing()) is not None}
-    present, runs = [one for one in everyone if one.label not in left_out], list[Run]()
+    runs, sweeps = list[Run](), list[Sweep]()
     for scene in scenes:
-        slow = {one.who for one in runs if one.scene.startswith(LONG) and one.seconds and one.seconds > SLOW}
-        some = [one for one in present if not (scene.startswith(LONG) and one.label in slow)]
+        slow = {one.who for one in runs if one.scene.startswith(LONG) and (one.seconds or 0) > SLOW}
+        some = [one for one in everyone if one.label not in left_out and kind(scene) in one.kinds]
+        some = [one for one in some if not (scene.startswith(LONG) and one.label in slow)]
         runs += runs_on(scene, some, size.budget, progress)
-    sweeps = []
     if contender("heyoka") in everyone and "heyoka" not in left_out:
         for scene in (one for one in SWEPT if one in scenes):
             progress(f"{scene}: {size.sweep} at once")
             sweeps.append(swept(scene, size.sweep, size.budget))
-    balls = contender("ball") in everyone and HEADLINE in scenes
-    return Trade(
-        of,
-        left_out,
-        {name: why(name) for name in scenes},
-        tuple(runs),
-        tuple(sweeps),
-        sine_cosines(size.budget) if balls else None,
-    )
+    balls = sine_cosines(size.budget) if contender("ball") in everyone and HEADLINE in scenes else None
+    return Trade(of, left_out, {name: why(name) for name in scenes}, tuple(runs), tuple(sweeps), balls)
 
 
 def selected(
@@ -108,43 +99,40 @@ def runs_on(
     name: str, everyone: Sequence[Contender], budget: float, progress: Callable[[str], None] = lambda _: None
 ) -> Iterator[Run]:
     """Yield a run at every setting of each contender, from coarse to fine; on a long scene none after a slow one."""
-    scene = benchmark(name)
+    scene, most = benchmark(name), 100 if kind(name) == "forced" or name.startswith(LONG) else DIGITS
     truth, base = proved(scene), contender("solve").prepare(scene, 0)
-    base(), base()  # compiles what is not compiled yet
-    unit = total_time(base, 5) / 5
+    base()  # compiles what is not compiled yet
+    unit = total_time(base, 1)
+    unit = unit if unit > SLOW / 10 else total_time(base, 5) / 5
     for one in everyone:
-        settings = [setting for setting in one.settings if setting <= 100 or not name.startswith((FORCED, LONG))]
-        for setting in settings:
+        for setting in (one for one in one.settings if one <= most):
             progress(f"{name}: {one.label} {setting:g}")
             try:
-                found = judged_and_timed(one, setting, scene, truth, base, budget)
+                ratio, digits, note = judged_and_timed(one, setting, scene, truth, base, budget)
             except Unsupported as error:
                 yield Run(name, one.label, setting, None, None, f"{NONE}{error}")
                 break
-            yield Run(name, one.label, setting, found.ratio and found.ratio * unit, found.digits, found.note)
-            if name.startswith(LONG) and found.ratio and found.ratio * unit > SLOW:
+            yield Run(name, one.label, setting, ratio and ratio * unit, digits, note)
+            if name.startswith(LONG) and ratio and ratio * unit > SLOW:
                 break
 
 
-class Found(NamedTuple):
-    """What came of a run: its time by that of `solve(scene)`, its digits, and what is wrong with it."""
+def judged_and_timed(
+    one: Contender, setting: float, scene: Any, truth: PeerRun, base: Call, budget: float
+) -> tuple[float | None, float | None, str]:
+    """Judge a contender and time it in turns with `base`: its time by that, its digits, and what is wrong with it.
 
-    ratio: float | None
-    digits: float | None
-    note: str
-
-
-def judged_and_timed(one: Contender, setting: float, scene: Scene, truth: PeerRun, base: Call, budget: float) -> Found:
-    """Judge a contender on a scene and time it in turns with `base`. Raises Unsupported."""
+    Raises Unsupported.
+    """
     digits = int(setting) if one.label in OURS else 0
     try:
         call = one.prepare(scene, setting)
         found = answer_of(call())
     except (NumericsError, PeerFailed) as error:
-        return Found(None, None, f"{NONE}{error}")
+        return None, None, f"{NONE}{error}"
     verdict = judge(found, proved(scene, digits) if digits > 20 else truth, scene, digits)
     ratio = 1.0 if (one.label, setting) == ("solve", 0) else in_turns(base, call, budget)
-    return Found(ratio, verdict.digits, verdict.difference or "")
+    return ratio, verdict.digits, verdict.difference or ""
 
 
 def total_time(call: Call, loops: int) -> float:
@@ -199,17 +187,12 @@ def swept(name: str, size: int, budget: float) -> Sweep:
     apart = np.max(np.abs(others - batch.y) / sizes, axis=0)
     wrong = apart > 1e-3
     reached = -np.log10(max(apart[~wrong].max(initial=0.0), 1e-16))
-    ratio, digits = _short(in_turns(ours, theirs, budget)), float(batch.digits.min())
-    return Sweep(name, ratio, size, digits, _short(reached), int(wrong.sum()))
+    ratio, digits = short(in_turns(ours, theirs, budget)), float(batch.digits.min())
+    return Sweep(name, ratio or 0.0, size, digits, short(reached) or 0.0, int(wrong.sum()))
 
 
-def _short(value: float) -> float:
-    return float(f"{value:.3g}")
-
-
-def sine_cosines(budget: float) -> float:
+def sine_cosines(budget: float) -> float | None:
     """Return how many sine-cosines of so many digits an event of the headline scene takes in balls."""
     call = contender("ball").prepare(benchmark(HEADLINE), DIGITS)
     with Ball(DIGITS).context():
-        each = 1 / in_turns(call, arb(2).rsqrt().mid().sin_cos, budget) / len(answer_of(call()).times)
-    return _short(each)
+        return short(1 / in_turns(call, arb(2).rsqrt().mid().sin_cos, budget) / len(answer_of(call()).times))

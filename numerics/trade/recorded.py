@@ -5,18 +5,14 @@ the extras `comparisons` and `compiled` it is made, in some minutes, by
 
     python -m numerics trade --json > trade.json && mv trade.json numerics/trade/recorded.json
 
-Every time in it is a ratio that was taken in one process, in turns, by processor time, so that a busy machine changes
-little of it; `machine` says whether it was busy. The form:
-
-    {"command": how it was made, "machine": {...}, "left_out": {name: what it needs},
-     "scenes": {name: why it is measured},
-     "seconds": {name: processor time of one warm solve(scene), read as a user reads it, s},
-     "runs": {scene: {who: [[setting, cost, digits, note], ...]}},
+    {"command": how it was made, "machine": {...}, "left_out": {name: what it needs}, "scenes": {name: why},
+     "sine_cosines": those of 10,000 digits that an event takes in balls of as many,
      "sweeps": [[scene, ratio, scenes at once, digits of ours, of heyoka, how many heyoka has wrong], ...],
-     "sine_cosines": those of 10,000 digits that an event takes in balls of as many}
+     "runs": [[scene, who, setting, seconds, digits, note], ...]}
 
-`cost` is the time of a run by that of `solve(scene)`, null where none was taken; `digits` is -log10 of the worst error;
-`note` is empty where the events are right, and begins with NONE where there is no answer.
+Seconds are the processor time of a warm `solve(scene)`, read as a user reads it, times a ratio that was taken in one
+process, in turns, so that a busy machine changes little; `machine` says whether it was busy. `digits` is -log10 of the
+worst error; `note` is empty where the events are right, and begins with NONE where there is no answer.
 """
 
 from __future__ import annotations
@@ -26,8 +22,7 @@ import math
 import os
 import platform
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
@@ -35,12 +30,15 @@ from typing import Any, NamedTuple
 
 from numerics.errors import NumericsError
 from numerics.tasks import available_cores
-from numerics.trade.scenes import kind
+from numerics.trade.scenes import KINDS, kind
 
 SHIPPED = Path(__file__).with_name("recorded.json")
 COMMAND = "python -m numerics trade --json"
 PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka")
-OURS = ("solve", "ball", "mpmath")
+OURS, PEERS = ("solve", "ball"), ("heyoka", "heyoka long double", "heyoka, smoothed")
+"""Ours, and whom it is measured against: the fastest integrator of its kind that we know."""
+ASKED = {0: "`solve(scene)`, float64", 12: "`digits=12`", 20: "`digits=20`"}
+"""Our settings, as a user writes them."""
 NONE = "no answer: "
 
 
@@ -55,11 +53,11 @@ class Run(NamedTuple):
     who: str
     setting: float
     seconds: float | None
-    """Its time by that of `solve(scene)` beside it, times the one of `solve(scene)`, s; None where none was taken."""
+    """None where none was taken."""
     digits: float | None
-    """-log10 of the worst error; None where the run gave no number."""
+    """None where the run gave no number."""
     note: str
-    """Where the itinerary departs from the true one, or why there is no answer; empty where the events are right."""
+    """Where the itinerary departs from the true one, or why there is no answer."""
 
     @property
     def ours(self) -> bool:
@@ -73,22 +71,19 @@ class Run(NamedTuple):
 
 
 class Lead(NamedTuple):
-    """A peer's run and our fastest right one that is as accurate, None if none is."""
+    """The peer's time by ours, below 1 where the peer is faster, and both; 0 where none of ours is as accurate."""
 
     ratio: float
-    """The peer's time by ours; below 1 the peer is faster, 0 where none of ours is as accurate."""
     peer: Run
     ours: Run | None
 
 
 class Sweep(NamedTuple):
-    """Many scenes at once on one core each: `solve_many` beside heyoka, which compiles once for all of them."""
+    """Many scenes at once on one core each: heyoka's time by that of `solve_many`; heyoka compiles once for all."""
 
     scene: str
     ratio: float
-    """heyoka's time by ours."""
     size: int
-    """How many scenes, with other forces or starts."""
     digits: float
     """Ours, proved, of the worst scene."""
     peer_digits: float
@@ -103,24 +98,17 @@ class Trade:
 
     machine: dict[str, Any]
     left_out: dict[str, str]
-    """What was not installed, with what was missing."""
     scenes: dict[str, str]
-    """Names, and why each is measured."""
     runs: tuple[Run, ...]
     sweeps: tuple[Sweep, ...] = ()
     sine_cosines: float | None = None
-    """How many of 10,000 digits an event takes in balls of as many."""
 
     def of(self, scene: str, who: str | None = None) -> list[Run]:
         """Return the runs on one scene, of all or of one contender."""
         return [one for one in self.runs if one.scene == scene and who in (None, one.who)]
 
-    def names(self, *, forced: bool) -> list[str]:
-        """Return the scenes with a force, or those without."""
-        return [one for one in self.scenes if (kind(one) == "forced") == forced]
-
     def leads(self, scene: str) -> list[Lead]:
-        """Return our lead over every right run of a peer that has a time, the least first."""
+        """Return our lead over every right run of a peer that has a time, by our fastest that is as accurate."""
         known = [(one.seconds, one.digits, one) for one in self.of(scene) if one.right and one.seconds and one.digits]
         found = []
         for seconds, digits, peer in (one for one in known if not one[2].ours):
@@ -129,46 +117,44 @@ class Trade:
             found.append(Lead(seconds / least, peer, ours))
         return sorted(found, key=lambda one: one.ratio)
 
-    def beside(self, scene: str, digits: int, peer: str = "heyoka") -> Lead | None:
-        """Return our lead with so many digits asked for (0: none) over a peer's cheapest run that has these, or ours.
+    def beside(self, scene: str, asked: int) -> Lead | None:
+        """Return our lead with so many digits asked for (0: none) over heyoka; None where either has no right run.
 
-        Where no run of the peer has them, it is its most accurate one; None where either has no right run with a time.
+        Of each of its arithmetics that is its cheapest run with these digits, or with ours, or else its most accurate
+        one; and of those that have the digits asked for the fastest.
         """
-        some = [one for one in self.of(scene) if one.right and one.seconds and one.digits]
-        ours = next((one for one in some if one.who == "solve" and one.setting == digits), None)
-        peers = [one for one in some if one.who == peer]
-        if not (ours and peers):
+        some = [(one.seconds, one.digits, one) for one in self.of(scene) if one.right and one.seconds and one.digits]
+        ours = next((one for one in some if one[2].who == "solve" and one[2].setting == asked), None)
+        best = []
+        for peer in PEERS:
+            runs = [one for one in some if one[2].who == peer]
+            enough = [one for one in runs if ours and one[1] >= (asked or ours[1])]
+            best += [min(enough)] if enough else [max(runs, key=lambda one: one[1])] if runs else []
+        if not (ours and best):
             return None
-        enough = [one for one in peers if (one.digits or 0.0) >= (digits or ours.digits or 0.0)]
-        key = (lambda one: one.seconds) if enough else (lambda one: -one.digits)
-        best: Run = min(enough or peers, key=key)
-        return Lead((best.seconds or 0.0) / (ours.seconds or math.inf), best, ours)
+        enough = [one for one in best if one[1] >= asked]
+        seconds, _, one = min(enough) if enough else max(best, key=lambda one: one[1])
+        return Lead(seconds / ours[0], one, ours[2])
+
+    def ratios(self) -> dict[str, dict[str, float]]:
+        """Return how many times as fast as heyoka each setting of ours is, by kinds of scenes, and many at once."""
+        found: dict[str, dict[str, float]] = {}
+        for which, words in KINDS.items():
+            for asked, what in ASKED.items():
+                names = [name for name in self.scenes if kind(name) == which]
+                leads = {name: lead.ratio for name in names if (lead := self.beside(name, asked))}
+                found |= {f"{what}, {words}": leads} if leads else {}
+        return found | ({"`solve_many`, one core each": {s.scene: s.ratio for s in self.sweeps}} if self.sweeps else {})
 
     def text(self) -> str:
-        """Return the trade as JSON, a line for each scene and contender."""
-        unit = {one.scene: one.seconds for one in self.runs if one.who == "solve" and one.setting == 0 and one.seconds}
-        runs = {scene: dict(_lines(self.of(scene), unit.get(scene, 1.0))) for scene in self.scenes}
-        lines = ",\n".join(
-            f"{json.dumps(scene)}: {{\n" + ",\n".join(f" {json.dumps(who)}: {one}" for who, one in some.items()) + "}"
-            for scene, some in runs.items()
-        )
-        head = {"command": COMMAND, "machine": self.machine, "left_out": self.left_out, "scenes": self.scenes}
-        tail = {"seconds": {name: _short(one) for name, one in unit.items()}, "sweeps": self.sweeps}
-        rest = json.dumps(head | tail | {"sine_cosines": self.sine_cosines}, indent=1)
-        return f'{rest[:-2]},\n "runs": {{\n{lines}}}}}\n'
+        """Return the trade as JSON, a line for each run."""
+        head = {"command": COMMAND} | {name: part for name, part in asdict(self).items() if name != "runs"}
+        rows = ",\n".join(json.dumps([*run[:3], short(run.seconds), short(run.digits), run.note]) for run in self.runs)
+        return f'{json.dumps(head, indent=1)[:-2]},\n "runs": [\n{rows}]}}\n'
 
 
-def _lines(runs: list[Run], unit: float) -> Iterator[tuple[str, str]]:
-    for who in dict.fromkeys(one.who for one in runs):
-        some = [
-            [one.setting, _short(one.seconds and one.seconds / unit), _short(one.digits), one.note]
-            for one in runs
-            if one.who == who
-        ]
-        yield who, json.dumps(some)
-
-
-def _short(value: float | None) -> float | None:
+def short(value: float | None) -> float | None:
+    """Return three digits of a number."""
     return None if value is None else float(f"{value:.3g}" if value < 100 else f"{value:.0f}")
 
 
@@ -177,19 +163,13 @@ def recorded(file: Path | None = None) -> Trade:
     path = file or SHIPPED
     try:
         record = json.loads(path.read_text("utf-8"))
-        units: Mapping[str, float] = record["seconds"]
-        runs = tuple(
-            Run(scene, who, float(setting), None if cost is None else cost * units.get(scene, 1.0), digits, note)
-            for scene, some in record["runs"].items()
-            for who, of in some.items()
-            for setting, cost, digits, note in of
-        )
-        sweeps = tuple(Sweep(*one) for one in record["sweeps"])
-        missing = [key for key in ("processor", "cores", "python", "packages") if key not in record["machine"]]
-        if not runs or missing:
+        record.pop("command", None)
+        runs = tuple(Run(*one) for one in record.pop("runs"))
+        sweeps = tuple(Sweep(*one) for one in record.pop("sweeps"))
+        if not runs or not {"processor", "cores", "python", "packages"} <= set(record["machine"]):
             raise ValueError("it has no runs or no machine")
         [float(part or 0.0) for one in runs for part in (one.seconds, one.digits)]
-        return Trade(record["machine"], record["left_out"], record["scenes"], runs, sweeps, record["sine_cosines"])
+        return Trade(**record, runs=runs, sweeps=sweeps)
     except OSError as error:
         raise UnreadableTrade(f"{path.name} cannot be read: {error.strerror}") from None
     except (ValueError, TypeError, KeyError, AttributeError) as error:

@@ -1,29 +1,36 @@
-"""The scenes on which everything is measured, each a file: the paper's, near-critical, longer and longer, forced."""
+"""The scenes on which everything is measured, each a file; the beginning of a name says of which kind it is."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
-from numerics.scene import Scene
 from numerics.scene.file import load_scene
 
 FOLDER = Path(__file__).with_name("benchmarks")
-HEADLINE = "relative-motion-b05"
-"""The scene for which single numbers are quoted."""
-FORCED, LONG = "forced-", "long-"
-"""How the names of the scenes under a force begin, and of those that go on for more and more excursions."""
-NAMES = tuple(sorted((one.stem for one in FOLDER.glob("*.toml")), key=lambda name: (name.startswith(FORCED), name)))
-"""Those under a force come last."""
-
-
-def benchmark(name: str) -> Scene:
-    """Return a scene by its name."""
-    return load_scene(FOLDER / f"{name}.toml")
+HEADLINE, LONG = "relative-motion-b05", "long-"
+"""The scene for which single numbers are quoted, and how those begin that go on for more and more excursions."""
+KINDS = {
+    "free": "without a force",
+    "forced": "under a force",
+    "surface": "on a surface",
+    "state": "with friction of the state",
+}
+"""How the names of scenes begin that are not free, and what the kinds are."""
 
 
 def kind(name: str) -> str:
-    """Return "forced" or "free"."""
-    return "forced" if name.startswith(FORCED) else "free"
+    """Return the kind of a scene by its name."""
+    first = name.partition("-")[0]
+    return first if first in KINDS else "free"
+
+
+NAMES = tuple(sorted((one.stem for one in FOLDER.glob("*.toml")), key=lambda name: ([*KINDS].index(kind(name)), name)))
+
+
+def benchmark(name: str) -> Any:
+    """Return a scene by its name."""
+    return load_scene(FOLDER / f"{name}.toml")
 
 
 def why(name: str) -> str:

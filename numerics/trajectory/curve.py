@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from numerics.linear.cells import cells_of, mode_in
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
-from numerics.trajectory.dense import of_rows
+from numerics.trajectory.dense import by_pieces, of_rows
 from numerics.trajectory.flow import Knots, coupled, losses, moved
 from numerics.trajectory.rows import Rows
 
@@ -78,8 +78,6 @@ def sampled(trajectory: Rows) -> Curve:
         begun = Knots(*(part[..., chosen] for part in knots))
         u[chosen], b[chosen] = force_of(acting, begun.local + since[chosen]), float(acting.b)
         if cells is None:
-            y[:, chosen] += moved(pair, acting, begun, since[chosen])
-            taken[:, chosen] = losses(pair, acting, begun, since[chosen])[:2]
             continue
         for sign, cell in {(int(trajectory.row_signs[row]), trajectory.row_cells[row]) for row in rows}:
             own = chosen & np.array([trajectory.row_cells[row] == cell for row in rows])[at] & (knots.sign == sign)
@@ -89,6 +87,9 @@ def sampled(trajectory: Rows) -> Curve:
             y[:, own] += changes
             taken[:, own] = losses_there[:2]
         b[chosen] *= cells.relative(y[1, chosen] - y[3, chosen], y[0, chosen] - y[2, chosen])
+    if cells is None:
+        y = y + by_pieces(moved, trajectory, pieces[at], knots, since)
+        taken = by_pieces(losses, trajectory, pieces[at], knots, since)[:2]
     before = np.cumsum(taken[:, np.cumsum(parts + 1) - 1], axis=1)
     lost = np.concatenate([np.zeros((2, 1)), before], axis=1)[:, at] + taken
     segment, t = np.searchsorted(trajectory.event_rows, at, side="right"), starts[at] + since

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -16,7 +16,7 @@ from numerics.arithmetic.protocol import Number
 from numerics.linear.cells import mode_in
 from numerics.linear.modes import MODES
 from numerics.scene.decimals import short
-from numerics.trajectory.flow import Knots, losses, moved
+from numerics.trajectory.flow import Floats, Knots, losses, moved
 from numerics.trajectory.motions import Moving
 from numerics.trajectory.rows import Rows
 
@@ -148,12 +148,8 @@ class Dense:
 
     def floats(self, rows: NDArray[np.int64], since: NDArray[Any]) -> NDArray[np.float64]:
         """Return the states at times after the starts of rows, in binary64, shape (4, n)."""
-        found, of = of_rows(self.of, rows), self.of
-        for piece in np.unique(of.row_pieces[rows]):
-            chosen = of.row_pieces[rows] == piece
-            knots = Knots(*(part[..., chosen] for part in found))
-            found.y[:, chosen] += moved(of.scene.pair, of.pieces[piece], knots, since[chosen])
-        return found.y
+        knots = of_rows(self.of, rows)
+        return knots.y + by_pieces(moved, self.of, self.of.row_pieces[rows], knots, since)
 
     def after(self, rows: range, since: Number) -> tuple[Number, Number, Number, Number]:
         """Return the state at `since` (s) after the start of a segment that consists of rows."""
@@ -183,6 +179,18 @@ def _union(found: list[tuple[Number, ...]]) -> tuple[Number, ...]:
     for other in rest:
         first = tuple(one.union(two) for one, two in zip(first, other, strict=True))
     return first
+
+
+def by_pieces(
+    function: Callable[..., Floats], trajectory: Rows, pieces: NDArray[np.int64], knots: Knots, since: Floats
+) -> Floats:
+    """Return `moved` or `losses` (flow.py) of knots in several pieces."""
+    found = np.zeros((3 if function is losses else 4, len(since)))
+    for piece in np.unique(pieces):
+        chosen = pieces == piece
+        begun = Knots(*(part[..., chosen] for part in knots))
+        found[:, chosen] = function(trajectory.scene.pair, trajectory.pieces[piece], begun, since[chosen])
+    return found
 
 
 def of_rows(trajectory: Rows, rows: NDArray[np.int64]) -> Knots:

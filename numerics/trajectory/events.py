@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from numerics.arithmetic.protocol import Number
+from numerics.free.frame import ReducedState
 from numerics.linear.modes import EventKind, Mode
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.dense import Dense
 from numerics.trajectory.ledger import losses_of_rows
-from numerics.trajectory.reduced import ReducedState
 
 
 @dataclass(frozen=True, slots=True, repr=False)

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.dense import Dense, of_rows
-from numerics.trajectory.flow import Knots, losses
+from numerics.trajectory.dense import Dense, by_pieces, of_rows
+from numerics.trajectory.flow import losses
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -42,19 +42,14 @@ def losses_of_rows(dense: Dense, rows: range) -> NDArray[Any]:
     To be used in the arithmetic's context; enclosures for balls.
     """
     run = dense.of
-    lengths, pair = run.row_lengths[rows.start : rows.stop], run.scene.pair
+    lengths = run.row_lengths[rows.start : rows.stop]
     if run.arithmetic.name != "float64":
         found = np.empty((3, len(lengths)), dtype=object)
         for at, (row, length) in enumerate(zip(rows, lengths, strict=True)):
             found[:, at] = dense.motion(row).losses(length)
         return found
-    found, chosen_rows = np.zeros((3, len(lengths))), np.arange(rows.start, rows.stop)
-    knots, pieces = of_rows(run, chosen_rows), run.row_pieces[chosen_rows]
-    for piece in np.unique(pieces):
-        chosen = pieces == piece
-        begun = Knots(*(part[..., chosen] for part in knots))
-        found[:, chosen] = losses(pair, run.pieces[piece], begun, lengths[chosen])
-    return found
+    chosen = np.arange(rows.start, rows.stop)
+    return by_pieces(losses, run, run.row_pieces[chosen], of_rows(run, chosen), lengths)
 
 
 def ledger_of(dense: Dense) -> EnergyLedger:

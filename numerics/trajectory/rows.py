@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.free.frame import Frame
 from numerics.linear.cells import PLAIN
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import How, Record, tabulate
 from numerics.scene import Scene
 from numerics.trajectory.columns import Columns
-from numerics.trajectory.reduced import Frame
 
 STATE = ("x1", "v1", "x2", "v2")
 

@@ -35,7 +35,7 @@ from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Law, Scene
 from numerics.trajectory.legs import Leg
-from numerics.trajectory.variation import Array, CoupledVariation, Variation
+from numerics.trajectory.variation import Array, Variation
 
 _radius = np.frompyfunc(lambda x: x.rad(), 1, 1)
 _middle = np.frompyfunc(lambda x: x.mid(), 1, 1)
@@ -115,8 +115,7 @@ class Chain:
         """Return a motion; it is made once."""
         key = side, piece, cell
         if key not in self._variations:
-            given = self.scene, self.pieces[piece], side, self.column
-            self._variations[key] = CoupledVariation(*given, cell) if self.cells and side else Variation(*given)
+            self._variations[key] = Variation(self.scene, self.pieces[piece], side, self.column, cell)
         return self._variations[key]
 
     def _zeros(self, *rows: int) -> Array:

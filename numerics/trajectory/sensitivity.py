@@ -21,13 +21,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from fractions import Fraction
 from typing import Any, overload
 
 import numpy as np
 from flint import arb
 
-from numerics.arithmetic.ball import EXACT, Ball, digits_within, precision
+from numerics.arithmetic.ball import EXACT, Ball, digits_within, exact_middle, precision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NotDifferentiable, OutOfRange
 from numerics.linear.corners import corner
@@ -193,12 +192,6 @@ def _time(trajectory: Trajectory, t: Any) -> arb:
 def _ball(x: Any) -> arb:
     """Return a number of any arithmetic as a ball."""
     return x if isinstance(x, arb) else Ball.number(as_fraction(x))
-
-
-def exact_middle(x: arb) -> Fraction:
-    """Return the middle of a ball, exact."""
-    middle = x.mid().fmpq()
-    return Fraction(int(middle.p), int(middle.q))
 
 
 def _as_numbers(arithmetic: Arithmetic, array: Array) -> Array:

@@ -9,10 +9,11 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
+from numerics.arithmetic.ball import exact_middle
 from numerics.trajectory.export import Written
 from numerics.trajectory.rendering import right_digits_text, with_radius
 from numerics.trajectory.rows import STATE
-from numerics.trajectory.sensitivity import enclosures, exact_middle, sensitivities
+from numerics.trajectory.sensitivity import enclosures, sensitivities
 from numerics.trajectory.trajectory import Trajectory
 
 TABLE_DIGITS = 6

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Arithmetic, Number
+from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How, Record
 from numerics.scene import Scene
@@ -18,7 +19,6 @@ from numerics.trajectory.dense import Dense, Side, sorted_times
 from numerics.trajectory.digits import Accuracy, accuracy_of
 from numerics.trajectory.events import Event, Segment
 from numerics.trajectory.ledger import EnergyLedger, ledger_of
-from numerics.trajectory.reduced import ReducedState
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
 

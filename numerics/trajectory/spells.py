@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from itertools import zip_longest
 from typing import Any, NamedTuple
 
 from mpmath.ctx_mp import MPContext
 
+from numerics.linear.pieces import particular
 from numerics.scene import Pair, Scene
 
 Polynomial = tuple[Fraction, ...]
@@ -103,12 +103,7 @@ def spells(scene: Scene) -> Iterator[Spell]:
 
 def _answer(pair: Pair, mass: Fraction, force: Steady) -> Steady:
     """Return a solution y of mass y'' + a1 y' + a2 y = force."""
-    y: Polynomial = ()
-    for _ in force.polynomial:  # each round gets one more coefficient right, from the last one on
-        first = _slope(y)
-        parts = zip_longest(force.polynomial, first, _slope(first), fillvalue=Fraction(0))
-        y = tuple((u - pair.a1 * v - mass * a) / pair.a2 for u, v, a in parts)
-    tones = []
+    y, tones = tuple(particular(force.polynomial, mass, pair.a1, pair.a2)), []
     for tone in force.tones:
         stiff, damp = pair.a2 - mass * tone.turn**2, pair.a1 * tone.turn
         size, sine, cosine, nothing = stiff**2 + damp**2, tone.in_sine, tone.in_cosine, Fraction(0)

@@ -11,7 +11,8 @@ matrix of the oscillator alone and e = (0, 1/m) the answers to all components of
     Q(tau) = int_0^tau exp(O (tau - s)) e z(s)^T ds,    exp([[O, e z(0)^T], [0, A^T]] tau) = [[exp(O tau), Q], [0, ...]]
 
 so that (y, y') = exp(O tau) (y, y')(0) + Q row. Resonance and critical damping are no special cases. F is a sum of
-parts, a polynomial and sines, and so is x: each part is answered by itself. Everything is enclosed by balls.
+parts, a polynomial and sines, and so is x: each part is answered by itself. Where friction depends on the state, O is
+that of both bodies, and numbers act on v2' as well, by e = (0, 0, 0, 1/m2). Everything is enclosed by balls.
 """
 
 from __future__ import annotations
@@ -30,9 +31,9 @@ from flint import arb, arb_mat
 from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball, magnitude_bits, precision
-from numerics.linear.cells import cells_of
+from numerics.linear.cells import PLAIN, Branch, cells_of, mode_in
 from numerics.linear.pieces import ExactPiece
-from numerics.linear.system import Row
+from numerics.linear.system import LinearMode
 from numerics.scene import Piece, Scene
 
 Array = NDArray[Any]
@@ -82,63 +83,93 @@ def _sine(piece: Piece, index: int, name: str) -> Part:
 
 
 class Variation:
-    """The mode `side` (+1, -1: the sign of v1 - v2; 0: stick) in one piece; to be used in the balls' context.
+    """The mode `side` (+1, -1: the sign of v1 - v2; 0: stick) in one piece and one cell, in the balls' context.
 
-    Derivatives are by all numbers of the scene, p of them; `column` says in which place.
+    Derivatives are by all numbers of the scene, p of them; `column` says in which place. Where friction depends on the
+    state, body 2 is part of the oscillator, and numbers act on it too: its row of the inputs.
     """
 
-    def __init__(self, scene: Scene, piece: ExactPiece, side: int, column: dict[str, int]) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        piece: ExactPiece,
+        side: int,
+        column: dict[str, int],
+        cell: tuple[int, int] = PLAIN,
+    ) -> None:
         """Take the numbers of the scene."""
         pair, force = scene.pair, bisect_right(scene.force.starts, piece.start) - 1
-        friction = bisect_right(scene.friction.starts, piece.start) - 1
-        self.side, self.column = side, column
-        self.by_b = column["b" if friction < 0 else f"friction[{friction}].b"]
+        place = bisect_right(scene.friction.starts, piece.start) - 1
+        b, cells = "b" if place < 0 else f"friction[{place}].b", cells_of(scene) if side else None
+        self.side, self.column, self.by_b, self.mode = side, column, column[b], mode_in(scene, piece, side, cell)
         self.m2, self.mass, self.a1, self.a2, self.b = map(
-            Ball.number, (pair.m2, pair.m1 if side else pair.mass, pair.a1, pair.a2, piece.b)
+            Ball.number, (pair.m2, self.mode.mass, pair.a1, pair.a2, self.mode.b)
         )
         self.parts = [Part(lambda _: [arb(1)], [[0]], [arb(0)], {})]
         if force >= 0:
             name, given = f"force[{force}]", scene.force.pieces[force]
             sines = (_sine(given, index, name) for index in range(len(given.sines)))
             self.parts = [_polynomial(given, name), *sines]
-        self.parts[0].own[0] -= side * self.b
-        self.oscillator = [[arb(0), arb(1)], [-self.a2 / self.mass, -self.a1 / self.mass]]
-        self.systems, self.rows = zip(*map(self._system, self.parts), strict=True)
-        self.rows[0][2, self.by_b] -= side
+        self.size = 2 if cells is None else 4
+        self.branches = {b: Branch(Fraction(1), Fraction(0), Fraction(0))} if side else {}
+        if cells is not None:
+            self.branches = cells.by_numbers(piece, side, cell, b)
+        self.systems = [self._system(part, part is self.parts[0]) for part in self.parts]
 
-    def _system(self, part: Part) -> tuple[Array, Array]:
-        """Return A of x, x' and a part (n, n), and the rows of all numbers (n, p)."""
-        size, column = 2 + len(part.own), self.column
-        system, rows = np.full((size, size), arb(0)), np.full((size, len(column)), arb(0))
-        system[:2, :2], system[2:, 2:] = self.oscillator, part.generator
-        system[1, 2:] = np.array(part.own) / self.mass
-        rows[:, column["m1"]], rows[:, column["m2"]] = -system[1], -system[1] * (self.side == 0)
-        rows[0, column["a2"]] = rows[1, column["a1"]] = arb(-1)
+    def _system(self, part: Part, first: bool) -> tuple[Array, Array]:
+        """Return A of the oscillator and a part (n, n), and what all numbers do to each of its bodies (k, n, p)."""
+        n, column = self.size, self.column
+        size = n + len(part.own)
+        system, inputs = np.full((size, size), arb(0)), np.full((n // 2, size, len(column)), arb(0))
+        friction = self._friction(self.mode, size, first)
+        system[0, 1], system[1, :2], system[n:, n:] = arb(1), [-self.a2, -self.a1], part.generator
+        system[1, n:] = part.own
+        system[1] = (system[1] - friction) / self.mass
+        inputs[0, :, column["m1"]], inputs[0, :, column["m2"]] = -system[1], -system[1] * (self.side == 0)
+        inputs[0, 0, column["a2"]] = inputs[0, 1, column["a1"]] = arb(-1)
         for name, row in part.by.items():
-            rows[2:, column[name]] = row
-        return system, rows
+            inputs[0, n:, column[name]] = row
+        if n == 4:
+            system[2, 3], system[3] = arb(1), friction / self.m2
+            inputs[1, :, column["m2"]] = -system[3]
+        for name, (b, slope, pull) in self.branches.items():
+            acting = self._friction(replace(self.mode, b=b, slope=slope, pull=pull), size, first)
+            inputs[0, :, column[name]] -= acting
+            inputs[1:, :, column[name]] += acting
+        return system, inputs
+
+    def _friction(self, mode: LinearMode, size: int, first: bool) -> Array:
+        """Return friction on body 2 over a system; its constant belongs to the first part."""
+        found = np.full(size, arb(0))
+        for place, factor in mode.friction:
+            if place < self.size or first:
+                found[min(place, self.size)] += Ball.number(factor)
+        return found
 
     def _states(self, state: Sequence[arb], t: arb) -> list[Array]:
-        """Return z of every part at a time (s); the whole of x and x' is given to the first."""
-        zero = [arb(0), arb(0)]
-        return [np.array([*(zero if k else state[:2]), *part.values(t)]) for k, part in enumerate(self.parts)]
+        """Return z of every part at a time (s); the whole of the oscillator is given to the first."""
+        own = list(state[: self.size])
+        return [np.array([*([arb(0)] * self.size if k else own), *p.values(t)]) for k, p in enumerate(self.parts)]
 
     def force(self, t: arb) -> arb:
         """Return u at a time (s), N."""
         terms = (w * c for part in self.parts for w, c in zip(part.values(t), part.own, strict=True))
-        return sum(terms, self.side * self.b)
+        return sum(terms, arb(0))
 
     def over(self, state: Sequence[arb], t: arb, tau: arb) -> tuple[Array, Array]:
         """Return the derivatives at tau (s) after the start of a motion, which is at t (s) with this state.
 
         By (x1, v1, x2, v2) at the start, (4, 4), and by the numbers at a fixed start, (4, p).
         """
-        flow, columns = np.full((4, 4), arb(0)), np.full((4, len(self.column)), arb(0))
-        for system, rows, z in zip(self.systems, self.rows, self._states(state, t), strict=True):
-            whole = np.full((2 + len(z), 2 + len(z)), arb(0))
-            whole[:2, :2], whole[1, 2:], whole[2:, 2:] = self.oscillator, z / self.mass, system.T
-            block = _exponential(whole * tau)
-            flow[:2, :2], columns[:2] = block[:2, :2], columns[:2] + block[:2, 2:] @ rows
+        flow, columns, n = np.full((4, 4), arb(0)), np.full((4, len(self.column)), arb(0)), self.size
+        for (system, inputs), z in zip(self.systems, self._states(state, t), strict=True):
+            for place, mass, rows in zip((1, 3), (self.mass, self.m2), inputs, strict=False):
+                whole = np.full((n + len(z), n + len(z)), arb(0))
+                whole[:n, :n], whole[place, n:], whole[n:, n:] = system[:n, :n], z / mass, system.T
+                block = _exponential(whole * tau)
+                flow[:n, :n], columns[:n] = block[:n, :n], columns[:n] + block[:n, n:] @ rows
+        if n == 4:
+            return flow, columns
         if self.side:
             flow[2:, 2:] = [[arb(1), tau], [arb(0), arb(1)]]
             slid = np.array([tau * tau / 2, tau]) * self.side / self.m2
@@ -159,65 +190,13 @@ class Variation:
         if self.side:
             return np.array([0, 1, 0, -1]), by_numbers, field[1] - field[3]
         later, share = arb(0), -exit_side * self.m2 / self.mass
-        for part, rows, z in zip(self.parts, self.rows, self._states(state, t), strict=True):
-            by_numbers += share * (z @ rows)
+        for part, (_, inputs), z in zip(self.parts, self.systems, self._states(state, t), strict=True):
+            by_numbers += share * (z @ inputs[0])
             later += np.array(part.own) @ (np.array(part.generator) @ z[2:])
         by_numbers[self.column["m2"]] -= exit_side * field[1]
         by_numbers[self.by_b] += 1
         by_state = share * np.array([-self.a2, -self.a1, arb(0), arb(0)])
         return by_state, by_numbers, share * later + by_state[:2] @ field[:2]
-
-
-class CoupledVariation(Variation):
-    """The same for a slip in one cell of a friction that depends on the state: x1 and x2 are coupled.
-
-    With Z = (x1, v1, x2, v2, parts) and Z' = A Z the numbers act on v1' and on v2': y' = S y + e1 R1 Z/m1 + e3 R3 Z/m2.
-    """
-
-    def __init__(
-        self, scene: Scene, piece: ExactPiece, side: int, column: dict[str, int], cell: tuple[int, int]
-    ) -> None:
-        """Take the numbers of the scene."""
-        cells = cells_of(scene)
-        assert cells is not None
-        super().__init__(scene, replace(piece, b=Fraction(0)), side, column)
-        mode, size = cells.mode(piece, side, cell), 4 + sum(len(part.own) for part in self.parts)
-        name = next(name for name, place in column.items() if place == self.by_b)
-        self.system, self.inputs = np.full((size, size), arb(0)), np.full((2, size, len(column)), arb(0))
-        A, inputs, friction = self.system, self.inputs, _over(mode.friction, size)
-        A[0, 1] = A[2, 3] = arb(1)
-        A[1, :2], at = [-self.a2, -self.a1], 4
-        for part in self.parts:
-            own = slice(at, at + len(part.own))
-            A[1, own], A[own, own], at = part.own, part.generator, own.stop
-            for key, row in part.by.items():
-                inputs[0, own, column[key]] = row
-        A[1], A[3] = (A[1] - friction) / self.mass, friction / self.m2
-        inputs[0, :, column["m1"]], inputs[1, :, column["m2"]] = -A[1], -A[3]
-        inputs[0, 0, column["a2"]] = inputs[0, 1, column["a1"]] = arb(-1)
-        for key, branch in cells.by_numbers(piece, side, cell, name).items():
-            acting = _over(replace(mode, b=branch.offset, slope=branch.slope, pull=branch.pull).friction, size)
-            inputs[0, :, column[key]] -= acting
-            inputs[1, :, column[key]] += acting
-
-    def over(self, state: Sequence[arb], t: arb, tau: arb) -> tuple[Array, Array]:
-        """Return the derivatives at tau (s) after the start of a motion, as `Variation.over`."""
-        z = np.array([*state, *(one for part in self.parts for one in part.values(t))])
-        columns, size = np.full((4, len(self.column)), arb(0)), len(z)
-        for place, mass, inputs in ((1, self.mass, self.inputs[0]), (3, self.m2, self.inputs[1])):
-            whole = np.full((4 + size, 4 + size), arb(0))
-            whole[:4, :4], whole[place, 4:], whole[4:, 4:] = self.system[:4, :4], z / mass, self.system.T
-            block = _exponential(whole * tau)
-            columns = columns + block[:4, 4:] @ inputs
-        return block[:4, :4], columns
-
-
-def _over(row: Row, size: int) -> Array:
-    """Return a row over z as a vector."""
-    found = np.full(size, arb(0))
-    for place, factor in row:
-        found[place] += Ball.number(factor)
-    return found
 
 
 def _exponential(matrix: Array) -> Array:

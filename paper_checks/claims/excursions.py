@@ -9,8 +9,8 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
 from numerics.scene import Pair
-from numerics.trajectory.reduced import Frame
 from paper_checks.claims import capture
 from paper_checks.claims.capture import mirror_image
 from paper_checks.claims.convergence import merges_or_creeps

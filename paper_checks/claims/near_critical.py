@@ -7,10 +7,10 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
 from numerics.linear.modes import EventKind
 from numerics.scene import Pair
 from numerics.scene.file import load_scene
-from numerics.trajectory.reduced import Frame
 from paper_checks.claims.convergence import merges_or_creeps
 from paper_checks.claims.excursions import (
     EVENTUALLY,

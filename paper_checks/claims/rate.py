@@ -9,8 +9,8 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball, depth_and_cotangent, sine_deficit, versine
 from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
 from numerics.scene import Pair
-from numerics.trajectory.reduced import Frame
 from paper_checks.claims.critical_ratio import one_turning_point, threshold
 from paper_checks.claims.excursions import angle_of_excursion, vanishes
 from paper_checks.claims.letters import R, limit_of_energy, of_share

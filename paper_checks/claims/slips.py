@@ -9,8 +9,8 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
 from numerics.scene import Pair
-from numerics.trajectory.reduced import Frame
 from paper_checks.claims.excursions import angle_of_excursion, vanishes
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.decide import decimal, equal, identity, prove

@@ -3,7 +3,7 @@
    p = f - X - 2 zeta V1, f = r u/b; u = b size (cos, sin)(omega tau + angle): it goes round, or stays where omega is 0.
    A slip is a chain of Taylor polynomials in time, a stick phase a closed form. */
 
-const ORDER = 16, LEFT_OUT = 1e-12, NEAR = 1e-9, NONE = 1e-14, LOOKS = 32;
+const ORDER = 16, LEFT_OUT = 1e-12, NEAR = 1e-9, NONE = 1e-14, LOOKS = 32, MOST_PIECES = 4000;
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1];
 const size = (a) => Math.hypot(a[0], a[1]);
@@ -100,12 +100,13 @@ function stateOfSeries({ series, t }, h) {
   return { t: t + h, X, V1: plus(V2, S), V2, S, x2 };
 }
 
-/* A slip to its end: {pieces, duration, end}; `end` is null where the run is over first. Close to its end
+/* A slip to its end: {pieces, duration, end}; `end` is null where the run is over first, or `most` pieces are: `cut`. Close to its end
    G = |s| + p.s falls at the rate (1 - p.p)/q, which tells the time that is left to the second order in |s|. */
-function slipAbove(pair, force, start, leaves, until) {
+function slipAbove(pair, force, start, leaves, until, most) {
   const pieces = [];
-  for (let state = start, count = 0; count < 20000; count += 1) {
-    const step = slipStep(pair, force, state, count === 0 ? leaves : null, until - state.t), piece = { ...step, t: state.t };
+  for (let state = start; ;) {
+    if (pieces.length >= most) return { pieces, duration: state.t - start.t, end: null, cut: true };
+    const step = slipStep(pair, force, state, pieces.length === 0 ? leaves : null, until - state.t), piece = { ...step, t: state.t };
     pieces.push(piece);
     state = stateOfSeries(piece, step.length);
     if (state.t >= until) return { pieces, duration: until - start.t, end: null };
@@ -117,7 +118,6 @@ function slipAbove(pair, force, start, leaves, until) {
     const end = { t: state.t + passed, X: plus(state.X, V, passed), V1: V, V2: V, S: [0, 0], x2: plus(state.x2, V, passed) };
     return { pieces, duration: end.t - start.t, end };
   }
-  throw new Error("a slip has too many pieces");
 }
 
 /* The axes of a stick phase: two oscillators, and where they rest. */
@@ -161,7 +161,7 @@ function stuckGuard(axes, span) {
 function stuckAbove(pair, force, start, until) {
   const axes = stuckAxes(pair, force, start), { amplitude, omega } = axes[0].of.sine, segment = { start, axes };
   const span = amplitude === 0 ? Infinity : 1 / Math.max(1, omega);
-  const found = firstRoot(stuckGuard(axes, span), until - start.t, span, (t) => mostLoad(axes, t) <= 1);
+  const found = firstRoot(stuckGuard(axes, span), until - start.t, span, (t) => mostLoad(axes, t) <= 1 + TIE);
   return { ...segment, duration: found ? found.t : until - start.t, end: found && stateAbove(segment, found.t) };
 }
 
@@ -176,20 +176,22 @@ function stateAbove({ start, axes, pieces }, h) {
   return { t: start.t + h, X, V1: V, V2: V, S: [0, 0], x2: plus(start.x2, plus(X, start.X, -1)) };
 }
 
-/* Solve a scene: {scene, pair, force, segments, capped}; a segment is {mode, start, duration, axes or pieces}.
+/* Solve a scene: {scene, pair, force, segments, capped}; a segment is {mode, start, duration, axes or pieces}. It is
+   capped after so many motions, and after MOST_PIECES of slips: a second or so.
    scene: ratio m1/m2, zeta, X, V1, V2 (vectors) at the start, size, angle, omega of the force over b, until. */
 function solveAbove(scene, most = 1000) {
   const pair = pairOf(scene), force = turningForce(scene, pair.r), segments = [];
   let state = { t: 0, X: scene.X, V1: scene.V1, V2: scene.V2, S: plus(scene.V1, scene.V2, -1), x2: scene.X };
-  let mode = size(state.S) > 0 ? "slip" : "", leaves = null;
+  let mode = size(state.S) > 0 ? "slip" : "", leaves = null, room = MOST_PIECES;
   while (segments.length <= most) {
     if (!mode) [leaves, mode] = [leavesAbove(pair, force, state), ""];
     const slips = mode === "slip" || leaves !== null;
-    const found = slips ? slipAbove(pair, force, state, leaves, scene.until) : stuckAbove(pair, force, state, scene.until);
+    const found = slips ? slipAbove(pair, force, state, leaves, scene.until, room) : stuckAbove(pair, force, state, scene.until);
     segments.push({ mode: slips ? "slip" : "stick", start: state, ...found });
-    if (!found.end) return { scene, pair, force, segments, capped: false };
+    if (!found.end) return { scene, pair, force, segments, capped: Boolean(found.cut) };
     [state, mode, leaves] = [found.end, "", null];
-    if (!slips) {
+    if (slips) room -= found.pieces.length;
+    else {
       const p = loadAbove(pair, force, state);
       [mode, leaves] = ["slip", { normal: times(1 / size(p), p), rate: 0 }];
     }

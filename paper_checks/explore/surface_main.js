@@ -143,21 +143,21 @@ function surfaceTab() {
 /* What became of a motion on a surface: {title, text, row}. */
 function regimeAbove(solution) {
   const { scene, pair, segments, capped } = solution, last = segments[segments.length - 1];
-  if (capped) return { title: "Too many events", text: `The first ${segments.length} events are shown. Choose a shorter run.` };
-  const round = scene.size && scene.omega ? turningSentence(solution) : "", row = round ? "rotating-force" : "stuck-ellipses";
+  if (capped) return { title: "Too much for this page", text: `The run is shown up to \u03c4 = ${shown(last.start.t + last.duration)}, ${segments.length} motions. Choose a shorter one, or take the exact integrator.` };
+  const round = scene.size && scene.omega ? turningSentence(solution) : "", known = round ? { row: "rotating-force" } : { row: "stuck-ellipses" };
   const most = last.mode === "stick" ? mostLoad(last.axes, last.duration) : Infinity, energy = energyAbove(solution, last.start);
   const slips = segments.filter(({ mode }) => mode === "slip").length, count = `${slips} slip${slips === 1 ? "" : "s"} so far.`;
-  if (most <= 1) {
+  if (most <= 1 + TIE) {
     const title = segments.length > 1 ? "Merges" : "Sticks for ever", from = `From \u03c4 = ${shown(last.start.t)} on the bodies stick for ever:`;
-    if (round) return { title, text: `${from} the load they need is at most ${shown(most)} b from the end of this run on. ${round}`, row };
+    if (round) return { title, text: `${from} the load they need is at most ${shown(most)} b from the end of this run on. ${round}`, ...known };
     const rest = pair.zeta > 0 ? "they come to rest together." : `their ellipse has the longer half axis ${shown(most)} L, which is at most L, and the energy ${shown(energy)} E_cr (from 1 for a line to 2 for a circle).`;
-    return { title, text: `${from} ${rest}`, row };
+    return { title, text: `${from} ${rest}`, ...known };
   }
-  if (round) return { title: last.mode === "stick" ? "Stick and slip so far" : "Slips", text: round, row };
-  if (pair.zeta > 0) return { title: "Not settled yet", text: `${count} Damping takes the energy; let it run longer.`, row };
-  if (last.mode === "slip") return { title: "Still slipping", text: `${count} E/E_cr = ${shown(energy)} where this slip began.`, row };
+  if (round) return { title: last.mode === "stick" ? "Stick and slip so far" : "Slips", text: round, ...known };
+  if (pair.zeta > 0) return { title: "Not settled yet", text: `${count} Damping takes the energy; let it run longer.`, ...known };
+  if (last.mode === "slip") return { title: "Still slipping", text: `${count} E/E_cr = ${shown(energy)} where this slip began.`, ...known };
   const above = energy > 2 ? "With more than 2 E_cr nothing sticks for ever." : "Between E_cr and 2 E_cr the ellipse decides, not the energy alone.";
-  return { title: "Not merged yet", text: `${count} The last stuck ellipse has the longer half axis ${shown(most, 6)} L, more than L, and E/E_cr = ${shown(energy)}. ${above}`, row };
+  return { title: "Not merged yet", text: `${count} The last stuck ellipse has the longer half axis ${shown(most, 6)} L, more than L, and E/E_cr = ${shown(energy)}. ${above}`, ...known };
 }
 
 /* What is known of a force that goes round, and how close the run has come to it. */

@@ -14,7 +14,7 @@ function sampledAbove(solution, most = 6000) {
    with it; null if that is not settled in this run, or if a damper lets the pair come to rest. */
 function lastingCurve({ pair, force, segments }) {
   const last = segments[segments.length - 1], ring = Array.from({ length: 97 }, (_, n) => n * Math.PI / 48);
-  if (last.mode !== "stick" || mostLoad(last.axes, last.duration) > 1) return null;
+  if (last.mode !== "stick" || mostLoad(last.axes, last.duration) > 1 + TIE) return null;
   if (last.axes[0].of.sine.amplitude !== 0) {
     const radius = pair.zeta > 0 ? steadyResponse(last.axes[0].of, 0)[2] : 0;
     return radius ? ring.map((angle) => [radius * Math.cos(angle), radius * Math.sin(angle)]) : null;

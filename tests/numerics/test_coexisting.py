@@ -118,6 +118,21 @@ def test_a_motion_that_is_not_its_own_opposite_is_found_with_that():
     assert apart(orbit, Orbit(orbit.drive, tuple(replace(one, x=one.x + arb("1e-6")) for one in orbit.legs)))
 
 
+@pytest.mark.long
+def test_a_force_that_favours_no_side_may_carry_body_2_along_for_ever_to_either_side():
+    """With one b and a1 > 0 the only motion is its own opposite and does not travel."""
+    light = Pair("0.163", "0.74", 200, "4.892", "0.199")
+    found = falling(20, 17, Weakening([("0.0192", "3.5242"), ("0.6982", "1.3174")]), light)
+    carried = [one for one in found.motions if abs(one.drift) > 1 and one.attraction.endswith("tend to it")]
+    one, two = (one.drift for one in carried)
+    assert (one + two).contains(0)
+    for motion in carried:
+        period = motion.one_period()
+        assert reference(period).y[2] / float(period.until) == pytest.approx(float(motion.drift), rel=1e-9)
+    drives = {mirrored(one.orbit).legs[0].x.str(9) for one in carried}
+    assert drives == {one.orbit.legs[0].x.str(9) for one in carried}
+
+
 def test_a_box_on_both_sides_of_a_knot_is_not_followed():
     orbit = bistable().motions[2].orbit
     knot = next(k for k, leg in enumerate(orbit.legs) if leg.v - leg.v2 > arb("0.299"))

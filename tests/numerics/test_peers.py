@@ -13,15 +13,17 @@ from scipy.optimize import brentq
 
 from numerics.scene import Force, Law, Pair, Scene, State
 from numerics.scene.file import load_scene
+from numerics.scene.plane import PlanePair, PlaneScene
 from numerics.trade import contenders
-from numerics.trade.comparisons import euler_peer, switched
+from numerics.trade.comparisons import direct, euler_peer, switched
 from numerics.trade.comparisons.peer import PeerFailed, Unsupported
 from numerics.trade.comparisons.switched import Ended, SwitchedPair
 from numerics.trade.contenders import CONTENDERS, answer_of, contender
 from numerics.trade.judge import judge, proved
 from numerics.trade.recorded import OURS
+from numerics.trade.scenes import benchmark
 
-PEERS = [one for one in CONTENDERS if one.label not in OURS]
+PEERS = [one for one in CONTENDERS if one.label not in OURS and "free" in one.kinds]
 PAPER = load_scene("relative-motion-b05")
 SCENES = {
     "paper": PAPER,
@@ -31,9 +33,7 @@ SCENES = {
 # a fine setting, and the digits that it must have there
 FINE = {
     "forward Euler": (1e-5, 1.5),
-    "SciPy RK45": (1e-9, 6),
     "SciPy DOP853": (1e-12, 8),
-    "SciPy LSODA": (1e-9, 5),
     "heyoka": (1e-15, 11),
     "heyoka long double": (1e-18, 13),
 }
@@ -124,3 +124,29 @@ class TestEuler:
     def test_too_many_steps_are_refused(self):
         with pytest.raises(PeerFailed, match="steps"):
             contender("forward Euler").prepare(PAPER, 1e-9)
+
+
+class TestOffTheLine:
+    """A surface, and friction of the speed: the event-driven law has the events, the smoothed one comes nearer."""
+
+    def test_from_event_to_event_it_has_the_events(self):
+        scene = benchmark("surface-stick-slip")
+        found = judge(prepared("SciPy DOP853, events", scene, 1e-4)(), truth_of(scene), scene)
+        assert found.difference is None
+        assert found.digits > 1
+
+    @pytest.mark.parametrize("name", ["surface-stick-slip", "state-weakening"])
+    def test_a_smoothed_law_comes_nearer_with_less_smoothing(self, name):
+        scene = benchmark(name)
+        calls = [prepared("heyoka, smoothed", scene, eps) for eps in (1e-2, 1e-4)]
+        coarse, fine = (judge(call(), truth_of(scene), scene).digits for call in calls)
+        assert fine > max(coarse + 0.5, 1.5)
+
+    def test_it_is_right_for_a_slip_that_no_friction_law_bends(self):
+        """On one slip of constant direction both laws are the same but for eps."""
+        scene = PlaneScene(PlanePair(1, 1, 200, "0.5"), "0.05", v1=["0.6", "0.8"])
+        assert judge(prepared("heyoka, smoothed", scene, 1e-6)(), truth_of(scene), scene).digits > 5
+
+    def test_what_is_not_written_down_is_refused(self):
+        with pytest.raises(Unsupported, match="one piece"):
+            direct.smoothed(catalogue.scene("friction-by-pieces"), 1e-3, "SciPy")

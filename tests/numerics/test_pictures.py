@@ -38,11 +38,6 @@ def test_every_picture_has_a_title_units_and_shaded_sticking(scene, kind):
     plt.close("all")
 
 
-def test_a_picture_of_no_kind_is_refused():
-    with pytest.raises(ValueError, match="velocities, positions, load, force, phase, relative, excess, energy"):
-        solve(PAPER).plot("speed")
-
-
 def overview_of(scene):
     figure = overview(solve(scene))
     FigureCanvasAgg(figure).draw()

@@ -80,9 +80,8 @@ def test_list_in_a_pipe_has_one_line_for_each_claim(capsys):
     assert lines[1 : 1 + len(CLAIMS)] == [claim.id for claim in CLAIMS]
 
 
-@pytest.mark.parametrize("form", ["html", "latex", "html,latex"])
-def test_report_writes_and_complains(small, capsys, tmp_path, form):
-    assert main(["report", "--out", str(tmp_path), "--format", form]) == 1
+def test_report_writes_and_complains(small, capsys, tmp_path):
+    assert main(["report", "--out", str(tmp_path), "--format", "html,latex"]) == 1
     captured = capsys.readouterr()
     assert captured.out.strip().startswith(str(tmp_path))
     assert captured.err == "paper_checks: the figure lost is not known\n"

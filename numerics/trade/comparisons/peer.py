@@ -14,17 +14,18 @@ from typing import Any
 class PeerRun:
     """What one run of an integrator says of a scene; SI units, approximate, in the integrator's own numbers."""
 
-    modes: tuple[int, ...]
-    """The itinerary: the sign of v1 - v2 in every segment, 0 in stick; one more than there are events."""
+    modes: tuple[Any, ...] | None
+    """The itinerary: the sign of v1 - v2 in every segment, 0 in stick; one more than there are events. On a surface
+    words; None where the law is smoothed, which has no events."""
     times: tuple[Any, ...]
     """The times of the events, s."""
     final: tuple[Any, ...]
-    """(x1, v1, x2, v2) at the horizon, m and m/s."""
+    """x1, v1, x2, v2 at the horizon, m and m/s; each by axes on a surface."""
     lost: Any
-    """The energy that friction and viscosity took from t = 0 to the horizon, J."""
+    """The energy that friction and viscosity took from t = 0 to the horizon, J; None where nobody counts it."""
 
     @classmethod
-    def of(cls, mode: int, events: list[tuple[int, Any]], final: Any, lost: Any) -> PeerRun:
+    def of(cls, mode: Any, events: list[tuple[Any, Any]], final: Any, lost: Any) -> PeerRun:
         """Return a run that starts in a mode and enters another one at every event (mode, t)."""
         return cls((mode, *(one for one, _ in events)), tuple(t for _, t in events), tuple(final), lost)
 

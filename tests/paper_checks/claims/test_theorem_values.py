@@ -11,8 +11,8 @@ from flint import arb
 from numerics import Pair, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.free.excursions import excursions
+from numerics.free.frame import Frame
 from numerics.linear.modes import EventKind
-from numerics.trajectory.reduced import Frame
 from numerics.trajectory.status import Status
 from paper_checks.claims import long_time, merging, merging_share, rate, return_map, slips, uniform_rate
 from paper_checks.decide.balls import precision

@@ -74,7 +74,7 @@ def test_axes_have_labels_with_units_and_a_legend(name):
     assert texts(figure) or name in DIRECT
 
 
-QUICK = ("force-needed", "long-time", "start-with-speed")
+QUICK = ("force-needed", "long-time")
 """Drawn twice by the default run, as they take little; the `long` tests draw all of them twice."""
 
 

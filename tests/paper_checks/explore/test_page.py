@@ -120,7 +120,7 @@ def test_a_force_that_the_page_does_not_know_is_refused(force):
 
 def test_the_rows_that_it_names_are_in_the_ledger():
     named = set(re.findall(r'row: "([a-z-]+)"', source()))
-    assert len(named) == 3
+    assert len(named) == 5
     assert named <= {claim.id for claim in CLAIMS}
 
 

@@ -44,7 +44,7 @@ FAULTS = (
     ("inside > 0 ? NEAR : NONE", "1e-4"),
     ("pair.q * (speed + dot(p, state.S)) / inside", "pair.q * speed / inside + 1e-3"),
     ("8 * low * high", "low"),
-    ("mostLoad(axes, t) <= 1)", "mostLoad(axes, t) <= 1.02)"),
+    ("mostLoad(axes, t) <= 1 + TIE", "mostLoad(axes, t) <= 1.02"),
     ("plus(start.x2, plus(X, start.X, -1))", "start.x2"),
 )
 """Changes of the program, each of which a comparison has to see."""
@@ -82,7 +82,8 @@ def test_events_and_states_are_those_of_numerics(answers, runs):
 
 @pytest.mark.parametrize("number", range(len(FAULTS)), ids=[wrong for _, wrong in FAULTS])
 def test_a_fault_in_the_program_is_seen(answers, runs, number):
-    assert any(differs(one, run) for one, run in zip(answers["faulty"][number], runs, strict=True))
+    scene, found = answers["faulty"][number]
+    assert differs(found, runs[scene])
 
 
 def test_a_force_that_goes_round_is_answered_as_in_closed_form(answers):

@@ -60,11 +60,11 @@ class TestWhoIsFaster:
 
     def test_its_most_accurate_run_counts_where_none_is_as_accurate(self):
         less = run("heyoka", "velocities", 3e-3, 12.0), run("heyoka", "velocities", 1e-3, 9.0)
-        assert section.beside(trade_of(*less), ["velocities"], 0) == {"velocities": pytest.approx(3)}
+        assert trade_of(*less).beside("velocities", 0).ratio == pytest.approx(3)
 
     def test_wrong_events_win_nothing(self):
         wrong = run("heyoka", "velocities", 1e-9, 15.0, False)
-        assert section.beside(trade_of(wrong), ["velocities"], 0) == {}
+        assert trade_of(wrong).beside("velocities", 0) is None
 
     def test_nobody_to_compare_with_is_said(self):
         assert all("nobody was measured" in line for line in told()[:2])
