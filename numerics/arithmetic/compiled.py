@@ -35,7 +35,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 _WAITING: list[tuple[Any, Any, Any, dict[str, Any]]] = []
 """Functions that numba has not heard of yet, what stands for them among floats and among pairs, and numba's options."""
 _OPTIONS: dict[Any, dict[str, Any]] = {}
-_ROOMS = ("arithmetic", "linear", "free", "solver")
+_ROOMS = ("arithmetic", "linear", "free", "trajectory", "solver")
 """Where compilable functions are."""
 _ONE_AT_A_TIME = threading.RLock()
 """The threads of a batch may all ask for the same entry first, and numba's cache folder is set for the process."""

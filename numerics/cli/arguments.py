@@ -139,7 +139,7 @@ def _response(asked: argparse.ArgumentParser) -> None:
     ):
         text = f"{what}, in place of the scene's; with {other} also for a scene without a force"
         asked.add_argument(flag, metavar=metavar, help=text)
-    what = "cap on the events in the search for the periodic motion; a period may have a fifth"
+    what = "cap on events: a period of the motion may have a fifth"
     _count(asked, "--max-events", 10_000, what)
 
 

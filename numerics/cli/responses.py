@@ -57,7 +57,9 @@ def _of_motions(found: PeriodicMotions) -> tuple[dict[str, Any], list[str]]:
         "digits": found.digits,
         **edge,
     }
-    lines = [found.sentence, *number_lines(edge, _NAMED), *(line for _, lines in motions for line in lines)]
+    lines = [found.sentence, *number_lines(edge, _NAMED)]
+    for number, (_, (first, *others)) in enumerate(motions, start=1):
+        lines += [f"{number}: {first}", *others]
     return record | {"motions": [one for one, _ in motions]}, lines
 
 

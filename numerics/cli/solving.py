@@ -6,14 +6,13 @@ import argparse
 import json
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any
 
 from numerics.cli.printing import SHOWN
 from numerics.exits import FAILED, OK, USAGE, refuse
 from numerics.shown import write_figure
 
 if TYPE_CHECKING:
-    from numerics.plane.trajectory import PlaneTrajectory
     from numerics.trajectory.trajectory import Trajectory
 
 LABELS = {"energy_excess": "energy excess E/E_cr - 1"}
@@ -31,22 +30,19 @@ def solve_scene(options: argparse.Namespace) -> int:
     if wrong is not None:
         return refuse(wrong, USAGE)
     scene: Scene | PlaneScene = load_scene(options.scene)
+    asked: dict[str, Any] = {
+        "digits": options.digits,
+        "arithmetic": options.arithmetic or (None if options.digits else "ball"),
+        "max_events": options.max_events,
+        "max_digits": options.max_digits,
+        "progress": _progress if sys.stderr.isatty() else None,
+    }
     if isinstance(scene, PlaneScene):
         from numerics.cli import surface
 
         wrong = surface.wrong_use(options)
-        if wrong is not None:
-            return refuse(wrong, USAGE)
-    trajectory = solve(
-        scene,
-        digits=options.digits,
-        arithmetic=options.arithmetic or (None if options.digits else "ball"),
-        max_events=options.max_events,
-        max_digits=options.max_digits,
-        progress=_progress if sys.stderr.isatty() else None,
-    )
-    if isinstance(scene, PlaneScene):
-        return surface.print_surface(cast("PlaneTrajectory", trajectory), options)
+        return surface.print_surface(solve(scene, **asked), options) if wrong is None else refuse(wrong, USAGE)
+    trajectory = solve(scene, **asked)
     if options.explain:
         print(explanation(trajectory), file=sys.stderr)
     if options.npz is not None:

@@ -54,7 +54,7 @@ def _explanation(trajectory: PlaneTrajectory) -> str:
     """Return which arithmetic answered, what was tried before, and what its digits mean."""
     tried = f" (before: {trajectory.tried})" if trajectory.tried else ""
     how = "digits count relative to each number, near 0 to the largest of its axis along the run"
-    working = f"{trajectory.arithmetic.name} from balls with {trajectory.arithmetic.digits} working digits"
+    working = f"{trajectory.arithmetic.name}, from a path with {trajectory.arithmetic.digits} working digits"
     return f"{working}{tried}; {len(trajectory.events)} events located one by one; {how}"
 
 

@@ -180,7 +180,8 @@ def response(
         nonlocal orbits, starts
         growth = resonant_growth(drive)
         if growth > 0:
-            return (_growing(drive, known, growth, digits),), [growth]
+            grows = Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
+            return (grows,), [growth]
         sticks = entrained(drive) or others_stick(drive, known)
         if orbits:
             orbits = [solve_orbit(one, tell) for one in orbits]
@@ -196,10 +197,6 @@ def response(
     is_all = drive.has_one_motion or motions[0].regime is Regime.GROWS
     without = tuple(replace(one, thresholds=None) for one in motions)
     return cast("Response", PeriodicMotions(drive, without, known and known.entrainment, starts, is_all, digits))
-
-
-def _growing(drive: Drive, known: Thresholds | None, growth: arb, digits: int) -> Response:
-    return Response(drive, Regime.GROWS, known, None, None, None, growth, "every motion grows", digits)
 
 
 def _numbers(found: Response) -> list[arb]:

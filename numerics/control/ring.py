@@ -219,12 +219,11 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 
 def stretches(trajectory: Trajectory) -> list[Passage]:
     """Return the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
-    pieces, found = pieces_of(trajectory.scene), []
-    for leg in legs(trajectory):
-        piece = pieces[leg.piece]
-        mode = mode_in(trajectory.scene, piece, leg.side, leg.cell)
-        found.append(Passage(leg.start, leg.end, mode.motion(leg.state, leg.start)))
-    return found
+    scene, pieces = trajectory.scene, pieces_of(trajectory.scene)
+    return [
+        Passage(one.start, one.end, mode_in(scene, pieces[one.piece], one.side, one.cell).motion(one.state, one.start))
+        for one in legs(trajectory)
+    ]
 
 
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:

@@ -32,8 +32,6 @@ from numerics.plane.window import wide
 
 _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
-_NARROW = 2.0**-20
-"""How well the direction of a slip is known where its end is decided."""
 _OFTEN = 8
 """Steps of a slip between two questions whether it has settled."""
 _SHORT = 2.0**-20
@@ -147,6 +145,11 @@ class Run(Path):
                 self.land()
 
     @property
+    def narrow(self) -> arb:
+        """Return how well the direction of a slip is to be known where its end is decided."""
+        return arb((1, -(self.system.bits // 6)))
+
+    @property
     def enough(self) -> arb:
         """Return what N may grow by where a slip begins or ends: a rounding of velocities, some bits larger."""
         return self.eps * 2**12 * self.sizes[1] * max_of(self.system.root_m1 + self.system.root_m2)
@@ -182,7 +185,7 @@ class Run(Path):
             jump = [abs(x[0] - y) for x, y in zip(curve.s, at.s, strict=True)]
             added = found.norm + system.norm(still, jump, still)
             norm = (self.norm + added).upper()
-            if not (added < self.enough / 2**7 + self.norm / 8 and _NARROW * slowest > 4 * drive.reach * norm):
+            if not (added < self.enough / 2**7 + self.norm / 8 and self.narrow * slowest > 4 * drive.reach * norm):
                 return False
             if root is None:
                 self.go_on(curve, SLIP, arb(1), norm, ends=ends)
@@ -222,7 +225,7 @@ class Run(Path):
         curve = Curve(at.piece, t, q1, v2, s, self.apart_of(s, t), impulse)
         found = defect(system, curve, [h * x.rad() for x in f])
         norm = (self.norm + found.norm).upper()
-        if not (found.norm < 2 * enough and 4 * drive.reach * norm < size * _NARROW):
+        if not (found.norm < 2 * enough and 4 * drive.reach * norm < size * self.narrow):
             return
         if drive.strain(load) < 1 or drawn_to(system, drive, load, at.s) is not None:
             self.end(curve, norm, [arb_poly([x]) for x in at.s], size)
@@ -230,13 +233,13 @@ class Run(Path):
     def end(self, curve: Curve, norm: arb, slip: Sequence[arb_poly], slowest: arb) -> None:
         """Go along s = (1 - x) S to s = 0; the motion slips up to a time `early` before, when h(s) is 2 sup h(N).
 
-        At a time early/_NARROW its direction is that of S up to _NARROW.
+        At a time early/narrow its direction is that of S up to `narrow`.
         """
         system, drive = self.system, self.system.pieces[curve.piece]
         self.go_on(curve, SLIP, arb(1), norm, ends=False)
         self.at = self.at._replace(s=[arb(0)] * system.n)
         part = (2 * drive.reach * self.norm / slowest).upper()
-        near_end = arb(1) - arb(0).union(part / _NARROW)
+        near_end = arb(1) - arb(0).union(part / self.narrow)
         self.arrive(part * curve.t[1], [p(near_end) for p in slip])
 
     def stop(self) -> None:
@@ -256,7 +259,7 @@ class Run(Path):
         """Go on from s = 0, where |s|_{kap^-1} <= N: it sticks if the load is inside K, and passes if it is outside."""
         system, drive = self.system, self.system.pieces[self.at.piece]
         length = sum((x * x / k for x, k in zip(s, system.kappa, strict=True)), arb(0)).sqrt()
-        s_wide = [wide(x, length * _NARROW * root) for x, root in zip(s, system.apart, strict=True)]
+        s_wide = [wide(x, length * self.narrow * root) for x, root in zip(s, system.apart, strict=True)]
         weak = min_of([b * root for b, root in zip(drive.b, system.apart, strict=True)])
         inside = drive.strain(self.load()) < 1
 
@@ -267,7 +270,7 @@ class Run(Path):
             return (1 - sqrt(strain)) * weak if strain < 1 else None
 
         about = rate(self.load())
-        window = early / _NARROW + 2 * self.norm / about if about is not None else arb(0)
+        window = early / self.narrow + 2 * self.norm / about if about is not None else arb(0)
         near = self.load(window)
         fall = rate(near)
         outside = bool(drive.strain(near) > 1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from numerics.arithmetic.ball import Ball
 from numerics.arithmetic.double_numbers import DoubleDouble
@@ -19,6 +19,9 @@ from numerics.trajectory.dense import require_times
 from numerics.trajectory.digits import proved_digits
 from numerics.trajectory.run import MAX_EVENTS, Progress, free_scene, run_scene
 from numerics.trajectory.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from numerics.plane.trajectory import PlaneTrajectory
 
 ArithmeticName = Literal["float64", "double-double", "mpmath", "ball"]
 MAX_DIGITS = 20_000
@@ -46,6 +49,32 @@ class _Limits(NamedTuple):
         return run_scene(scene, arithmetic, self.events, self.progress)
 
 
+@overload
+def solve(
+    scene: PlaneScene,
+    *,
+    digits: int | None = None,
+    arithmetic: ArithmeticName | None = None,
+    t_eval: Sequence[Any] | None = None,
+    max_events: int = MAX_EVENTS,
+    max_digits: int = MAX_DIGITS,
+    progress: Progress | None = None,
+) -> PlaneTrajectory: ...
+
+
+@overload
+def solve(
+    scene: Scene,
+    *,
+    digits: int | None = None,
+    arithmetic: ArithmeticName | None = None,
+    t_eval: Sequence[Any] | None = None,
+    max_events: int = MAX_EVENTS,
+    max_digits: int = MAX_DIGITS,
+    progress: Progress | None = None,
+) -> Trajectory: ...
+
+
 def solve(
     scene: Scene | PlaneScene,
     *,
@@ -55,7 +84,7 @@ def solve(
     max_events: int = MAX_EVENTS,
     max_digits: int = MAX_DIGITS,
     progress: Progress | None = None,
-) -> Trajectory:
+) -> Trajectory | PlaneTrajectory:
     """Solve a scene and return its Trajectory; `arithmetic.name` says what answered, `tried` what did not, and why.
 
     Of a PlaneScene it is a PlaneTrajectory (plane/solve.py).
@@ -103,7 +132,7 @@ def solve(
         from numerics.plane.solve import solve_plane
 
         asked: dict[str, Any] = {"digits": digits, "arithmetic": arithmetic, "t_eval": t_eval, "progress": progress}
-        return cast("Trajectory", solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits))
+        return solve_plane(scene, solve, **asked, max_events=max_events, max_digits=max_digits)
     limits = _Limits(max_events, max_digits, progress)
     found = _solve(scene, digits, arithmetic, limits)
     return found if t_eval is None else found.but(t_eval=t_eval)

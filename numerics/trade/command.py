@@ -46,8 +46,6 @@ def print_ratios(trade: Any) -> None:
     for one in trade.sweeps:
         digits = f"{one.digits:.0f} and {one.peer_digits:.1f} digits, {one.peer_wrong} wrong"
         print(f"{one.scene}, {one.size} at once: {one.ratio:.3g}, {digits}")
-    if trade.sine_cosines:
-        print(f"sine-cosines for an event in balls of 10,000 digits: {trade.sine_cosines:.3g}")
 
 
 def print_trade(trade: Any) -> None:

@@ -14,9 +14,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 import numpy as np
-from flint import arb
 
-from numerics.arithmetic.ball import Ball
 from numerics.errors import NumericsError
 from numerics.scene import Scene, State
 from numerics.solver.many import solve_many
@@ -76,8 +74,7 @@ def trade(
         for scene in (one for one in SWEPT if one in scenes):
             progress(f"{scene}: {size.sweep} at once")
             sweeps.append(swept(scene, size.sweep, size.budget))
-    balls = sine_cosines(size.budget) if contender("ball") in everyone and HEADLINE in scenes else None
-    return Trade(of, left_out, {name: why(name) for name in scenes}, tuple(runs), tuple(sweeps), balls)
+    return Trade(of, left_out, {name: why(name) for name in scenes}, tuple(runs), tuple(sweeps))
 
 
 def selected(
@@ -189,10 +186,3 @@ def swept(name: str, size: int, budget: float) -> Sweep:
     reached = -np.log10(max(apart[~wrong].max(initial=0.0), 1e-16))
     ratio, digits = short(in_turns(ours, theirs, budget)), float(batch.digits.min())
     return Sweep(name, ratio or 0.0, size, digits, short(reached) or 0.0, int(wrong.sum()))
-
-
-def sine_cosines(budget: float) -> float | None:
-    """Return how many sine-cosines of so many digits an event of the headline scene takes in balls."""
-    call = contender("ball").prepare(benchmark(HEADLINE), DIGITS)
-    with Ball(DIGITS).context():
-        return short(1 / in_turns(call, arb(2).rsqrt().mid().sin_cos, budget) / len(answer_of(call()).times))

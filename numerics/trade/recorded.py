@@ -6,7 +6,6 @@ the extras `comparisons` and `compiled` it is made, in some minutes, by
     python -m numerics trade --json > trade.json && mv trade.json numerics/trade/recorded.json
 
     {"command": how it was made, "machine": {...}, "left_out": {name: what it needs}, "scenes": {name: why},
-     "sine_cosines": those of 10,000 digits that an event takes in balls of as many,
      "sweeps": [[scene, ratio, scenes at once, digits of ours, of heyoka, how many heyoka has wrong], ...],
      "runs": [[scene, who, setting, seconds, digits, note], ...]}
 
@@ -37,7 +36,7 @@ COMMAND = "python -m numerics trade --json"
 PACKAGES = ("numpy", "python-flint", "mpmath", "numba", "scipy", "heyoka")
 OURS, PEERS = ("solve", "ball"), ("heyoka", "heyoka long double", "heyoka, smoothed")
 """Ours, and whom it is measured against: the fastest integrator of its kind that we know."""
-ASKED = {0: "`solve(scene)`, float64", 12: "`digits=12`", 20: "`digits=20`"}
+ASKED = {0: "`solve(scene)`", 12: "`digits=12`", 20: "`digits=20`"}
 """Our settings, as a user writes them."""
 NONE = "no answer: "
 
@@ -101,7 +100,6 @@ class Trade:
     scenes: dict[str, str]
     runs: tuple[Run, ...]
     sweeps: tuple[Sweep, ...] = ()
-    sine_cosines: float | None = None
 
     def of(self, scene: str, who: str | None = None) -> list[Run]:
         """Return the runs on one scene, of all or of one contender."""

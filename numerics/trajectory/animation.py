@@ -101,8 +101,6 @@ class _Bodies:
 
     def __init__(self, ax: Any, y: Floats) -> None:
         """Draw both at rest in axes as wide as the positions y[0], y[2] (m) need."""
-        from matplotlib.patches import Rectangle
-
         self.size = size = max(float(np.abs(y[[0, 2]]).max()), 1e-300)
         self.wall, low, high = -7 * size, float(y[[0, 2]].min()), float(y[[0, 2]].max())
         ax.set(xlim=(self.wall - 0.3 * size, high + 4 * size), ylim=(-0.2, 2.6), yticks=[], xlabel="x1, x2 (m)")
@@ -110,8 +108,8 @@ class _Bodies:
         ax.axhline(0.0, color=GRAY, lw=1)
         for place in (low, high):
             ax.plot([place, place], [0, 2.5], color=GRAY, lw=0.6, ls=":")
-        self.first = ax.add_patch(Rectangle((0, 0.05), 6 * size, 1.0, facecolor=BLUE, alpha=0.6))
-        self.second = ax.add_patch(Rectangle((0, 1.15), 2.4 * size, 0.9, facecolor=ORANGE, alpha=0.6))
+        widths, heights = (6 * size, 2.4 * size), (1.0, 0.9)
+        self.first, self.second = ax.bar((0, 0), heights, widths, (0.05, 1.15), color=(BLUE, ORANGE), alpha=0.6)
         self.spring = ax.plot([], [], color="black", lw=1)[0]
         self.joint = ax.plot([], [], lw=3)[0]
         self.zigzag = np.tile([0.4, 0.7], _TURNS)

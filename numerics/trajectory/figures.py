@@ -95,22 +95,25 @@ def _mark_events(trajectory: Solution, ax: Any, across: int | None, up: int) -> 
             ax.plot(x, number(y[:, up]), marker, color="black", ms=4, mfc="none", label=label, ls="none")
 
 
+def _both_bodies(curve: Curve, ax: Any, row: int) -> None:
+    ax.plot(curve.t, curve.y[row], **FIRST)
+    ax.plot(curve.t, curve.y[row + 2], **SECOND)
+
+
 def _velocities(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    ax.plot(curve.t, curve.y[1], **FIRST)
-    ax.plot(curve.t, curve.y[3], **SECOND)
+    _both_bodies(curve, ax, 1)
     _mark_events(trajectory, ax, None, 1)
     ax.set_ylabel("$v_1$, $v_2$ (m/s)")
 
 
 def _positions(trajectory: Solution, curve: Curve, ax: Any) -> None:
     scene = trajectory.scene
-    ax.plot(curve.t, curve.y[0], **FIRST)
-    ax.plot(curve.t, curve.y[2], **SECOND)
+    _both_bodies(curve, ax, 0)
     if scene.pair.a1 == 0 and not scene.friction.weakening:
         stiffness, share = float(scene.pair.a2), float(scene.pair.mass / scene.pair.m2)
-        t, centre, half = curve.t, curve.u / stiffness, curve.b * share / stiffness
-        ax.plot(t, centre + half, color="black", lw=0.8, ls=":", label="edges of $S_0$, for $x_1$")
-        ax.plot(t, centre - half, color="black", lw=0.8, ls=":")
+        edges = np.stack([curve.u + curve.b * share, curve.u - curve.b * share], axis=1) / stiffness
+        label = ["edges of $S_0$, for $x_1$", "_"]
+        ax.plot(curve.t, edges, color="black", lw=0.8, ls=":", label=label)
     ax.set_ylabel("$x_1$, $x_2$ (m)")
 
 
@@ -138,10 +141,12 @@ def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
 def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
     w, given = curve.y[1] - curve.y[3], friction_on_body_2(trajectory, curve)
-    for kept, how in ((~curve.stick, {"color": ORANGE, "lw": 0.8}), (curve.stick, {"color": BLUE, "lw": 2.0})):
+    for kept, color, width, label in (
+        (~curve.stick, ORANGE, 0.8, "slip"),
+        (curve.stick, BLUE, 2.0, "friction in stick"),
+    ):
         if kept.any():
-            label = "slip" if how["color"] == ORANGE else "friction in stick"
-            ax.plot(np.where(kept, w, np.nan), np.where(kept, given, np.nan), label=label, **how)
+            ax.plot(*np.where(kept, (w, given), np.nan), color=color, lw=width, label=label)
     ax.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)")
 
 

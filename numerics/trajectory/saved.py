@@ -138,7 +138,7 @@ def read(file: str | Path, restore: Callable[[dict[str, Any], dict[str, Any]], A
             header = header_of(archive["header"].tobytes().decode())
             arrays = {name: archive[name] for name in ("rows", "end") if name in archive}
         return restore(header, arrays)
-    except (KeyError, IndexError, TypeError, ValueError, ArithmeticError, EOFError, zipfile.BadZipFile) as error:
+    except (LookupError, TypeError, ValueError, AttributeError, ArithmeticError, EOFError, zipfile.BadZipFile) as error:
         reason = " ".join(str(error).split())[:200]
         raise InvalidFile(f"{str(path)!r} holds no saved trajectory: {reason}; {_REMEDY}") from None
 

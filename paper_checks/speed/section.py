@@ -47,7 +47,7 @@ def section(trade: Trade) -> Section:
         Picture(
             WORK_PRECISION,
             "One panel for each scene: the further up and to the left, the better. Filled: the events are right; hollow: they are wrong, "
-            "however many digits agree. The last panel: time for an excursion on longer and longer horizons; flat is good.",
+            "however many digits agree.",
             "Right digits against time",
         ),
         *provenance(trade),

@@ -16,7 +16,7 @@ from numerics.control.response import response
 from numerics.control.tracking import track
 from numerics.control.transfer import fastest_transfer
 from numerics.linear.modes import Mode
-from numerics.scene import Force, Pair, Scene, State
+from numerics.scene import Force, Friction, Pair, Scene, State, Weakening
 from numerics.scene.file import load_reference, load_scene, parse_scene
 from numerics.scene.writing import scene_text
 from numerics.solver.solve import solve
@@ -74,6 +74,20 @@ def test_the_energy_excess_is_told_where_its_unit_means_something(capsys):
         assert ("E_cr" in capsys.readouterr().out) is is_told
     assert main(["solve", "forced-step", "--json"]) == 0
     assert "energy_excess" in json.loads(capsys.readouterr().out)["final"]
+
+
+def test_response_tells_every_motion_of_a_falling_friction(tmp_path, capsys):
+    file, drawn = tmp_path / "falling.toml", tmp_path / "motions.svg"
+    law = Friction((), Weakening([("0.3", "0.15")]))
+    pair = Pair(1, 1, 200, "0.5", "0.2")
+    file.write_text(scene_text(Scene(pair, State(), 1, force=Force.sine("0.45", 14), friction=law)), "utf-8")
+    found = told(capsys, "response", str(file), "--digits", "6", "--plot", str(drawn))
+    assert [one["regime"] for one in found["motions"]] == ["entrained", "non-stop", "non-stop"]
+    assert [len(one["events"]) for one in found["motions"]] == [0, 2, 2]
+    assert "may be more" in found["sentence"]
+    assert not found["is_all"]
+    assert all("slips_for_ever" not in one for one in found["motions"])
+    assert drawn.stat().st_size > 10_000
 
 
 def test_a_wrong_orbit_is_refused_by_the_second_solve():

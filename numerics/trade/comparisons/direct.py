@@ -1,6 +1,6 @@
 """A pair on n axes, or with friction of its speed, as a user of an integrator writes it down: y = (q1, v1, q2, v2).
 
-    f = B^2 s/h(s) B(|s|)/b,  h(s) = |B s|,  s = v1 - v2,  Lam = M2 (M1 + M2)^-1 (u - A2 q1 - A1 v1)
+    f = B^2 s/h(s) (1 + slope |s|/b),  h(s) = |B s|,  s = v1 - v2,  Lam = M2 (M1 + M2)^-1 (u - A2 q1 - A1 v1)
 
 Smoothed: h(s)^2 + (b eps)^2 in the place of h(s)^2; eps is the setting, by the pair's own speed. There are no events.
 By events, on a surface: stick until |B^-1 Lam| rises to 1; slip until h(s) is down to a tenth of the root of the
@@ -11,7 +11,6 @@ but for O(h^2). A slip begins along B^-2 Lam; its direction is frozen for a firs
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -41,12 +40,9 @@ class Direct:
         self.speed = max(self.b / self.share / springs) / self.time
         self.sizes = np.repeat([self.speed * self.time, self.speed] * 2, len(self.b))
         weakening = scene.friction.weakening if line else None
-        knots = [(0.0, self.b[0]), *(np.array(weakening.speed, float) if weakening else ())]
-        slopes = [(d - c) / (w - v) for (v, c), (w, d) in pairwise(knots)]
-        slopes.append(float(weakening.last_slope) if weakening else 0.0)
-        bends = np.diff([0.0, *slopes]) / self.b[0]
-        self.bends = [(v, bend) for (v, _), bend in zip(knots, bends, strict=True) if bend]
-        """B(|s|)/b = 1 + sum bend max(|s| - v, 0)."""
+        if weakening and (weakening.speed or weakening.place):
+            raise Unsupported("friction is written down for this integrator as one slope of the speed")
+        self.slope = float(weakening.last_slope) / self.b[0] if weakening else 0.0
 
     def load(self, t: Any, y: Vector, sin: Any = math.sin) -> Vector:
         """Return Lam."""
@@ -58,11 +54,10 @@ class Direct:
         ]
         return self.share * (np.array(u) - self.a2 @ q - self.a1 @ v)
 
-    def friction(self, s: Vector, least: float = 0.0, sqrt: Any = math.sqrt, relu: Any = lambda x: max(x, 0.0)) -> Any:
+    def friction(self, s: Vector, least: float = 0.0, sqrt: Any = math.sqrt) -> Any:
         """Return f, with h(s)^2 + least for h(s)^2."""
         h = sqrt(sum((self.b * s) ** 2) + least)
-        more = 1.0 + sum(bend * relu(h / self.b[0] - v) for v, bend in self.bends)
-        return self.b**2 * s * (more / h)
+        return self.b**2 * s * ((1.0 + self.slope * h / self.b[0]) / h)
 
     def rates(self, load: Vector, y: Vector, f: Vector) -> Vector:
         """Return y'."""
@@ -71,13 +66,13 @@ class Direct:
 
 
 def smoothed(scene: Any, eps: float, integrator: str) -> Call:
-    """Prepare SciPy's Radau or heyoka for the smoothed law; its error is about eps, its tolerance eps/1000."""
+    """Prepare SciPy's Radau or heyoka for the smoothed law; its error is about eps, Radau's tolerance eps/1000."""
     pair, tol = Direct(scene), eps / 1000
     least = (eps * pair.speed * max(pair.b)) ** 2
 
-    def field(t: Any, y: Vector, sin: Any, *functions: Any) -> Vector:
+    def field(t: Any, y: Vector, sin: Any, sqrt: Any = math.sqrt) -> Vector:
         _, v1, _, v2 = np.split(y, 4)
-        return pair.rates(pair.load(t, y, sin), y, pair.friction(v1 - v2, least, *functions))
+        return pair.rates(pair.load(t, y, sin), y, pair.friction(v1 - v2, least, sqrt))
 
     def answer(good: bool, y: Vector) -> PeerRun:
         if not good:
@@ -88,8 +83,8 @@ def smoothed(scene: Any, eps: float, integrator: str) -> Call:
         import heyoka as hy
 
         y = np.array(hy.make_vars(*(f"y{k}" for k in range(len(pair.start)))))
-        system = list(zip(y, field(hy.time, y, hy.sin, hy.sqrt, hy.relu), strict=True))
-        one = hy.taylor_adaptive(system, pair.start, tol=max(tol, 1e-15))
+        system = list(zip(y, field(hy.time, y, hy.sin, hy.sqrt), strict=True))
+        one = hy.taylor_adaptive(system, pair.start, tol=1e-15)  # its steps are many: coarser ones add up
 
         def run() -> PeerRun:
             one.time, one.state[:] = 0.0, pair.start

@@ -73,7 +73,7 @@ class TestWhoIsFaster:
         ours = replace_setting(run("solve", "velocities", 2e-3, 14.0), 12.0)
         lines = [*section.lines(trade_of(ours, run("heyoka long double", "velocities", 1e-3, 18.0)))]
         assert lines == [
-            ("`solve(scene)`, float64, without a force", "1", "1", "1", "none"),
+            ("`solve(scene)`, without a force", "1", "1", "1", "none"),
             ("`digits=12`, without a force", "1", "0.5", "0.5", "velocities"),
         ]
 

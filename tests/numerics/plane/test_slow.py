@@ -1,0 +1,89 @@
+"""Slips that graze or settle, against their own steps; what windows and passages claim, at the edge of the truth."""
+
+from fractions import Fraction
+
+import pytest
+from flint import arb
+
+from numerics import solve
+from numerics.arithmetic.ball import Ball
+from numerics.plane import run as running
+from numerics.plane.passage import drawn_to
+from numerics.plane.reduced import reduced
+from numerics.plane.run import Run
+from numerics.plane.system import System
+from numerics.plane.window import around
+from numerics.scene.file import load_scene
+from numerics.scene.plane import PlanePair, PlaneScene
+
+PAIR = PlanePair("0.5", 1, 200, "0.5")
+HALF_WIDTH, RATE = Fraction(15, 4000), Fraction(400, 3)
+"""L = b M/(a2 m2) of the pair, and its Omega^2."""
+
+
+def stuck_on_an_ellipse(excess, minor, until):
+    """Return a scene that starts stuck at the tip of an ellipse with the semi-axes L (1 + excess) and minor L."""
+    with Ball(60).context():
+        speed = (Ball.number(HALF_WIDTH * Fraction(minor)) * Ball.number(RATE).sqrt()).str(40, radius=False)
+    return PlaneScene(PAIR, until, x1=[HALF_WIDTH * (1 + Fraction(excess)), 0], v1=[0, speed], v2=[0, speed])
+
+
+@pytest.mark.parametrize("minor", ["0.3", "0.7"])
+def test_the_creep_of_an_ellipse_sees_its_squared_eccentricity(minor):
+    """From tip to tip 1/(A^2/L^2 - 1) grows by (9/4) (m2/m1)/e^2, A semi-major: so t (E - E_inf) has a limit."""
+    found, rests = solve(stuck_on_an_ellipse("1e-5", minor, "0.6"), digits=20), []
+    with found.context():
+        for one in found.events:
+            if one.after == "stick":
+                (x, y), (v, w) = one.y.x1, one.y.v1
+                total = x * x + y * y + (v * v + w * w) / Ball.number(RATE)
+                area = x * w - y * v
+                larger = (total + (total * total - 4 * area * area / Ball.number(RATE)).sqrt()) / 2
+                rests.append(1 / (larger / Ball.number(HALF_WIDTH**2) - 1))
+        squared = 1 - float(minor) ** 2
+    assert len(rests) > 1
+    assert float(rests[1] - rests[0]) * squared * 4 / 9 / 2 == pytest.approx(1, rel=1e-4)
+
+
+def test_circles_merge_after_one_slip_whose_time_does_not_see_the_excess():
+    ends = []
+    for excess in ("1e-4", "1e-8"):
+        (event,) = solve(stuck_on_an_ellipse(excess, 1 + Fraction(excess), 3), digits=15).events
+        assert event.after == "stick"
+        ends.append(float(event.t))
+    assert ends[0] == pytest.approx(ends[1], rel=1e-3)
+
+
+def test_a_slip_that_has_settled_is_the_one_that_steps_find(monkeypatch):
+    scene = load_scene("plane-circle-merges")
+    settled = solve(scene, digits=15)
+    monkeypatch.setattr(running, "_OFTEN", 10**9)
+    (event,), (other,) = settled.events, solve(scene, digits=15).events
+    with settled.context():
+        assert event.t.overlaps(other.t)
+        assert all(x.overlaps(y) for p, q in zip(event.y, other.y, strict=True) for x, y in zip(p, q, strict=True))
+
+
+def test_what_holds_in_a_window_holds_and_a_window_that_is_too_long_is_refused():
+    scene = load_scene("plane-slip-turns")
+    run, found = Run(System(reduced(scene), 30), 10, 10), solve(scene, digits=15)
+    window = Fraction(1, 1000)
+    with run.system.fine():
+        near = around(run.system, run.at, arb(0), Ball.number(window))
+        moved = [x - y for x, y in zip(found.sol(window)[3:6], found.sol(0)[3:6], strict=True)]
+        passed = Ball.number(window)
+        assert all(abs(x) < rate * passed for x, rate in zip(moved, near.first, strict=True))
+        assert not all(abs(x) < rate * passed / 4 for x, rate in zip(moved, near.first, strict=True))
+        assert around(run.system, run.at, arb(0), arb(1)) is None
+
+
+@pytest.mark.parametrize(("load", "passes"), [("1.04", True), ("1.06", False)])
+def test_a_slip_is_drawn_through_rest_up_to_the_load_at_which_its_direction_is_no_minimum(load, passes):
+    """b_x^2 kap = b_y kap (b_y + |Lam|) at |Lam| = 1.05: PLANE's condition, at its edge."""
+    system = System(reduced(PlaneScene(PlanePair(2, 2, 1, ["0.5", "0.2"]), 1, x1=["0.1", "0.1"])), 30)
+    with system.fine():
+        along = [arb(0, 1e-6), arb(-1, 1e-6)]
+        psi = drawn_to(system, system.pieces[0], [arb(0), arb(load)], along)
+        assert (psi is not None) == passes
+        assert passes != (psi is None or not psi > 1)
+        assert drawn_to(system, system.pieces[0], [arb(0), arb(load)], [arb(0, 1), arb(-1)]) is None
