@@ -27,10 +27,10 @@ def value_of(claim_id, beginning):
 
 
 def test_the_threshold_has_fifty_digits():
-    assert "0.5578390907215263120660191803836715226398464348069" in value_of("critical-mass-ratio", "r* =")
-    assert "0.7926316327286585619957260792416169570660259003587" in value_of("critical-mass-ratio", "m1/m2 = -cos")
-    assert "1.261620100320081235309400233086105366758358277743" in value_of("critical-mass-ratio", "m2/m1 =")
-    assert "3.797275743253600858209591026138283661307880652212" in value_of("critical-mass-ratio", "theta* =")
+    assert "0.5578390907215263120660191803836715226398464348069" in value_of("merging-set", "r* =")
+    assert "0.7926316327286585619957260792416169570660259003587" in value_of("merging-set", "m1/m2 = -cos")
+    assert "1.261620100320081235309400233086105366758358277743" in value_of("merging-set", "m2/m1 =")
+    assert "3.797275743253600858209591026138283661307880652212" in value_of("merging-set", "theta* =")
 
 
 def test_the_same_ray_is_not_the_opposite_one():
