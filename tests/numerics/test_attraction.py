@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from control_scenes import referred
+from control_scenes import solved
 from flint import arb, arb_mat
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -46,7 +46,7 @@ def norm(pair: Pair, vector: np.ndarray) -> float:
 
 
 def after_a_period(orbit: Orbit, t: Fraction, moved: np.ndarray) -> np.ndarray:
-    """(x1, v1, v2) a period after a start beside the orbit at time t, by the independent reference."""
+    """(x1, v1, v2) a period after a start beside the orbit at time t."""
     at = Ball.number(t)
     x1, v1, _, v2 = (Fraction(float(one.mid())) for one in passage_at(orbit, at).state(at))
     piece, more = orbit.drive.piece, [Fraction(float(one)) for one in moved]
@@ -54,7 +54,7 @@ def after_a_period(orbit: Orbit, t: Fraction, moved: np.ndarray) -> np.ndarray:
     start = State(x1=x1 + more[0], v1=v1 + more[1], v2=v2 + more[2])
     period = Fraction(float(orbit.drive.period.mid()))
     scene = Scene(orbit.drive.pair, start, until=period, force=Force((Piece(0, piece.polynomial, sines),)))
-    end = referred(scene).state()
+    end = solved(scene).final_state
     return np.array([float(end[0]), float(end[1]), float(end[3])])
 
 
