@@ -1,6 +1,5 @@
 """Any scene's answer is a motion of it; and what is not quite one is seen."""
 
-from dataclasses import replace
 from fractions import Fraction
 from types import SimpleNamespace
 
@@ -10,9 +9,10 @@ from flint import arb
 from hypothesis import given
 from inclusion import faults, motion
 from reaching import LeftOut, reaching
+from scene_files import scenes_in
 from strategies import driven_scenes, long_slips, near_critical, scenes, weakened_scenes
 
-from numerics import Force, Friction, Law, Pair, Scene, State, Weakening
+from numerics import Law
 from numerics.errors import EventUndecided
 from numerics.scene.file import load_scene
 from numerics.trajectory.derivatives import parameters
@@ -43,32 +43,16 @@ def test_any_answer_is_a_motion(kind):
     holds()
 
 
-LIGHT = Pair("0.5", "0.5", 3, 1, a1="2.4")
-WITH_EVERYTHING = Scene(
-    Pair(1, 1, 200, "0.5", "0.3"),
-    State("0.003", "0.5", 0, "-0.1"),
-    "1.2",
-    force=Force.step("0.1", 1) + Force.sine("1.5", 8, "0.2"),
-    friction=Friction([("1.1", "0.8")], Weakening([("0.05", "0.3")], "0.4", [("-0.02", "-0.1"), ("0.02", "0.1")])),
-)
-FOUND = [
-    Scene(Pair(2, 1, 3, 1, a1=1), State(x1=Fraction(-1, 3), v2=-3), 20),
-    Scene(Pair(1, 1, 3, 1, a1=2), State(Fraction(2, 9), Fraction(2, 3), 0, Fraction(2, 3)), 20),
-    Scene(LIGHT, State("2.6", "2.4", 0, "-3.9"), 20),  # a contact was passed over
-    Scene(Pair(1, "0.5", 3, 1, a1="2.6"), State("-3.9", "2.4", 0, "1.8"), 20),  # an exit was passed over
-    Scene(Pair(1, 1, 200, "0.5", a1=40), State(x1=1, v1=2), 20),
-    replace(WITH_EVERYTHING, pair=Pair(1, 1, 200, "0.5", 40)),
-    WITH_EVERYTHING,
-]
+FOUND = scenes_in("passed-over")
 
 
-@pytest.mark.parametrize("scene", FOUND)
+@pytest.mark.parametrize("scene", FOUND.values(), ids=FOUND)
 def test_no_event_is_passed_over(scene):
     assert motion(scene).success
 
 
 def test_the_motion_of_a_scene_that_is_off_by_little_is_none_of_this():
-    run = motion(WITH_EVERYTHING)
+    run = motion(FOUND["everything"])
     for name in parameters(run.scene).keys() - {"until"}:
         by = Fraction(1, 10 ** (8 if name.endswith("from") else 16))
         assert next(faults(run, moved(run.scene, {name: by})), ""), name
