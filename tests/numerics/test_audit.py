@@ -20,7 +20,7 @@ def nothing(_):
 
 @pytest.fixture(scope="module")
 def small():
-    return list(plan.audit(plan.Size(arguments=60, scenes=2, bounded=4, symmetric=14), 7, nothing))
+    return list(plan.audit(plan.Size(arguments=30, scenes=1, bounded=2, symmetric=7), 7, nothing))
 
 
 @pytest.mark.long
