@@ -126,14 +126,14 @@ class BoxRun(Path):
         """Go on for a step, or to the first event in it."""
         system, at = self.system, self.at
         drive, (q, v, _) = system.pieces[at.piece], self.sizes
-        with system.coarse():
+        with system.fine():
             series = self.series(2 * system.degree)
             groups = [*((x, q) for x in series.q1), *((x, v) for x in series.v2), *((x, v) for x in series.s)]
             h, left = self.step(groups), (drive.length - at.t).mid()
         while True:
             ends = bool(h >= left)
             h = left if ends else h
-            with system.coarse():
+            with system.fine():
                 q1, v2, s = (tuple(scaled(x, h) for x in part) for part in series[1:])
             with system.fine():
                 curve = self.curve(h, q1, v2, s)

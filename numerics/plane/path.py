@@ -88,9 +88,8 @@ class Path:
 
     def set(self, point: Point) -> None:
         """Go to a point: enclosures become their midpoints, and N grows by their radii."""
-        with self.system.coarse():
-            kept = [[(+x).mid() for x in one] for one in point[2:]]
         with self.system.fine():
+            kept = [[(+x).mid() for x in one] for one in point[2:]]
             radii = [
                 [(x - y).abs_upper() for x, y in zip(a, b, strict=True)] for a, b in zip(point[2:], kept, strict=True)
             ]

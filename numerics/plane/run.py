@@ -62,7 +62,7 @@ class Run(Path):
         """Stick for a step, or until the load leaves K."""
         system, at = self.system, self.at
         drive = system.pieces[at.piece]
-        with system.coarse():
+        with system.fine():
             series = stick_series(system, at, system.degree)
             q, v = self.sizes[:2]
             h, left = (
@@ -110,7 +110,7 @@ class Run(Path):
             return
         system, at = self.system, self.at
         drive, (q, v, time) = system.pieces[at.piece], self.sizes
-        with system.coarse():
+        with system.fine():
             series = slip_series(system, at, system.degree)
             size = max_of(at.s)
             groups = [*((x, size) for x in series.s), *((x, q) for x in series.q1), *((x, v) for x in series.v2)]
@@ -123,7 +123,7 @@ class Run(Path):
             if ends:
                 h = (h * rise(t, drive.length)).mid()
         for halving in range(60):
-            with system.coarse():
+            with system.fine():
                 t, parts = clock(at, series, h), [tuple(scaled(x, h) for x in part) for part in series[1:]]
             with system.fine():
                 q1, v2, s = parts
@@ -157,7 +157,7 @@ class Run(Path):
     def settled(self) -> bool:
         """Go on with the series of a slip that has settled, to its end if it comes in it; return whether that is it."""
         system = self.system
-        with system.coarse():
+        with system.fine():
             series = slow_series(system, self.at, system.degree, 0)
             if series is None:
                 return False
@@ -168,7 +168,7 @@ class Run(Path):
         """Go on with a series for a time h, if it is as good as a step."""
         system, at = self.system, self.at
         drive, still = system.pieces[at.piece], [arb(0)] * system.n
-        with system.coarse():
+        with system.fine():
             left = (drive.length - at.t).mid()
             h, ends = (left, True) if h >= left else (h, False)
             root = first_root(scaled(series.size[:top], h), arb(0))
@@ -306,7 +306,7 @@ class Run(Path):
         """Begin a slip, s = tau^m S(tau); without a cause it is how the run begins."""
         system, at = self.system, self.at
         drive, load = system.pieces[at.piece], self.load()
-        with system.coarse():
+        with system.fine():
             series: Onset | None
             if m == 1:
                 series = onset(system, at, [x.mid() for x in load], system.degree)
@@ -325,7 +325,7 @@ class Run(Path):
         if cause is not None:
             self.happened(before, direction, late, cause)
         for _ in range(60):
-            with system.coarse():
+            with system.fine():
                 size, *slip = (scaled(x[:top], h) for x in (series.size, *series.slip))
             with system.fine():
                 curve, found, slowest = self.along(

@@ -13,7 +13,7 @@ from numerics.arithmetic.ball import BITS_PER_DIGIT, Ball, precision
 from numerics.plane.reduced import Acting, Reduced
 
 SPARE_BITS = 40
-"""Bits beyond the working ones, in which defects are computed: what they show is the path's error, not their own."""
+"""Bits beyond those to which series are cut: the terms of a long step are larger than their sum."""
 Balls = list[arb]
 
 
@@ -46,12 +46,8 @@ class System:
             self.apart = [one.sqrt() for one in self.kappa]
             self.pieces = [Drive(self, piece) for piece in given.pieces]
 
-    def coarse(self) -> precision:
-        """Return the context of the working precision."""
-        return precision(self.bits)
-
     def fine(self) -> precision:
-        """Return the context in which defects are computed."""
+        """Return the context in which all is computed: what defects show is where series are cut, no rounding."""
         return precision(self.bits + SPARE_BITS)
 
     def row_sum(self, row: Sequence[arb], of: Sequence[arb]) -> arb:
