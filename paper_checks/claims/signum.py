@@ -111,9 +111,8 @@ def under_a_force() -> tuple[Clause, ...]:
     )
 
 
-# The control under which eq. (4) stays at its equality: the path of stick with the acceleration b/m2 from rest.
+# Where the control that holds eq. (4) at its equality takes body 1: the path of stick with the acceleration b/m2 from rest.
 PATH = EXAMPLE_PAIR[b] * t**2 / (2 * EXAMPLE_PAIR[m2])
-CONTROL = held_at_the_limit()
 CONTRADICTION = r"""
 No solution with $u=1+50t^2$: for a short time $\dot z<0$ is impossible, as $\ddot z>0$ there. While $\dot z\geqslant
 0$, $x_1=t^2/4$ (a linear equation with zero data for the difference). Then $\dot z$ cannot grow, as $\ddot z=0$ where
@@ -154,15 +153,15 @@ def two_solutions() -> tuple[Evidence, ...]:
 
 
 def controlled(name: str, offset: sp.Expr) -> sp.Expr:
-    """Return z'' of a branch under `CONTROL` at x1 = path + offset, v1 = velocity of the path (m/s^2)."""
+    """Return z'' of a branch under that control at x1 = path + offset, v1 = velocity of the path (m/s^2)."""
     found = branch_named(name)
-    place = {**EXAMPLE_PAIR, u: CONTROL, x1: PATH + offset, v1: sp.diff(PATH, t)}
+    place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH + offset, v1: sp.diff(PATH, t)}
     return sp.expand((found.acceleration1 - found.acceleration2).subs(place))
 
 
 def no_solution_under_control() -> tuple[Evidence, ...]:
     """(3), (4) with a control: each branch contradicts itself."""
-    place = {**EXAMPLE_PAIR, u: CONTROL, x1: PATH, v1: sp.diff(PATH, t)}
+    place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH, v1: sp.diff(PATH, t)}
     offset = sp.Symbol("delta", real=True)
     return (
         identity(

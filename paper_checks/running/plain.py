@@ -25,9 +25,9 @@ class Plain:
 
     @property
     def lasting(self) -> bool:
-        """Whether running it again would find the same: it is settled, and every solver that was asked answered."""
+        """Whether running it again, with the tools that there are, would find the same: every solver that was asked answered."""
         silent = any(step.kind is EvidenceKind.SMT and step.passed is None for step in self.steps)
-        return self.finding.verdict in SETTLED and not silent
+        return self.finding.verdict in (*SETTLED, Verdict.UNCHECKED) and not silent
 
     @property
     def steps(self) -> tuple[Evidence, ...]:

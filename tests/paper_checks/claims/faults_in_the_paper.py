@@ -44,7 +44,7 @@ FAULTS = {
         "filippov._share": doubled,
         "signum.transversality": negated,
         "signum.INSIDE": (lambda _: at_rest("0"), lambda _: START_AT_6MM),
-        "signum.CONTROL": lambda control: 2 * control,
+        "signum.held_at_the_limit": doubled,
         "signum.residual": lambda _: lambda found: (found.x1,),
         "signum.spurious_branch": failing,
     },
