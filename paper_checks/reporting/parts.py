@@ -5,7 +5,7 @@ Both ways give the same; a figure that cannot be drawn is `Undrawn`, and costs t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from numerics.trade.recorded import Trade
@@ -30,14 +30,15 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A figure, by its name."""
+    """A figure by its name, and the forms in which it is wanted, of `svg` and `pdf`."""
 
     name: str
+    forms: tuple[str, ...]
 
 
 Part = Chapter | Drawing
-Made = Section | str | Undrawn
-"""A chapter, or the SVG text of a figure."""
+Made = Section | Mapping[str, bytes | Undrawn]
+"""A chapter, or the files of a figure by form."""
 
 
 def chapters(trade: Trade) -> dict[str, Callable[[], Section]]:
@@ -69,11 +70,12 @@ def _place(part: Part) -> int:
 def _made(part: Part, trade: Trade) -> Made:
     if isinstance(part, Chapter):
         return chapters(trade)[part.name]()
-    return drawn(figures(trade), part.name)
+    return {form: drawn(figures(trade), part.name, form) for form in part.forms}
 
 
 def _here(part: Part, trade: Trade, ended: processes.Ended) -> Made:
     """Return what stands for a part whose process ended: a chapter made here, which then says what is wrong with it."""
     if isinstance(part, Chapter):
         return _made(part, trade)
-    return Undrawn(f"the figure {part.name} was not drawn: its process ended with exit code {ended.exit_code}")
+    why = f"the figure {part.name} was not drawn: its process ended with exit code {ended.exit_code}"
+    return dict.fromkeys(part.forms, Undrawn(why))

@@ -17,6 +17,7 @@ from paper_checks.__main__ import main
 from paper_checks.claims import CLAIMS
 from paper_checks.report.content import under_a_force
 from paper_checks.report.content.blocks import Section
+from paper_checks.report.formats import latex
 from paper_checks.speed import section as section_module
 
 
@@ -80,7 +81,7 @@ def test_list_in_a_pipe_has_one_line_for_each_claim(capsys):
 
 
 def test_report_writes_and_complains(small, capsys, tmp_path):
-    assert main(["report", "--out", str(tmp_path)]) == 1
+    assert main(["report", "--out", str(tmp_path), "--format", "html,latex"]) == 1
     captured = capsys.readouterr()
     assert captured.out.strip().startswith(str(tmp_path))
     assert captured.err == "paper_checks: the figure lost is not known\n"
@@ -95,6 +96,13 @@ def test_the_report_tells_some_rows_or_the_whole(small, capsys, tmp_path):
     assert (tmp_path / "pages" / "stiction-bracket.html").exists()
     assert main(["report", "stiction-brackets"]) == 2
     assert "did you mean stiction-bracket?" in capsys.readouterr().err
+
+
+def test_without_tex_a_pdf_is_refused_before_anything_runs(monkeypatch, capsys):
+    monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
+    monkeypatch.setattr(latex, "missing", lambda: latex.REMEDY)
+    assert main(["report", "--format", "html,pdf"]) == 3
+    assert capsys.readouterr().err == f"paper_checks: {latex.REMEDY}\n"
 
 
 def test_a_file_is_compared_with_the_source(capsys, tmp_path):
@@ -140,7 +148,7 @@ def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatc
 
 @pytest.mark.parametrize(
     "arguments",
-    [["run", "--nonsense"], ["report", "--format", "docx"], ["--seed", "x"], ["--jobs", "x"], ["source"]],
+    [["run", "--nonsense"], ["report", "--format", "html,docx"], ["--seed", "x"], ["--jobs", "x"], ["source"]],
 )
 def test_usage_errors(arguments, capsys):
     with pytest.raises(SystemExit) as stop:

@@ -1,4 +1,4 @@
-"""What a report is made of: headings, paragraphs, tables, figures.
+"""What a report is made of: headings, paragraphs, tables, figures. Each kind of reader has a writer of these blocks.
 
 Texts are prose with LaTeX between dollars and commands, or ids of rows, between backticks. A line break in a cell of a
 table starts a remark in small print.
@@ -70,14 +70,14 @@ class Code:
 
 @dataclass(frozen=True)
 class Markup:
-    """What is HTML already."""
+    """What only a page can show, as HTML; paper has nothing in its place."""
 
     html: str
 
 
 @dataclass(frozen=True)
 class Folded:
-    """What is shown when a reader asks for it."""
+    """What is shown when a reader asks for it; paper has it where all steps are asked for."""
 
     title: str
     blocks: tuple[Block, ...]
@@ -106,6 +106,11 @@ def every(blocks: tuple[Block, ...]) -> Iterator[Block]:
         yield block
         if isinstance(block, Folded):
             yield from every(block.blocks)
+
+
+def unfolded(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
+    """Return the blocks without those that are folded, as paper has them."""
+    return tuple(block for block in blocks if not isinstance(block, Folded))
 
 
 def pictures(blocks: tuple[Block, ...]) -> Iterator[Picture]:

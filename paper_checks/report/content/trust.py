@@ -65,7 +65,7 @@ def section(rows: Sequence[Row]) -> Section:
         (
             Paragraph(
                 "A row is as strong as the weakest step that its verdict needs. The table goes from the strongest kind of step to the "
-                "weakest. Samples settle nothing. To see the rows of a kind, choose it under “Weakest step”, above `rows`."
+                "weakest. Samples settle nothing. To see the rows of a kind, choose it under “Weakest step”, above `rows` of the HTML form."
             ),
             Table(
                 ("kind", "what is guaranteed", "what you have to believe", "rows"),

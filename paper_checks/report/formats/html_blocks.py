@@ -1,31 +1,29 @@
-"""Blocks as HTML, on one page of several: texts with mathematics, code and links in them."""
+"""Blocks as HTML, on one page of several."""
 
 from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 
 from paper_checks.report.content import blocks
+from paper_checks.report.formats.writer import Writer
 from paper_checks.report.mathematics import prose
 
 FRONT = "report.html"
 BROAD = 500
 """Pixels from which on a figure takes two places of a row of cards."""
-LISTED = ("theorem", "definition", "step", "symbol")
-"""How anchors begin that stand in a list of their kind; in a text only the rest is code."""
-_CODE = re.compile(r"`([^`]+)`")
 _WORD = re.compile(r"[A-Z]\w*\.[\w']+")
 
 
-class HtmlWriter:
+class HtmlWriter(Writer):
     """Writes blocks as HTML. `figures` maps names to SVG texts, `homes` each anchor to the file of its page; `page` is this one's."""
 
     def __init__(self, figures: Mapping[str, str], homes: Mapping[str, str], page: str = FRONT) -> None:
         """Take the figures, where each anchor is, and the page that is written."""
-        self._figures, self._homes, self._page = figures, homes, page
-        self._mention = _mention_of(homes)
+        super().__init__(figures, homes)
+        self._homes, self._page = homes, page
 
     def path(self, file: str) -> str:
         """Return the path to a file of the report from this page."""
@@ -45,38 +43,8 @@ class HtmlWriter:
             f"{self.body(section.blocks)}\n</section>"
         )
 
-    def text(self, text: str) -> str:
-        """Return a text as HTML; code stands between backticks, and every mention of an anchor is a link."""
-        pieces = _CODE.split(self._with_links(text))
-        return "".join(self._code(piece) if index % 2 else prose.html(piece) for index, piece in enumerate(pieces))
-
-    def body(self, some: Sequence[blocks.Block]) -> str:
-        """Return blocks one below the other."""
-        return "\n\n".join(map(self._block, some))
-
-    def _block(self, block: blocks.Block) -> str:  # noqa: PLR0911  one return for each kind of block
-        match block:
-            case blocks.Heading(text, anchor):
-                return self._heading(text, anchor)
-            case blocks.Paragraph():
-                return self._paragraph(block)
-            case blocks.Points(items, numbered):
-                tag = "ol" if numbered else "ul"
-                lines = "".join(f"<li>{self.text(item)}</li>\n" for item in items)
-                return f"<{tag}>\n{lines}</{tag}>"
-            case blocks.Table():
-                return self._table(block)
-            case blocks.Picture():
-                return self._picture(block)
-            case blocks.Cards(items):
-                return f'<div class="cards">\n{"".join(map(self._card, items))}</div>'
-            case blocks.Code(text):
-                linked = _WORD.sub(lambda match: self._named(match[0]), escape(text, quote=False))
-                return f'<pre class="wide"><code>{linked}</code></pre>'
-            case blocks.Markup(html):
-                return html
-            case blocks.Folded(title, inside):
-                return f'<details class="folded"><summary>{self.text(title)}</summary>\n{self.body(inside)}\n</details>'
+    def _prose(self, text: str) -> str:
+        return prose.html(text)
 
     def _code(self, code: str) -> str:
         shown = f"<code>{_breakable(code)}</code>"
@@ -93,9 +61,24 @@ class HtmlWriter:
         mark = ' class="decisive"' if block.marked else ""
         return f"<p{mark}>{label}{self.text(block.text)}</p>"
 
+    def _points(self, items: Sequence[str], numbered: bool) -> str:
+        tag = "ol" if numbered else "ul"
+        lines = "".join(f"<li>{item}</li>\n" for item in items)
+        return f"<{tag}>\n{lines}</{tag}>"
+
+    def _lines(self, text: str) -> str:
+        linked = _WORD.sub(lambda match: self._named(match[0]), escape(text, quote=False))
+        return f'<pre class="wide"><code>{linked}</code></pre>'
+
     def _named(self, word: str) -> str:
         target = self._target(word)
         return f'<a href="{self.link(target)}">{word}</a>' if target else word
+
+    def _markup(self, html: str) -> str:
+        return html
+
+    def _folded(self, title: str, inside: str) -> str:
+        return f'<details class="folded"><summary>{self.text(title)}</summary>\n{inside}\n</details>'
 
     def _table(self, table: blocks.Table) -> str:
         titles = "".join(f'<th scope="col">{self.text(text)}</th>' for text in table.head)
@@ -141,27 +124,12 @@ class HtmlWriter:
     def _breadth(self, picture: blocks.Picture) -> str:
         return ' class="broad"' if self._size(picture)[0] > BROAD else ""
 
-    def _card(self, card: tuple[str, str, blocks.Picture]) -> str:
-        title, text, picture = card
-        return f"<article{self._breadth(picture)}>{self._heading(title, '')}<p>{self.text(text)}</p>\n{self._picture(picture)}</article>\n"
-
-    def _target(self, code: str) -> str | None:
-        """Return the anchor that code names: a row's id, or a theorem's, a definition's or a step's."""
-        names = (code, *(f"{of}-{code}" for of in LISTED))
-        return next((one for one in names if one in self._homes), None)
-
-    def _with_links(self, text: str) -> str:
-        """Return a text in which every mention of an anchor stands between backticks."""
-        if self._mention is None:
-            return text
-        return self._mention.sub(lambda match: f"`{match[1]}`" if match[1] else match[0], text)
-
-
-def _mention_of(anchors: Iterable[str]) -> re.Pattern[str] | None:
-    """Return what finds rows outside code, ids that are words joined by hyphens; None where there are none."""
-    found = (name for name in anchors if "-" in name and not name.startswith(tuple(f"{of}-" for of in LISTED)))
-    names = sorted(found, key=lambda name: (-len(name), name))
-    return re.compile(rf"`[^`]*`|(?<![\w-])({'|'.join(map(re.escape, names))})(?![\w-])") if names else None
+    def _cards(self, cards: Sequence[tuple[str, str, blocks.Picture]]) -> str:
+        each = (
+            f"<article{self._breadth(one)}>{title}<p>{text}</p>\n{self._picture(one)}</article>\n"
+            for title, text, one in cards
+        )
+        return f'<div class="cards">\n{"".join(each)}</div>'
 
 
 def figure_file(name: str) -> str:

@@ -1,4 +1,4 @@
-"""Prose with LaTeX in it, for each kind of reader: MathML, plain text.
+"""Prose with LaTeX in it, for each kind of reader: MathML, plain text, LaTeX.
 
 Mathematics stands between `$` (inline) or `$$` (displayed); a backslash before it makes a dollar literal.
 """
@@ -16,6 +16,22 @@ from paper_checks.report.mathematics.unicode import spoken
 _PIECES = re.compile(r"(?<!\\)\$\$(?P<display>.+?)(?<!\\)\$\$|(?<!\\)\$(?P<inline>[^$]+?)(?<!\\)\$", re.DOTALL)
 _MINUS = re.compile(r"(?<![\w.,)\]-])-(?=\d)")
 _OPENING, _CLOSING = re.compile(r"[(\[]+$"), re.compile(r"^[.,:;!?)\]]+")
+_LONG_NUMBER = re.compile(r"\d{24,}")
+_TEX_SPECIAL = re.compile(r"[&%#_{}~^\\$<>|]")
+_TEX_ESCAPES = {
+    "\\": r"\textbackslash{}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+}
+_TEX_CHARACTERS = {
+    "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "≈": r"\approx", "±": r"\pm", "∓": r"\mp", "×": r"\times",
+    "·": r"\cdot", "→": r"\to", "∞": r"\infty", "−": "-", "²": "^2", "³": "^3", "√": r"\surd",
+    "∈": r"\in", "π": r"\pi", "τ": r"\tau", "Ω": r"\Omega", "Φ": r"\Phi", "Δ": r"\Delta", "θ": r"\theta", "ζ": r"\zeta",
+}  # fmt: skip
+
 
 LONG = 36
 """Characters from which on an inline formula may be wider than its column, so that it has to be scrolled."""
@@ -88,3 +104,28 @@ def _html_piece(kind: Piece, content: str) -> str:
 def plain(text: str) -> str:
     """Return the text for a terminal, mathematics in Unicode."""
     return "".join(content if kind is Piece.PROSE else spoken(content) for kind, content in pieces(text))
+
+
+def latex(text: str) -> str:
+    """Return the text as LaTeX source; what is special to TeX in the prose is escaped."""
+    return "".join(_latex_piece(kind, content) for kind, content in pieces(text))
+
+
+def _latex_piece(kind: Piece, content: str) -> str:
+    if kind is Piece.PROSE:
+        escaped = _TEX_SPECIAL.sub(lambda match: _TEX_ESCAPES.get(match[0], "\\" + match[0]), content)
+        return _LONG_NUMBER.sub(_breakable, "".join(map(_latex_character, escaped)))
+    return f"${content}$" if kind is Piece.INLINE else f"\\[{content}\\]"
+
+
+def _breakable(number: re.Match[str]) -> str:
+    return r"\allowbreak{}".join(re.findall(".{1,8}", number[0]))
+
+
+def _latex_character(character: str) -> str:
+    """Return the character as pdfTeX can set it; one that it has no glyph for is named, not dropped."""
+    if character in _TEX_CHARACTERS:
+        return f"${_TEX_CHARACTERS[character]}$"
+    if character < "\u0180" or character in "–—‘’“”…":
+        return character
+    return f"[U+{ord(character):04X}]"

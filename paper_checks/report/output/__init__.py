@@ -1,1 +1,1 @@
-"""The files of a report: its figures, and the whole, made once and kept in the user's cache."""
+"""The files of a report: its figures and forms, made once and kept in the user's cache."""

@@ -1,14 +1,14 @@
-"""Reports kept in the user's cache, so that nothing is drawn or set twice: the bytes are those of a fresh run.
+"""Reports and figures kept in the user's cache, so that nothing is drawn or set twice: the bytes are those of a fresh run.
 
-They are kept under a hash of every source file, of the versions of all that draws and sets, of the kernel's, of the trade
-that is shown, and of the rows.
+They are kept under a hash of every source file, of the versions of all that draws and sets, of the kernel's, and of the
+trade that is shown; a form of the report also under its rows and options.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,8 +18,8 @@ from paper_checks.running.runner import Row
 from paper_checks.store import Store, all_sources, digest, version
 
 DRAWN_WITH = ("matplotlib", "latex2mathml", "fonttools")
-Files = Mapping[str, str]
-"""The texts of a report's files by name, the main one last."""
+Files = Mapping[str, bytes]
+"""The files of one form by name, the main one last."""
 
 
 class Finished:
@@ -32,26 +32,34 @@ class Finished:
         self._store = Store("reports", digest(all_sources(), words), folder)
         self.forget_old = self._store.forget_old
 
+    def figure(self, file: str) -> bytes | None:
+        """Return a figure's file."""
+        return self._store.get(file)
+
+    def keep_figure(self, file: str, content: bytes) -> None:
+        """Keep a figure's file."""
+        self._store.put(file, content)
+
     def files(self, name: str) -> Files | None:
-        """Return the files of a report, by what `name_of` calls it."""
+        """Return the files of a form, by what `name_of` calls it."""
         names = self._store.get(name)
         found = {one: self._store.get(f"{name}.{one}") for one in json.loads(names)} if names else {}
-        whole = {one: content.decode() for one, content in found.items() if content is not None}
+        whole = {one: content for one, content in found.items() if content is not None}
         return whole if names and len(whole) == len(found) else None
 
-    def keep(self, name: str, files: Files) -> None:
-        """Keep the files of a report, and last their names."""
+    def keep_files(self, name: str, files: Files) -> None:
+        """Keep the files of a form, and last their names."""
         for one, content in files.items():
-            self._store.put(f"{name}.{one}", content.encode())
+            self._store.put(f"{name}.{one}", content)
         self._store.put(name, json.dumps(list(files)).encode())
 
 
-def name_of(rows: Sequence[Row]) -> str:
-    """Return a name for the report on these rows: a hash of what they say, and not of how long they took."""
-    said = hashlib.sha256()
+def name_of(rows: Sequence[Row], form: str, options: Iterable[object]) -> str:
+    """Return a name for a form of the report on these rows: a hash of what they say, and not of how long they took."""
+    said = hashlib.sha256(repr((form, *options)).encode())
     for row in rows:
         said.update(plain.as_json(replace(plain.plain(row), seconds=0.0)).encode() + b"\n")
-    return said.hexdigest()[:32]
+    return f"{said.hexdigest()[:32]}.{form}"
 
 
 def placed(folder: Path, files: Files) -> Path:

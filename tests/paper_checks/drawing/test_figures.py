@@ -82,11 +82,12 @@ QUICK = ("force-needed", "long-time")
     "name", [name if name in QUICK else pytest.param(name, marks=pytest.mark.long) for name in FIGURES]
 )
 def test_bytes_depend_on_the_figure_alone(name, monkeypatch):
-    first = vector.svg(FIGURES[name]())
+    first = vector.svg(FIGURES[name]()), vector.pdf(FIGURES[name]())
     monkeypatch.setitem(mpl.rcParams, "axes.facecolor", "pink")  # a reader's own taste
     monkeypatch.setitem(mpl.rcParams, "lines.linewidth", 7)
-    assert vector.svg(FIGURES[name]()) == first
-    assert "<dc:date>" not in first
+    assert (vector.svg(FIGURES[name]()), vector.pdf(FIGURES[name]())) == first
+    assert b"CreationDate" not in first[1]
+    assert "<dc:date>" not in first[0]
 
 
 @pytest.mark.parametrize("name", ["start-at-6mm", "start-with-speed", "velocities", "relative-motion"])

@@ -1,4 +1,4 @@
-"""Reports from the cache: the same bytes as made anew, and never those of another state or row."""
+"""Reports and figures from the cache: the same bytes as drawn anew, and never those of another state, form or row."""
 
 import argparse
 from dataclasses import replace
@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from paper_checks.evidence.finding import Verdict
-from paper_checks.report.output import finished
+from paper_checks.report.output import files, finished
+from paper_checks.report.output import pictures as pictures_of_a_report
 from paper_checks.report.output.finished import Finished, name_of
 from paper_checks.reporting import command_line
 from paper_checks.running.graph import proofs
@@ -27,11 +28,52 @@ def drawable(rows):
     return [replace(row, proofs=proofs(row.claim, row.finding)) for row in found]
 
 
-def test_a_name_knows_rows_and_not_how_long_they_took(rows):
-    first = name_of(rows)
-    reworded = replace(rows[0], finding=replace(rows[0].finding, reason="Another."))
-    assert len({first, name_of(rows[:-1]), name_of(rows[::-1]), name_of([reworded, *rows[1:]])}) == 4
-    assert name_of([replace(row, seconds=row.seconds + 1) for row in rows]) == first
+def pictures(figures, kept, complaints, *, fresh=False):
+    return pictures_of_a_report.Pictures(["sine", "lost"], figures, complaints.append, kept, fresh)
+
+
+def test_a_figure_is_drawn_once_for_each_form(figures, tmp_path):
+    drawn, complaints = [], []
+
+    def counted():
+        drawn.append("sine")
+        return figures["sine"]()
+
+    def saved(form, *, fresh=False):
+        return pictures({"sine": counted}, Finished(folder=tmp_path), complaints, fresh=fresh).saved(form)
+
+    first = saved("svg")
+    assert saved("svg") == first == pictures(figures, None, []).saved("svg")
+    assert len(drawn) == 1
+    assert saved("pdf") == saved("pdf") == pictures(figures, None, []).saved("pdf")
+    assert len(drawn) == 2
+    assert saved("svg", fresh=True) == first
+    assert len(drawn) == 3
+    assert complaints == ["the figure lost is not known"] * 5
+
+
+def test_a_figure_that_fails_is_told_once_and_not_kept(tmp_path):
+    def broken():
+        raise RuntimeError("no trajectory")
+
+    complaints = []
+    found = pictures_of_a_report.Pictures(["sine"], {"sine": broken}, complaints.append, Finished(folder=tmp_path))
+    assert found.saved("svg") == found.saved("pdf") == {}
+    assert complaints == ["the figure sine was not drawn: RuntimeError: no trajectory"]
+    assert not [path for path in tmp_path.rglob("*") if path.is_file()]
+
+
+def test_a_name_knows_rows_form_and_options_and_not_how_long_it_took(rows):
+    first = name_of(rows, "html", (False,))
+    others = [
+        name_of(rows[:-1], "html", (False,)),
+        name_of(rows[::-1], "html", (False,)),
+        name_of(rows, "pdf", (False,)),
+        name_of(rows, "html", (True,)),
+        name_of([replace(rows[0], finding=replace(rows[0].finding, reason="Another.")), *rows[1:]], "html", (False,)),
+    ]
+    assert len({first, *others}) == 6
+    assert name_of([replace(row, seconds=row.seconds + 1) for row in rows], "html", (False,)) == first
 
 
 def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch):
@@ -42,7 +84,7 @@ def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch)
     store, found = tmp_path / "store", []
 
     def seen(trade=None):
-        Finished(trade, store).keep("one", {"report.html": ""})
+        Finished(trade, store).keep_figure("sine.svg", b"")
         found.append(len(list(store.iterdir())))
 
     seen()
@@ -57,18 +99,18 @@ def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch)
     assert found == [1, 2, 3, 4, 5, 5]
 
 
-@pytest.mark.parametrize("place", ["one", "one.report.html", "one.figures/sine.svg"])
-def test_a_damaged_report_is_not_read(tmp_path, place):
-    kept, whole = Finished(folder=tmp_path), {"figures/sine.svg": "<svg/>", "report.html": "whole"}
-    kept.keep("one", whole)
-    assert list(kept.files("one").items()) == list(whole.items())
+@pytest.mark.parametrize("place", ["one.html", "one.html.report.html", "one.html.figures/sine.svg"])
+def test_a_damaged_form_is_not_read(tmp_path, place):
+    kept, whole = Finished(folder=tmp_path), {"figures/sine.svg": b"<svg/>", "report.html": b"whole"}
+    kept.keep_files("one.html", whole)
+    assert list(kept.files("one.html").items()) == list(whole.items())
     (folder,) = tmp_path.iterdir()
     (folder / place).write_bytes((folder / place).read_bytes()[:-1])
-    assert kept.files("one") is None
+    assert kept.files("one.html") is None
 
 
-def reported(rows, out, *, fresh=False, program=True):
-    options = argparse.Namespace(trade=None, program=program, fresh=fresh, out=out, jobs=1)
+def reported(rows, out, *, fresh=False, program=True, form=("html",)):
+    options = argparse.Namespace(trade=None, format=form, program=program, steps=False, fresh=fresh, out=out, jobs=1)
     complaints = []
     code = command_line.report(options, rows, lambda claims: rows, complaints.append)
     assert complaints == []
@@ -83,7 +125,7 @@ def test_a_second_report_draws_and_sets_nothing(drawable, tmp_path, monkeypatch)
         raise AssertionError("made again")
 
     with monkeypatch.context() as patch:
-        patch.setattr(command_line, "_made", never)
+        patch.setattr(files, "made", never)
         assert reported(drawable, tmp_path / "two") == first
         with pytest.raises(AssertionError, match="made again"):
             reported(drawable, tmp_path / "three", fresh=True)

@@ -1,4 +1,4 @@
-"""LaTeX in prose becomes MathML and Unicode; nothing hostile gets through."""
+"""LaTeX in prose becomes MathML, Unicode and LaTeX; nothing hostile gets through."""
 
 import ast
 import re
@@ -16,6 +16,7 @@ from paper_checks.report.mathematics.prose import (
     Piece,
     UnreadableMathematicsError,
     html,
+    latex,
     mathml,
     pieces,
     plain,
@@ -35,6 +36,7 @@ def test_every_statement_can_be_read_in_every_form(claim):
         assert "<code>" not in html(text)
         assert "\\" not in plain(text)
         assert "$" not in plain(text)
+        assert "U+" not in latex(text)
 
 
 @pytest.mark.parametrize(
@@ -181,6 +183,9 @@ def test_prose_is_escaped():
     assert html('<script>"&') == "&lt;script&gt;&quot;&amp;"
     assert "<script" not in html(r"$\text{<script>}$")
     assert "<script" not in html(r"$\text{<script></script>}$")
+    assert latex("100% & #_^~{}\\") == (r"100\% \& \#\_\textasciicircum{}\textasciitilde{}\{\}\textbackslash{}")
+    assert latex("0." + "1" * 24) == r"0.11111111\allowbreak{}11111111\allowbreak{}11111111"
+    assert latex("x ≤ y ẋ") == r"x $\leq$ y [U+1E8B]"
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.report.content import opening
 from paper_checks.report.content.document import document
 from paper_checks.report.content.story import displayed
-from paper_checks.report.formats import html
+from paper_checks.report.formats import html, latex
 from paper_checks.report.formats import json as json_report
 from paper_checks.report.formats.terminal import print_rows
 from paper_checks.running.graph import proofs
@@ -85,6 +85,12 @@ def test_one_that_does_not_hold_is_not_counted_as_proved(theorem):
     assert "1 more is not settled." in text
 
 
+def test_the_source_of_the_appendix_says_whose_they_are(rows, theorem):
+    text = latex.render(document([*rows, theorem]), {})
+    assert r"\textbf{Theorem.} $x=1$ for all $q$." in text
+    assert r"\textbf{The paper says (eq. (4)).}" in text
+
+
 def test_the_terminal_tells_them_too(rows, theorem):
     assert "The limit is one." in printed([*rows, theorem])
     assert "Theorem, past the paper: x=1 for all q." in printed([theorem])
@@ -118,3 +124,4 @@ def test_a_part_that_is_open_is_told_marked_and_filtered(rows, theorem):
     assert "a part is open in 1: sharp" in printed([part, rows[0]])
     (found,) = json.loads(json_report.render([part]))
     assert found["open"] == ["Whether $x=2$."]
+    assert r"\textbf{Open.} Whether $x=2$." in latex.render(document([part]), {})

@@ -13,6 +13,7 @@ from numerics.trade.euler import EulerFigure, EulerOutcome
 from numerics.trade.recorded import recorded
 from paper_checks.report.content.blocks import Points, Section, Table
 from paper_checks.report.formats.html_blocks import HtmlWriter
+from paper_checks.report.formats.latex_blocks import LatexWriter
 from paper_checks.speed import section
 
 EULER = EulerFigure(7, (EulerOutcome(1e-2, False, -1.0, 0), EulerOutcome(1e-3, True, 2.5, 1040)))
@@ -101,11 +102,12 @@ def test_the_machine_what_was_left_out_and_forward_euler_are_told():
     ]
 
 
-def test_the_shipped_record_is_told():
+def test_the_shipped_record_is_told_in_every_form():
     whole = section.section(recorded())
     tables = [one for one in whole.blocks if isinstance(one, Table)]
     assert all({len(row) for row in one.rows} == {len(one.head)} for one in tables)
     assert HtmlWriter({}, {}).section(whole).count("<table") == len(tables) == 2
+    assert LatexWriter({}).section(whole).count(r"\begin{longtable}") == 2
     assert not re.search(r"\bnan\b|\bNone\b|\binf\b", text_of(whole))
     assert set(whole.pictures) == set(section.figures(recorded()))
     assert all(one.count("heyoka") or "ours wins on all" in one for one in section.answers(recorded()))
@@ -119,4 +121,4 @@ def test_hostile_texts_are_escaped():
     hostile = trade_of(left_out={"<b>&": "%_<"})
     page = HtmlWriter({}, {}).section(Section("x", "x", tuple(section.provenance(hostile))))
     assert "<b>" not in page
-    assert "%_&lt;" in page
+    assert r"\%\_\textless{}" in LatexWriter({}).section(Section("x", "x", tuple(section.provenance(hostile))))

@@ -1,0 +1,75 @@
+"""The LaTeX report carries the same content, compiles by itself, and is the PDF; without TeX there is a remedy."""
+
+import re
+import shutil
+
+import pytest
+
+from paper_checks.errors import ToolMissingError
+from paper_checks.report.content.blocks import pictures
+from paper_checks.report.content.document import document
+from paper_checks.report.formats import latex
+from paper_checks.report.output.files import write
+
+TEX = pytest.mark.skipif(not shutil.which("pdflatex"), reason="pdflatex is not installed")
+
+
+@pytest.fixture
+def source(rows):
+    return latex.render(document(rows), {"sine": "sine.pdf"})
+
+
+def test_environments_and_labels_match(source, rows):
+    assert sorted(re.findall(r"\\begin\{(\w+)\}", source)) == sorted(re.findall(r"\\end\{(\w+)\}", source))
+    labels = re.findall(r"\\label\{([^}]+)\}", source)
+    assert len(labels) == len(set(labels))
+    assert {row.claim.id for row in rows} <= set(labels)
+    assert set(re.findall(r"\\hyperref\[([^]]+)\]", source)) <= set(labels)
+
+
+def test_the_content_is_that_of_the_rows(source):
+    for text in ("Counterexample.", "What is true.", "Missing for a proof.", r"$x_1(0)=0.006$", "500 cases"):
+        assert text in source
+    assert r"keepaspectratio]{sine.pdf}" in source
+    assert r"\textless{}b\textgreater{}100\%" in source
+
+
+def test_on_paper_steps_are_left_out_with_a_word_on_where_they_are(rows):
+    whole, paper = document(rows), document(rows).on_paper()
+    assert latex.render(paper, {}).count("Steps, each above those it rests on") == 0
+    assert latex.render(whole, {}).count("Steps, each above those it rests on") == 2  # all others are shared
+    assert "HTML form" in latex.render(paper, {})
+    assert set(paper.anchors) <= {*whole.anchors, "steps"}
+
+
+def test_on_paper_a_picture_of_several_rows_stands_at_the_first_and_the_others_lead_to_it(rows):
+    whole, paper = document(rows), document(rows).on_paper()
+    first, second = [row.claim.id for row in rows if row.finding.figure == "sine"][:2]
+    assert [[one.name for one in pictures(whole.stories[row])] for row in (first, second)] == [["sine"], ["sine"]]
+    assert [[one.name for one in pictures(paper.stories[row])] for row in (first, second)] == [["sine"], []]
+    assert f"drawn under `{first}`" in str(paper.stories[second])
+    assert paper.pictures == whole.pictures
+
+
+@TEX
+def test_it_compiles_to_the_same_bytes_every_time(rows, figures, tmp_path):
+    readable = [row for row in rows if row.claim.id != "hostile"]  # its mathematics is none on purpose
+    found = [write(tmp_path / name, ("pdf",), document(readable), figures, lambda complaint: None) for name in "ab"]
+    (first,), (second,) = found
+    assert first.name == "report.pdf"
+    assert first.read_bytes() == second.read_bytes()
+    assert first.read_bytes().startswith(b"%PDF-")
+    assert not re.search(rb"CreationDate|dc:date", first.read_bytes())
+
+
+@TEX
+def test_what_tex_refuses_is_said_with_the_end_of_its_log():
+    with pytest.raises(RuntimeError, match="Undefined control sequence"):
+        latex.pdf(latex.PREAMBLE + r"\begin{document}\nosuchcommand\end{document}", {})
+
+
+def test_without_tex_the_remedy_is_named(monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(ToolMissingError, match="pdflatex on the PATH"):
+        latex.pdf("", {})
+    assert latex.missing() == latex.REMEDY
