@@ -14,8 +14,7 @@ from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.rate import HALF, MOST
 from paper_checks.claims.return_map import coefficients, cycle_time
 from paper_checks.claims.slips import landings
-from paper_checks.decide import equal, identity
-from paper_checks.evidence import Case, Evidence, EvidenceKind, because, carried, clause, form, stating, theorem
+from paper_checks.claims.words import *
 from theory.long_time import (
     abel_defect,
     balanced_share,
@@ -32,7 +31,7 @@ DIGITS = {"1e6": 18, "1e12": 25, "1e30": 45}
 
 
 @cache
-def expansion() -> tuple[Evidence, ...]:
+def expansion() -> Steps:
     """The Abel equation to leading order, solved for the excess."""
     return (
         identity(

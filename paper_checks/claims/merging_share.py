@@ -20,9 +20,9 @@ from paper_checks.claims.capture import stays_below_critical
 from paper_checks.claims.convergence import contact_again
 from paper_checks.claims.excursions import creeps_for_ever
 from paper_checks.claims.letters import R
-from paper_checks.decide import equal, equals, identity, kernel
+from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision
-from paper_checks.evidence import Case, Evidence, EvidenceKind, Formula, argument, because, carried, clause, theorem
 from theory.merging_share import density, dissipation, divergence, flux, large_energy_limit, level, relative, sphere
 from theory.symbols import X, q, r
 from theory.symbols import r as share_of_q

@@ -11,22 +11,8 @@ from paper_checks.claims.contraction import one_solution, same_modes
 from paper_checks.claims.filippov import spurious_branch, spurious_branches_leave
 from paper_checks.claims.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.claims.transfers import stuck_force
-from paper_checks.decide import equal, exhibit, identity, prove, value_at
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, text
-from paper_checks.evidence import (
-    CORRECTED,
-    Case,
-    Clause,
-    Evidence,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-    equation,
-    latex,
-)
 from theory import forced
 from theory import forced_control as control
 from theory.closed_forms import Regime, residual, solution
@@ -135,7 +121,7 @@ def no_solution_inside() -> Evidence:
     )
 
 
-def two_solutions() -> tuple[Evidence, ...]:
+def two_solutions() -> Steps:
     """(11), (12) from the start of Fig. 4 (a): a stick and a slip, both by substitution."""
     slipping = solved(load_scene("start-at-6mm"))
     stuck, loose = (solution(mode, Regime.UNDAMPED) for mode in ("stick", "slip-"))
@@ -159,7 +145,7 @@ def controlled(name: str, offset: sp.Expr) -> sp.Expr:
     return sp.expand((found.acceleration1 - found.acceleration2).subs(place))
 
 
-def no_solution_under_control() -> tuple[Evidence, ...]:
+def no_solution_under_control() -> Steps:
     """(3), (4) with a control: each branch contradicts itself."""
     place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH, v1: sp.diff(PATH, t)}
     offset = sp.Symbol("delta", real=True)
