@@ -5,8 +5,7 @@ from functools import cache
 import sympy as sp
 
 from paper_checks.claims import filippov
-from paper_checks.decide import equal, identity, implied, prove
-from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory.energy import contraction_rate, energy, sigma, sigma_other
 from theory.model import slip, stick

@@ -4,8 +4,7 @@ import sympy as sp
 
 from paper_checks.claims import signum, transfers
 from paper_checks.claims.letters import MASS
-from paper_checks.decide import equal, identity, sharp
-from paper_checks.evidence import HOLDS, Case, argument, because, carried, claim, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_control as control
 from theory.energy import sigma

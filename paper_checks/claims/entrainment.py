@@ -7,8 +7,7 @@ import sympy as sp
 from paper_checks.claims.forced_modes import strict_rule
 from paper_checks.claims.response import natural_frequency, one_response
 from paper_checks.claims.stuck import undamped_stuck
-from paper_checks.decide import equal, identity
-from paper_checks.evidence import Case, Evidence, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing

@@ -7,8 +7,7 @@ import sympy as sp
 
 from paper_checks.claims.contraction import one_solution
 from paper_checks.claims.letters import S, either_sign
-from paper_checks.decide import cleared, equal, identity, prove
-from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory.forced import U_RATES
 from theory.model import slip

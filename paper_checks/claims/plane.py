@@ -4,8 +4,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.decide import equal, exhibit, identity
-from paper_checks.evidence import CORRECTED, Case, Evidence, argument, because, carried, claim, clause, counterexample
+from paper_checks.claims.words import *
 from theory import plane
 from theory.plane import FIRST, OTHER, SECOND, SHARE, SHARE_OTHER, SLIP
 from theory.symbols import a1, b

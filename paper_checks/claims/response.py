@@ -7,8 +7,7 @@ import sympy as sp
 from paper_checks.claims import jumping_force
 from paper_checks.claims.contraction import energy_rate, force_cancels, never_apart, one_solution
 from paper_checks.claims.forced_modes import strict_rule, tie_rule
-from paper_checks.decide import equal, equals, identity, sharp
-from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_response as response
 from theory import jumping_force as jumping

@@ -2,8 +2,7 @@
 
 from functools import cache
 
-from paper_checks.decide import identity
-from paper_checks.evidence import Case, Evidence, because, clause, theorem
+from paper_checks.claims.words import *
 from theory.forced import load
 from theory.model import slip
 from theory.symbols import b, m1, m2

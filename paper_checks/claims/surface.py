@@ -4,8 +4,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.decide import identity
-from paper_checks.evidence import Case, Evidence, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory.energy import critical_energy
 from theory.filippov import half_width
 from theory.forced_response import omega

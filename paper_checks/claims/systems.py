@@ -1,7 +1,7 @@
 """One theorem for friction in any number of directions: the pair under a force, chains, a surface."""
 
 from paper_checks.claims import filippov
-from paper_checks.evidence import Case, because, clause, theorem
+from paper_checks.claims.words import *
 
 
 @theorem(
