@@ -90,6 +90,13 @@ NEW: dict[str, tuple[str, str, str]] = {
     ),
 }
 """Results past the paper that the first page shows, by their rows: figure, title, and a sentence with formulas of the row."""
+ASKED = {
+    "critical-energy": "Where does $E_{cr}$ come from?",
+    "static-friction-stops-creeping": "What if static friction is above kinetic?",
+    "motions-on-a-surface": "What changes on a surface?",
+    "stuck-ellipses": "What becomes of the critical energy there?",
+}
+"""What is often asked, by the row that answers it."""
 _SLOT = re.compile("«([a-z]+)/([a-z]+)»")
 
 
@@ -223,6 +230,15 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         law = claim_named("sharp-rate-constant").clauses[0]
         text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes no damper, $a_1=0$; no force, $u=0$; a constant $b>0$; and an energy above $E_{{cr}}$ at all times."
         yield "Which theorem carries the 1/t law, and what does it assume?", text
+    if failed := [row for row in shown.values() if row.finding.verdict is Verdict.REFUTED]:
+        some = "; ".join(f"`{row.claim.id}`: {(row.finding.counterexample or '–').rstrip('.')}" for row in failed)
+        yield "Which claims fail, and what are the counterexamples?", f"{some}."
+    for name, question in ASKED.items():
+        if name in shown:
+            yield question, f"{in_short(shown[name])} All of it: `{name}`; weakest step: {kind(shown[name])}."
+    if any(row.kernel for row in shown.values()):
+        text = "What a solution is, all that the kernel takes for granted (its axioms), and every statement: `kernel`. What it did not prove: `trust`."
+        yield "What does the kernel prove, and with which axioms?", text
     if any(row.open for row in shown.values()):
         yield "What is not known?", "One list, from the rows: `open`."
     if any(row.claim.kind is Kind.THEOREM for row in shown.values()):

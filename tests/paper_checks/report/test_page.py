@@ -126,6 +126,12 @@ def test_who_asks_for_the_law_reads_that_it_is_without_damper_and_force():
     told = dict(table.rows)
     assert "`sharp-law`" in told["Which theorem carries the 1/t law, and what does it assume?"]
     assert "$a_1=0$" in told["Which theorem carries the 1/t law, and what does it assume?"]
+    assert "Does the paper" in [*told][-1]
+    rows = [settled(name) for name in (*opening.ASKED, "synchronisation-time")]
+    (table,) = opening.questions(rows, ()).blocks
+    told_of_rows = dict(table.rows)
+    assert "`synchronisation-time`: $1\\neq 0$." in told_of_rows["Which claims fail, and what are the counterexamples?"]
+    assert all("weakest step: " in told_of_rows[question] for question in opening.ASKED.values())
     assert "is not known" in told["Does the paper's version on arXiv say the same?"]
 
 
