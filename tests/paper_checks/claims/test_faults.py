@@ -30,7 +30,7 @@ def planted():
         ]
         for number, (place, fault) in enumerate(faults):
             target = place if place.startswith("theory.") else f"paper_checks.claims.{place}"
-            late = [pytest.mark.long] * (row in LENGTHY and number > 1)
+            late = [pytest.mark.long] * (row in LENGTHY and number > 0)
             yield pytest.param(row, target, fault, id=f"{row}-{place}-{number}", marks=late)
 
 
