@@ -46,7 +46,9 @@ def solve_scene(options: argparse.Namespace) -> int:
     if options.explain:
         print(explanation(trajectory), file=sys.stderr)
     if options.npz is not None:
-        _write_npz(trajectory, options)
+        from numerics.trajectory.export import write_npz
+
+        write_npz(trajectory, options.npz)
     elif options.proof is not None:
         _write_proof(trajectory, options.proof)
     elif options.plot is not None:
@@ -62,25 +64,14 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
         return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
-    for name, given in (("csv", options.csv), ("plot", options.plot is not None), ("proof", options.proof is not None)):
-        if options.sensitivity and given:
-            return f"--sensitivity goes with --json, --npz or the table; leave --{name} out"
+    for name in ("csv", "npz", "plot", "proof"):
+        if options.sensitivity and getattr(options, name):
+            return f"--sensitivity goes with --json or the table; leave --{name} out"
     return None
 
 
 def _progress(events: int, fraction: float) -> None:
     print(f"\r{events} events, {100 * fraction:.0f} % of the horizon ", end="", file=sys.stderr, flush=True)
-
-
-def _write_npz(trajectory: Trajectory, options: argparse.Namespace) -> None:
-    from numerics.trajectory.export import write_npz
-
-    if not options.sensitivity:
-        write_npz(trajectory, options.npz)
-        return
-    from numerics.trajectory.sensitivity_export import sensitivity_arrays
-
-    write_npz(trajectory, options.npz, sensitivity_arrays(trajectory))
 
 
 def _write_proof(trajectory: Trajectory, path: Path) -> None:
