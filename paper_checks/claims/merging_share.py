@@ -85,13 +85,12 @@ def bands(share: Fraction) -> tuple[int, Evidence]:
             shown.append((name, speed))
     number = sum(name == MERGES for name, _ in shown)
     text = ", ".join(f"{'merges' if name == MERGES else 'never'} at w = {speed**2 - 1}" for name, speed in shown)
-    evidence = Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
+    evidence = enclosed(
         f"for $r={share}$ from $x_1=0$ on $S_0$: {number} energies that merge, with one that never does between any two",
         number > 1,
-        len(shown),
         text,
+        len(shown),
+        engine="numerics, balls",
     )
     return number, evidence
 
