@@ -138,7 +138,7 @@ def limit() -> Evidence:
     )
 
 
-def by_quadrature(share: float, energy: float, steps: int = 200) -> float:
+def by_quadrature(share: float, energy: float, steps: int = 80) -> float:
     """Return the share that merges by the integral; approximate, midpoints in polar coordinates."""
     mass = 1 - share
     rho, phi = np.meshgrid((np.arange(steps) + 0.5) / steps, (np.arange(steps) + 0.5) * 2 * math.pi / steps)

@@ -81,7 +81,7 @@ def _merged(share: Fraction) -> tuple[bool, ...]:
 
 @cache
 def _shares(share: float, energies: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(by_quadrature(share, energy, 80) for energy in energies)
+    return tuple(by_quadrature(share, energy) for energy in energies)
 
 
 def _runs(chosen: Iterable[object]) -> list[tuple[int, int]]:
