@@ -7,15 +7,15 @@ time, exactly; where others may be at one time the precision is raised.
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
-from flint import arb
+from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
 from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
-from numerics.plane.coupled import force_at
 from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
@@ -110,7 +110,9 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
 def _load(scene: PlaneScene, y: PlaneState, t: arb, i: int) -> arb:
     """Return m2/(m1 + m2) (u - a2 x1 - a1 v1) on one axis, N."""
     pair, number = scene.pair, Ball.number
-    pull = force_at(scene, t)[i]
-    for j in range(pair.axes):
-        pull -= number(pair.a2[i][j]) * y.x1[j] + number(pair.a1[i][j]) * y.v1[j]
+    piece = scene.force[i].piece_at(Fraction(float(t.mid())))
+    pull = arb_poly([number(c) for c in piece.polynomial])(t - number(piece.start))
+    for sine in piece.sines:
+        pull += number(sine.amplitude) * (number(sine.omega) * t + number(sine.phase)).sin()
+    pull -= number(pair.a2[i][i]) * y.x1[i] + number(pair.a1[i][i]) * y.v1[i]
     return number(pair.m2[i] / (pair.m1[i] + pair.m2[i])) * pull

@@ -22,7 +22,7 @@ LEVEL = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)
         r"For $E_0\leqslant E_{cr}$, «level», the intersection $\{E=E_0\}\cap S_0$ is a closed elliptic trajectory;",
         level=equal("E_{cr}", LEVEL, critical_energy),
     ),
-    clause("open", r"for $E_0>E_{cr}$ it is not.", kernel="ellipse-iff"),
+    clause("above", r"for $E_0>E_{cr}$ it is not.", kernel="ellipse-iff"),
 )
 def critical_energy_claim() -> Case:
     """Prove the condition and its converse."""
@@ -41,7 +41,7 @@ def critical_energy_claim() -> Case:
         ),
         capture.stick_is_a_motion(),
         carried(
-            "open",
+            "above",
             prove(
                 "conversely $E_0>E_{cr}$ puts the end of the semi-axis beyond $L$",
                 [above],

@@ -138,10 +138,10 @@ def motions_on_a_surface() -> Case:
     """What of (2)-(4) carries over to two translations, and in which form."""
     return because(
         r"""
-        By components friction would depend on the axes. A signum for each component is friction that is $\sqrt2$
-        times as strong along the diagonal as along an axis. Friction in the direction of the slip has no such axes,
-        and with it energy falls, a start has one motion, and two motions never move apart, as on a line. The paper
-        itself asks for care with the coupling terms.
+        By components friction would depend on the axes; in the direction of the slip it does not, and with it energy
+        falls, a start has one motion, and two motions never move apart, as on a line. A signum for each component is
+        friction that is $\sqrt2$ times as strong along the diagonal as along an axis. The paper itself asks for care
+        with the coupling terms.
         """,
         counterexample(
             r"""

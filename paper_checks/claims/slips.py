@@ -329,7 +329,7 @@ def excursion_monotone() -> Case:
     """h rises and is convex, c rises and is concave in h^2."""
     return because(
         r"""
-        $h$ rises and is convex; speed, duration, depth and loss of an excursion grow together. $h'$ is
+        Speed, duration, depth and loss of an excursion grow together: $h$ rises and is convex. $h'$ is
         $(\sin\varphi-\varphi\cos\varphi)/\sin^3\varphi$ with $\varphi=\theta/2$, whose numerator grows from $0$;
         $h''>0$ is the inequality of Cusa and Huygens; $c'=h$. The exit speed is $\sqrt q\,h$, the duration $\sqrt
         q\,\theta$, the depth $q\,c$ and the excess lost $q\,r\,c^2$ (units of the reduced coordinates): each

@@ -12,6 +12,7 @@ from numerics.plane.passage import drawn_to
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
 from numerics.plane.system import System
+from numerics.plane.vector import Vector
 from numerics.plane.window import around
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -82,8 +83,8 @@ def test_a_slip_is_drawn_through_rest_up_to_the_load_at_which_its_direction_is_n
     """b_x^2 kap = b_y kap (b_y + |Lam|) at |Lam| = 1.05: PLANE's condition, at its edge."""
     system = System(reduced(PlaneScene(PlanePair(2, 2, 1, ["0.5", "0.2"]), 1, x1=["0.1", "0.1"])), 30)
     with system.fine():
-        along = [arb(0, 1e-6), arb(-1, 1e-6)]
-        psi = drawn_to(system, system.pieces[0], [arb(0), arb(load)], along)
+        along = Vector([arb(0, 1e-6), arb(-1, 1e-6)])
+        psi = drawn_to(system, system.pieces[0], Vector([arb(0), arb(load)]), along)
         assert (psi is not None) == passes
         assert passes != (psi is None or not psi > 1)
-        assert drawn_to(system, system.pieces[0], [arb(0), arb(load)], [arb(0, 1), arb(-1)]) is None
+        assert drawn_to(system, system.pieces[0], Vector([arb(0), arb(load)]), Vector([arb(0, 1), arb(-1)])) is None
