@@ -20,7 +20,7 @@ from flint import arb, arb_poly
 from numerics.arithmetic.ball import sqrt
 from numerics.plane.defect import Curve, Defect, defect, slip_defect
 from numerics.plane.onset import onset, slow_series
-from numerics.plane.passage import drawn_to, end_direction
+from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import SLIP, STICK, Path, log2, two_to
 from numerics.plane.polynomial import first_root, midpoints, rise, scaled
 from numerics.plane.series import Series, slip_series
@@ -203,7 +203,8 @@ class Run(Path):
         self.at = self.at._replace(s=self.system.still)
         part = (2 * self.system.pieces[curve.piece].reach * self.norm / slowest).upper()
         near_end = arb(1) - arb(0).union(part / self.narrow)
-        self.arrive(part * curve.t[1], slip.each(lambda p: p(near_end)))
+        s = slip.each(lambda p: p(near_end))
+        self.arrive(part * curve.t[1], wide(s, self.system.apart * (self.system.length(s) * self.narrow)))
 
     def stop(self) -> None:
         """Put s = 0 where it is no larger than N allows: the motion slips up to here."""
@@ -211,31 +212,34 @@ class Run(Path):
         if not system.pieces[at.piece].strain(self.load()) < 1:
             raise self.undecided("does the slip turn around s = 0 or pass through it")
         self.halt(at.s)
-        self.arrive(arb(0), at.s)
+        self.arrive(arb(0), None)
 
-    def arrive(self, early: arb, s: Vector) -> None:
-        """Go on from s = 0, where |s|_{kap^-1} <= N: it sticks if the load is inside K, and passes if it is outside."""
+    def arrive(self, early: arb, s: Vector | None) -> None:
+        """Go on from s = 0, where |s|_{kap^-1} <= N: it sticks if the load is inside K, and passes if it is outside.
+
+        `s`: the directions before, if they are known.
+        """
         system, drive = self.system, self.system.pieces[self.at.piece]
-        s_wide = wide(s, system.apart * (system.length(s) * self.narrow))
         inside = drive.strain(self.load()) < 1
 
-        def rate(load: Vector) -> arb | None:
+        def fate(load: Vector) -> tuple[arb | None, Drawn | None]:
+            drawn = drawn_to(system, drive, load, s) if s is not None else None
             if not inside:
-                return drawn_to(system, drive, load, s_wide)
+                return drawn and drawn.psi, drawn
             strain = drive.strain(load)
-            return (1 - sqrt(strain)) * drive.weak if strain < 1 else None
+            return (1 - sqrt(strain)) * drive.weak if strain < 1 else None, drawn
 
-        about = rate(self.load())
+        about, _ = fate(self.load())
         window = early / self.narrow + 2 * self.norm / about if about is not None else arb(0)
         near = self.load(window)
-        fall = rate(near)
+        fall, drawn = fate(near)
         outside = bool(drive.strain(near) > 1)
         if fall is None or inside == outside or not (late := early + self.norm / fall) < window:
             raise self.undecided("does the slip end, turn around s = 0 or pass through it")
         self.drift(self.norm, late)
         if inside:
             self.mode = STICK
-            self.happened(SLIP, end_direction(system, drive, self.load(late), s), late, "guard")
+            self.happened(SLIP, end_direction(system, drive, self.load(late), drawn), late, "guard")
         else:
             self.begin(1, "guard", SLIP, late)
 
