@@ -133,10 +133,10 @@ class PeriodicMotions(ShortRepr):
 
 def _drawn(how: str, found: Response | PeriodicMotions) -> Any:
     try:
-        from numerics.control import response_picture
+        from numerics.control import pictures
     except ModuleNotFoundError as error:
         raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
-    return getattr(response_picture, how)(found)
+    return getattr(pictures, how)(found)
 
 
 def response(

@@ -7,20 +7,9 @@ import sympy as sp
 from flint import arb
 
 from paper_checks.claims.excursions import vanishes
-from paper_checks.decide import decimal, equal, identity
+from paper_checks.claims.words import *
 from paper_checks.decide.balls import point, precision, shown
 from paper_checks.decide.roots import enclosed_root
-from paper_checks.evidence import (
-    Case,
-    Evidence,
-    EvidenceKind,
-    Formula,
-    because,
-    clause,
-    form,
-    stating,
-    theorem,
-)
 from theory.excursion import angle
 from theory.merging import (
     critical_mass_ratio,
@@ -49,7 +38,7 @@ ENGINE = "python-flint"
 
 
 @cache
-def one_turning_point() -> tuple[Evidence, ...]:
+def one_turning_point() -> Steps:
     """R = h/c falls from infinity to its one minimum sqrt(r*) and rises to infinity."""
     first, second = turning_slope()
     return (
@@ -101,7 +90,7 @@ def critical_value() -> arb:
 
 
 @cache
-def threshold() -> tuple[Evidence, ...]:
+def threshold() -> Steps:
     """r* and both mass ratios in closed form at the root, to 50 digits."""
     with precision():
         root, value = half_angle(), critical_value()

@@ -13,9 +13,8 @@ from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.convergence import merges_or_creeps
 from paper_checks.claims.excursions import angle_of_excursion
-from paper_checks.decide import identity, prove
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, text
-from paper_checks.evidence import HOLDS, Case, Evidence, EvidenceKind, argument, because, carried, claim, clause
 from theory.excursion import (
     angle,
     excursion,
@@ -125,7 +124,7 @@ def relative_speed_bound(trajectory: Trajectory, after: Event) -> arb:
         return 2 * frame.sqrt_q * (u - u.atan()) * frame.speed
 
 
-def every_excursion() -> tuple[Evidence, ...]:
+def every_excursion() -> Steps:
     """Return the steps of `ARGUMENT` that hold for every pair with m2 <= m1."""
     return (
         excess_after(),
@@ -136,7 +135,7 @@ def every_excursion() -> tuple[Evidence, ...]:
     )
 
 
-def starts_below(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
+def starts_below(trajectory: Trajectory, name: str) -> Steps:
     """Return that a scene in balls meets the assumption at its first exit; `name` says which scene.
 
     Raises ValueError where m2 > m1, or the trajectory has no exit.
@@ -152,7 +151,7 @@ def starts_below(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
     )
 
 
-def never_merges(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
+def never_merges(trajectory: Trajectory, name: str) -> Steps:
     """Return all steps of `ARGUMENT` for a scene in balls. Raises as `starts_below`."""
     return (*every_excursion(), *starts_below(trajectory, name))
 

@@ -8,9 +8,8 @@ import sympy as sp
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Pair, Piece, Scene, State
 from paper_checks.claims.forced_modes import slip_rates, strict_rule
-from paper_checks.decide import identity
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved
-from paper_checks.evidence import Evidence, argument
 from theory import jumping_force as jump
 from theory.symbols import t
 
@@ -134,7 +133,7 @@ def _decimal(value: sp.Expr | int) -> Fraction:
 
 
 @cache
-def seen() -> tuple[Evidence, ...]:
+def seen() -> Steps:
     """Members solved in balls, rounded to many decimals: their modes, and how near they come back."""
     found = []
     for speed in SHOWN:

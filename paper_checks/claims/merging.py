@@ -16,10 +16,10 @@ from paper_checks.claims.critical_ratio import (
 from paper_checks.claims.excursions import vanishes
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.slips import depth_grows
-from paper_checks.decide import kernel, prove
+from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision, shown
 from paper_checks.decide.roots import enclosed_root
-from paper_checks.evidence import Case, Evidence, EvidenceKind, argument, because, carried, clause, theorem
 from theory.excursion import angle
 from theory.merging import half_angle_form, ratio, ray_excess, share
 from theory.return_map import return_map_of_angle
@@ -30,7 +30,7 @@ DIGITS = 30
 
 
 @cache
-def sign_of_excess() -> tuple[Evidence, ...]:
+def sign_of_excess() -> Steps:
     """w' on the ray has the sign of R^2 - r; where it is not positive the pair is on S0."""
     position, velocity = sp.symbols("X V", real=True)
     deep = 2 * (1 - angle * sp.cos(angle) / sp.sin(angle))
@@ -48,7 +48,7 @@ def sign_of_excess() -> tuple[Evidence, ...]:
 
 
 @cache
-def never_from_below() -> tuple[Evidence, ...]:
+def never_from_below() -> Steps:
     """Below the window 0 < y' < y: the same holds again after every excursion."""
     rise_value, deep, y_a = sp.symbols("h c y_a", positive=True)
     return (

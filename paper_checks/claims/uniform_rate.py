@@ -11,9 +11,8 @@ from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.rate import one_cycle, one_step
 from paper_checks.claims.rate_error import ranges
 from paper_checks.claims.slips import contact, depth_grows, landings, one_contact
-from paper_checks.decide import equal, identity, prove
+from paper_checks.claims.words import *
 from paper_checks.decide.balls import point, precision, shown
-from paper_checks.evidence import Case, Evidence, EvidenceKind, Formula, argument, because, carried, clause, theorem
 from theory.long_time import abel_defect, leading_coefficient, logarithm_weight, map_coefficients
 from theory.near_critical import cycle
 from theory.rate_bounds import first_depth, first_excess

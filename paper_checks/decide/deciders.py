@@ -10,7 +10,7 @@ import sympy as sp
 
 from paper_checks.decide.exact import identity
 from paper_checks.decide.exhibit import Point, exhibit
-from paper_checks.decide.polynomial import cleared
+from paper_checks.decide.polynomial import RELATIONAL, signed
 from paper_checks.decide.smt import prove
 from paper_checks.evidence.clause import Formula, decimal_places
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
 
 Derived = Callable[[], sp.Basic]
 Decide = Callable[[Formula], Evidence]
-_RELATIONAL = {"=": sp.Eq, "!=": sp.Ne, "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
 
 
 def shown(formula: Formula) -> str:
@@ -61,8 +60,7 @@ def implied(
 
     def decide(formula: Formula) -> Evidence:
         difference = sp.sympify(formula.left) - sp.sympify(formula.right)
-        margin = cleared(difference.subs(where(), simultaneous=True))
-        conclusion = _RELATIONAL[formula.relation](margin, 0, evaluate=False)
+        conclusion = signed(difference.subs(where(), simultaneous=True), formula.relation)
         return prove(shown(formula), given(), conclusion)
 
     return decide
@@ -87,7 +85,7 @@ def sharp(
 
     def found() -> sp.Rel:
         one, sign, other = derived()
-        return _RELATIONAL[sign](one, other, evaluate=False)
+        return RELATIONAL[sign](one, other, evaluate=False)
 
     return Formula(left, relation, right, condition(found), sharp=True)
 

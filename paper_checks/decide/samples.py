@@ -45,7 +45,7 @@ def solved_samples(seed: int, cases: int, periods: int = 40) -> list[Trajectory]
     return trajectories
 
 
-def dichotomy_samples(seed: int, cases: int = 300) -> Evidence:
+def dichotomy_samples(seed: int, cases: int = 100) -> Evidence:
     """Return that random trajectories have merged, or are above E_cr with an excess that falls at every event."""
     trajectories = solved_samples(seed, cases)
     merged = sum(one.status is Status.STUCK_FOR_EVER for one in trajectories)

@@ -13,7 +13,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from numerics.free.merging import CRITICAL_SHARE
-from numerics.free.merging_map import COLOURS, LABELS, MergingMap, Window, merging_cells
+from numerics.free.merging_map import COLOURS, LABELS, Window, merging_cells
+from numerics.free.quadtree import CellMap
 from paper_checks.claims.merging_share import MERGES, SPEEDS, by_quadrature, decided, start
 from paper_checks.drawing.style import new_figure
 
@@ -27,9 +28,9 @@ def merging_map() -> Figure:
     chart = _chart()
     figure = new_figure(6.4, 4.4)
     axes = figure.subplots()
-    (left, right), (low, high) = ((float(one) for one in side) for side in chart.window.rectangle)
+    (left, right), (low, high) = ((float(one) for one in side) for side in chart.window)
     across, upwards = (np.geomspace(*ends, 2**DEPTH + 1) for ends in ((left, right), (low, high)))
-    cells = chart.raster()
+    cells = chart.raster(COLOURS)
     for index, colour in enumerate(COLOURS.values()):
         corners = [
             [(across[n], upwards[a]), (across[n + 1], upwards[a]), (across[n + 1], upwards[b]), (across[n], upwards[b])]
@@ -70,7 +71,7 @@ def merging_bands() -> Figure:
 
 
 @cache
-def _chart() -> MergingMap:
+def _chart() -> CellMap:
     return merging_cells(Window(), DEPTH)
 
 

@@ -77,6 +77,15 @@ class TestWhoIsFaster:
             ("`digits=12`, without a force", "1", "0.5", "0.5", "velocities"),
         ]
 
+    def test_who_is_slower_where_digits_are_asked_for_says_so_at_once(self):
+        ours = replace_setting(run("solve", "velocities", 2e-3, 14.0), 12.0)
+        free, *_ = told(ours, run("heyoka long double", "velocities", 1e-3, 18.0))
+        assert free.endswith(
+            " Asked for 12 digits, heyoka wins on 1 of 1 scenes; in the median heyoka is 2 times as fast."
+        )
+        free, *_ = told(ours, run("heyoka long double", "velocities", 3e-3, 18.0))
+        assert "Asked" not in free
+
 
 def replace_setting(one, setting):
     return one._replace(setting=setting)
