@@ -12,8 +12,7 @@ says what holds all through one):
 
 from __future__ import annotations
 
-from fractions import Fraction
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 from flint import arb, arb_poly
 
@@ -299,20 +298,12 @@ class Run(Path):
 
     def reach(self, series: Series, m: int) -> tuple[arb, int]:
         """Return how far the series of a slip reaches, and how many of its terms: for m != 1 it diverges."""
-        rows, least = series.slip, 4
-        size = log2(highest(Vector(one[0] for one in rows)))
-        reach = [
-            (size - self.system.bits - max(log2(one[k]) for one in rows)) / k
-            if any(one[k] != 0 for one in rows)
-            else 64.0
-            for k in range(1, len(rows[0]) - 1)
-        ]
-        if m == 1:
-            found, top = min(reach[-2:]), len(reach) + 1
-        else:
-            found = max(min(reach[k - 1], reach[k]) for k in range(least, len(reach)))
-            top = 1 + max(k for k in range(least, len(reach)) if min(reach[k - 1], reach[k]) >= found)
-        return two_to(min(found, log2(self.period) + 4) - (0.1 if m == 1 else 0.4)), top
+        first, *logs = (max(map(log2, one)) for one in zip(*series.slip, strict=True))
+        reach = [min(64.0, (first - self.system.bits - one) / k) for k, one in enumerate(logs[:-1], start=1)]
+        both = [min(two) for two in pairwise(reach)]
+        found = both[-1] if m == 1 else max(both[3:])
+        top = 2 + max(k for k, one in enumerate(both) if one >= found and (k > 2 or m == 1))
+        return two_to(min(found, log2(self.period) + 4) - (0.1 if m == 1 else 0.4)), top + (m == 1)
 
 
 def exactly_on_edge(system: System) -> bool:
@@ -320,10 +311,7 @@ def exactly_on_edge(system: System) -> bool:
     given, acting = system.given, system.given.pieces[0]
     if any(phase for _, phase, _ in acting.sines):
         return False
-    q1, v1, _ = given.start
-    strain = Fraction(0)
-    for i in system.axes:
-        push = acting.polynomial[0][i] if acting.polynomial else Fraction(0)
-        push -= sum(given.a2[i][j] * q1[j] + given.a1[i][j] * v1[j] for j in system.axes)
-        strain += (given.m2[i] / (given.m1[i] + given.m2[i]) * push) ** 2 / acting.b_squared[i]
-    return strain == 1
+    q1, v1, m1, m2 = map(Vector, (*given.start[:2], given.m1, given.m2))
+    held = Vector(Vector(one) @ q1 + Vector(two) @ v1 for one, two in zip(given.a2, given.a1, strict=True))
+    load = (Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - held) * m2 / (m1 + m2)
+    return bool(load / Vector(acting.b_squared) @ load == 1)
