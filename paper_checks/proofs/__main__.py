@@ -27,7 +27,9 @@ def main() -> int:
     if options.out and not options.command.endswith(".v"):
         parser.error(f"--out is for a proof file, whose name ends in .v, not for {options.command}")
     if options.command.endswith(".v"):
-        return _write(Path(options.command), options.out) if options.out else _judge(Path(options.command), options.jobs)
+        return (
+            _write(Path(options.command), options.out) if options.out else _judge(Path(options.command), options.jobs)
+        )
     if options.command not in ("check", "pin", "list"):
         parser.error(f"{options.command!r} is neither check, pin or list nor a proof file, whose name ends in .v")
     if options.command == "list":
