@@ -4,7 +4,9 @@ import json
 from decimal import Decimal, localcontext
 
 import pytest
+from control_scenes import referred
 from extremes.catalogue import ANSWER, CATALOGUE, HERE, scene
+from flint import arb, ctx
 
 from numerics.errors import EventUndecided, NumericsError
 from numerics.free.energy import energy_at
@@ -124,6 +126,16 @@ def test_an_undecided_graze_shows_the_enclosure():
         ANSWER["graze-to-900-digits"],
         scene("graze-to-900-digits").pair,
     )
+
+
+@pytest.mark.parametrize("name", ["corner-plus", "mass-ratio-1e-6", "capture-from-off-S", "excess-1e-12"])
+def test_another_reference_has_the_answers(name):
+    found = referred(scene(name), digits=140)
+    assert found.modes[: len(ANSWER[name]["modes"])] == ANSWER[name]["modes"]
+    with ctx.workdps(120):
+        for event, row in zip(found.events, ANSWER[name]["events"], strict=False):
+            for value, text in zip((event.t, *event.y), row, strict=True):
+                assert text == "0" or abs(value / arb(text) - 1) < arb("1e-55"), (value, text)
 
 
 @pytest.mark.parametrize("way", WAYS)

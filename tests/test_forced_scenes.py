@@ -1,22 +1,25 @@
 """The scenes of tests/forced in every arithmetic: right to the digits asked, or refused where that is right.
 
-The answers are of a solver that shared nothing with this one.
+The answers come from tests/forced_reference.py, which shares nothing with the solver.
 """
 
 import json
+import math
+from dataclasses import replace
 from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import pytest
-from flint import arb
+from control_scenes import referred
+from flint import arb, ctx
 from forced.catalogue import ANSWER, SIGNS, UNDECIDABLE, itinerary
 from forced.catalogue import scene as scene_of
 from hypothesis import given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
-from strategies import MODERATE, pairs, states
+from strategies import MODERATE, driven_scenes, long_slips, near_critical, pairs, scenes, states
 
-from numerics import Force, Friction, Pair, Piece, Scene, Sine, State
+from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.ball import precision
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
 from numerics.solver.solve import solve
@@ -175,6 +178,65 @@ def test_rates_out_of_all_proportion_are_refused_in_one_line(a2, way):
     with pytest.raises(NumericsError) as refused:
         solve(scene, arithmetic=way)
     assert len(str(refused.value).splitlines()) == 1
+
+
+KINDS = {
+    "free": scenes(),
+    "damped": scenes(damped=True),
+    "many cycles in one slip": long_slips(damped=None, turns=(0, 0)),
+    "next to E_cr": near_critical((3, 16)),
+    "the literal law": scenes(damped=None, law=Law.THREE_VALUED_SGN),
+    "driven": driven_scenes(),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_any_scene_agrees_with_the_reference(kind):
+    """For six hundred radians of the fastest motion, 300 steps of the reference; or it is refused at a touch."""
+
+    @reaching
+    @given(KINDS[kind])
+    def agree(scene):
+        pair, omegas = scene.pair, [one.omega for piece in scene.force.pieces for one in piece.sines]
+        fastest = Fraction(max(float(pair.a1 / pair.m1) + math.sqrt(pair.a2 / pair.m1), *map(float, omegas), 0.0))
+        try:
+            require_agreement(replace(scene, until=min(scene.until, 600 / fastest)))
+        except EventUndecided:
+            raise LeftOut from None
+
+    agree()
+
+
+def require_agreement(scene):
+    """In balls: the same modes, and every event and the end to 28 digits of their scale."""
+    found = solve(scene, arithmetic="ball", digits=30, max_digits=300)
+    truth = referred(scene, digits=110)
+    with ctx.workdps(110):
+        rows = [(event.t, *event.y) for event in found.events] + [(found.end_time, *found.final_state)]
+        right = [(event.t, *event.y) for event in truth.events] + [(truth.t, *truth.state())]
+        assert [mode.value for mode in found.modes] == truth.modes
+        far, fast = truth.far, truth.fast
+        for got, true in zip(rows, right, strict=True):
+            for one, two, scale in zip(got, true, (abs(true[0]), far, fast, far, fast), strict=True):
+                assert one.overlaps(two + scale * arb(0, 1e-50))
+                assert abs(one.mid() - two) <= scale * arb(10) ** -28
+
+
+FOUND = [
+    (Pair(2, 1, 3, 1, a1=1), State(x1=Fraction(-1, 3), v2=-3)),
+    (Pair(2, 1, 3, 1, a1=1), State(v1=Fraction(1, 5), v2=-3)),
+    (Pair(1, 1, 3, 1, a1=2), State(Fraction(2, 9), Fraction(2, 3), 0, Fraction(2, 3))),
+    (Pair(1, 1, 1, 1, a1=2), State(x1=1, v1=5)),
+    (Pair("0.5", "0.5", 3, 1, a1="2.4"), State("2.6", "2.4", 0, "-3.9")),  # a contact was passed over
+    (Pair("0.5", "0.5", 3, 1, a1="2.35"), State("3.2", "-0.5", 0, "-1.8")),
+    (Pair(1, "0.5", 3, 1, a1="2.6"), State("-3.9", "2.4", 0, "1.8")),  # an exit was passed over
+    (Pair(1, 1, 200, "0.5", a1=40), State(x1=1, v1=2)),
+]
+
+
+@pytest.mark.parametrize(("pair", "state"), FOUND)
+def test_no_event_is_passed_over(pair, state):
+    require_agreement(Scene(pair, state, until=20))
 
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath"])

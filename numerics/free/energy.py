@@ -2,7 +2,7 @@
 
 Three roads, the cheapest that gives what is asked: a pair that never slips again keeps its energy; a few hundred events
 are stepped one by one; beyond those, on an exit ray close to the critical orbit, the Abel functions of the return map
-(abel.py) jump over all remaining excursions at once. Everything is enclosed. A pair with a damper is stepped.
+(abel.py) jump over all remaining excursions at once. Everything is enclosed.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
-from itertools import pairwise
 
 from flint import arb, fmpq
 
@@ -24,8 +23,7 @@ from numerics.free.engine import begin_exactly
 from numerics.free.frame import Frame
 from numerics.free.motion import State, on_ray, state_at
 from numerics.free.walk import Walk
-from numerics.linear.modes import MODES, Mode
-from numerics.linear.record import How
+from numerics.linear.modes import Mode
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
 
@@ -49,7 +47,7 @@ class EnergyAt:
     """The answer at time t (s): energy (J), excess w, excursions so far, mode and state; enclosures.
 
     `si_state` is (x1, v1, x2, v2) in m and m/s; after a jump x2 counts from an unknown origin. `state` is the same,
-    reduced; None with a damper. `stepped` counts the events that were located one by one, `digits` the right digits of
+    reduced. `stepped` counts the events that were located one by one, `digits` the right digits of
     energy and excess.
     """
 
@@ -60,7 +58,7 @@ class EnergyAt:
     energy_excess: Number
     excursions: int
     mode: Mode
-    state: State | None
+    state: State
     si_state: tuple[Number, Number, Number, Number]
     road: Road
     stepped: int
@@ -85,10 +83,7 @@ def energy_at(
     while working <= max_digits:
         try:
             with Ball(working).context():
-                if scene.pair.a1 > 0 and not scene.is_forced:
-                    found = _damped(scene, at, Ball(working), max_steps)
-                else:
-                    found = _Way(scene, at, Ball(working), working - size).found(max_steps)
+                found = _Way(scene, at, Ball(working), working - size).found(max_steps)
             if found.digits >= digits:
                 return found
             undecided, working = None, working + digits - found.digits + _SPARE_DIGITS
@@ -100,29 +95,6 @@ def energy_at(
         f"{digits} right digits at t = {arb(fmpq(at.numerator, at.denominator)).str(6, radius=False)} s need more than "
         f"{max_digits} working digits; raise max_digits"
     )
-
-
-def _right_digits(energy: arb, unit: arb, w: arb) -> int:
-    return min(digits_within(energy.rad(), energy, unit), digits_within(w.rad(), w, arb(1)))
-
-
-def _damped(scene: Scene, at: Fraction, arithmetic: Ball, max_steps: int) -> EnergyAt:
-    """Return the answer for a pair with a damper, which takes E to 0, where 1 + w would cancel."""
-    from numerics.linear.engine import run_linear
-
-    record = run_linear(Scene(scene.pair, scene.initial, at, scene.law), arithmetic, max_steps)
-    if record.how is How.EVENT_LIMIT:
-        raise OutOfRange(f"more than {max_steps} events before t = {short(at)} s; raise max_steps")
-    frame, end, pair = Frame(arithmetic, scene.pair), record.end, scene.pair
-    m1, m2, a2 = (arithmetic.number(one) for one in (pair.m1, pair.m2, pair.a2))
-    energy = (a2 * end.x1**2 + m1 * end.v1**2 + m2 * end.v2**2) / 2
-    w = energy / frame.critical_energy - 1
-    signs = [row.mode for row in record.rows]
-    exits = sum(before == 0 != after for before, after in pairwise(signs))
-    road = Road.NO_MORE_SLIP if record.how is How.STUCK else Road.STEPPED
-    right = _right_digits(energy, frame.critical_energy, w)
-    state = end.x1, end.v1, end.x2, end.v2
-    return EnergyAt(scene, at, frame, energy, w, exits, MODES[end.mode], None, state, road, record.events, right)
 
 
 class _Way:
@@ -145,7 +117,9 @@ class _Way:
         walk, frame = self.walk, self.frame
         state = state_at(walk.at, walk.start, self.target - walk.start.tau)
         energy = frame.critical_energy * (1 + state.w)  # w is the accurate one
-        right = _right_digits(energy, frame.critical_energy, state.w)
+        right = min(
+            digits_within(one.rad(), one, unit) for one, unit in ((energy, frame.critical_energy), (state.w, arb(1)))
+        )
         found = energy, state.w, self.excursions, walk.mode, state, frame.si_state(state)
         return EnergyAt(self.scene, self.at, frame, *found, self.road, self.stepped, right)
 

@@ -85,13 +85,12 @@ def bands(share: Fraction) -> tuple[int, Evidence]:
             shown.append((name, speed))
     number = sum(name == MERGES for name, _ in shown)
     text = ", ".join(f"{'merges' if name == MERGES else 'never'} at w = {speed**2 - 1}" for name, speed in shown)
-    evidence = Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
+    evidence = enclosed(
         f"for $r={share}$ from $x_1=0$ on $S_0$: {number} energies that merge, with one that never does between any two",
         number > 1,
-        len(shown),
         text,
+        len(shown),
+        engine="numerics, balls",
     )
     return number, evidence
 
@@ -139,7 +138,7 @@ def limit() -> Evidence:
     )
 
 
-def by_quadrature(share: float, energy: float, steps: int = 200) -> float:
+def by_quadrature(share: float, energy: float, steps: int = 80) -> float:
     """Return the share that merges by the integral; approximate, midpoints in polar coordinates."""
     mass = 1 - share
     rho, phi = np.meshgrid((np.arange(steps) + 0.5) / steps, (np.arange(steps) + 0.5) * 2 * math.pi / steps)

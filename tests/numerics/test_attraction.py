@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
 import numpy as np
 import pytest
+from control_scenes import referred
 from flint import arb, arb_mat
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -18,7 +20,7 @@ from numerics.control.attraction import passage_at, passages, slide_left
 from numerics.control.orbit import Orbit
 from numerics.control.response import response
 from numerics.errors import EventUndecided
-from numerics.scene import Force, Pair, Scene, State
+from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
 UNEVEN = Pair(3, "0.5", 200, "0.5", 3)
 STICKS, SLIPS = "3", "5"
@@ -34,6 +36,26 @@ def in_leg(orbit: Orbit, number: int) -> arb:
     """The middle of a leg."""
     leg, after = orbit.turns[number]
     return ((leg.t + after.t) / 2).mid()
+
+
+def norm(pair: Pair, vector: np.ndarray) -> float:
+    """N of a difference (x1, v1, v2)."""
+    return math.sqrt(
+        float(pair.a2) * vector[0] ** 2 + float(pair.m1) * vector[1] ** 2 + float(pair.m2) * vector[2] ** 2
+    )
+
+
+def after_a_period(orbit: Orbit, t: Fraction, moved: np.ndarray) -> np.ndarray:
+    """(x1, v1, v2) a period after a start beside the orbit at time t, by the independent reference."""
+    at = Ball.number(t)
+    x1, v1, _, v2 = (Fraction(float(one.mid())) for one in passage_at(orbit, at).state(at))
+    piece, more = orbit.drive.piece, [Fraction(float(one)) for one in moved]
+    sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * t) for one in piece.sines]
+    start = State(x1=x1 + more[0], v1=v1 + more[1], v2=v2 + more[2])
+    period = Fraction(float(orbit.drive.period.mid()))
+    scene = Scene(orbit.drive.pair, start, until=period, force=Force((Piece(0, piece.polynomial, sines),)))
+    end = referred(scene).state()
+    return np.array([float(end[0]), float(end[1]), float(end[3])])
 
 
 @settings(max_examples=3)
@@ -54,6 +76,25 @@ def test_a_map_that_does_not_shrink_leaves_it_undecided():
         patch.setattr(attraction, "_period_slopes", lambda *_: arb_mat(np.eye(3).tolist()))
         with pytest.raises(EventUndecided, match="shrink"):
             slide_left(orbit, in_leg(orbit, 0), arb("1e-6"))
+
+
+@pytest.mark.parametrize(("amplitude", "number"), [(SLIPS, 0), (STICKS, 0), (STICKS, 1)])
+@settings(max_examples=3)
+@given(st.lists(st.integers(-8, 8), min_size=3, max_size=3))
+def test_the_slopes_of_a_period_hold_over_the_whole_box(amplitude, number, corner):
+    """The difference of two runs beside the orbit is a slope in between times that of their starts (mean value)."""
+    orbit, reach = orbit_under(amplitude), 2e-5
+    t = Fraction(float(in_leg(orbit, number)))
+    sizes = np.array([float(1 / math.sqrt(one)) for one in (UNEVEN.a2, UNEVEN.m1, UNEVEN.m2)]) * reach
+    moved = np.array(corner) / 8 * sizes * 0.999
+    if orbit.legs[number].side == 0:
+        moved[2] = moved[1]
+    found = after_a_period(orbit, t, moved) - after_a_period(orbit, t, np.zeros(3))
+    with Ball(20).context():
+        slopes = attraction._period_slopes(orbit, Ball.number(t), arb(reach))
+        bound = slopes * arb_mat([[one] for one in moved.tolist()])
+        for row in range(3):
+            assert (bound[row, 0] + arb(0, 1e-13)).contains(arb(found[row])), (row, bound[row, 0], found[row])
 
 
 @pytest.mark.parametrize(("amplitude", "number"), [(SLIPS, 0), (STICKS, 0), (STICKS, 1)])

@@ -1,4 +1,4 @@
-"""Periodic motions where friction depends on the speed: each comes back, and what is said of the rest."""
+"""Periodic motions where friction depends on the speed: each by another integrator, and what is said of the rest."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from control_scenes import DAMPED, solved, under
+from control_scenes import DAMPED, under
 from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import Ball
@@ -17,6 +17,7 @@ from numerics.control.response import PeriodicMotions, Regime, response, steady_
 from numerics.control.ring import ring_entry
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
+from tests.state_reference import reference
 
 FALLING = Weakening([("0.3", "0.15")])
 LIGHTLY = Pair(1, 1, 200, "0.5", "0.2")
@@ -41,10 +42,10 @@ ALL = [(bistable, 0), (bistable, 1), (bistable, 2), (two_that_attract, 0), (two_
 
 
 def returned(scene: Scene, *by: float) -> np.ndarray:
-    """(x1, v1, v2) after the scene; its start moved."""
+    """(x1, v1, v2) after the scene by the other integrator; its start moved."""
     at = scene.initial
     x1, v1, v2 = (Fraction(move) + one for move, one in zip(by or (0, 0, 0), (at.x1, at.v1, at.v2), strict=True))
-    return np.array(solved(replace(scene, initial=State(x1, v1, 0, v2))).final_state, dtype=float)[[0, 1, 3]]
+    return reference(replace(scene, initial=State(x1, v1, 0, v2))).y[[0, 1, 3]]
 
 
 def test_a_stuck_motion_a_slipping_one_and_one_between_that_others_leave_are_found():
@@ -59,7 +60,7 @@ def test_a_stuck_motion_a_slipping_one_and_one_between_that_others_leave_are_fou
 
 
 @pytest.mark.parametrize(("of", "number"), ALL)
-def test_each_comes_back(of, number):
+def test_each_comes_back_by_another_integrator(of, number):
     found = of().motions[number]
     scene = found.one_period()
     at = np.array([float(one) for one in (scene.initial.x1, scene.initial.v1, scene.initial.v2)])
@@ -68,7 +69,7 @@ def test_each_comes_back(of, number):
 
 
 @pytest.mark.parametrize(("of", "number"), [(bistable, 1), (two_that_attract, 0)])
-def test_multipliers_are_those_of_neighbours(of, number):
+def test_multipliers_are_those_of_the_other_integrator(of, number):
     found = of().motions[number]
     scene, step = found.one_period(), 1e-5
     columns = [(returned(scene, *step * e) - returned(scene, *-step * e)) / (2 * step) for e in np.eye(3)]
@@ -127,9 +128,7 @@ def test_a_force_that_favours_no_side_may_carry_body_2_along_for_ever_to_either_
     assert (one + two).contains(0)
     for motion in carried:
         period = motion.one_period()
-        assert float(solved(period).final_state[2] / motion.orbit.drive.period) == pytest.approx(
-            float(motion.drift), rel=1e-9
-        )
+        assert reference(period).y[2] / float(period.until) == pytest.approx(float(motion.drift), rel=1e-9)
     drives = {mirrored(one.orbit).legs[0].x.str(9) for one in carried}
     assert drives == {one.orbit.legs[0].x.str(9) for one in carried}
 

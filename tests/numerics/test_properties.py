@@ -1,5 +1,6 @@
 """What every trajectory does, over masses, stiffness, friction, damping and states of many magnitudes."""
 
+from fractions import Fraction
 from itertools import pairwise
 
 from hypothesis import given
@@ -9,7 +10,7 @@ from strategies import driven_scenes, scenes
 
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Scene, State
+from numerics.scene import Force, Friction, Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 
@@ -80,3 +81,28 @@ def test_the_sign_flip_commutes_with_solving_bit_for_bit(scene):
                 assert a == -b or (enclosed and a.overlaps(-b))
             for a, b in zip(one.t, two.t, strict=True):
                 assert a == b or (enclosed and a.overlaps(b))
+
+
+@reaching
+@given(any_scene, st.integers(-40, 40), st.integers(-40, 40))
+def test_other_units_change_a_run_within_its_bounds(scene, k, n):
+    """Lengths times 2^k and masses times 2^n: exact in every number, so that only a rounding of a unit can differ."""
+    length, mass = Fraction(2) ** k, Fraction(2) ** n
+    pair, at, force = scene.pair, scene.initial, mass * length
+    other = Scene(
+        Pair(pair.m1 * mass, pair.m2 * mass, pair.a2 * mass, pair.b * force, pair.a1 * mass),
+        State(*(length * x for x in (at.x1, at.v1, at.x2, at.v2))),
+        scene.until,
+        scene.law,
+        Force((force * scene.force).pieces),
+        Friction([(start, b * force) for start, b in scene.friction.pieces]),
+    )
+    one, two = (solve(each, arithmetic="float64", max_events=30) for each in (scene, other))
+    if not (one.certain and two.certain):
+        raise LeftOut
+    assert one.modes == two.modes
+    for a, b, *off in zip(one.t[1:], two.t[1:], one.accuracy.t, two.accuracy.t, strict=False):
+        assert abs(a - b) <= sum(off)
+    ends = zip(one.final_state, two.final_state, one.accuracy.final, two.accuracy.final, strict=True)
+    for a, b, off, scaled in ends:
+        assert abs(Fraction(a) - Fraction(b) / length) <= Fraction(off) + Fraction(scaled) / length

@@ -1,4 +1,4 @@
-"""Periodic motions: they come back, and so do their neighbours as the multipliers say."""
+"""Periodic motions: their enclosures against the independent reference, their multipliers against differences of it."""
 
 from __future__ import annotations
 
@@ -6,11 +6,10 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from control_scenes import DAMPED, FREE, one_period, solved, under
+from control_scenes import DAMPED, FREE, one_period, referred, under
 from flint import arb
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from inclusion import motion
 from reaching import LeftOut, reaching
 from strategies import decimals, sine_scenes
 
@@ -23,9 +22,9 @@ from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State
 
 
 def returned(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fraction(0),) * 3) -> np.ndarray:
-    """(x1, v1, v2) after a period less before."""
+    """(x1, v1, v2) after a period less before, by the reference."""
     scene = one_period(orbit, moved)
-    x1, v1, _, v2 = solved(scene).final_state
+    x1, v1, _, v2 = referred(scene).state()
     start = scene.initial
     with Ball(40).context():
         ends = zip((x1, v1, v2), (start.x1, start.v1, start.v2), strict=True)
@@ -35,7 +34,7 @@ def returned(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fractio
 @reaching
 @given(sine_scenes())
 @settings(max_examples=12)
-def test_a_periodic_motion_comes_back(case):
+def test_a_periodic_motion_comes_back_by_the_reference(case):
     scene, regime = case
     found = response(scene, digits=20)
     assert found.regime is regime
@@ -43,19 +42,19 @@ def test_a_periodic_motion_comes_back(case):
         raise LeftOut
     assert all(abs(one) < 1 for one in found.multipliers)
     period, legs = one_period(found.orbit), found.orbit.legs
-    run = motion(period)
-    assert run.signs[1:] == [leg.side for leg in (*legs[1:], legs[0])]
+    run = referred(period)
+    assert [event.after for event in run.events] == [leg.side for leg in (*legs[1:], legs[0])]
     with Ball(40).context():
         size = abs(legs[0].x) + abs(legs[0].v)
-        for end, at in zip(run.final_state[:2], (period.initial.x1, period.initial.v1), strict=True):
+        for end, at in zip(run.state()[:2], (period.initial.x1, period.initial.v1), strict=True):
             assert abs(end - Ball.number(at)) < size * arb(10) ** -18
 
 
 def test_a_stick_that_would_break_at_the_other_edge_is_no_stick():
     """Two stops a period solve all equations of events, but in the stick between them the load passes -b."""
     orbit = response(under(Pair(1, 1, 200, "0.5", "0.5"), "5.7754", 4)).orbit
-    run = motion(one_period(orbit))
-    assert run.signs[1:] == [leg.side for leg in (*orbit.legs[1:], orbit.legs[0])]
+    run = referred(one_period(orbit))
+    assert [event.after for event in run.events] == [leg.side for leg in (*orbit.legs[1:], orbit.legs[0])]
     assert len(orbit.legs) == 8
 
 
@@ -77,7 +76,7 @@ def test_a_load_above_the_limit_for_a_ten_thousandth_of_a_period_is_seen():
 
 
 @pytest.mark.parametrize(("pair", "amplitude"), [(DAMPED, "0.5"), (DAMPED, "1.5"), (FREE, "0.4"), (FREE, "0.6")])
-def test_multipliers_are_those_of_neighbours(pair, amplitude):
+def test_multipliers_are_those_of_the_reference(pair, amplitude):
     """Central differences of the period map; only those tangent to stick if the motion starts in a stick phase."""
     found = response(under(pair, amplitude))
     step = Fraction(1, 10**8)

@@ -1,11 +1,11 @@
-"""References that body 2 is to follow: where the force leads, and what friction cannot do."""
+"""References that body 2 is to follow: the force against the independent reference, and what friction cannot do."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
 import pytest
-from control_scenes import DAMPED, FREE, solved
+from control_scenes import DAMPED, FREE, referred
 from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
@@ -25,13 +25,13 @@ WAVE = (Piece(0, ["0.25", "-0.03"], [Sine("0.01", 3)]),)
 
 
 @pytest.mark.parametrize(("pair", "reference"), [(FREE, S_CURVE), (DAMPED, S_CURVE), (FREE, WAVE), (DAMPED, WAVE)])
-def test_body_2_follows(pair, reference):
+def test_body_2_follows_by_the_reference(pair, reference):
     found = track(Scene(pair, State(x1="0.002", x2="0.25"), 3), reference)
-    run = solved(found.scene)
+    run = referred(found.scene)
     assert not run.events
     with Ball(36).context():
         goal = Derivative(reference[-1], 0)(arb(3))
-        assert abs(run.final_state[2] - goal) < arb(10) ** -30
+        assert abs(run.x2 - goal) < arb(10) ** -30
     assert draw_tracking(found, pair).axes
 
 

@@ -1,4 +1,4 @@
-"""Friction that depends on the state: a motion of its scene, across digits, at ties, and what is refused."""
+"""Friction that depends on the state: against another integrator, across digits, at ties, and what is refused."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -23,6 +23,7 @@ from numerics.trajectory.curve import sampled
 from numerics.trajectory.run import run_scene
 from numerics.trajectory.sensitivity import sensitivities
 from tests.differences import CENTRAL, moved
+from tests.state_reference import reference
 from tests.strategies import weakened_scenes
 
 mpl.use("Agg")
@@ -42,6 +43,14 @@ def overlap(one: Scene, two: Scene, digits: tuple[int, int] = (24, 60)) -> bool:
     a, b = (run_scene(scene, Ball(n)) for scene, n in zip((one, two), digits, strict=True))
     numbers = [[*run.event_times, *run.event_states.ravel(), *run.final_state] for run in (a, b)]
     return a.modes == b.modes and all(x.overlaps(y) for x, y in zip(*numbers, strict=True))
+
+
+def agrees(scene: Scene) -> bool:
+    """Whether a scene in balls is the reference's, as far as that goes."""
+    found, expected = solve(scene, arithmetic="ball", digits=24), reference(scene)
+    assert [mode.sign for mode in found.modes] == expected.modes
+    times, state = ([float(one) for one in numbers] for numbers in (found.event_times, found.final_state))
+    return np.allclose(times, expected.t, rtol=0, atol=1e-7) and np.allclose(state, expected.y, rtol=0, atol=1e-7)
 
 
 BISTABLE = Scene(
@@ -65,6 +74,18 @@ JUMPING = Scene(
     force=Force.step(1, 2) + Force.step(2, -3),
     friction=Friction([("1.5", "0.8")], BY_PLACE),
 )
+
+
+@pytest.mark.parametrize("scene", [weakened(BY_PLACE, 1, v1="0.5"), BISTABLE, CREEPING, JUMPING])
+def test_the_reference_has_the_same_motion(scene: Scene):
+    assert agrees(scene)
+
+
+@pytest.mark.long
+@settings(max_examples=60, deadline=None)
+@given(weakened_scenes())
+def test_the_reference_has_the_same_motion_of_any_scene(scene: Scene):
+    assert agrees(scene)
 
 
 @settings(max_examples=5, deadline=None)

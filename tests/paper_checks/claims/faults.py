@@ -7,46 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from paper_checks.claims import points
-from theory import symbols
 from theory.filippov import EdgeContact
-
-
-def fault(named: str | list[Any]) -> Callable[..., Any]:
-    """Return the fault that faults.toml names: one of those below, or one made of what stands behind its name."""
-    name, *more = [named] if isinstance(named, str) else named
-    return globals()[name](*more) if more else globals()[name]
-
-
-def minus(value):
-    return -value
-
-
-def twice(value):
-    return 2 * value
-
-
-def half(value):
-    return value / 2
-
-
-def one_more(value):
-    return value + 1
-
-
-def square(value):
-    return value**2
-
-
-def point(name):
-    """Another one of the named points."""
-    return lambda _: getattr(points, name)
-
-
-def given(*numbers):
-    """A point with other coordinates: a symbol's name and its value in turn."""
-    changed = {getattr(symbols, name): value for name, value in zip(*[iter(numbers)] * 2, strict=True)}
-    return lambda one: {**one, **changed}
 
 
 def negated(original: Callable[..., Any]) -> Callable[..., Any]:
@@ -75,15 +36,13 @@ def other_sign(original: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def plus(term: Any) -> Callable[..., Any]:
-    """Return a fault that adds a term to a scalar: an expression, or a symbol by its name."""
-    term = getattr(symbols, term) if isinstance(term, str) else term
+    """Return a fault that adds a term to a scalar."""
     return lambda original: lambda *arguments, **named: original(*arguments, **named) + term
 
 
-def without(*names: str) -> Callable[..., Any]:
+def without(*symbols: Any) -> Callable[..., Any]:
     """Return a fault that drops the terms with these symbols."""
-    none = {getattr(symbols, name): 0 for name in names}
-    return lambda original: lambda *arguments, **named: original(*arguments, **named).subs(none)
+    return lambda original: lambda *arguments, **named: original(*arguments, **named).subs(dict.fromkeys(symbols, 0))
 
 
 class Misread:
@@ -124,7 +83,6 @@ def mistaken(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
 
 def entry(index, change):
     """Change one of several expressions."""
-    change = fault(change) if isinstance(change, str) else change
     return lambda original: (
         lambda *given: tuple(change(one) if place == index else one for place, one in enumerate(original(*given)))
     )
@@ -142,7 +100,6 @@ def failing(original):
 
 def limit_changed(name, change):
     """Change one of the limits along a trajectory to the critical orbit."""
-    change = fault(change) if isinstance(change, str) else change
     return lambda limits: lambda: replace(limits(), **{name: change(getattr(limits(), name))})
 
 

@@ -1,23 +1,19 @@
 """A fault in a step, in a point, in what is printed or in theory turns the rows that rest on it."""
 
-import tomllib
-from collections import Counter
 from functools import cache
-from pathlib import Path
 
 import pytest
 
 from paper_checks.claims import convergence, long_time, merging_share, near_critical
-from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.running.runner import Context, decide
 
-from . import further_faults
+from . import faults_in_the_paper, faults_in_theorems
 from .conftest import CHECKS
-from .faults import doubled, fault, halved, negated, other_sign
+from .faults import doubled, halved, negated, other_sign
 
 LENGTHY = {
-    *(one for one, claim in CHECKS.items() if claim.kind is Kind.THEOREM),
+    *faults_in_theorems.FAULTS,
     *("infinitely-many-crossings", "dichotomy", "relative-displacement-limit", "global-stability", "stick-durations"),
     *("slip-durations", "exits-near-endpoints", "no-merging-near-critical", "slower-than-exponential"),
     *("rate-one-over-t", "viscous-energy-rate", "viscous-origin-stable", "synchronisation-all-parameters"),
@@ -28,14 +24,14 @@ LENGTHY = {
 
 def planted():
     """Every fault, by its row and the name that it changes."""
-    named = tomllib.loads((Path(__file__).parent / "faults.toml").read_text("utf-8"))
-    faults = [(row, place, fault(one)) for row, some in named.items() for place, every in some.items() for one in every]
-    count = Counter[str]()
-    for row, place, one in faults + further_faults.FAULTS:
-        target = place if place.startswith("theory.") else f"paper_checks.claims.{place}"
-        late = [pytest.mark.long] * (row in LENGTHY and count[row] > 0)
-        yield pytest.param(row, target, one, id=f"{row}-{place}-{count[row]}", marks=late)
-        count[row] += 1
+    for row, places in (faults_in_the_paper.FAULTS | faults_in_theorems.FAULTS).items():
+        faults = [
+            (place, one) for place, some in places.items() for one in (some if isinstance(some, tuple) else [some])
+        ]
+        for number, (place, fault) in enumerate(faults):
+            target = place if place.startswith("theory.") else f"paper_checks.claims.{place}"
+            late = [pytest.mark.long] * (row in LENGTHY and number > 0)
+            yield pytest.param(row, target, fault, id=f"{row}-{place}-{number}", marks=late)
 
 
 REMEMBERED = [

@@ -1,0 +1,353 @@
+"""Of each claim of the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import sympy as sp
+
+from numerics.linear.modes import Mode
+from numerics.trajectory.status import Status
+from paper_checks.claims import filippov, force, itineraries, onset, steering
+from paper_checks.claims.points import EDGE, INSIDE, START_AT_6MM, at_rest
+from theory import forced, plane
+from theory.symbols import a1, a2, acceleration1, b, m1, m2, q, u, v1, v2, x1
+
+from .faults import (
+    crossing_contact,
+    doubled,
+    entry,
+    failing,
+    halved,
+    inwards_missed,
+    limit_changed,
+    misread,
+    mistaken,
+    negated,
+    not_strict,
+    other_sign,
+    other_weight,
+    plus,
+    reversed_contact,
+    squared,
+    squared_load,
+    unbounded_sign,
+    with_entry,
+    without,
+)
+
+FAULTS = {
+    "sgn-three-valued": {
+        "filippov.sliding_field": doubled,
+        "filippov.load_threshold": doubled,
+        "filippov.load": negated,
+        "filippov.contraction_rate": negated,
+        "filippov.contraction_terms": lambda terms: lambda: (terms()[0], -terms()[1]),
+        "filippov._share": doubled,
+        "signum.transversality": negated,
+        "signum.INSIDE": (lambda _: at_rest("0"), lambda _: START_AT_6MM),
+        "signum.held_at_the_limit": doubled,
+        "signum.residual": lambda _: lambda found: (found.x1,),
+        "signum.spurious_branch": failing,
+    },
+    "modes-from-closed-form": {
+        "theory.forced.load": doubled,
+        "model.START_AT_6MM": lambda _: INSIDE,
+        "model.EDGE": lambda _: INSIDE,
+        "model.mode_equations": other_sign,
+    },
+    "stiction-bracket": {
+        "model.INSIDE": lambda _: START_AT_6MM,
+        "model.EDGE": lambda _: START_AT_6MM,
+        "model.adhesion_factor": doubled,
+    },
+    "interface-force-balance": {
+        "model.START_AT_6MM": lambda _: INSIDE,
+        "model.EDGE": lambda _: START_AT_6MM,
+    },
+    "viscous-no-direct-effect": {
+        "viscous.stick": lambda _: lambda: filippov.slip(1),
+        "viscous.a1": lambda a1: -a1,
+        "viscous.slip": lambda _: lambda sign: filippov.stick(),
+        "viscous.mode_at_start": (lambda _: lambda scene: Mode.STICK, lambda _: lambda scene: Mode.SLIP_MINUS),
+    },
+    "filippov-equivalence": {
+        "filippov.sliding_field": doubled,
+        "filippov.free_system": (other_sign, lambda field: lambda sign: field(sign / 2)),
+        "filippov.half_width": doubled,
+        "filippov.signed": mistaken("<", "<=", 0),
+        "filippov.transversality": negated,
+        "filippov.slip": other_sign,
+        "filippov.load": squared_load,
+        "filippov.b": lambda friction: -friction,
+    },
+    "vector-fields": {
+        "filippov.phi": (other_sign, without(b)),
+    },
+    "energy-rate": {
+        "energy.energy": (halved, plus(-m1 * v1**2)),
+        "energy.free_system": other_sign,
+    },
+    "energy-dissipation-places": {
+        "energy.energy": doubled,
+        "energy.free_system": other_sign,
+    },
+    "transversality-outside": {
+        "sliding.transversality": (negated, without(a2)),
+        "sliding.normal": negated,
+    },
+    "transversality-strip": {
+        "sliding.transversality": negated,
+    },
+    "sliding-region": {
+        "sliding.sliding_weight": (other_weight, halved),
+        "sliding.half_width": doubled,
+        "sliding.sliding_field": doubled,
+        "sliding.stick_rate": plus(-b * v1),
+        "sliding.energy": plus(-a2 * x1**2),
+        "sliding.sp": misread("Ge", "Gt", 0),
+        "sliding.signed": mistaken(">=", ">"),
+    },
+    "critical-energy": {
+        "levels.critical_energy": squared,
+        "levels.level_semi_axis": doubled,
+        "levels.semi_axis_margin": negated,
+        "levels.half_width": doubled,
+        "levels.signed": mistaken(">", ">=", 0),
+        "capture.critical_energy": doubled,
+        "capture.on_surface": halved,
+        "capture.signed": mistaken("<=", "<", 1),
+    },
+    "supercritical-arcs": {
+        "levels.critical_energy": halved,
+        "levels.edge_speed_squared": doubled,
+        "levels.edge_contact": (reversed_contact, crossing_contact),
+        "levels.product": negated,
+        "capture.phi": lambda phi: lambda sign: phi(1),
+        "levels.sp": misread("Gt", "Ge", 0),
+        "levels.signed": mistaken(">", ">=", 0),
+        "levels.sliding_field": negated,
+    },
+    "return-alternatives": {
+        "sliding.product": negated,
+        "sliding.half_width": halved,
+        "sliding.transversality": other_sign,
+        "sliding.beyond": not_strict,
+        "sliding.edge_contact": crossing_contact,
+        "capture.phi": lambda phi: lambda sign: phi(1),
+        "sliding.signed": mistaken("<=", "<"),
+    },
+    "infinitely-many-crossings": {
+        "capture.phi": other_sign,
+        "capture.dwell_time_bound": halved,
+        "capture.energy": plus(-m2 * v2**2 / 4),
+        "capture.sp": misread("Le", "Ge", 0),
+        "energy.slip_rate": negated,
+    },
+    "dichotomy": {
+        "capture.critical_energy": doubled,
+        "capture.half_width": halved,
+        "capture.transversality": negated,
+        "capture.signed": mistaken("<=", "<", 1),
+        "filippov.contraction_rate": negated,
+        "filippov.set_valued_sign": unbounded_sign,
+        "convergence.stick_rate": plus(-b * v1),
+        "convergence.rates": negated,
+        "convergence.energy_parts": halved,
+        "convergence.half_width": halved,
+        "convergence.relative_rate": negated,
+    },
+    "relative-displacement-limit": {
+        "energy.slip_rate": without(a1, b),
+        "energy.energy": doubled,
+        "energy.free_system": other_sign,
+    },
+    "global-stability": {
+        "filippov.contraction_rate": negated,
+        "filippov.contraction_terms": entry(1, lambda one: -one),
+        "capture.critical_energy": squared,
+        "capture.on_surface": halved,
+    },
+    "stick-durations": {
+        "near_critical.critical_limits": limit_changed("stick_duration", lambda value: 2 * value),
+        "near_critical.m2": lambda mass: -mass,
+        "excursions.half_angle_slope": entry(1, lambda one: -one),
+        "excursions.excursion": lambda one: lambda: replace(one(), velocity=-one().velocity),
+    },
+    "slip-durations": {
+        "near_critical.critical_limits": limit_changed("slip_duration", lambda value: value + 1),
+        "near_critical.cycle": lambda cycle: lambda: replace(cycle(), slip_duration=2 * cycle().slip_duration),
+        "excursions.guard_of_u": negated,
+        "excursions.h_limits": lambda limits: lambda: (limits()[0], sp.Integer(1)),
+        "excursions.h_slope": squared,
+    },
+    "exits-near-endpoints": {
+        "near_critical.critical_limits": (
+            limit_changed("entry_position", lambda value: -value),
+            limit_changed("exit_position", lambda value: value / 2),
+            limit_changed("entry_velocity", lambda value: value + b),
+        ),
+        "near_critical.b": lambda symbol: symbol**2,
+        "excursions.excursion": inwards_missed,
+        "theory.near_critical.exit_speed": plus(1),
+    },
+    "no-merging-near-critical": {
+        "capture.critical_energy": halved,
+        "excursions.no_merging_excess": doubled,
+        "excursions.excursion": inwards_missed,
+        "excursions.depth": negated,
+        "excursions.sp": (misread("Ge", "Gt", 2), misread("Ge", "Le", 0), misread("Gt", "Lt", 0)),
+        "theory.return_map.depth": halved,
+        "theory.return_map.r": lambda share: -share,
+        "theory.return_map.h": doubled,
+    },
+    "slower-than-exponential": {
+        "near_critical.excess_ratio_limit": halved,
+        "near_critical.cycle_limit": doubled,
+        "excursions.return_map_slope_residual": plus(q),
+    },
+    "rate-one-over-t": {
+        "excursions.inverse_step": doubled,
+        "excursions.quadratic_coefficient": negated,
+        "excursions.cycle_limit": doubled,
+        "excursions.rate_constant": squared,
+        "excursions.printed_rate_constant": halved,
+        "excursions.critical_energy": doubled,
+        "near_critical.sp": (misread("Le", "Ge", 0), misread("Eq", "Ge", 0)),
+        "near_critical.enclosed_rate": lambda run: lambda q, w, n, tolerance: run(q, w, n // 100, tolerance),
+    },
+    "viscous-energy-rate": {
+        "energy.energy": doubled,
+        "energy.free_system": other_sign,
+    },
+    "viscous-origin-stable": {
+        "viscous.sliding_field": (
+            lambda field: lambda damped: -field(damped),
+            lambda field: lambda damped: field(False),
+        ),
+        "viscous.damping_ratio": doubled,
+        "energy.captive_energy": doubled,
+        "energy.load": lambda load: lambda damped: load(False),
+        "energy.lipschitz_constant": without(a1),
+    },
+    "itinerary-that-merges": {
+        "itineraries.Status": lambda _: SimpleNamespace(STUCK_FOR_EVER=Status.REACHED_HORIZON),
+        "itineraries.exact": lambda exact: lambda value: exact(value - 1),
+        "itineraries.PLUS": lambda _: itineraries.MINUS,
+    },
+    "itinerary-that-creeps": {
+        "itineraries.PLUS": lambda _: itineraries.MINUS,
+        "itineraries.exact": lambda exact: lambda value: exact(value + 3),
+        "itineraries.h": doubled,
+    },
+    "example-eigenfrequency": {},
+    "example-reduction": {
+        "example.printed_reduction": (negated, with_entry([0, acceleration1])),
+        "example.START_AT_6MM": lambda _: INSIDE,
+    },
+    "example-two-modes": {
+        "example.residual": lambda _: lambda found: (found.x1,),
+    },
+    "example-stiction-never-violated": {
+        "onset.START_AT_6MM": lambda _: EDGE,
+        "onset.critical_energy": doubled,
+        "filippov.load_threshold": doubled,
+    },
+    "example-onset": {
+        "onset.INSIDE": lambda _: START_AT_6MM,
+        "onset.TOGETHER": lambda point: {**point, onset.v1: 1, onset.v2: 1},
+        "onset.half_width": halved,
+        "onset.critical_energy": doubled,
+        "onset.edge_speed_squared": negated,
+    },
+    "example-damped-oscillations": {
+        "onset.amplitude_squared": other_sign,
+        "onset.LONG_SLIP": lambda point: {**point, onset.v2: 0},
+        "onset.DRIVEN": lambda point: {**point, onset.v1: 1},
+        "energy.energy": doubled,
+    },
+    "synchronisation-all-parameters": {
+        "energy.energy": lambda energy: lambda: energy() - m1 * v2**2,
+        "energy.lipschitz_constant": halved,
+        "energy.sliding_field": lambda _: lambda damped: sp.Matrix([0, b, -b]),
+        "energy.free_system": other_sign,
+    },
+    "finite-time-then-alternation": {
+        "itineraries.exact": lambda exact: lambda _: exact(1),
+        "itineraries.next_excess": doubled,
+        "itineraries.r": lambda r: 3 * r,
+        "synchronisation.INSIDE": lambda _: START_AT_6MM,
+        "capture.critical_energy": doubled,
+        "excursions.half_angle_slope": entry(1, lambda one: 2 * one),
+    },
+    "viscous-accelerates": {
+        "synchronisation.captive_energy": halved,
+        "energy.captive_energy": squared,
+        "energy.load": negated,
+        "energy.load_threshold": doubled,
+        "synchronisation.DAMPED": lambda point: {**point, a1: 0},
+    },
+    "two-descriptions": {
+        "discussion.APART": lambda apart: 2 * apart,
+        "discussion.START_AT_6MM": lambda _: INSIDE,
+        "discussion.phi": other_sign,
+        "discussion.sliding_field": doubled,
+        "filippov.contraction_rate": negated,
+    },
+    "acceleration-bound": {
+        "discussion.START_AT_6MM": lambda _: INSIDE,
+        "discussion.b": lambda b: 2 * b,
+        "discussion.load_threshold": doubled,
+        "discussion.sliding_field": lambda field: lambda damped=False: 2 * field(damped),
+    },
+    "one-active-one-passive": {
+        "theory.forced_control.strongest": doubled,
+    },
+    "ring-of-tolerance": {
+        "theory.forced_control.ring_ratio": halved,
+        "tolerance.INSIDE": lambda point: {**point, x1: 1},
+        "theory.forced.contraction_rate": negated,
+    },
+    "target-or-set-point": {
+        "theory.forced_control.least_time": halved,
+        "theory.forced_control.stuck_force": negated,
+    },
+    "force-as-reference-or-disturbance": {
+        "force.AT_REST": lambda point: {**point, force.x1: 1},
+        "force.driving_equation": plus(u),
+    },
+    "driven-body-steered": {
+        "theory.forced.energy_rate": plus(b),
+        "theory.forced_control.spread": doubled,
+    },
+    "damping-for-tracking": {
+        "steering.PLACE": lambda place: place + 1,
+        "steering.SINE": lambda scene: replace(scene, initial=steering.State()),
+        "theory.forced.contraction_rate": negated,
+    },
+    "motions-on-a-surface": {
+        "theory.plane.against_slip": doubled,
+        "theory.plane.by_components": lambda _: plane.by_direction,
+        "theory.plane.by_direction": lambda _: lambda slip: b * slip,
+        "theory.plane.contraction_by_friction": negated,
+        "theory.plane.energy_rate": negated,
+    },
+    "free-interface": {
+        "force.SLIPPING": lambda point: {**point, force.sigma: 0},
+        "theory.forced_control.strongest": doubled,
+    },
+    "varying-interface": {
+        "contraction.sp": misread("Ge", "Le", 1),
+        "theory.forced.place_dependent_rate": negated,
+        "steering.APART": lambda point: {**point, forced.b_other: 3},
+    },
+    "start-at-6mm-sticks": {
+        "starts.half_width": doubled,
+        "starts.transversality": negated,
+        "itineraries.next_excess": doubled,
+    },
+    "start-with-speed-synchronises": {"itineraries.next_excess": doubled, "itineraries.h": squared},
+    "relative-motion-converges": {"itineraries.h": squared},
+    "synchronisation-time": {"itineraries.guard_of_u": doubled},
+    "constant-damping-rate": {"velocities.slip": other_sign},
+    "euler-reproduces-figures": {"euler.sliding_field": doubled},
+}

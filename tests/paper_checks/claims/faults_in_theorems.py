@@ -1,0 +1,133 @@
+"""Of each theorem past the paper: what in its steps, or beneath them, turns it when it is changed, and how."""
+
+import sympy as sp
+from flint import arb
+
+from theory.symbols import a1, b, q, theta, v1
+
+from .faults import (
+    doubled,
+    entry,
+    failing,
+    halved,
+    misread,
+    negated,
+    plus,
+    raised,
+    squared,
+)
+
+FAULTS = {
+    "excursion-closed-form": {
+        "slips.guard_residual": plus(theta),
+        "slips.contact_slope_residual": plus(1),
+        "slips.landing_residuals": entry(2, lambda zero: zero + q),
+        "slips.depth_slope_residual": plus(theta),
+        "slips.guard_factors": entry(0, lambda one: -one),
+        "slips.depth": negated,
+        "slips.turning_angle": plus(1),
+        "slips.sp": misread("Gt", "Ge"),
+    },
+    "excursion-monotone": {
+        "slips.cusa_huygens": negated,
+        "slips.h": squared,
+        "slips.depth_slope_residual": plus(1),
+    },
+    "return-map-expansion": {
+        "return_map.printed_depth_coefficients": (entry(1, lambda one: -one), entry(2, raised)),
+        "return_map.depth_series": entry(6, raised),
+        "return_map.lost_coefficients": entry(6, raised),
+        "return_map.RADIUS": lambda radius: radius + 2,
+    },
+    "sharp-rate-constant": {
+        "rate.depth_series": entry(0, raised),
+    },
+    "rate-bounds-explicit": {
+        "rate.stick_rotation": entry(1, lambda one: -one),
+        "rate.sp": (misread("Ge", "Le", 0), misread("Le", "Ge", 0)),
+        "rate.bounds": lambda bounds: lambda *numbers: bounds(*numbers)[::-1],
+        "rate.depth_of_angle": doubled,
+    },
+    "uniform-rate": {
+        "uniform_rate.first_contact_bound": halved,
+        "uniform_rate.sp": misread("Ge", "Le", 0),
+    },
+    "merging-share": {
+        "merging_share.flux": doubled,
+        "merging_share.dissipation": doubled,
+        "merging_share.sphere": halved,
+        "merging_share.divergence": plus(1),
+        "merging_share.large_energy_limit": squared,
+    },
+    "merging-set": {
+        "merging.ray_excess": plus(1),
+        "merging.ratio": doubled,
+        "merging.half_angle": doubled,
+        "merging.sp": (misread("Le", "Ge", 0), misread("Gt", "Lt", 0)),
+        "critical_ratio.critical_share": doubled,
+        "critical_ratio.critical_mass_ratio_residual": plus(theta),
+        "critical_ratio.half_angle": lambda f: lambda: f() + arb("1e-40"),
+    },
+    "critical-mass-ratio": {
+        "critical_ratio.ratio_slope_residual": plus(1),
+        "critical_ratio.turning_function": negated,
+        "critical_ratio.turning_slope": entry(1, lambda one: 2 * one),
+    },
+    "long-time-expansion": {
+        "long_time.map_coefficients": entry(1, lambda one: 2 * one),
+        "long_time.logarithm_coefficient": halved,
+        "long_time.balanced_share": squared,
+        "long_time.abel_defect": plus(q),
+    },
+    "forced-mode-rule": {
+        "theory.forced.coupling": doubled,
+    },
+    "forced-no-zeno": {
+        "theory.forced.deviation_force": plus(b),
+        "theory.forced.excess_load": doubled,
+    },
+    "forced-contraction": {
+        "theory.forced.energy_rate": plus(a1 * v1**2),
+        "theory.forced.distance_rate": doubled,
+        "contraction.sp": misread("Le", "Ge", 0),
+    },
+    "forced-periodic-response": {
+        "theory.forced.undamped_difference": entry(1, lambda one: -one),
+        "theory.jumping_force.contact_state": plus(sp.Matrix([0, 1, 0])),
+        "theory.jumping_force.after_half_period": negated,
+        "theory.jumping_force.loads": entry(1, lambda one: one / 2),
+        "theory.jumping_force.apart_squared": doubled,
+        "theory.jumping_force.slowest_and_fastest": entry(1, lambda one: one + 1),
+    },
+    "forced-resonance-bound": {
+        "theory.forced_response.mean_absolute_cosine": doubled,
+        "theory.forced_response.path_beside": doubled,
+    },
+    "entrainment-threshold": {
+        "theory.forced_response.stuck_impedance": negated,
+        "theory.forced_response.harmonic_slope": plus(1),
+        "theory.forced_response.square_wave": entry(0, lambda one: 2 * one),
+        "theory.forced_response.half_turn": plus(1),
+        "theory.forced_response.non_stop_parts": entry(1, lambda one: -one),
+        "theory.forced_response.short_slip": entry(1, lambda one: one / 2),
+        "theory.forced_response.two_stop_conditions": entry(2, lambda one: one + 1),
+    },
+    "trackable-references": {
+        "theory.forced_control.stuck_force": negated,
+        "signum.spurious_branch": failing,
+    },
+    "minimum-transfer-time": {
+        "theory.forced_control.switching": entry(0, lambda one: one / 2),
+        "theory.forced_control.pressed": doubled,
+        "signum.sp": misread("Gt", "Ge", 0),
+        "transfers.sp": misread("Ge", "Le", 0),
+    },
+    "tolerance-ring": {
+        "theory.forced_control.ring_ratio": doubled,
+        "theory.forced_control.ring_radius": doubled,
+        "tolerance.sp": misread("Le", "Ge", 0),
+    },
+    "damping-can-desynchronise": {
+        "theory.forced.creeping_load": negated,
+    },
+}
