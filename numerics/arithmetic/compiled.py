@@ -191,12 +191,25 @@ def _is_pair(kind: Any) -> bool:
 def _declare_operators() -> None:
     """Tell numba what the operators of pairs are, with numbers too: its own leave named tuples alone, or join them."""
     from numba import types
-    from numba.extending import overload, register_jitable
+    from numba.extending import intrinsic, overload, register_jitable
 
     Pair, as_pair = pair.Pair, pair.as_pair
+    others: set[Any] = {as_pair, pair.nearest, pair.two_product}
     for one in vars(pair).values():
-        if isinstance(one, FunctionType) and one.__module__ == pair.__name__ and one not in {as_pair, pair.nearest}:
+        if isinstance(one, FunctionType) and one.__module__ == pair.__name__ and one not in others:
             register_jitable(**_INNER)(one)
+
+    @intrinsic
+    def fused(_, a, b, c):  # type: ignore[no-untyped-def]  # noqa: ARG001 - a b + c, rounded once
+        return types.float64(*[types.float64] * 3), lambda _, builder, __, given: builder.fma(*given)
+
+    @overload(pair.two_product, jit_options=_INNER)  # the same numbers, by two operations instead of seventeen
+    def _two_product(a, b):  # type: ignore[no-untyped-def]  # noqa: ARG001
+        def by_one_rounding(a, b):  # type: ignore[no-untyped-def]
+            product = a * b
+            return Pair(product, fused(a, b, -product))
+
+        return by_one_rounding
 
     @overload(as_pair, jit_options=_INNER)
     def _as_pair(x):  # type: ignore[no-untyped-def]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import shutil
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -106,7 +107,10 @@ def _print(trajectory: Trajectory, options: argparse.Namespace) -> None:
 
 
 def _print_table(trajectory: Trajectory, *, whole: bool) -> None:
-    """Print the events (where v1 = v2), all or the first and the last, and the final state; no digit is ever cut."""
+    """Print the events (where v1 = v2), all or the first and the last, and the final state; no digit is ever cut.
+
+    On a terminal on which a line would break each event has two.
+    """
     from numerics.solver.truth import record
 
     count = trajectory.record.events
@@ -116,8 +120,11 @@ def _print_table(trajectory: Trajectory, *, whole: bool) -> None:
     for event in found["events"]:
         rows.append((f"{event['from']} to {event['to']}", event["t"], event["x1"], event["v1"], event["x2"]))
     widths = [max(len(row[column]) for row in rows) for column in range(5)]
+    narrow = sys.stdout.isatty() and sum(widths) + 2 * 4 > shutil.get_terminal_size().columns
     for number, row in enumerate(rows if count else ()):
-        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+        cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
+        lines = ("  ".join(cells[:2]), "  ".join(["", "", *cells[2:]])) if narrow else ("  ".join(cells),)
+        print("\n".join(map(str.rstrip, lines)))
         if left_out and number == SHOWN:
             print(f"... {left_out} events more; --all prints them too")
     final = found["final"]

@@ -19,6 +19,8 @@ from numerics.linear.table import FIRST, FRICTION, Tables
 
 UNIT, WIDE_UNIT = 2.0**-53, 2.0**-101
 """A rounding of float64; one of double-double, with what its operations lose."""
+PRECISE = 22
+"""So many terms of a series are formed in pairs: later ones, 1.5^22/22! and less, weigh so little that floats do."""
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding."""
@@ -214,20 +216,20 @@ def product(rows: Any, degrees: Any, z: Any, count: int, X: Any) -> None:
 
 
 @compilable_with(forceinline=False)
-def wide_product(rows: Any, z: Any, count: int, X: Any) -> None:
-    """Form X = W z in pairs."""
+def wide_product(rows: Any, degrees: Any, z: Any, count: int, X: Any) -> None:
+    """Form the first terms of X = W z in pairs; the others are those of `product`."""
     for i in range(2):
-        for k in range(X.shape[2]):
-            h, low = 0.0, 0.0
-            for j in range(count):
-                if rows[0, i, j, k] != 0.0 and z[0, j] != 0.0:
-                    p, e = multiply(rows[0, i, j, k], rows[1, i, j, k], z[0, j], z[1, j])
-                    h, low = add(h, low, p, e)
-            X[0, i, k], X[1, i, k] = h, low
+        high, low = X[0, i, :PRECISE], X[1, i, :PRECISE]
+        high[:], low[:] = 0.0, 0.0
+        for j in range(count):
+            row, rest, factor, its_rest = rows[0, i, j], rows[1, i, j], z[0, j], z[1, j]
+            for k in range(min(PRECISE, degrees[i, j])):
+                p, e = multiply(row[k], rest[k], factor, its_rest)
+                high[k], low[k] = add(high[k], low[k], p, e)
 
 
 @compilable_with(forceinline=False, **FAST)
-def sizes(rows: Any, degrees: Any, size: Any, count: int, most: Any) -> None:
+def sizes(rows: Any, degrees: Any, size: Any, count: int, most: Any, wide: bool) -> None:
     """Form what the roundings of the coefficients are counted in, each times its number of roundings."""
     for i in range(2):
         total = most[i]
@@ -237,15 +239,21 @@ def sizes(rows: Any, degrees: Any, size: Any, count: int, most: Any) -> None:
             for k in range(degrees[i, j]):
                 total[k] += abs(row[k]) * factor
         for k in range(most.shape[1]):
-            total[k] *= 2 * k + count + 4
+            total[k] *= (2 * k + count + 4) * (UNIT / WIDE_UNIT if wide and k >= PRECISE else 1.0)
 
 
 @compilable
-def expand(room: Room, drive: Drive, tables: Tables, piece: int, mode: int, wide: bool) -> None:
-    """Form z, and the Taylor coefficients of x1 and x2 over a step of a mode."""
+def expand(room: Room, drive: Drive, tables: Tables, piece: int, mode: int) -> None:
+    """Form z, and the Taylor coefficients of x1 and x2 over a step of a mode, in float64."""
     kind, side = drive.places[piece, 4], 1 if mode == 0 else 0
     state_columns(room, mode, drive.b[piece])
+    product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)
+
+
+@compilable
+def coefficients(tables: Tables, room: Room, at: tuple[int, int], wide: bool) -> None:
+    """Form the coefficients in pairs, if `wide`, and the sizes of their roundings."""
+    kind, side = at
     if wide:
-        wide_product(tables.rows[kind, side], room.z, tables.count[kind], room.X)
-    else:
-        product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)
+        wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)
+    sizes(tables.rows[kind, side], tables.degrees[kind, side], room.size, tables.count[kind], room.most, wide)

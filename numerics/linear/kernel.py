@@ -89,7 +89,7 @@ def calm_rest(
     N += added
     # of the difference of two motions damping takes at most N^2/2, all told
     lost = 64.0 * UNIT * pair.a1 * size + N * (math.sqrt(2.0 * pair.a1 * abs(damped)) + N / 2.0)
-    expand(room, drive, tables, piece, 0, wide)
+    expand(room, drive, tables, piece, 0)
     return True, pair.a1 * damped, lost, norm_of(room.E, room.R)
 
 
@@ -200,7 +200,7 @@ def follow_in(
             break
         kind, side = drive.places[piece, 4], 1 if mode == 0 else 0
         h = tables.h[kind, side]
-        expand(room, drive, tables, piece, mode, wide)
+        expand(room, drive, tables, piece, mode)
         if mode == 0 and order == 0 and steps >= look and drive.length[piece, 0] - clock[0, 0] > 8.0 * h:
             look = 2 * steps - entered + 1  # seldom, where it stays in vain
             is_calm, taken, error, N = calm_rest(pair, drive, tables, room, piece, b, N, wide)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.linear.columns import UNIT, WIDE_UNIT, Constants, Drive, Room, sizes
+from numerics.arithmetic.pair import two_sum
+from numerics.linear.columns import PRECISE, UNIT, WIDE_UNIT, Constants, Drive, Room, coefficients
 from numerics.linear.first_root import CLEAR, ROOT, first_root, value_slope
-from numerics.linear.pairs import add, divide, multiply
+from numerics.linear.pairs import add, divide, multiply, times
 from numerics.linear.table import Tables
 
 
@@ -28,19 +29,24 @@ class Next(NamedTuple):
 
 
 @compilable
-def slip_guard(room: Room, mode: int, order: int, wide: bool) -> None:
+def slip_guard(room: Room, mode: int, order: int) -> None:
     """Form the guard h s (v1 - v2) of a slip, less its first coefficients, which are exactly 0."""
     X, g, q = room.X, room.g, room.q
     terms = q.shape[0]
     for k in range(terms):
         g[0, k] = g[1, k] = q[k] = 0.0
     for k in range(order, terms - 1):
-        if wide:
-            h, low = add(X[0, 0, k + 1], X[1, 0, k + 1], -X[0, 1, k + 1], -X[1, 1, k + 1])
-            g[0, k], g[1, k] = multiply(h, low, mode * (k + 1.0), 0.0)
-        else:
-            g[0, k] = mode * (k + 1) * (X[0, 0, k + 1] - X[0, 1, k + 1])
+        g[0, k] = mode * (k + 1) * (X[0, 0, k + 1] - X[0, 1, k + 1])
         q[k - order] = g[0, k]
+
+
+@compilable
+def wide_slip_guard(room: Room, mode: int, order: int) -> None:
+    """Form the same in pairs."""
+    X, g = room.X, room.g
+    for k in range(order, PRECISE):
+        h, low = add(X[0, 0, k + 1], X[1, 0, k + 1], -X[0, 1, k + 1], -X[1, 1, k + 1])
+        g[0, k], g[1, k] = times(h, low, mode * (k + 1.0))
 
 
 @compilable
@@ -65,23 +71,40 @@ def load_guard(room: Room, edge: tuple[float, float], order: int, side: int) -> 
     for k in range(g.shape[1]):
         g[0, k], g[1, k] = 0.0, 0.0
         if order <= k < g.shape[1] - 2:
-            g[0, k], g[1, k] = multiply(X[0, 1, k + 2], X[1, 1, k + 2], -side * (k + 2.0) * (k + 1.0), 0.0)
+            g[0, k], g[1, k] = times(X[0, 1, k + 2], X[1, 1, k + 2], -side * (k + 2.0) * (k + 1.0))
     if order == 0:
         g[0, 0], g[1, 0] = add(g[0, 0], g[1, 0], edge[0], edge[1])
 
 
 @compilable_with(forceinline=False)
-def refined(g: Any, order: int, s: float) -> tuple[float, float]:
-    """Return a root of a guard as a pair, by two steps of Newton's method in pairs; its first `order` terms are 0."""
-    sh, sl = s, 0.0
-    for _ in range(2):
-        ah, al, slope = 0.0, 0.0, 0.0
-        for k in range(g.shape[1] - 1, order - 1, -1):
-            slope = slope * sh + ah
-            ah, al = multiply(ah, al, sh, sl)
+def refined(g: Any, order: int, s: float, alone: float) -> tuple[float, float, float]:
+    """Return a root of g/s^order as a pair, by Newton's steps in pairs, and what that may be there.
+
+    The first `order` terms are 0. The value is formed at a float, so that one step is enough where it changes no more
+    than the last bits; what is left is the square of the change times half of g'', which is at most g'/(4 alone), and
+    the change times the rounding of the slope.
+    """
+    left = 0.0
+    for _ in range(3):
+        slope = size = steep = al = 0.0
+        ah, k = 0.0, g.shape[1] - 1
+        while k >= PRECISE:
+            slope, steep = slope * s + ah, steep * s + size
+            ah, size = ah * s + g[0, k], size * s + abs(g[0, k])
+            k -= 1
+        while k >= order:
+            slope, steep = slope * s + ah, steep * s + size
+            size = size * s + abs(g[0, k])
+            ah, al = times(ah, al, s)
             ah, al = add(ah, al, g[0, k], g[1, k])
-        sh, sl = add(sh, sl, -ah / slope, -al / slope)
-    return sh, sl
+            k -= 1
+        change = ah / slope
+        left = abs(change) * (abs(change * slope) / (8.0 * alone) + 4.0 * g.shape[1] * UNIT * steep)
+        if change * change <= 8.0 * alone * s * UNIT * UNIT:
+            break
+        s -= change
+    high, low = two_sum(s, -change)
+    return high, low, left
 
 
 @compilable
@@ -109,7 +132,7 @@ def next_in_slip(
     """Return how a slip goes on: its guard is s (v1 - v2), and `order` coefficients of it vanish at its start."""
     kind, side = at
     h, count = tables.h[kind, side], tables.count[kind]
-    slip_guard(room, mode, order, wide)
+    slip_guard(room, mode, order)
     off = rounding(room, tables.slip_sums[kind, order], count)
     m0, m1, m2 = off, 0.0, 0.0
     if order == 0 and pair.kappa1 * (since + theta * h) < pair.kappa:
@@ -125,11 +148,11 @@ def next_in_slip(
         return Next(how, s, 0.0, mode, 0.0, 0.0, 0.0, 0.0)
     value, slope = value_slope(room.q, s)
     low = 0.0
-    if wide:
-        s, low = refined(room.g, order, s)
-        value = 0.0
     # the rounding of the coefficients that were not dropped, at the root
-    sizes(tables.rows[kind, side], tables.degrees[kind, side], room.size, count, room.most)
+    coefficients(tables, room, at, wide)
+    if wide:
+        wide_slip_guard(room, mode, order)
+        s, low, value = refined(room.g, order, s, alone)
     own = 0.0
     for k in range(room.q.shape[0] - 2, order - 1, -1):
         own = own * s + (k + 1) * (room.most[0, k + 1] + room.most[1, k + 1])
@@ -173,11 +196,10 @@ def next_in_stick(
     exit_side = edge_side if which == 0 else -edge_side
     value, slope = value_slope(room.q if which == 0 else room.other, s)
     low = 0.0
+    coefficients(tables, room, at, wide)
     if wide:
         load_guard(room, edge, dropped, exit_side)
-        s, low = refined(room.g, dropped, s)
-        value = 0.0
-    sizes(tables.rows[kind, side], tables.degrees[kind, side], room.size, count, room.most)
+        s, low, value = refined(room.g, dropped, s, alone)
     own = 2.0 * edge[0] if dropped == 0 else 0.0
     series = 0.0
     for k in range(room.q.shape[0] - 3, dropped - 1, -1):

@@ -29,6 +29,15 @@ def multiply(ah: float, al: float, bh: float, bl: float) -> tuple[float, float]:
 
 
 @compilable
+def times(ah: float, al: float, b: float) -> tuple[float, float]:
+    """Return the product of a pair and a float."""
+    p, e = two_product(ah, b)
+    e += al * b
+    h = p + e
+    return h, e - (h - p)
+
+
+@compilable
 def divide(ah: float, al: float, bh: float, bl: float) -> tuple[float, float]:
     """Return the quotient of two pairs."""
     q = ah / bh

@@ -27,7 +27,7 @@ from numerics.scene import Law, Pair, Scene
 Halves = tuple[float, float]
 REACH, TERMS = 1.5, 24
 """rate h of a step in float64, and how many Taylor terms make truncation smaller than rounding."""
-_WIDE_REACH, _WIDE_TERMS = 1.0, 32
+_WIDE_REACH, _WIDE_TERMS = 1.5, 36
 """The same in double-double."""
 _MORE_TERMS = 14
 """So many terms more than the polynomial of u has coefficients."""

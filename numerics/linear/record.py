@@ -88,6 +88,16 @@ def tabulate(rows: Any, end: Any, count: int, starts: Any, until: float, reached
     return at, table
 
 
+def rounded(record: Record) -> Record:
+    """Return a record of double-double without low halves; what they were is added to the bounds of the errors."""
+    rows, end = record.rows.copy(), record.end.copy()
+    for table in (rows, end[None]):
+        table[:, _LATE] += abs(table[:, _LOCAL + 1])
+        table[:, _LATE + 1 : _LATE + 5] += abs(table[:, _X1 + 1 : _X1 + 8 : 2])
+        table[:, _LOCAL + 1 : _X1 + 8 : 2] = 0.0
+    return record._replace(rows=rows, end=end)
+
+
 class How(IntEnum):
     """How a run ended."""
 

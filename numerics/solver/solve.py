@@ -11,6 +11,7 @@ from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
 from numerics.arithmetic.protocol import Arithmetic
 from numerics.errors import EventUndecided, NumericsError, OutOfRange, PrecisionExhausted
+from numerics.linear.record import rounded
 from numerics.scene import Scene
 from numerics.scene.decimals import require_function, require_whole
 from numerics.scene.model import BUILD, require_kind
@@ -33,6 +34,8 @@ _HAS = {"float64": 16, "double-double": 32}
 """Digits that are there before a run."""
 _WORTH_A_TRY = {"float64": 15, "double-double": 30}
 """Right digits up to which each is tried."""
+_FORCED_IN_FLOATS = 10
+"""Right digits that float64's bounds leave under a force or damping: for more double-double runs at once."""
 _MOST_IN_BALLS = 10_000
 """With more events float64's open sequence stands: balls would take minutes."""
 _FLOAT64, _DOUBLE_DOUBLE = Float64(), DoubleDouble()
@@ -93,9 +96,11 @@ def solve(
     sequence of events open it climbs: to double-double, then to balls of 34, 68, 136 and 560 working digits.
 
     With `digits` = N: the cheapest arithmetic that has N right digits of every event time and state, and of state,
-    energy and excess at the end: float64 (N <= 15), double-double (N <= 30), else balls, their precision raised until
-    the digits are proved. Times count relative to themselves, everything else relative to the largest such quantity
-    along the run (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest |velocity|.
+    energy and excess at the end: float64 (N <= 15; under a force or damping, for more than 10, its numbers are carried
+    in double-double and rounded once, as `tried` says), double-double (N <= 30), else balls, their precision raised
+    until the digits are proved. Times count relative to themselves, everything else relative to the largest such
+    quantity along the run (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest
+    |velocity|.
 
     With `arithmetic`: "float64" or "double-double" as they are, where the free pair's events may stay open
     (Trajectory.certain); "mpmath" with `digits` or 30, no bounds; "ball" with `digits` or 15 proved digits.
@@ -190,18 +195,26 @@ def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
     """
     tried: list[str] = []
     guard = _GUARD_DIGITS
+    is_linear = may_round = not free_scene(scene)
     for arithmetic in (_FLOAT64, _DOUBLE_DOUBLE):
         name, lost = arithmetic.name, 0 if guard == _GUARD_DIGITS else guard - _SPARE_DIGITS
         if digits > _WORTH_A_TRY[name] or digits + lost > _HAS[name]:
+            continue
+        if arithmetic is _FLOAT64 and is_linear and digits > _FORCED_IN_FLOATS:
             continue
         try:
             found = limits.run(scene, arithmetic)
         except (EventUndecided, OutOfRange) as error:
             tried.append(f"{name} cannot: {error}")
+            may_round = False  # what float64 does not decide is not called float64
             continue
         if not found.certain:
             tried.append(f"{name} leaves the sequence of events open")
             continue
+        if arithmetic is _DOUBLE_DOUBLE and may_round and digits <= _WORTH_A_TRY["float64"]:
+            short = Trajectory(scene, _FLOAT64, rounded(found.record))
+            if short.right_digits >= digits:
+                return short.but(digits=digits, tried="; ".join([*tried, "carried in double-double, rounded once"]))
         reached = found.right_digits
         tried.append(f"{name} has {reached} right digits by its error bounds")
         if reached >= digits:

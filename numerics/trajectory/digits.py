@@ -23,6 +23,7 @@ from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.linear.errors_of import errors_of
 from numerics.linear.pieces import starts_of
 from numerics.linear.record import AT
+from numerics.scene import Scene
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.rows import Rows
 
@@ -87,12 +88,21 @@ class Accuracy(ShortRepr):
         return self.certain and bool(np.all(np.isfinite(bounds)))
 
 
+def _weights(scene: Scene) -> tuple[tuple[float, float, float], float]:
+    """Return a2, m1, m2, and E_cr (J); made once and kept with the scene."""
+    if "weights" not in scene.made:
+        pair = scene.pair
+        scene.made["weights"] = (float(pair.a2), float(pair.m1), float(pair.m2)), float(pair.critical_energy)
+    found: tuple[tuple[float, float, float], float] = scene.made["weights"]
+    return found
+
+
 def accuracy_of(trajectory: Rows) -> Accuracy:
     """Return the bounds of a trajectory in SI units; they are binary64, whatever its numbers are."""
-    record, pair, certain = trajectory.record, trajectory.scene.pair, trajectory.certain
-    name, critical = trajectory.arithmetic.name, float(pair.critical_energy)
+    record, certain, name = trajectory.record, trajectory.certain, trajectory.arithmetic.name
     judge = compiled(errors_of) if compiles_now() else errors_of
-    weights, starts = (float(pair.a2), float(pair.m1), float(pair.m2)), starts_of(trajectory.scene)
+    weights, critical = _weights(trajectory.scene)
+    starts = starts_of(trajectory.scene)
     with np.errstate(all="ignore"):
         late, energy, excess, worst = judge(record.rows, record.end, starts, weights, critical, ROUNDING[name])
     digits = min(MOST_DIGITS[name], math.floor(-math.log10(worst)) if worst > 0 else 99) if worst < 1 else 0

@@ -58,7 +58,8 @@ class Trajectory(Solution):
         """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
 
         `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
-        MP4 needs ffmpeg. Raises MissingTool, OSError, ValueError for other files or numbers that are not above 0.
+        MP4 needs ffmpeg. A frame takes a tenth of a second. Raises MissingTool, OSError, ValueError for other files or
+        numbers that are not above 0.
         """
         from numerics.trajectory.animation import animate
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kernel_runs import a_scene
 
-from numerics.linear.columns import UNIT, force_columns, make_room, product, state_columns, wide_product
+from numerics.linear.columns import UNIT, force_columns, make_room, product, state_columns
 from numerics.linear.evolve import evolve
 from numerics.linear.prepare import prepare
 
@@ -23,10 +23,7 @@ def evolved(prepared, mode, s, start, R=0.0, wide=True):
     force_columns(room, prepared.drive, 0, 0.0, wide)
     state_columns(room, mode, prepared.drive.b[0])
     kind = int(prepared.drive.places[0, 4])
-    if wide:
-        wide_product(tables.rows[kind, side], room.z, tables.count[kind], room.X)
-    else:
-        product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)
+    product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)
     evolve(tables, room, (kind, side), mode, (s, 0.0), False, wide)
     return room.y.sum(1) * room.scale, room
 

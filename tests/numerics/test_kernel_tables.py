@@ -23,7 +23,7 @@ def wholly(prepared, mode, order, wide):
 def guard_of(room, rows, degrees, count, mode, order):
     product(rows, degrees, room.z, count, room.X)
     if mode:
-        slip_guard(room, mode, order, False)
+        slip_guard(room, mode, order)
     else:
         stick_guards(room, (0.0, 0.0), order, 1)
     return room.q.copy()

@@ -3,8 +3,7 @@
 from fractions import Fraction
 
 import pytest
-from control_scenes import referred
-from flint import arb, ctx
+from flint import arb
 from forced.catalogue import ANSWER
 from forced.catalogue import scene as scene_of
 from hypothesis import given, settings
@@ -82,20 +81,6 @@ def test_a_load_that_stays_below_b_by_little_and_one_that_does_not(beyond, law):
     scene = Scene(UNIT, State(x1=x1 / 2, v1=0, v2=0), 3, law, Force([Piece(0, [-UNIT.a2 * x1 / 2])]))
     found = run(scene, 60)
     assert (found.events > 0) == (beyond > 0 and law is Law.FILIPPOV)
-
-
-def test_what_begins_at_a_tie_of_high_order_may_end_soon_on_the_other_edge():
-    """Load b - c t^3 from a tie of order 3 is at -b after 6 ms: neither edge may be left out of sight."""
-    force = Force([Piece(0, ["0.3", 2, 5, -1000000])])
-    scene = Scene(UNIT, State(x1="0.001", v1="0.01", v2="0.01"), "0.02", force=force)
-    found, reference = run(scene), referred(scene, 120)
-    assert found.rows[0].mode == 0
-    assert found.rows[0].order == 3
-    first, truth = events(found)[0], reference.events[0]
-    assert first.mode == truth.after == -1
-    with ctx.workprec(300):
-        assert abs(first.local - truth.t) < arb("1e-30")
-        assert truth.t < arb("0.006")
 
 
 @pytest.mark.parametrize(

@@ -60,7 +60,7 @@ def _no_kernel(rows: Sequence[Row]) -> str:
 def print_claims(console: Console, claims: Sequence[Claim], found: Mapping[str, Row]) -> None:
     """Print the claims with the verdict on record, what it rests on where the row is known, and the place in the paper."""
     table = _empty_table("claim", "recorded", "established by")
-    table.add_column("where")
+    table.add_column("where", no_wrap=True)
     for claim in claims:
         by = kind(found[claim.id]) if claim.id in found else "–"
         table.add_row(Text(claim.id), _coloured(claim.recorded), Text(by), Text(claim.where))
@@ -81,9 +81,9 @@ def _coloured(verdict: Verdict) -> Text:
 
 
 def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
-    """Ids, verdicts and kinds keep their width; places and reasons fold into what is left."""
+    """Ids, verdicts and kinds keep their width; places are cut to what is left, or fold beside the reasons."""
     table = _empty_table("claim", "verdict", "established by")
-    table.add_column("where", ratio=1)
+    table.add_column("where", ratio=1, no_wrap=not reasons)
     if reasons:
         table.add_column("reason", ratio=3)
     if times:
