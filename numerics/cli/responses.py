@@ -64,6 +64,8 @@ def _of_motions(found: PeriodicMotions) -> tuple[dict[str, Any], list[str]]:
 def _lines(found: Response, record: dict[str, Any]) -> list[str]:
     """Return a response as lines."""
     lines = [f"{record['sentence']}; {record['attraction']}", *number_lines(record, _NAMED)]
+    if "slips_for_ever" in record:
+        lines.append(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
     for multiplier in found.multipliers or ():
         shown, size = (one.str(found.digits, radius=False) for one in (multiplier, abs(multiplier)))
         lines.append(f"  multiplier {shown}, size {size}")
@@ -80,6 +82,30 @@ _NAMED = {
     "growth": ("v1's amplitude grows by", "m/s^2 at least"),
     "decay": ("decay", "of a distance left a period"),
 }
+_SLIPS_FOR_EVER = {
+    "yes": "no stops: at this amplitude the motion with two reversals a period keeps slipping",
+    "below U**": "no stops: not at this amplitude, which is below U**",
+    "turns back": "no stops: U** is not enough here; at this amplitude the relative velocity would change its sign",
+    "undecided": "no stops: it is not decided whether the relative velocity keeps its sign at this amplitude",
+}
+
+
+def _slips_for_ever(found: Response) -> str:
+    """Return whether the motion that reverses twice a period slips for ever at the amplitude of the one sine."""
+    from numerics.arithmetic.ball import Ball
+    from numerics.control.thresholds import NonStop
+
+    drive, known = found.drive, found.thresholds
+    assert known is not None
+    sine = drive.piece.sines[0]
+    with Ball(found.digits + 10).context():
+        amplitude = Ball.number(abs(sine.amplitude))
+        if amplitude < known.non_stop:
+            return "below U**"
+        keeps = NonStop(drive.pair, sine.omega).keeps_slipping(amplitude)
+        if keeps and not amplitude > known.non_stop:
+            return "undecided"
+        return "undecided" if keeps is None else "yes" if keeps else "turns back"
 
 
 def _of_response(found: Response) -> tuple[dict[str, Any], list[str]]:
@@ -97,6 +123,8 @@ def _of_response(found: Response) -> tuple[dict[str, Any], list[str]]:
     if known is not None:
         edges = {"entrainment": known.entrainment, "exception": known.exception, "non_stop": known.non_stop}
         values = edges | values
+        if found.growth == 0:
+            record["slips_for_ever"] = _slips_for_ever(found)
     multipliers = found.multipliers or ()
     values["decay"] = abs(multipliers[0]) if multipliers else None
     record |= numbers(values, digits)

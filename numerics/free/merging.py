@@ -47,6 +47,12 @@ class Rectangle(NamedTuple):
     ratio: tuple[Fraction, Fraction]
     excess: tuple[Fraction, Fraction]
 
+    @property
+    def energy(self) -> tuple[Fraction, Fraction]:
+        """Return the range of E/E_cr."""
+        low, high = self.excess
+        return 1 + low, 1 + high
+
 
 class _Start(NamedTuple):
     """Start of a slip: gap d, push u and scaled excess y; on a ray the gap is exactly 0."""

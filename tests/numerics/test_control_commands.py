@@ -49,15 +49,23 @@ def test_response_tells_regime_thresholds_and_periodic_motion(shaken, tmp_path, 
 
 
 @pytest.mark.parametrize(
-    ("amplitude", "regime"), [("5", "stick-slip"), ("15", "stick-slip"), ("-15", "stick-slip"), ("30", "non-stop")]
+    ("amplitude", "regime", "said"),
+    [
+        ("5", "stick-slip", "below U**"),
+        ("15", "stick-slip", "turns back"),
+        ("-15", "stick-slip", "turns back"),
+        ("30", "non-stop", "yes"),
+    ],
 )
-def test_the_necessary_threshold_is_not_enough(tmp_path, capsys, amplitude, regime):
+def test_response_says_where_the_necessary_threshold_is_not_enough(tmp_path, capsys, amplitude, regime, said):
     """U** = 11.76 N, but the relative velocity of the motion without stops keeps its sign from 28.5 N on only."""
     file = tmp_path / "slow.toml"
     file.write_text(scene_text(Scene(Pair(1, 1, 200, "0.5"), State(), 5, force=Force.sine("1", "4.624"))), "utf-8")
     found = told(capsys, "response", str(file), "--amplitude", amplitude)
     assert found["non_stop"].startswith("11.7618566")
-    assert found["regime"] == regime
+    assert (found["regime"], found["slips_for_ever"]) == (regime, said)
+    assert main(["response", str(file), "--amplitude", amplitude]) == 0
+    assert ("U** is not enough here" in capsys.readouterr().out) is (said == "turns back")
 
 
 def test_the_energy_excess_is_told_where_its_unit_means_something(capsys):
@@ -78,6 +86,7 @@ def test_response_tells_every_motion_of_a_falling_friction(tmp_path, capsys):
     assert [len(one["events"]) for one in found["motions"]] == [0, 2, 2]
     assert "may be more" in found["sentence"]
     assert not found["is_all"]
+    assert all("slips_for_ever" not in one for one in found["motions"])
     assert drawn.stat().st_size > 10_000
 
 
