@@ -2,7 +2,7 @@
 
 Three roads, the cheapest that gives what is asked: a pair that never slips again keeps its energy; a few hundred events
 are stepped one by one; beyond those, on an exit ray close to the critical orbit, the Abel functions of the return map
-(abel.py) jump over all remaining excursions at once. Everything is enclosed.
+(abel.py) jump over all remaining excursions at once. Everything is enclosed. A pair with a damper is stepped.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
+from itertools import pairwise
 
 from flint import arb
 
@@ -24,7 +25,8 @@ from numerics.free.engine import begin_exactly
 from numerics.free.frame import Frame
 from numerics.free.motion import State, on_ray, state_at
 from numerics.free.walk import Walk
-from numerics.linear.modes import Mode
+from numerics.linear.modes import MODES, Mode
+from numerics.linear.record import How
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
 
@@ -47,7 +49,7 @@ class EnergyAt:
     """The answer at time t (s): energy (J), excess w, excursions so far, mode and state; enclosures.
 
     `si_state` is (x1, v1, x2, v2) in m and m/s; after a jump x2 counts from an unknown origin. `state` is the same,
-    reduced. `stepped` counts the events that were located one by one, `digits` the right digits of
+    reduced; None with a damper. `stepped` counts the events that were located one by one, `digits` the right digits of
     energy and excess.
     """
 
@@ -58,7 +60,7 @@ class EnergyAt:
     energy_excess: Number
     excursions: int
     mode: Mode
-    state: State
+    state: State | None
     si_state: tuple[Number, Number, Number, Number]
     road: Road
     stepped: int
@@ -80,10 +82,30 @@ def energy_at(
     size = max(0, math.ceil((rate_squared.numerator.bit_length() - rate_squared.denominator.bit_length()) * 0.1506))
 
     def attempt(arithmetic: Ball) -> tuple[EnergyAt, list[arb]]:
-        found = _Way(scene, at, arithmetic, arithmetic.digits - size).found(max_steps, digits)
+        if scene.pair.a1 > 0 and not scene.is_forced:
+            found = _damped(scene, at, arithmetic, max_steps, digits)
+        else:
+            found = _Way(scene, at, arithmetic, arithmetic.digits - size).found(max_steps, digits)
         return found, [found.energy / found.frame.critical_energy, found.energy_excess]
 
     return to_digits(attempt, digits, max_digits, size + SPARE_DIGITS)
+
+
+def _damped(scene: Scene, at: Fraction, arithmetic: Ball, max_steps: int, digits: int) -> EnergyAt:
+    """Return the answer for a pair with a damper, which takes E to 0, where 1 + w would cancel."""
+    from numerics.linear.engine import run_linear
+
+    record = run_linear(Scene(scene.pair, scene.initial, at, scene.law), arithmetic, max_steps)
+    if record.how is How.EVENT_LIMIT:
+        raise OutOfRange(f"more than {max_steps} events before t = {short(at)} s; raise max_steps")
+    frame, end, pair = Frame(arithmetic, scene.pair), record.end, scene.pair
+    m1, m2, a2 = (arithmetic.number(one) for one in (pair.m1, pair.m2, pair.a2))
+    energy = (a2 * end.x1**2 + m1 * end.v1**2 + m2 * end.v2**2) / 2
+    signs = [row.mode for row in record.rows]
+    exits = sum(before == 0 != after for before, after in pairwise(signs))
+    road = Road.NO_MORE_SLIP if record.how is How.STUCK else Road.STEPPED
+    found = energy, energy / frame.critical_energy - 1, exits, MODES[end.mode], None, (end.x1, end.v1, end.x2, end.v2)
+    return EnergyAt(scene, at, frame, *found, road, record.events, digits)
 
 
 class _Way:
