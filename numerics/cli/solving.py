@@ -48,8 +48,9 @@ def solve_scene(options: argparse.Namespace) -> int:
         print(explanation(trajectory), file=sys.stderr)
     if options.npz is not None:
         from numerics.trajectory.export import write_npz
+        from numerics.trajectory.sensitivity_export import sensitivity_arrays
 
-        write_npz(trajectory, options.npz)
+        write_npz(trajectory, options.npz, sensitivity_arrays(trajectory) if options.sensitivity else None)
     elif options.proof is not None:
         _write_proof(trajectory, options.proof)
     elif options.plot is not None:
@@ -65,9 +66,9 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
         return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
-    for name in ("csv", "npz", "plot", "proof"):
+    for name in ("csv", "plot", "proof"):
         if options.sensitivity and getattr(options, name):
-            return f"--sensitivity goes with --json or the table; leave --{name} out"
+            return f"--sensitivity goes with --json, --npz or the table; leave --{name} out"
     return None
 
 

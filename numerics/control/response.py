@@ -15,17 +15,9 @@ from typing import Any, cast
 
 from flint import acb, arb
 
+from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import (
-    KEPT_DIGITS,
-    Claim,
-    Tell,
-    most_digits,
-    number,
-    rounded,
-    silent,
-    to_digits,
-)
+from numerics.control.answers import KEPT_DIGITS, Claim, Tell, most_digits, number, rounded, silent
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.stuck import (

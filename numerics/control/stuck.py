@@ -13,7 +13,8 @@ from functools import partial
 
 from flint import acb, arb
 
-from numerics.control.answers import not_negative, number, rounded, undecided
+from numerics.arithmetic.ball import undecided
+from numerics.control.answers import not_negative, number, rounded
 from numerics.control.orbit import Drive
 from numerics.control.thresholds import Thresholds, load_margin, stiffness
 from numerics.linear.system import ONE, is_positive_on

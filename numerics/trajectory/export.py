@@ -159,9 +159,9 @@ def _excess(trajectory: Solution) -> NDArray[Any]:
     return np.array(found, dtype=object)
 
 
-def write_npz(trajectory: Solution, path: Path) -> None:
-    """Write the `arrays` of a trajectory as a NumPy archive."""
-    write_arrays(arrays(trajectory), path)
+def write_npz(trajectory: Solution, path: Path, extra: dict[str, NDArray[Any]] | None = None) -> None:
+    """Write the `arrays` of a trajectory, and `extra` ones by their names, as a NumPy archive."""
+    write_arrays(arrays(trajectory) | (extra or {}), path)
 
 
 def write_arrays(found: dict[str, NDArray[Any]], path: Path) -> None:

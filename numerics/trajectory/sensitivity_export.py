@@ -1,17 +1,19 @@
-"""The sensitivities of a trajectory as JSON and as a table."""
+"""The sensitivities of a trajectory as JSON, as arrays and as a table."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from flint import arb
+from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import exact_middle
 from numerics.trajectory.export import Written
 from numerics.trajectory.rendering import right_digits_text, with_radius
 from numerics.trajectory.rows import STATE
-from numerics.trajectory.sensitivity import enclosures
+from numerics.trajectory.sensitivity import enclosures, sensitivities
 from numerics.trajectory.trajectory import Trajectory
 
 TABLE_DIGITS = 6
@@ -34,6 +36,15 @@ def add_sensitivities(record: dict[str, Any], trajectory: Trajectory) -> None:
     rows = [*record["events"], record["final"]]
     for row, derivatives in zip(rows, _records(trajectory, written), strict=True):
         row["sensitivity"] = derivatives
+
+
+def sensitivity_arrays(trajectory: Trajectory) -> dict[str, NDArray[Any]]:
+    """Return the derivatives in binary64, and the names that their last axis stands for, for a NumPy archive."""
+    found = sensitivities(trajectory)
+    named = {"t": found.t, "y": found.y, "final": found.final, "energy": found.energy}
+    number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
+    arrays = {f"sensitivity_{name}": number(array) for name, array in named.items()}
+    return arrays | {"sensitivity_wrt": np.array(found.wrt)}
 
 
 def sensitivity_table(trajectory: Trajectory) -> str:

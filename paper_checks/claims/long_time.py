@@ -69,7 +69,7 @@ def constant_at(share: Fraction, speed: Fraction, time: str) -> arb:
     """
     pair = Pair(m1=share, m2=1 - share, a2=1, b=1 - share)
     found = energy_at(Scene(pair, State(v1=speed, v2=speed), until=1), time, digits=DIGITS[time])
-    if found.mode is not Mode.STICK:
+    if found.mode is not Mode.STICK or found.state is None:
         raise ArithmeticError(f"the pair slips at {time}")
     w, position, velocity = found.energy_excess, found.state.X, found.state.V1
     if not (velocity > 0 or velocity < 0):

@@ -60,10 +60,10 @@ def _no_kernel(rows: Sequence[Row]) -> str:
 def print_claims(console: Console, claims: Sequence[Claim], found: Mapping[str, Row]) -> None:
     """Print the claims with the verdict on record, what it rests on where the row is known, and the place in the paper."""
     table = _empty_table("claim", "recorded", "established by")
-    table.add_column("where", no_wrap=True)
+    table.add_column("where")
     for claim in claims:
         by = kind(found[claim.id]) if claim.id in found else "–"
-        table.add_row(Text(claim.id), _coloured(claim.recorded), Text(by), Text(claim.where))
+        table.add_row(Text(claim.id), _coloured(claim.recorded), Text(by), _cut(claim.where))
     console.print(table)
     if len(found) < len(claims):
         _say(console, "–: not decided here yet; `python -m paper_checks` decides all claims")
@@ -76,20 +76,25 @@ def _empty_table(*titles: str) -> Table:
     return table
 
 
+def _cut(text: str) -> Text:
+    """Return text that keeps to one line, however narrow its column is."""
+    return Text(text, no_wrap=True, overflow="ellipsis")
+
+
 def _coloured(verdict: Verdict) -> Text:
     return Text(verdict.value, STYLES[verdict])
 
 
 def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
-    """Ids, verdicts and kinds keep their width; places are cut to what is left, or fold beside the reasons."""
+    """Ids, verdicts and kinds keep their width; places are cut to what is left, reasons fold."""
     table = _empty_table("claim", "verdict", "established by")
-    table.add_column("where", ratio=1, no_wrap=not reasons)
+    table.add_column("where", ratio=1)
     if reasons:
         table.add_column("reason", ratio=3)
     if times:
         table.add_column("seconds", justify="right", no_wrap=True)
     for row in rows:
-        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row)), Text(row.claim.where)]
+        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row)), _cut(row.claim.where)]
         cells += [Text(plain(first_sentence(row.finding.reason)))] if reasons else []
         cells += [Text(f"{row.seconds:.1f}")] if times else []
         table.add_row(*cells)

@@ -29,6 +29,13 @@ WEAKER = """Definition unfolds (x v1 x2 v2 : R -> R) (t : R) (l : list event) (e
 Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2 -> unfolds x v1 x2 v2 0 the_events the_ending.
 Proof. intros. exact I. Qed."""
 
+HIDDEN = """From Coq Require Import String.
+Definition begin := "(*"%string. Unset Guard Checking.
+Fixpoint false_for (n : nat) : False := false_for n.
+Set Guard Checking. Definition end_ := "*)"%string.
+Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2 -> unfolds x v1 x2 v2 0 the_events the_ending.
+Proof. destruct (false_for 0). Qed."""
+
 needs_kernel = pytest.mark.usefixtures("needs_kernel")
 
 
@@ -148,6 +155,7 @@ def test_nothing_false_of_a_force_is_accepted(judge, planted):
         (r"Lemma accepted :\s+(.*?)\.\nProof.*?Qed\.", r"Parameter accepted : \1.", "Parameter stands where"),
         (r"Theorem trajectory.*", "Theorem trajectory : True. Proof. exact I. Qed.", "is no theorem of"),
         (r"Theorem trajectory.*", WEAKER, "is no theorem of"),
+        (r"Theorem trajectory.*", HIDDEN, "Unset Guard Checking stands where"),
         (
             r"Require Import Waves Trajectory",
             "Require Import Waves Trajectory Nowhere",
