@@ -238,12 +238,7 @@ class Path:
 
 def log2(x: arb) -> float:
     """Return the logarithm of the size of a number, -inf for 0."""
-    size = abs(x).mid()
-    if size.is_zero():
-        return -math.inf
-    mantissa, exponent = size.man_exp()
-    bits = int(mantissa).bit_length()
-    return math.log2(int(mantissa) >> max(0, bits - 53)) + max(0, bits - 53) + int(exponent)
+    return -math.inf if x.mid().is_zero() else float(abs(x.mid()).log()) / math.log(2)
 
 
 def two_to(power: float) -> arb:

@@ -12,15 +12,14 @@ says what holds all through one):
 
 from __future__ import annotations
 
-from fractions import Fraction
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import sqrt
 from numerics.plane.defect import Curve, Defect, defect, slip_defect
 from numerics.plane.onset import onset, slow_series
-from numerics.plane.passage import drawn_to, end_direction
+from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import SLIP, STICK, Path, log2, two_to
 from numerics.plane.polynomial import first_root, midpoints, rise, scaled
 from numerics.plane.series import Series, slip_series
@@ -203,7 +202,8 @@ class Run(Path):
         self.at = self.at._replace(s=self.system.still)
         part = (2 * self.system.pieces[curve.piece].reach * self.norm / slowest).upper()
         near_end = arb(1) - arb(0).union(part / self.narrow)
-        self.arrive(part * curve.t[1], slip.each(lambda p: p(near_end)))
+        s = slip.each(lambda p: p(near_end))
+        self.arrive(part * curve.t[1], wide(s, self.system.apart * (self.system.length(s) * self.narrow)))
 
     def stop(self) -> None:
         """Put s = 0 where it is no larger than N allows: the motion slips up to here."""
@@ -211,31 +211,34 @@ class Run(Path):
         if not system.pieces[at.piece].strain(self.load()) < 1:
             raise self.undecided("does the slip turn around s = 0 or pass through it")
         self.halt(at.s)
-        self.arrive(arb(0), at.s)
+        self.arrive(arb(0), None)
 
-    def arrive(self, early: arb, s: Vector) -> None:
-        """Go on from s = 0, where |s|_{kap^-1} <= N: it sticks if the load is inside K, and passes if it is outside."""
+    def arrive(self, early: arb, s: Vector | None) -> None:
+        """Go on from s = 0, where |s|_{kap^-1} <= N: it sticks if the load is inside K, and passes if it is outside.
+
+        `s`: the directions before, if they are known.
+        """
         system, drive = self.system, self.system.pieces[self.at.piece]
-        s_wide = wide(s, system.apart * (system.length(s) * self.narrow))
         inside = drive.strain(self.load()) < 1
 
-        def rate(load: Vector) -> arb | None:
+        def fate(load: Vector) -> tuple[arb | None, Drawn | None]:
+            drawn = drawn_to(system, drive, load, s) if s is not None else None
             if not inside:
-                return drawn_to(system, drive, load, s_wide)
+                return drawn and drawn.psi, drawn
             strain = drive.strain(load)
-            return (1 - sqrt(strain)) * drive.weak if strain < 1 else None
+            return (1 - sqrt(strain)) * drive.weak if strain < 1 else None, drawn
 
-        about = rate(self.load())
+        about, _ = fate(self.load())
         window = early / self.narrow + 2 * self.norm / about if about is not None else arb(0)
         near = self.load(window)
-        fall = rate(near)
+        fall, drawn = fate(near)
         outside = bool(drive.strain(near) > 1)
         if fall is None or inside == outside or not (late := early + self.norm / fall) < window:
             raise self.undecided("does the slip end, turn around s = 0 or pass through it")
         self.drift(self.norm, late)
         if inside:
             self.mode = STICK
-            self.happened(SLIP, end_direction(system, drive, self.load(late), s), late, "guard")
+            self.happened(SLIP, end_direction(system, drive, self.load(late), drawn), late, "guard")
         else:
             self.begin(1, "guard", SLIP, late)
 
@@ -295,20 +298,12 @@ class Run(Path):
 
     def reach(self, series: Series, m: int) -> tuple[arb, int]:
         """Return how far the series of a slip reaches, and how many of its terms: for m != 1 it diverges."""
-        rows, least = series.slip, 4
-        size = log2(highest(Vector(one[0] for one in rows)))
-        reach = [
-            (size - self.system.bits - max(log2(one[k]) for one in rows)) / k
-            if any(one[k] != 0 for one in rows)
-            else 64.0
-            for k in range(1, len(rows[0]) - 1)
-        ]
-        if m == 1:
-            found, top = min(reach[-2:]), len(reach) + 1
-        else:
-            found = max(min(reach[k - 1], reach[k]) for k in range(least, len(reach)))
-            top = 1 + max(k for k in range(least, len(reach)) if min(reach[k - 1], reach[k]) >= found)
-        return two_to(min(found, log2(self.period) + 4) - (0.1 if m == 1 else 0.4)), top
+        first, *logs = (max(map(log2, one)) for one in zip(*series.slip, strict=True))
+        reach = [min(64.0, (first - self.system.bits - one) / k) for k, one in enumerate(logs[:-1], start=1)]
+        both = [min(two) for two in pairwise(reach)]
+        found = both[-1] if m == 1 else max(both[3:])
+        top = 2 + max(k for k, one in enumerate(both) if one >= found and (k > 2 or m == 1))
+        return two_to(min(found, log2(self.period) + 4) - (0.1 if m == 1 else 0.4)), top + (m == 1)
 
 
 def exactly_on_edge(system: System) -> bool:
@@ -316,10 +311,7 @@ def exactly_on_edge(system: System) -> bool:
     given, acting = system.given, system.given.pieces[0]
     if any(phase for _, phase, _ in acting.sines):
         return False
-    q1, v1, _ = given.start
-    strain = Fraction(0)
-    for i in system.axes:
-        push = acting.polynomial[0][i] if acting.polynomial else Fraction(0)
-        push -= sum(given.a2[i][j] * q1[j] + given.a1[i][j] * v1[j] for j in system.axes)
-        strain += (given.m2[i] / (given.m1[i] + given.m2[i]) * push) ** 2 / acting.b_squared[i]
-    return strain == 1
+    q1, v1, m1, m2 = map(Vector, (*given.start[:2], given.m1, given.m2))
+    held = Vector(Vector(one) @ q1 + Vector(two) @ v1 for one, two in zip(given.a2, given.a1, strict=True))
+    load = (Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - held) * m2 / (m1 + m2)
+    return bool(load / Vector(acting.b_squared) @ load == 1)

@@ -39,7 +39,7 @@ def solve_plane(
 
     Without digits and arithmetic: 64 bits, answers in floats with proved bounds, more bits only where these leave the
     sequence open. With `digits`, or "ball" (15): as many proved digits, relative to each number, near 0 to the largest
-    of its axis along the run. The direction with which a slip ends is not proved.
+    of its axis along the run. (A direction that is not known is 0 with the radius 1.)
     "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
     """
     if arithmetic not in {None, "float64", "ball"}:

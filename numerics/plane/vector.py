@@ -22,11 +22,11 @@ def _acting(operation: Callable[[Any, Any], Any]) -> Any:
 
 
 class Vector(tuple[Any, ...]):
-    """Components of one kind: balls, polynomials, or power series.
+    """Components of one kind: balls, polynomials, power series, or exact numbers.
 
     >>> v = Vector([3, 4])
     >>> v * v, v * 2 - v, 12 / v, v @ v, abs(v - 4)
-    ((9, 16), (3, 4), (4.0, 3.0), 25.0000000000000, (1, 0))
+    ((9, 16), (3, 4), (4.0, 3.0), 25, (1, 0))
     """
 
     __slots__ = ()
@@ -50,7 +50,7 @@ class Vector(tuple[Any, ...]):
 
     def __matmul__(self, other: Iterable[Any]) -> Any:
         """Return the sum of the products."""
-        return sum(map(mul, self, other), arb(0))
+        return sum(map(mul, self, other))
 
 
 class Matrix(tuple[Any, ...]):

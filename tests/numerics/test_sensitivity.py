@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from fractions import Fraction
 from pathlib import Path
 
@@ -11,9 +12,10 @@ from differences import ball, deviation, everything, is_first_start, parameters
 from flint import arb
 from hypothesis import given, settings
 from reaching import LeftOut, reaching
+from scene_files import scenes_in
 from strategies import driven_scenes, scenes
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State, sensitivities, solve
+from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, sensitivities, solve
 from numerics.errors import EventUndecided, NotDifferentiable, NumericsError
 from numerics.scene.file import load_scene
 from numerics.trajectory import variation
@@ -21,74 +23,17 @@ from numerics.trajectory.saltation import Chain
 from numerics.trajectory.variation import Variation
 
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
-PAPER, PAIR, LIGHT = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05"), Pair("0.1", 1, 200, "0.5")
-STUCK, FAR = State("0.002", "0.15", 0, "0.15"), State("0.7", -4, 0, 1)
+PAPER, PAIR = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05")
 STEP, DIGITS = Fraction(1, 10**18), 70
-FREE = {
-    "slip": Scene(PAPER, State(v1="0.15"), 5),
-    "crossings": Scene(LIGHT, State("0.1", "0.3", 0, -1), 3),
-    "from S": Scene(LIGHT, State("0.3", "0.3", 0, "0.3"), 3),
-    "stick": Scene(PAPER, STUCK, 3),
-    "stuck for ever": Scene(PAPER, State("0.002", "0.01", 0, "0.01"), 3),
-    "literal law": Scene(PAPER, State("0.05", "0.3", 0, -1), 3, Law.THREE_VALUED_SGN),
-    "damped": Scene(Pair(1, 1, 200, "0.5", 1), State(v1="0.35", v2="-0.2"), 3),
-    "damped, from stick": Scene(Pair(1, 1, 200, "0.5", "0.1"), STUCK, 3),
-    "critical stick": Scene(Pair(1, 1, 2, "0.5", 4), FAR, 3),
-    "critical slip": Scene(Pair(1, 2, 1, "0.5", 2), FAR, 8),
-    "just above critical": Scene(Pair(1, 2, 1, "0.5", "2.00000001"), FAR, 8),
-    "overdamped, long slip": Scene(Pair(1, 2, 1, "0.1", 3), State(1, -4, 0, 30), 900),
-    "underdamped, long slip": Scene(Pair(1, 2, 1, "0.1", "0.05"), State(1, -4, 0, 30), 900),
-    "near E_cr": Scene(PAPER, State("0.005", "5e-5", 0, "5e-5"), 3),
-}
-FORCED = (
-    *("both-resonances", "constant-force", "contact-at-a-rational-time", "damping-critical-in-slip", "damping-heavy"),
-    *("friction-by-pieces", "friction-rises-in-slip", "jump-just-before-contact", "many-causes", "mass-ratio-1e6"),
-    *("polynomial-of-degree-8", "resonance-in-slip-damped", "resonance-in-stick", "near-resonance-in-stick"),
-    *("sine-stick-slip", "sine-that-starts-late", "tie-at-the-start-of-a-moving-pair", "trapezoid"),
-)
-CORNERS = {
-    "contact-to-third-order": "without a slope",
-    "force-and-friction-jump-together": "which of them comes first",
-    "friction-drops-at-contact": "a slip ends where a piece begins",
-    "friction-jumps-onto-the-load-slips": "onto the edge",
-    "jump-at-contact-reverses": "a slip ends where a piece begins",
-    "jump-at-contact-slips-on": "a slip ends where a piece begins",
-    "jump-at-contact-sticks": "a slip ends where a piece begins",
-    "jump-at-exit-slips": "stick ends where a piece begins",
-    "jump-at-exit-to-the-other-side": "stick ends where a piece begins",
-    "load-crosses-to-third-order": "without a slope",
-    "marginal-stick": "the motion of a slip as well",
-    "marginal-stick-then-slip": "the motion of a slip as well",
-    "tie-at-a-jump-at-contact-slips-on": "a slip ends where a piece begins",
-    "tie-at-a-jump-at-contact-sticks": "a slip ends where a piece begins",
-    "tie-by-first-derivative-slips": "stick ends where a piece begins",
-    "tie-by-second-derivative-slips": "stick ends where a piece begins",
-    "tie-by-third-derivative-slips": "stick ends where a piece begins",
-    "tie-on-the-lower-edge": "stick ends where a piece begins",
-    "touch-in-slip": "touch in a slip",
-}
-TIES = {
-    "friction-jumps-onto-the-load-sticks": 1e-40,
-    "jump-at-exit-holds": 1e-40,
-    "load-touches-the-edge": 1e-20,
-    "sine-at-threshold": 1e-20,
-    "tie-by-first-derivative-sticks": 1e-40,
-    "tie-by-second-derivative-sticks": 1e-20,
-    "tie-by-third-derivative-sticks": 1e-8,
-}
-"""Scenes whose neighbours have other events: their derivatives exist, and differences tend to them more slowly."""
+FREE = scenes_in("differentiated")
+KNOWN = tomllib.loads((CATALOGUE.parent / "derivatives.toml").read_text("utf-8"))
+FORCED, CORNERS, TIES = KNOWN["forced"], KNOWN["corners"], KNOWN["ties"]
 NEAREST = {
     **dict.fromkeys(("jump-just-after-contact", "jump-just-before-contact"), Fraction(1, 10**44)),
     **dict.fromkeys(("reversal-just-before-contact", "sine-barely-below-threshold"), Fraction(1, 10**44)),
     "sine-barely-above-threshold": Fraction(1, 10**70),
 }
 """Scenes so near to a tie that only nearer neighbours have the same events."""
-LEFT_OUT = {
-    *("load-touches-to-fourth-order", "tie-at-the-start-fourth-derivative-slips"),
-    *("tie-at-the-start-fourth-derivative-sticks", "touches-at-irrational-times"),
-}
-"""Differences tend to the derivative like the fourth root of the step, and neighbours so near to a tie take too many
-steps; and a scene that no digits decide."""
 
 
 def named(name):
@@ -105,7 +50,7 @@ def test_differences_of_solves(name):
     base = in_balls(named(name))
     found = deviation(base, everything(base), DIGITS, STEP)
     assert found.events_compared
-    assert found.size < (1e-25 if name == "near E_cr" else 1e-37), found
+    assert found.size < (1e-25 if name == "near-E-cr" else 1e-37), found
 
 
 @pytest.mark.parametrize(
@@ -120,7 +65,7 @@ def test_ties_that_leave_derivatives(name):
 
 @pytest.mark.long
 @pytest.mark.parametrize(
-    "name", [*FREE, *sorted({one.stem for one in CATALOGUE.glob("*.toml")} - {*CORNERS, *TIES, *LEFT_OUT})]
+    "name", [*FREE, *sorted({one.stem for one in CATALOGUE.glob("*.toml")} - {*CORNERS, *TIES, *KNOWN["left_out"]})]
 )
 def test_differences_by_each_number(name):
     step = NEAREST.get(name, STEP)
@@ -263,7 +208,7 @@ def test_names_and_shapes():
     )
     assert (found.final.shape, found.energy.shape) == ((4, len(found.wrt)), (len(found.wrt),))
     assert found.y.shape == (len(solve(scene).events), 4, len(found.wrt))
-    none = sensitivities(solve(FREE["stuck for ever"], digits=20, arithmetic="ball"))
+    none = sensitivities(solve(FREE["stuck-for-ever"], digits=20, arithmetic="ball"))
     assert (none.t.shape, none.y.shape, none.t.dtype) == ((0, 9), (0, 4, 9), object)
 
 
@@ -300,7 +245,7 @@ HONEST_GUARD, HONEST_SYSTEM, HONEST_SINE = Variation.guard, Variation._system, v
         ("resonance-in-stick", variation, "_sine", lambda *given: HONEST_SINE(*given)._replace(by={})),
         ("friction-by-pieces", Chain, "_jumps", lambda *_: {}),
         ("stick", Variation, "guard", forgetful_guard),
-        ("critical slip", Variation, "_system", forgetful_system),
+        ("critical-slip", Variation, "_system", forgetful_system),
     ],
 )
 def test_wrong_derivatives_are_found_out(monkeypatch, name, owner, part, wrong):

@@ -63,6 +63,7 @@ def test_a_slip_ends_along_the_load_of_a_round_pair():
     with Ball(30).context():
         size = sum((x * x for x in event.load), arb(0)).sqrt()
         assert all(x.overlaps(y / size) for x, y in zip(event.direction, event.load, strict=True))
+        assert all(x.rad() < 1e-14 for x in event.direction)
         assert size < 0.5
 
 
@@ -86,6 +87,8 @@ def test_what_a_bound_says_holds_at_more_digits(scene):
         return
     assert [(one.before, one.after) for one in low.events] == [(one.before, one.after) for one in high.events]
     with high.context():
+        for one, two in zip(low.events, high.events, strict=True):
+            assert all(x.overlaps(y) for x, y in zip(one.direction, two.direction, strict=True))
         for one, two in zip(low._points(), high._points(), strict=True):
             assert one[0].overlaps(two[0])
             assert all(x.overlaps(y) for p, q in zip(one[1], two[1], strict=True) for x, y in zip(p, q, strict=True))
