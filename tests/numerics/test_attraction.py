@@ -6,6 +6,7 @@ import math
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -95,6 +96,15 @@ def test_the_slopes_of_a_period_hold_over_the_whole_box(amplitude, number, corne
         bound = slopes * arb_mat([[one] for one in moved.tolist()])
         for row in range(3):
             assert (bound[row, 0] + arb(0, 1e-13)).contains(arb(found[row])), (row, bound[row, 0], found[row])
+
+
+def test_the_box_holds_every_state_within_reach(monkeypatch):
+    """N of a difference in one number alone is root a2, m1 or m2 times it."""
+    radii, reach = [], arb("1e-6")
+    monkeypatch.setattr(attraction, "one_round", lambda *given: radii.append(given[3]) or SimpleNamespace(slopes=None))
+    with Ball(20).context():
+        attraction._period_slopes(orbit_under(SLIPS), in_leg(orbit_under(SLIPS), 0), reach)
+        assert all(radii[0] ** 2 * Ball.number(one) >= reach**2 for one in (UNEVEN.a2, UNEVEN.m1, UNEVEN.m2))
 
 
 @pytest.mark.parametrize(("amplitude", "number"), [(SLIPS, 0), (STICKS, 0), (STICKS, 1)])

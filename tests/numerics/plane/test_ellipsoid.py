@@ -9,7 +9,7 @@ from strategies import plane_scenes
 from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError
-from numerics.plane.defect import Curve, slip_defect
+from numerics.plane.defect import Curve, defect, slip_defect
 from numerics.plane.polynomial import midpoints, scaled
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
@@ -115,6 +115,8 @@ def test_a_defect_sees_what_is_missing():
             curve = Curve(0, t, q1, v2, s, q1, s * (system.pieces[0].b_squared * h))
             norm = slip_defect(system, curve, s, t.derivative() * (1 / h), h)[0].norm
             assert (norm < 1e-25) if wrong == 0 else (norm > 1e-16)
+        off = Vector([arb(0), arb("1e-9")])  # what friction is off counts for both bodies
+        assert not defect(system, curve, off).norm < system.norm(system.still, off / system.m1, off / system.m2)
 
 
 def test_the_state_at_any_time_lies_between_the_events():
