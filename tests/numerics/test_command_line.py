@@ -3,12 +3,10 @@
 import csv
 import io
 import json
-import shlex
 import subprocess
 import sys
 from dataclasses import replace
 from decimal import Decimal, localcontext
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -185,9 +183,52 @@ def test_output_to_a_folder_is_refused(run, scene_file, tmp_path):
     assert not list(tmp_path.rglob(".*"))
 
 
-@pytest.mark.parametrize("command", Path(__file__).with_name("bad_usage.txt").read_text("utf-8").splitlines())
-def test_bad_usage(run, command):
-    code, out, err = run(*shlex.split(command))
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["solve"],
+        ["dance"],
+        ["solve", "start-at-6mm", "--digits", "0"],
+        ["solve", "start-at-6mm", "--digits", "-1"],
+        ["solve", "start-at-6mm", "--digits", "1.5"],
+        ["solve", "start-at-6mm", "--digits", "²"],
+        ["solve", "start-at-6mm", "--max-events", "0"],
+        ["solve", "start-at-6mm", "--arithmetic", "decimal"],
+        ["solve", "start-at-6mm", "--json", "--csv"],
+        ["solve", "start-at-6mm", "--arithmetic", "float64", "--digits", "9"],
+        ["solve", "start-at-6mm", "velocities"],
+        ["solve", "start-at-6mm", "--dig", "9"],
+        ["solve", "start-at-6mm", "--digits", "1e3"],
+        ["map", "--depth", "-1"],
+        ["map", "--jobs", "0"],
+        ["map", "--energy", "0.5", "0.7"],
+        ["energy", "forced-step", "--at", "1"],
+        ["map", "--depth", "40"],
+        ["map", "--ratio", "2", "1"],
+        ["map", "--ratio", "0", "1"],
+        ["map", "--energy", "1", "2"],
+        ["map", "--energy", "3", "3"],
+        ["map", "--energy", "x", "2"],
+        ["map", "--out", "map.txt"],
+        ["map", "--out", "no/m.png"],
+        ["response", "velocities"],
+        ["response", "velocities", "--omega", "0"],
+        ["response", "none-such"],
+        ["move", "at-rest", "--distance", "0"],
+        ["move", "at-rest", "--distance", "1", "--margin", "2"],
+        ["move", "velocities", "--distance", "1"],
+        ["move", "at-rest", "--distance", "1", "--out", "no/where.toml"],
+        ["track", "at-rest", "--reference", "none-such"],
+        ["track", "at-rest", "--reference", "s-curve", "--plot", "x.txt"],
+        ["ring", "velocities", "--radius", "x"],
+        ["response-map", "at-rest", "--amplitude", "1", "1", "--omega", "1", "2"],
+        ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "0", "2"],
+        ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "1", "2", "--depth", "40"],
+    ],
+)
+def test_bad_usage(run, arguments):
+    code, out, err = run(*arguments)
     assert (code, out) == (2, "")
     assert err.startswith("error: ")
     assert (err.count("error"), err.count("\n")) == (1, 1)

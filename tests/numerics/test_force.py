@@ -1,8 +1,6 @@
 """A force and a friction in time are read exactly, and what describes none is refused in one line."""
 
-import tomllib
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 from hypothesis import example, given
@@ -95,14 +93,52 @@ def friction_of(text: str) -> str:
     return VALID + "[[friction]]\n" + text + "\n"
 
 
-KEPT = tomllib.loads(Path(__file__).with_name("bad_pieces.toml").read_text("utf-8"))
-BAD_PIECES = {name: f"{VALID}{text}\n" for name, text in KEPT.items()} | {
-    "a number too long": piece(f'''polynomial = ["{"1" * 1001}"]'''),
+BAD_PIECES = {
+    "a ratio with nothing below": piece('from = "1/0"'),
+    "an exponent out of range": piece('polynomial = ["1e1001"]'),
+    "an exponent of nine digits": piece("polynomial = [1e999999999]"),
+    "a number too long": piece(f'polynomial = ["{"1" * 1001}"]'),
+    "a date for a time": piece("from = 1979-05-27"),
+    "a phase that is nan": piece("sines = [{ amplitude = 1, omega = 1, phase = nan }]"),
+    "an amplitude that is true": piece("sines = [{ amplitude = true, omega = 1 }]"),
+    "a frequency in words": piece('sines = [{ amplitude = 1, omega = "fast" }]'),
+    "a frequency barely negative": piece('sines = [{ amplitude = 1, omega = "-1e-300" }]'),
     "too many sines": piece(f"sines = [{', '.join(['{ amplitude = 1, omega = 1 }'] * 1001)}]"),
+    "the same key twice": piece("from = 1\nfrom = 2"),
     "brackets without end": piece(f"polynomial = {'[' * 3000}{']' * 3000}"),
-    "too many pieces": VALID + "".join(f"[[force]]\nfrom = {k}\n" for k in range(100001)),
+    "a key with a line break": piece('"a\\nb" = 1'),
+    "control characters": piece('from = "\\u001b[31m1"'),
+    "digits of another script": piece('from = "\u0661"'),
+    "an underscore in a text": piece('from = "1_0"'),
+    "too many pieces": VALID + "".join(f"[[force]]\nfrom = {k}\n" for k in range(100_001)),
+    "friction that is inf": friction_of("from = 1\nb = inf"),
+    "friction with a key it has not": friction_of("from = 1\nb = 1\nmu = 2"),
+    "friction twice at one time": friction_of('from = 1\nb = 1\n[[friction]]\nfrom = "2/2"\nb = 2'),
+    "order": piece("from = 2\n[[force]]\nfrom = 1"),
+    "the same time twice": piece("from = 1\n[[force]]\nfrom = 1.0"),
+    "negative time": piece("from = -1"),
+    "frequency 0": piece("sines = [{ amplitude = 1, omega = 0 }]"),
+    "negative frequency": piece("sines = [{ amplitude = 1, omega = -2 }]"),
+    "no frequency": piece("sines = [{ amplitude = 1 }]"),
+    "no amplitude": piece("sines = [{ omega = 1 }]"),
+    "unknown key of a sine": piece("sines = [{ amplitude = 1, omega = 1, frequency = 2 }]"),
+    "a sine that is a number": piece("sines = [1]"),
+    "sines that are a table": piece("sines = { amplitude = 1, omega = 1 }"),
+    "a polynomial that is a number": piece("polynomial = 1"),
+    "a coefficient that is no number": piece('polynomial = [1, "one"]'),
+    "a coefficient that is a list": piece("polynomial = [[1]]"),
+    "a coefficient that is true": piece("polynomial = [true]"),
+    "a time that is nan": piece("from = nan"),
     "too many coefficients": piece(f"polynomial = {[1] * 65}"),
+    "unknown key": piece("start = 1"),
+    "one table, not an array": VALID + "[force]\nfrom = 1\n",
     "numbers, not tables": "force = [1]\n" + VALID,
+    "b = 0": VALID + "[[friction]]\nfrom = 1\nb = 0\n",
+    "b negative": VALID + "[[friction]]\nfrom = 1\nb = -1\n",
+    "friction before 0": VALID + "[[friction]]\nfrom = -1\nb = 1\n",
+    "friction out of order": VALID + "[[friction]]\nfrom = 2\nb = 1\n[[friction]]\nfrom = 1\nb = 1\n",
+    "friction without time": VALID + "[[friction]]\nb = 1\n",
+    "friction without b": VALID + "[[friction]]\nfrom = 1\n",
 }
 
 

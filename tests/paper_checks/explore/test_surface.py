@@ -20,7 +20,22 @@ SCENES = (
     *(replace(one.scene, until=min(6.0, one.scene.until)) for one in OWN_SURFACES),
     *(ReducedSurface(**{"until": 8} | one) for one in KEPT["scenes"]),
 )
-FAULTS = KEPT["faults"]
+FAULTS = (
+    ("at = omega * t + angle", "at = omega * t - angle"),
+    ("dot(rising, p) > TIE", "dot(rising, p) < TIE"),
+    ("V1, -2 * zeta));", "V1, -zeta));"),
+    ("/ (1 + q * (k + 1) * a.R[1])", "/ (1 + q * k * a.R[1])"),
+    ("dot(a.E[j], a.E[k - j]) / 2", "dot(a.E[j], a.E[k - j])"),
+    ("times(a.R[j], a.E[k + 1 - j])", "times(a.R[j], a.E[k - j])"),
+    ("first = leaves ? (leaves.rate > 0 ? 1 : 2) : 0", "first = leaves ? 1 : 0"),
+    ("if (numberAt(speed, length * n / LOOKS) > 0) continue;", "continue;"),
+    ("LEFT_OUT * most", "1e9 * LEFT_OUT * most"),
+    ("inside > 0 ? NEAR : NONE", "1e-4"),
+    ("pair.q * (speed + dot(p, state.S)) / inside", "pair.q * speed / inside + 1e-3"),
+    ("8 * low * high", "low"),
+    ("mostLoad(axes, t) <= 1 + TIE", "mostLoad(axes, t) <= 1.02"),
+    ("plus(start.x2, plus(X, start.X, -1))", "start.x2"),
+)
 """Changes of the program, each of which a comparison has to see."""
 
 
