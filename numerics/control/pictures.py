@@ -195,7 +195,7 @@ def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
 
 
 def draw_ring(found: Any) -> Figure:
-    """Return Fig. 1 for the scene of a Ring: the relative plane and the distance from the limit over time; float64."""
+    """Return Fig. 1 for the scene of a Ring: relative plane, and distance from the limit over time, in float64."""
     entry, radius, rate = (float(one) for one in (found.entry, found.radius, found.rate))
     solved = solve(replace(found.scene, until=Fraction(max(float(found.scene.until), 1.3 * entry))))
     curve = sampled(solved)

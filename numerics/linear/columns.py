@@ -15,15 +15,13 @@ from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.pair_elementary import sine_cosine
 from numerics.linear.pairs import add, multiply
 from numerics.linear.record import AT
-from numerics.linear.table import FIRST, FRICTION, Tables
+from numerics.linear.table import FIRST, FRICTION, NODES, Tables
 
 UNIT, WIDE_UNIT = 2.0**-53, 2.0**-101
 """A rounding of float64; one of double-double, with what its operations lose."""
 PRECISE = 22
 """So many terms of a series are formed in pairs: later ones, 1.5^22/22! and less, weigh so little that floats do."""
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
-NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
-"""Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding."""
 
 _LOCAL, _X1, _ERRORS = AT["local"], AT["x1"], AT["x1_error"]
 

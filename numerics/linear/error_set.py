@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from numerics.arithmetic.compiled import compilable_with
+from numerics.arithmetic.compiled import compilable, compilable_with
 
 SLACK = 1.0 + 1e-9
 """The bounds' own rounding."""
@@ -32,12 +32,21 @@ def carry(E: Any, R: Any, flow: Any, scale: Any, apart: float, own: float, own2:
         inverse = 1.0 / scale[k]
         for i in range(4):
             flow[i, k] *= scale[i] * inverse
-    for j in range(4):
+    p, q, r, s = row_of(flow, 0), row_of(flow, 1), row_of(flow, 2), row_of(flow, 3)
+    for j in range(4):  # all four at once, with the flow in registers
         a, b, c, d = E[0, j], E[1, j], E[2, j], E[3, j]
-        for i in range(4):
-            E[i, j] = flow[i, 0] * a + flow[i, 1] * b + flow[i, 2] * c + flow[i, 3] * d
+        E[0, j] = p[0] * a + p[1] * b + p[2] * c + p[3] * d
+        E[1, j] = q[0] * a + q[1] * b + q[2] * c + q[3] * d
+        E[2, j] = r[0] * a + r[1] * b + r[2] * c + r[3] * d
+        E[3, j] = s[0] * a + s[1] * b + s[2] * c + s[3] * d
     R[1] = (R[1] + apart * R[0] + own2) * SLACK
     R[0] = (R[0] + own) * SLACK
+
+
+@compilable
+def row_of(flow: Any, i: int) -> tuple[float, float, float, float]:
+    """Return a row."""
+    return flow[i, 0], flow[i, 1], flow[i, 2], flow[i, 3]
 
 
 @compilable_with(forceinline=False, **_CONTRACT)

@@ -10,10 +10,8 @@ import numpy as np
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.linear.columns import (
     FAST,
-    NODES,
     PRECISE,
     UNIT,
-    WEIGHTS,
     WIDE_UNIT,
     Constants,
     Drive,
@@ -24,7 +22,7 @@ from numerics.linear.columns import (
 from numerics.linear.error_set import carry, take_in
 from numerics.linear.first_root import value_slope
 from numerics.linear.pairs import add, divide, multiply, times
-from numerics.linear.table import FIRST, Tables
+from numerics.linear.table import FIRST, NODES, WEIGHTS, Tables
 
 
 @compilable_with(forceinline=False)
@@ -125,9 +123,14 @@ def evolve(
 
 
 @compilable_with(**FAST)
-def slid_and_damped(pair: Constants, room: Room, mode: int, s: float, h: float) -> tuple[float, float, float]:
-    """Return how far the bodies slide, the size of its terms, and int v1^2 dt, up to s; the last by Gauss's rule."""
-    slid, size, damped, terms = 0.0, 0.0, 0.0, room.q.shape[0]
+def slid_and_damped(
+    pair: Constants, tables: Tables, room: Room, at: tuple[int, int], mode: int, s: float
+) -> tuple[float, float, float, float]:
+    """Return how far the bodies slide, the size of its terms, int v1^2 dt and its size, up to s.
+
+    The integral is a quadratic form of z over a whole step, by Gauss's rule over a part of one.
+    """
+    slid, size, damped, terms, h = 0.0, 0.0, 0.0, room.q.shape[0], tables.h[at[0], at[1]]
     if mode != 0:
         g, square, odd, odd_size = room.g, s * s, 0.0, 0.0
         for k in range(terms - 2, -1, -2):
@@ -135,18 +138,34 @@ def slid_and_damped(pair: Constants, room: Room, mode: int, s: float, h: float) 
             slid, odd = slid * square + one, odd * square + two
             size, odd_size = size * square + abs(one) * (k + 8.0), odd_size * square + abs(two) * (k + 9.0)
         slid, size = s * (slid + s * odd), s * (size + s * odd_size)
+    if pair.a1 > 0.0 and s == 1.0:
+        damped, damped_size = of_square(tables.squares[at[0], at[1]], room.z, tables.count[at[0]])
+        return slid, size, damped, damped_size
     if pair.a1 > 0.0:
-        X, at, v = room.X[0, 0], room.nodes[0], room.nodes[1]
+        X, place, v = room.X[0, 0], room.nodes[0], room.nodes[1]
         for n in range(NODES.shape[0]):
-            at[n], v[n] = s * NODES[n], (terms - 1) * X[terms - 1]
+            place[n], v[n] = s * NODES[n], (terms - 1) * X[terms - 1]
         for k in range(terms - 3, 0, -2):  # two powers at a time: v is read and written half as often
             high, low = (k + 1) * X[k + 1], k * X[k]
             for n in range(NODES.shape[0]):
-                v[n] = (v[n] * at[n] + high) * at[n] + low
+                v[n] = (v[n] * place[n] + high) * place[n] + low
         for n in range(NODES.shape[0]):
             damped += WEIGHTS[n] * v[n] * v[n]
         damped *= s / h
-    return slid, size, damped
+    return slid, size, damped, damped
+
+
+@compilable_with(forceinline=False, **FAST)
+def of_square(form: Any, z: Any, count: int) -> tuple[float, float]:
+    """Return z F z, at least 0, and what its terms are at most together: n sum_i F_ii z_i^2, as F is one of squares."""
+    value, size = 0.0, 0.0
+    for i in range(count):
+        total = 0.0
+        for j in range(count):
+            total += form[i, j] * z[0, j]
+        value += total * z[0, i]
+        size += form[i, i] * z[0, i] * z[0, i]
+    return max(value, 0.0), count * size
 
 
 @compilable
@@ -203,14 +222,7 @@ def long_step(
     levels = 1 + max(0, math.floor(math.log2(total / h)))
     powers, forms = np.zeros((levels, 2, count, count)), np.zeros((levels, count, count))
     powers[0] = tables.ends[kind, side][:, :count, :count]
-    slopes = np.zeros((count, NODES.shape[0]))
-    for j in range(count):
-        for n in range(NODES.shape[0]):
-            slopes[j, n] = value_slope(tables.rows[kind, side, 0, 0, j], NODES[n])[1] / h
-        for i in range(j + 1):
-            for n in range(NODES.shape[0]):
-                forms[0, i, j] += h * WEIGHTS[n] * slopes[i, n] * slopes[j, n]
-            forms[0, j, i] = forms[0, i, j]
+    forms[0] = tables.squares[kind, side, :count, :count]
     for level in range(1, levels):
         before = powers[level - 1]
         for i in range(count):
@@ -242,11 +254,8 @@ def long_step(
         if level < 0:
             return damped, size, grown
         if pair.a1 > 0.0:
-            for i in range(count):
-                for j in range(count):
-                    term = room.z[0, i] * forms[level, i, j] * room.z[0, j]
-                    damped += term
-                    size += abs(term)
+            taken, its_size = of_square(forms[level], room.z, count)
+            damped, size = damped + taken, size + its_size
         # each squaring doubles the relative error of the power
         off = unit + math.ldexp(WIDE_UNIT, level)
         full_step(powers[level], room.size, room.z, count, off, room.y, room.column, room.flow)

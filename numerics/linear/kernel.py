@@ -94,10 +94,12 @@ def calm_rest(
 
 
 @compilable
-def loss_error(pair: Constants, room: Room, mode: int, b: float, N: float, step: tuple[float, float, float]) -> float:
+def loss_error(
+    pair: Constants, room: Room, mode: int, b: float, N: float, step: tuple[float, float, float, float]
+) -> float:
     """Return a bound on the error of what friction and viscosity take over a step of this time, and int v1^2 dt."""
-    time, size, damped = step
-    lost = (b * pair.kappa if mode != 0 else 0.0) * N * time + UNIT * (8.0 * b * size + 64.0 * pair.a1 * damped)
+    time, size, damped, terms = step
+    lost = (b * pair.kappa if mode != 0 else 0.0) * N * time + UNIT * (8.0 * b * size + 64.0 * pair.a1 * terms)
     if pair.a1 > 0.0:
         speed = math.sqrt(damped / time) + (abs(room.y[1, 0]) if damped > 0.0 else 0.0)
         lost += pair.a1 * time * N / room.scale[1] * (4.0 * speed + N / room.scale[1])
@@ -218,11 +220,11 @@ def follow_in(
         s = (to, to_low) if not is_root and ahead.high == to else (ahead.high, ahead.low)
         is_last = is_last and not is_root and ahead.high == to
         # evolve
-        slid, size, damped = slid_and_damped(pair, room, mode, s[0], h)
+        slid, size, damped, terms = slid_and_damped(pair, tables, room, (kind, side), mode, s[0])
         time, added = evolve(tables, room, (kind, side), mode, s, is_root, wide)
         N, since, order = N + added, since + time, 0
         slid_work, damped_work = slid_work + b * slid, damped_work + pair.a1 * damped
-        lost += loss_error(pair, room, mode, b, N, (time, size, damped)) + 2.0 * UNIT * (slid_work + damped_work)
+        lost += loss_error(pair, room, mode, b, N, (time, size, damped, terms)) + 2.0 * UNIT * (slid_work + damped_work)
         if not abs(y[0, 0]) + abs(y[1, 0]) + abs(y[2, 0]) + abs(y[3, 0]) + N < 1e300:
             how = OUT_OF_RANGE
             break

@@ -31,19 +31,22 @@ class Next(NamedTuple):
 @compilable
 def slip_guard(room: Room, mode: int, order: int) -> None:
     """Form the guard h s (v1 - v2) of a slip, less its first coefficients, which are exactly 0."""
-    X, g, q = room.X, room.g, room.q
+    one, two, g, q, sign = room.X[0, 0], room.X[0, 1], room.g[0], room.q, float(mode)
     terms = q.shape[0]
-    for k in range(terms):
-        g[0, k] = g[1, k] = q[k] = 0.0
-    for k in range(order, terms - 1):
-        g[0, k] = mode * (k + 1) * (X[0, 0, k + 1] - X[0, 1, k + 1])
-        q[k - order] = g[0, k]
+    for k in range(terms - 1):
+        g[k] = (k + 1.0) * sign * (one[k + 1] - two[k + 1])
+    g[terms - 1] = 0.0
+    g[:order] = 0.0
+    for k in range(terms - order):
+        q[k] = g[k + order]
+    q[terms - order :] = 0.0
 
 
 @compilable
 def wide_slip_guard(room: Room, mode: int, order: int) -> None:
     """Form the same in pairs."""
     X, g = room.X, room.g
+    g[1, :] = 0.0
     for k in range(order, PRECISE):
         h, low = add(X[0, 0, k + 1], X[1, 0, k + 1], -X[0, 1, k + 1], -X[1, 1, k + 1])
         g[0, k], g[1, k] = times(h, low, mode * (k + 1.0))

@@ -18,9 +18,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
+from numerics.linear.first_root import value_slope
 from numerics.linear.pairs import add, divide, multiply
 
 X1, V1, X2, V2, FRICTION, FIRST = 0, 1, 2, 3, 4, 5
+NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
+"""Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding."""
 ORDERS = 8
 """A guard starts with so many vanishing coefficients at most, less one."""
 
@@ -45,6 +48,8 @@ class Tables(NamedTuple):
     """(kinds, ORDERS, n): what rounding and truncation do to h (v1 - v2) less p coefficients, in roundings."""
     load_sums: Any
     """(kinds, ORDERS, n): the same for h^2 x2'' in stick."""
+    squares: Any
+    """(kinds, 2, n, n): int v1^2 dt over the step, as a quadratic form of z; 0 without damping."""
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -58,6 +63,7 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
         np.zeros((kinds, 2, 2, n, n)),
         np.zeros((kinds, ORDERS, n)),
         np.zeros((kinds, ORDERS, n)),
+        np.zeros((kinds, 2, n, n)),
     )
 
 
@@ -92,6 +98,22 @@ def form(tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest:
             unused if side == 1 else tables.slip_sums[kind],
             tables.load_sums[kind] if side == 1 else unused,
         )
+        if pair[3, 0] > 0.0:
+            square(tables.rows[kind, side, 0, 0], h, n, tables.squares[kind, side])
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def square(rows: Any, h: float, count: int, form: Any) -> None:
+    """Form int v1^2 dt over a step as a quadratic form of z."""
+    slopes = np.zeros((NODES.shape[0], count))
+    for n in range(NODES.shape[0]):
+        for j in range(count):
+            slopes[n, j] = value_slope(rows[j], NODES[n])[1]
+    for i in range(count):
+        for j in range(count):
+            form[i, j] = 0.0
+            for n in range(NODES.shape[0]):
+                form[i, j] += WEIGHTS[n] / h * slopes[n, i] * slopes[n, j]
 
 
 @compilable_with(forceinline=False)

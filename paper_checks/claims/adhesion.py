@@ -125,4 +125,4 @@ def synchronisation_time(
 def _mode_at(trajectory: Trajectory, time: Fraction) -> Evidence:
     mode = trajectory.mode_at(time)
     statement = f"at $t={float(time):g}$ s the bodies slip"
-    return Evidence(EvidenceKind.ENCLOSURE, "python-flint", statement, mode is not Mode.STICK, 1, mode.value)
+    return enclosed(statement, mode is not Mode.STICK, mode.value)

@@ -34,9 +34,6 @@ def depth(theta: arb) -> arb:
     return 2 - theta * (theta / 2).cot()
 
 
-ENGINE = "python-flint"
-
-
 @cache
 def one_turning_point() -> Steps:
     """R = h/c falls from infinity to its one minimum sqrt(r*) and rises to infinity."""
@@ -118,21 +115,17 @@ def threshold() -> Steps:
             vanishes(r"so $m_1/m_2=(1-r^*)/r^*=2\sin^2\varphi^*-1=-\cos\theta^*$", critical_mass_ratio_residual()),
             form("m1/m2", critical_mass_ratio()),
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            ENGINE,
+        enclosed(
             r"$\theta^*$, $r^*$ and both mass ratios at the threshold; $R(\theta^*)^2$, $-\cos\theta^*$ and $-1/\cos\theta^*$ agree with them",
             agree,
-            3,
             "; ".join(texts),
+            3,
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            ENGINE,
+        enclosed(
             r"$\varphi^*>\pi/2$, so $\varphi^*$ is the upper end of $2r^*\sin^2\varphi>1$; $1/2<r^*<3/5$",
             bool(beyond),
-            2,
             shown(value, 12),
+            2,
         ),
     )
 

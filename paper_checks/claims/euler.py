@@ -11,7 +11,7 @@ from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.claims.words import *
-from paper_checks.decide.enclosure import ENGINE, compare, rounded, solved, stuck_for_ever, text, within
+from paper_checks.decide.enclosure import compare, rounded, solved, stuck_for_ever, text, within
 from paper_checks.decide.euler_in_balls import COARSE, HORIZONS, STEPS, run
 from theory.filippov import half_width, phi, sliding_field
 from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
@@ -168,16 +168,14 @@ def _never_meets() -> Evidence:
     runs = [run(name, h) for name in HORIZONS for h in STEPS]
     met = [one for one in runs if one.contact is not None]
     steps = sum(one.steps for one in runs)
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        ENGINE,
+    return enclosed(
         r"""
         forward Euler from $\dot x_1(0)=0.15$ never meets $\dot z=0$ ($b=0.05,0.2,0.5$, steps of $10^{-2}$ to
         $10^{-5}$ s): the branch (13) is never used, and both readings of sgn(0) give the same run
         """,
         not met,
-        steps,
         f"sign of the relative velocity proved at {steps} steps of {len(runs)} runs",
+        steps,
     )
 
 
@@ -208,7 +206,7 @@ def _late(statement: str, h: Fraction, true: arb, relation: str, bound: str, nam
     """Compare the error of a run's first adhesion time with a bound, s."""
     time = run(name, h).adhesion_time
     if time is None:
-        return Evidence(EvidenceKind.ENCLOSURE, ENGINE, statement, False, 1, "the run never sticks")
+        return enclosed(statement, False, "the run never sticks")
     error = abs(arb(fmpq(time.numerator, time.denominator)) - true)
     found = compare(statement, error, relation, arb(bound))
     return replace(found, value=f"Euler {float(time):.6g} s, true {text(true)} s")

@@ -135,13 +135,12 @@ def enclosed_rate(share: Fraction, start: Fraction, count: int, tolerance: Fract
         ratio = tau * w * 9 * frame.r / (4 * arb.pi() * frame.q)
         near = abs(ratio - 1) < arithmetic.number(tolerance)
         text = str(ratio.mid().str(12, radius=False))
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
+    return enclosed(
         f"$m_1/M={share}$, $w_0={start}$: after {count} excursions $\\tau w$ over its limit is within {float(tolerance):.0%} of 1",
         bool(near),
-        count,
         text,
+        count,
+        engine="numerics, balls",
         supports=True,
     )
 

@@ -191,13 +191,11 @@ def itinerary_that_merges(scene: Scene | None = None) -> Case:
         carried(
             "statement",
             itinerary("slip in $\\Omega_+$, then stick", trajectory, (PLUS, STICK)),
-            Evidence(
-                EvidenceKind.ENCLOSURE,
-                "numerics, balls",
+            enclosed(
                 "there is no later event: the stick phase never ends",
                 for_ever and len(trajectory.events) == 1,
-                1,
                 trajectory.message,
+                engine="numerics, balls",
             ),
             compare("after it, $w=E/E_{cr}-1<0$", trajectory.final.w, "<", exact(0)),
         ),
@@ -243,13 +241,12 @@ def itinerary_that_creeps(scene: Scene | None = None) -> Case:
                 trajectory,
                 (PLUS, MINUS, PLUS, STICK, MINUS, STICK, PLUS, STICK),
             ),
-            Evidence(
-                EvidenceKind.ENCLOSURE,
-                "numerics, balls",
+            enclosed(
                 "the events are crossing, crossing, entry, exit, entry, exit, entry",
                 kinds == (crossing, crossing, entry, leave, entry, leave, entry),
-                len(kinds),
                 ", ".join(kind.value for kind in kinds),
+                len(kinds),
+                engine="numerics, balls",
             ),
             compare("$A_1\\in S_+$: $X>1$", trajectory.events[0].reduced.X, ">", exact(1)),
             compare("$B_1\\in S_-$: $X<-1$", trajectory.events[1].reduced.X, "<", exact(-1)),

@@ -92,14 +92,13 @@ def constant_found_again(share: Fraction, speed: Fraction) -> Evidence:
         small, smaller = arb(1) / 100, arb(1) / 100_000
         agree = bool(abs(early - last) < small and abs(late - last) < smaller)
         text = f"K = {last.str(20)}; less that at 1e6: {(early - last).str(5)}, at 1e12: {(late - last).str(5)}"
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics.free.energy, balls",
+    return enclosed(
         f"$q={share}$, from $x_1=0$ with $E/E_{{cr}}={speed**2}$: $K$ from the exits after $\\tau=10^6$, $10^{{12}}$, $10^{{30}}$ is the same number, with "
         "differences that fall as $\\tau^{-1/2}$",
         agree,
-        len(TIMES),
         text,
+        len(TIMES),
+        engine="numerics.free.energy, balls",
         supports=True,
     )
 

@@ -7,7 +7,6 @@ import sympy as sp
 from flint import arb
 
 from paper_checks.claims.critical_ratio import (
-    ENGINE,
     depth,
     half_angle,
     rise,
@@ -90,16 +89,14 @@ def windows() -> Evidence:
             straddled = straddled and bool(low < 2 * half_angle() and high > 2 * half_angle())
             levels = ", ".join(shown(rise(theta) ** 2, 25) for theta in (low, high))
             texts.append(f"r = {one}: w/q from and to {levels}")
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        ENGINE,
+    return enclosed(
         r"""
         $\theta_a<\theta^*<\theta_b$ and the interval of $w/q$ that merges at the first re-entry, for some shares $r$
         and in the limit $r=1$ ($m_1/m_2\to 0$)
         """,
         straddled,
-        len(SHARES),
         "; ".join(texts),
+        len(SHARES),
     )
 
 

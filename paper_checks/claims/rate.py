@@ -103,13 +103,12 @@ def bounded_run(share: Fraction, start: Fraction, count: int) -> Evidence:
             good = good and bool(one.w_after > lower(tau + one.slip) and one.w_after < upper(tau + one.slip))
             tau = tau + one.slip + one.stick
         text = f"at the last exit {lower(tau).str(6)} <= w <= {upper(tau).str(6)}"
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
+    return enclosed(
         f"$q={share}$, $\\theta_0={start}$: a run of {count} excursions lies between both bounds",
         good,
-        2 * count,
         text,
+        2 * count,
+        engine="numerics, balls",
         supports=True,
     )
 

@@ -83,14 +83,12 @@ def remainder() -> Steps:
             r"$c^2-P_8(y)$ has a zero of order $18$ at $\theta=0$: its coefficients, in exact series of $\theta$, vanish",
             sp.Matrix(defect_in_angle()),
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            "python-flint",
+        enclosed(
             f"$|c^2-P_8(y)|<\\tfrac{{1}}{{3}}$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
             f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant\\tfrac{{r}}{{3}}\\,(9y/4)^9$ for $y\\leqslant 4/9$",
             small,
-            ARCS,
             f"{text}; {printed}",
+            ARCS,
         ),
     )
 

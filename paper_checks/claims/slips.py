@@ -35,8 +35,6 @@ from theory.return_map import (
 from theory.scaling import to_si
 from theory.symbols import m1, m2, q, r, theta
 
-ENGINE = "python-flint"
-
 
 @cache
 def contact() -> Evidence:
@@ -172,20 +170,10 @@ def turns_back() -> Steps:
             [sp.diff(velocity, theta), velocity.subs(theta, 0), velocity.subs(theta, 2 * sp.pi)],
             [theta * sp.sin(theta), 0, -2 * sp.pi],
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            ENGINE,
-            r"$\theta_v\in(\pi,3\pi/2)$",
-            bool(inside),
-            1,
-            f"theta_v = {shown(root)}",
-        ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            ENGINE,
+        enclosed(r"$\theta_v\in(\pi,3\pi/2)$", bool(inside), f"theta_v = {shown(root)}"),
+        enclosed(
             r"$c(\theta_v)=1+\sqrt{1+\theta_v^2}$, so $\theta_v<\theta_c(q)$, $c(\theta_c)=2/q$, exactly for $q<2/(1+\sqrt{1+\theta_v^2})$",
             bool(share > 0 and share < 1),
-            1,
             f"q_v = 2/(1 + sqrt(1 + theta_v**2)) = {shown(share)}",
         ),
     )
@@ -233,13 +221,11 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
     with arithmetic.context():
         frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
         sides = [one.side for one in islice(excursions(frame, arithmetic.number(excess)), 2)]
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
+    return enclosed(
         f"solved with $q={share}$ from a ray with $w={excess}$: the next exit is by the {'same' if same else 'opposite'} ray",
         len(sides) == 2 and (sides[0] == sides[1]) is same,
-        1,
         f"sides {sides}",
+        engine="numerics, balls",
         supports=True,
     )
 

@@ -63,21 +63,19 @@ def one_more_cycle() -> Evidence:
 
 
 @cache
-def enclosed() -> Evidence:
+def quotients() -> Evidence:
     """The bounds of both quotients."""
     (low, high), (short, long) = ranges()
     good = all(end.is_finite() for end in (low, high, short, long))
     texts = [f"{end.str(5, radius=False)}" for end in (low, high, short, long)]
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "python-flint",
+    return enclosed(
         r"""
         for $0<\theta\leqslant\pi/2$ and every $r\in(0,1)$: bounds of $\pi G\,r/(y-y')$ and of $F\,r/(\sqrt
         y-\sqrt{y'})$, by Taylor polynomials with Cauchy's estimate near $\theta=0$ and centred forms beyond
         """,
         good,
-        4,
         f"{texts[0]} to {texts[1]}, and {texts[2]} to {texts[3]}",
+        4,
     )
 
 
@@ -91,7 +89,7 @@ def law_with_error() -> Evidence:
         within the bounds of the quotients.
         """,
         one_more_cycle(),
-        enclosed(),
+        quotients(),
     )
 
 
@@ -113,9 +111,7 @@ def bounds_error(formula: Formula) -> Evidence:
         else:
             passed = None
         text = ", ".join(shown(end, 6) for end in (*at_least, *at_most))
-    return Evidence(
-        EvidenceKind.ENCLOSURE, "python-flint", f"${formula.latex}$", passed, 2, f"least and largest: {text}"
-    )
+    return enclosed(f"${formula.latex}$", passed, f"least and largest: {text}", 2)
 
 
 def point_of(value: sp.Rational) -> arb:

@@ -13,7 +13,7 @@ from paper_checks.decide.exhibit import Point, exhibit
 from paper_checks.decide.polynomial import RELATIONAL, signed
 from paper_checks.decide.smt import prove
 from paper_checks.evidence.clause import Formula, decimal_places
-from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, enclosed
 
 if TYPE_CHECKING:
     from flint import arb
@@ -100,7 +100,7 @@ def decimal(value: Callable[[], arb]) -> Decide:
         low, high = exact(digits), exact(digits + sp.Rational(1, 10 ** decimal_places(digits)))
         inside, outside = found > low and found < high, found < low or found > high
         passed = True if inside else False if outside else None
-        return Evidence(EvidenceKind.ENCLOSURE, "python-flint", shown(formula), passed, 1, str(found.str(20)))
+        return enclosed(shown(formula), passed, str(found.str(20)))
 
     return decide
 

@@ -128,6 +128,19 @@ def argument(statement: str, *rests_on: Evidence, cites: tuple[str, ...] = ()) -
     return Evidence(EvidenceKind.ARGUMENT, "written inference", statement, passed, rests_on=rests_on, cites=cites)
 
 
+def enclosed(
+    statement: str,
+    passed: bool | None,
+    value: str,
+    cases: int = 1,
+    *,
+    engine: str = "python-flint",
+    supports: bool = False,
+) -> Evidence:
+    """Return what balls showed: a statement about every point of them."""
+    return Evidence(EvidenceKind.ENCLOSURE, engine, statement, passed, cases, value, supports=supports)
+
+
 def closure(steps: Iterable[Evidence]) -> Steps:
     """Return the steps and all that they rest on, each once, those that others rest on first."""
     found: dict[Evidence, None] = {}

@@ -11,8 +11,8 @@ from flint import arb
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import to_digits
 from numerics.control.pictures import threshold_curves
 from numerics.control.response_map import Regimes, response_map
 from numerics.control.thresholds import NonStop, load_margin, thresholds
