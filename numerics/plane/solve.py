@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
 from numerics.plane.answer import PlaneSolution, Working
 from numerics.plane.box import independent
@@ -77,10 +78,12 @@ def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any])
     kind = BoxRun if scene.pair.shape == "box" else Run
     run = kind(System(reduced(scene), working), limits["max_events"], _MAX_LEGS, limits["progress"])
     run.follow()
-    states = States(scene, run)
+    states = States(scene, run.system, run.legs)
     with run.system.fine():
         events = [states.event(one) for one in run.events]
         first = events[0].before if events else states.word(run.mode)
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
         modes = [first, *(one.after for one in events)]
-        return PlaneSolution(scene, Working(working, name), status, events, modes, states.end(), states)
+        until = Ball.number(scene.until)
+        end = (until, states.at(until)) if run.reached else (events[-1].t, events[-1].y)
+        return PlaneSolution(scene, Working(working, name), status, events, modes, end, states)

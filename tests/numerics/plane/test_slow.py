@@ -109,5 +109,5 @@ def test_a_slip_settles_on_two_axes_quickly_and_slowly_on_the_third():
     start = {"v1": ["0", "0.0433433", "0.0001"], "v2": ["0", "0.0433433", "0.0001"]}
     found = solve(PlaneScene(pair, 1, x1=["0.00375375", 0, "0.00001"], **start))
     assert [one.after for one in found.events] == ["stick"]
-    assert len(found.motion.run.legs) < 400
+    assert len(found.motion.legs) < 400
     assert found.digits >= 12
