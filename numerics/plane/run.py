@@ -30,8 +30,10 @@ _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
 _OFTEN = 8
 """Steps of a slip between two questions whether it has settled."""
-_QUICK = 64
+_QUICK = 256
 """It is asked where a direction settles so many times in the time in which things change."""
+_QUICKER = 64
+"""So many times quicker some axes settle than the last, if these alone are asked."""
 _SHORT = 2.0**-20
 """The part of a step after which a load that falls from the edge into K is seen inside."""
 
@@ -39,7 +41,7 @@ _SHORT = 2.0**-20
 class Run(Path):
     """The path of an ellipsoid; `steps` counts those of a slip since one that had settled was tried."""
 
-    steps, on_edge = 0, False
+    steps, on_edge, stride = 0, False, arb(0)
 
     def one_step(self) -> None:
         """Stick or slip for a step, or to the first event in it."""
@@ -105,6 +107,7 @@ class Run(Path):
             h, ends = (h / 2).mid(), False
         else:
             raise self.undecided("does the slip turn or end")
+        self.stride = clock(1) - at.t
         self.go_on(curve, SLIP, arb(1), norm, ends=ends)
         if not ends:
             self.land()
@@ -127,19 +130,23 @@ class Run(Path):
     def settled(self) -> bool:
         """Go on with the series of a slip that has settled, to its end if it comes in it; return whether that is it."""
         drive = self.system.pieces[self.at.piece]
-        if self.system.n > 1 and not highest(drive.heavy) * drive.friction(self.at.s)[1] * _QUICK < self.period:
-            return False
-        series = slow_series(self.system, self.at, self.system.degree)
-        if series is None:
-            return False
-        h, top = self.reach(series, 0)
-        return any(self.settle(series, (h / 2**k).mid(), top) for k in range(3))
+        size, n = drive.friction(self.at.s)[1], self.system.n
+        quick = [n == 1 or bool(x * size * _QUICK < self.period) for x in drive.heavy]
+        quicker = [one and bool(x * _QUICKER < highest(drive.heavy)) for x, one in zip(drive.heavy, quick, strict=True)]
+        for axes in (quick, quicker):
+            if all(axes) or sum(axes) > 1:
+                series = slow_series(self.system, self.at, self.system.degree, axes)
+                if series is not None:
+                    h, top = self.reach(series, 0)
+                    if any(self.settle(series, (h / 2**k).mid(), top) for k in range(3)):
+                        return True
+        return False
 
     def settle(self, series: Series, h: arb, top: int) -> bool:
-        """Go on with a series for a time h, if it is as good as a step."""
+        """Go on with a series for a time h, if it is as good as a step, and much longer or the last one."""
         system, at, (h, ends) = self.system, self.at, self.fitted(h)
         root = first_root(scaled(series.size[:top], h), arb(0))
-        if isinstance(root, bool):
+        if isinstance(root, bool) or (root is None and h < 4 * self.stride):
             return False
         if root is not None:
             h, ends = (h * root[0]).mid(), False
@@ -286,6 +293,7 @@ class Run(Path):
         window = (2 * drive.reach * norm / slowest).upper().root(m) + 2 * late
         if not (window < h / 2 and self.leaves(first if m == 1 else direction, window, m)):
             raise self.undecided("does the load leave the friction set, or only touch its edge")
+        self.stride = h
         self.go_on(curve, SLIP, arb(1), norm, ends=ends)
 
     def first_direction(self, first: Vector, load: Vector, m: int) -> Vector:
