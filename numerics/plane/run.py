@@ -12,6 +12,7 @@ says what holds all through one):
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import accumulate, pairwise
 
 from flint import arb, arb_poly
@@ -39,9 +40,12 @@ _SHORT = 2.0**-20
 
 
 class Run(Path):
-    """The path of an ellipsoid; `steps` counts those of a slip since one that had settled was tried."""
+    """The path of an ellipsoid; `steps` counts those of a slip since one that had settled was tried.
 
-    steps, on_edge, stride = 0, False, arb(0)
+    `held`: nothing but another piece of force or friction ends this stick.
+    """
+
+    steps, on_edge, held, stride = 0, False, False, arb(0)
 
     def one_step(self) -> None:
         """Stick or slip for a step, or to the first event in it."""
@@ -53,7 +57,9 @@ class Run(Path):
         series, reach = self.linear(held, self.system.degree)
         h, ends = self.fitted(reach)
         curve, found, norm = self.drawn(series, h, held)
-        root = self.exit(curve, found, norm, self.system.axes, _SHORT if self.falls_inside(h) else 0.0)
+        root = None
+        if not self.held:
+            root = self.exit(curve, found, norm, self.system.axes, _SHORT if self.falls_inside(h) else 0.0)
         if root is None:
             self.go_on(curve, STICK, arb(1), norm, ends=ends)
             return
@@ -254,7 +260,8 @@ class Run(Path):
         _, v1, v2 = self.system.given.start
         if cause is None:
             self.mode = STICK if v1 == v2 else SLIP
-        if self.mode != STICK:
+        self.held = cause is None and self.mode == STICK and never_leaves(self.system)
+        if self.mode != STICK or self.held:
             return
         strain = self.system.pieces[self.at.piece].strain(self.load())
         if strain > 1:
@@ -323,3 +330,27 @@ def exactly_on_edge(system: System) -> bool:
     held = Vector(Vector(one) @ q1 + Vector(two) @ v1 for one, two in zip(given.a2, given.a1, strict=True))
     load = (Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - held) * m2 / (m1 + m2)
     return bool(load / Vector(acting.b_squared) @ load == 1)
+
+
+def never_leaves(system: System) -> bool:
+    """Return whether the load of bodies that stick at t = 0 stays in K as long as the first piece lasts, on exact data.
+
+    Asked where it swings with one frequency, Lam = C cos W t + W^-1 Lam' sin W t: then K has the whole ellipse if and
+    only if the larger root of B^-1 (C C^T + W^-2 Lam' Lam'^T) B^-1 is at most 1.
+    """
+    given, acting = system.given, system.given.pieces[0]
+    if acting.sines or len(acting.polynomial) > 1 or any(map(any, given.a1)):
+        return False
+    q1, v1, m1, m2 = map(Vector, (*given.start[:2], given.m1, given.m2))
+
+    def pull(x: Vector) -> Vector:
+        return Vector(Vector(row) @ x for row in given.a2)
+
+    push, rate = Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - pull(q1), pull(v1)
+    bends = [(one, pull(one / (m1 + m2))) for one in (push, rate)]
+    square = next((y / x for pair in bends for x, y in zip(*pair, strict=True) if x), Fraction(1))
+    if any(list(two) != list(one * square) for one, two in bends):
+        return False
+    weight = m2 * m2 / ((m1 + m2) * (m1 + m2) * Vector(acting.b_squared))
+    place, mixed, speed = (weight * one @ two for one, two in ((push, push), (push, rate), (rate, rate)))
+    return bool(place <= 1 and speed <= square and (1 - place) * (square - speed) >= mixed * mixed)
