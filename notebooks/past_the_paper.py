@@ -157,7 +157,7 @@ plt.show()
 # %%
 chart = merging_cells(Window(), 7)
 shares = {one.name.lower(): f"{share:.1%}" for one, share in chart.shares().items()}
-print(f"{len(chart.cells)} cells: {shares}")
+print(f"{len(chart.leaves)} cells: {shares}")
 draw_map(chart)
 
 # %% [markdown]
@@ -168,8 +168,8 @@ draw_map(chart)
 # right corner the gaps are narrower than the cells of this depth.
 
 # %%
-merging = [cell.rectangle for cell in chart.cells if cell.verdict is Verdict.MERGES]
+merging = [cell.sides for cell in chart.leaves if cell.verdict is Verdict.MERGES]
 tip = min(merging)
-low, high = (float(one) for one in tip.ratio)
+low, high = (float(one) for one in tip[0])
 print(f"the first cell that merges: m2/m1 from {low:.4f} to {high:.4f}")
 print(f"the threshold: m2/m1 = {float(CRITICAL_SHARE / (1 - CRITICAL_SHARE)):.12f}")

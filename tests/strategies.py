@@ -184,6 +184,12 @@ def wide_numbers(low: int, high: int) -> st.SearchStrategy[WideNumber]:
     return parts.map(lambda at: two_sum(at[0] * 2.0 ** at[2], at[1] * 2.0 ** (at[2] - 53)))
 
 
+def near_quarter_turns() -> st.SearchStrategy[WideNumber]:
+    """Double-double numbers next to a multiple of pi/2, where a sine or a cosine vanishes."""
+    parts = st.tuples(st.integers(1, 10**8), st.integers(2, 52), st.sampled_from([-1, 1]))
+    return parts.map(lambda at: two_sum(at[0] * math.pi / 2 * (1 + at[2] * 2.0 ** -at[1]), 0.0))
+
+
 def sines() -> st.SearchStrategy[Sine]:
     """Sines of moderate numbers."""
     return st.builds(Sine, signed(decimals(*MODERATE)), decimals(*MODERATE), signed(decimals(-1, 1)))

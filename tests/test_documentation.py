@@ -47,7 +47,7 @@ def test_the_scene_files_of_a_page_are_scenes(page):
 
 def commands(page: str) -> list[list[str]]:
     """Return the commands of a page, without their comments."""
-    lines = "".join(blocks(page, "sh")).splitlines()
+    lines = "".join(blocks(page, "sh")).replace(".venv/bin/", "").splitlines()
     return [shlex.split(line, comments=True) for line in lines if line.startswith("inertial-pair")]
 
 

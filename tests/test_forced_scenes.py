@@ -31,7 +31,7 @@ WAYS = {
     "float64": {"arithmetic": "float64"},
 }
 DIGITS = {"ball": 38, "mpmath": 30, "float64": 9}
-EVENTS = {"ball": 151, "mpmath": 51, "float64": 10_000}
+EVENTS = {"ball": 51, "mpmath": 13, "float64": 10_000}
 """Under which caps: of the scenes with very many events the first ones will do."""
 NAMES = ("t", "x1", "v1", "x2", "v2")
 # a touch that only exact numbers tell from a crossing

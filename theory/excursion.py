@@ -125,9 +125,9 @@ def half_angle_slope() -> tuple[Expr, Expr]:
 
     h' = factor * (sin phi - phi cos phi), and the increment is 0 at phi = 0 with derivative phi sin phi > 0.
     """
-    slope = simplify(h_slope().subs(theta, 2 * angle))
+    halved = {cos(theta): 1 - 2 * sin(angle) ** 2, sin(theta): 2 * sin(angle) * cos(angle), theta: 2 * angle}
     increment = sin(angle) - angle * cos(angle)
-    return simplify(slope / increment), increment
+    return cancel(h_slope().subs(halved) / increment), increment
 
 
 @cache

@@ -125,7 +125,8 @@ def square_wave() -> tuple[Expr, Expr]:
     stiffness = m1 * (decline**2 + swing**2)
     place = 1 / stiffness + exp(-decline * t) * (first * cos(swing * t) + second * sin(swing * t))
     speed, half = diff(place, t), pi / omega
-    ends = [(one.subs(t, half) + one.subs(t, 0)).subs(exp(-decline * half), decayed) for one in (place, speed)]
+    left = {exp(-decline * half): decayed, cos(swing * half): Symbol("c"), sin(swing * half): Symbol("s")}
+    ends = [(one.subs(t, half) + one.subs(t, 0)).subs(left) for one in (place, speed)]
     found = solve(ends, [first, second], dict=True)[0]
     return _reduced(place.subs(t, 0).subs(found)), _reduced(speed.subs(t, 0).subs(found))
 

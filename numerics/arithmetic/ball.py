@@ -152,9 +152,9 @@ def sign(x: arb, question: int) -> int:
     return proved_sign(x, QUESTIONS[question])
 
 
-def undecided(question: str, x: arb) -> EventUndecided:
-    """Return what says that a ball leaves a question open at the present precision."""
-    return EventUndecided(question, str(x.str(6)), working_digits())
+def undecided(question: str, found: arb | str) -> EventUndecided:
+    """Return what says that a ball, or what was found, leaves a question open at the present precision."""
+    return EventUndecided(question, found if isinstance(found, str) else str(found.str(6)), working_digits())
 
 
 def ceiling(x: arb, question: int) -> int:

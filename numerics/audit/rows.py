@@ -19,7 +19,6 @@ class Row(NamedTuple):
     first few failures, for --json.
     """
 
-    section: str
     name: str
     tried: int
     measured: Mapping[str, Any]
@@ -48,5 +47,5 @@ def print_rows(rows: Sequence[Row]) -> None:
     lines = []
     for row in rows:
         found = ", ".join(f"{k} {x:.3g}" if isinstance(x, float) else f"{k} {x}" for k, x in row.measured.items())
-        lines.append((row.section, row.name, str(row.tried), found, row.required, "pass" if row.passed else "FAIL"))
-    print_table(("section", "what", "tried", "found", "required", ""), lines)
+        lines.append((row.name, str(row.tried), found, row.required, "pass" if row.passed else "FAIL"))
+    print_table(("what", "tried", "found", "required", ""), lines)

@@ -54,11 +54,11 @@ def print_energy(options: argparse.Namespace) -> int:
 
 def audit_numerics(options: argparse.Namespace) -> int:
     """Measure what the package claims of its numbers; FAILED if a row is not as required."""
-    from numerics.audit.plan import SIZES, audit
     from numerics.audit.rows import as_record, print_rows
+    from numerics.audit.solves import SIZES, audit
 
     with shown_steps() as say:
-        rows = list(audit(SIZES[options.size], options.seed, say))
+        rows = list(audit(options.seed, *SIZES[options.size], say))
     if options.json:
         print(json.dumps(as_record(rows, options.seed, options.size), indent=1))
     else:

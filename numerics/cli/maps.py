@@ -15,10 +15,7 @@ from numerics.shown import write_figure
 if TYPE_CHECKING:
     from fractions import Fraction
 
-    from numerics.control.response_map import ResponseMap
-    from numerics.free.merging_map import MergingMap
-
-    Map = MergingMap | ResponseMap
+    from numerics.free.quadtree import CellMap
 
 
 def chart_merging(options: argparse.Namespace) -> int:
@@ -39,7 +36,7 @@ def chart_response(options: argparse.Namespace) -> int:
     return _chart(options, partial(response_map, scene.pair, amplitude, omega, options.depth), _drawn_response)
 
 
-def _drawn_response(found: ResponseMap) -> Any:
+def _drawn_response(found: CellMap) -> Any:
     from numerics.control.pictures import draw_response_map
 
     return draw_response_map(found)
@@ -53,7 +50,7 @@ def _side(options: argparse.Namespace, name: str) -> tuple[Fraction, Fraction]:
     return low, high
 
 
-def _chart(options: argparse.Namespace, compute: Callable[..., Map], draw: Callable[[Any], Any]) -> int:
+def _chart(options: argparse.Namespace, compute: Callable[..., CellMap], draw: Callable[[Any], Any]) -> int:
     """Compute a map by the roads that were asked for, draw it, and print its cells or a summary."""
     progress = _show_blocks if sys.stderr.isatty() else None
     try:

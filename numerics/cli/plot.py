@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from typing import Any
 
-from numerics.scene import Law, Scene
+from numerics.scene import Law
 from numerics.trajectory.curve import sampled
 from numerics.trajectory.figures import draw
 from numerics.trajectory.trajectory import Trajectory
@@ -33,7 +32,11 @@ def overview(trajectory: Trajectory) -> Any:
         common |= _moved_out(ax)
     chosen = {name: common[name] for name in COMMON if name in common}
     figure.legend(chosen.values(), chosen, loc="outside lower center", ncols=len(chosen) or 1, fontsize="small")
-    figure.suptitle(f"{_pair(trajectory.scene)}\n{_course(trajectory, curve.t[-1])}", fontsize="medium")
+    scene, count, law = trajectory.scene, len(trajectory.events), ""
+    if scene.law is Law.THREE_VALUED_SGN:
+        law = "; sgn(0) = 0 read literally"
+    course = f"{count} event{'' if count == 1 else 's'} in {curve.t[-1]:g} s; {trajectory.message}"
+    figure.suptitle(f"{scene.pair} from {scene.initial}{law}\n{course}", fontsize="medium")
     return figure
 
 
@@ -47,30 +50,3 @@ def _moved_out(ax: Any) -> dict[str, Any]:
         if own:
             ax.legend(own.values(), own, loc=place, fontsize="small", framealpha=0.9)
     return {name: handle for name, handle in handles.items() if name in COMMON}
-
-
-def _pair(scene: Scene) -> str:
-    """Return the parameters of a pair, and the law if it is not Filippov's."""
-    pair = scene.pair
-    named = [("m_1", pair.m1, "kg"), ("m_2", pair.m2, "kg"), ("a_2", pair.a2, "N/m"), ("b", pair.b, "N")]
-    if pair.a1 > 0:
-        named.append(("a_1", pair.a1, "N s/m"))
-    if scene.friction.pieces:
-        named = [one for one in named if one[0] != "b"]
-    by_pieces = ", $b$ by pieces" if scene.friction.pieces else ""
-    literal = "; sgn(0) = 0 read literally" if scene.law is Law.THREE_VALUED_SGN else ""
-    return ", ".join(_quantity(*one) for one in named) + by_pieces + literal
-
-
-def _course(trajectory: Trajectory, end: float) -> str:
-    """Return where a trajectory starts, how many events it has up to its end (s), and how it ends."""
-    scene, count = trajectory.scene, len(trajectory.events)
-    at, units = scene.initial, {"x": "m", "v": "m/s"}
-    moved = [(f"{name[0]}_{name[1]}", getattr(at, name), units[name[0]]) for name in ("x1", "v1", "x2", "v2")]
-    start = ", ".join(_quantity(*one) for one in moved if one[1] != 0) or "rest"
-    events = f"{count} event{'' if count == 1 else 's'} in {end:g} s"
-    return f"from {start}: {events}; {trajectory.message}"
-
-
-def _quantity(name: str, value: Fraction, unit: str) -> str:
-    return f"${name}$ = {float(value):g} {unit}"

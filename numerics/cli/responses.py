@@ -10,8 +10,6 @@ from numerics.exits import OK
 from numerics.shown import shown_steps
 
 if TYPE_CHECKING:
-    from flint import acb
-
     from numerics.control.response import PeriodicMotions, Response
     from numerics.plane.rotating import RotatingResponse
 
@@ -69,8 +67,8 @@ def _lines(found: Response, record: dict[str, Any]) -> list[str]:
     if "slips_for_ever" in record:
         lines.append(f"  {_SLIPS_FOR_EVER[record['slips_for_ever']]}")
     for multiplier in found.multipliers or ():
-        size = abs(multiplier).str(found.digits, radius=False)
-        lines.append(f"  multiplier {_complex_text(multiplier, found.digits)}, size {size}")
+        shown, size = (one.str(found.digits, radius=False) for one in (multiplier, abs(multiplier)))
+        lines.append(f"  multiplier {shown}, size {size}")
     for event in record["events"]:
         lines.append(f"  t = {event['t']} s: {event['to']}, x1 = {event['x1']} m, v1 = v2 = {event['v1']} m/s")
     return lines
@@ -108,17 +106,6 @@ def _slips_for_ever(found: Response) -> str:
         if keeps and not amplitude > known.non_stop:
             return "undecided"
         return "undecided" if keeps is None else "yes" if keeps else "turns back"
-
-
-def _complex_text(number: acb, digits: int) -> str:
-    """Return a complex ball as a + b i, each part with its right digits only; a part that may be 0 is left out."""
-    real, imaginary = (part.str(digits, radius=False) for part in (number.real, number.imag))
-    if number.imag.contains(0):
-        return "0" if number.real.contains(0) else str(real)
-    side = f"{imaginary.removeprefix('-')} i"
-    if number.real.contains(0):
-        return f"-{side}" if imaginary.startswith("-") else side
-    return f"{real} {'-' if imaginary.startswith('-') else '+'} {side}"
 
 
 def _of_response(found: Response) -> tuple[dict[str, Any], list[str]]:

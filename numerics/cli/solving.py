@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import shutil
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -46,7 +47,10 @@ def solve_scene(options: argparse.Namespace) -> int:
     if options.explain:
         print(explanation(trajectory), file=sys.stderr)
     if options.npz is not None:
-        _write_npz(trajectory, options)
+        from numerics.trajectory.export import write_npz
+        from numerics.trajectory.sensitivity_export import sensitivity_arrays
+
+        write_npz(trajectory, options.npz, sensitivity_arrays(trajectory) if options.sensitivity else None)
     elif options.proof is not None:
         _write_proof(trajectory, options.proof)
     elif options.plot is not None:
@@ -62,25 +66,14 @@ def _wrong_use(options: argparse.Namespace) -> str | None:
     """Return what is wrong with the options of a solve, before anything is computed."""
     if options.arithmetic in {"float64", "double-double"} and options.digits is not None:
         return f"--digits goes with ball or mpmath; {options.arithmetic} prints the digits it has right"
-    for name, given in (("csv", options.csv), ("plot", options.plot is not None), ("proof", options.proof is not None)):
-        if options.sensitivity and given:
+    for name in ("csv", "plot", "proof"):
+        if options.sensitivity and getattr(options, name):
             return f"--sensitivity goes with --json, --npz or the table; leave --{name} out"
     return None
 
 
 def _progress(events: int, fraction: float) -> None:
     print(f"\r{events} events, {100 * fraction:.0f} % of the horizon ", end="", file=sys.stderr, flush=True)
-
-
-def _write_npz(trajectory: Trajectory, options: argparse.Namespace) -> None:
-    from numerics.trajectory.export import write_npz
-
-    if not options.sensitivity:
-        write_npz(trajectory, options.npz)
-        return
-    from numerics.trajectory.sensitivity_export import sensitivity_arrays
-
-    write_npz(trajectory, options.npz, sensitivity_arrays(trajectory))
 
 
 def _write_proof(trajectory: Trajectory, path: Path) -> None:
@@ -115,7 +108,10 @@ def _print(trajectory: Trajectory, options: argparse.Namespace) -> None:
 
 
 def _print_table(trajectory: Trajectory, *, whole: bool) -> None:
-    """Print the events (where v1 = v2), all or the first and the last, and the final state; no digit is ever cut."""
+    """Print the events (where v1 = v2), all or the first and the last, and the final state; no digit is ever cut.
+
+    On a terminal on which a line would break each event has two.
+    """
     from numerics.solver.truth import record
 
     count = trajectory.record.events
@@ -125,8 +121,11 @@ def _print_table(trajectory: Trajectory, *, whole: bool) -> None:
     for event in found["events"]:
         rows.append((f"{event['from']} to {event['to']}", event["t"], event["x1"], event["v1"], event["x2"]))
     widths = [max(len(row[column]) for row in rows) for column in range(5)]
+    narrow = sys.stdout.isatty() and sum(widths) + 2 * 4 > shutil.get_terminal_size().columns
     for number, row in enumerate(rows if count else ()):
-        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+        cells = [cell.ljust(width) for cell, width in zip(row, widths, strict=True)]
+        lines = ("  ".join(cells[:2]), "  ".join(["", "", *cells[2:]])) if narrow else ("  ".join(cells),)
+        print("\n".join(map(str.rstrip, lines)))
         if left_out and number == SHOWN:
             print(f"... {left_out} events more; --all prints them too")
     final = found["final"]

@@ -2,36 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
-from typing import NamedTuple, Protocol, TypeVar
+from typing import NamedTuple, Protocol
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, digits_within, working_digits
-from numerics.errors import EventUndecided, NumericsError, PrecisionExhausted
+from numerics.arithmetic.attempts import SPARE_DIGITS
+from numerics.arithmetic.ball import Ball, undecided
+from numerics.errors import NumericsError
 from numerics.scene import Scene
 from numerics.solver.solve import solve
 from numerics.trajectory.trajectory import Trajectory
 
-MAX_DIGITS = 2_000
-"""Cap on the working digits of what takes milliseconds."""
 _MOST_TIMES = 16
-_SPARE_DIGITS = 12
 KEPT_DIGITS, TIME_DIGITS = 40, 20
 """Significant digits of a number that a scene cannot hold exactly, and of a time that a plan may choose."""
 
-Answer = TypeVar("Answer")
 number = Ball.number
 """An exact rational as a ball, in the arithmetic's context."""
 Tell = Callable[[str], None]
 """It hears what is being done, for who waits."""
-
-
-def undecided(question: str, found: arb | str) -> EventUndecided:
-    """Return what says that a number leaves a question open at the present precision."""
-    return EventUndecided(question, found if isinstance(found, str) else found.str(6), working_digits())
 
 
 def not_negative(x: arb, question: str) -> bool:
@@ -47,40 +39,7 @@ def silent(_: str) -> None:
 
 def most_digits(digits: int, max_digits: int | None) -> int:
     """Return the cap on the working digits of what takes seconds: as given, else 16 times as many as are asked for."""
-    return max_digits or _MOST_TIMES * (digits + _SPARE_DIGITS)
-
-
-def to_digits(
-    attempt: Callable[[Ball], tuple[Answer, Iterable[arb]]], digits: int, max_digits: int | None = None
-) -> Answer:
-    """Return the answer of the first attempt whose balls have `digits` right digits each.
-
-    An attempt runs in the context of the arithmetic that it is given. A ball that may be 0 counts as right below
-    10^(-4 digits); one that is not finite is never right. The cap is MAX_DIGITS unless another is given. Raises what
-    the last attempt raised (EventUndecided), PrecisionExhausted.
-    """
-    working, most = digits + _SPARE_DIGITS, max_digits or MAX_DIGITS
-    failure: EventUndecided | None = None
-    while working <= most:
-        arithmetic, failure, reached = Ball(working), None, 0
-        try:
-            with arithmetic.context():
-                answer, balls = attempt(arithmetic)
-                reached = min((_right_digits(one) for one in balls), default=digits)
-        except EventUndecided as error:
-            failure = error
-        else:
-            if reached >= digits:
-                return answer
-        working = working + digits - reached + _SPARE_DIGITS if reached > 0 else 2 * working
-    if failure is not None:
-        raise failure
-    raise PrecisionExhausted(f"{digits} right digits need more than {most} working digits; raise max_digits")
-
-
-def _right_digits(one: arb) -> int:
-    """Return how many digits of a ball are right; none of an infinity, whose radius is 0, or of a nan."""
-    return digits_within(one.rad(), one, arb(1)) if one.is_finite() else 0
+    return max_digits or _MOST_TIMES * (digits + SPARE_DIGITS)
 
 
 def rounded(x: arb, digits: int = KEPT_DIGITS) -> Fraction:

@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 from flint import arb, arb_mat
 
-from numerics.arithmetic.ball import exact_middle, working_digits
-from numerics.control.answers import number, rounded, undecided
+from numerics.arithmetic.ball import exact_middle, undecided, working_digits
+from numerics.control.answers import number, rounded
 from numerics.control.orbit import Orbit, one_round
 from numerics.linear.system import Motion
 from numerics.scene import Pair

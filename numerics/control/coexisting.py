@@ -24,8 +24,8 @@ from itertools import combinations
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, working_digits
-from numerics.control.answers import Tell, number, rounded, undecided
+from numerics.arithmetic.ball import Ball, undecided, working_digits
+from numerics.control.answers import Tell, number, rounded
 from numerics.control.attraction import passage_at
 from numerics.control.orbit import Drive, Orbit, in_order, solve_from
 from numerics.control.stuck import next_to_the_stuck_response, stuck_state

@@ -16,8 +16,8 @@ from typing import NamedTuple
 
 from flint import acb, acb_mat, arb, arb_mat
 
-from numerics.arithmetic.ball import Ball, working_digits
-from numerics.control.answers import KEPT_DIGITS, Claim, Tell, number, rounded, rounded_up, silent, undecided
+from numerics.arithmetic.ball import Ball, undecided, working_digits
+from numerics.control.answers import KEPT_DIGITS, Claim, Tell, number, rounded, rounded_up, silent
 from numerics.linear.cells import PLAIN, Cells, cells_of, mode_in
 from numerics.linear.pieces import pieces_of
 from numerics.linear.system import V1, V2, X1, X2, LinearMode, Motion

@@ -1,53 +1,34 @@
-"""Pictures of what a control engineer asks, each a matplotlib figure."""
+"""Pictures of what a control engineer asks, each a matplotlib figure; motions are those of trajectory/figures.py."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import cycle, pairwise
 from typing import Any
 
 import numpy as np
 from flint import arb
-from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
-from matplotlib.patches import Ellipse, Patch
+from matplotlib.patches import Ellipse
+from matplotlib.ticker import LogLocator
+from numpy.typing import NDArray
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.response_map import Regimes, ResponseMap
-from numerics.control.response_picture import (
-    DIGITS,
-    SHADES,
-    both_bodies,
-    draw_lines,
-    draw_motions,
-    draw_response,
-    draw_thresholds,
-    legend_below,
-    logarithmic,
-    mark_limits,
-    shade,
-    threshold_curves,
-)
-from numerics.control.ring import Ring
+from numerics.control.response_map import Regimes
+from numerics.control.thresholds import NonStop, entrainment_threshold, non_stop_threshold
 from numerics.control.tracking import Derivative, Tracking
 from numerics.control.transfer import Transfer
-from numerics.free.quadtree import raster
+from numerics.free.quadtree import CellMap
 from numerics.scene import Pair
 from numerics.solver.solve import solve
 from numerics.trajectory.curve import sampled
-from numerics.trajectory.figures import BLUE, GRAY, GREEN, ORANGE, friction_on_body_2
+from numerics.trajectory.figures import BLUE, FIRST, GRAY, GREEN, ORANGE, SECOND, draw, friction_on_body_2
 from numerics.trajectory.trajectory import Trajectory
 
-__all__ = [
-    "draw_motions",
-    "draw_response",
-    "draw_response_map",
-    "draw_ring",
-    "draw_thresholds",
-    "draw_tracking",
-    "draw_transfer",
-]
-_POINTS = 400
+Floats = NDArray[np.float64]
+_DIGITS, _POINTS = 16, 400
 _TOGETHER = 1e-12
 """Velocities that are the same to so many parts count as one: a force in decimals leaves 10^-20 of a slip."""
 LABELS = {
@@ -57,29 +38,114 @@ LABELS = {
     Regimes.UNDECIDED: "undecided at this depth",
 }
 """What a motion does below U*, between the lines, and above the upper one."""
-COLOURS = dict(zip(LABELS, (*SHADES, "#777777"), strict=True))
+COLOURS = dict(zip(LABELS, ("#dbe7f3", "#f6e3c5", "#e3cfe3", "#777777"), strict=True))
+"""They differ in grey too."""
 REGIME_COLOURS = {LABELS[one]: COLOURS[one] for one in LABELS if one is not Regimes.UNDECIDED}
 
 
-def draw_response_map(found: ResponseMap) -> Figure:
+def draw_response(found: Any) -> Figure:
+    """Return the velocities and the friction over a period of a Response, and for one sine the thresholds."""
+    scene, known = found.one_period(), found.thresholds
+    figure = Figure(figsize=(12.6 if known else 8.4, 4.4), layout="constrained")
+    axes = figure.subplots(1, 3 if known else 2)
+    if scene is not None:
+        solved = solve(scene)
+        curve = sampled(solved)
+        for kind, ax in zip(("velocities", "load"), axes, strict=False):
+            draw(solved, kind, ax, curve)
+    if known is not None:
+        centre = float(known.omega)
+        draw_thresholds(found.drive.pair, np.geomspace(centre / 4, 4 * centre, _POINTS), axes[2])
+        axes[2].plot(centre, abs(float(found.drive.piece.sines[0].amplitude)), "o", color="black", label="this force")
+    _legends_below(axes)
+    figure.suptitle(found.regime.value)
+    return figure
+
+
+def draw_motions(found: Any) -> Figure:
+    """Return friction against the speed of the slip, and the cycles of PeriodicMotions as x1 against v1 - v2."""
+    figure = Figure(figsize=(10.4, 5), layout="constrained")
+    law, plane = figure.subplots(1, 2)
+    fastest = 0.0
+    for number, (one, colour) in enumerate(zip(found.motions, cycle((BLUE, ORANGE, GREEN, "black"))), start=1):
+        scene = one.one_period()
+        if scene is None:
+            continue
+        solved = solve(scene)
+        curve = sampled(solved)
+        w, leaves = curve.y[1] - curve.y[3], any(abs(size) > 1 for size in one.multipliers or ())
+        name = f"{number}: {one.regime.value.split(':')[0]}{', which others leave' if leaves else ''}"
+        size = float(abs(w).max())
+        # the widest lies below the others
+        how: Any = {"color": colour, "ls": "--" if leaves else "-", "label": name, "zorder": 2 + 1 / (1 + size)}
+        law.plot(w, friction_on_body_2(solved, curve), **how)
+        plane.plot(curve.y[0], w, **how)
+        fastest = max(fastest, size)
+    reach = 1.15 * fastest or 1
+    speeds = np.linspace(-reach, reach, 2 * _POINTS)
+    given = np.sign(speeds) * float(found.drive.pair.b) * found.drive.cells.relative(speeds, 0 * speeds)
+    law.plot(speeds, given, color=GRAY, lw=6, alpha=0.4, zorder=0, label="what friction can be")
+    law.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)", title="Friction against the speed")
+    plane.set(xlabel="$x_1$ (m)", ylabel="$v_1 - v_2$ (m/s)", title="The periodic motions")
+    _legends_below((law, plane))
+    figure.suptitle(found.sentence)
+    return figure
+
+
+def threshold_curves(pair: Pair, omegas: Sequence[float]) -> tuple[Floats, Floats, Floats]:
+    """Return U*, U** and the least U >= U** of a motion that slips for ever (N) at frequencies (rad/s), in binary64.
+
+    Both last are infinite where U** is. The last is approximate: w is looked at on a grid of times (`NonStop.edge`).
+    """
+    with Ball(_DIGITS).context():
+        rates = [Fraction(float(one)) for one in omegas]
+        low = np.array([float(entrainment_threshold(pair, one)) for one in rates])
+        high = np.array([float(non_stop_threshold(pair, one)) for one in rates])
+        return low, high, np.maximum(high, [NonStop(pair, one).edge() for one in rates])
+
+
+def draw_thresholds(pair: Pair, omegas: Any, ax: Any) -> Any:
+    """Draw U*, U** and the edge of the non-stop regime over frequency into axes, and return the axes.
+
+    The regimes are shaded between U* and that edge, which is approximate as `threshold_curves` says.
+    """
+    low, high, edge = _lines(ax, pair, omegas)
+    top = 4 * float(np.nanquantile(edge[np.isfinite(edge)], 0.85))
+    bottom = max(min(low.min(), np.nanmin(high)) / 3, top / 1e4)
+    borders = [np.clip(one, bottom, top) for one in (0 * low, low, np.maximum(low, edge), np.inf * low)]
+    for (below, above), colour in zip(pairwise(borders), REGIME_COLOURS.values(), strict=True):
+        ax.fill_between(omegas, below, above, color=colour, lw=0)
+    ax.set(ylim=(bottom, top), title="Thresholds over frequency")
+    return ax
+
+
+def _lines(ax: Any, pair: Pair, omegas: Any) -> tuple[Floats, Floats, Floats]:
+    """Draw the `threshold_curves` over frequency into axes, logarithmic, and return them."""
+    low, high, edge = threshold_curves(pair, omegas)
+    ax.plot(omegas, low, color=BLUE, label="$U_*$: up to it a motion sticks for ever")
+    ax.plot(omegas, edge, color="black", label="no stops from this line on (drawn, not proved)")
+    ax.plot(omegas, high, color=ORANGE, ls="--", label="$U_{**}$: none without a stop below it")
+    ax.set(xscale="log", yscale="log", xlim=(omegas[0], omegas[-1]))
+    ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.xaxis.set_minor_formatter("")
+    ax.set(xlabel=r"frequency $\omega$ (rad/s)", ylabel="amplitude U (N)")
+    return low, high, edge
+
+
+def draw_response_map(found: CellMap) -> Figure:
     """Return a matplotlib figure of the map: proved cells, U*, U**, and from where on a motion without stops exists.
 
     That last line is approximate, as `threshold_curves` says; where it lies above U**, a cell between is not non-stop.
     """
-    edges = [np.geomspace(float(low), float(high), 2**found.depth + 1) for low, high in (found.omega, found.amplitude)]
     figure = Figure(figsize=(7.6, 6.4), layout="constrained")
     axes = figure.subplots()
-    grid, colours = raster(found.leaves, found.depth, list(COLOURS)), ListedColormap(list(COLOURS.values()))
-    axes.pcolormesh(*edges, grid, cmap=colours, vmin=-0.5, vmax=len(COLOURS) - 0.5, rasterized=True)
-    omegas = np.geomspace(edges[0][0], edges[0][-1], 600)
-    lines = draw_lines(axes, omegas, threshold_curves(found.pair, omegas.tolist()))
-    logarithmic(axes, *(one[[0, -1]] for one in edges))
-    handles: list[Any] = []
-    for one, share in found.shares().items():
-        proved = "" if one is Regimes.UNDECIDED else "proved: "
-        handles.append(Patch(fc=COLOURS[one], ec="black", lw=0.5, label=f"{proved}{LABELS[one]} ({share:.1%})"))
-    figure.legend(handles=[*handles, *lines], loc="outside lower center", ncols=2, fontsize=9, frameon=False)
-    axes.set_title("What a sine does to the pair: every decided cell is proved")
+    proved = {one: text if one is Regimes.UNDECIDED else f"proved: {text}" for one, text in LABELS.items()}
+    handles = found.draw(axes, COLOURS, proved)
+    omega, amplitude = ((float(low), float(high)) for low, high in found.window)
+    _lines(axes, Pair(**found.title["pair"]), np.geomspace(*omega, 600))
+    figure.legend(handles=[*handles, *axes.lines], loc="outside lower center", ncols=2, fontsize=9, frameon=False)
+    axes.set(ylim=amplitude, title="What a sine does to the pair: every decided cell is proved")
     return figure
 
 
@@ -90,7 +156,7 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
     for one in found.demands:
         t = np.linspace(float(one.start), float(one.end), _POINTS)
         piece = found.reference[one.number - 1]
-        with Ball(DIGITS).context():
+        with Ball(_DIGITS).context():
             path, bend = ([float(Derivative(piece, k)(arb(at)).mid()) for at in t] for k in (0, 2))
         style: dict[str, Any] = {"color": BLUE} if one.possible else {"color": ORANGE, "ls": "--"}
         rows[0].plot(t, path, **style)
@@ -98,11 +164,11 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
         rows[1].fill_between(t, -float(one.b), float(one.b), color=GRAY, alpha=0.25, lw=0)
         if found.scene is not None:
             rows[2].plot(t[:-1], [float(found.scene.force(float(at))) for at in t[:-1]], color=GREEN)
-    rows[0].set(ylabel="r (m)", title="The reference of body 2")
-    rows[1].set(ylabel="friction needed (N)", title="What it asks of friction; grey: what friction can give")
     title = "The force on body 1 that makes body 2 follow"
     if found.scene is None:
         title = "No force makes body 2 follow: the dashed pieces ask too much"
+    rows[0].set(ylabel="r (m)", title="The reference of body 2")
+    rows[1].set(ylabel="friction needed (N)", title="What it asks of friction; grey: what friction can give")
     rows[2].set(ylabel="u (N)", xlabel="t (s)", xlim=(0, float(found.demands[-1].end)), title=title)
     return figure
 
@@ -110,46 +176,54 @@ def draw_tracking(found: Tracking, pair: Pair) -> Figure:
 def draw_transfer(found: Transfer, solved: Trajectory) -> Figure:
     """Return both positions, both velocities, and the force beside the friction that it asks for, of a solved scene."""
     curve = sampled(solved)
+    apart = abs(curve.y[1] - curve.y[3])
+    curve = curve._replace(stick=apart <= _TOGETHER * abs(curve.y[1]).max())
     figure = Figure(figsize=(8, 7.2), layout="constrained")
     rows = figure.subplots(3, 1, sharex=True)
-    both_bodies(rows[0], curve, 0, "position (m)")
-    both_bodies(rows[1], curve, 1, "velocity (m/s)")
-    rows[0].set_title(found.road.value, fontsize="medium")
-    rows[2].plot(curve.t, curve.u, color=GREEN, label="force u on body 1")
-    rows[2].plot(curve.t, friction_on_body_2(solved, curve), color="black", ls="-.", label="friction on body 2")
-    mark_limits(rows[2], solved.scene.pair)
-    rows[2].set(xlabel="t (s)", ylabel="force (N)", xlim=(0, curve.t[-1]))
     for ax in rows:
         ax.axvline(float(found.bound), color=GRAY, lw=1, label="no control arrives before")
         if found.time is not None:
             ax.axvline(float(found.time), color="black", lw=0.8, ls=":")
-        apart = abs(curve.y[1] - curve.y[3])
-        shade(ax, curve, apart <= _TOGETHER * abs(curve.y[1]).max(), "$v_1=v_2$")
-        ax.legend(fontsize=9, loc="best")
+    for place, style in ((0, FIRST), (2, SECOND)):
+        rows[0].plot(curve.t, curve.y[place], **style)
+    rows[0].set(ylabel="$x_1$, $x_2$ (m)", title="Positions of both bodies")
+    rows[2].plot(curve.t, curve.u, color=BLUE, ls="-.", label="force u on body 1")
+    for kind, ax in zip(("velocities", "load"), rows[1:], strict=True):
+        draw(solved, kind, ax, curve)
+    figure.suptitle(found.road.value)
     return figure
 
 
-def draw_ring(found: Ring) -> Figure:
-    """Return Fig. 1 for a scene: the relative plane and the distance from the limit over time, in float64."""
+def draw_ring(found: Any) -> Figure:
+    """Return Fig. 1 for the scene of a Ring: relative plane, and distance from the limit over time, in float64."""
     entry, radius, rate = (float(one) for one in (found.entry, found.radius, found.rate))
-    until = max(float(found.scene.until), 1.3 * entry)
-    solved = solve(replace(found.scene, until=Fraction(until)))
+    solved = solve(replace(found.scene, until=Fraction(max(float(found.scene.until), 1.3 * entry))))
     curve = sampled(solved)
-    y = np.concatenate([curve.y, solved.sol(entry)[:, None]], axis=1)
-    z, w = y[0] - y[2] - float(found.centre), y[1] - y[3]
-    distance, inside = np.hypot(z, w / rate)[:-1], curve.t >= entry
+    z, w = curve.y[0] - curve.y[2] - float(found.centre), curve.y[1] - curve.y[3]
     figure = Figure(figsize=(10.5, 5.2), layout="constrained")
     plane, time = figure.subplots(1, 2)
-    for part, colour, width, label in ((~inside, ORANGE, 0.9, "before"), (inside, BLUE, 1.6, "inside for good")):
-        kept = (np.where(part, one[:-1], np.nan) for one in (z, w))
-        plane.plot(*kept, color=colour, lw=width, label=label)
+    for part, colour, width, label in (
+        (curve.t < entry, ORANGE, 0.9, "before"),
+        (curve.t >= entry, BLUE, 1.6, "inside for good"),
+    ):
+        plane.plot(*np.where(part, (z, w), np.nan), color=colour, lw=width, label=label)
     plane.add_patch(Ellipse((0, 0), 2 * radius, 2 * radius * rate, fill=False, ec="black", ls="--", label="ring"))
-    plane.plot(z[-1], w[-1], "o", color="black", ms=5, label=f"t = {entry:.6g} s")
+    x1, v1, x2, v2 = solved.sol(entry)
+    plane.plot(x1 - x2 - float(found.centre), v1 - v2, "o", color="black", ms=5, label=f"t = {entry:.6g} s")
     plane.set(xlabel="$z - z^*$ (m)", ylabel="$w = v_1 - v_2$ (m/s)", title="The relative motion and its ring")
-    plane.locator_params(axis="x", nbins=5)
-    legend_below(plane)
+    _legends_below([plane])
+    distance = np.hypot(z, w / rate)
     time.semilogy(curve.t, np.where(distance > 0, distance, np.nan), color=BLUE, lw=0.9)
     time.axhline(radius, color="black", ls="--", lw=0.9)
     time.axvline(entry, color=GRAY, lw=1)
     time.set(xlabel="t (s)", ylabel="distance from the limit (m)", title="From the line on inside for good")
     return figure
+
+
+def _legends_below(axes: Iterable[Any]) -> None:
+    """Put legends where they cover no curve, and few numbers below the curves."""
+    for ax in axes:
+        if ax.get_legend_handles_labels()[0]:
+            ax.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.16))
+        if ax.get_xscale() == "linear":
+            ax.locator_params(axis="x", nbins=6)

@@ -15,22 +15,13 @@ from typing import Any, cast
 
 from flint import acb, arb
 
+from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import (
-    KEPT_DIGITS,
-    Claim,
-    Tell,
-    most_digits,
-    number,
-    rounded,
-    silent,
-    to_digits,
-)
+from numerics.control.answers import KEPT_DIGITS, Claim, Tell, most_digits, number, rounded, silent
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.stuck import (
     entrained,
-    flattened_state,
     others_stick,
     resonant_growth,
     stuck_multipliers,
@@ -86,14 +77,13 @@ class Response(ShortRepr):
         return self.orbit.claim(self.digits) if self.orbit is not None else None
 
     def one_period(self) -> Scene | None:
-        """Return a period of its motion as a scene, in decimals; None if it has none."""
+        """Return a period of its motion as a scene, in decimals; None without one, or if only others stick."""
         claim = self.claim()
         if claim is not None:
             return claim.scene
         with Ball(KEPT_DIGITS).context():
-            state = stuck_state(self.drive, arb(0)) if self.regime is Regime.ENTRAINED else None
-            if state is not None and not entrained(self.drive):
-                state = flattened_state(self.drive, arb(0))
+            is_known = self.regime is Regime.ENTRAINED and entrained(self.drive)
+            state = stuck_state(self.drive, arb(0)) if is_known else None
             start = None if state is None else State(*map(rounded, state))
             return None if start is None else self.drive.one_period(Fraction(0), start, KEPT_DIGITS)
 
@@ -133,10 +123,10 @@ class PeriodicMotions(ShortRepr):
 
 def _drawn(how: str, found: Response | PeriodicMotions) -> Any:
     try:
-        from numerics.control import response_picture
+        from numerics.control import pictures
     except ModuleNotFoundError as error:
         raise MissingTool(f"a plot needs {error.name}; python -m pip install {error.name}") from None
-    return getattr(response_picture, how)(found)
+    return getattr(pictures, how)(found)
 
 
 def response(

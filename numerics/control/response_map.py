@@ -12,7 +12,6 @@ For a1 = 0 a verdict says that such a motion exists ("between": that neither of 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 from functools import partial
@@ -24,11 +23,10 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.control.thresholds import NonStop, entrainment_threshold, flattest_peak
 from numerics.errors import InvalidMap
-from numerics.free.quadtree import Leaf, Progress, Side, Sides, Verdicts, leaves_of, shares
+from numerics.free.quadtree import CellMap, Progress, Side, Sides, Verdicts, map_of
 from numerics.scene import Pair
 from numerics.scene.decimals import decimal_text, exact_decimal
 from numerics.scene.model import require_kind
-from numerics.scene.short_repr import ShortRepr
 
 _DIGITS = 16
 _SLICES = 8
@@ -45,31 +43,6 @@ class Regimes(Enum):
     UNDECIDED = "u"
 
 
-@dataclass(frozen=True, repr=False)
-class ResponseMap(ShortRepr):
-    """The leaves that cover a window of amplitudes (N) and frequencies (rad/s) of a sine on one pair."""
-
-    pair: Pair
-    amplitude: Side
-    omega: Side
-    depth: int
-    leaves: tuple[Leaf, ...]
-
-    def shares(self) -> dict[Regimes, float]:
-        """Return the share of each verdict in the window's area on logarithmic axes."""
-        return shares(self.leaves, Regimes)
-
-    def as_record(self) -> dict[str, Any]:
-        """Return the map for JSON: exact numbers as text, one [omega from, to, U from, to, verdict] a cell."""
-        return {
-            **_title(self.pair, self.amplitude, self.omega, self.depth),
-            "shares": {one.name.lower(): share for one, share in self.shares().items()},
-            "cells": [
-                [*(str(one) for side in cell.sides for one in side), cell.verdict.name.lower()] for cell in self.leaves
-            ],
-        }
-
-
 def response_map(
     pair: Pair,
     amplitude: Side,
@@ -80,10 +53,11 @@ def response_map(
     dask: str | None = None,
     resume: Path | None = None,
     progress: Progress | None = None,
-) -> ResponseMap:
+) -> CellMap:
     """Return the map of a window of amplitudes (N) and frequencies (rad/s), cells down to 2^-depth of its sides.
 
-    The roads (`jobs`, `dask`) and the checkpoint `resume` are those of every map; they change nothing in the result.
+    In JSON a cell is [omega from, to, U from, to, verdict]. The roads (`jobs`, `dask`) and the checkpoint `resume` are
+    those of every map; they change nothing in the result.
     Raises InvalidMap, MissingTool, TypeError.
 
     >>> from numerics import Pair
@@ -98,10 +72,14 @@ def response_map(
             raise InvalidMap(
                 f"{name}: {str(low)[:20]} to {str(high)[:20]} is no range; give 0 < A < B with B/A > 1.001"
             )
-    verdicts = Verdicts(partial(decide, pair), Regimes, Regimes.UNDECIDED)
-    title = _title(pair, amplitude, omega, depth)
+    numbers = {name: decimal_text(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
+    ranges = {"amplitude": [str(one) for one in amplitude], "omega": [str(one) for one in omega]}
+    title, verdicts = (
+        {"map": "response", "pair": numbers, **ranges},
+        Verdicts(partial(decide, pair), Regimes, Regimes.UNDECIDED),
+    )
     roads: dict[str, Any] = {"jobs": jobs, "dask": dask, "resume": resume, "progress": progress}
-    return ResponseMap(pair, amplitude, omega, depth, leaves_of((omega, amplitude), depth, verdicts, title, **roads))
+    return map_of((omega, amplitude), depth, verdicts, title, **roads)
 
 
 def _side(name: str, ends: Any) -> Side:
@@ -111,13 +89,6 @@ def _side(name: str, ends: Any) -> Side:
     except (TypeError, ValueError):
         raise InvalidMap(f"{name} = {str(ends)[:40]!r} must be two numbers: from, to") from None
     return exact_decimal(low, name), exact_decimal(high, name)
-
-
-def _title(pair: Pair, amplitude: Side, omega: Side, depth: int) -> dict[str, object]:
-    """Return what a checkpoint must agree with."""
-    numbers = {name: decimal_text(getattr(pair, name)) for name in ("m1", "m2", "a1", "a2", "b")}
-    ranges = {"amplitude": [str(one) for one in amplitude], "omega": [str(one) for one in omega]}
-    return {"map": "response", "pair": numbers, **ranges, "depth": depth}
 
 
 def decide(pair: Pair, sides: Sides) -> Regimes:

@@ -19,8 +19,9 @@ from fractions import Fraction
 import flint
 from flint import arb
 
-from numerics.arithmetic.ball import Ball, precision, working_digits
-from numerics.control.answers import Tell, most_digits, not_negative, number, silent, to_digits, undecided
+from numerics.arithmetic.attempts import to_digits
+from numerics.arithmetic.ball import Ball, precision, undecided, working_digits
+from numerics.control.answers import Tell, most_digits, not_negative, number, silent
 from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response

@@ -13,9 +13,10 @@ from functools import partial
 
 from flint import acb, arb
 
-from numerics.control.answers import not_negative, number, rounded, undecided
+from numerics.arithmetic.ball import undecided
+from numerics.control.answers import not_negative, number, rounded
 from numerics.control.orbit import Drive
-from numerics.control.thresholds import Thresholds, load_margin, odd_ratio, stiffness
+from numerics.control.thresholds import Thresholds, load_margin, stiffness
 from numerics.linear.system import ONE, is_positive_on
 
 _PARTS = 8
@@ -91,23 +92,6 @@ def others_stick(drive: Drive, known: Thresholds | None) -> bool:
         return False
     under = known.exception - number(abs(drive.piece.sines[0].amplitude))
     return not_negative(under, "does a free oscillation let the pair stick?")
-
-
-def flattened_state(drive: Drive, t: arb) -> tuple[arb, arb, arb, arb]:
-    """Return (x1, v1, 0, v1) of the stuck motion under one sine whose load has the lowest peaks, where others stick.
-
-    The response A sin p, p = omega t + phase, and with Omega = n omega the free A c/n^2 sin(n p), where c =
-    -(-1)^((n - 1)/2) sin(pi/(2 n))/n: the acceleration is then cos(pi/(2 n)) of that of the response at most.
-    """
-    pair, sine = drive.pair, drive.piece.sines[0]
-    odd, state = odd_ratio(pair, pair.mass, sine.omega), stuck_state(drive, t)
-    assert odd is not None
-    assert state is not None
-    share = (1 if odd % 4 == 3 else -1) * (arb.pi() / (2 * odd)).sin() / odd**2
-    free = share * number(sine.amplitude / (pair.a2 - pair.mass * sine.omega**2))
-    turn, turned = (odd * (number(sine.omega) * t + number(sine.phase))).sin_cos()
-    v = state[1] + free * number(sine.omega) * turned
-    return state[0] + free / odd * turn, v, arb(0), v
 
 
 def stuck_multipliers(drive: Drive) -> tuple[acb, ...]:

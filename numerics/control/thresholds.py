@@ -24,8 +24,9 @@ from fractions import Fraction
 
 from flint import acb, arb
 
+from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import number, to_digits
+from numerics.control.answers import number
 from numerics.errors import InvalidScene
 from numerics.linear.system import is_positive_on
 from numerics.plane.rotating import rotating_threshold

@@ -20,8 +20,9 @@ from itertools import pairwise
 
 from flint import arb
 
-from numerics.arithmetic.ball import Ball
-from numerics.control.answers import Claim, not_negative, rounded, to_digits, undecided
+from numerics.arithmetic.attempts import to_digits
+from numerics.arithmetic.ball import Ball, undecided
+from numerics.control.answers import Claim, not_negative, rounded
 from numerics.errors import InvalidScene
 from numerics.linear.pieces import pieces_of, polynomial_at
 from numerics.linear.polynomial_root import first_crossing

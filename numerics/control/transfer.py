@@ -20,17 +20,9 @@ from fractions import Fraction
 
 from flint import arb
 
+from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import (
-    KEPT_DIGITS,
-    TIME_DIGITS,
-    Claim,
-    not_negative,
-    number,
-    rounded,
-    rounded_up,
-    to_digits,
-)
+from numerics.control.answers import KEPT_DIGITS, TIME_DIGITS, Claim, not_negative, number, rounded, rounded_up
 from numerics.control.tracking import stuck_force
 from numerics.errors import InvalidScene
 from numerics.linear.system import V1, X1, LinearMode, Motion

@@ -14,11 +14,12 @@ from fractions import Fraction
 from functools import lru_cache
 from itertools import pairwise
 
-from flint import arb, fmpq
+from flint import arb
 
-from numerics.arithmetic.ball import Ball, digits_within, proved_sign, undecided
+from numerics.arithmetic.attempts import SPARE_DIGITS, to_digits
+from numerics.arithmetic.ball import Ball, proved_sign, undecided
 from numerics.arithmetic.protocol import Number
-from numerics.errors import EventUndecided, InvalidScene, OutOfRange, PrecisionExhausted
+from numerics.errors import InvalidScene, OutOfRange
 from numerics.free.abel import AbelFunctions
 from numerics.free.engine import begin_exactly
 from numerics.free.frame import Frame
@@ -33,7 +34,6 @@ MAX_STEPS = 200_000
 MAX_DIGITS = 20_000
 _JUMP_PAYS_AFTER = 300
 """Excursions left, from which on a jump is cheaper than stepping."""
-_SPARE_DIGITS = 12
 
 
 class Road(Enum):
@@ -80,33 +80,18 @@ def energy_at(
         raise InvalidScene(f"t = {short(at)} must be > 0; give the time in seconds")
     rate_squared = scene.pair.a2 / scene.pair.mass * at * at
     size = max(0, math.ceil((rate_squared.numerator.bit_length() - rate_squared.denominator.bit_length()) * 0.1506))
-    working = digits + size + _SPARE_DIGITS
-    undecided: EventUndecided | None = None
-    while working <= max_digits:
-        try:
-            with Ball(working).context():
-                if scene.pair.a1 > 0 and not scene.is_forced:
-                    found = _damped(scene, at, Ball(working), max_steps)
-                else:
-                    found = _Way(scene, at, Ball(working), working - size).found(max_steps)
-            if found.digits >= digits:
-                return found
-            undecided, working = None, working + digits - found.digits + _SPARE_DIGITS
-        except EventUndecided as error:
-            undecided, working = error, 2 * working
-    if undecided is not None:
-        raise undecided
-    raise PrecisionExhausted(
-        f"{digits} right digits at t = {arb(fmpq(at.numerator, at.denominator)).str(6, radius=False)} s need more than "
-        f"{max_digits} working digits; raise max_digits"
-    )
+
+    def attempt(arithmetic: Ball) -> tuple[EnergyAt, list[arb]]:
+        if scene.pair.a1 > 0 and not scene.is_forced:
+            found = _damped(scene, at, arithmetic, max_steps, digits)
+        else:
+            found = _Way(scene, at, arithmetic, arithmetic.digits - size).found(max_steps, digits)
+        return found, [found.energy / found.frame.critical_energy, found.energy_excess]
+
+    return to_digits(attempt, digits, max_digits, size + SPARE_DIGITS)
 
 
-def _right_digits(energy: arb, unit: arb, w: arb) -> int:
-    return min(digits_within(energy.rad(), energy, unit), digits_within(w.rad(), w, arb(1)))
-
-
-def _damped(scene: Scene, at: Fraction, arithmetic: Ball, max_steps: int) -> EnergyAt:
+def _damped(scene: Scene, at: Fraction, arithmetic: Ball, max_steps: int, digits: int) -> EnergyAt:
     """Return the answer for a pair with a damper, which takes E to 0, where 1 + w would cancel."""
     from numerics.linear.engine import run_linear
 
@@ -116,13 +101,11 @@ def _damped(scene: Scene, at: Fraction, arithmetic: Ball, max_steps: int) -> Ene
     frame, end, pair = Frame(arithmetic, scene.pair), record.end, scene.pair
     m1, m2, a2 = (arithmetic.number(one) for one in (pair.m1, pair.m2, pair.a2))
     energy = (a2 * end.x1**2 + m1 * end.v1**2 + m2 * end.v2**2) / 2
-    w = energy / frame.critical_energy - 1
     signs = [row.mode for row in record.rows]
     exits = sum(before == 0 != after for before, after in pairwise(signs))
     road = Road.NO_MORE_SLIP if record.how is How.STUCK else Road.STEPPED
-    right = _right_digits(energy, frame.critical_energy, w)
-    state = end.x1, end.v1, end.x2, end.v2
-    return EnergyAt(scene, at, frame, energy, w, exits, MODES[end.mode], None, state, road, record.events, right)
+    found = energy, energy / frame.critical_energy - 1, exits, MODES[end.mode], None, (end.x1, end.v1, end.x2, end.v2)
+    return EnergyAt(scene, at, frame, *found, road, record.events, digits)
 
 
 class _Way:
@@ -137,17 +120,16 @@ class _Way:
         self.excursions, self.stepped, self.road = 0, 0, Road.STEPPED
         self.share = scene.pair.share
 
-    def found(self, max_steps: int) -> EnergyAt:
-        """Go the whole way."""
+    def found(self, max_steps: int, digits: int) -> EnergyAt:
+        """Go the whole way, for so many right digits."""
         self._step(max_steps)
         if self.road is Road.ABEL:
             self._jump()
         walk, frame = self.walk, self.frame
         state = state_at(walk.at, walk.start, self.target - walk.start.tau)
         energy = frame.critical_energy * (1 + state.w)  # w is the accurate one
-        right = _right_digits(energy, frame.critical_energy, state.w)
         found = energy, state.w, self.excursions, walk.mode, state, frame.si_state(state)
-        return EnergyAt(self.scene, self.at, frame, *found, self.road, self.stepped, right)
+        return EnergyAt(self.scene, self.at, frame, *found, self.road, self.stepped, digits)
 
     @property
     def _y(self) -> float:

@@ -56,7 +56,9 @@ def mode_at_start(scene: Scene) -> Mode:
 def si_numbers(scene: Scene) -> SI:
     """Return the SI numbers of a scene, exact. Raises NoForceHere."""
     if scene.is_forced or scene.pair.a1:
-        raise NoForceHere("this scene has a force, a damper, or a friction that changes in time; here all are left out")
+        raise NoForceHere(
+            "this scene has a force, a damper, or a friction that changes in time; solve it up to the time asked for"
+        )
     pair, at = scene.pair, scene.initial
     return SI(pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
 

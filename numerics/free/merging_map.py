@@ -7,13 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import Any
 
 from numerics.errors import InvalidMap
 from numerics.free.merging import CRITICAL_SHARE, Rectangle, Verdict, verdict
-from numerics.free.quadtree import Leaf, Sides, Verdicts, leaves_of, raster, shares
+from numerics.free.quadtree import CellMap, Sides, Verdicts, map_of
 from numerics.scene.decimals import decimal_text
 
 COLOURS = {Verdict.CREEPS: "#f3e6c4", Verdict.UNDECIDED: "#d1603d", Verdict.MERGES: "#1f3a5f"}
@@ -50,93 +48,33 @@ class Window:
         return Rectangle(self.ratio, (low - 1, high - 1))
 
 
-class MapCell(NamedTuple):
-    """A leaf of the map: its rectangle, its level (0 is the whole window), column and row there, and what is proved."""
-
-    rectangle: Rectangle
-    level: int
-    column: int
-    row: int
-    verdict: Verdict
-
-
-@dataclass(frozen=True)
-class MergingMap:
-    """The leaves of a window's quadtree; they cover it."""
-
-    window: Window
-    depth: int
-    leaves: tuple[Leaf, ...]
-
-    @property
-    def cells(self) -> tuple[MapCell, ...]:
-        """Return the leaves with their rectangles by name."""
-        return tuple(MapCell(Rectangle(*one.sides), *one[1:]) for one in self.leaves)
-
-    def shares(self) -> dict[Verdict, float]:
-        """Return the share of each verdict in the window's area on logarithmic axes."""
-        return shares(self.leaves, Verdict)
-
-    def raster(self) -> Any:
-        """Return the verdicts on the finest grid as indices into COLOURS, shape (2^depth, 2^depth), energy upwards."""
-        return raster(self.leaves, self.depth, list(COLOURS))
-
-    def as_record(self) -> dict[str, Any]:
-        """Return the map for JSON: exact fractions as text, one [m2/m1 from, to, E/E_cr from, to, verdict] a cell."""
-        return {
-            **_title(self.window, self.depth),
-            "shares": {one.name.lower(): share for one, share in self.shares().items()},
-            "cells": [
-                [*(str(one) for one in cell.rectangle.ratio + cell.rectangle.energy), cell.verdict.name.lower()]
-                for cell in self.cells
-            ],
-        }
-
-
 def decide(sides: Sides) -> Verdict:
     """Return the verdict of a cell by its sides."""
     return verdict(Rectangle(*sides))
 
 
-def merging_cells(window: Window, depth: int, **roads: Any) -> MergingMap:
+def merging_cells(window: Window, depth: int, **roads: Any) -> CellMap:
     """Return the map of a window, cells down to 2^-depth of its sides; every verdict is proved for its whole cell.
 
-    `roads` are `jobs`, `dask`, `resume` and `progress` of quadtree.leaves_of; none changes the result.
-    Raises InvalidMap (depth, checkpoint of another map) and MissingTool (joblib or distributed is not installed).
+    In JSON a cell is [m2/m1 from, to, E/E_cr from, to, verdict]. `roads` are `jobs`, `dask`, `resume` and `progress` of
+    quadtree.map_of; none changes the result. Raises InvalidMap (depth, checkpoint of another map) and MissingTool
+    (joblib or distributed is not installed).
     """
+    sides = {name: [str(one) for one in getattr(window, name)] for name in ("ratio", "energy")}
     verdicts = Verdicts(decide, Verdict, Verdict.UNDECIDED)
-    return MergingMap(
-        window,
-        depth,
-        leaves_of(window.rectangle, depth, verdicts, {"map": "merging", **_title(window, depth)}, **roads),
-    )
+    return map_of(window.rectangle, depth, verdicts, {"map": "merging", **sides}, (0, 1), **roads)
 
 
-def _title(window: Window, depth: int) -> dict[str, object]:
-    """Return what a checkpoint must agree with, but for the kind of the map."""
-    sides = {"ratio": [str(one) for one in window.ratio], "energy": [str(one) for one in window.energy]}
-    return {**sides, "depth": depth}
-
-
-def draw_map(cells: MergingMap) -> Any:
+def draw_map(cells: CellMap) -> Any:
     """Return a matplotlib figure of the map."""
-    from matplotlib.colors import ListedColormap
     from matplotlib.figure import Figure
-    from matplotlib.patches import Patch
 
-    window = cells.window.rectangle
-    edges = [np.geomspace(float(low), float(high), 2**cells.depth + 1) for low, high in window]
     figure = Figure(figsize=(8, 6.4), layout="constrained")
     axes = figure.subplots()
-    colours = ListedColormap(list(COLOURS.values()))
-    axes.pcolormesh(*edges, cells.raster(), cmap=colours, vmin=-0.5, vmax=len(COLOURS) - 0.5, rasterized=True)
-    axes.set(xscale="log", yscale="log", xlabel="mass ratio $m_2/m_1$", ylabel="excess energy $E/E_{cr}-1$ on $S_0$")
-    shares = cells.shares()
-    handles: list[Any] = [
-        Patch(fc=COLOURS[one], ec="black", lw=0.5, label=f"{LABELS[one]} ({shares[one]:.1%})") for one in COLOURS
-    ]
-    threshold = float(CRITICAL_SHARE / (1 - CRITICAL_SHARE))
-    if window.ratio[0] < threshold < window.ratio[1]:
+    handles = cells.draw(axes, COLOURS, LABELS)
+    axes.set(xlabel="mass ratio $m_2/m_1$", ylabel="excess energy $E/E_{cr}-1$ on $S_0$")
+    (low, high), threshold = cells.window[0], float(CRITICAL_SHARE / (1 - CRITICAL_SHARE))
+    if low < threshold < high:
         line = axes.axvline(threshold, color="black", lw=1.2, ls="--")
         line.set_label(f"$m_2/m_1 = {threshold:.6f}$, $m_2/M = r^* = {float(CRITICAL_SHARE):.6f}$")
         handles.append(line)

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from enum import Enum
 from fractions import Fraction
 from itertools import product
@@ -19,6 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from numerics.errors import InvalidMap
+from numerics.scene.short_repr import ShortRepr
 from numerics.tasks import run_tasks
 
 BLOCK_DEPTH = 3
@@ -57,23 +59,81 @@ class Verdicts(NamedTuple):
     undecided: Any
 
 
-def leaves_of(
+@dataclass(frozen=True, repr=False)
+class CellMap(ShortRepr):
+    """The leaves that cover a window, cells down to 2^-depth of its sides.
+
+    `title` says what was asked, in what JSON holds; in it the sides are larger by `added` than those of the window.
+    """
+
+    title: dict[str, Any]
+    window: Sides
+    depth: int
+    kinds: type[Enum]
+    leaves: tuple[Leaf, ...]
+    added: tuple[int, int] = (0, 0)
+
+    def shares(self) -> dict[Any, float]:
+        """Return the share of each verdict in the window's area on logarithmic axes."""
+        areas = {one: Fraction(0) for one in self.kinds}
+        for cell in self.leaves:
+            areas[cell.verdict] += cell.share
+        return {one: float(area) for one, area in areas.items()}
+
+    def raster(self, order: Iterable[Any]) -> Any:
+        """Return the verdicts on the finest grid as places in `order`, (2^depth, 2^depth), the second side upwards."""
+        places = {one: index for index, one in enumerate(order)}
+        grid = np.empty((2**self.depth, 2**self.depth), dtype=np.uint8)
+        for cell in self.leaves:
+            size = 2 ** (self.depth - cell.level)
+            row, column = cell.row * size, cell.column * size
+            grid[row : row + size, column : column + size] = places[cell.verdict]
+        return grid
+
+    def as_record(self) -> dict[str, Any]:
+        """Return the map for JSON: exact numbers as text, one [from, to, from, to, verdict] a cell."""
+        cells = [
+            [*(str(end + more) for side, more in zip(cell.sides, self.added, strict=True) for end in side),
+             cell.verdict.name.lower()]
+            for cell in self.leaves
+        ]  # fmt: skip
+        shares = {one.name.lower(): share for one, share in self.shares().items()}
+        return {**self.title, "shares": shares, "cells": cells}
+
+    def draw(self, axes: Any, colours: dict[Any, str], labels: dict[Any, str]) -> list[Any]:
+        """Draw the cells into logarithmic matplotlib axes, and return what a legend shows of them."""
+        from matplotlib.colors import ListedColormap
+        from matplotlib.patches import Patch
+
+        edges = [np.geomspace(float(low), float(high), 2**self.depth + 1) for low, high in self.window]
+        how = {"cmap": ListedColormap(list(colours.values())), "vmin": -0.5, "vmax": len(colours) - 0.5}
+        axes.pcolormesh(*edges, self.raster(colours), rasterized=True, **how)
+        axes.set(xscale="log", yscale="log")
+        shares = self.shares()
+        return [
+            Patch(fc=colours[one], ec="black", lw=0.5, label=f"{labels[one]} ({shares[one]:.1%})") for one in colours
+        ]
+
+
+def map_of(
     window: Sides,
     depth: int,
     verdicts: Verdicts,
-    title: dict[str, object],
+    title: dict[str, Any],
+    added: tuple[int, int] = (0, 0),
     *,
     jobs: int = 1,
     dask: str | None = None,
     resume: Path | None = None,
     progress: Progress | None = None,
-) -> tuple[Leaf, ...]:
-    """Return the leaves of a window's quadtree, cells down to 2^-depth of its sides; they cover it.
+) -> CellMap:
+    """Return the map of a window.
 
     `jobs` processes by joblib, or the Dask cluster at the address `dask`; neither changes the result. `resume` is a
     checkpoint of finished blocks, which must agree with `title`. `progress` is called with (blocks done, all).
     Raises InvalidMap (depth, checkpoint of another map) and MissingTool (joblib or distributed is not installed).
     """
+    title = {**title, "depth": depth}
     if not 1 <= depth <= MAX_DEPTH:
         raise InvalidMap(f"depth {depth}: give 1 to {MAX_DEPTH} cuts of each side in two")
     root = Leaf(window, 0, 0, 0, verdicts.undecided)
@@ -87,26 +147,8 @@ def leaves_of(
         leaves[index] = _decode(tree, blocks[index], depth, verdicts)
         if progress is not None:
             progress(done, len(blocks))
-    return tuple(cell for index in range(len(blocks)) for cell in leaves[index])
-
-
-def shares(leaves: tuple[Leaf, ...], kinds: type[Enum]) -> dict[Any, float]:
-    """Return the share of each verdict in the window's area on logarithmic axes."""
-    areas = {one: Fraction(0) for one in kinds}
-    for cell in leaves:
-        areas[cell.verdict] += cell.share
-    return {one: float(area) for one, area in areas.items()}
-
-
-def raster(leaves: tuple[Leaf, ...], depth: int, order: list[Any]) -> Any:
-    """Return the verdicts on the finest grid as places in `order`, (2^depth, 2^depth), the second side upwards."""
-    places = {one: index for index, one in enumerate(order)}
-    grid = np.empty((2**depth, 2**depth), dtype=np.uint8)
-    for cell in leaves:
-        size = 2 ** (depth - cell.level)
-        row, column = cell.row * size, cell.column * size
-        grid[row : row + size, column : column + size] = places[cell.verdict]
-    return grid
+    every = tuple(cell for index in range(len(blocks)) for cell in leaves[index])
+    return CellMap(title, window, depth, verdicts.kinds, every, added)
 
 
 def _walk(cell: Leaf, depth: int, letter_of: Callable[[Leaf], str]) -> Iterator[tuple[str, Leaf | None]]:

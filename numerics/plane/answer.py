@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from numerics.arithmetic.ball import EXACT, Ball, digits_within
 from numerics.linear.modes import EventKind
 from numerics.plane.system import SPARE_BITS
+from numerics.plane.vector import Matrix, Vector, exact
 from numerics.scene.decimals import exact_decimal
 from numerics.scene.plane import PlaneScene
 from numerics.scene.short_repr import ShortRepr
@@ -229,13 +230,8 @@ MOST = 15
 
 def energy_of(scene: PlaneScene, y: PlaneState) -> arb:
     """Return (x1.A2 x1 + v1.M1 v1 + v2.M2 v2)/2, J. (A ball about 0 has no ** 2 in python-flint: it answers nan.)"""
-    pair, number = scene.pair, Ball.number
-    found = arb(0)
-    for i in range(pair.axes):
-        x, v, w = y.x1[i], y.v1[i], y.v2[i]
-        found += number(pair.a2[i][i]) * x * x + number(pair.m1[i]) * v * v + number(pair.m2[i]) * w * w
-        for j in range(i):
-            found += 2 * number(pair.a2[i][j]) * x * y.x1[j]
+    x, v, w = map(Vector, (y.x1, y.v1, y.v2))
+    found: arb = Matrix.of(scene.pair.a2) @ x @ x + exact(scene.pair.m1) * v @ v + exact(scene.pair.m2) * w @ w
     return found / 2
 
 

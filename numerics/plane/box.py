@@ -7,15 +7,16 @@ time, exactly; where others may be at one time the precision is raised.
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
-from flint import arb
+from flint import arb, arb_poly
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
 from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
-from numerics.plane.coupled import force_at
+from numerics.plane.vector import Vector
 from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
@@ -40,21 +41,19 @@ def independent(
     scene: PlaneScene, line: Callable[..., Any], working: int, name: str, limits: dict[str, Any]
 ) -> PlaneSolution:
     """Return the axes' motions as one. Raises EventUndecided."""
-    parts = [axis_scene(scene, i) for i in range(scene.pair.axes)]
     asked = {"digits": working - _SPARE, "arithmetic": "ball", **limits}
-    solved = {part: line(part, **asked) for part in {_key(part): part for part in parts}.values()}
-    answers = [next(found for part, found in solved.items() if _key(part) == _key(one)) for one in parts]
+    solved: dict[Any, Any] = {}
+    answers = []
+    for part in (axis_scene(scene, i) for i in range(scene.pair.axes)):
+        key = part.pair, part.initial.x1, part.initial.v1, part.initial.v2, part.force
+        if key not in solved:  # axes that share these have their events at the same times
+            solved[key] = line(part, **asked)
+        answers.append(solved[key])
     if not all(one.success for one in answers):
         raise InvalidScene(f"an axis of the box has more than {limits['max_events']} events; raise the cap max_events")
     arithmetic = Working(2 * max(one.arithmetic.digits for one in answers), name)
     with arithmetic.context():
         return _joined(scene, answers, arithmetic)
-
-
-def _key(part: Scene) -> tuple[Any, ...]:
-    """Return what two axes share that have their events at the same times."""
-    at = part.initial
-    return part.pair, (at.x1, at.v1, at.v2), part.until, part.force, part.friction
 
 
 class Axes:
@@ -95,9 +94,9 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
         for event, i in group:
             word[i] = LETTERS[event.after]
         y = motion.at(t)
-        slips = max(1, len(word) - word.count("0"))
-        direction = tuple(arb({"+": 1, "0": 0, "-": -1}[one]) / arb(slips).sqrt() for one in word)
-        load = tuple(_load(scene, y, t, i) for i in range(scene.pair.axes))
+        signs = Vector(arb({"+": 1, "0": 0, "-": -1}[one]) for one in word)
+        direction = signs / (signs @ signs).max(arb(1)).sqrt()
+        load = Vector(_load(scene, y, t, i) for i in range(scene.pair.axes))
         modes.append("".join(word))
         cause = "jump" if any(event.cause == "jump" for event, _ in group) else "guard"
         events.append(PlaneEvent(t, modes[-2], modes[-1], y, direction, load, cause))
@@ -110,7 +109,9 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
 def _load(scene: PlaneScene, y: PlaneState, t: arb, i: int) -> arb:
     """Return m2/(m1 + m2) (u - a2 x1 - a1 v1) on one axis, N."""
     pair, number = scene.pair, Ball.number
-    pull = force_at(scene, t)[i]
-    for j in range(pair.axes):
-        pull -= number(pair.a2[i][j]) * y.x1[j] + number(pair.a1[i][j]) * y.v1[j]
+    piece = scene.force[i].piece_at(Fraction(float(t.mid())))
+    pull = arb_poly([number(c) for c in piece.polynomial])(t - number(piece.start))
+    for sine in piece.sines:
+        pull += number(sine.amplitude) * (number(sine.omega) * t + number(sine.phase)).sin()
+    pull -= number(pair.a2[i][i]) * y.x1[i] + number(pair.a1[i][i]) * y.v1[i]
     return number(pair.m2[i] / (pair.m1[i] + pair.m2[i])) * pull

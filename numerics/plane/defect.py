@@ -2,21 +2,18 @@
 
 A curve with q1' = v1 + d0, M1 v1' = u - A1 v1 - A2 q1 - f + d1, M2 v2' = f + d2, f in dh(s), leaves the motion from
 the same start by N <= int |A2^1/2 d0| + |M1^-1/2 d1| + |M2^-1/2 d2|, across all events. On 0 <= x <= 1 everything
-here is a polynomial, the defects too: no remainder is estimated. With f = B^2 s/h(s) and r = g^2 - h(s)^2 for a
-polynomial g > 0, |g - h(s)| <= |r|/min g.
+here is a polynomial, the defects too: no remainder is estimated.
 """
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from flint import arb, arb_poly
+from flint import arb, arb_poly, arb_series
 
-from numerics.plane.polynomial import integral_bound, least, total
-from numerics.plane.series import poly_force
-from numerics.plane.system import System
-
-Polynomials = tuple[arb_poly, ...]
+from numerics.plane.polynomial import integral_bound, least, midpoints, total
+from numerics.plane.system import Drive, System
+from numerics.plane.vector import Vector
 
 
 class Curve(NamedTuple):
@@ -24,64 +21,66 @@ class Curve(NamedTuple):
 
     piece: int
     t: arb_poly
-    q1: Polynomials
-    v2: Polynomials
-    s: Polynomials
-    z: Polynomials
-    impulse: Polynomials
+    q1: Vector
+    v2: Vector
+    s: Vector
+    z: Vector
+    impulse: Vector
 
 
 class Defect(NamedTuple):
     """What a curve adds to N, and the loads along it with what they are off beside what N says."""
 
     norm: arb
-    load: list[arb_poly]
-    load_error: list[arb]
+    load: Vector
+    load_error: Vector
 
 
-def defect(system: System, curve: Curve, friction_off: list[arb]) -> Defect:
+def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     """Return the defect of a curve; friction_off: bounds on int |impulse - f dt|, f in dh(s), by axes."""
     drive, rate = system.pieces[curve.piece], curve.t.derivative()
-    u, u_off = poly_force(drive, curve.t, max(system.degree, curve.q1[0].length()) + 2)
-    v1 = [x + y for x, y in zip(curve.v2, curve.s, strict=True)]
-    norm, passed = arb(0), integral_bound(rate)
-    for i in system.axes:
-        d0 = curve.q1[i].derivative() - v1[i] * rate
-        push = system.push(u, curve.q1, v1, i)
-        d1 = v1[i].derivative() * system.m1[i] - push * rate + curve.impulse[i]
-        d2 = curve.v2[i].derivative() * system.m2[i] - curve.impulse[i]
-        norm += system.spring[i] * integral_bound(d0)
-        norm += (integral_bound(d1) + passed * u_off[i] + friction_off[i]) / system.root_m1[i]
-        norm += (integral_bound(d2) + friction_off[i]) / system.root_m2[i]
-    load = system.load(u, curve.q1, v1)
-    return Defect(norm.upper(), load, [x * y for x, y in zip(system.share, u_off, strict=True)])
+    u, u_off = _force(drive, curve.t, max(system.degree, curve.q1[0].length()) + 2)
+    v1 = curve.v2 + curve.s
+
+    def whole(off: Vector) -> Vector:
+        return off.each(integral_bound)
+
+    slope1, slope2, moved = (part.each(arb_poly.derivative) for part in (v1, curve.v2, curve.q1))
+    d1 = whole(slope1 * system.m1 - system.push(u, curve.q1, v1) * rate + curve.impulse)
+    d2 = whole(slope2 * system.m2 - curve.impulse)
+    d1 += u_off * integral_bound(rate)
+    norm = system.norm(whole(moved - v1 * rate), (d1 + friction_off) / system.m1, (d2 + friction_off) / system.m2)
+    return Defect(norm, system.load(u, curve.q1, v1), system.share * u_off)
 
 
-def square_of(b_squared: list[arb], s: Polynomials) -> arb_poly:
-    """Return h(s)^2."""
-    return sum((x * x * b for b, x in zip(b_squared, s, strict=True)), arb_poly([0]))
+def _force(drive: Drive, t: arb_poly, degree: int) -> tuple[Vector, Vector]:
+    """Return u(t(x)) as polynomials on [0, 1], and bounds on what they are off, by axes.
+
+    A cosine and a sine are the Taylor polynomials of the path; their defect bounds their errors.
+    """
+    swing, errors, rate = [], drive.still(arb(0)), t.derivative()
+    if drive.sines:
+        along = arb_series(list(t.coeffs()), degree)
+        swing = [tuple(midpoints(arb_poly(list(p.coeffs()))) for p in pair) for pair in drive.swing(along)]
+    for (omega, phase, amplitudes), (s, c) in zip(drive.sines, swing, strict=True):
+        sine, cosine = (omega * t[0] + phase).sin_cos()
+        off = (c[0] - cosine).abs_upper() + (s[0] - sine).abs_upper()
+        off += integral_bound(c.derivative() + rate * s * omega) + integral_bound(s.derivative() - rate * c * omega)
+        errors = (errors + abs(amplitudes) * off).each(arb.upper)
+    return drive.force(t, swing), errors
 
 
-def slip_defect(system: System, curve: Curve, by: arb) -> tuple[Defect, arb]:
-    """Return the defect of a slip with t' = by h(s), impulse = by B^2 s, and a lower bound of h(s)."""
-    drive, rate = system.pieces[curve.piece], curve.t.derivative()
-    missing = rate * rate - square_of(drive.b_squared, curve.s) * (by * by)
-    slowest = least(rate)
-    if not slowest > 0:
-        return Defect(arb("inf"), [], []), arb(0)
-    off = integral_bound(missing) / slowest
-    found = defect(system, curve, [b * off for b in drive.b])
-    return found, ((slowest - total(missing) / slowest) / by).lower()
+def slip_defect(
+    system: System, curve: Curve, slip: Vector, size: arb_poly, by: arb | None = None
+) -> tuple[Defect, arb]:
+    """Return the defect of a slip along S, size g about h(S) (t' = by g, if given), and a lower bound of h(S).
 
-
-def onset_defect(system: System, curve: Curve, slip: Polynomials, size: arb_poly, duration: arb) -> tuple[Defect, arb]:
-    """Return the defect of a beginning slip, s = (duration x)^m S, size about h(S); and a lower bound of h(S)."""
-    drive, smallest = system.pieces[curve.piece], least(size)
+    With r = g^2 - h(S)^2: |impulse - f t'| <= |impulse g - B^2 S t'|/g + b (t'/g) |r|/g, and |g - h(S)| <= |r|/g.
+    """
+    drive, rate, smallest = system.pieces[curve.piece], curve.t.derivative(), least(size)
     if not smallest > 0:
-        return Defect(arb("inf"), [], []), arb(0)
-    missing = total(size * size - square_of(drive.b_squared, slip)) / smallest
-    off = []
-    for b, root, s, impulse in zip(drive.b_squared, drive.b, slip, curve.impulse, strict=True):
-        gap = integral_bound(impulse * size - s * (b * duration)) / smallest
-        off.append(gap + root * missing / smallest * duration)
-    return defect(system, curve, off), (smallest - missing).lower()
+        return Defect(arb("inf"), system.still, system.still), arb(0)
+    missing = size * size - slip * slip @ drive.b_squared
+    off = drive.b * (integral_bound(missing) * (total(rate) / smallest if by is None else by))
+    off = (off + (curve.impulse * size - slip * drive.b_squared * rate).each(integral_bound)) / smallest
+    return defect(system, curve, off), (smallest - total(missing) / smallest).lower()

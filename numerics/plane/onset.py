@@ -1,114 +1,105 @@
-"""How a slip begins where the load is outside K: s = tau S(tau), tau the time since; S is analytic.
+"""Slips that begin, and slips that have settled: f is what the load and the slip's own change ask for.
 
-With H = D^2 h(S_0):   ((k+1) kap^-1 + H) S_k = Lam_k - (what is known of f_k).
+With g = B^-1 f, |g| = 1, D = (B kap B)^-1 and h = h(s) by the time a slip is s = h B^-1 g with
+
+    g + (h D g)' = B^-1 Lam.
+
+A slip from s = 0 has h = tau^m (...), m = 1 where the load is outside K, m = 2 on its edge: what is missing of order k
+gives g_k and h_{k+1}, (1 + (k+1) h_1 D) g_k + (k+1) h_{k+1} D g_0 and g_0.g_k. For m = 1 the series converges.
+
+Where |s| is small the direction settles at the rate kap b/|s|: steps of a Taylor series would be as short. What it
+settles to solves the same equation, read the other way round, by iteration: g = C - h' D g with C = B^-1 Lam - h D g',
+|C - h' D g| = 1 gives h' and so the next g. Each turn gains the factor (settling time)/(time in which things change).
+Both series diverge in general: they are cut where their terms are least, and the defect says how good they are.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Iterable
+from typing import Any
 
-from flint import arb
+from flint import arb, arb_series
 
-from numerics.plane.series import Point, convolved, force_series
-from numerics.plane.system import Balls, System
-
-
-class Onset(NamedTuple):
-    """Coefficients by tau of q1, v2, S by axes, and of h(S): s = tau S, tau^2 S where it begins at the edge, or S."""
-
-    q1: list[Balls]
-    v2: list[Balls]
-    slip: list[Balls]
-    size: Balls
+from numerics.plane.series import Point, Series
+from numerics.plane.system import Drive, System
+from numerics.plane.vector import Vector
 
 
-class _Friction:
-    """The series of f = B^2 S/h(S), order by order, and of h(S)."""
-
-    def __init__(self, b_squared: Balls) -> None:
-        self.b_squared, self.axes = b_squared, range(len(b_squared))
-        self.slip: list[Balls] = [[] for _ in self.axes]
-        self.f: list[Balls] = [[] for _ in self.axes]
-        self.size: Balls = []
-
-    def order(self, k: int) -> tuple[Balls, arb]:
-        """Return coefficient k >= 1 of f and of h(S) from the S that stand."""
-        square = sum((b * convolved(s, s, k) for b, s in zip(self.b_squared, self.slip, strict=True)), arb(0))
-        size = ((square - convolved(self.size, self.size, k, 1)) / (2 * self.size[0])).mid()
-        sizes, found = [*self.size[:k], size], []
-        for b, s, f in zip(self.b_squared, self.slip, self.f, strict=True):
-            known = convolved([*f[:k], arb(0)], sizes, k)
-            found.append(((b * s[k] - known) / self.size[0]).mid())
-        return found, size
-
-    def keep(self, k: int, f: Balls, size: arb) -> None:
-        for one, value in zip(self.f, f, strict=True):
-            one[k:] = [value.mid()]
-        self.size[k:] = [size.mid()]
-
-
-def onset(system: System, at: Point, load: Balls, degree: int) -> Onset:
-    """Return the series of a slip from s = 0 at a point where the load is outside K."""
-    drive, axes = system.pieces[at.piece], system.axes
-    q1, v2, v1 = [[x] for x in at.q1], [[x] for x in at.v2], [[x] for x in at.v2]
-    friction, u = _Friction(drive.b_squared), force_series(drive, at.t, degree)
-    inverse = [1 / one for one in system.kappa]
-    start, f = first_slip(system, drive.b_squared, load)
-    for one, value in zip(friction.slip, start, strict=True):
-        one.append(value)
-    friction.keep(0, f, drive.friction(start)[1])
+def onset(system: System, at: Point, load: Vector, degree: int, m: int) -> Series:
+    """Return the series of a slip from s = 0, at a point where the load is outside K (m = 1), or on its edge (2)."""
+    drive, first = system.pieces[at.piece], arb(0)
+    u = drive.force(arb_series([at.t, 1], degree))
+    if m == 1:
+        g, first = first_slip(system, drive, load)
+    else:
+        g = load / drive.b / drive.strain(load).sqrt()
+    start, h, rows = g.each(arb.mid), [arb(0), first.mid()], [[x.mid()] for x in g]
     for k in range(1, degree):
-        for i in axes:
-            q1[i].append((v1[i][k - 1] / k).mid())
-            v2[i].append((friction.f[i][k - 1] / (system.m2[i] * k)).mid())
-            v1[i].append((v2[i][k] + friction.slip[i][k - 1]).mid())
-        now = system.load([one[k] for one in u], [one[k] for one in q1], [one[k] for one in v1])
-        _next(friction, drive.b_squared, inverse, now, k)
-    return Onset(q1, v2, friction.slip, friction.size)
+        size, g = arb_series(h, k + 2), Vector(arb_series(row, k + 2) for row in rows)
+        q1, v2, _, load = _moved(system, drive, at, u, size, g)
+        missing = load / drive.b - (size * g * drive.heavy).each(arb_series.derivative) - g
+        r, over = missing.order(k), (g @ g)[k] / 2
+        eased = 1 / (drive.heavy * first * (k + 1) + 1)
+        bent = drive.heavy * start * (k + 1)
+        rise = (start * eased @ r + over) / (start * eased @ bent)
+        h.append(rise.mid())
+        for row, x in zip(rows, (r - bent * rise) * eased, strict=True):
+            row.append(x.mid())
+    slip = arb_series(h, degree + 1) * Vector(arb_series(row, degree + 1) for row in rows) / drive.b
+    return Series(_listed(q1, degree), _listed(v2, degree), [row[m:] for row in _listed(slip, degree + 1)], h[m:])
 
 
-def first_slip(system: System, b_squared: Balls, load: Balls) -> tuple[Balls, Balls]:
-    """Return S_0 = kap (Lam - f_0) and f_0, the point of K nearest to Lam."""
-
-    def slip(size: arb) -> Balls:
-        return [x / (1 / k + b / size) for x, k, b in zip(load, system.kappa, b_squared, strict=True)]
-
-    def missing(size: arb) -> arb:
-        return sum((b * x * x for b, x in zip(b_squared, slip(size), strict=True)), arb(0)).sqrt() - size
-
-    low, high = (
-        arb(0),
-        sum((b * k * k * x * x for b, k, x in zip(b_squared, system.kappa, load, strict=True)), arb(0)).sqrt(),
-    )
-    high = high.mid() * 2
-    one = high / 2
-    for _ in range(4 * system.bits):
-        gap = missing(one).mid()
-        low, high = (one, high) if gap > 0 else (low, one)
-        step = high * arb((1, -(system.bits // 2)))
-        slope = (missing(one + step) - gap) / step
-        after = (one - gap / slope).mid()
-        after = after if low < after < high else ((low + high) / 2).mid()
-        if abs(after - one) <= abs(one) * arb((1, 4 - system.bits)):
+def first_slip(system: System, drive: Drive, load: Vector) -> tuple[Vector, arb]:
+    """Return g and the rate of h where a slip begins: B g is the point of K nearest to Lam, s' = kap (Lam - B g)."""
+    c = system.kappa * drive.b_squared
+    p, h = c * load / drive.b, arb(0)
+    for _ in range(system.bits):
+        g = p / (c + h)
+        square = g @ g
+        step = (square.sqrt() - 1) * square / (g * g @ (1 / (c + h)))
+        h = (h + step).mid()
+        if abs(step) <= h * arb((1, 8 - system.bits)):
             break
-        one = after
-    found = [x.mid() for x in slip(one)]
-    return found, [b * x / one for b, x in zip(b_squared, found, strict=True)]
+    return (p / (c + h)).each(arb.mid), h
 
 
-def _next(friction: _Friction, b_squared: Balls, inverse: Balls, load: Balls, k: int) -> None:
-    """Add S_k: (D - g g^T/h^3) S_k = r with D = (k+1) kap^-1 + B^2/h and g = B^2 S_0."""
-    for one in friction.slip:
-        one.append(arb(0))
-    known, size = friction.order(k)
-    whole = friction.size[0]
-    diagonal = [(k + 1) * c + b / whole for c, b in zip(inverse, b_squared, strict=True)]
-    g = [b * one[0] for b, one in zip(b_squared, friction.slip, strict=True)]
-    r = [x - y for x, y in zip(load, known, strict=True)]
-    bent = sum((x * y / d for x, y, d in zip(g, r, diagonal, strict=True)), arb(0))
-    room = whole**3 - sum((x * x / d for x, d in zip(g, diagonal, strict=True)), arb(0))
-    for i, one in enumerate(friction.slip):
-        one[k] = ((r[i] + g[i] * bent / room) / diagonal[i]).mid()
-    size = size + sum((x * one[k] for x, one in zip(g, friction.slip, strict=True)), arb(0)) / whole
-    f = [x - (k + 1) * c * one[k] for x, c, one in zip(load, inverse, friction.slip, strict=True)]
-    friction.keep(k, f, size)
+def slow_series(system: System, at: Point, degree: int) -> Series | None:
+    """Return the series of a slip that has settled, None if the iteration does not settle."""
+    drive = system.pieces[at.piece]
+    u = drive.force(arb_series([at.t, 1], degree))
+    f, first = drive.friction(at.s)
+    size, g = arb_series([first.mid()], degree), (f / drive.b).each(lambda x: arb_series([x.mid()], degree))
+    change = arb("inf")
+
+    def kept(p: Any) -> Any:
+        return arb_series([x.mid() for x in p.coeffs()], degree)
+
+    for turn in range(degree):
+        q1, v2, s, load = _moved(system, drive, at, u, size, g)
+        across = g * drive.heavy
+        free = load / drive.b - size * across.each(arb_series.derivative)
+        over, along, square = free @ free - 1, free @ across, across @ across
+        root = along * along - square * over
+        if not root[0] > 0:
+            return None
+        root = root.sqrt()  # the smaller h' of the two, without cancellation
+        rate = over / (along + root) if along[0] > 0 else (along - root) / square
+        size = kept(rate.integral() + first)
+        before, g = g, (free - rate * across).each(kept)
+        last, change = change, max((abs(x[0] - y[0]) for x, y in zip(g, before, strict=True)), key=lambda one: one)
+        if turn > 8 and not (change < last or change < arb((1, -system.bits // 2))):
+            return None
+    q1, v2, s, _ = _moved(system, drive, at, u, size, g)
+    return Series(*(_listed(part, degree) for part in (q1, v2, s)), *_listed([size], degree))
+
+
+def _moved(system: System, drive: Drive, at: Point, u: Vector, size: Any, g: Vector) -> tuple[Vector, ...]:
+    """Return q1, v2, s and the load of a slip by the time, from h(s) and g."""
+    s = size * g / drive.b
+    v2 = (g * drive.b / system.m2).each(arb_series.integral) + at.v2
+    q1 = (v2 + s).each(arb_series.integral) + at.q1
+    return q1, v2, s, system.load(u, q1, v2 + s)
+
+
+def _listed(series: Iterable[Any], degree: int) -> list[list[arb]]:
+    return [[p[k] for k in range(degree)] for p in series]

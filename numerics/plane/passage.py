@@ -1,105 +1,102 @@
 """The direction in which a slip ends: it runs down psi(e) = h(e) - Lam.e on e.kap^-1 e = 1, to f - Lam = psi kap^-1 e.
 
-With Lam outside K a slip gets to s = 0 only if e is near a minimum e* with psi(e*) > 0. Then it gets there if no e goes
-farther from e* than a, which is so if the matrix D^2 h - (psi* + psi)/2 kap^-1 - |r|/a kap^-1, with something added
-along n = kap^-1 e*, is positive for all of them and all loads in question: for d = e - e*, dt = |s| dsigma,
+Where psi > 0, as for every e if Lam is inside K, a slip gets to s = 0. If s points near some e* then, no e goes farther
+from e* than a if the matrix D^2 h - (psi* + psi)/2 kap^-1 - |r|/a kap^-1, with something added along n = kap^-1 e*, is
+positive for all of them and all loads in question: for d = e - e*, dt = |s| dsigma,
 
     -(|d|^2)'/2 = d.[D^2 h - (psi* + psi)/2 kap^-1] d + r.d,   n.d = -|d|^2/2,   r = f(e*) - Lam - psi* kap^-1 e*,
 
-D^2 h a mean over the way from e* to e, psi* = psi(e*); e* need not be critical, nor the same for all loads.
+D^2 h a mean over the way from e* to e, psi* = psi(e*); e* need not be critical, nor the same for all loads. Then the
+slip ends at a critical e among these, and a step of interval Newton encloses all that are.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from typing import NamedTuple
 
 from flint import arb, arb_mat
 
-from numerics.plane.system import Balls, Drive, System
-from numerics.plane.window import wide
+from numerics.plane.system import Drive, System
+from numerics.plane.vector import Vector, wide
 
 _STEPS = 60
 
 
-def end_direction(system: System, drive: Drive, load: Balls, s: Balls) -> Balls:
-    """Return the unit direction of a slip where it ends; round: along the load."""
-    found = _critical(system, drive, load, s)
-    length = sum((x * x for x in found), arb(0)).sqrt()
-    return [x / length for x in found]
+class Drawn(NamedTuple):
+    """The least psi on the way of a slip to s = 0, and all directions e that it may have on it, e.kap^-1 e = 1."""
+
+    psi: arb
+    around: Vector
 
 
-def _critical(system: System, drive: Drive, load: Balls, s: Balls) -> Balls:
-    """Return the critical e that Newton's method finds from s, e.kap^-1 e = 1; its radius is the last change.
+def end_direction(system: System, drive: Drive, load: Vector, drawn: Drawn | None) -> Vector:
+    """Return the unit direction of a slip where it ends; in [-1, 1] where it is not known."""
+    if drawn is None:
+        return Vector([arb(0, 1)] * system.n)
+    e, psi = drawn.around, drive.friction(drawn.around)[1] - load @ drawn.around
+    try:
+        for _ in range(system.bits.bit_length()):
+            found, least = _newton(system, drive, load, e, psi)
+            e, psi = Vector(x.intersection(y) for x, y in zip(e, found, strict=True)), psi.intersection(least)
+    except ZeroDivisionError:  # all that is known is that it is drawn there
+        pass
+    return Vector(e / (e @ e).sqrt())
 
-    An iteration without a proof: the direction of an end is no more than that. Without a load it is s itself.
-    """
-    inverse = [1 / k for k in system.kappa]
-    length = sum((c * x * x for c, x in zip(inverse, s, strict=True)), arb(0)).sqrt()
-    start = e = [(x / length).mid() for x in s]
-    change = arb(0)
+
+def _newton(system: System, drive: Drive, load: Vector, e: Vector, psi: arb) -> tuple[Vector, arb]:
+    """Return where all solutions of f(e) - Lam = psi kap^-1 e, e.kap^-1 e = 1 are that are in a ball; near a point."""
+    inverse, middle, at = 1 / system.kappa, e.each(arb.mid), psi.mid()
+    f, size = drive.friction(e)
+    bent = hessian(drive, f, size, inverse * psi)
+    rows = [[*row, -x] for row, x in zip(bent, inverse * e, strict=True)] + [[*(inverse * e), arb(0)]]
+    gap = [*(drive.friction(middle)[0] - load - inverse * middle * at), (system.length(middle) ** 2 - 1) / 2]
+    moved = arb_mat(rows).solve(arb_mat([[x] for x in gap]))
+    return Vector(x - moved[i, 0] for i, x in enumerate(middle)), at - moved[system.n, 0]
+
+
+def _critical(system: System, drive: Drive, load: Vector, s: Vector) -> Vector:
+    """Return about the critical e that Newton's method finds from s; s itself if it finds none near it."""
+    start = e = Vector(s / system.length(s)).each(arb.mid)
+    load = load.each(arb.mid)
+    psi = (drive.friction(e)[0] - load) @ e
     for _ in range(_STEPS):
-        f, size = drive.friction(e)
-        psi = sum(((x - y.mid()) * z for x, y, z in zip(f, load, e, strict=True)), arb(0)).mid()
-        bent = hessian(drive, e, f, size)
-        n = system.n
-        rows = [
-            [bent[i][j] - (psi * inverse[i] if i == j else 0) for j in range(n)] + [-inverse[i] * e[i]]
-            for i in range(n)
-        ]
-        rows.append([2 * c * x for c, x in zip(inverse, e, strict=True)] + [arb(0)])
-        gap = [f[i] - load[i].mid() - psi * inverse[i] * e[i] for i in range(n)]
-        gap.append(sum((c * x * x for c, x in zip(inverse, e, strict=True)), arb(0)) - 1)
+        before = e
         try:
-            matrix = arb_mat([[x.mid() for x in row] for row in rows])
-            moved = matrix.solve(arb_mat([[x.mid()] for x in gap]))
+            e, psi = _newton(system, drive, load, e, psi.mid())
         except ZeroDivisionError:
             return start
-        before, e = change, [(x - moved[i, 0]).mid() for i, x in enumerate(e)]
-        change = max((abs(moved[i, 0]).upper() for i in range(n)), key=lambda one: one)
-        if change < arb((1, 8 - system.bits)) or (before and change >= before and change < arb((1, -system.bits // 2))):
+        e = e.each(arb.mid)
+        if all(x < arb((1, 8 - system.bits)) for x in abs(e - before)):
             break
-    far = sum((c * (x - y) * (x - y) for c, x, y in zip(inverse, e, start, strict=True)), arb(0))
-    if not far < 0.5:
-        return start
-    bent = matrix.inv()  # how far the critical point moves with the load, to first order, twice
-    off = [2 * system.row_sum([bent[i, j] for j in range(system.n)], [x.rad() for x in load]) for i in range(system.n)]
-    return [wide(x, change + y) for x, y in zip(e, off, strict=True)]
+    return e if system.length(e - start) ** 2 < 0.5 else start
 
 
-def hessian(drive: Drive, e: Sequence[arb], f: Balls, size: arb) -> list[Balls]:
-    """Return D^2 h(e)."""
-    n = range(len(e))
-    return [[((drive.b_squared[i] if i == j else 0) - f[i] * f[j]) / size for j in n] for i in n]
+def hessian(drive: Drive, f: Vector, size: arb, less: Vector) -> list[Vector]:
+    """Return D^2 h where h is a size, without a diagonal matrix."""
+    n = range(len(f))
+    rows = (Vector(drive.b_squared[i] if i == j else arb(0) for j in n) - f * f[i] for i in n)
+    return [Vector(x - (less[i] if i == j else 0) for j, x in enumerate(row / size)) for i, row in enumerate(rows)]
 
 
-def drawn_to(system: System, drive: Drive, load: Balls, s: Balls) -> arb | None:
-    """Return the least psi with which a slip surely gets to s = 0, None if it may turn instead.
+def drawn_to(system: System, drive: Drive, load: Vector, s: Vector) -> Drawn | None:
+    """Return how a slip surely gets to s = 0, None if it may turn instead.
 
     `load`: the loads from a time on at which s points in a direction of these, until it is there; enclosures.
     """
-    inverse, axes = [1 / k for k in system.kappa], system.axes
-
-    def unit(x: Balls) -> Balls:
-        length = sum((c * y * y for c, y in zip(inverse, x, strict=True)), arb(0)).sqrt()
-        return [y / length for y in x]
-
-    e = unit([x.mid() for x in _critical(system, drive, load, s)])
-    far = sum((c.sqrt() * abs(x - y) for c, x, y in zip(inverse, unit(s), e, strict=True)), arb(0))
-    a = (2 * far).upper()
-    around = [wide(x, a / c.sqrt()) for x, c in zip(e, inverse, strict=True)]
+    inverse, root = 1 / system.kappa, system.apart
+    e = _critical(system, drive, load, s.each(arb.mid))
+    e = Vector(e / system.length(e)).each(arb.mid)
+    a = (abs(s / system.length(s) - e) @ (1 / root) * 2).upper()
+    around = wide(e, root * a)
     (f, size), (end, _) = drive.friction(around), drive.friction(e)
-    psi = size - sum((x * y for x, y in zip(load, around, strict=True)), arb(0))
-    if not (psi > 0 and a < 1):
+    psi = size - load @ around
+    if not (a < 1 and (psi > 0 or drive.strain(load) < 1)):
         return None
-    least = sum(((x - y) * z for x, y, z in zip(end, load, e, strict=True)), arb(0))
-    normal = [c * x for c, x in zip(inverse, e, strict=True)]
-    r = [k.sqrt() * abs(x - y - least * n) for k, x, y, n in zip(system.kappa, end, load, normal, strict=True)]
-    bent, much = hessian(drive, around, f, size), 4 * psi.mid()
-    taken = psi + much * a * a / 4 + sum(r, arb(0)) / a
-    rows = [
-        [bent[i][j] + much * normal[i] * normal[j] - (taken * inverse[i] if i == j else 0) for j in axes] for i in axes
-    ]
+    normal = inverse * e
+    r = abs(end - load - normal * ((end - load) @ e)) @ root
+    taken = psi + r / a
+    much = 4 * abs(taken).upper()
+    rows = hessian(drive, f, size, inverse * (taken + much * a * a / 4))
+    rows = [row + normal * (much * x) for row, x in zip(rows, normal, strict=True)]
     minors = [arb_mat([row[:k] for row in rows[:k]]).det() for k in range(1, system.n + 1)]
-    if system.n > 1 and not all(one > 0 for one in minors):
-        return None
-    return psi.lower()
+    return Drawn(psi.lower(), around) if system.n == 1 or all(one > 0 for one in minors) else None

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from operator import mul
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from flint import arb, arb_poly
 
-from numerics.arithmetic.ball import Ball
-from numerics.errors import EventUndecided
-from numerics.plane.defect import Curve, Defect
-from numerics.plane.polynomial import first_root, midpoints
-from numerics.plane.series import Point
-from numerics.plane.system import Balls, System
-from numerics.plane.window import Around, around, wide
+from numerics.errors import EventUndecided, NotSettled
+from numerics.plane.defect import Curve, Defect, defect
+from numerics.plane.polynomial import first_root, midpoints, scaled
+from numerics.plane.series import Point, Series, linear_series
+from numerics.plane.system import System, highest
+from numerics.plane.vector import Vector, exact, wide
+from numerics.plane.window import Around, around
 
 STICK, SLIP = "stick", "slip"
 
@@ -29,7 +27,7 @@ class Leg(NamedTuple):
     mode: str
     end: arb
     norm: arb
-    apart: Balls
+    apart: Vector
 
 
 @dataclass(frozen=True)
@@ -43,15 +41,17 @@ class Happening:
     late: arb
     before: str
     after: str
-    direction: Balls
-    load: Balls
+    direction: Vector
+    load: Vector
     cause: str
     norm: arb
-    apart: Balls
+    apart: Vector
 
 
 class Path:
     """A path that is followed: legs and events so far, the point that was reached, its bounds."""
+
+    mode: str
 
     def __init__(
         self, system: System, max_events: int, max_legs: int, progress: Callable[[int, float], None] | None = None
@@ -60,27 +60,47 @@ class Path:
         self.system, self.max_events, self.max_legs, self.progress = system, max_events, max_legs, progress
         self.legs: list[Leg] = []
         self.events: list[Happening] = []
-        self.eps = arb((1, -system.bits))
+        self.eps, self.reached = arb((1, -system.bits)), False
         with system.fine():
-            q1, v1, v2 = ([arb_of(x) for x in one] for one in system.given.start)
-            s = [x - y for x, y in zip(v1, v2, strict=True)]
-            self.norm = arb(0)
-            self.apart = [arb(0) for _ in system.axes]
-            self.set(Point(0, arb(0), q1, v2, s, [arb(0) for _ in system.axes]))
-            b = system.pieces[0].b
-            stiff = [(x.sqrt(), system.a2[i][i]) for i, x in enumerate(system.mass)]
-            self.sizes = [max_of([*q1, *(one / a for one, (_, a) in zip(b, stiff, strict=True))])]
-            self.sizes.append(max_of([*v1, *v2, *(one / (m * a.sqrt()) for one, (m, a) in zip(b, stiff, strict=True))]))
-            self.sizes.append(max_of([m / a.sqrt() for m, a in stiff]))
-        self.mode, self.on_edge = SLIP, False
-        self.reached = False
+            q1, v1, v2 = map(exact, system.given.start)
+            self.norm, self.apart = arb(0), system.still
+            self.set(Point(0, arb(0), q1, v2, v1 - v2, system.still))
+            b, period = system.pieces[0].b, (system.mass / system.stiff).each(arb.sqrt)
+            self.place = highest(Vector((*q1, *(b / system.stiff))))
+            self.speed = highest(Vector((*v1, *v2, *(b * period / system.mass))))
+            self.period = highest(period)
+
+    def follow(self) -> None:
+        """Follow the path to the end, or to the cap on events. Raises EventUndecided, NotSettled."""
+        pieces = self.system.pieces
+        with self.system.fine():
+            self.released(None)
+            while self.at.piece < len(pieces):
+                if len(self.events) >= self.max_events:
+                    return
+                if len(self.legs) >= self.max_legs:
+                    raise NotSettled(f"{len(self.legs)} steps end at t = {self.time:.6g} s; give an earlier horizon")
+                piece = self.at.piece
+                self.one_step()
+                if piece < self.at.piece < len(pieces):
+                    self.released("jump")
+                if self.progress is not None and len(self.legs) % 32 == 0:
+                    self.progress(len(self.events), self.time / float(self.system.given.pieces[-1].end))
+            self.reached = True
+
+    def released(self, cause: str | None) -> None:
+        """Choose the mode where a piece of force begins; without a cause it is the start."""
+        raise NotImplementedError
+
+    def one_step(self) -> None:
+        """Go on for a step, or to the first event in it."""
+        raise NotImplementedError
 
     @property
     def time(self) -> float:
         """Return the time that was reached, s, for messages."""
         pieces = self.system.given.pieces
-        start = pieces[min(self.at.piece, len(pieces) - 1)].start
-        return float(start) + float(self.at.t.mid())
+        return float(pieces[min(self.at.piece, len(pieces) - 1)].start) + float(self.at.t.mid())
 
     def undecided(self, question: str) -> EventUndecided:
         """Return the error for a point after which these digits do not tell what happens."""
@@ -88,40 +108,34 @@ class Path:
 
     def set(self, point: Point) -> None:
         """Go to a point: enclosures become their midpoints, and N grows by their radii."""
-        with self.system.coarse():
-            kept = [[(+x).mid() for x in one] for one in point[2:]]
-        with self.system.fine():
-            radii = [
-                [(x - y).abs_upper() for x, y in zip(a, b, strict=True)] for a, b in zip(point[2:], kept, strict=True)
-            ]
-            q1, v2, s, z = radii
-            self.norm = (self.norm + self.system.norm(q1, [x + y for x, y in zip(s, v2, strict=True)], v2)).upper()
-            self.apart = [(x + y).upper() for x, y in zip(self.apart, z, strict=True)]
-        self.at = Point(point.piece, point.t.mid(), *kept)
+        q1, v2, s, z = (part.each(arb.rad) for part in point[2:])
+        self.norm = (self.norm + self.system.norm(q1, s + v2, v2)).upper()
+        self.apart = (self.apart + z).each(arb.upper)
+        self.at = Point(point.piece, point.t.mid(), *(part.each(arb.mid) for part in point[2:]))
+
+    def drift(self, norm: arb, passed: arb) -> None:
+        """Let z be off by what v1 - v2 is off for a time."""
+        self.apart = (self.apart + self.system.apart * (norm * passed)).each(arb.upper)
 
     def go_on(self, curve: Curve, mode: str, end: arb, norm: arb, *, ends: bool) -> None:
         """Record a curve and go to its end, or to the next piece of force if it `ends` there."""
-        with self.system.fine():
-            t = curve.t(end)
-            passed = (t - curve.t(arb(0))).abs_upper()
-            if mode == SLIP:
-                self.apart = [
-                    (x + root * norm * passed).upper() for x, root in zip(self.apart, self.system.apart, strict=True)
-                ]
-            self.norm = norm
-            self.set(Point(curve.piece, t, *([p(end) for p in part] for part in curve[2:6])))
-            true = self.system.pieces[curve.piece].length if ends else self.at.t
-            # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
-            self.norm = (self.norm + self.speed(true) * abs(t - true)).upper()
-            self.legs.append(Leg(curve, mode, end, self.norm, self.apart))
-            if ends:
-                self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
-                if self.at.piece < len(self.system.pieces) and mode == STICK:
-                    self.released("jump")
+        t = curve.t(end)
+        if mode == SLIP:
+            self.drift(norm, (t - curve.t(arb(0))).abs_upper())
+        self.norm = norm
+        self.set(Point(curve.piece, t, *(part.each(lambda p: p(end)) for part in curve[2:6])))
+        true = self.system.pieces[curve.piece].length if ends else self.at.t
+        # the curve is there a little earlier or later: as a motion that rests meanwhile it lacks all its rates
+        self.norm = (self.norm + self.rate(true) * abs(t - true)).upper()
+        self.legs.append(Leg(curve, mode, end, self.norm, self.apart))
+        if ends:
+            self.at = self.at._replace(piece=curve.piece + 1, t=arb(0))
 
-    def released(self, cause: str | None) -> None:
-        """Choose the mode where a piece of force begins."""
-        raise NotImplementedError
+    def halt(self, gone: Vector) -> None:
+        """Take a part of s away from both bodies, up to its errors."""
+        first = gone * self.system.share
+        self.norm = (self.norm + self.system.norm(self.system.still, first, gone - first)).upper()
+        self.set(self.at._replace(v2=self.at.v2 + gone - first, s=self.at.s - gone))
 
     def around(self, window: arb, slips: Sequence[arb | None] = ()) -> Around:
         """Return what holds of the true motion within `window` (s) of the point, proved. Raises EventUndecided."""
@@ -130,54 +144,76 @@ class Path:
             raise self.undecided("how far does the motion get in a window")
         return found
 
-    def speed(self, true: arb) -> arb:
+    def rate(self, true: arb) -> arb:
         """Return a bound on the rate of N by which a path that rests at the point, until a time, leaves the motion."""
         system, at = self.system, self.at
         drive = system.pieces[at.piece]
-        u = drive.force(at.t.union(true))
-        first = [(abs(system.push(u, at.q1, at.v1, i)) + drive.b[i]) / system.m1[i] for i in system.axes]
-        return system.norm(at.v1, first, [b / m for b, m in zip(drive.b, system.m2, strict=True)])
+        first = abs(system.push(drive.force(at.t.union(true)), at.q1, at.v1)) + drive.b
+        return system.norm(at.v1, first / system.m1, drive.b / system.m2)
 
-    def load(self, late: arb | None = None) -> Balls:
+    def load(self, late: arb | None = None) -> Vector:
         """Return an enclosure of the true motion's Lam at the point, or within `late` (s) of it."""
         if late is not None:
             return self.around(late).load
         system, at = self.system, self.at
         found = system.load(system.pieces[at.piece].force(at.t), at.q1, at.v1)
-        return [wide(x, e * self.norm) for x, e in zip(found, system.load_error, strict=True)]
+        return Vector(wide(found, system.load_error * self.norm))
 
-    def step(self, groups: Sequence[tuple[Sequence[arb], arb]]) -> arb:
+    def step(self, *groups: tuple[Iterable[Sequence[arb]], arb]) -> arb:
         """Return how far coefficients reach: there their last two terms are 2^-bits of a size."""
         found = math.inf
-        for coefficients, size in groups:
-            top = len(coefficients) - 1
-            for k in (top, top - 1):
-                if k > 0 and coefficients[k] != 0:
-                    found = min(found, (log2(size) - self.system.bits - log2(coefficients[k])) / k)
+        for rows, size in groups:
+            enough = log2(size) - self.system.bits
+            for row in rows:
+                top = len(row) - 1
+                found = min([found, *((enough - log2(row[k])) / k for k in (top, top - 1) if k > 0 and row[k] != 0)])
         return two_to(found) if found < math.inf else arb("inf")
 
-    def apart_of(self, s: Sequence[arb_poly], t: arb_poly) -> tuple[arb_poly, ...]:
-        """Return z = q1 - q2 along a slip."""
+    def fitted(self, h: arb) -> tuple[arb, bool]:
+        """Return a time to go on for, not beyond the end of the piece, and whether it is that."""
+        left = (self.system.pieces[self.at.piece].length - self.at.t).mid()
+        return (left, True) if h >= left else (h, False)
+
+    def curve(self, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector) -> Curve:
+        """Return a piece of the path, with z = q1 - q2 along it."""
         rate = t.derivative()
-        return tuple(midpoints((x * rate).integral() + z) for x, z in zip(s, self.at.z, strict=True))
+        z = Vector(midpoints((x * rate).integral() + z) for x, z in zip(s, self.at.z, strict=True))
+        return Curve(self.at.piece, t, q1, v2, s, z, impulse)
+
+    def linear(self, friction: Sequence[arb | None], degree: int) -> tuple[Series, arb]:
+        """Return a series by time where friction on an axis is constant or (None) holds it, and how far it reaches."""
+        series = linear_series(self.system, self.at, friction, degree)
+        return series, self.step((series.q1, self.place), ([*series.v2, *series.slip], self.speed))
+
+    def drawn(self, series: Series, h: arb, friction: Sequence[arb | None]) -> tuple[Curve, Defect, arb]:
+        """Return the curve of such a series on [0, h], its defect, and N at its end."""
+        q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
+        held = v2.each(arb_poly.derivative) * self.system.m2
+        impulse = Vector(x if f is None else arb_poly([f * h]) for x, f in zip(held, friction, strict=True))
+        curve = self.curve(arb_poly([self.at.t, h]), q1, v2, s, impulse)
+        found = defect(self.system, curve, self.system.still)
+        return curve, found, (self.norm + found.norm).upper()
 
     def exit(
-        self, curve: Curve, found: Defect, norm: arb, of: Sequence[int] | None = None, start: float = 0.0
+        self, curve: Curve, found: Defect, norm: arb, of: Iterable[int], start: float = 0.0
     ) -> tuple[arb, arb] | None:
-        """Return where the load leaves K first, None if it does not; of some axes only, if they are given."""
-        system, drive = self.system, self.system.pieces[curve.piece]
+        """Return where the load of some axes leaves K first, None if it does not."""
+        drive = self.system.pieces[curve.piece]
         inside, error = arb_poly([1]), arb(0)
-        for i in system.axes if of is None else of:
-            load, square = found.load[i], drive.b_squared[i]
-            inside = inside - load * load * (1 / square)
-            off = system.load_error[i] * norm + found.load_error[i]
-            error += off * (2 * drive.b[i] + off) / square
-        root = first_root(inside, error.upper(), start)
-        if isinstance(root, bool):
-            raise self.undecided("does the load leave the friction set, or only touch its edge")
-        return root
+        off = self.system.load_error * norm + found.load_error
+        for i in of:
+            inside = inside - found.load[i] * found.load[i] * (1 / drive.b_squared[i])
+            error += off[i] * (2 * drive.b[i] + off[i]) / drive.b_squared[i]
+        return self.root(inside, error, "does the load leave the friction set, or only touch its edge", start)
 
-    def leaves(self, normal: Balls, window: arb, m: int, slips: Sequence[arb | None] = ()) -> bool:
+    def root(self, p: arb_poly, error: arb, question: str, start: float = 0.0) -> Any:
+        """Return the first root of what a polynomial gives to an error (polynomial.py), None if there is none."""
+        found = first_root(p, error.upper(), start)
+        if found is False:
+            raise self.undecided(question)
+        return found
+
+    def leaves(self, normal: Vector, window: arb, m: int, slips: Sequence[arb | None] = ()) -> bool:
         """Return whether n.Lam > h(n) from the beginning of a slip to the end of a window: then s != 0 in it.
 
         n.kap^-1 s rises, n.kap^-1 s' = n.(Lam - f) >= n.Lam - h(n). For m = 2, n.Lam = h(n) at the beginning, n its
@@ -187,13 +223,11 @@ class Path:
         """
         system, near = self.system, self.around(window, slips)
         if m == 1:
-            size = self.system.pieces[self.at.piece].friction(normal)[1]
-            return bool(sum(map(mul, normal, near.load), arb(0)) > size)
-        far = system.row_sum(system.apart, near.steep) * window
-        damp = [system.share[i] * system.row_sum(system.a1[i], system.apart) for i in system.axes]
-        return bool(sum(map(mul, normal, near.drift), arb(0)) > far * system.row_sum(normal, damp))
+            return bool(normal @ near.load > system.pieces[self.at.piece].friction(normal)[1])
+        far = system.apart @ near.steep * window
+        return bool(normal @ near.drift > far * (abs(normal) @ (system.share * (abs(system.a1) @ system.apart))))
 
-    def happened(self, before: str, direction: Balls, late: arb, cause: str) -> None:
+    def happened(self, before: str, direction: Vector, late: arb, cause: str) -> None:
         """Record a change of mode, which comes before or after a piece of force, not perhaps the one or the other."""
         length = self.system.pieces[self.at.piece].length
         if late > 0 and not (late < self.at.t and self.at.t + late < length):
@@ -202,24 +236,9 @@ class Path:
         self.events.append(Happening(self.at, late, before, self.mode, direction, load, cause, self.norm, self.apart))
 
 
-def arb_of(x: Fraction) -> arb:
-    """Return a ball of a rational."""
-    return Ball.number(x)
-
-
-def max_of(values: Sequence[arb]) -> arb:
-    """Return the largest size, as a point."""
-    return max((abs(one).mid() for one in values), key=lambda one: one)
-
-
 def log2(x: arb) -> float:
     """Return the logarithm of the size of a number, -inf for 0."""
-    size = abs(x).mid()
-    if size.is_zero():
-        return -math.inf
-    mantissa, exponent = size.man_exp()
-    bits = int(mantissa).bit_length()
-    return math.log2(int(mantissa) >> max(0, bits - 53)) + max(0, bits - 53) + int(exponent)
+    return -math.inf if x.mid().is_zero() else float(abs(x.mid()).log()) / math.log(2)
 
 
 def two_to(power: float) -> arb:

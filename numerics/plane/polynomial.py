@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+import flint
 from flint import arb, arb_poly
 
 _PARTS = 2**-40
@@ -33,11 +34,6 @@ def total(p: arb_poly) -> arb:
 def integral_bound(p: arb_poly) -> arb:
     """Return a bound on the integral of |p| over [0, 1]."""
     return sum((abs(one) / k for k, one in enumerate(p.coeffs(), start=1)), arb(0))
-
-
-def at_one(p: arb_poly) -> arb:
-    """Return p(1)."""
-    return sum(p.coeffs(), arb(0))
 
 
 def on(p: arb_poly, a: float, b: float) -> list[arb]:
@@ -105,17 +101,10 @@ def _newton(p: arb_poly, slope: arb_poly, low: arb, high: arb) -> arb:
         after = (x - value / slope(x)).mid()
         if not low <= after <= high:
             after = ((low + high) / 2).mid()
-        if abs(after - x) <= abs(x) * arb((1, -math.ceil(0.9 * bits_of(x)))) or after == x:
+        if abs(after - x) <= abs(x) * arb((1, -math.ceil(0.9 * flint.ctx.prec))) or after == x:
             return after
         x = after
     return x
-
-
-def bits_of(_: arb) -> int:
-    """Return the present precision in bits."""
-    import flint
-
-    return int(flint.ctx.prec)
 
 
 def rise(p: arb_poly, value: arb) -> arb:

@@ -6,9 +6,10 @@ direction d to multiples of one vector n, and u is one: then q = c d, f = F n, a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
+from operator import mul
 from typing import NamedTuple
 
 from numerics.scene.plane import Matrix, PlaneScene, Vector
@@ -43,36 +44,61 @@ class Reduced(NamedTuple):
 def reduced(scene: PlaneScene) -> Reduced:
     """Return the data on the axes, or on the one line, on which a scene moves."""
     pair, n = scene.pair, scene.pair.axes
-    pieces = _pieces(scene)
-    start = scene.x1, scene.v1, scene.v2
+    pieces, start = _pieces(scene), (scene.x1, scene.v1, scene.v2)
     pushes = [one for p in pieces for one in (*p.polynomial, *(amplitudes for _, _, amplitudes in p.sines))]
     moving = {i for i in range(n) if any(one[i] for one in (*start, *pushes))} or {0}
     for _ in range(n):
         moving |= {i for i in range(n) for j in moving if pair.a1[i][j] or pair.a2[i][j]}
-    kept = sorted(moving)
-    unit = tuple(tuple(Fraction(i == j) for j in kept) for i in range(n))
+    unit = [tuple(Fraction(i == j) for i in range(n)) for j in sorted(moving)]
+    if pair.shape == "ellipsoid":
+        # a line has the direction of the start, or if that is at rest, of M1^-1 u
+        pushed = ([x / m for x, m in zip(one, pair.m1, strict=True)] for one in pushes)
+        d = next((tuple(one) for one in (*start, *pushed) if any(one)), unit[0])
+        try:
+            return _on(scene, pieces, [d], [tuple(m * x for m, x in zip(pair.m1, d, strict=True))])
+        except ValueError:
+            pass
+    return _on(scene, pieces, unit, unit)
 
-    def only(one: Vector) -> Vector:
-        return tuple(one[i] for i in kept)
 
-    found = Reduced(
-        only(pair.m1),
-        only(pair.m2),
-        tuple(only(pair.a1[i]) for i in kept),
-        tuple(only(pair.a2[i]) for i in kept),
-        (only(scene.x1), only(scene.v1), only(scene.v2)),
-        tuple(
-            p._replace(
-                polynomial=tuple(map(only, p.polynomial)),
-                sines=tuple((w, at, only(a)) for w, at, a in p.sines),
-                b_squared=only(p.b_squared),
-            )
-            for p in pieces
-        ),
-        unit,
-        unit,
+def _on(scene: PlaneScene, pieces: Sequence[Acting], places: list[Vector], forces: list[Vector]) -> Reduced:
+    """Return the data for q = sum c_k places[k], f = sum F_k forces[k]. Raises ValueError for what leaves these."""
+    pair = scene.pair
+
+    def of(vector: Iterable[Fraction], basis: list[Vector]) -> Vector:
+        """Return coordinates; the vectors of a basis do not share axes."""
+        given = tuple(vector)
+        found = tuple(next(given[i] / x for i, x in enumerate(one) if x) for one in basis)
+        if given != tuple(sum(map(mul, found, row), Fraction(0)) for row in zip(*basis, strict=True)):
+            raise ValueError("a vector that is not on these axes")
+        return found
+
+    def forced(given: Iterable[Iterable[Fraction]]) -> tuple[Vector, ...]:
+        return tuple(of(one, forces) for one in given)
+
+    def diagonal(numbers: Vector) -> Vector:
+        images = forced(map(mul, numbers, d) for d in places)
+        return tuple(one[k] for k, one in enumerate(images))
+
+    def full(matrix: Matrix) -> Matrix:
+        images = forced((sum(map(mul, row, d), Fraction(0)) for row in matrix) for d in places)
+        return tuple(zip(*images, strict=True))
+
+    acting = tuple(
+        p._replace(
+            polynomial=forced(p.polynomial),
+            sines=tuple((w, at, of(a, forces)) for w, at, a in p.sines),
+            b_squared=tuple(
+                most * most / sum(map(mul, p.b_squared, map(mul, d, d)))
+                for most, d in zip(diagonal(p.b_squared), places, strict=True)
+            ),
+        )
+        for p in pieces
     )
-    return found if scene.pair.shape == "box" else _on_a_line(found) or found
+    x1, v1, v2 = (of(one, places) for one in (scene.x1, scene.v1, scene.v2))
+    matrices = full(pair.a1), full(pair.a2), (x1, v1, v2), acting
+    transposed = (tuple(zip(*basis, strict=True)) for basis in (places, forces))
+    return Reduced(diagonal(pair.m1), diagonal(pair.m2), *matrices, *transposed)
 
 
 def _pieces(scene: PlaneScene) -> tuple[Acting, ...]:
@@ -96,57 +122,3 @@ def _pieces(scene: PlaneScene) -> tuple[Acting, ...]:
         several = tuple((*key, tuple(amplitudes)) for key, amplitudes in sines.items())
         found.append(Acting(start, end, polynomial, several, tuple(one * one for one in b)))
     return tuple(found)
-
-
-def _on_a_line(given: Reduced) -> Reduced | None:
-    """Return the data along the line on which a motion stays, None if there is none."""
-    n = len(given.m1)
-    d = next((one for one in (*given.start, *_pushes(given)) if any(one)), None)
-    if n == 1 or d is None:
-        return None
-    if not any(any(one) for one in given.start):  # d is a force: the direction is that of M1^-1 u
-        d = tuple(x / m for x, m in zip(d, given.m1, strict=True))
-    normal = tuple(m * x for m, x in zip(given.m1, d, strict=True))
-    along = [_ratio(one, d) for one in given.start]
-    images = [
-        _ratio([m * x for m, x in zip(given.m2, d, strict=True)], normal),
-        *(_ratio([row[0] for row in column(m, d)], normal) for m in (given.a1, given.a2)),
-    ]
-    pieces = []
-    for p in given.pieces:
-        polynomial = [_ratio(one, normal) for one in p.polynomial]
-        sines = [(w, at, _ratio(a, normal)) for w, at, a in p.sines]
-        most = _ratio([b * x for b, x in zip(p.b_squared, d, strict=True)], normal)
-        if most is None or None in polynomial or any(a is None for _, _, a in sines):
-            return None
-        size = sum(b * x * x for b, x in zip(p.b_squared, d, strict=True))
-        pieces.append(
-            p._replace(
-                polynomial=tuple((one or Fraction(0),) for one in polynomial),
-                sines=tuple((w, at, (a or Fraction(0),)) for w, at, a in sines),
-                b_squared=(most * most / size,),
-            )
-        )
-    if None in along or None in images:
-        return None
-    m2, a1, a2 = (((one or Fraction(0)),) for one in images)
-    x1, v1, v2 = (((one or Fraction(0)),) for one in along)
-
-    place, force = column(given.place, d), column(given.force, normal)
-    return Reduced((Fraction(1),), m2, (a1,), (a2,), (x1, v1, v2), tuple(pieces), place, force)
-
-
-def _pushes(given: Reduced) -> list[Vector]:
-    return [one for p in given.pieces for one in (*p.polynomial, *(a for _, _, a in p.sines))]
-
-
-def _ratio(one: Sequence[Fraction], to: Sequence[Fraction]) -> Fraction | None:
-    """Return c with one = c to, None if there is none."""
-    at = next(k for k, x in enumerate(to) if x)
-    c = Fraction(one[at]) / to[at]
-    return c if all(x == c * y for x, y in zip(one, to, strict=True)) else None
-
-
-def column(matrix: Matrix, by: Vector) -> Matrix:
-    """Return a matrix times a vector, as a column."""
-    return tuple((sum((a * x for a, x in zip(row, by, strict=True)), Fraction(0)),) for row in matrix)

@@ -19,6 +19,7 @@ from flint import acb, acb_poly, arb
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene
+from numerics.plane.vector import Vector
 from numerics.scene.decimals import Exact, exact_decimal, short
 from numerics.scene.plane import PlanePair, PlaneScene
 
@@ -79,36 +80,22 @@ def rotating_response(pair: PlanePair, amplitude: Exact, omega: Exact, digits: i
     w, size = _frequency(omega), exact_decimal(amplitude, "amplitude")
     if size <= 0:
         raise InvalidScene(f"amplitude = {short(size)} must be > 0; give the size of the rotating force in N")
-    square = (m2 * w * w) ** 2
-    stuck = (a2 - (m1 + m2) * w * w) ** 2 + (a1 * w) ** 2
-    driven = (a2 - m1 * w * w) ** 2 + (a1 * w) ** 2
-    above = square * size * size - stuck * b * b
+    driven, stuck = ((a2 - m * w * w) ** 2 + (a1 * w) ** 2 for m in (m1, m1 + m2))
+    slope, level = a1 * m2 * w**3, (m2 * w * w * size / b) ** 2 - stuck
+    if level > 0 and not driven:
+        raise InvalidScene("body 1 alone resonates here without a damper, and U > U*: there is no such motion")
     with Ball(digits + _SPARE).context():
         n, i = Ball.number, acb(0, 1)
-        d, turn = acb(n(a2 - m1 * w * w), n(a1 * w)), acb(0, n(w))
-        threshold, force = rotating_threshold(pair, w, digits + _SPARE), acb(n(size))
-        if above <= 0:
-            v1 = turn * force / acb(n(a2 - (m1 + m2) * w * w), n(a1 * w))
-            f = turn * v1 * n(m2)
-            return RotatingResponse(
-                w, size, threshold, arb(0), f, v1 / turn, v1, v1, (), bool(a1 > 0 or above < 0), digits
-            )
-        if driven == 0:
-            raise InvalidScene("body 1 alone resonates here without a damper, and U > U*: there is no such motion")
-        slope, level = a1 * m2 * w**3, above / (b * b)
-        p = (n(slope * slope + driven * level).sqrt() - n(slope)) / n(driven)
-        if slope > 0:  # without cancellation
-            p = n(level) / (n(slope * slope + driven * level).sqrt() + n(slope))
-        rho = n(b / (m2 * w)) * p
-        # U = f [1 - D (1 + i p)/(m2 w^2)]
-        f = force / (1 - d / n(m2 * w * w) * (1 + i * p))
+        p = n(level) / (n(slope * slope + driven * level).sqrt() + n(slope)) if level > 0 else arb(0)
+        alone, both = (acb(n(a2 - m * w * w), n(a1 * w)) for m in (m1, m1 + m2))
+        rho, f = n(b / (m2 * w)) * p, -n(m2 * w * w * size) / (both + i * p * alone)
         v2 = -i * f / n(m2 * w)
         v1 = v2 + f * (rho / n(b))
-        own, half = a2 / m1, w * w * 4
-        attracts = bool(a1 > 0) or own not in {w * w, half}
-        return RotatingResponse(
-            w, size, threshold, rho, f, v1 / turn, v1, v2, _exponents(pair, w, rho, digits), attracts, digits
-        )
+        attracts = bool(a1 > 0) or (a2 / m1 not in {w * w, w * w * 4} if level > 0 else bool(level < 0))
+        threshold = rotating_threshold(pair, w, digits + _SPARE)
+        exponents = _exponents(pair, w, rho, digits) if level > 0 else ()
+        q1 = v1 / (i * n(w))
+        return RotatingResponse(w, size, threshold, rho, f, q1, v1, v2, exponents, attracts, digits)
 
 
 def _exponents(pair: PlanePair, w: Fraction, rho: arb, digits: int) -> tuple[acb, ...]:
@@ -156,13 +143,13 @@ def sticks_for_ever(scene: PlaneScene) -> bool:
     if scene.is_forced or damped or not pair.is_diagonal or len(rates) > 1 or scene.v1 != scene.v2:
         raise InvalidScene("known from a stuck start, without force, damper and coupling, at one frequency")
     (square,) = rates
-    weights = [(pair.m2[i] / (pair.m1[i] + pair.m2[i]) * pair.a2[i][i] / pair.b[i]) ** 2 for i in n]
+    m2, b, x, v = map(Vector, (pair.m2, pair.b, scene.x1, scene.v1))
+    load = m2 / b * square
+    x, v = load * x, load * v
     if pair.shape == "box":
-        return all(r * (x * x + v * v / square) <= 1 for r, x, v in zip(weights, scene.x1, scene.v1, strict=True))
-    place = sum((r * x * x for r, x in zip(weights, scene.x1, strict=True)), Fraction(0))
-    speed = sum((r * v * v for r, v in zip(weights, scene.v1, strict=True)), Fraction(0)) / square
-    mixed = sum((r * x * v for r, x, v in zip(weights, scene.x1, scene.v1, strict=True)), Fraction(0))
-    return place <= 1 and speed <= 1 and (1 - place) * (1 - speed) >= mixed * mixed / square
+        return all(one <= 1 for one in x * x + v * v / square)
+    place, speed, mixed = x @ x, v @ v / square, x @ v
+    return bool(place <= 1 and speed <= 1 and (1 - place) * (1 - speed) >= mixed * mixed / square)
 
 
 def _frequency(omega: Exact) -> Fraction:

@@ -15,6 +15,7 @@ from numerics.plane.path import Leg, Path
 from numerics.plane.reduced import reduced
 from numerics.plane.states import States
 from numerics.plane.system import System
+from numerics.plane.vector import Vector
 from numerics.scene.decimals import require_whole
 from numerics.scene.file import parse_scene
 from numerics.scene.plane import PlaneScene
@@ -101,5 +102,5 @@ def _event(given: Any, n: int) -> PlaneEvent:
 
 
 def _leg(given: Any) -> Leg:
-    (piece, t, *parts), *rest = given
-    return Leg(Curve(piece, t, *map(tuple, parts)), *rest)
+    (piece, t, *parts), mode, end, norm, apart = given
+    return Leg(Curve(piece, t, *map(Vector, parts)), mode, end, norm, Vector(apart))

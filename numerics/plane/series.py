@@ -12,20 +12,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from operator import mul
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from flint import arb, arb_poly, arb_series
+from flint import arb, arb_series
 
 from numerics.plane.system import Drive, System
+from numerics.plane.vector import Vector
 
-
-class Series(NamedTuple):
-    """Coefficients of the time in the piece, of q1, v2, s by axes."""
-
-    t: list[arb]
-    q1: list[list[arb]]
-    v2: list[list[arb]]
-    s: list[list[arb]]
+Coefficients = list[arb]
 
 
 class Point(NamedTuple):
@@ -33,15 +27,25 @@ class Point(NamedTuple):
 
     piece: int
     t: arb
-    q1: list[arb]
-    v2: list[arb]
-    s: list[arb]
-    z: list[arb]
+    q1: Vector
+    v2: Vector
+    s: Vector
+    z: Vector
 
     @property
-    def v1(self) -> list[arb]:
+    def v1(self) -> Vector:
         """Return the velocity of body 1."""
-        return [x + y for x, y in zip(self.v2, self.s, strict=True)]
+        found: Vector = self.v2 + self.s
+        return found
+
+
+class Series(NamedTuple):
+    """Coefficients by axes of q1 and v2, of S, s = S or a power of the time times S, and of h(S)."""
+
+    q1: Sequence[Coefficients]
+    v2: Sequence[Coefficients]
+    slip: Sequence[Coefficients]
+    size: Coefficients
 
 
 def convolved(one: Sequence[arb], two: Sequence[arb], k: int, first: int = 0) -> arb:
@@ -52,119 +56,68 @@ def convolved(one: Sequence[arb], two: Sequence[arb], k: int, first: int = 0) ->
 class Forcing:
     """The coefficients of u(t(x)), one after the other."""
 
-    def __init__(self, drive: Drive, t: list[arb]) -> None:
+    def __init__(self, drive: Drive, t: Coefficients) -> None:
         """Begin with coefficient 0 of t, a list that grows."""
         self.drive, self.t = drive, t
-        self.swing: list[tuple[list[arb], list[arb]]] = [([c.mid()], [s.mid()]) for c, s in drive.swing(t[0])]
-        self.horner: list[list[list[arb]]] = [[[] for _ in one[1:]] for one in drive.polynomial]
+        self.swing = [([s.mid()], [c.mid()]) for s, c in drive.swing(t[0])]
+        self.powers: list[Coefficients] = [t, *([] for _ in drive.polynomial[2:])]
 
-    def next(self, k: int) -> list[arb]:
+    def next(self, k: int) -> Vector:
         """Return coefficient k of u, when t has its coefficients up to k and the swing has."""
-        found = []
-        for i, coefficients in enumerate(self.drive.polynomial):
-            value = arb(0) if k or not coefficients else coefficients[-1]
-            for j in range(len(coefficients) - 2, -1, -1):
-                below = self.horner[i][j]
-                below.append(value)
-                value = convolved(below, self.t, k) + (0 if k else coefficients[j])
-            for (_, _, amplitudes), (_, sines) in zip(self.drive.sines, self.swing, strict=True):
-                value = value + amplitudes[i] * sines[k]
-            found.append(value.mid())
-        return found
+        found = self.drive.still(self.t[0])
+        for below, power in zip(self.powers, self.powers[1:], strict=False):
+            power.append(convolved(below, self.t, k))
+        for one, power in zip(self.drive.polynomial, [[arb(k == 0)] * (k + 1), *self.powers], strict=False):
+            found += one * power[k]
+        for (*_, amplitudes), (sines, _) in zip(self.drive.sines, self.swing, strict=True):
+            found += amplitudes * sines[k]
+        return found.each(arb.mid)
 
-    def swing_on(self, k: int, rate: list[arb]) -> None:
-        """Append coefficient k + 1 of each cosine and sine; `rate` are the coefficients of t'."""
-        for (omega, _, _), (cosines, sines) in zip(self.drive.sines, self.swing, strict=True):
-            c, s = convolved(cosines, rate, k), convolved(sines, rate, k)
+    def swing_on(self, k: int, rate: Coefficients) -> None:
+        """Append coefficient k + 1 of each sine and cosine; `rate` are the coefficients of t'."""
+        for (omega, _, _), (sines, cosines) in zip(self.drive.sines, self.swing, strict=True):
+            s, c = convolved(sines, rate, k), convolved(cosines, rate, k)
             cosines.append((-omega * s / (k + 1)).mid())
             sines.append((omega * c / (k + 1)).mid())
 
 
-def force_series(drive: Drive, start: arb, degree: int) -> list[Any]:
-    """Return u by the time from a start, by axes, as power series."""
-    t = [start, arb(1)] + [arb(0)] * degree
-    forcing, rows = Forcing(drive, t), []
-    for k in range(degree):
-        rows.append(forcing.next(k))
-        forcing.swing_on(k, t[1:])
-    return [arb_series(list(one), degree) for one in zip(*rows, strict=True)]
-
-
 def slip_series(system: System, at: Point, degree: int) -> Series:
     """Return the coefficients of a slip by sigma."""
-    drive, axes = system.pieces[at.piece], system.axes
-    t, q1, v2, s = [at.t], [[x] for x in at.q1], [[x] for x in at.v2], [[x] for x in at.s]
-    v1: list[list[arb]] = [[] for _ in axes]
-    pushes: list[list[arb]] = [[] for _ in axes]
-    rate: list[arb] = []
+    drive, axes, rate = system.pieces[at.piece], system.axes, list[arb]()
+    t, (q1, v2, s) = [at.t], ([[x] for x in one] for one in (at.q1, at.v2, at.s))
+    v1, pushes = ([list[arb]() for _ in axes] for _ in range(2))
     forcing = Forcing(drive, t)
     for k in range(degree):
         square = sum((b * convolved(one, one, k) for b, one in zip(drive.b_squared, s, strict=True)), arb(0))
-        rate.append(_next_root(square, rate, k))
+        if k:
+            rate.append(((square - convolved(rate, rate, k, 1)) / (2 * rate[0])).mid())
+        else:
+            rate.append(square.sqrt().mid())
         t.append((rate[k] / (k + 1)).mid())
-        u = forcing.next(k)
-        for i in axes:
-            v1[i].append((v2[i][k] + s[i][k]).mid())
-        now_q, now_v = [one[k] for one in q1], [one[k] for one in v1]
-        for i in axes:
-            pushes[i].append(system.push(u, now_q, now_v, i).mid())
+        for one, x, y in zip(v1, v2, s, strict=True):
+            one.append((x[k] + y[k]).mid())
+        now_q, now_v = (Vector(x[k] for x in one) for one in (q1, v1))
+        for i, push in enumerate(system.push(forcing.next(k), now_q, now_v)):
+            pushes[i].append(push.mid())
             given = drive.b_squared[i] * s[i][k]
             taken = convolved(pushes[i], rate, k)
             s[i].append((((taken - given) / system.m1[i] - given / system.m2[i]) / (k + 1)).mid())
             v2[i].append((given / (system.m2[i] * (k + 1))).mid())
             q1[i].append((convolved(v1[i], rate, k) / (k + 1)).mid())
         forcing.swing_on(k, rate)
-    return Series(t, q1, v2, s)
+    return Series(q1, v2, s, rate)
 
 
-def _next_root(square: arb, root: list[arb], k: int) -> arb:
-    """Return coefficient k of the square root of a series, from that of the series and those before."""
-    if k == 0:
-        return square.sqrt().mid()
-    return ((square - convolved(root, root, k, 1)) / (2 * root[0])).mid()
-
-
-def stick_series(system: System, at: Point, degree: int) -> Series:
-    """Return the coefficients of a stuck motion by time (s)."""
-    drive, axes, one = system.pieces[at.piece], system.axes, arb(1)
-    t, q1, v2 = [at.t], [[x] for x in at.q1], [[x] for x in at.v2]
-    forcing, rate = Forcing(drive, t), [one]
+def linear_series(system: System, at: Point, friction: Sequence[arb | None], degree: int) -> Series:
+    """Return the coefficients by time (s) where friction on an axis is constant, or (None) holds it at rest."""
+    drive, rows = system.pieces[at.piece], [(at.q1, at.v2, at.s)]
+    u = drive.force(arb_series([at.t, 1], degree))
+    slips = Vector(arb(f is not None) for f in friction)
     for k in range(degree):
-        t.append(one if k == 0 else arb(0))
-        u = forcing.next(k)
-        now_q, now_v = [x[k] for x in q1], [x[k] for x in v2]
-        for i in axes:
-            v2[i].append((system.push(u, now_q, now_v, i) / (system.mass[i] * (k + 1))).mid())
-            q1[i].append((now_v[i] / (k + 1)).mid())
-        forcing.swing_on(k, rate)
-        rate.append(arb(0))
-    return Series(t, q1, v2, [[arb(0)] for _ in axes])
-
-
-def poly_force(drive: Drive, t: arb_poly, degree: int) -> tuple[list[arb_poly], list[arb]]:
-    """Return u(t(x)) as polynomials on [0, 1], and bounds on what they are off, by axes.
-
-    A cosine and a sine are the Taylor polynomials of the path; their defect bounds their errors.
-    """
-    rate = t.derivative()
-    coefficients = list(t.coeffs())
-    forcing = Forcing(drive, coefficients)
-    rates = [*rate.coeffs(), *[arb(0)] * degree]
-    for k in range(degree if drive.sines else 0):
-        forcing.swing_on(k, rates)
-    found, errors = [], []
-    for poly in drive.polynomial:
-        value = arb_poly([0])
-        for one in reversed(poly):
-            value = value * t + one
-        found.append(value)
-        errors.append(arb(0))
-    for (omega, phase, amplitudes), (cosines, sines) in zip(drive.sines, forcing.swing, strict=True):
-        c, s = arb_poly(cosines), arb_poly(sines)
-        off = (c[0] - (omega * t[0] + phase).cos()).abs_upper() + (s[0] - (omega * t[0] + phase).sin()).abs_upper()
-        for one in (c.derivative() + rate * s * omega, s.derivative() - rate * c * omega):
-            off += sum((abs(x) / k for k, x in enumerate(one.coeffs(), start=1)), arb(0))
-        for i, amplitude in enumerate(amplitudes):
-            found[i] = found[i] + s * amplitude
-            errors[i] = (errors[i] + abs(amplitude) * off).upper()
-    return found, errors
+        q1, v2, s = rows[-1]
+        load = system.load(u.order(k), q1, v2 + s)
+        given = Vector(x if f is None else f * (k == 0) for x, f in zip(load, friction, strict=True))
+        after = (v2 + s, given / system.m2, (load - given) * system.kappa * slips)
+        rows.append(tuple((one / (k + 1)).each(arb.mid) for one in after))
+    parts = ([list(one) for one in zip(*part, strict=True)] for part in zip(*rows, strict=True))
+    return Series(*parts, [])  # type: ignore[call-arg]

@@ -8,7 +8,7 @@ from typing import Any
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
 from numerics.plane.answer import PlaneSolution, Working
 from numerics.plane.box import independent
-from numerics.plane.coupled import coupled
+from numerics.plane.coupled import BoxRun
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
 from numerics.plane.states import States
@@ -39,7 +39,7 @@ def solve_plane(
 
     Without digits and arithmetic: 64 bits, answers in floats with proved bounds, more bits only where these leave the
     sequence open. With `digits`, or "ball" (15): as many proved digits, relative to each number, near 0 to the largest
-    of its axis along the run. The direction with which a slip ends is not proved.
+    of its axis along the run. (A direction that is not known is 0 with the radius 1.)
     "float64" does not climb. Raises EventUndecided, PrecisionExhausted, InvalidScene.
     """
     if arithmetic not in {None, "float64", "ball"}:
@@ -83,14 +83,20 @@ def solve_plane(
 
 def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneSolution:
     """Solve a scene once."""
-    if scene.pair.shape == "box":
-        return (independent if scene.pair.is_diagonal else coupled)(scene, line, working, name, limits)
-    run = Run(System(reduced(scene), working), limits["max_events"], _MAX_LEGS, limits["progress"])
+    if scene.pair.shape == "box" and scene.pair.is_diagonal:
+        return independent(scene, line, working, name, limits)
+    return followed(scene, working, name, limits)
+
+
+def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any]) -> PlaneSolution:
+    """Return the motion of an ellipsoid or of a box, along its path. Raises EventUndecided, NotSettled."""
+    kind = BoxRun if scene.pair.shape == "box" else Run
+    run = kind(System(reduced(scene), working), limits["max_events"], _MAX_LEGS, limits["progress"])
     run.follow()
+    states = States(scene, run)
     with run.system.fine():
-        states = States(scene, run)
         events = [states.event(one) for one in run.events]
-        first = run.events[0].before if run.events else run.mode
+        first = events[0].before if events else states.word(run.mode)
+        status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
         modes = [first, *(one.after for one in events)]
-        status = Status.EVENT_LIMIT if not run.reached else Status.REACHED_HORIZON
         return PlaneSolution(scene, Working(working, name), status, events, modes, states.end(), states)

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from operator import mul
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
-from flint import arb, arb_mat, arb_poly
+import flint
+from flint import arb, arb_mat
 
 from numerics.arithmetic.ball import BITS_PER_DIGIT, Ball, precision
 from numerics.plane.reduced import Acting, Reduced
+from numerics.plane.vector import Matrix, Vector, exact
 
 SPARE_BITS = 40
-"""Bits beyond the working ones, in which defects are computed: what they show is the path's error, not their own."""
-Balls = list[arb]
+"""Bits beyond those to which series are cut: the terms of a long step are larger than their sum."""
 
 
 class System:
@@ -25,59 +26,50 @@ class System:
         self.given, self.digits, self.bits = given, digits, math.ceil(digits * BITS_PER_DIGIT)
         self.n, self.degree = len(given.m1), max(12, int(0.4 * self.bits))
         self.axes = range(self.n)
-        number = Ball.number
         with self.fine():
-            self.m1, self.m2 = (list(map(number, one)) for one in (given.m1, given.m2))
-            self.a1, self.a2 = ([list(map(number, row)) for row in one] for one in (given.a1, given.a2))
-            self.mass = [x + y for x, y in zip(self.m1, self.m2, strict=True)]
-            self.kappa = [m / (x * y) for m, x, y in zip(self.mass, self.m1, self.m2, strict=True)]
-            self.share = [y / m for y, m in zip(self.m2, self.mass, strict=True)]
-            self.damped = any(any(row) for row in given.a1)
-            self.root_m1, self.root_m2 = ([m.sqrt() for m in one] for one in (self.m1, self.m2))
+            self.m1, self.m2 = exact(given.m1), exact(given.m2)
+            self.a1, self.a2 = Matrix.of(given.a1), Matrix.of(given.a2)
+            self.mass = self.m1 + self.m2
+            self.kappa, self.share = self.mass / (self.m1 * self.m2), self.m2 / self.mass
+            self.still, ones = Vector([arb(0)] * self.n), Vector([arb(1)] * self.n)
+            self.root_m1, self.root_m2 = (m.each(arb.sqrt) for m in (self.m1, self.m2))
             # q.A2 q <= sum_i r_i q_i^2, and |q_i| <= N sqrt((A2^-1)_ii)
-            self.spring = [sum(map(abs, row), arb(0)).sqrt() for row in self.a2]
-            inverse = arb_mat(self.a2).inv()
-            self.soft = [inverse[i, i].sqrt() for i in self.axes]
+            self.spring = (abs(self.a2) @ ones).each(arb.sqrt)
+            inverse = arb_mat([exact(row) for row in given.a2]).inv()
+            self.soft = Vector(inverse[i, i].sqrt() for i in self.axes)
+            self.stiff = exact(given.a2[i][i] for i in self.axes)
             # an error N moves component i of the load by load_error[i] N at most, and of v1 - v2 by apart[i] N
-            self.load_error = [
-                self.share[i] * (self.a2[i][i].sqrt() + self.row_sum(self.a1[i], [1 / m for m in self.root_m1]))
-                for i in self.axes
-            ]
-            self.apart = [one.sqrt() for one in self.kappa]
+            self.load_error = self.share * (self.stiff.each(arb.sqrt) + abs(self.a1) @ (1 / self.root_m1))
+            self.apart = self.kappa.each(arb.sqrt)
             self.pieces = [Drive(self, piece) for piece in given.pieces]
 
-    def coarse(self) -> precision:
-        """Return the context of the working precision."""
-        return precision(self.bits)
+    @contextmanager
+    def fine(self) -> Iterator[None]:
+        """Compute with all bits: what defects show is where series are cut, no rounding. No series is cut by flint."""
+        before, flint.ctx.cap = flint.ctx.cap, self.bits + SPARE_BITS
+        try:
+            with precision(self.bits + SPARE_BITS):
+                yield
+        finally:
+            flint.ctx.cap = before
 
-    def fine(self) -> precision:
-        """Return the context in which defects are computed."""
-        return precision(self.bits + SPARE_BITS)
-
-    def row_sum(self, row: Sequence[arb], of: Sequence[arb]) -> arb:
-        """Return sum |row_j| of_j."""
-        return sum(map(mul, map(abs, row), of), arb(0))
-
-    def push(self, u: Sequence[Any], q1: Sequence[Any], v1: Sequence[Any], i: int) -> Any:
-        """Return component i of u - A2 q1 - A1 v1, of numbers or of polynomials."""
-        found = u[i]
-        for j in self.axes:
-            if self.given.a2[i][j]:
-                found = found - q1[j] * self.a2[i][j]
-            if self.given.a1[i][j]:
-                found = found - v1[j] * self.a1[i][j]
+    def push(self, u: Vector, q1: Vector, v1: Vector) -> Vector:
+        """Return u - A2 q1 - A1 v1, of numbers, of polynomials or of series."""
+        found: Vector = u - self.a2 @ q1 - self.a1 @ v1
         return found
 
-    def load(self, u: Sequence[Any], q1: Sequence[Any], v1: Sequence[Any]) -> list[Any]:
+    def load(self, u: Vector, q1: Vector, v1: Vector) -> Vector:
         """Return Lam = M2 (M1 + M2)^-1 (u - A2 q1 - A1 v1)."""
-        return [self.push(u, q1, v1, i) * self.share[i] for i in self.axes]
+        found: Vector = self.push(u, q1, v1) * self.share
+        return found
 
-    def norm(self, q1: Sequence[arb], v1: Sequence[arb], v2: Sequence[arb]) -> arb:
+    def norm(self, q1: Vector, v1: Vector, v2: Vector) -> arb:
         """Return a bound on N of a difference with these components, given by their sizes."""
-        found = arb(0)
-        for i in self.axes:
-            found += self.spring[i] * abs(q1[i]) + self.root_m1[i] * abs(v1[i]) + self.root_m2[i] * abs(v2[i])
-        return found.upper()
+        return (self.spring @ abs(q1) + self.root_m1 @ abs(v1) + self.root_m2 @ abs(v2)).upper()
+
+    def length(self, s: Vector) -> arb:
+        """Return |s|_{kap^-1}."""
+        return (s * s @ (1 / self.kappa)).sqrt()
 
 
 class Drive:
@@ -86,44 +78,53 @@ class Drive:
     def __init__(self, system: System, acting: Acting) -> None:
         """Take what acts, exact."""
         number = Ball.number
-        self.acting = acting
-        self.length = number(acting.end - acting.start)
-        self.polynomial = [[number(one[i]) for one in acting.polynomial] for i in system.axes]
-        self.sines = [(number(w), number(at), list(map(number, a))) for w, at, a in acting.sines]
-        self.b_squared = list(map(number, acting.b_squared))
-        self.b = [one.sqrt() for one in self.b_squared]
-        self.reach = max(float((b * k).mid()) for b, k in zip(self.b, system.apart, strict=True)) * arb(1 + 1e-9)
+        self.acting, self.length = acting, number(acting.end - acting.start)
+        self.polynomial = [exact(one) for one in acting.polynomial]
+        self.sines = [(number(w), number(at), exact(a)) for w, at, a in acting.sines]
+        self.b_squared = exact(acting.b_squared)
+        self.b = self.b_squared.each(arb.sqrt)
+        self.heavy = 1 / (system.kappa * self.b_squared)
+        """D = (B kap B)^-1: a direction settles at the rate 1/(D h(s))."""
+        self.weak = lowest(self.b * system.apart)
+        self.reach = highest(self.b * system.apart) * arb(1 + 1e-9)
         """h of a difference of two slips is at most that times N."""
 
-    def force(self, t: arb) -> Balls:
-        """Return u at a time from the beginning of the piece."""
-        found = [arb_poly(one)(t) if one else arb(0) for one in self.polynomial]
-        for omega, phase, amplitudes in self.sines:
-            sine = (omega * t + phase).sin()
-            found = [x + a * sine for x, a in zip(found, amplitudes, strict=True)]
-        return found
+    def swing(self, t: Any) -> list[tuple[Any, Any]]:
+        """Return sine and cosine of each phase at a time, a number or a series."""
+        return [(omega * t + phase).sin_cos() for omega, phase, _ in self.sines]
 
-    def force_rate(self, t: arb) -> Balls:
-        """Return du/dt at a time from the beginning of the piece."""
-        found = [arb_poly(one).derivative()(t) if one else arb(0) for one in self.polynomial]
-        for omega, phase, amplitudes in self.sines:
-            cosine = (omega * t + phase).cos()
-            found = [x + a * omega * cosine for x, a in zip(found, amplitudes, strict=True)]
-        return found
+    def force(self, t: Any, swing: list[tuple[Any, Any]] | None = None) -> Vector:
+        """Return u at a time from the beginning of the piece: a number, a series, or a polynomial with its `swing`."""
+        found: Any = self.still(t)
+        for one in reversed(self.polynomial):
+            found = found * t + one
+        for (*_, amplitudes), (sine, _) in zip(self.sines, self.swing(t) if swing is None else swing, strict=True):
+            found = found + amplitudes * sine
+        return Vector(found)
 
-    def swing(self, t: arb) -> list[tuple[arb, arb]]:
-        """Return cosine and sine of each phase at a time."""
-        found = []
-        for omega, phase, _ in self.sines:
-            sine, cosine = (omega * t + phase).sin_cos()
-            found.append((cosine, sine))
-        return found
+    def still(self, t: Any) -> Vector:
+        """Return no force, of the kind of a time."""
+        return Vector([t * 0] * len(self.b))
 
-    def friction(self, s: Sequence[arb]) -> tuple[Balls, arb]:
+    def friction(self, s: Vector) -> tuple[Vector, arb]:
         """Return f(s) and h(s) of a slip s != 0."""
-        size = sum((b * x * x for b, x in zip(self.b_squared, s, strict=True)), arb(0)).sqrt()
-        return [b * x / size for b, x in zip(self.b_squared, s, strict=True)], size
+        size = (self.b_squared @ (s * s)).sqrt()
+        return self.b_squared * s / size, size
 
-    def strain(self, load: Sequence[arb]) -> arb:
+    def strain(self, load: Vector) -> arb:
         """Return |B^-1 Lam|^2, at most 1 where the load is in K."""
-        return sum((x * x / b for x, b in zip(load, self.b_squared, strict=True)), arb(0))
+        found: arb = load / self.b_squared @ load
+        return found
+
+
+def highest(values: Vector) -> arb:
+    """Return the largest size, as a point."""
+    return max((abs(one).mid() for one in values), key=lambda one: one)
+
+
+def lowest(values: Vector) -> arb:
+    """Return a lower bound of the least."""
+    found = values[0]
+    for one in values[1:]:
+        found = found.min(one)
+    return found

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from flint import arb
+from flint import arb, arb_series
 
 from numerics.plane.series import Point
-from numerics.plane.system import Balls, System
+from numerics.plane.system import System
+from numerics.plane.vector import Vector, wide
 
 
 class Around(NamedTuple):
@@ -22,11 +23,11 @@ class Around(NamedTuple):
     the part of s, share (u - A2 q1 - A1 V), V the velocity of the common mass, in which no friction is.
     """
 
-    first: Balls
-    second: Balls
-    load: Balls
-    drift: Balls
-    steep: Balls
+    first: Vector
+    second: Vector
+    load: Vector
+    drift: Vector
+    steep: Vector
 
 
 def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[arb | None] = ()) -> Around | None:
@@ -35,31 +36,18 @@ def around(system: System, at: Point, norm: arb, window: arb, slips: Sequence[ar
     `slips`: friction on axes that slip with a constant one (else None); there the rate of v1 replaces that of V.
     """
     drive = system.pieces[min(at.piece, len(system.pieces) - 1)]
-    v1, u = at.v1, drive.force(at.t)
-    first = [
-        2 * (abs(system.push(u, at.q1, v1, i)) + b) / m for i, b, m in zip(system.axes, drive.b, system.m1, strict=True)
-    ]
-    v1 = [wide(x, norm / root + r * window) for x, root, r in zip(v1, system.root_m1, first, strict=True)]
-    q1 = [wide(x, soft * norm + abs(v) * window) for x, soft, v in zip(at.q1, system.soft, v1, strict=True)]
-    t = wide(at.t, window)
-    u, turn = drive.force(t), drive.force_rate(t)
-    push = [system.push(u, q1, v1, i) for i in system.axes]
-    if not all(abs(p) + b < m * r for p, b, m, r in zip(push, drive.b, system.m1, first, strict=True)):
+    first = (abs(system.push(drive.force(at.t), at.q1, at.v1)) + drive.b) * 2 / system.m1
+    v1 = wide(at.v1, norm / system.root_m1 + first * window)
+    q1 = wide(at.q1, system.soft * norm + abs(v1) * window)
+    both = drive.force(arb_series([wide(at.t, window), 1], 2))
+    u, turn = both.order(0), both.order(1)
+    push = system.push(u, q1, v1)
+    if not all(x < y for x, y in zip(abs(push) + drive.b, system.m1 * first, strict=True)):
         return None
-    pull = [p / m for p, m in zip(push, system.mass, strict=True)]
+    pull = list(push / system.mass)
     for i, f in enumerate(slips):
         if f is not None:
             pull[i] = (push[i] - f) / system.m1[i]
-    still = [arb(0)] * system.n
-    steep = [
-        share * (abs(system.push(turn, v1, still, i)) + system.row_sum(system.a1[i], first))
-        for i, share in enumerate(system.share)
-    ]
-    second = [b / m for b, m in zip(drive.b, system.m2, strict=True)]
-    load = [x * share for x, share in zip(push, system.share, strict=True)]
-    return Around(first, second, load, system.load(turn, v1, pull), steep)
-
-
-def wide(x: arb, by: arb) -> arb:
-    """Return x with a radius that is larger by something."""
-    return x + arb(0, by.upper())
+    steep = system.share * (abs(turn - system.a2 @ v1) + abs(system.a1) @ first)
+    drift = system.load(turn, v1, Vector(pull))
+    return Around(first, drive.b / system.m2, push * system.share, drift, steep)

@@ -96,13 +96,14 @@ def _text_of(path: Path, what: str, remedy: str) -> str:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise InvalidScene(f"no {what} {str(path)!r}: {reason}; {remedy}") from None
+    named = "on standard input" if str(path) == "-" else f"file {str(path)!r}"
     most = MAX_FORCED_BYTES if any(b"[[" + table.encode() in data for table in (*_PIECES, _REFERENCE)) else MAX_BYTES
     if len(data) > most:
-        raise InvalidScene(f"{what} file {str(path)!r} is larger than {most} bytes; a {what} needs a dozen lines")
+        raise InvalidScene(f"{what} {named} is larger than {most} bytes; a {what} needs a dozen lines")
     try:
         return data.decode("utf-8-sig")  # some editors on Windows begin a file with a byte order mark
     except UnicodeDecodeError:
-        raise InvalidScene(f"{what} file {str(path)!r} is not UTF-8 text; save it as UTF-8") from None
+        raise InvalidScene(f"{what} {named} is not UTF-8 text; save it as UTF-8") from None
 
 
 def load_reference(name_or_path: str | Path) -> tuple[Piece, ...]:

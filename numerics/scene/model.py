@@ -144,10 +144,12 @@ class Scene(ShortRepr):
         friction: Friction = SAME_FRICTION,
     ) -> None:
         """Check the parts and read the horizon and the law."""
-        if not isinstance(pair, Pair) or not isinstance(initial, State):
-            raise InvalidScene("a scene is made of a Pair and a State; build them first")
-        if not isinstance(force, Force) or not isinstance(friction, Friction):
-            raise InvalidScene("force must be a Force and friction a Friction; build them first")
+        parts = ((pair, Pair, "Pair(m1=..., m2=..., a2=..., b=...)"), (initial, State, "State(x1=..., v1=...)"))
+        laws = ((force, Force, "Force.sine(amplitude, omega)"), (friction, Friction, "Friction([(start, b)])"))
+        for part, kind, remedy in (*parts, *laws):
+            if not isinstance(part, kind):
+                given = f"of a scene is what is of type {type(part).__name__}"
+                raise InvalidScene(f"the {kind.__name__} {given}; build one, such as {remedy}")
         put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, made={})
         keep(self, until=until)
         if self.until <= 0:
@@ -202,5 +204,5 @@ def read_law(law: object) -> Law:
         return Law(law)
     except ValueError:
         names = ", ".join(f'"{one.value}"' for one in Law)
-        given = repr(law) if isinstance(law, str) else f"what is of type {type(law).__name__}"  # a huge int has no text
+        given = repr(law) if isinstance(law, str) else f"({type(law).__name__})"  # a huge int has no text
         raise InvalidScene(f"law = {given[:40]} is not one of {names}") from None

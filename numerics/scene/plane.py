@@ -13,6 +13,8 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
+from flint import fmpq, fmpq_mat
+
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, keep, put, short
 from numerics.scene.force import Force
@@ -60,8 +62,12 @@ class PlanePair(ShortRepr):
         for name, given in (("m1", m1), ("m2", m2), ("b", b)):
             put(self, **{name: positive(given, name, n)})
         put(self, a1=_matrix(a1, "a1", n), a2=_matrix(a2, "a2", n), shape=shape)
-        for rows in _principal(n):
-            along, damps, holds = _named(rows), _determinant(self.a1, rows), _determinant(self.a2, rows)
+        for rows in (rows for size in range(1, n + 1) for rows in combinations(range(n), size)):
+            along, damps, holds = (
+                ", ".join(AXES[i] for i in rows),
+                _determinant(self.a1, rows),
+                _determinant(self.a2, rows),
+            )
             if damps < 0:
                 raise InvalidScene(
                     f"a1 has the minor {short(damps)} on {along}, which must be >= 0; give a damper that takes "
@@ -206,27 +212,11 @@ def _matrix(given: Any, name: str, n: int) -> Matrix:
     return found
 
 
-def _principal(n: int) -> Iterable[tuple[int, ...]]:
-    return (rows for size in range(1, n + 1) for rows in combinations(range(n), size))
-
-
-def _named(rows: Sequence[int]) -> str:
-    return ", ".join(AXES[i] for i in rows)
-
-
 def _determinant(matrix: Matrix, rows: Sequence[int]) -> Fraction:
-    """Return a principal minor, by Laplace's expansion."""
-
-    def minor(left: Sequence[int], columns: Sequence[int]) -> Fraction:
-        if not left:
-            return Fraction(1)
-        terms = (
-            (-1) ** k * matrix[left[0]][j] * minor(left[1:], [c for c in columns if c != j])
-            for k, j in enumerate(columns)
-        )
-        return sum(terms, Fraction(0))
-
-    return minor(rows, rows)
+    """Return a principal minor."""
+    kept = [[fmpq(*matrix[i][j].as_integer_ratio()) for j in rows] for i in rows]
+    found = fmpq_mat(kept).det()
+    return Fraction(int(found.p), int(found.q))
 
 
 def is_plane(tables: dict[str, Any]) -> bool:

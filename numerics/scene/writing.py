@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 
 from numerics.scene.decimals import decimal_text
-from numerics.scene.model import Law, Scene
+from numerics.scene.model import BUILD, Law, Scene, require_kind
 from numerics.scene.pieces import Piece
 from numerics.scene.plane import AXES, PlaneScene
 from numerics.scene.weakening import Weakening
@@ -21,6 +21,7 @@ def scene_text(scene: Scene | PlaneScene) -> str:
     """
     if isinstance(scene, PlaneScene):
         return "\n".join(_surface_lines(scene)) + "\n"
+    require_kind("scene_text", scene, Scene, BUILD)
     pair, at = scene.pair, scene.initial
     lines = ["[pair]", *(f"{name} = {_number(getattr(pair, name))}" for name in ("m1", "m2", "a1", "a2", "b"))]
     lines += ["[initial]", *(f"{name} = {_number(getattr(at, name))}" for name in ("x1", "v1", "x2", "v2"))]

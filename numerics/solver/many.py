@@ -6,6 +6,7 @@ Python only hands out chunks of rows to compiled code, where numba is installed.
 
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from fractions import Fraction
@@ -287,14 +288,19 @@ def _common_shape(arrays: dict[str, NDArray[Any]]) -> tuple[int, ...]:
 
 def _numbers(name: str, values: Any) -> Table | float:
     """Return values as binary64 numbers: an array, or a float."""
-    if isinstance(values, (int, float)):
+    if isinstance(values, (int, float)) and not isinstance(values, bool):
         return float(values) if abs(values) < 2**1023 else np.inf
     if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
         raise InvalidScene(f"{name} has masked numbers; leave those scenes out, e.g. by .compressed()")
     try:
-        return np.asarray(values, dtype=np.float64)
+        given = np.asarray(values)
+        if given.dtype.kind in "iufOUS":  # NumPy would make real numbers of complex ones, dates and truth values, too
+            return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
-        raise InvalidScene(f"{name} must be an array of real numbers in SI units") from None
+        pass
+    raise InvalidScene(
+        f"{name} = {reprlib.repr(values)[:60]} must be real numbers in SI units; give a number or an array"
+    )
 
 
 def _refuse(name: str, array: Table) -> None:

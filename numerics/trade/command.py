@@ -51,14 +51,13 @@ def print_ratios(trade: Any) -> None:
 def print_trade(trade: Any) -> None:
     """Print a table a scene, the machine, and what was left out."""
     for scene, why in trade.scenes.items():
-        ahead, lines = {one.peer: one for one in trade.leads(scene)}, []
+        lines = []
         for one in trade.of(scene):
             digits = "-" if one.digits is None else f"{one.digits:.1f}"
-            ratio = f"{ahead[one].ratio:.3g} x" if one in ahead and ahead[one].ours else ""
             events = one.note or ("none" if one.who.endswith("smoothed") else "right")
-            lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, events, ratio))
+            lines.append((one.who, f"{one.setting:g}", seconds_text(one.seconds), digits, events))
         print(f"{scene}: {why}")
-        print_table(("", "setting", "time", "digits", "events", "ours faster"), lines)
+        print_table(("", "setting", "time", "digits", "events"), lines)
         print()
     of = trade.machine
     versions = ", ".join(f"{name} {version}" for name, version in of["packages"].items())

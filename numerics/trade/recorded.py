@@ -17,7 +17,6 @@ worst error; `note` is empty where the events are right, and begins with NONE wh
 from __future__ import annotations
 
 import json
-import math
 import os
 import platform
 import re
@@ -70,11 +69,11 @@ class Run(NamedTuple):
 
 
 class Lead(NamedTuple):
-    """The peer's time by ours, below 1 where the peer is faster, and both; 0 where none of ours is as accurate."""
+    """The peer's time by ours, below 1 where the peer is faster, and both."""
 
     ratio: float
     peer: Run
-    ours: Run | None
+    ours: Run
 
 
 class Sweep(NamedTuple):
@@ -104,16 +103,6 @@ class Trade:
     def of(self, scene: str, who: str | None = None) -> list[Run]:
         """Return the runs on one scene, of all or of one contender."""
         return [one for one in self.runs if one.scene == scene and who in (None, one.who)]
-
-    def leads(self, scene: str) -> list[Lead]:
-        """Return our lead over every right run of a peer that has a time, by our fastest that is as accurate."""
-        known = [(one.seconds, one.digits, one) for one in self.of(scene) if one.right and one.seconds and one.digits]
-        found = []
-        for seconds, digits, peer in (one for one in known if not one[2].ours):
-            equal = [(own, one) for own, reached, one in known if one.ours and reached >= digits]
-            least, ours = min(equal, default=(math.inf, None))
-            found.append(Lead(seconds / least, peer, ours))
-        return sorted(found, key=lambda one: one.ratio)
 
     def beside(self, scene: str, asked: int) -> Lead | None:
         """Return our lead with so many digits asked for (0: none) over heyoka; None where either has no right run.

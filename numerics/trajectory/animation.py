@@ -64,6 +64,9 @@ def film(drawn: Callable[[int], Any], file: str | Path | None, duration: float, 
     if writer is not None and not animation.writers.is_available(writer):
         raise MissingTool(f"this film needs {writer}, which is not installed; write a .gif, or install {writer}")
     figure, show = drawn(count)
+    show(0)
+    figure.canvas.draw()
+    figure.set_layout_engine("none")  # the axes stay where they are: to lay them out anew takes as long as a frame
     made = animation.FuncAnimation(figure, show, frames=count, interval=1000 / frames_per_second, blit=False)
     if path is not None and writer is not None:
         with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:

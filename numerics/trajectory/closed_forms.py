@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any, NamedTuple
 
 from numerics.scene import Pair
-from numerics.trajectory.spells import Spell, Steady
+from numerics.trajectory.spells import Spell, Steady, bounded
 
 Value = Any
 """A number of mpmath: a point or an interval."""
@@ -52,7 +52,8 @@ class Wave(NamedTuple):
         on, (decay, _, side, root) = self.on, self.swing
         if side > 0:
             phase = root * u
-            swung = on.exp(-(decay * u)) * (self.even * on.cos(phase) + self.odd * (on.sin(phase) / root))
+            cosine, sine = (bounded(on, function, phase) for function in (on.cos, on.sin))
+            swung = on.exp(-(decay * u)) * (self.even * cosine + self.odd * (sine / root))
         elif side == 0:
             swung = on.exp(-(decay * u)) * (self.even + self.odd * u)
         else:

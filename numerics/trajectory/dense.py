@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -237,7 +237,9 @@ def require_times(t_eval: Any, until: Fraction) -> None:
         if isinstance(one, Fraction) and not 0 <= one <= end:
             shown = f"t_eval[{k}] = {str(asked[k])[:40]} s is outside the run, [0, {short(until)}] s"
             raise ValueError(f"{shown}; give times within it, or a later until")
-    _require_order(points)
+    for k, (one, two) in enumerate(pairwise(points), start=1):
+        if type(one) is type(two) and two < one:
+            raise ValueError(f"t_eval[{k}] comes after a later time; put the times in order")
 
 
 def _depth(values: Any) -> int:
@@ -246,18 +248,3 @@ def _depth(values: Any) -> int:
         return np.ndim(values)
     except ValueError:
         return 2
-
-
-def _require_order(points: Sequence[Any] | NDArray[Any]) -> None:
-    if isinstance(points, np.ndarray) and points.dtype == float and not (points[1:] < points[:-1]).any():
-        return
-    for k, (one, two) in enumerate(pairwise(points), start=1):
-        if type(one) is type(two) and two < one:
-            raise ValueError(f"t_eval[{k}] comes after a later time; put the times in order")
-
-
-def sorted_times(dense: Dense, t_eval: Sequence[Any]) -> NDArray[Any]:
-    """Return times that were asked for as numbers of the arithmetic. Raises ValueError unless they are in order."""
-    times = dense.times(t_eval)
-    _require_order(times if dense.in_floats else [dense.middle(one) for one in times])
-    return times

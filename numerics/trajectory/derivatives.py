@@ -33,16 +33,6 @@ class Sensitivity:
         """Return a short summary."""
         return f"Sensitivity of {len(self.t)} events and the final state by {', '.join(self.wrt)}"
 
-    def _repr_html_(self) -> str:
-        """Return the derivatives of the final state as a table, for notebooks."""
-        head = "".join(f"<th>by {name}</th>" for name in self.wrt)
-        names = ("x1", "v1", "x2", "v2", "energy")
-        rows = ""
-        for name, row in zip(names, [*self.final, self.energy], strict=True):
-            cells = "".join(f"<td>{float(one):.4g}</td>" for one in row)
-            rows += f"<tr><th>final {name}</th>{cells}</tr>"
-        return f"<table><tr><th></th>{head}</tr>{rows}</table>"
-
 
 def parameters(scene: Scene) -> dict[str, Fraction]:
     """Return every number of a scene by its name, in the order of the last axis of all derivatives; exact.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -140,13 +141,9 @@ def friction_on_body_2(trajectory: Solution, curve: Curve) -> Any:
 
 def _friction(trajectory: Solution, curve: Curve, ax: Any) -> None:
     """Draw friction against the relative speed: in stick it is what sticking needs."""
-    w, given = curve.y[1] - curve.y[3], friction_on_body_2(trajectory, curve)
-    for kept, color, width, label in (
-        (~curve.stick, ORANGE, 0.8, "slip"),
-        (curve.stick, BLUE, 2.0, "friction in stick"),
-    ):
-        if kept.any():
-            ax.plot(*np.where(kept, (w, given), np.nan), color=color, lw=width, label=label)
+    against = curve.y[1] - curve.y[3], friction_on_body_2(trajectory, curve)
+    for kept, label, how in _by_mode(curve, "friction in stick"):
+        ax.plot(*np.where(kept, against, np.nan), label=label, **how)
     ax.set(xlabel="$v_1 - v_2$ (m/s)", ylabel="friction on body 2 (N)")
 
 
@@ -167,19 +164,22 @@ def _relative(_: Solution, curve: Curve, ax: Any) -> None:
 
 def _plane(curve: Curve, ax: Any, up: Any) -> None:
     """Draw x1 against a velocity: on S, where v1 = v2, with a full line, in slip with a thin one."""
-    for kept, color, width, dashes, label in (
-        (~curve.stick, ORANGE, 0.8, "--", "slip"),
-        (curve.stick, BLUE, 2.0, "-", "stick, on $S$"),
-    ):
-        x, v = (np.where(kept & curve.resolved, row, np.nan) for row in (curve.y[0], up))
-        if np.isfinite(x).any():
-            ax.plot(x, v, color=color, lw=width, ls=dashes, label=label)
+    for kept, label, how in _by_mode(curve, "stick, on $S$"):
+        ax.plot(*np.where(kept & curve.resolved, (curve.y[0], up), np.nan), label=label, **how)
         sparse = kept & ~curve.resolved
         if sparse.any():  # lines between these points would not be the curve
-            ax.plot(curve.y[0, sparse], up[sparse], ",", color=color)
+            ax.plot(curve.y[0, sparse], up[sparse], ",", color=how["color"])
     ax.plot(curve.y[0, :1], up[:1], "s", color="black", ms=5, label="start")
     ax.locator_params(axis="x", nbins=6)
     ax.set_xlabel("$x_1$ (m)")
+
+
+def _by_mode(curve: Curve, stick: str) -> Iterator[tuple[Any, str, dict[str, Any]]]:
+    """Yield which points slip and which stick, where any do, with what a legend says and how they are drawn."""
+    if not curve.stick.all():
+        yield ~curve.stick, "slip", {"color": ORANGE, "lw": 0.8, "ls": "--"}
+    if curve.stick.any():
+        yield curve.stick, stick, {"color": BLUE, "lw": 2.0}
 
 
 def _sliding_region(pair: Any, ax: Any) -> None:
@@ -202,10 +202,12 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
         ax.text(0.5, 0.5, "$E = E_{cr}$ exactly", transform=ax.transAxes, ha="center", va="center")
         ax.set_yticks([])
         return
-    for sign, how in ((1, {"color": BLUE, "label": r"$E/E_{cr} - 1$"}), (-1, {"color": ORANGE, "ls": "--"})):
-        part = np.where(sign * curve.w > 0, sign * curve.w, np.nan)
-        if np.isfinite(part).any():
-            ax.plot(curve.t, part, lw=1.2, **({"label": r"$1 - E/E_{cr}$"} | how))
+    for part, label, how in (
+        (curve.w, r"$E/E_{cr} - 1$", {"color": BLUE}),
+        (-curve.w, r"$1 - E/E_{cr}$", {"color": ORANGE, "ls": "--"}),
+    ):
+        if (part > 0).any():
+            ax.plot(curve.t, np.where(part > 0, part, np.nan), lw=1.2, label=label, **how)
     ax.set_yscale("log")
     low, high = np.floor(np.log10(drawn.min()) - 0.05), np.ceil(np.log10(drawn.max()) + 0.05)
     ax.set_ylim(10**low, 10**high)
@@ -213,32 +215,17 @@ def _excess(_: Any, curve: Curve, ax: Any) -> None:
 
 
 def _energy(trajectory: Solution, curve: Curve, ax: Any) -> None:
-    """Draw the ledger: what is left, what friction took and what viscosity took, on top of each other."""
-    pair = trajectory.scene.pair
+    """Draw the ledger: what a force has put in, what is left of it, and what friction and viscosity took."""
+    pair, energy, (friction, viscous) = trajectory.scene.pair, curve.energy(trajectory.scene.pair), curve.lost
+    parts = [("energy of the pair", energy, BLUE, "-."), ("lost to friction", friction, ORANGE, "--")]
     if trajectory.scene.is_forced:
-        _work(curve, pair, ax)
-        return
-    critical = float(pair.critical_energy)
-    parts = [("energy left", critical * (1 + curve.w), BLUE, None), ("lost to friction", curve.lost[0], ORANGE, "//")]
+        parts.insert(0, ("work of the force", energy - energy[0] + friction + viscous, "black", "-"))
+    else:
+        ax.axhline(float(pair.critical_energy), color="black", lw=0.8, ls=":", label="$E_{cr}$")
     if pair.a1 > 0:
-        parts.append(("lost to viscosity", curve.lost[1], GREEN, ".."))
-    below = np.zeros_like(curve.t)
-    for label, part, color, hatch in parts:
-        ax.fill_between(curve.t, below, below + part, color=color, alpha=0.6, lw=0, label=label, hatch=hatch)
-        below = below + part
-    ax.axhline(critical, color="black", lw=0.8, ls=":", label="$E_{cr}$")
-    ax.set_ylabel("energy (J)")
-    ax.set_ylim(0, None)
-
-
-def _work(curve: Curve, pair: Any, ax: Any) -> None:
-    """Draw what a force has put in, and where it is: in the pair, or taken by friction and viscosity."""
-    energy, (friction, viscous) = curve.energy(pair), curve.lost
-    ax.plot(curve.t, energy - energy[0] + friction + viscous, color="black", lw=1.2, label="work of the force")
-    ax.plot(curve.t, energy, color=BLUE, lw=1.2, ls="-.", label="energy of the pair")
-    ax.plot(curve.t, friction, color=ORANGE, lw=1.2, ls="--", label="lost to friction")
-    if pair.a1 > 0:
-        ax.plot(curve.t, viscous, color=GREEN, lw=1.4, ls=":", label="lost to viscosity")
+        parts.append(("lost to viscosity", viscous, GREEN, ":"))
+    for label, part, color, dashes in parts:
+        ax.plot(curve.t, part, color=color, lw=1.2, ls=dashes, label=label)
     ax.set_ylabel("energy (J)")
 
 

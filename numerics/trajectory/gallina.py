@@ -10,7 +10,7 @@ from numerics.scene import Scene
 from numerics.scene.decimals import decimal_text
 from numerics.trajectory.spells import Spell, Steady
 
-SIGN_BITS, DEPTH = 32, 30
+SIGN_BITS, DEPTH = 24, 30
 """In what precision the kernel shows that no event was passed, and how often it halves an interval for that."""
 
 
@@ -91,7 +91,8 @@ Definition the_ending := {ending}.
 Definition answers := {answers}.
 
 (** what helps the program: in how many bits to compute, bounds of the time since the event before, which way a stick
-    ends; until when a mode lasts, and for how long at least; until when a stick that is for ever is followed *)
+    ends; until when a mode lasts, for how long at least, and which motion is close then; until when a stick that is for
+    ever is followed *)
 Definition hints := [
   {hints}].
 

@@ -15,7 +15,7 @@ from numerics.free.frame import ReducedState
 from numerics.linear.modes import MODES, EventKind, Mode, event_kind
 from numerics.linear.record import How, Record
 from numerics.scene import Scene
-from numerics.trajectory.dense import Dense, Side, sorted_times
+from numerics.trajectory.dense import Dense, Side
 from numerics.trajectory.digits import Accuracy, accuracy_of
 from numerics.trajectory.events import Event, Segment
 from numerics.trajectory.ledger import EnergyLedger, ledger_of
@@ -58,7 +58,7 @@ class Solution(Rows):
     def _look_up_times(self) -> None:
         if self.t_eval is not None:
             with self.arithmetic.context():
-                self._asked_times = sorted_times(self.dense, self.t_eval)
+                self._asked_times = self.dense.times(self.t_eval)
 
     @property
     def status(self) -> Status:

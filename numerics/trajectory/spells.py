@@ -57,8 +57,8 @@ class Steady(NamedTuple):
             value = number(coefficient) + after * value
         for tone in self.tones:
             angle = number(tone.turn) * t + number(tone.phase)
-            value += (number(tone.in_sine) + number(tone.rise_sine) * t) * _bounded(on, on.sin, angle)
-            value += (number(tone.in_cosine) + number(tone.rise_cosine) * t) * _bounded(on, on.cos, angle)
+            value += (number(tone.in_sine) + number(tone.rise_sine) * t) * bounded(on, on.sin, angle)
+            value += (number(tone.in_cosine) + number(tone.rise_cosine) * t) * bounded(on, on.cos, angle)
         return value
 
     def slope(self) -> Steady:
@@ -71,8 +71,8 @@ class Steady(NamedTuple):
         return Steady(self.since, tuple(factor * one for one in self.polynomial), tones)
 
 
-def _bounded(on: Any, function: Callable[[Any], Any], angle: Any) -> Any:
-    """Return a sine or cosine; over an interval by its middle and its slope, which is how the kernel bounds some."""
+def bounded(on: Any, function: Callable[[Any], Any], angle: Any) -> Any:
+    """Return a sine or cosine; over an interval by its middle and its slope, as the kernel does."""
     if isinstance(on, MPContext):
         return function(angle)
     return function(angle.mid) + (angle - angle.mid)

@@ -58,7 +58,8 @@ class Trajectory(Solution):
         """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
 
         `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
-        MP4 needs ffmpeg. Raises MissingTool, OSError, ValueError for other files or numbers that are not above 0.
+        MP4 needs ffmpeg. A frame takes a tenth of a second. Raises MissingTool, OSError, ValueError for other files or
+        numbers that are not above 0.
         """
         from numerics.trajectory.animation import animate
 
@@ -93,17 +94,9 @@ class Trajectory(Solution):
 
     def __repr__(self) -> str:
         """Return a short summary, as SciPy's solutions have."""
-        return "\n".join(f"{name:>12}: {value}" for name, value in self._summary().items())
-
-    def _repr_html_(self) -> str:
-        """Return the same as a small table, for notebooks."""
-        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in self._summary().items())
-        return f"<table>{cells}</table>"
-
-    def _summary(self) -> dict[str, Any]:
         right = self.digits or (self.right_digits if self.bounded else None)
         digits = f"{self.arithmetic.digits} working digits" if right is None else f"{right} right digits"
-        return {
+        shown = {
             "message": self.message,
             "success": self.success,
             "status": int(self.status),
@@ -112,6 +105,7 @@ class Trajectory(Solution):
             "t": f"[0, {self.arithmetic.text(self.end_time)}] s",
             "final mode": self.final_mode.value,
         }
+        return "\n".join(f"{name:>12}: {value}" for name, value in shown.items())
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Return what a pickle holds: the scene and what the run wrote, without what was made of it since."""

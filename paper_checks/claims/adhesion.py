@@ -18,22 +18,9 @@ from paper_checks.claims.itineraries import (
 )
 from paper_checks.claims.starts import time
 from paper_checks.claims.velocities import SLIPS, first_contact, literal_reading, velocities_scene
-from paper_checks.decide import decimal
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, itinerary, rounded, solved, within
 from paper_checks.decide.euler_in_balls import run as run_euler
-from paper_checks.evidence import (
-    REFUTED,
-    Case,
-    Evidence,
-    EvidenceKind,
-    Formula,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-)
 
 
 def _relative_speed() -> arb:
@@ -138,4 +125,4 @@ def synchronisation_time(
 def _mode_at(trajectory: Trajectory, time: Fraction) -> Evidence:
     mode = trajectory.mode_at(time)
     statement = f"at $t={float(time):g}$ s the bodies slip"
-    return Evidence(EvidenceKind.ENCLOSURE, "python-flint", statement, mode is not Mode.STICK, 1, mode.value)
+    return enclosed(statement, mode is not Mode.STICK, mode.value)

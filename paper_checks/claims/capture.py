@@ -6,26 +6,25 @@ import sympy as sp
 
 from paper_checks.claims import energy as dissipation
 from paper_checks.claims import filippov
-from paper_checks.decide import cleared, identity, prove
-from paper_checks.evidence import Evidence
+from paper_checks.claims.words import *
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, stick_rate
 from theory.filippov import half_width, phi, transversality
 from theory.symbols import E0, b, m2, undamped, v1, v2, x1
 
 
-def energy_decreases() -> tuple[Evidence, ...]:
+def energy_decreases() -> Steps:
     """E never increases, and falls wherever the bodies slide."""
     return dissipation.energy_rate(), dissipation.energy_never_grows()
 
 
-def contraction() -> tuple[Evidence, ...]:
+def contraction() -> Steps:
     """Two solutions never move apart: forward uniqueness, continuity in the start, stability of every orbit."""
     return filippov.contraction(), filippov.never_apart()
 
 
 @cache
-def meets_surface() -> tuple[Evidence, ...]:
+def meets_surface() -> Steps:
     """A stay in one half-space lasts at most 2 sqrt(2 E m2)/b: body 2 accelerates steadily, its energy is bounded."""
     gained = sp.Symbol("k", nonnegative=True)  # v2 gained during the stay
     bounds = [sp.Le(m2 * speed**2, 2 * E0) for speed in (v2, v2 + gained)]
@@ -42,18 +41,18 @@ def meets_surface() -> tuple[Evidence, ...]:
 @cache
 def stays_below_critical() -> Evidence:
     """On S, E <= E_cr implies |x1| <= L: the pair can only stick, for ever, as E never increases."""
-    level = sp.Le(cleared(on_surface() - critical_energy()), 0, evaluate=False)
-    inside = sp.Le(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
+    level = signed(on_surface() - critical_energy(), "<=")
+    inside = signed(x1**2 - half_width() ** 2, "<=")
     return prove(r"on $S$, $E\leqslant E_{cr}$ implies $|x_1|\leqslant L$", [level], inside)
 
 
 @cache
-def leaves_above_critical() -> tuple[Evidence, ...]:
+def leaves_above_critical() -> Steps:
     """No trajectory stays on S with E > E_cr: outside S0 both fields leave, in S0 the level reaches an exit ray."""
-    above = sp.Gt(cleared(on_surface() - critical_energy()), 0, evaluate=False)
-    within = [sp.Le(cleared(side * x1 - half_width()), 0, evaluate=False) for side in (1, -1)]
-    outside = sp.Gt(cleared(x1 - half_width()), 0, evaluate=False)
-    leaving = (sp.Lt(cleared(transversality(sign)), 0, evaluate=False) for sign in (1, -1))
+    above = signed(on_surface() - critical_energy(), ">")
+    within = [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
+    outside = signed(x1 - half_width(), ">")
+    leaving = (signed(transversality(sign), "<") for sign in (1, -1))
     return (
         prove(
             r"in $S_0$ with $E>E_{cr}$: $v_1\neq 0$, so $x_1$ runs monotonically to an edge",

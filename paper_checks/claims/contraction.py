@@ -5,8 +5,7 @@ from functools import cache
 import sympy as sp
 
 from paper_checks.claims import filippov
-from paper_checks.decide import equal, identity, implied, prove
-from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory.energy import contraction_rate, energy, sigma, sigma_other
 from theory.model import slip, stick
@@ -221,7 +220,7 @@ def _quotable() -> dict[sp.Basic, sp.Basic]:
 def forced_contraction() -> Case:
     """The force cancels in the distance of two solutions."""
     return because(
-        "A force common to both cancels in their distance. A friction that depends on the place would not: the friction of one solution is then not a monotone function of its own relative velocity alone.",
+        "Two motions under one force never move apart: it cancels in their distance. A friction that depends on the place would not: the friction of one solution is then not a monotone function of its own relative velocity alone.",
         carried("rate", filippov.never_apart()),
         carried("interface-contraction", friction_in_time()),
         carried("interface-for-ever", pieces_without_end()),

@@ -4,8 +4,7 @@ import sympy as sp
 
 from paper_checks.claims import signum, transfers
 from paper_checks.claims.letters import MASS
-from paper_checks.decide import equal, identity, sharp
-from paper_checks.evidence import HOLDS, Case, argument, because, carried, claim, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_control as control
 from theory.energy import sigma
@@ -157,7 +156,7 @@ def target_or_set_point() -> Case:
 def trackable_references() -> Case:
     """Friction is the only force on body 2."""
     return because(
-        "Friction is all that the interface can pass on to body 2. Every reference that asks for no more can be followed, by a pair that sticks, under a force that can be written down.",
+        "Body 2 can follow exactly the references that ask for no more than friction can give: that is all that the interface can pass on. Each is followed by a pair that sticks, under a force that can be written down.",
         carried("literal", signum.stuck_below_the_limit()),
         carried("force", transfers.stuck_force()),
     )

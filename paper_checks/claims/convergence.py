@@ -6,9 +6,8 @@ import sympy as sp
 
 from paper_checks.claims import capture
 from paper_checks.claims import energy as dissipation
-from paper_checks.decide import cleared, equal, identity, prove
+from paper_checks.claims.words import *
 from paper_checks.decide.samples import dichotomy_samples
-from paper_checks.evidence import HOLDS, Case, Evidence, Formula, argument, because, carried, claim, clause
 from theory.energy import energy, sigma, stick_rate
 from theory.filippov import half_width, phi
 from theory.symbols import a2, b, distance, m1, m2, undamped, x1
@@ -47,12 +46,12 @@ def converges() -> Evidence:
 def each_turn_has_a_cost() -> Evidence:
     """R > L is impossible."""
     beyond = [
-        sp.Ge(cleared(x1 - half_width() - distance), 0, evaluate=False),
+        signed(x1 - half_width() - distance, ">="),
         sp.Ge(sigma, -1),
         sp.Le(sigma, 1),
         sp.Gt(distance, 0),
     ]
-    falls = sp.Le(cleared(relative_rate() + a2 * distance / m1), 0, evaluate=False)
+    falls = signed(relative_rate() + a2 * distance / m1, "<=")
     return argument(
         r"""
         $R\leqslant L$: otherwise $x_1$ exceeds $L+\delta$ for a fixed time in every turn, from some time on. There

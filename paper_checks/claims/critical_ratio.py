@@ -7,20 +7,9 @@ import sympy as sp
 from flint import arb
 
 from paper_checks.claims.excursions import vanishes
-from paper_checks.decide import decimal, equal, identity
+from paper_checks.claims.words import *
 from paper_checks.decide.balls import point, precision, shown
 from paper_checks.decide.roots import enclosed_root
-from paper_checks.evidence import (
-    Case,
-    Evidence,
-    EvidenceKind,
-    Formula,
-    because,
-    clause,
-    form,
-    stating,
-    theorem,
-)
 from theory.excursion import angle
 from theory.merging import (
     critical_mass_ratio,
@@ -45,11 +34,8 @@ def depth(theta: arb) -> arb:
     return 2 - theta * (theta / 2).cot()
 
 
-ENGINE = "python-flint"
-
-
 @cache
-def one_turning_point() -> tuple[Evidence, ...]:
+def one_turning_point() -> Steps:
     """R = h/c falls from infinity to its one minimum sqrt(r*) and rises to infinity."""
     first, second = turning_slope()
     return (
@@ -101,7 +87,7 @@ def critical_value() -> arb:
 
 
 @cache
-def threshold() -> tuple[Evidence, ...]:
+def threshold() -> Steps:
     """r* and both mass ratios in closed form at the root, to 50 digits."""
     with precision():
         root, value = half_angle(), critical_value()
@@ -129,21 +115,17 @@ def threshold() -> tuple[Evidence, ...]:
             vanishes(r"so $m_1/m_2=(1-r^*)/r^*=2\sin^2\varphi^*-1=-\cos\theta^*$", critical_mass_ratio_residual()),
             form("m1/m2", critical_mass_ratio()),
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            ENGINE,
+        enclosed(
             r"$\theta^*$, $r^*$ and both mass ratios at the threshold; $R(\theta^*)^2$, $-\cos\theta^*$ and $-1/\cos\theta^*$ agree with them",
             agree,
-            3,
             "; ".join(texts),
+            3,
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            ENGINE,
+        enclosed(
             r"$\varphi^*>\pi/2$, so $\varphi^*$ is the upper end of $2r^*\sin^2\varphi>1$; $1/2<r^*<3/5$",
             bool(beyond),
-            2,
             shown(value, 12),
+            2,
         ),
     )
 

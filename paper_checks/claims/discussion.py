@@ -11,22 +11,8 @@ from paper_checks.claims import filippov as solutions
 from paper_checks.claims import signum, transfers
 from paper_checks.claims.points import EXAMPLE_PAIR, START_AT_6MM
 from paper_checks.claims.signum import none_under_control, under_a_force
-from paper_checks.decide import Decide, equal, exhibit, identity, implied, value_at
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import (
-    CORRECTED,
-    Case,
-    Evidence,
-    Formula,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-    equation,
-    latex,
-)
 from theory.filippov import load, load_threshold, phi, sliding_field
 from theory.model import CASE_STUDY, branch_named, branches, case_study_mode, slip
 from theory.symbols import b, free, m2, x1
@@ -66,7 +52,7 @@ APART = sp.Rational("0.0004")
 """A distance (m) by which they then differ."""
 
 
-def readings_part() -> tuple[Evidence, ...]:
+def readings_part() -> Steps:
     """Fig. 4 (a): the literal reading sticks for ever, the Filippov law slips at once; how far x2 is apart."""
     literal, filippov = solved(load_scene("start-at-6mm-literal")), solved(load_scene("start-at-6mm"))
     apart = abs(literal.sol(COMPARED_AT)[2] - filippov.sol(COMPARED_AT)[2])
@@ -77,7 +63,7 @@ def readings_part() -> tuple[Evidence, ...]:
     )
 
 
-def same_fields() -> tuple[Evidence, ...]:
+def same_fields() -> Steps:
     """(11)-(12) and the Filippov law of the example have the same accelerations in slip and in stick."""
     fields = (
         ("slip with $\\dot z>0$", 1, phi(1)),

@@ -4,8 +4,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.decide import cleared, equal, identity, implied, prove
-from paper_checks.evidence import HOLDS, Case, Evidence, Formula, argument, because, carried, claim, clause, latex
+from paper_checks.claims.words import *
 from theory.energy import captive_energy, energy, on_surface, sigma, slip_rate
 from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
 from theory.model import free_system, slip
@@ -109,7 +108,7 @@ def price_of_relative_speed() -> Evidence:
     return identity("$\\int_0^{\\eta/K}(\\eta-Ks)\\,ds=\\eta^2/(2K)$", area, speed**2 / (2 * rate))
 
 
-def in_every_mode() -> tuple[Evidence, ...]:
+def in_every_mode() -> Steps:
     """Return all steps of `SYNCHRONISATION`, mode by mode."""
     return (
         energy_rate(),

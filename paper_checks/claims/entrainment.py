@@ -7,8 +7,7 @@ import sympy as sp
 from paper_checks.claims.forced_modes import strict_rule
 from paper_checks.claims.response import natural_frequency, one_response
 from paper_checks.claims.stuck import undamped_stuck
-from paper_checks.decide import equal, identity
-from paper_checks.evidence import Case, Evidence, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
@@ -303,7 +302,7 @@ OPEN = (
 def entrainment_threshold() -> Case:
     """Stuck, two stops, and no stop."""
     return because(
-        "Both thresholds are closed forms. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
+        "The amplitude up to which the pair may stick for ever is a closed form, and so is that below which no motion of the force's period slips for ever with two reversals. Without a damper a stuck motion above the first one exists exactly where the stuck pair's own frequency is an odd multiple of the force's, from the third on.",
         carried("undamped", undamped_stuck()),
         carried("letters", square_wave()),
         carried("below", below_non_stop()),

@@ -10,10 +10,9 @@ from flint import arb, fmpq
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
 from numerics.trade.comparisons.forward_euler import forward_euler
-from paper_checks.decide import cleared, identity, prove
-from paper_checks.decide.enclosure import ENGINE, compare, rounded, solved, stuck_for_ever, text, within
+from paper_checks.claims.words import *
+from paper_checks.decide.enclosure import compare, rounded, solved, stuck_for_ever, text, within
 from paper_checks.decide.euler_in_balls import COARSE, HORIZONS, STEPS, run
-from paper_checks.evidence import CORRECTED, Case, Evidence, EvidenceKind, because, claim, correction, counterexample
 from theory.filippov import half_width, phi, sliding_field
 from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
 
@@ -85,7 +84,7 @@ def euler_reproduces_figures() -> Case:
     )
 
 
-def _one_step() -> tuple[Evidence, ...]:
+def _one_step() -> Steps:
     """Return what one Euler step does to the energy in stick and to the amplitude in slip, exactly."""
     position, speed = x1 + step * v1, v1 + step * sliding_field()[1]
     stuck = [a2 * x**2 + total_mass() * v**2 for x, v in ((x1, v1), (position, speed))]
@@ -115,11 +114,11 @@ def _chatter_is_small() -> Evidence:
     relative = sp.Symbol("w", positive=True)
     largest = 2 * b * total_mass() / (m1 * m2)
     change = undamped(phi(1)[1] - phi(1)[2])
-    strip = [sp.Le(cleared(side * x1 - half_width()), 0, evaluate=False) for side in (1, -1)]
+    strip = [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
     after = relative + step * change
     bounds = [
-        sp.Ge(cleared(after + step * largest), 0, evaluate=False),
-        sp.Le(cleared(after - relative), 0, evaluate=False),
+        signed(after + step * largest, ">="),
+        signed(after - relative, "<="),
     ]
     return prove(
         "in the strip a step from $\\dot z=w>0$ ends in $[-hC,w]$, $C=2b(m_1+m_2)/(m_1m_2)$ (for $w<0$ by symmetry)",
@@ -155,7 +154,7 @@ def _listed(sticks: Mapping[Fraction, str]) -> str:
     return ", ".join(f"one of {float(h):g} s first sticks at {time} s" for h, time in sticks.items())
 
 
-def _energy_of_start_at_6mm() -> tuple[Evidence, ...]:
+def _energy_of_start_at_6mm() -> Steps:
     """Return how much energy the stuck run of Fig. 4 (a) gains in 5 s, for two steps."""
     grown = _growth_of_start_at_6mm()
     return (
@@ -169,16 +168,14 @@ def _never_meets() -> Evidence:
     runs = [run(name, h) for name in HORIZONS for h in STEPS]
     met = [one for one in runs if one.contact is not None]
     steps = sum(one.steps for one in runs)
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        ENGINE,
+    return enclosed(
         r"""
         forward Euler from $\dot x_1(0)=0.15$ never meets $\dot z=0$ ($b=0.05,0.2,0.5$, steps of $10^{-2}$ to
         $10^{-5}$ s): the branch (13) is never used, and both readings of sgn(0) give the same run
         """,
         not met,
-        steps,
         f"sign of the relative velocity proved at {steps} steps of {len(runs)} runs",
+        steps,
     )
 
 
@@ -196,7 +193,7 @@ def _first_adhesion(scene: Scene) -> arb:
     return next(event for event in solved(scene).events if event.after.value == "stick").t
 
 
-def _misses() -> tuple[Evidence, ...]:
+def _misses() -> Steps:
     """Return how late the first adhesion of Fig. 5 (a) comes with coarser steps."""
     true = _first_adhesion(load_scene("velocities"))
     return tuple(
@@ -209,13 +206,13 @@ def _late(statement: str, h: Fraction, true: arb, relation: str, bound: str, nam
     """Compare the error of a run's first adhesion time with a bound, s."""
     time = run(name, h).adhesion_time
     if time is None:
-        return Evidence(EvidenceKind.ENCLOSURE, ENGINE, statement, False, 1, "the run never sticks")
+        return enclosed(statement, False, "the run never sticks")
     error = abs(arb(fmpq(time.numerator, time.denominator)) - true)
     found = compare(statement, error, relation, arb(bound))
     return replace(found, value=f"Euler {float(time):.6g} s, true {text(true)} s")
 
 
-def _converges() -> tuple[Evidence, ...]:
+def _converges() -> Steps:
     """Return that the first adhesion time is right to a few steps, from some step size on."""
     tried = (
         ("start-with-speed", "Fig. 4 (b)", STEPS),
@@ -236,7 +233,7 @@ def _converges() -> tuple[Evidence, ...]:
     )
 
 
-def _program() -> tuple[Evidence, ...]:
+def _program() -> Steps:
     """Return what the program in binary64 does under the literal reading: contacts and chatter."""
     moving = forward_euler(load_scene("velocities-literal"), 1e-4)
     resting = forward_euler(load_scene("start-at-6mm-literal"), 1e-4)

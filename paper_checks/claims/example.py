@@ -4,21 +4,7 @@ import sympy as sp
 
 from paper_checks.claims.filippov import bracket_is_off_in_slip
 from paper_checks.claims.points import PULL, START_AT_6MM
-from paper_checks.decide import equal, exhibit, identity, prove, value_at
-from paper_checks.evidence import (
-    CORRECTED,
-    HOLDS,
-    Case,
-    Formula,
-    because,
-    carried,
-    claim,
-    clause,
-    correction,
-    counterexample,
-    equation,
-    latex,
-)
+from paper_checks.claims.words import *
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import stick_rate
 from theory.model import (

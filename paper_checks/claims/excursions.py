@@ -14,8 +14,7 @@ from numerics.scene import Pair
 from paper_checks.claims import capture
 from paper_checks.claims.capture import mirror_image
 from paper_checks.claims.convergence import merges_or_creeps
-from paper_checks.decide import identity, prove
-from paper_checks.evidence import Evidence, EvidenceKind, argument
+from paper_checks.claims.words import *
 from theory.energy import critical_energy
 from theory.excursion import angle, excursion, guard_of_u, h, h_limits, h_slope, half_angle_slope, half_tangent_form
 from theory.near_critical import cycle_limit, inverse_step, quadratic_coefficient, rate_constant
@@ -38,7 +37,7 @@ def vanishes(statement: str, expression: sp.Expr) -> Evidence:
 
 
 @cache
-def angle_of_excursion() -> tuple[Evidence, ...]:
+def angle_of_excursion() -> Steps:
     """The excursion ends at the one angle with h(theta) = u; h rises from 0 to infinity on (0, 2 pi)."""
     _, increment = half_angle_slope()
     at_zero, at_full_turn = h_limits()
@@ -72,7 +71,7 @@ def angle_of_excursion() -> tuple[Evidence, ...]:
 
 
 @cache
-def never_merges() -> tuple[Evidence, ...]:
+def never_merges() -> Steps:
     """From a ray with w <= q (pi/2 - 1)^2 an excursion ends inside S0 with 0 < w' < w, for every mass ratio."""
     cosine, fraction = sp.symbols("c q", real=True)
     before, after = return_map_residuals()
@@ -136,13 +135,12 @@ def enclosed_rate(share: Fraction, start: Fraction, count: int, tolerance: Fract
         ratio = tau * w * 9 * frame.r / (4 * arb.pi() * frame.q)
         near = abs(ratio - 1) < arithmetic.number(tolerance)
         text = str(ratio.mid().str(12, radius=False))
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
+    return enclosed(
         f"$m_1/M={share}$, $w_0={start}$: after {count} excursions $\\tau w$ over its limit is within {float(tolerance):.0%} of 1",
         bool(near),
-        count,
         text,
+        count,
+        engine="numerics, balls",
         supports=True,
     )
 

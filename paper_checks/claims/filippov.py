@@ -5,20 +5,7 @@ from functools import cache
 import sympy as sp
 
 from paper_checks.claims.letters import SIGN, field
-from paper_checks.decide import cleared, equal, identity, prove
-from paper_checks.evidence import (
-    CORRECTED,
-    HOLDS,
-    Case,
-    Evidence,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-    latex,
-)
+from paper_checks.claims.words import *
 from theory.energy import contraction_rate, contraction_terms, sigma, sigma_other
 from theory.filippov import derivative_along, half_width, load, load_threshold, phi, sliding_field, transversality
 from theory.model import (
@@ -176,7 +163,7 @@ def set_valued_sign(value: sp.Symbol, velocity: sp.Symbol) -> sp.Basic:
     )
 
 
-def same_solutions() -> tuple[Evidence, ...]:
+def same_solutions() -> Steps:
     """Return all steps of `ARGUMENT`."""
     return (
         slip_is_filippov(),
@@ -263,7 +250,7 @@ def vector_fields() -> Case:
 def filippov_equivalence() -> Case:
     """Compare the two systems off S, inside S0, and on the rest of S."""
     literal = undamped(free_system(sp.Integer(0)))
-    inside = sp.Lt(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
+    inside = signed(x1**2 - half_width() ** 2, "<")
     return because(
         r"""
         Read with the three-valued signum of eq. (1), which the text prefers, (5)–(7) has no solution through the
@@ -285,7 +272,7 @@ def filippov_equivalence() -> Case:
             prove(
                 r"nor can it leave $S$ there: $\Phi_+\cdot n_S<0<\Phi_-\cdot n_S$ where $|x_1|<L$",
                 [inside],
-                sp.And(*(sp.Lt(cleared(sign * transversality(sign)), 0, evaluate=False) for sign in (1, -1))),
+                sp.And(*(signed(sign * transversality(sign), "<") for sign in (1, -1))),
             ),
         ),
         carried("same-solutions", equivalent()),

@@ -4,8 +4,7 @@ import sympy as sp
 
 from paper_checks.claims import transfers
 from paper_checks.claims.points import EXAMPLE_PAIR
-from paper_checks.decide import equal, exhibit, identity
-from paper_checks.evidence import CORRECTED, Case, because, carried, claim, clause, correction, counterexample
+from paper_checks.claims.words import *
 from theory import forced
 from theory.energy import sigma
 from theory.forced import energy_rate as forced_energy_rate

@@ -7,8 +7,7 @@ import sympy as sp
 
 from paper_checks.claims.contraction import one_solution
 from paper_checks.claims.letters import S, either_sign
-from paper_checks.decide import cleared, equal, identity, prove
-from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory.forced import U_RATES
 from theory.model import slip
@@ -239,7 +238,7 @@ def forced_mode_rule() -> Case:
     """Both modes beside the motion that they share at a tie."""
     return because(
         """
-        The force that sticking needs decides. Where it is just the friction that there is, slip and stick agree to
+        The force that sticking needs decides between stick and slip, on the edge by its derivatives. Where it is just the friction that there is, slip and stick agree to
         second order, and the first derivative in which the force leaves their common motion decides.
         """,
         slip_rates(),
@@ -287,7 +286,7 @@ def forced_mode_rule() -> Case:
 def forced_no_zeno() -> Case:
     """The load beside the edge has one sign before a time of accumulation."""
     return because(
-        "What decides a tie for the time after it decides it for the time before it too: next to any instant the load keeps one side of each edge, so modes cannot alternate without end.",
+        "Where the force is analytic by pieces, modes cannot alternate without end: what decides a tie for the time after it decides it for the time before it too, so next to any instant the load keeps one side of each edge.",
         carried("deviation"),
         carried("finite-friction", finitely_many_events()),
     )

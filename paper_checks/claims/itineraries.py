@@ -13,9 +13,8 @@ from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.convergence import merges_or_creeps
 from paper_checks.claims.excursions import angle_of_excursion
-from paper_checks.decide import identity, prove
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, text
-from paper_checks.evidence import HOLDS, Case, Evidence, EvidenceKind, argument, because, carried, claim, clause
 from theory.excursion import (
     angle,
     excursion,
@@ -125,7 +124,7 @@ def relative_speed_bound(trajectory: Trajectory, after: Event) -> arb:
         return 2 * frame.sqrt_q * (u - u.atan()) * frame.speed
 
 
-def every_excursion() -> tuple[Evidence, ...]:
+def every_excursion() -> Steps:
     """Return the steps of `ARGUMENT` that hold for every pair with m2 <= m1."""
     return (
         excess_after(),
@@ -136,7 +135,7 @@ def every_excursion() -> tuple[Evidence, ...]:
     )
 
 
-def starts_below(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
+def starts_below(trajectory: Trajectory, name: str) -> Steps:
     """Return that a scene in balls meets the assumption at its first exit; `name` says which scene.
 
     Raises ValueError where m2 > m1, or the trajectory has no exit.
@@ -152,7 +151,7 @@ def starts_below(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
     )
 
 
-def never_merges(trajectory: Trajectory, name: str) -> tuple[Evidence, ...]:
+def never_merges(trajectory: Trajectory, name: str) -> Steps:
     """Return all steps of `ARGUMENT` for a scene in balls. Raises as `starts_below`."""
     return (*every_excursion(), *starts_below(trajectory, name))
 
@@ -192,13 +191,11 @@ def itinerary_that_merges(scene: Scene | None = None) -> Case:
         carried(
             "statement",
             itinerary("slip in $\\Omega_+$, then stick", trajectory, (PLUS, STICK)),
-            Evidence(
-                EvidenceKind.ENCLOSURE,
-                "numerics, balls",
+            enclosed(
                 "there is no later event: the stick phase never ends",
                 for_ever and len(trajectory.events) == 1,
-                1,
                 trajectory.message,
+                engine="numerics, balls",
             ),
             compare("after it, $w=E/E_{cr}-1<0$", trajectory.final.w, "<", exact(0)),
         ),
@@ -244,13 +241,12 @@ def itinerary_that_creeps(scene: Scene | None = None) -> Case:
                 trajectory,
                 (PLUS, MINUS, PLUS, STICK, MINUS, STICK, PLUS, STICK),
             ),
-            Evidence(
-                EvidenceKind.ENCLOSURE,
-                "numerics, balls",
+            enclosed(
                 "the events are crossing, crossing, entry, exit, entry, exit, entry",
                 kinds == (crossing, crossing, entry, leave, entry, leave, entry),
-                len(kinds),
                 ", ".join(kind.value for kind in kinds),
+                len(kinds),
+                engine="numerics, balls",
             ),
             compare("$A_1\\in S_+$: $X>1$", trajectory.events[0].reduced.X, ">", exact(1)),
             compare("$B_1\\in S_-$: $X<-1$", trajectory.events[1].reduced.X, "<", exact(-1)),

@@ -4,8 +4,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from paper_checks.decide import Decide, cleared, equal, equals, identity, shown
-from paper_checks.evidence import Evidence, Formula
+from paper_checks.claims.words import *
 from theory.energy import critical_energy
 from theory.excursion import h
 from theory.filippov import half_width
@@ -23,7 +22,7 @@ Conditions = Callable[[], list[sp.Basic]]
 
 
 def _beyond(side: int) -> Conditions:
-    return lambda: [sp.Gt(cleared(side * x1 - half_width()), 0, evaluate=False)]
+    return lambda: [signed(side * x1 - half_width(), ">")]
 
 
 BEYOND: dict[int, Conditions] = {1: _beyond(1), -1: _beyond(-1)}
@@ -32,7 +31,7 @@ BEYOND: dict[int, Conditions] = {1: _beyond(1), -1: _beyond(-1)}
 
 def WITHIN() -> list[sp.Basic]:
     """Return the conditions |x1| <= L of S_0."""
-    return [sp.Le(cleared(side * x1 - half_width()), 0, evaluate=False) for side in (1, -1)]
+    return [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
 
 
 def field(sign: int) -> sp.Matrix:
@@ -53,7 +52,7 @@ def either_sign(
     def decide(formula: Formula) -> Evidence:
         right = sp.sympify(formula.right)
         sides = [right.subs({one: value(s) for one, value in (where or {}).items()}).subs(S, s) for s in (1, -1)]
-        return identity(f"{shown(formula)}, as derived", sp.Matrix([derived(1), derived(-1)]), sp.Matrix(sides))
+        return identity(f"${formula.latex}$, as derived", sp.Matrix([derived(1), derived(-1)]), sp.Matrix(sides))
 
     return decide
 

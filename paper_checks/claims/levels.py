@@ -4,8 +4,7 @@ import sympy as sp
 
 from paper_checks.claims import capture
 from paper_checks.claims.sliding import beyond, product, within
-from paper_checks.decide import cleared, equal, identity, prove
-from paper_checks.evidence import HOLDS, Case, argument, because, carried, claim, clause, latex
+from paper_checks.claims.words import *
 from theory.energy import critical_energy, edge_speed_squared, level_semi_axis, on_surface, semi_axis_margin, stick_rate
 from theory.filippov import edge_contact, half_width, sliding_field
 from theory.symbols import E0, a2, b, m1, m2, undamped, v1, x1
@@ -23,11 +22,11 @@ LEVEL = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)
         r"For $E_0\leqslant E_{cr}$, «level», the intersection $\{E=E_0\}\cap S_0$ is a closed elliptic trajectory;",
         level=equal("E_{cr}", LEVEL, critical_energy),
     ),
-    clause("open", r"for $E_0>E_{cr}$ it is not.", kernel="ellipse-iff"),
+    clause("above", r"for $E_0>E_{cr}$ it is not.", kernel="ellipse-iff"),
 )
 def critical_energy_claim() -> Case:
     """Prove the condition and its converse."""
-    above = sp.Gt(cleared(E0 - critical_energy()), 0, evaluate=False)
+    above = signed(E0 - critical_energy(), ">")
     return because(
         r"""
         The ellipse $\{E=E_0\}\cap S$ has the semi-axis $\sqrt{2E_0/a}$ along $x_1$; it lies in $S_0$ exactly if that
@@ -42,11 +41,11 @@ def critical_energy_claim() -> Case:
         ),
         capture.stick_is_a_motion(),
         carried(
-            "open",
+            "above",
             prove(
                 "conversely $E_0>E_{cr}$ puts the end of the semi-axis beyond $L$",
                 [above],
-                sp.Gt(cleared(level_semi_axis() ** 2 - half_width() ** 2), 0, evaluate=False),
+                signed(level_semi_axis() ** 2 - half_width() ** 2, ">"),
             ),
         ),
         identity(
@@ -83,7 +82,7 @@ def critical_energy_claim() -> Case:
 def supercritical_arcs() -> Case:
     """Two arcs, each left by its ray into the half-space that the paper names."""
     contact = edge_contact(1)
-    above = sp.Gt(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+    above = signed(on_surface() - critical_energy(), ">")
     return because(
         r"""
         Above $E_{cr}$ no point of the level in $S_0$ has $v_1=0$, so it falls into an arc with $v_1>0$, which runs to
@@ -108,7 +107,7 @@ def supercritical_arcs() -> Case:
         prove(
             "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
             [sp.Gt(v1, 0)],
-            sp.Lt(cleared(contact.second), 0, evaluate=False),
+            signed(contact.second, "<"),
         ),
         prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], sp.Lt(product(1), 0, evaluate=False)),
         capture.mirror_image(),

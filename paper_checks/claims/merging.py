@@ -7,7 +7,6 @@ import sympy as sp
 from flint import arb
 
 from paper_checks.claims.critical_ratio import (
-    ENGINE,
     depth,
     half_angle,
     rise,
@@ -16,10 +15,10 @@ from paper_checks.claims.critical_ratio import (
 from paper_checks.claims.excursions import vanishes
 from paper_checks.claims.letters import C, H, R, in_angle
 from paper_checks.claims.slips import depth_grows
-from paper_checks.decide import kernel, prove
+from paper_checks.claims.words import *
+from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision, shown
 from paper_checks.decide.roots import enclosed_root
-from paper_checks.evidence import Case, Evidence, EvidenceKind, argument, because, carried, clause, theorem
 from theory.excursion import angle
 from theory.merging import half_angle_form, ratio, ray_excess, share
 from theory.return_map import return_map_of_angle
@@ -30,7 +29,7 @@ DIGITS = 30
 
 
 @cache
-def sign_of_excess() -> tuple[Evidence, ...]:
+def sign_of_excess() -> Steps:
     """w' on the ray has the sign of R^2 - r; where it is not positive the pair is on S0."""
     position, velocity = sp.symbols("X V", real=True)
     deep = 2 * (1 - angle * sp.cos(angle) / sp.sin(angle))
@@ -48,7 +47,7 @@ def sign_of_excess() -> tuple[Evidence, ...]:
 
 
 @cache
-def never_from_below() -> tuple[Evidence, ...]:
+def never_from_below() -> Steps:
     """Below the window 0 < y' < y: the same holds again after every excursion."""
     rise_value, deep, y_a = sp.symbols("h c y_a", positive=True)
     return (
@@ -90,16 +89,14 @@ def windows() -> Evidence:
             straddled = straddled and bool(low < 2 * half_angle() and high > 2 * half_angle())
             levels = ", ".join(shown(rise(theta) ** 2, 25) for theta in (low, high))
             texts.append(f"r = {one}: w/q from and to {levels}")
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        ENGINE,
+    return enclosed(
         r"""
         $\theta_a<\theta^*<\theta_b$ and the interval of $w/q$ that merges at the first re-entry, for some shares $r$
         and in the limit $r=1$ ($m_1/m_2\to 0$)
         """,
         straddled,
-        len(SHARES),
         "; ".join(texts),
+        len(SHARES),
     )
 
 

@@ -13,21 +13,7 @@ from paper_checks.claims.filippov import (
 )
 from paper_checks.claims.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.claims.signum import agree, none_under_control, under_a_force
-from paper_checks.decide import equal, exhibit, identity, value_at
-from paper_checks.evidence import (
-    CORRECTED,
-    Case,
-    Evidence,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    correction,
-    counterexample,
-    equation,
-    latex,
-)
+from paper_checks.claims.words import *
 from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, branches, driven_equation, driving_equation
 from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, u, v1, x1
 
@@ -48,7 +34,7 @@ def _factor(sign: int) -> sp.Expr:
 SPURIOUS = ("half adhesion", "broken adhesion")
 
 
-def leaves_the_surface() -> tuple[Evidence, ...]:
+def leaves_the_surface() -> Steps:
     """Return the steps that let the spurious branches last no time in the free system."""
     return (*(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave(), edge_is_isolated())
 

@@ -20,22 +20,8 @@ from paper_checks.claims.excursions import (
 )
 from paper_checks.claims.letters import limit_of_energy
 from paper_checks.claims.sliding import width
-from paper_checks.decide import equals, identity, prove
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import solved, within
-from paper_checks.evidence import (
-    CORRECTED,
-    HOLDS,
-    Case,
-    Formula,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    correction,
-    counterexample,
-    latex,
-)
 from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, rate_constant
 from theory.symbols import a2, b, epsilon, m1, m2
 

@@ -8,21 +8,8 @@ from paper_checks.claims import energy as dissipation
 from paper_checks.claims.capture import leaves_above_critical
 from paper_checks.claims.filippov import bracket_is_off_in_slip, stick_region
 from paper_checks.claims.points import EXAMPLE_PAIR, INSIDE, PULL, START_AT_6MM, scene_at
-from paper_checks.decide import cleared, condition, equal, exhibit, fails_at, identity, prove, value_at
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import (
-    CORRECTED,
-    REFUTED,
-    Case,
-    Evidence,
-    Formula,
-    because,
-    claim,
-    clause,
-    correction,
-    counterexample,
-    equation,
-)
 from theory.closed_forms import Regime, rate, rates, residual, solution
 from theory.energy import critical_energy, edge_speed_squared, energy, on_surface, slip_rate, stick_rate
 from theory.filippov import derivative_along, edge_contact, half_width
@@ -42,7 +29,7 @@ TOGETHER = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.03"), v2: sp.Rational("0.0
 
 def subcritical_level() -> sp.Basic:
     """Return E <= E_cr on S (a1 = 0), cleared of its denominator."""
-    return sp.Le(cleared(on_surface() - critical_energy()), 0, evaluate=False)
+    return signed(on_surface() - critical_energy(), "<=")
 
 
 @claim(
@@ -114,7 +101,7 @@ def example_stiction_never_violated() -> Case:
             prove(
                 "with $a_1=u=0$ and $\\dot z=0$, $E\\leqslant E_{cr}$ implies $|\\ddot x_1|\\leqslant b/m_2$",
                 [subcritical_level()],
-                sp.Le(cleared(undamped(stuck) ** 2 - (b / m2) ** 2), 0, evaluate=False),
+                signed(undamped(stuck) ** 2 - (b / m2) ** 2, "<="),
             ),
             stick_region(),
             bracket_is_off_in_slip(),
@@ -128,31 +115,31 @@ def example_stiction_never_violated() -> Case:
     )
 
 
-def stays_together() -> tuple[Evidence, ...]:
+def stays_together() -> Steps:
     """With v1 = v2 and E <= E_cr the pair sticks for ever (a1 = 0)."""
-    inside = sp.Le(cleared(x1**2 - half_width() ** 2), 0, evaluate=False)
+    inside = signed(x1**2 - half_width() ** 2, "<=")
     return (
         prove("with $\\dot z=0$, $E\\leqslant E_{cr}$ implies $|x_1|\\leqslant L$", [subcritical_level()], inside),
         identity("stick conserves $E$", undamped(stick_rate())),
     )
 
 
-def comes_apart() -> tuple[Evidence, ...]:
+def comes_apart() -> Steps:
     """With v1 = v2 and E > E_cr relative motion sets in: on the level the edge is reached, with a speed."""
-    above = sp.Gt(cleared(E0 - critical_energy()), 0, evaluate=False)
+    above = signed(E0 - critical_energy(), ">")
     contact = edge_contact(1)
     return (
         prove(
             "with $E_0>E_{cr}$ the speed on the edge $|x_1|=L$ is not 0: $v_1^2>0$",
             [above],
-            sp.Gt(cleared(edge_speed_squared()), 0, evaluate=False),
+            signed(edge_speed_squared(), ">"),
         ),
         identity("on the ray $\\ell_+$ the relative velocity of slip starts with a double root", contact.first),
         *leaves_above_critical(),
         prove(
             "and with $\\ddot{(v_1-v_2)}<0$: the pair slips at once",
             [sp.Gt(v1, 0)],
-            sp.Lt(cleared(contact.second), 0, evaluate=False),
+            signed(contact.second, "<"),
         ),
     )
 

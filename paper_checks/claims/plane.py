@@ -4,8 +4,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.decide import equal, exhibit, identity
-from paper_checks.evidence import CORRECTED, Case, Evidence, argument, because, carried, claim, clause, counterexample
+from paper_checks.claims.words import *
 from theory import plane
 from theory.plane import FIRST, OTHER, SECOND, SHARE, SHARE_OTHER, SLIP
 from theory.symbols import a1, b
@@ -139,10 +138,10 @@ def motions_on_a_surface() -> Case:
     """What of (2)-(4) carries over to two translations, and in which form."""
     return because(
         r"""
-        By components friction would depend on the axes. A signum for each component is friction that is $\sqrt2$
-        times as strong along the diagonal as along an axis. Friction in the direction of the slip has no such axes,
-        and with it energy falls, a start has one motion, and two motions never move apart, as on a line. The paper
-        itself asks for care with the coupling terms.
+        By components friction would depend on the axes; in the direction of the slip it does not, and with it energy
+        falls, a start has one motion, and two motions never move apart, as on a line. A signum for each component is
+        friction that is $\sqrt2$ times as strong along the diagonal as along an axis. The paper itself asks for care
+        with the coupling terms.
         """,
         counterexample(
             r"""

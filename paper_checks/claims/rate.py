@@ -15,8 +15,7 @@ from paper_checks.claims.critical_ratio import one_turning_point, threshold
 from paper_checks.claims.excursions import angle_of_excursion, vanishes
 from paper_checks.claims.letters import R, limit_of_energy, of_share
 from paper_checks.claims.slips import depth_grows, landings, rise_is_convex
-from paper_checks.decide import equal, identity, prove
-from paper_checks.evidence import Case, Evidence, EvidenceKind, because, clause, theorem
+from paper_checks.claims.words import *
 from theory.excursion import excursion, h, half_tangent_form
 from theory.near_critical import stick_rotation
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
@@ -36,7 +35,7 @@ def depth_over_excess() -> Evidence:
 
 
 @cache
-def one_step() -> tuple[Evidence, ...]:
+def one_step() -> Steps:
     """a' y^2 <= y - y' <= a y^2, and what that makes of 1/y."""
     before, after, low, high, part = sp.symbols("y z a' a kappa", positive=True)
     given = [sp.Lt(after, before), sp.Ge(before - after, low * before**2), sp.Le(before - after, high * before**2)]
@@ -60,7 +59,7 @@ def one_step() -> tuple[Evidence, ...]:
 
 
 @cache
-def one_cycle() -> tuple[Evidence, ...]:
+def one_cycle() -> Steps:
     """Slip and stick last between T_- and T_+."""
     one = excursion()
     landed = -one.velocity / one.position
@@ -104,13 +103,12 @@ def bounded_run(share: Fraction, start: Fraction, count: int) -> Evidence:
             good = good and bool(one.w_after > lower(tau + one.slip) and one.w_after < upper(tau + one.slip))
             tau = tau + one.slip + one.stick
         text = f"at the last exit {lower(tau).str(6)} <= w <= {upper(tau).str(6)}"
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
+    return enclosed(
         f"$q={share}$, $\\theta_0={start}$: a run of {count} excursions lies between both bounds",
         good,
-        2 * count,
         text,
+        2 * count,
+        engine="numerics, balls",
         supports=True,
     )
 

@@ -20,7 +20,7 @@ ORDER = 20
 
 
 ARCS = 64
-NEAR, WIDE, LONG = 200, 64, 64
+NEAR, WIDE, LONG = 200, 32, 48
 """Boxes of p near 0, and of p and of the angle beyond."""
 
 
@@ -196,7 +196,7 @@ TARGETS: dict[Quotient, tuple[Fraction, Fraction]] = {
 @cache
 def ranges() -> tuple[tuple[arb, arb], tuple[arb, arb]]:
     """Return bounds of the quotients of map (times pi) and time for all slip angles up to pi/2 and all mass ratios."""
-    with precision(25):
+    with precision(5):
         maps, times = (list(_values(quotient)) for quotient in (of_map, of_time))
         return _hull([arb.pi() * value for value in maps]), _hull(times)
 

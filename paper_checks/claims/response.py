@@ -7,8 +7,7 @@ import sympy as sp
 from paper_checks.claims import jumping_force
 from paper_checks.claims.contraction import energy_rate, force_cancels, never_apart, one_solution
 from paper_checks.claims.forced_modes import strict_rule, tie_rule
-from paper_checks.decide import equal, equals, identity, sharp
-from paper_checks.evidence import Case, Evidence, Formula, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_response as response
 from theory import jumping_force as jumping
@@ -233,7 +232,7 @@ def forced_periodic_response() -> Case:
     """One response, what moves body 2 on, and when the same holds without a damper."""
     return because(
         """
-        With a damper a periodic force has one response. Without one, a single exit from stick has the same effect if
+        With a damper a periodic force has one response, and every motion tends to it. Without one, a single exit from stick has the same effect if
         the slip after it has the right length and the force does not jump at that exit. With a jump there whole
         families of periodic motions may lie beside one another.
         """,
@@ -271,7 +270,7 @@ def forced_periodic_response() -> Case:
 def forced_resonance_bound() -> Case:
     """What friction can take out of a resonant oscillation at most."""
     return because(
-        r"Friction of size $b$ takes at most the mean of $b|\cos|$ out of an oscillation: a force with more than that at resonance is stronger than the interface.",
+        r"Without a damper a resonant force makes every motion grow, if it is stronger than what the interface takes: friction of size $b$ takes at most the mean of $b|\cos|$ out of an oscillation.",
         carried("rate"),
         carried("grows", grows()),
         carried("bounded", stays_bounded()),

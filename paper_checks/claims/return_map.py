@@ -9,9 +9,8 @@ from flint import acb, arb, fmpq, fmpq_series
 
 from paper_checks.claims.letters import C, H, R, in_angle, of_share
 from paper_checks.claims.slips import depth_grows, landings, rise_is_convex
-from paper_checks.decide import equal, identity
+from paper_checks.claims.words import *
 from paper_checks.decide.balls import point, precision, terms
-from paper_checks.evidence import Case, Evidence, EvidenceKind, because, clause, form, latex, stating, theorem
 from theory.near_critical import cycle
 from theory.return_map import depth_series, return_map_of_angle, return_map_series, scaled_excess
 from theory.symbols import epsilon, q, r, w
@@ -30,7 +29,7 @@ def printed_depth_coefficients() -> tuple[sp.Rational, ...]:
 
 
 @cache
-def coefficients() -> tuple[Evidence, ...]:
+def coefficients() -> Steps:
     """c(y) and y'(y) with exact coefficients."""
     found = depth_series(ORDER - 1)
     polynomial = sp.expand(return_map_series(ORDER))
@@ -63,7 +62,7 @@ def lost_coefficients() -> tuple[sp.Rational, ...]:
 
 
 @cache
-def remainder() -> tuple[Evidence, ...]:
+def remainder() -> Steps:
     """Bound c^2 less its Taylor polynomial on the rim |theta| = RADIUS; by Schwarz's lemma then inside."""
     with precision(20):
         lost = [arb(fmpq(int(c.p), int(c.q))) for c in lost_coefficients()]
@@ -84,14 +83,12 @@ def remainder() -> tuple[Evidence, ...]:
             r"$c^2-P_8(y)$ has a zero of order $18$ at $\theta=0$: its coefficients, in exact series of $\theta$, vanish",
             sp.Matrix(defect_in_angle()),
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            "python-flint",
+        enclosed(
             f"$|c^2-P_8(y)|<\\tfrac{{1}}{{3}}$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
             f"${2 * ORDER + 2}$ in $\\theta$ and $\\theta\\leqslant 3h$ ($h$ convex), so $|y'-P(y)|\\leqslant\\tfrac{{r}}{{3}}\\,(9y/4)^9$ for $y\\leqslant 4/9$",
             small,
-            ARCS,
             f"{text}; {printed}",
+            ARCS,
         ),
     )
 

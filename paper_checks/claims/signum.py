@@ -11,22 +11,8 @@ from paper_checks.claims.contraction import one_solution, same_modes
 from paper_checks.claims.filippov import spurious_branch, spurious_branches_leave
 from paper_checks.claims.points import EXAMPLE_PAIR, INSIDE, START_AT_6MM
 from paper_checks.claims.transfers import stuck_force
-from paper_checks.decide import equal, exhibit, identity, prove, value_at
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, text
-from paper_checks.evidence import (
-    CORRECTED,
-    Case,
-    Clause,
-    Evidence,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-    equation,
-    latex,
-)
 from theory import forced
 from theory import forced_control as control
 from theory.closed_forms import Regime, residual, solution
@@ -111,9 +97,8 @@ def under_a_force() -> tuple[Clause, ...]:
     )
 
 
-# The control under which eq. (4) stays at its equality: the path of stick with the acceleration b/m2 from rest.
+# Where the control that holds eq. (4) at its equality takes body 1: the path of stick with the acceleration b/m2 from rest.
 PATH = EXAMPLE_PAIR[b] * t**2 / (2 * EXAMPLE_PAIR[m2])
-CONTROL = held_at_the_limit()
 CONTRADICTION = r"""
 No solution with $u=1+50t^2$: for a short time $\dot z<0$ is impossible, as $\ddot z>0$ there. While $\dot z\geqslant
 0$, $x_1=t^2/4$ (a linear equation with zero data for the difference). Then $\dot z$ cannot grow, as $\ddot z=0$ where
@@ -136,7 +121,7 @@ def no_solution_inside() -> Evidence:
     )
 
 
-def two_solutions() -> tuple[Evidence, ...]:
+def two_solutions() -> Steps:
     """(11), (12) from the start of Fig. 4 (a): a stick and a slip, both by substitution."""
     slipping = solved(load_scene("start-at-6mm"))
     stuck, loose = (solution(mode, Regime.UNDAMPED) for mode in ("stick", "slip-"))
@@ -154,15 +139,15 @@ def two_solutions() -> tuple[Evidence, ...]:
 
 
 def controlled(name: str, offset: sp.Expr) -> sp.Expr:
-    """Return z'' of a branch under `CONTROL` at x1 = path + offset, v1 = velocity of the path (m/s^2)."""
+    """Return z'' of a branch under that control at x1 = path + offset, v1 = velocity of the path (m/s^2)."""
     found = branch_named(name)
-    place = {**EXAMPLE_PAIR, u: CONTROL, x1: PATH + offset, v1: sp.diff(PATH, t)}
+    place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH + offset, v1: sp.diff(PATH, t)}
     return sp.expand((found.acceleration1 - found.acceleration2).subs(place))
 
 
-def no_solution_under_control() -> tuple[Evidence, ...]:
+def no_solution_under_control() -> Steps:
     """(3), (4) with a control: each branch contradicts itself."""
-    place = {**EXAMPLE_PAIR, u: CONTROL, x1: PATH, v1: sp.diff(PATH, t)}
+    place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH, v1: sp.diff(PATH, t)}
     offset = sp.Symbol("delta", real=True)
     return (
         identity(

@@ -4,21 +4,7 @@ import sympy as sp
 
 from paper_checks.claims import capture
 from paper_checks.claims.letters import BEYOND, WITHIN, guard_rate
-from paper_checks.decide import cleared, equal, identity, implied, prove
-from paper_checks.evidence import (
-    CORRECTED,
-    HOLDS,
-    Case,
-    Evidence,
-    Formula,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-    latex,
-)
+from paper_checks.claims.words import *
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import energy, stick_rate
 from theory.filippov import STATE, edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
@@ -50,7 +36,7 @@ def beyond(side: int, *, strict: bool = True) -> sp.Basic:
 
 def within() -> list[sp.Basic]:
     """Return the conditions |x1| <= L of S0, cleared of their denominators."""
-    return [sp.Le(cleared(side * x1 - half_width()), 0, evaluate=False) for side in (1, -1)]
+    return [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
 
 
 def product(sign: int) -> sp.Expr:
@@ -160,7 +146,7 @@ def transversality_strip() -> Case:
 def sliding_region() -> Case:
     """Filippov's weight lies in [0, 1] exactly on S0, and the sliding field conserves energy."""
     weight = sliding_weight()
-    inside = sp.Ge(cleared(weight * (1 - weight)), 0, evaluate=False)
+    inside = signed(weight * (1 - weight), ">=")
     return because(
         """
         A convex combination of both fields is tangent to $S$ exactly on $S_0$. It is unique, as the two products
@@ -244,7 +230,7 @@ def return_alternatives() -> Case:
     turns = prove(
         "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
         [sp.Gt(v1, 0)],
-        sp.Lt(cleared(contact.second), 0, evaluate=False),
+        signed(contact.second, "<"),
     )
     slips = identity(
         "the slip with $\\dot z<0$ solves (3), (4), before and after",
@@ -297,7 +283,7 @@ def return_alternatives() -> Case:
             prove(
                 "on $\\ell_-$ the second derivative of $v_1-v_2$ along $\\Phi_+$ is positive",
                 [sp.Lt(v1, 0)],
-                sp.Gt(cleared(edge_contact(-1).second), 0, evaluate=False),
+                signed(edge_contact(-1).second, ">"),
             ),
         ),
         derivation=_products(),

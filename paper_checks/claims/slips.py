@@ -13,10 +13,9 @@ from numerics.free.frame import Frame
 from numerics.scene import Pair
 from paper_checks.claims.excursions import angle_of_excursion, vanishes
 from paper_checks.claims.letters import C, H, R, in_angle
-from paper_checks.decide import decimal, equal, identity, prove
+from paper_checks.claims.words import *
 from paper_checks.decide.balls import precision, shown
 from paper_checks.decide.roots import enclosed_root
-from paper_checks.evidence import Case, Evidence, EvidenceKind, Formula, because, clause, form, stating, theorem
 from theory.excursion import guard_factors, h, half_tangent_form
 from theory.return_map import (
     contact_condition,
@@ -36,8 +35,6 @@ from theory.return_map import (
 from theory.scaling import to_si
 from theory.symbols import m1, m2, q, r, theta
 
-ENGINE = "python-flint"
-
 
 @cache
 def contact() -> Evidence:
@@ -56,7 +53,7 @@ def contact() -> Evidence:
 
 
 @cache
-def one_contact() -> tuple[Evidence, ...]:
+def one_contact() -> Steps:
     """The last factor rises from below zero to infinity."""
     push_slope, gap_slope = contact_slope()
     at_zero = sp.limit(contact_condition().subs(gap, 1), theta, 0, "+")
@@ -82,7 +79,7 @@ def one_contact() -> tuple[Evidence, ...]:
 
 
 @cache
-def landings() -> tuple[Evidence, ...]:
+def landings() -> Steps:
     """Where a slip ends, from the solution of the slip's differential equation."""
     claimed, (before, after) = landing(), return_map_of_angle()
     names = ("d' = -(d+c)", "u' = u-\\theta", "w'-w = -q\\,r\\,c\\,(c+2d)")
@@ -105,7 +102,7 @@ def cusa_huygens() -> sp.Expr:
 
 
 @cache
-def rise_is_convex() -> tuple[Evidence, ...]:
+def rise_is_convex() -> Steps:
     """h'' > 0 by the inequality of Cusa and Huygens, itself proved here."""
     slope = 4 * sp.sin(theta / 2) * (sp.sin(theta / 2) - theta / 2 * sp.cos(theta / 2))
     difference = (sp.diff(cusa_huygens(), theta) - slope).subs(theta, 2 * theta)
@@ -126,7 +123,7 @@ def rise_is_convex() -> tuple[Evidence, ...]:
 
 
 @cache
-def depth_grows() -> tuple[Evidence, ...]:
+def depth_grows() -> Steps:
     """c' = h > 0 from 0 to infinity; c is concave in y = h^2."""
     limits = sp.limit(depth(), theta, 0, "+"), sp.limit(depth(), theta, 2 * sp.pi, "-")
     slope = half_tangent_form(sp.diff(in_trigonometry(depth()), theta) / sp.diff(h() ** 2, theta))
@@ -153,7 +150,7 @@ def turning_angle() -> arb:
 
 
 @cache
-def turns_back() -> tuple[Evidence, ...]:
+def turns_back() -> Steps:
     """V' = sqrt(q)(h - theta) changes its sign once, at theta_v."""
     velocity = sp.sin(theta) - theta * sp.cos(theta)
     with precision():
@@ -173,27 +170,17 @@ def turns_back() -> tuple[Evidence, ...]:
             [sp.diff(velocity, theta), velocity.subs(theta, 0), velocity.subs(theta, 2 * sp.pi)],
             [theta * sp.sin(theta), 0, -2 * sp.pi],
         ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            ENGINE,
-            r"$\theta_v\in(\pi,3\pi/2)$",
-            bool(inside),
-            1,
-            f"theta_v = {shown(root)}",
-        ),
-        Evidence(
-            EvidenceKind.ENCLOSURE,
-            ENGINE,
+        enclosed(r"$\theta_v\in(\pi,3\pi/2)$", bool(inside), f"theta_v = {shown(root)}"),
+        enclosed(
             r"$c(\theta_v)=1+\sqrt{1+\theta_v^2}$, so $\theta_v<\theta_c(q)$, $c(\theta_c)=2/q$, exactly for $q<2/(1+\sqrt{1+\theta_v^2})$",
             bool(share > 0 and share < 1),
-            1,
             f"q_v = 2/(1 + sqrt(1 + theta_v**2)) = {shown(share)}",
         ),
     )
 
 
 @cache
-def stays_or_crosses() -> tuple[Evidence, ...]:
+def stays_or_crosses() -> Steps:
     """X' = 1 - q c meets -1 at one angle beyond pi; inside S0 above E_cr the velocity keeps its sign."""
     position, velocity = sp.symbols("X V", real=True)
     return (
@@ -234,13 +221,11 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
     with arithmetic.context():
         frame = Frame(arithmetic, Pair(m1=share, m2=1 - share, a2=1, b=1))
         sides = [one.side for one in islice(excursions(frame, arithmetic.number(excess)), 2)]
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "numerics, balls",
+    return enclosed(
         f"solved with $q={share}$ from a ray with $w={excess}$: the next exit is by the {'same' if same else 'opposite'} ray",
         len(sides) == 2 and (sides[0] == sides[1]) is same,
-        1,
         f"sides {sides}",
+        engine="numerics, balls",
         supports=True,
     )
 
@@ -344,7 +329,7 @@ def excursion_monotone() -> Case:
     """h rises and is convex, c rises and is concave in h^2."""
     return because(
         r"""
-        $h$ rises and is convex; speed, duration, depth and loss of an excursion grow together. $h'$ is
+        Speed, duration, depth and loss of an excursion grow together: $h$ rises and is convex. $h'$ is
         $(\sin\varphi-\varphi\cos\varphi)/\sin^3\varphi$ with $\varphi=\theta/2$, whose numerator grows from $0$;
         $h''>0$ is the inequality of Cusa and Huygens; $c'=h$. The exit speed is $\sqrt q\,h$, the duration $\sqrt
         q\,\theta$, the depth $q\,c$ and the excess lost $q\,r\,c^2$ (units of the reduced coordinates): each

@@ -27,22 +27,9 @@ from paper_checks.claims.points import START_AT_6MM
 from paper_checks.claims.signum import two_solutions
 from paper_checks.claims.sliding import width
 from paper_checks.claims.tolerance import sticks_for_ever_below
-from paper_checks.decide import decimal, equal, exhibit, identity, value_at
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, rounded, solved, stuck_for_ever, within
 from paper_checks.decide.exhibit import Point
-from paper_checks.evidence import (
-    CORRECTED,
-    REFUTED,
-    Case,
-    Evidence,
-    Formula,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-)
 from theory.closed_forms import Regime, rate, solution
 from theory.energy import critical_energy, energy
 from theory.filippov import half_width, transversality
@@ -170,7 +157,7 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
     )
 
 
-def _from_rest(scene: Scene) -> tuple[Evidence, ...]:
+def _from_rest(scene: Scene) -> Steps:
     """Return that from rest the pair sticks for ever exactly if |x1(0)| <= L, and both sides of that edge in balls."""
     needed = m2 * undamped(free(stick().acceleration1))
     edge = scene.pair.half_width

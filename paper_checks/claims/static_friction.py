@@ -2,8 +2,7 @@
 
 from functools import cache
 
-from paper_checks.decide import identity
-from paper_checks.evidence import Case, Evidence, because, clause, theorem
+from paper_checks.claims.words import *
 from theory.forced import load
 from theory.model import slip
 from theory.symbols import b, m1, m2
@@ -52,7 +51,7 @@ def begins_fast() -> Evidence:
 def static_friction_stops_creeping() -> Case:
     """Every slip begins with more than friction takes, and so costs a fixed energy."""
     return because(
-        "A stick that is kept up to $b_s$ ends with a load that exceeds kinetic friction by $b_s-b_k$, and the load changes at a bounded rate: the slip that follows cannot be short, nor cheap. Without the jump slips may cost as little as one likes, which is how the free pair creeps.",
+        "With static friction above kinetic the free pair sticks for ever from a finite time on, if sticks are kept. A stick that is kept up to $b_s$ ends with a load that exceeds kinetic friction by $b_s-b_k$, and the load changes at a bounded rate: the slip that follows cannot be short, nor cheap. Without the jump slips may cost as little as one likes, which is how the free pair creeps.",
         begins_fast(),
         figure="static-friction",
     )

@@ -6,21 +6,8 @@ from numerics.linear.modes import Mode
 from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims import contraction, forced_modes, response, signum, stuck, tolerance, transfers
 from paper_checks.claims.letters import S, either_sign
-from paper_checks.decide import equal, exhibit, identity
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, rounded, solved
-from paper_checks.evidence import (
-    CORRECTED,
-    HOLDS,
-    Case,
-    Evidence,
-    Formula,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-)
 from theory import forced
 from theory.energy import energy, sigma, sigma_other
 from theory.model import stick
@@ -96,7 +83,7 @@ def is_the_response() -> Evidence:
     )
 
 
-def off_the_place() -> tuple[Evidence, ...]:
+def off_the_place() -> Steps:
     """The pair solved in balls: at the end velocities agree with the reference, body 2 is away from it."""
     run = solved(SINE)
     end, time = run.sol(SINE.until), sp.Rational(SINE.until)

@@ -6,8 +6,7 @@ import sympy as sp
 
 from paper_checks.claims.forced_modes import strict_rule
 from paper_checks.claims.response import one_response
-from paper_checks.decide import identity
-from paper_checks.evidence import Evidence, argument
+from paper_checks.claims.words import *
 from theory import forced_response as response
 from theory.forced_response import amplitude, multiple, omega
 from theory.model import stick

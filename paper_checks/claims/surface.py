@@ -4,8 +4,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.decide import identity
-from paper_checks.evidence import Case, Evidence, argument, because, carried, clause, theorem
+from paper_checks.claims.words import *
 from theory.energy import critical_energy
 from theory.filippov import half_width
 from theory.forced_response import omega
@@ -63,7 +62,7 @@ def load_and_place() -> Evidence:
 def stuck_ellipses() -> Case:
     """The load turns with the place."""
     return because(
-        "Stuck, the load is in proportion to the place, so the pair sticks for ever exactly if its ellipse fits into the disc of the radius $L$. An ellipse of given energy fits the better the rounder it is.",
+        "On a surface a stuck pair sticks for ever exactly if its ellipse fits into the disc of the radius $L$: stuck, the load is in proportion to the place. An ellipse of given energy fits the better the rounder it is.",
         carried("load", load_and_place()),
         figure="stuck-ellipses",
     )
@@ -120,7 +119,7 @@ def one_quadratic() -> Evidence:
 def rotating_force() -> Case:
     """A force that goes round meets a friction that goes round with it."""
     return because(
-        "In axes that turn with the force the motion rests, and its equations are one quadratic for the speed of slip. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$.",
+        "Under a force that goes round a motion that goes round with it sticks up to one threshold and slips at one speed above it: in axes that turn with the force it rests, and its equations are one quadratic for that speed. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$.",
         one_quadratic(),
         figure="rotating-force",
     )

@@ -11,22 +11,8 @@ from paper_checks.claims.convergence import contact_again
 from paper_checks.claims.excursions import creeps_for_ever
 from paper_checks.claims.points import EXAMPLE_PAIR, INSIDE, scene_at
 from paper_checks.claims.tolerance import sticks_for_ever_below
-from paper_checks.decide import equal, exhibit, identity
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
-from paper_checks.evidence import (
-    CORRECTED,
-    HOLDS,
-    Case,
-    Evidence,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-    equation,
-    latex,
-)
 from theory.energy import captive_energy, critical_energy, on_surface, slip_rate, stick_rate
 from theory.filippov import surface
 from theory.symbols import a1, a2, b, m1, m2, undamped, v1
@@ -154,7 +140,7 @@ def finite_time_then_alternation() -> Case:
 DAMPED = {**EXAMPLE_PAIR, a1: 5, b: sp.Rational("0.05"), v1: sp.Rational("0.15")}
 
 
-def merges_with_a_damper() -> tuple[Evidence, ...]:
+def merges_with_a_damper() -> Steps:
     """Fig. 5 (a) with a damper: the last entry, below the captive level, at an enclosed time."""
     trajectory = solved(scene_at(DAMPED, "8"))
     last, level = trajectory.events[-1], exact(captive_energy().subs(DAMPED))

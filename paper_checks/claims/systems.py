@@ -1,7 +1,7 @@
 """One theorem for friction in any number of directions: the pair under a force, chains, a surface."""
 
 from paper_checks.claims import filippov
-from paper_checks.evidence import Case, because, clause, theorem
+from paper_checks.claims.words import *
 
 
 @theorem(
@@ -57,7 +57,7 @@ from paper_checks.evidence import Case, because, clause, theorem
 def friction_in_any_direction() -> Case:
     """Friction is a subgradient, and what is left is monotone."""
     return because(
-        "The power of the difference of two frictions on the difference of two slips is never negative, as both are subgradients of one function; nor is that of dampers and springs. Where friction only brakes, the energy pays for the path of the slip. The pair itself shows it in one line.",
+        "With a friction that is a subgradient two motions under one force never part, in any number of directions. The power of the difference of two frictions on the difference of two slips is never negative, as both are subgradients of one function; nor is that of dampers and springs. Where friction only brakes, the energy pays for the path of the slip. The pair itself shows it in one line.",
         filippov.contraction(),
         figure="two-motions",
     )

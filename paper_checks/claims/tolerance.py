@@ -10,20 +10,7 @@ from paper_checks.claims.forced_modes import strict_rule
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.points import INSIDE
 from paper_checks.claims.response import approach
-from paper_checks.decide import equal, equals, exhibit, identity, implied, prove, sharp
-from paper_checks.evidence import (
-    CORRECTED,
-    Case,
-    Evidence,
-    Formula,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-    theorem,
-)
+from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_control as control
 from theory.energy import critical_energy, on_surface, sigma

@@ -5,8 +5,7 @@ from functools import cache
 import sympy as sp
 
 from paper_checks.claims.contraction import same_modes
-from paper_checks.decide import identity, prove
-from paper_checks.evidence import Evidence, argument
+from paper_checks.claims.words import *
 from theory import forced
 from theory import forced_control as control
 from theory.energy import sigma

@@ -11,9 +11,8 @@ from paper_checks.claims.letters import R, of_share
 from paper_checks.claims.rate import one_cycle, one_step
 from paper_checks.claims.rate_error import ranges
 from paper_checks.claims.slips import contact, depth_grows, landings, one_contact
-from paper_checks.decide import equal, identity, prove
+from paper_checks.claims.words import *
 from paper_checks.decide.balls import point, precision, shown
-from paper_checks.evidence import Case, Evidence, EvidenceKind, Formula, argument, because, carried, clause, theorem
 from theory.long_time import abel_defect, leading_coefficient, logarithm_weight, map_coefficients
 from theory.near_critical import cycle
 from theory.rate_bounds import first_depth, first_excess
@@ -64,21 +63,19 @@ def one_more_cycle() -> Evidence:
 
 
 @cache
-def enclosed() -> Evidence:
+def quotients() -> Evidence:
     """The bounds of both quotients."""
     (low, high), (short, long) = ranges()
     good = all(end.is_finite() for end in (low, high, short, long))
     texts = [f"{end.str(5, radius=False)}" for end in (low, high, short, long)]
-    return Evidence(
-        EvidenceKind.ENCLOSURE,
-        "python-flint",
+    return enclosed(
         r"""
         for $0<\theta\leqslant\pi/2$ and every $r\in(0,1)$: bounds of $\pi G\,r/(y-y')$ and of $F\,r/(\sqrt
         y-\sqrt{y'})$, by Taylor polynomials with Cauchy's estimate near $\theta=0$ and centred forms beyond
         """,
         good,
-        4,
         f"{texts[0]} to {texts[1]}, and {texts[2]} to {texts[3]}",
+        4,
     )
 
 
@@ -92,7 +89,7 @@ def law_with_error() -> Evidence:
         within the bounds of the quotients.
         """,
         one_more_cycle(),
-        enclosed(),
+        quotients(),
     )
 
 
@@ -114,9 +111,7 @@ def bounds_error(formula: Formula) -> Evidence:
         else:
             passed = None
         text = ", ".join(shown(end, 6) for end in (*at_least, *at_most))
-    return Evidence(
-        EvidenceKind.ENCLOSURE, "python-flint", f"${formula.latex}$", passed, 2, f"least and largest: {text}"
-    )
+    return enclosed(f"${formula.latex}$", passed, f"least and largest: {text}", 2)
 
 
 def point_of(value: sp.Rational) -> arb:

@@ -14,21 +14,8 @@ from numerics.scene.file import load_scene
 from numerics.trajectory.events import Segment
 from numerics.trajectory.trajectory import Trajectory
 from paper_checks.claims.starts import time
-from paper_checks.decide import Decide, decimal, equal, equals, identity
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
-from paper_checks.evidence import (
-    CORRECTED,
-    HOLDS,
-    Case,
-    Evidence,
-    Formula,
-    because,
-    carried,
-    claim,
-    clause,
-    correction,
-    counterexample,
-)
 from theory.filippov import half_width
 from theory.model import CASE_STUDY, slip
 from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
@@ -204,7 +191,7 @@ def _milli(value: arb) -> str:
     return str((1000 * value).str(6, radius=False))
 
 
-def _linear_decay() -> tuple[Evidence, ...]:
+def _linear_decay() -> Steps:
     """Return the centre of oscillation in each slip, and what the jump of the centre does to the squared amplitude."""
     force = [undamped(free(slip(sign).acceleration1)) for sign in (1, -1)]
     squares = [(x1 + sign * b / a2) ** 2 + m1 / a2 * v1**2 for sign in (1, -1)]
@@ -262,7 +249,7 @@ def first_contact(friction: Fraction | None) -> str:
     return rounded(solved(replace(velocities_scene(friction), law=Law.THREE_VALUED_SGN)).events[0].t, 4)
 
 
-def literal_reading(friction: Fraction | None) -> tuple[Evidence, ...]:
+def literal_reading(friction: Fraction | None) -> Steps:
     """Return what (11), (12) read literally do from the same start."""
     run = solved(replace(velocities_scene(friction), law=Law.THREE_VALUED_SGN))
     return (

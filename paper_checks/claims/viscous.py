@@ -9,23 +9,8 @@ from numerics.scene.file import load_scene
 from paper_checks.claims import capture
 from paper_checks.claims import energy as dissipation
 from paper_checks.claims.itineraries import never_merges
-from paper_checks.decide import cleared, equal, identity, prove, sharp
+from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import solved
-from paper_checks.evidence import (
-    CORRECTED,
-    HOLDS,
-    Case,
-    Evidence,
-    EvidenceKind,
-    Formula,
-    argument,
-    because,
-    carried,
-    claim,
-    clause,
-    counterexample,
-    latex,
-)
 from theory.closed_forms import discriminant
 from theory.energy import energy, slip_rate, stick_rate
 from theory.filippov import derivative_along, load, load_threshold, sliding_field
@@ -223,8 +208,8 @@ def viscous_origin_stable() -> Case:
                 "both eigenvalues have negative real part: trace $<0$, determinant $>0$",
                 [],
                 sp.And(
-                    sp.Lt(cleared(matrix.trace()), 0, evaluate=False),
-                    sp.Gt(cleared(matrix.det()), 0, evaluate=False),
+                    signed(matrix.trace(), "<"),
+                    signed(matrix.det(), ">"),
                     evaluate=False,
                 ),
             ),

@@ -10,11 +10,10 @@ from paper_checks.decide.deciders import (
     holds_at,
     implied,
     sharp,
-    shown,
 )
 from paper_checks.decide.exact import identity
 from paper_checks.decide.exhibit import exhibit, value_at
-from paper_checks.decide.polynomial import cleared
+from paper_checks.decide.polynomial import cleared, signed
 from paper_checks.decide.smt import prove
 
 __all__ = [
@@ -31,6 +30,6 @@ __all__ = [
     "implied",
     "prove",
     "sharp",
-    "shown",
+    "signed",
     "value_at",
 ]

@@ -10,17 +10,16 @@ import sympy as sp
 
 from paper_checks.decide.exact import identity
 from paper_checks.decide.exhibit import Point, exhibit
-from paper_checks.decide.polynomial import cleared
+from paper_checks.decide.polynomial import RELATIONAL, signed
 from paper_checks.decide.smt import prove
 from paper_checks.evidence.clause import Formula, decimal_places
-from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, enclosed
 
 if TYPE_CHECKING:
     from flint import arb
 
 Derived = Callable[[], sp.Basic]
 Decide = Callable[[Formula], Evidence]
-_RELATIONAL = {"=": sp.Eq, "!=": sp.Ne, "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
 
 
 def shown(formula: Formula) -> str:
@@ -61,8 +60,7 @@ def implied(
 
     def decide(formula: Formula) -> Evidence:
         difference = sp.sympify(formula.left) - sp.sympify(formula.right)
-        margin = cleared(difference.subs(where(), simultaneous=True))
-        conclusion = _RELATIONAL[formula.relation](margin, 0, evaluate=False)
+        conclusion = signed(difference.subs(where(), simultaneous=True), formula.relation)
         return prove(shown(formula), given(), conclusion)
 
     return decide
@@ -87,7 +85,7 @@ def sharp(
 
     def found() -> sp.Rel:
         one, sign, other = derived()
-        return _RELATIONAL[sign](one, other, evaluate=False)
+        return RELATIONAL[sign](one, other, evaluate=False)
 
     return Formula(left, relation, right, condition(found), sharp=True)
 
@@ -102,7 +100,7 @@ def decimal(value: Callable[[], arb]) -> Decide:
         low, high = exact(digits), exact(digits + sp.Rational(1, 10 ** decimal_places(digits)))
         inside, outside = found > low and found < high, found < low or found > high
         passed = True if inside else False if outside else None
-        return Evidence(EvidenceKind.ENCLOSURE, "python-flint", shown(formula), passed, 1, str(found.str(20)))
+        return enclosed(shown(formula), passed, str(found.str(20)))
 
     return decide
 

@@ -13,9 +13,9 @@ from numerics.scene import Scene
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, enclosed
+from paper_checks.evidence.formula import pointed
 
-ENGINE = "python-flint"
 DIGITS = 25
 SHOWN = 12
 """Digits at which a ball is printed; its radius stands beside them."""
@@ -51,25 +51,25 @@ def compare(statement: str, left: arb, relation: str, right: arb) -> Evidence:
     """
     holds, fails = {"<": (left < right, left >= right), ">": (left > right, left <= right)}[relation]
     passed = True if holds else False if fails else None
-    return _evidence(statement, passed, f"{text(left)} {relation} {text(right)}")
+    return enclosed(statement, passed, f"{text(left)} {relation} {text(right)}")
 
 
 def within(statement: str, value: arb, lower: str, upper: str) -> Evidence:
     """Check lower < value < upper for all points of a ball; the bounds are decimals, read exactly."""
     low, high = exact(Rational(lower)), exact(Rational(upper))
     inside, outside = value > low and value < high, value <= low or value >= high
-    return _evidence(statement, True if inside else False if outside else None, text(value))
+    return enclosed(statement, True if inside else False if outside else None, text(value))
 
 
 def itinerary(statement: str, trajectory: Trajectory, modes: Sequence[Mode]) -> Evidence:
     """Check that the proved sequence of modes begins with the given ones."""
     found = trajectory.modes[: len(modes)]
-    return _evidence(statement, found == tuple(modes), ", ".join(mode.value for mode in found), len(modes))
+    return enclosed(statement, found == tuple(modes), ", ".join(mode.value for mode in found), len(modes))
 
 
 def stuck_for_ever(statement: str, trajectory: Trajectory) -> Evidence:
     """Check that from its last event on the pair is proved to stick for ever."""
-    return _evidence(statement, trajectory.status is Status.STUCK_FOR_EVER, trajectory.message)
+    return enclosed(statement, trajectory.status is Status.STUCK_FOR_EVER, trajectory.message)
 
 
 def rounded(value: arb, places: int) -> str:
@@ -83,15 +83,9 @@ def rounded(value: arb, places: int) -> str:
     whole = (value * 10**places + arb("0.5")).floor().unique_fmpz()
     if whole is None:
         raise ArithmeticError(f"{text(value)} has no unique decimal of {places} places")
-    digits = str(abs(int(whole))).rjust(places + 1, "0")
-    sign = "-" if whole < 0 else ""
-    return f"{sign}{digits[: len(digits) - places]}.{digits[len(digits) - places :]}" if places else f"{sign}{digits}"
+    return pointed(int(whole), places)
 
 
 def text(value: arb) -> str:
     """Return a ball with its radius, as plain text."""
     return str(value.str(SHOWN))
-
-
-def _evidence(statement: str, passed: bool | None, value: str, cases: int = 1) -> Evidence:
-    return Evidence(EvidenceKind.ENCLOSURE, ENGINE, statement, passed, cases, value)

@@ -7,8 +7,9 @@ from collections.abc import Mapping
 
 import sympy as sp
 
+from paper_checks.evidence.clause import decimal_places
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
-from paper_checks.evidence.formula import latex
+from paper_checks.evidence.formula import latex, pointed
 
 Point = Mapping[sp.Symbol, "sp.Rational | int"]
 """Exact values of symbols, SI units; anything but a rational is refused."""
@@ -62,10 +63,6 @@ def value_at(expression: sp.Expr, point: Point) -> str:
 
 def _decimal(value: sp.Rational) -> str:
     """Return a rational number as a decimal, or as a fraction where no decimal ends."""
-    rest = sp.factorint(value.q)
-    decimals = max(rest.get(2, 0), rest.get(5, 0))
-    if set(rest) - {2, 5}:
-        return str(value)
-    digits = str(abs(value) * 10**decimals).rjust(decimals + 1, "0")
-    text = digits if not decimals else f"{digits[:-decimals]}.{digits[-decimals:]}"
-    return f"-{text}" if value < 0 else text
+    places = decimal_places(value)
+    units = value * 10**places
+    return pointed(int(units), places) if units.is_Integer else str(value)

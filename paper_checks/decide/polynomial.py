@@ -14,3 +14,16 @@ def cleared(expression: sp.Expr) -> sp.Expr:
     if not denominator.is_positive:
         raise ValueError(f"the denominator {denominator} is not manifestly positive; clear it by hand")
     return sp.expand(numerator)
+
+
+RELATIONAL = {"=": sp.Eq, "!=": sp.Ne, "<": sp.Lt, "<=": sp.Le, ">": sp.Gt, ">=": sp.Ge}
+
+
+def signed(expression: sp.Expr, relation: str) -> sp.Rel:
+    """Return `expression relation 0`, its denominator cleared, and left as it stands by sympy.
+
+    >>> x = sp.Symbol("x", positive=True)
+    >>> signed(x - 1 / x, "<=")
+    x**2 - 1 <= 0
+    """
+    return RELATIONAL[relation](cleared(expression), 0, evaluate=False)

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 _STAYING: dict[tuple[int, str], _Process] = {}
@@ -25,7 +26,12 @@ class _Process:
     def __init__(self, solver: str) -> None:
         """Start it."""
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "paper_checks.decide.worker", solver],
+            [
+                sys.executable,
+                "-P",
+                Path(__file__).with_name("worker.py"),
+                solver,
+            ],  # by its file: the package loads sympy
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

@@ -2,7 +2,7 @@
 
 Each line on stdin is JSON, `{"texts": [SMT-LIB 2 text, ...], "seconds": limit for each}`, and is answered by a line on
 stdout, `{"answers": ["sat" | "unsat" | "unknown", ...], "model": of the last text}`; it ends with its stdin. Run as
-`python -m paper_checks.decide.worker z3` (or `cvc5`).
+`python -P worker.py z3` (or `cvc5`), by its file: it needs nothing of the package.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from numerics.linear.modes import Mode
 from paper_checks.decide.euler_in_balls import STEPS, run
-from paper_checks.drawing.style import new_figure, solved
+from paper_checks.drawing.style import panels, solved
 
 SCENES = (
     ("start-with-speed", "Fig. 4 (b): $b=0.5$ N", "#2e8b3d", "s"),
@@ -22,8 +22,7 @@ NEVER = 12.0
 
 def euler_convergence() -> Figure:
     """Draw the error of the first adhesion time against the step, and the energy gained in stick against time."""
-    figure = new_figure(8.2, 3.9)
-    error, energy = figure.subplots(1, 2)
+    figure, (error, energy) = panels(8.2, 3.9, 1, 2)
     _draw_errors(error)
     _draw_energy(energy)
     return figure

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from sympy import lambdify
 
 from numerics.free.merging import CRITICAL_SHARE
-from paper_checks.drawing.style import new_figure
+from paper_checks.drawing.style import panels
 from theory.excursion import h
 from theory.return_map import depth, depth_series
 from theory.symbols import theta
@@ -32,8 +32,7 @@ def slip(points: int = 2000, last: float = 5.6) -> tuple[Curve, Curve, Curve]:
 def excursion_curves() -> Figure:
     """Draw the speed at the exit and the depth at the return against the angle of a slip, and where it comes back."""
     angles, speed, deep = slip()
-    figure = new_figure(7.6, 3.0)
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = panels(7.6, 3.0, 1, 2)
     left.plot(angles, speed, color="#1b4f8f", lw=1.5, label="exit speed $h$")
     left.plot(angles, deep, color="#c8641e", lw=1.5, ls="--", label="depth $c$")
     left.set(xlabel=ANGLE, ylabel="$h$, $c$ (dimensionless)", ylim=(0, 10), title="one pair of curves for all masses")
@@ -54,8 +53,7 @@ def return_map() -> Figure:
     """Draw the depth against y with its Taylor polynomials, and the return map of three pairs."""
     _, speed, deep = slip()
     y = speed**2
-    figure = new_figure(7.6, 3.0)
-    left, right = figure.subplots(1, 2)
+    figure, (left, right) = panels(7.6, 3.0, 1, 2)
     near = y < 2.5
     left.plot(y[near], deep[near], color="black", lw=1.6, label="$c$")
     coefficients = [float(one) for one in depth_series(5)]
@@ -94,8 +92,7 @@ def merging_window() -> Figure:
     """Draw R^2 = (h/c)^2 against the angle: a slip merges where the line r lies above it."""
     angles, speed, deep = slip()
     ratio = (speed / deep) ** 2
-    figure = new_figure(5.6, 3.1)
-    axes = figure.subplots()
+    figure, axes = panels(5.6, 3.1)
     axes.plot(angles, ratio, color="black", lw=1.6, label="$R^2=(h/c)^2$")
     for share, colour, dashes in SHARES:
         label = f"$r={share:.4g}$, $m_1/m_2={1 / share - 1:.4g}$"

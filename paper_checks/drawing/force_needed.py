@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from numerics.scene.file import load_scene
-from paper_checks.drawing.style import BODY_1, new_figure
+from paper_checks.drawing.style import BODY_1, panels
 
 
 def force_needed() -> Figure:
@@ -17,8 +17,7 @@ def force_needed() -> Figure:
     most, available = float(pair.m2 * pair.a2 / pair.mass * scene.initial.x1), float(pair.b)
     t = np.linspace(0, 2 * np.pi / rate, 401)
     needed = most * np.abs(np.cos(rate * t))
-    figure = new_figure(4.9, 2.8)  # narrow, so that its letters read on a telephone
-    axes = figure.subplots()
+    figure, axes = panels(4.9, 2.8)  # narrow, so that its letters read on a telephone
     axes.plot(t, needed, color=BODY_1, lw=1.6)
     axes.axhline(available, color="black", lw=1.2, ls="--")
     axes.fill_between(t, available, needed, where=(needed > available).tolist(), color="#e8a0a0", lw=0)

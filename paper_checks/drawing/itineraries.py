@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 
 from numerics.linear.modes import EventKind, Mode
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.drawing.style import MM, MODE_COLOURS, marker_style, new_figure, segment_samples, solved
+from paper_checks.drawing.style import MM, MODE_COLOURS, marker_style, panels, segment_samples, solved
 
 PARTS = {
     Mode.SLIP_PLUS: r"in $\Omega_+$ ($v_1>v_2$)",
@@ -48,8 +48,7 @@ def itinerary_that_creeps() -> Figure:
 
 
 def _draw(trajectory: Trajectory, names: tuple[str, ...], offsets: dict[str, tuple[int, int]], title: str) -> Figure:
-    figure = new_figure(6.6, 5.0)
-    axes = figure.subplots()
+    figure, axes = panels(6.6, 5.0)
     pair = trajectory.scene.pair
     half, rate = MM * float(pair.half_width), float(pair.a2 / pair.mass) ** 0.5
     top = 1.18 * max(_draw_motion(axes, trajectory), half * rate)

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from numerics.solver.solve import solve
 from paper_checks.claims.jumping_force import SHOWN, member
-from paper_checks.drawing.style import new_figure, samples
+from paper_checks.drawing.style import panels, samples
 from theory import jumping_force as jump
 
 STYLES = (("#1b4f8f", "-"), ("#c8641e", "--"), ("#2e8b3d", "-."))
@@ -15,8 +15,7 @@ STYLES = (("#1b4f8f", "-"), ("#c8641e", "--"), ("#2e8b3d", "-."))
 
 def jumping_force() -> Figure:
     """Draw three members of the family in the plane of body 1, and the force and their loads over a period."""
-    figure = new_figure(9.4, 3.9)
-    plane, over_time = figure.subplots(1, 2)
+    figure, (plane, over_time) = panels(9.4, 3.9, 1, 2)
     for speed, (colour, line) in zip(SHOWN, STYLES, strict=True):
         scene = member(speed)
         t, y = samples(solve(scene))

@@ -13,9 +13,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from numerics.free.merging import CRITICAL_SHARE
-from numerics.free.merging_map import COLOURS, LABELS, MergingMap, Window, merging_cells
+from numerics.free.merging_map import COLOURS, LABELS, Window, merging_cells
+from numerics.free.quadtree import CellMap
 from paper_checks.claims.merging_share import MERGES, SPEEDS, by_quadrature, decided, start
-from paper_checks.drawing.style import new_figure
+from paper_checks.drawing.style import panels
 
 DEPTH = 7
 """Cuts of each side of the map that is drawn; the command `map` goes on."""
@@ -25,11 +26,10 @@ SHARES = ((Fraction(3, 5), "#1b4f8f"), (Fraction(7, 10), "#2e8b3d"), (Fraction(4
 def merging_map() -> Figure:
     """Draw the proved cells of mass ratio and energy."""
     chart = _chart()
-    figure = new_figure(6.4, 4.4)
-    axes = figure.subplots()
-    (left, right), (low, high) = ((float(one) for one in side) for side in chart.window.rectangle)
+    figure, axes = panels(6.4, 4.4)
+    (left, right), (low, high) = ((float(one) for one in side) for side in chart.window)
     across, upwards = (np.geomspace(*ends, 2**DEPTH + 1) for ends in ((left, right), (low, high)))
-    cells = chart.raster()
+    cells = chart.raster(COLOURS)
     for index, colour in enumerate(COLOURS.values()):
         corners = [
             [(across[n], upwards[a]), (across[n + 1], upwards[a]), (across[n + 1], upwards[b]), (across[n], upwards[b])]
@@ -51,8 +51,7 @@ def merging_map() -> Figure:
 
 def merging_bands() -> Figure:
     """Draw for three mass shares which speeds on S0 merge, solved in float64."""
-    figure = new_figure(7.2, 2.3)
-    axes = figure.subplots()
+    figure, axes = panels(7.2, 2.3)
     speeds = np.array([float(one) for one in SPEEDS])
     half = (speeds[1] - speeds[0]) / 2
     for height, (share, colour) in enumerate(SHARES):
@@ -70,7 +69,7 @@ def merging_bands() -> Figure:
 
 
 @cache
-def _chart() -> MergingMap:
+def _chart() -> CellMap:
     return merging_cells(Window(), DEPTH)
 
 
@@ -83,7 +82,7 @@ def _merged(share: Fraction) -> tuple[bool, ...]:
 
 @cache
 def _shares(share: float, energies: tuple[float, ...]) -> tuple[float, ...]:
-    return tuple(by_quadrature(share, energy, 80) for energy in energies)
+    return tuple(by_quadrature(share, energy) for energy in energies)
 
 
 def _runs(chosen: Iterable[object]) -> list[tuple[int, int]]:
@@ -95,8 +94,7 @@ def _runs(chosen: Iterable[object]) -> list[tuple[int, int]]:
 def merging_share() -> Figure:
     """Draw the share of all states of an energy that merge, by the integral, for three mass shares up to r*."""
     energies = np.geomspace(1.01, 100, 25)
-    figure = new_figure(5.4, 3.0)
-    axes = figure.subplots()
+    figure, axes = panels(5.4, 3.0)
     for share, colour, marker in (
         (0.2, "#1b4f8f", "o"),
         (0.4, "#2e8b3d", "s"),

@@ -7,7 +7,7 @@ from typing import Any
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
 
-from paper_checks.drawing.style import BODY_1, BODY_2, new_figure
+from paper_checks.drawing.style import BODY_1, BODY_2, panels
 
 _COIL = 9
 """Turns of the spring that is drawn."""
@@ -17,8 +17,7 @@ _SPRING, _DAMPER = 1.14, 0.52
 
 def two_bodies() -> Figure:
     """Draw the two bodies with their coordinates and forces."""
-    figure = new_figure(4.9, 2.3)  # narrow, so that its letters read on a telephone
-    axes = figure.subplots()
+    figure, axes = panels(4.9, 2.3)  # narrow, so that its letters read on a telephone
     axes.set_axis_off()
     axes.set(xlim=(-0.4, 11.2), ylim=(-0.85, 4.1), aspect="equal")
     axes.add_patch(Rectangle((-0.35, 0), 0.35, 2.2, fc="none", ec="#777777", hatch="////", lw=0))

@@ -17,7 +17,7 @@ from numerics.scene import Force, Friction, Pair, Scene, State, Weakening
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair
 from numerics.solver.solve import solve
-from paper_checks.drawing.style import BODY_1, BODY_2, MM, SLIDING, new_figure
+from paper_checks.drawing.style import BODY_1, BODY_2, MM, SLIDING, panels
 
 EXCESSES = tuple(range(-10, 1))
 """Decimal logarithms of the excess with which a slip begins."""
@@ -41,8 +41,7 @@ def first_loss(drop: int, power: int) -> float:
 
 def static_friction() -> Figure:
     """Draw what a slip from the edge costs by the excess, for kinetic friction at and below static friction."""
-    figure = new_figure(4.4, 3.6)
-    axes = figure.subplots()
+    figure, axes = panels(4.4, 3.6)
     for drop, colour in zip(DROPS, _COLOURS, strict=True):
         label = f"kinetic {drop} % below static" if drop else "one coefficient"
         axes.loglog([10.0**k for k in EXCESSES], [first_loss(drop, k) for k in EXCESSES], color=colour, label=label)
@@ -56,8 +55,7 @@ def static_friction() -> Figure:
 
 def two_motions() -> Figure:
     """Draw the distance N of two motions under one force, with a constant friction and with one that falls."""
-    figure = new_figure(4.4, 3.4)
-    axes = figure.subplots()
+    figure, axes = panels(4.4, 3.4)
     pair, force, times = Pair(1, 1, 200, "0.5"), Force.sine(3, 12), np.linspace(0, 3, 400)
     falling = Weakening(speed=[("0.5", "0.1")])
     for weakening, label, colour in ((None, "constant", BODY_1), (falling, "falls with the speed", BODY_2)):
@@ -80,8 +78,7 @@ def _path(scene: Scene, times: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def stuck_ellipses() -> Figure:
     """Draw stuck paths that fit into the disc of the radius L, and one that does not, with their energies."""
-    figure = new_figure(4.4, 4.4)
-    axes = figure.subplots()
+    figure, axes = panels(4.4, 4.4)
     axes.add_patch(Circle((0, 0), 1, color=SLIDING, zorder=0, label="load within friction"))
     angle = np.linspace(0, 2 * np.pi, 200)
     for long, short, colour in ((1, 0, "black"), (1, 0.5, BODY_2), (1, 1, BODY_1), (1.25, 0.5, "#cc2222")):
@@ -101,8 +98,7 @@ def stuck_ellipses() -> Figure:
 
 def rotating_force() -> Figure:
     """Draw the constant speed of slip by the amplitude of a force that goes round, for three dampers."""
-    figure = new_figure(4.4, 3.4)
-    axes = figure.subplots()
+    figure, axes = panels(4.4, 3.4)
     for a1, colour in zip((1, 4, 16), _COLOURS[1:], strict=True):
         pair = PlanePair(1, 1, 200, "0.5", a1)
         least = float(rotating_threshold(pair, 12))

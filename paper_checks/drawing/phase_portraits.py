@@ -18,7 +18,7 @@ from paper_checks.drawing.style import (
     euler,
     mark_events,
     marker_style,
-    new_figure,
+    panels,
     samples,
     shade_sliding_region,
     solved,
@@ -57,8 +57,7 @@ def start_with_speed() -> Figure:
 
 
 def _bodies(exact: Trajectory, run: EulerRun, title: str, left: str, right: str) -> Figure:
-    figure = new_figure(8.2, 4.4)
-    first, second = figure.subplots(1, 2, sharex=True, sharey=True)
+    figure, (first, second) = panels(8.2, 4.4, 1, 2, sharex=True, sharey=True)
     _, y = samples(exact)
     _, *rows = thinned(run, (0, 1, 2, 3))
     for axes, name, (x1, v1, x2, v2) in ((first, left, MM * y), (second, right, rows)):
@@ -75,28 +74,27 @@ def _bodies(exact: Trajectory, run: EulerRun, title: str, left: str, right: str)
 
 def relative_motion() -> Figure:
     """Draw z' against z for the three values of b, from v1(0) = 0.15 m/s, and the end of it in close-up."""
-    figure = new_figure(8.2, 7.0)
-    panels = figure.subplots(2, 2, sharex="row", sharey="row")
+    figure, grid = panels(8.2, 7.0, 2, 2, sharex="row", sharey="row")
     until = Fraction(6)
     for name, colour, dashes in FRICTIONS:
         exact, run = solved(name, until), euler(name, until)
         _, y = samples(exact)
         _, x1, v1, x2, v2 = thinned(run, (0, 1, 2, 3), every=5)
-        for left, right in panels:
+        for left, right in grid:
             label = f"$b={float(exact.scene.pair.b):g}$ N"
             left.plot(MM * (y[0] - y[2]), MM * (y[1] - y[3]), color=colour, ls=dashes, label=label)
             right.plot(x1 - x2, v1 - v2, color=colour, ls=dashes)
     for name, _, _ in FRICTIONS:
-        _mark(panels[1, 0], solved(name, until))
-    for axes in panels.flat:
+        _mark(grid[1, 0], solved(name, until))
+    for axes in grid.flat:
         axes.axhline(0, color="black", lw=0.6, zorder=1)
         axes.set(xlabel="$z=x_1-x_2$ (mm)", ylabel="$\\dot z=\\dot x_1-\\dot x_2$ (mm/s)")
-    for row, what in zip(panels, ("", ", close-up"), strict=True):
+    for row, what in zip(grid, ("", ", close-up"), strict=True):
         row[0].set_title(f"exact{what}")
         row[1].set_title(f"forward Euler on (11), (12), step {STEP_TEXT}{what}")
-    panels[1, 0].set(xlim=(-1.0, 3.0), ylim=(-14, 24))
+    grid[1, 0].set(xlim=(-1.0, 3.0), ylim=(-14, 24))
     figure.suptitle("Fig. 5 (b): $\\dot x_1(0)=150$ mm/s, else 0; up to $t=6$ s", fontsize=10)
-    handles, labels = panels[1, 0].get_legend_handles_labels()
+    handles, labels = grid[1, 0].get_legend_handles_labels()
     unique = dict(zip(labels, handles, strict=True))
     figure.legend(unique.values(), unique.keys(), loc="outside lower center", ncols=6)
     return figure

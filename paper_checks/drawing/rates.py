@@ -13,7 +13,7 @@ from sympy import lambdify
 from numerics.linear.modes import EventKind
 from numerics.scene import Pair, Scene, State
 from numerics.solver.solve import solve
-from paper_checks.drawing.style import new_figure
+from paper_checks.drawing.style import panels
 from theory import rate_bounds, uniform_rate
 from theory.excursion import h
 from theory.return_map import depth
@@ -49,8 +49,7 @@ def rate_bounds_explicit() -> Figure:
         lambdify(rate_bounds.elapsed, bound.subs(values).subs({q: SHARE, r: 1 - SHARE}))(times)
         for bound in rate_bounds.excess_bounds()
     )
-    figure = new_figure(5.4, 3.0)
-    axes = figure.subplots()
+    figure, axes = panels(5.4, 3.0)
     axes.fill_between(
         times[1:], (low * times / C)[1:], (high * times / C)[1:], color="#dbe6f4", lw=0, label="between the bounds"
     )
@@ -65,8 +64,7 @@ def rate_bounds_explicit() -> Figure:
 
 def long_time() -> Figure:
     """Draw what is left of the 1/t law after its logarithm: it tends to one number for each start."""
-    figure = new_figure(5.4, 3.0)
-    axes = figure.subplots()
+    figure, axes = panels(5.4, 3.0)
     for start, colour, marker in STARTS:
         times, excesses = (one[2:] for one in exits(start))
         left = (1 - excesses * times / C) * times - np.pi * B * np.log(9 * SHARE / 4 * times / np.pi)
@@ -78,8 +76,7 @@ def long_time() -> Figure:
 
 def rate_with_error() -> Figure:
     """Draw the rest R_n of the law with its logarithm, within the bounds that the start fixes."""
-    figure = new_figure(5.4, 3.0)
-    axes = figure.subplots()
+    figure, axes = panels(5.4, 3.0)
     for start, colour, marker in STARTS:
         times, excesses = exits(start)
         rest = C / excesses + np.pi * B * np.log(excesses / excesses[0]) - C / excesses[0] - times
@@ -97,8 +94,7 @@ def uniform_rate_figure() -> Figure:
     """Draw w of several motions with one E(0), below the bound that E(0) fixes."""
     first = 2.0  # y of the start: w = 1, so E(0) = 2 E_cr
     times = np.geomspace(1, UNTIL, 400)
-    figure = new_figure(5.4, 3.0)
-    axes = figure.subplots()
+    figure, axes = panels(5.4, 3.0)
     axes.plot(times, _uniform(first, times), color="black", lw=1.6, label="bound from $E(0)$")
     for (x1, v1, v2), colour, dashes in (
         ((0, 1, 1), "#1b4f8f", "-"),

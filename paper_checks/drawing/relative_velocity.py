@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from numerics.linear.modes import Mode
 from numerics.trajectory.trajectory import Trajectory
-from paper_checks.drawing.style import BODY_2, MM, SLIDING, STEP_TEXT, euler, new_figure, samples, solved
+from paper_checks.drawing.style import BODY_2, MM, SLIDING, STEP_TEXT, euler, panels, samples, solved
 
 UNTIL = Fraction(6)
 PRINTED = 4.7
@@ -18,8 +18,8 @@ PRINTED = 4.7
 
 def relative_velocity() -> Figure:
     """Draw z' about the printed 4.7 s: exact, and by forward Euler; grey where the exact solution sticks."""
-    figure = new_figure(4.9, 3.4)  # narrow, so that its letters read on a telephone
-    draw_relative_velocity(figure.subplots(), solved("velocities", UNTIL))
+    figure, axes = panels(4.9, 3.4)  # narrow, so that its letters read on a telephone
+    draw_relative_velocity(axes, solved("velocities", UNTIL))
     return figure
 
 

@@ -13,7 +13,7 @@ from numerics.free.energy import energy_at
 from numerics.scene import Pair
 from numerics.scene.file import load_scene
 from paper_checks.claims.letters import ECR, RATE
-from paper_checks.drawing.style import new_figure
+from paper_checks.drawing.style import panels
 from theory.energy import critical_energy
 from theory.symbols import a2, b, m1, m2
 
@@ -50,8 +50,7 @@ def limit_of(pair: Pair) -> sp.Expr:
 
 def sharp_rate() -> Figure:
     """Draw E - E_cr to 10^100 s for three frictions, both logarithmic, and its product with t over the limit."""
-    figure = new_figure(4.4, 6.2)  # narrow, so that its letters read on a telephone
-    upper, lower = figure.subplots(2, 1)
+    figure, (upper, lower) = panels(4.4, 6.2, 2, 1)  # narrow, so that its letters read on a telephone
     for name, label, colour, marker in RATE_SCENES:
         k, logarithm, ratio = np.array(approach(name)).T
         style: dict[str, Any] = {"color": colour, "marker": marker, "ms": 4}

@@ -56,9 +56,10 @@ def house_style() -> Iterator[None]:
         yield
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure of this size in inches, with a layout that keeps labels apart."""
-    return Figure(figsize=(width, height), layout="constrained")
+def panels(width: float, height: float, rows: int = 1, columns: int = 1, **shared: Any) -> tuple[Figure, Any]:
+    """Return a figure of this size in inches, with a layout that keeps labels apart, and its axes as `subplots` has them."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    return figure, figure.subplots(rows, columns, **shared)
 
 
 @cache

@@ -20,7 +20,7 @@ from numerics.control.transfer import fastest_transfer
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.file import load_reference, load_scene
 from numerics.solver.solve import solve
-from paper_checks.drawing.style import BODY_1, BODY_2, new_figure, samples
+from paper_checks.drawing.style import BODY_1, BODY_2, panels, samples
 
 PAIR, DAMPED = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.5", 2)
 """The paper's case study with b = 0.5 N, and the same with a damper."""
@@ -31,8 +31,8 @@ SHARES = tuple(Fraction(k, 20) for k in range(21))
 
 def thresholds_over_frequency() -> Figure:
     """Draw U*, U** and the edge of the non-stop regime over the frequency, without and with a damper; regimes shaded."""
-    figure = new_figure(9.4, 4.4)
-    for ax, pair, title in zip(figure.subplots(1, 2), (PAIR, DAMPED), ("$a_1=0$", "$a_1=2$ N s/m"), strict=True):
+    figure, both = panels(9.4, 4.4, 1, 2)
+    for ax, pair, title in zip(both, (PAIR, DAMPED), ("$a_1=0$", "$a_1=2$ N s/m"), strict=True):
         draw_thresholds(pair, np.geomspace(4, 60, 700), ax)
         ax.set_title(title)
         for rate, name in ((pair.a2 / pair.mass, r"$\Omega$"), (pair.a2 / pair.m1, r"$\omega_1$")):
@@ -54,10 +54,10 @@ def thresholds_over_frequency() -> Figure:
 
 def resonance() -> Figure:
     """Draw v1 at the resonance of body 1, a1 = 0: bounded below U = 4b/pi, growing above it by (U - 4b/pi) t/(2 m1)."""
-    figure = new_figure(9.4, 3.9)
+    figure, both = panels(9.4, 3.9, 1, 2)
     pair = Pair(1, 1, 100, "0.5")
     edge = 4 * float(pair.b) / np.pi
-    for ax, amplitude in zip(figure.subplots(1, 2), ("0.6", "0.7"), strict=True):
+    for ax, amplitude in zip(both, ("0.6", "0.7"), strict=True):
         solved = solve(Scene(pair, State(), until=20, force=Force.sine(amplitude, 10)))
         t, y = samples(solved, 24)
         ax.plot(t, y[1], color=BODY_1, lw=0.9, label="$v_1$")
@@ -106,8 +106,7 @@ def harmonics(shares: tuple[Fraction, ...] = SHARES) -> Iterator[Orbit]:
 
 def drift_against_asymmetry() -> Figure:
     """Draw the mean velocity of body 2 against the part of a second harmonic, which makes the force two-sided."""
-    figure = new_figure(6, 3.8)
-    ax = figure.subplots()
+    figure, ax = panels(6, 3.8)
     orbits = list(harmonics())
     with Ball(16).context():
         drift = [1000 * float(one.travel / one.drive.period) for one in orbits]

@@ -16,7 +16,7 @@ from paper_checks.drawing.style import (
     STEP_TEXT,
     euler,
     mark_events,
-    new_figure,
+    panels,
     samples,
     solved,
     thinned,
@@ -25,8 +25,7 @@ from paper_checks.drawing.style import (
 
 def velocities_scene() -> Figure:
     """Draw v1 and v2 for b = 0.05 N from v1(0) = 0.15 m/s."""
-    figure = new_figure(8.2, 7.2)
-    rows = figure.subplots(3, 1)
+    figure, rows = panels(8.2, 7.2, 3, 1)
     exact, run = solved("velocities", UNTIL), euler("velocities-literal", UNTIL)
     t, y = samples(exact)
     euler_t, euler_v1, euler_v2 = thinned(run, (1, 3))

@@ -13,7 +13,7 @@ from paper_checks.evidence.claim import (
     theorem,
 )
 from paper_checks.evidence.clause import Clause, Formula, clause
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, argument
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, argument, enclosed
 from paper_checks.evidence.finding import carried
 from paper_checks.evidence.formula import equation, form, latex, stating
 
@@ -27,6 +27,7 @@ __all__ = [
     "Evidence",
     "EvidenceKind",
     "Formula",
+    "Steps",
     "argument",
     "because",
     "carried",
@@ -34,6 +35,7 @@ __all__ = [
     "clause",
     "correction",
     "counterexample",
+    "enclosed",
     "equation",
     "form",
     "latex",

@@ -11,7 +11,7 @@ from typing import Any
 
 from paper_checks.errors import LedgerError
 from paper_checks.evidence.clause import Clause
-from paper_checks.evidence.evidence import Evidence, Subject, one_line
+from paper_checks.evidence.evidence import Evidence, Steps, Subject, one_line
 from paper_checks.evidence.finding import Carried, Finding, Verdict, carried, conclude
 
 HOLDS, CORRECTED, REFUTED = Verdict.HOLDS, Verdict.HOLDS_CORRECTED, Verdict.REFUTED
@@ -33,7 +33,7 @@ class About:
 
     subject: Subject
     text: str
-    steps: tuple[Evidence, ...]
+    steps: Steps
 
 
 def counterexample(text: str, *steps: Evidence) -> About:

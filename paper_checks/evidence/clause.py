@@ -15,6 +15,7 @@ import sympy as sp
 from paper_checks.errors import LedgerError
 from paper_checks.evidence.evidence import Evidence, one_line
 from paper_checks.evidence.formula import latex as in_letters
+from paper_checks.evidence.formula import pointed
 
 RELATIONS = {
     "=": "=",
@@ -65,11 +66,8 @@ class Formula:
     def _right(self) -> str:
         if self.relation != "=...":
             return latex(self.right)
-        value = sp.Rational(self.right)
-        places = decimal_places(value)
-        digits = str(abs(value.p) * 10**places // value.q).rjust(places + 1, "0")
-        sign = "-" if value < 0 else ""
-        return rf"{sign}{digits[: len(digits) - places]}.{digits[len(digits) - places :]}\ldots"
+        places = decimal_places(sp.Rational(self.right))
+        return rf"{pointed(int(self.right * 10**places), places)}\ldots"
 
     def evidence(self) -> Evidence:
         """Return what is found about it."""

@@ -71,7 +71,7 @@ class Evidence:
     value: str = ""
     assumptions: tuple[str, ...] = ()
     about: Subject = Subject.CLAIM
-    rests_on: tuple[Evidence, ...] = ()
+    rests_on: Steps = ()
     """The steps that an inference is made from, or the theorems that one of the kernel uses."""
     cites: tuple[str, ...] = ()
     """Theorems of others that an argument uses."""
@@ -112,6 +112,10 @@ class Evidence:
         return replace(self, about=subject, rests_on=tuple(step.about_(subject) for step in self.rests_on))
 
 
+Steps = tuple[Evidence, ...]
+"""Steps of a proof, in their order."""
+
+
 def argument(statement: str, *rests_on: Evidence, cites: tuple[str, ...] = ()) -> Evidence:
     """Return a written inference: as good as what it rests on.
 
@@ -124,7 +128,20 @@ def argument(statement: str, *rests_on: Evidence, cites: tuple[str, ...] = ()) -
     return Evidence(EvidenceKind.ARGUMENT, "written inference", statement, passed, rests_on=rests_on, cites=cites)
 
 
-def closure(steps: Iterable[Evidence]) -> tuple[Evidence, ...]:
+def enclosed(
+    statement: str,
+    passed: bool | None,
+    value: str,
+    cases: int = 1,
+    *,
+    engine: str = "python-flint",
+    supports: bool = False,
+) -> Evidence:
+    """Return what balls showed: a statement about every point of them."""
+    return Evidence(EvidenceKind.ENCLOSURE, engine, statement, passed, cases, value, supports=supports)
+
+
+def closure(steps: Iterable[Evidence]) -> Steps:
     """Return the steps and all that they rest on, each once, those that others rest on first."""
     found: dict[Evidence, None] = {}
 

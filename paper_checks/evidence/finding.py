@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, Subject, closure
 
 
 class Verdict(Enum):
@@ -34,7 +34,7 @@ class Carried:
     """Which steps carry a clause of a claim, by the clause's id, and about what they speak."""
 
     clause: str
-    steps: tuple[Evidence, ...]
+    steps: Steps
 
 
 def carried(clause: str, *steps: Evidence) -> Carried:
@@ -52,7 +52,7 @@ class Finding:
 
     verdict: Verdict
     reason: str
-    evidence: tuple[Evidence, ...] = ()
+    evidence: Steps = ()
     corrected: str | None = None
     counterexample: str | None = None
     derivation: tuple[str, ...] = ()
@@ -68,7 +68,7 @@ class Finding:
             raise InvalidFindingError(f"{self.verdict.value}: {objection}")
 
 
-def _decided(evidence: tuple[Evidence, ...], about: Subject) -> bool:
+def _decided(evidence: Steps, about: Subject) -> bool:
     return any(item.decides for item in evidence if item.about is about)
 
 
@@ -138,7 +138,7 @@ def conclude(
         return Finding(Verdict.UNDECIDED, reason, evidence, *extras, missing, of_clauses)
 
 
-def _waits_for_the_kernel(evidence: tuple[Evidence, ...]) -> bool:
+def _waits_for_the_kernel(evidence: Steps) -> bool:
     """Say whether all that did not pass is theorems of the kernel that were not run, and what rests on them."""
     left = [step for step in evidence if not (step.passed or step.rests_on or step.supports)]
     return bool(left) and all(step.kind is EvidenceKind.KERNEL and step.passed is None for step in left)

@@ -62,3 +62,14 @@ def stating(evidence: Evidence, *forms: str) -> Evidence:
 def form(left: str, right: sp.Basic | int) -> str:
     """Return `left = right` with the expression as sympy writes it."""
     return f"{left} = {sp.sstr(right)}"
+
+
+def pointed(whole: int, places: int) -> str:
+    """Return a number of units of the last decimal place as a decimal.
+
+    >>> pointed(-5, 2), pointed(5, 0)
+    ('-0.05', '5')
+    """
+    digits = str(abs(whole)).rjust(places + 1, "0")
+    cut = len(digits) - places
+    return "-" * (whole < 0) + digits[:cut] + f".{digits[cut:]}" * (places > 0)

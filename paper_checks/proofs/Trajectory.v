@@ -5,7 +5,7 @@ From Coq Require Import Reals QArith Qreals List Bool Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Interval.Real Require Import Xreal.
 From Interval.Interval Require Import Interval.
-From InertialPair Require Import Dini Pair Forced Arcs Varying Waves.
+From InertialPair Require Import Dini Pair Chase Forced ForcedExistence Arcs Varying Waves.
 Import ListNotations.
 Local Open Scope R_scope.
 
@@ -100,12 +100,54 @@ Proof.
   intros t Hr. replace (t0 + (t - (t0 - S))) with (S + t) by ring. apply DU. lra.
 Qed.
 
-(** spell after spell the motion runs along every arc *)
+(** from every state another motion runs beside it, and the two are never further apart than at first *)
+Definition beside B f lo hi (x v1 v2 : R -> R) := forall t0 X V1 V2, lo <= t0 <= hi -> exists y w1 y2 w2,
+  (y t0 = X /\ w1 t0 = V1 /\ y2 t0 = 0 /\ w2 t0 = V2) /\ obeys M1 M2 A1 A2 B f t0 hi y w1 w2 /\
+  cont y2 /\ (forall t, 0 <= t -> rderiv y2 t (w2 t)) /\
+  forall t, t0 <= t <= hi ->
+  energy M1 M2 A2 (x t - y t) (v1 t - w1 t) (v2 t - w2 t) <= energy M1 M2 A2 (x t0 - X) (v1 t0 - V1) (v2 t0 - V2).
+(** both *)
+Definition follows B f lo hi x v1 v2 := obeys M1 M2 A1 A2 B f lo hi x v1 v2 /\ beside B f lo hi x v1 v2.
+
+Lemma forced_follows B f U y w1 w2 s x v1 v2 S d : 0 < B -> 0 <= S -> forced M1 M2 A1 A2 B U y w1 w2 s ->
+  (forall t, 0 <= t < d -> rderiv U t (sval real f (S + t))) ->
+  (forall t, 0 <= t <= d -> x (S + t) = y t /\ v1 (S + t) = w1 t /\ v2 (S + t) = w2 t) ->
+  follows B f S (S + d) x v1 v2.
+Proof.
+  intros HB HS F DU E. split; [eapply forced_obeys; eauto|]. intros t0 X V1 V2 Ht. set (r := t0 - S).
+  assert (Hr : 0 <= r <= d) by (unfold r; lra). replace t0 with (S + r) in * by (unfold r; ring).
+  pose proof (forced_shift M1 M2 A1 A2 B U y w1 w2 s r ltac:(lra) F) as Sh.
+  destruct (forced_existence M1 M2 A1 A2 B X V1 V2 _ Hm1 Hm2 Ha1 Ha2 HB (f_cU _ _ _ _ _ _ _ _ _ _ Sh))
+    as (z & u1 & u2 & s' & G & Z0 & U10 & U20).
+  set (late := fun (h : R -> R) t => h (Rmax 0 (t - (S + r)))).
+  assert (L : forall h t, 0 <= t -> late h (S + r + t) = h t).
+  { intros h t Hh. unfold late. rewrite Rmax_right by lra. f_equal. ring. }
+  assert (C : cont (late u2)).
+  { apply cont_path with (c := fun t => Rmax 0 (t - (S + r))); [intros; apply Rmax_l| |
+      exact (forced_cv2 M1 M2 A1 A2 B Hm2 _ _ _ _ _ G)].
+    intros p q. unfold Rmax. repeat destruct Rle_dec; unfold Rabs; repeat destruct Rcase_abs; lra. }
+  exists (late z), (late u1), (fun t => integral (late u2) t - integral (late u2) (S + r)), (late u2).
+  split; [|split; [|split; [|split]]].
+  - rewrite <- (Rplus_0_r (S + r)), !L by lra. repeat split; auto; lra.
+  - replace (S + d) with (S + r + (d - r)) by ring. eapply forced_obeys; eauto; [lra| |].
+    + intros t Hu. replace (S + r + t) with (S + (r + t)) by ring. apply rderiv_earlier, DU. lra.
+    + intros t Hu. rewrite !L by lra. auto.
+  - apply cont_minus; [apply integral_cont, C|apply cont_const].
+  - intros t Hu. apply rderiv_eq with (late u2 t - 0); [ring|].
+    apply rderiv_minus; [apply integral_rderiv; auto|apply rderiv_const].
+  - intros t Hu. assert (T : exists u, t = S + r + u /\ 0 <= u <= d - r) by (exists (t - (S + r)); lra).
+    destruct T as (u & -> & Hu').
+    pose proof (forced_contraction M1 M2 A1 A2 B Hm1 Hm2 Ha1 HB _ _ _ _ _ _ _ _ _ 0 u Sh G ltac:(lra)) as Q.
+    cbv beta in Q. rewrite Rplus_0_r in Q. rewrite !L by lra. replace (S + r + u) with (S + (r + u)) by ring.
+    destruct (E r Hr) as (-> & -> & ->), (E (r + u) ltac:(lra)) as (-> & -> & ->). rewrite <- Z0, <- U10, <- U20. exact Q.
+Qed.
+
+(** spell after spell *)
 Fixpoint runs x v1 v2 now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (since now) /\ match later with
   | next :: later => Q2R (since now) < Q2R (since next) /\
-      obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) (Q2R (since next)) x v1 v2 /\
+      follows (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) (Q2R (since next)) x v1 v2 /\
       runs x v1 v2 next later
-  | [] => forall hi, obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2 end.
+  | [] => forall hi, follows (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2 end.
 
 (** all have a friction, one after the other *)
 Fixpoint in_order now later : Prop := 0 < Q2R (friction now) /\ 0 <= Q2R (since now) /\ match later with
@@ -134,16 +176,16 @@ Proof.
     split; [auto|]. split; [auto|]. intros hi. destruct V as (s & F). unfold last_friction in F; simpl in F.
     destruct (Rle_dec (Q2R (since now)) hi) as [Hh|Hh].
     + replace hi with (Q2R (since now) + (hi - Q2R (since now))) by ring.
-      apply (forced_obeys _ _ U' x' v1' v2' s); auto.
+      apply (forced_follows _ _ U' x' v1' v2' s); auto.
       * intros t Ht. apply P; lra.
       * intros t Ht. destruct (E t ltac:(lra)) as (_ & -> & -> & ->). auto.
-    + intros t0 T X V1 V2 g Ht HT Hd. exfalso. lra.
+    + split; [intros t0 T X V1 V2 g Ht HT Hd|intros t0 X V1 V2 Ht]; exfalso; lra.
   - pose proof (Push now (next :: later) U U' O DU (fun t Ht => proj1 (E t Ht))) as P. pose proof O as O'.
     destruct O as (Hb & Hs & Hn & O). split; [auto|]. split; [auto|]. split; [auto|].
     cbn [pieces varying last_friction] in V. destruct V as ((y & w1 & w2 & s & F & K) & V). split.
-    + assert (Ob : obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now))
+    + assert (Ob : follows (Q2R (friction now)) (in_R (push now)) (Q2R (since now))
         (Q2R (since now) + (Q2R (since next) - Q2R (since now))) x v1 v2).
-      { apply (forced_obeys _ _ U' y w1 w2 s); auto.
+      { apply (forced_follows _ _ U' y w1 w2 s); auto.
         - intros t Ht. rewrite <- (force_now now (next :: later)) by (auto; lra). apply P; lra.
         - intros t Ht. destruct (K t Ht) as (<- & <- & <-). destruct (E t ltac:(lra)) as (_ & -> & -> & ->). auto. }
       replace (Q2R (since now) + (Q2R (since next) - Q2R (since now))) with (Q2R (since next)) in Ob by ring. exact Ob.
@@ -213,12 +255,42 @@ Proof.
 Qed.
 
 (** *** The program *)
+(** A motion that is close: its state at the time [start], and how far, in the energy norm, ours was from it then. *)
+Record close := Close { start_at : Q; start_x : Q; start_v1 : Q; start_v2 : Q; radius : Q }.
+(** What comes with a rest: nothing; a stick that breaks; a new close motion, with the events of the one before since its
+    start: mode, bounds of the time since the event before, which way a stick ends. *)
+Inductive rests := Goes | Breaks | Renews (steps : list (mode * Q * Q * bool)) (new : close).
 (** what helps it, event by event: in how many bits; an event, with bounds of the time since the one before or since a
     rest, and which way a stick ends; a rest at a time, where the spell may end, and a stick may break, and for how long
     the mode before it surely lasts; the end; a time until which it then still sticks as long, and then for ever *)
 Inductive hint := Hit (bits : positive) (least most : Q) (towards : bool)
-  | Rest (bits : positive) (until least : Q) (breaks : bool) | Last (bits : positive) (least : Q)
+  | Rest (bits : positive) (until least : Q) (which : rests) | Last (bits : positive) (least : Q)
   | Ever (bits : positive) (until least : Q).
+
+(** the triangle inequality of the energy norm *)
+Lemma energy_triangle m1 m2 a2 x v1 v2 y w1 w2 p q : 0 <= m1 -> 0 <= m2 -> 0 <= a2 -> 0 < p -> 0 < q ->
+  energy m1 m2 a2 x v1 v2 <= p ^ 2 -> energy m1 m2 a2 y w1 w2 <= q ^ 2 ->
+  energy m1 m2 a2 (x + y) (v1 + w1) (v2 + w2) <= (p + q) ^ 2.
+Proof.
+  intros H1 H2 H3 Hp Hq E F. set (c := a2 * (x * y) / 2 + m1 * (v1 * w1) / 2 + m2 * (v2 * w2) / 2).
+  assert (S : 0 <= energy m1 m2 a2 (q * x - p * y) (q * v1 - p * w1) (q * v2 - p * w2)).
+  { unfold energy. pose proof (pow2_ge_0 (q * x - p * y)). pose proof (pow2_ge_0 (q * v1 - p * w1)).
+    pose proof (pow2_ge_0 (q * v2 - p * w2)). nra. }
+  assert (T : energy m1 m2 a2 (q * x - p * y) (q * v1 - p * w1) (q * v2 - p * w2) =
+    q ^ 2 * energy m1 m2 a2 x v1 v2 + p ^ 2 * energy m1 m2 a2 y w1 w2 - 2 * (p * q) * c) by (unfold energy, c; field).
+  assert (U : energy m1 m2 a2 (x + y) (v1 + w1) (v2 + w2) =
+    energy m1 m2 a2 x v1 v2 + energy m1 m2 a2 y w1 w2 + 2 * c) by (unfold energy, c; field).
+  assert (c <= p * q); [|nra]. apply Rmult_le_reg_l with (2 * (p * q)); [nra|].
+  assert (q ^ 2 * energy m1 m2 a2 x v1 v2 <= q ^ 2 * p ^ 2) by (apply Rmult_le_compat_l; nra).
+  assert (p ^ 2 * energy m1 m2 a2 y w1 w2 <= p ^ 2 * q ^ 2) by (apply Rmult_le_compat_l; nra). nra.
+Qed.
+(** each part of what is small is small *)
+Lemma energy_part m c e r : 0 < m -> m * c ^ 2 / 2 <= e -> e <= r ^ 2 -> 0 <= r -> Rabs c <= r * sqrt (2 / m).
+Proof.
+  intros Hm E F Hr. apply Rsqr_incr_0; [|apply Rabs_pos|apply Rmult_le_pos; [auto|apply sqrt_pos]].
+  rewrite <- Rsqr_abs, Rsqr_mult, Rsqr_sqrt by (apply Rlt_le, Rdiv_lt_0_compat; lra). unfold Rsqr.
+  apply Rmult_le_reg_l with (m / 2); [lra|]. replace (m / 2 * (r * r * (2 / m))) with (r ^ 2) by (field; lra). nra.
+Qed.
 
 (** what is known of a state beside bounds: nothing; a contact; the edge on which a stick has ended *)
 Inductive start := Off | Touch | Edge (ahead : bool).
@@ -296,12 +368,18 @@ Qed.
 Section Precision.
 Variable p : I.precision.
 
-(** intervals *)
-Definition boxes := Arith I.zero (I.add p) (I.sub p) (I.mul p) (I.div p) I.neg (I.sin p) (I.cos p).
 (** the rational number *)
 Definition rat q := I.div p (I.fromZ p (Qnum q)) (I.fromZ p (Zpos (Qden q))).
 (** the rational numbers between two *)
 Definition hull q r := I.join (rat q) (rat r).
+(** sines and cosines of a short interval: by its middle and their slope, which takes half the time *)
+Definition by_slope (f : I.type -> I.type) i := let c := I.singleton (I.midpoint i) in let d := I.sub p i c in
+  if pos (I.add p (rat (1 # 4096)) d) then if pos (I.sub p (rat (1 # 4096)) d) then
+    I.add p (f c) (I.mul p d (hull (-1) 1)) else f i else f i.
+Definition sin_by := by_slope (I.sin p).
+Definition cos_by := by_slope (I.cos p).
+(** intervals *)
+Definition boxes := Arith I.zero (I.add p) (I.sub p) (I.mul p) (I.div p) I.neg sin_by cos_by.
 (** a force *)
 Definition in_I (y : steady Q) := Steady (rat (from y)) (map rat (poly y)) (map (fun z =>
   Tone (rat (in_sine z)) (rat (in_cosine z)) (rat (rise_sine z)) (rat (rise_cosine z)) (rat (turn z)) (rat (phase z)))
@@ -311,6 +389,31 @@ Lemma has_rat q : has (rat q) (Q2R q).
 Proof. apply J.div_correct; apply I.fromZ_correct. Qed.
 Lemma has_hull q r u : Q2R q <= u <= Q2R r -> has (hull q r) u.
 Proof. intros Hu. exact (J.join_correct _ _ _ _ _ (has_rat q) (has_rat r) Hu). Qed.
+Lemma has_by_slope f (g : R -> R) i r : (forall i r, has i r -> has (f i) (g r)) ->
+  (forall a b, Rabs (g b - g a) <= 1 * Rabs (b - a)) -> has i r -> has (by_slope f i) (g r).
+Proof.
+  intros F L Hi. unfold by_slope. destruct (pos _); auto. destruct (pos _); auto.
+  pose proof (I.singleton_correct (I.midpoint i)) as Hc. set (c := proj_val _) in Hc.
+  assert (E : exists k, -1 <= k <= 1 /\ g r = g c + (r - c) * k).
+  { destruct (Req_dec r c) as [->|N]; [exists 0; lra|]. exists ((g r - g c) / (r - c)). split; [|field; lra].
+    apply Rabs_inv. rewrite Rabs_div by lra. apply Rmult_le_reg_r with (Rabs (r - c)); [apply Rabs_pos_lt; lra|].
+    unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by (apply Rabs_no_R0; lra). apply L. }
+  destruct E as (k & Hk & ->).
+  refine (J.add_correct p _ _ _ _ (F _ _ Hc) (J.mul_correct p _ _ _ _ (J.sub_correct p _ _ _ _ Hi Hc) _)).
+  apply has_hull. replace (Q2R (-1)) with (-1) by (unfold Q2R; simpl; lra). rewrite RMicromega.Q2R_1. auto.
+Qed.
+Lemma has_sin_by i r : has i r -> has (sin_by i) (sin r).
+Proof.
+  apply has_by_slope; [apply J.sin_correct|]. intros a b.
+  destruct (MVT_abs sin cos a b (fun c _ => derivable_pt_lim_sin c)) as (c & -> & _).
+  apply Rmult_le_compat_r; [apply Rabs_pos|]. apply Rabs_le, COS_bound.
+Qed.
+Lemma has_cos_by i r : has i r -> has (cos_by i) (cos r).
+Proof.
+  apply has_by_slope; [apply J.cos_correct|]. intros a b.
+  destruct (MVT_abs cos (fun c => - sin c) a b (fun c _ => derivable_pt_lim_cos c)) as (c & -> & _).
+  apply Rmult_le_compat_r; [apply Rabs_pos|]. rewrite Rabs_Ropp. apply Rabs_le, SIN_bound.
+Qed.
 
 (** what a swing is made of at a time; beyond the critical damping two exponentials, which are bounded one by one *)
 Definition swung F u :=
@@ -318,13 +421,13 @@ Definition swung F u :=
   let faded g := I.exp p (I.neg (I.mul p g u)) in
   match side F with
   | Gt => let phase := I.mul p w u in let e := faded (decay f) in
-      (I.mul p e (I.cos p phase), I.mul p e (I.div p (I.sin p phase) w))
+      (I.mul p e (cos_by phase), I.mul p e (I.div p (sin_by phase) w))
   | Eq => let e := faded (decay f) in (e, I.mul p e u)
   | Lt => (faded (I.sub p (decay f) w), faded (I.add p (decay f) w))
   end.
 (** sine and cosine of its tones *)
 Definition sung F u := let t := I.add p (clock (parts F)) u in
-  map (fun z => let a := I.add p (I.mul p (turn z) t) (phase z) in (I.sin p a, I.cos p a)) (tones (answer (parts F))).
+  map (fun z => let a := I.add p (I.mul p (turn z) t) (phase z) in (sin_by a, cos_by a)) (tones (answer (parts F))).
 (** a sum of tones at the time t *)
 Fixpoint chord t (i : I.type) zs bs := match zs, bs with
   | z :: zs, (s, c) :: bs => I.add p (I.add p (I.mul p (I.add p (in_sine z) (I.mul p (rise_sine z) t)) s)
@@ -350,7 +453,7 @@ Definition steep F := Bounded (sloped boxes (parts F)) (side F) (root F).
 Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
   | apply J.zero_correct | apply J.add_correct | apply J.sub_correct
   | apply J.mul_correct | apply J.div_correct | apply J.neg_correct | apply J.sqrt_correct | apply J.exp_correct
-  | apply J.cos_correct | apply J.sin_correct].
+  | apply has_cos_by | apply has_sin_by].
 
 Lemma has_map {S T U V} (P : S -> T -> Prop) (Q : U -> V -> Prop) f g l k : (forall x y, P x y -> Q (f x) (g y)) ->
   Forall2 P l k -> Forall2 Q (map f l) (map g k).
@@ -441,7 +544,7 @@ End Precision.
 Ltac has := cbn [add sub mul div neg zero sin_of cos_of real boxes]; repeat first [assumption | apply has_rat
   | apply J.zero_correct | apply J.add_correct | apply J.sub_correct
   | apply J.mul_correct | apply J.div_correct | apply J.neg_correct | apply J.sqrt_correct | apply J.exp_correct
-  | apply J.cos_correct | apply J.sin_correct].
+  | apply has_cos_by | apply has_sin_by].
 
 (** a swing beyond the critical damping *)
 Lemma two_exponentials g w even odd u : 0 < w ->
@@ -490,6 +593,14 @@ Lemma has_value p F f u i : has_wave F f -> has i u -> has (value p F i) (val f 
 Proof. intros. apply has_made; auto using swung_spec, sung_spec. Qed.
 Lemma has_steep p F f : has_wave F f -> has_wave (steep p F) (slope f).
 Proof. intros []. constructor; cbn [steep parts side root]; auto using has_sloped. Qed.
+(** what a swing is made of serves all waves of a phase, and so the sines of its tones *)
+Lemma has_shared p F f G g u i : has_wave F f -> has i u -> has_wave G g -> side G = side F -> decay g = decay f ->
+  square g = square f -> clock g = clock f -> angles g = angles f -> has (made p G i (swung p F i) (sung p F i)) (val g u).
+Proof.
+  intros W Hi V S D Q C A. apply has_made; auto; [rewrite S, D, Q; apply swung_spec|rewrite C, A; apply sung_spec]; auto.
+Qed.
+Lemma angles_slope f : angles (slope f) = angles f.
+Proof. unfold angles. cbn. rewrite map_map. reflexivity. Qed.
 
 Section Program.
 (** the precision of states, that of signs, and how often an interval is halved *)
@@ -498,11 +609,11 @@ Variables (p q : I.precision) (depth : nat).
 (** *** Positive on an interval *)
 (** between a and b, the values at both being positive: by its bounds, or rising, falling or concave, or by halves *)
 Fixpoint stays depth (F F' F'' : bounded) a b : bool :=
-  let i := hull q a b in
-  if pos (value q F i) then true else
-  let d := value q F' i in
+  let i := hull q a b in let swing := swung q F i in let sines := sung q F i in
+  if pos (made q F i swing sines) then true else
+  let d := made q F' i swing sines in
   if nonneg d then true else if nonneg (I.neg d) then true else
-  if nonneg (I.neg (value q F'' i)) then true else
+  if nonneg (I.neg (made q F'' i swing sines)) then true else
   match depth with
   | O => false
   | S depth => let c := mid a b in
@@ -513,21 +624,25 @@ Lemma stays_spec n F f a b : has_wave F f -> stays n F (steep q F) (steep q (ste
   Q2R a <= Q2R b -> 0 < val f (Q2R a) -> 0 < val f (Q2R b) -> forall u, Q2R a <= u <= Q2R b -> 0 < val f u.
 Proof.
   intros W. pose proof (has_steep q _ _ W) as W'. pose proof (has_steep q _ _ W') as W''. revert a b.
-  induction n as [|n IH]; intros a b; cbn [stays]; intros St Hab Pa Pb u Hu;
-    destruct (pos (value q F (hull q a b))) eqn:E0.
-  1, 3: apply (pos_spec _ _ E0), has_value, has_hull; auto.
-  all: destruct (nonneg (value q (steep q F) (hull q a b))) eqn:E1.
-  1, 3: apply (rising_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply (nonneg_spec _ _ E1), has_value, has_hull;
-    auto.
-  all: destruct (nonneg (I.neg (value q (steep q F) (hull q a b)))) eqn:E2.
-  1, 3: apply (falling_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
-    apply (nonneg_spec _ _ E2), J.neg_correct, has_value, has_hull; auto.
-  all: destruct (nonneg (I.neg (value q (steep q (steep q F)) (hull q a b)))) eqn:E3.
-  1, 3: apply (concave_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
-    apply (nonneg_spec _ _ E3), J.neg_correct, has_value, has_hull; auto.
+  assert (S' : forall i u, has i u -> has (made q (steep q F) i (swung q F i) (sung q F i)) (val (slope f) u)).
+  { intros. apply (has_shared q F f); auto using angles_slope. }
+  assert (S'' : forall i u, has i u ->
+    has (made q (steep q (steep q F)) i (swung q F i) (sung q F i)) (val (slope (slope f)) u)).
+  { intros. apply (has_shared q F f); auto. rewrite !angles_slope. auto. }
+  induction n as [|n IH]; intros a b; cbn [stays]; cbv zeta; intros St Hab Pa Pb u Hu; revert St.
+  all: destruct (pos (made q F _ _ _)) eqn:E0;
+    [intros _; apply (pos_spec _ _ E0), has_value, has_hull; auto|].
+  all: destruct (nonneg (made q (steep q F) _ _ _)) eqn:E1;
+    [intros _; apply (rising_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply (nonneg_spec _ _ E1), S', has_hull; auto|].
+  all: destruct (nonneg (I.neg (made q (steep q F) _ _ _))) eqn:E2;
+    [intros _; apply (falling_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
+      apply (nonneg_spec _ _ E2), J.neg_correct, S', has_hull; auto|].
+  all: destruct (nonneg (I.neg (made q (steep q (steep q F)) _ _ _))) eqn:E3;
+    [intros _; apply (concave_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
+      apply (nonneg_spec _ _ E3), J.neg_correct, S'', has_hull; auto|].
   - discriminate.
   - destruct (pos (value q F (rat q (mid a b)))) eqn:E4; [|discriminate].
-    destruct (stays n F (steep q F) (steep q (steep q F)) a (mid a b)) eqn:E5; [|discriminate].
+    destruct (stays n F (steep q F) (steep q (steep q F)) a (mid a b)) eqn:E5; [|discriminate]. intros St.
     assert (Pc : 0 < val f (Q2R (mid a b))) by (apply (pos_spec _ _ E4), has_value, has_rat; auto).
     pose proof (mid_spec a b) as Mid. destruct (Rle_dec u (Q2R (mid a b))).
     + apply (IH a (mid a b)); auto; lra.
@@ -710,6 +825,34 @@ Definition rest K final st m until least : option (state * I.type) :=
 (** a stick that lasts for ever, if the force is constant *)
 Definition captive K st := touches (how st) && nonneg (spare (boxes p) (numbers K) (at_t st) (at_x st) (at_v1 st)).
 
+(** the state that a close motion starts from *)
+Definition starting a := State (rat p (start_at a)) (rat p (start_x a)) (rat p (start_v1 a)) I.zero (rat p (start_v2 a))
+  (if Qeq_bool (start_v1 a) (start_v2 a) then Touch else Off).
+(** its state after some events *)
+Fixpoint passes K final st (steps : list (mode * Q * Q * bool)) : option state := match steps with
+  | (m, least, most, k) :: steps => match step K final st m least most k with
+      | Some st => passes K final st steps | None => None end
+  | [] => Some st end.
+(** the energy of the difference from a state is at most r^2 *)
+Definition small K st a r := let sq i := I.mul p i i in let K := numbers K in
+  nonneg (I.sub p (rat p (2 * (r * r))) (I.add p (I.add p
+    (I.mul p (ka2 K) (sq (I.sub p (at_x st) (rat p (start_x a)))))
+    (I.mul p (k1 K) (sq (I.sub p (at_v1 st) (rat p (start_v1 a))))))
+    (I.mul p (k2 K) (sq (I.sub p (at_v2 st) (rat p (start_v2 a))))))).
+(** the state st at the time [until] in the mode m is close to the motion b: a was close before, or nothing was known *)
+Definition renewed K st m until least a steps b := Qeq_bool (start_at b) until && nonnegQ (radius b) && match a with
+  | None => small K st b (radius b)
+  | Some a => posQ (radius a) && posQ (radius b - radius a) && Qle_bool (start_at a) until && match passes K (Some until) (starting a) steps with
+      | Some st => match rest K (Some until) st m until least with
+        | Some (st, _) => small K st b (radius b - radius a) | None => false end
+      | None => false end end.
+(** r sqrt(2 / m) about a number *)
+Definition about c r m := let d := I.mul p (rat p r) (I.sqrt p (I.div p (rat p 2) m)) in
+  I.join (I.sub p (rat p c) d) (I.add p (rat p c) d).
+(** the states close to a motion; body 2 is where it was *)
+Definition closest K st a := let K := numbers K in State (at_t st) (about (start_x a) (radius a) (ka2 K))
+  (about (start_v1 a) (radius a) (k1 K)) (at_x2 st) (about (start_v2 a) (radius a) (k2 K)) (how st).
+
 (** an event is as the table says *)
 Definition agrees st now := touches (how st) && inside (at_t st) (time now) && inside (at_x st) (place now) &&
   inside (at_x2 st) (place2 now) && inside (at_v1 st) (speed now).
@@ -742,23 +885,25 @@ Definition lasts now (later : list spell) y st e hints := match hints, later wit
       match rest p q depth K None st Stick until least with Some (st, _) => captive p K st | None => false end
   | [], _ => negb (for_ever e) | _, _ => false end.
 
-(** event after event, spell after spell; ys: how both masses answer in each *)
-Fixpoint goes now later ys st events e hints : bool := match hints, ys with
+(** event after event, spell after spell; ys: how both masses answer in each; a: a motion that is close *)
+Fixpoint goes now later ys st a events e hints : bool := match hints, ys with
   | Hit bits least most k :: hints, y :: _ => let p := bits_of bits in
       match events with
       | ev :: events => match step p q depth (tuned p sc now y) (until_next later) st (mode_until ev) least most k with
-        | Some st => if agrees p st ev then goes now later ys st events e hints else false | None => false end
+        | Some st => if agrees p st ev then goes now later ys st a events e hints else false | None => false end
       | [] => false end
-  | Rest bits until least breaks :: hints, y :: ys' => let p := bits_of bits in
-      match rest p q depth (tuned p sc now y) (until_next later) st (current events e) until least with
-      | Some (st, _) =>
-        match (if breaks then match events with ev :: events => if agrees p st ev then Some events else None
-          | [] => None end else Some events) with
-        | Some events => match later with
-          | next :: later' => if Qeq_bool until (since next) then goes next later' ys' st events e hints
-              else goes now later ys st events e hints
-          | [] => goes now later ys st events e hints end
-        | None => false end
+  | Rest bits until least which :: hints, y :: ys' => let p := bits_of bits in let K := tuned p sc now y in
+      let on st a events := match later with
+        | next :: later' => if Qeq_bool until (since next) then goes next later' ys' st a events e hints
+            else goes now later ys st a events e hints
+        | [] => goes now later ys st a events e hints end in
+      match rest p q depth K (until_next later) st (current events e) until least with
+      | Some (st, _) => match which, events with
+        | Goes, _ => on st None events
+        | Breaks, ev :: events => if agrees p st ev then on st None events else false
+        | Renews steps b, _ => if renewed p q depth K st (current events e) until least a steps b
+            then on (closest p K st b) (Some b) events else false
+        | _, _ => false end
       | None => false end
   | Last bits least :: hints, y :: _ => let p := bits_of bits in
       match events, rest p q depth (tuned p sc now y) (until_next later) st (last_mode e) (last e) least with
@@ -780,7 +925,7 @@ Definition fair ys := posQ (m1 sc) && posQ (m2 sc) && nonnegQ (a1 sc) && posQ (a
 
 (** the program; the first number of bits is that of the start *)
 Definition check bits ys events e hints : bool :=
-  fair ys && goes (first_spell sc) (later_spells sc) ys (initial (bits_of bits)) events e hints.
+  fair ys && goes (first_spell sc) (later_spells sc) ys (initial (bits_of bits)) None events e hints.
 
 (** *** It is right *)
 Let M1 := Q2R (m1 sc).
@@ -814,6 +959,7 @@ Proof.
   rewrite (Qeq_eqR _ _ (Qred_correct _)), Q2R_minus, Q2R_div, Q2R_mult, !fadeQ_spec by (auto using not_0). auto.
 Qed.
 
+Section Motion.
 Variables x v1 x2 v2 : R -> R.
 Hypotheses (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
 
@@ -824,13 +970,13 @@ Definition knows B f st t := has (at_t st) t /\ has (at_x st) (x t) /\ has (at_v
   | Edge k => v1 t = v2 t /\ A2 * x t + A1 * v1 t - sval real f t = - (sign k * (B * (M1 + M2) / M2)) end.
 
 Section Spell.
-Variables (now : spell) (y : steady Q * steady Q) (final : option Q).
+Variables (now : spell) (y : steady Q * steady Q) (first : R) (final : option Q).
 Let B := Q2R (friction now).
 Let f := in_R (push now).
-Hypotheses (Hb : 0 < B) (Hs : 0 <= Q2R (since now)).
+Hypotheses (Hb : 0 < B) (Hs : 0 <= first).
 Hypotheses (Hy1 : answers M1 A1 A2 (in_R (fst y)) f) (HyM : answers (M1 + M2) A1 A2 (in_R (snd y)) f).
 Hypothesis H : forall hi, match final with Some q => hi <= Q2R q | None => True end ->
-  obeys M1 M2 A1 A2 B f (Q2R (since now)) hi x v1 v2.
+  obeys M1 M2 A1 A2 B f first hi x v1 v2.
 Variable p : I.precision.
 Let K := tuned p sc now y.
 Let k := real_kit M1 M2 A1 A2 B (in_R (fst y)) (in_R (snd y)) f.
@@ -861,7 +1007,7 @@ Qed.
 
 Section State.
 Variables (st : state) (t : R).
-Hypotheses (Kn : knows B f st t) (Ht : Q2R (since now) <= t).
+Hypotheses (Kn : knows B f st t) (Ht : first <= t).
 Let g k' := guard real k k' t (x t) (v1 t) (v2 t).
 Let h k' := grip real k k' t (x t) (v1 t).
 
@@ -931,20 +1077,12 @@ Qed.
 Lemma slide_made k' i u F w : has i u -> has_wave F w -> side F = side1 K -> decay w = slow1 k -> square w = stiff1 k ->
   clock w = t -> angles w = angles (g k') ->
   has (made p F i (swung p (guards p K st k' (slides p K st k')) i) (sung p (guards p K st k' (slides p K st k')) i)) (val w u).
-Proof.
-  intros Hi W S D Q C A. pose proof (has_guards k') as G. apply has_made; auto.
-  - rewrite S, D, Q. exact (swung_spec p _ _ u i G Hi).
-  - rewrite C, A. exact (sung_spec p _ _ u i G Hi).
-Qed.
+Proof. exact (has_shared p _ _ F w u i (has_guards k')). Qed.
 (** of a stick *)
 Lemma stick_made k' i u F w : has i u -> has_wave F w -> side F = sideM K -> decay w = slowM k -> square w = stiffM k ->
   clock w = t -> angles w = angles (h k') ->
   has (made p F i (swung p (grips p K k' (sticks p K st)) i) (sung p (grips p K k' (sticks p K st)) i)) (val w u).
-Proof.
-  intros Hi W S D Q C A. pose proof (has_grips k') as G. apply has_made; auto.
-  - rewrite S, D, Q. exact (swung_spec p _ _ u i G Hi).
-  - rewrite C, A. exact (sung_spec p _ _ u i G Hi).
-Qed.
+Proof. exact (has_shared p _ _ F w u i (has_grips k')). Qed.
 Ltac made := try reflexivity; unfold angles; cbn; rewrite ?map_map; reflexivity.
 
 (** one event *)
@@ -1011,7 +1149,8 @@ Proof.
 Qed.
 (** a rest *)
 Lemma rest_sound m until least st' w : rest p q depth K final st m until least = Some (st', w) ->
-  t < Q2R until /\ (forall u, t < u <= Q2R until -> in_mode m (v1 u) (v2 u)) /\ (forall B' f', knows B' f' st' (Q2R until)) /\
+  t < Q2R until /\ (match final with Some q => Q2R until <= Q2R q | None => True end) /\
+  (forall u, t < u <= Q2R until -> in_mode m (v1 u) (v2 u)) /\ (forall B' f', knows B' f' st' (Q2R until)) /\
   has w (v1 (Q2R until) - v2 (Q2R until)).
 Proof.
   pose proof Kn as (Kt & Kx & K1 & Kx2 & K2 & Kh). unfold rest. set (iu := I.sub p (rat p until) (at_t st)).
@@ -1031,7 +1170,7 @@ Proof.
     assert (F := slip_phase M1 M2 A1 A2 B Hm1 Hm2 Ha2 _ (in_R (snd y)) _ Hy1 x v1 v2 _ _ H t Ht s u ltac:(lra) ltac:(lra) Nn).
     assert (G : forall r, 0 <= r <= u -> sign s * (v1 (t + r) - v2 (t + r)) = val (g s) r).
     { intros r Hr. destruct (F r Hr) as (_ & -> & ->). unfold g, k. rewrite val_guard by auto. auto. }
-    destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. split; [|split].
+    destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. rewrite Eu in Fin. split; [auto|]. split; [|split].
     + intros r Hr. specialize (P (r - t) ltac:(lra)). rewrite <- G in P by lra. replace (t + (r - t)) with r in P by ring.
       destruct s; simpl in *; lra.
     + assert (Hw : has (drive (boxes p) (numbers K) s (at_v2 st) iu) (v2 (t + u))).
@@ -1055,7 +1194,7 @@ Proof.
     assert (Both : forall r, 0 <= r < u -> 0 <= val (h true) r /\ 0 <= val (h false) r).
     { intros r Hr. destruct (Req_dec r 0) as [->|]; auto. split; apply Rlt_le; [apply P|apply P']; lra. }
     assert (F := stick_phase M1 M2 A1 A2 B Hm1 Hm2 Hb (in_R (fst y)) _ _ HyM x v1 v2 _ _ H t Ht u ltac:(lra) ltac:(lra) Ev0 Both).
-    destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. split; [|split].
+    destruct (F u ltac:(lra)) as (Fx & F1 & F2). split; [lra|]. rewrite Eu in Fin. split; [auto|]. split; [|split].
     + intros r Hr. destruct (F (r - t) ltac:(lra)) as (_ & G1 & G2). replace (t + (r - t)) with r in * by ring.
       simpl. congruence.
     + assert (Hx : has (made p (sticks p K st) iu (swung p (grips p K true (sticks p K st)) iu)
@@ -1075,13 +1214,39 @@ Lemma captive_spec : final = None -> constant (push now) = true -> captive p K s
 Proof.
   intros Ef Co E u Hu. rewrite Ef in H. apply andb_true_iff in E. destruct E as (To & Sp).
   pose proof Kn as (Kt & Kx & K1 & _). replace u with (t + (u - t)) by ring.
-  apply (stick_for_ever M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb (in_R (fst y)) (in_R (snd y)) f HyM x v1 v2 (Q2R (since now)) u);
+  apply (stick_for_ever M1 M2 A1 A2 B Hm1 Hm2 Ha1 Ha2 Hb (in_R (fst y)) (in_R (snd y)) f HyM x v1 v2 first u);
     auto using knows_touch; try lra.
   - intros r. apply constant_spec, Co.
   - apply (nonneg_spec _ _ Sp), has_spare; auto using has_tuned.
 Qed.
 End State.
+
+(** several events *)
+Lemma passes_sound steps : forall st t st', knows B f st t -> first <= t -> passes p q depth K final st steps = Some st' ->
+  exists t', first <= t' /\ knows B f st' t'.
+Proof.
+  induction steps as [|(((m, least), most), k') steps IH]; cbn [passes]; intros st t st' Kn Ht E.
+  - injection E as <-. eauto.
+  - destruct (step _ _ _ _ _ _ _ _ _ _) as [st1|] eqn:E1; [|discriminate].
+    destruct (step_sound st t Kn Ht _ _ _ _ _ E1) as (t1 & Ht1 & _ & _ & Kn1). apply (IH st1 t1); auto. lra.
+Qed.
+(** a small difference *)
+Lemma small_spec st t a r : knows B f st t -> small p K st a r = true -> energy M1 M2 A2 (x t - Q2R (start_x a))
+  (v1 t - Q2R (start_v1 a)) (v2 t - Q2R (start_v2 a)) <= Q2R r ^ 2.
+Proof.
+  intros (_ & Hx & H1 & _ & H2 & _) E. pose proof has_tuned as T. destruct T. unfold small in E.
+  set (c := x t - Q2R (start_x a)). set (d := v1 t - Q2R (start_v1 a)). set (e := v2 t - Q2R (start_v2 a)).
+  apply nonneg_spec with (r := Q2R (2 * (r * r)) - (A2 * (c * c) + M1 * (d * d) + M2 * (e * e))) in E;
+    [|unfold c, d, e; has].
+  rewrite !Q2R_mult in E. replace (Q2R 2) with 2 in E by (unfold Q2R; simpl; lra). unfold energy. lra.
+Qed.
 End Spell.
+End Motion.
+
+Section Whole.
+Variables x v1 x2 v2 : R -> R.
+Hypotheses (Cx2 : cont x2) (Dx2 : forall t, 0 <= t -> rderiv x2 t (v2 t)).
+Local Notation known := (knows x v1 x2 v2).
 
 (** inside the bounds *)
 Lemma inside_spec p i c r : inside p i c = true -> has i r -> within c r.
@@ -1092,7 +1257,7 @@ Proof.
   split; lra.
 Qed.
 (** an event *)
-Lemma agrees_spec B f p st ev later e t t' : knows B f st t' -> agrees p st ev = true -> t < t' ->
+Lemma agrees_spec B f p st ev later e t t' : known B f st t' -> agrees p st ev = true -> t < t' ->
   (forall u, t < u < t' -> in_mode (mode_until ev) (v1 u) (v2 u)) -> unfolds x v1 x2 v2 t' later e ->
   unfolds x v1 x2 v2 t (ev :: later) e.
 Proof.
@@ -1111,69 +1276,156 @@ Proof.
   apply posQ_spec in F. apply nonnegQ_spec in S. apply is_answer_spec in Y1. apply is_answer_spec in YM.
   assert (E : M1 + M2 = Q2R (both sc)) by (unfold both; rewrite Q2R_plus; auto). rewrite E. auto.
 Qed.
-(** along what it runs *)
+(** along what it runs, and beside what *)
+Lemma follows_less B f lo hi hi' y w1 w2 : hi' <= hi -> follows M1 M2 A1 A2 B f lo hi y w1 w2 ->
+  follows M1 M2 A1 A2 B f lo hi' y w1 w2.
+Proof.
+  assert (Less : forall lo y w1 w2, hi' <= hi -> obeys M1 M2 A1 A2 B f lo hi y w1 w2 -> obeys M1 M2 A1 A2 B f lo hi' y w1 w2).
+  { intros l z u1 u2 Hh O t0 T X V1 V2 g Ht HT Hd. apply O; auto. lra. }
+  intros Hh (O & N). split; [auto|]. intros t0 X V1 V2 Ht. destruct (N t0 X V1 V2 ltac:(lra)) as (z & u1 & z2 & u2 & St &
+    Oz & C & D & E). exists z, u1, z2, u2. repeat (split; [auto|]). intros t Hu. apply E. lra.
+Qed.
 Lemma runs_now now later : runs M1 M2 A1 A2 x v1 v2 now later ->
   forall hi, match until_next later with Some q => hi <= Q2R q | None => True end ->
-  obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2.
+  follows M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2.
 Proof.
-  destruct later as [|next later]; cbn [runs until_next]; intros (_ & _ & R).
-  - intros hi _. apply R.
-  - intros hi Hh t0 T X V1 V2 g Ht HT Hd. apply R; auto. lra.
+  destruct later as [|next later]; cbn [runs until_next]; intros (_ & _ & R); [auto|].
+  intros hi Hh. exact (follows_less _ _ _ _ _ _ _ _ Hh (proj1 (proj2 R))).
 Qed.
+
+(** the motion is close to another one *)
+Definition is_close lo a := match a with None => True | Some a => let s := Q2R (start_at a) in
+  lo <= s /\ energy M1 M2 A2 (x s - Q2R (start_x a)) (v1 s - Q2R (start_v1 a)) (v2 s - Q2R (start_v2 a)) <= Q2R (radius a) ^ 2
+  end.
+Section Close.
+Variables (now : spell) (y : steady Q * steady Q) (p : I.precision).
+Let B := Q2R (friction now).
+Let f := in_R (push now).
+Let lo := Q2R (since now).
+Hypotheses (Hb : 0 < B) (Hs : 0 <= lo).
+Hypotheses (Hy1 : answers M1 A1 A2 (in_R (fst y)) f) (HyM : answers (M1 + M2) A1 A2 (in_R (snd y)) f).
+Let K := tuned p sc now y.
+
+Lemma renewed_sound st m until least a steps b : follows M1 M2 A1 A2 B f lo (Q2R until) x v1 v2 -> lo <= Q2R until ->
+  is_close lo a -> known B f st (Q2R until) -> renewed p q depth K st m until least a steps b = true ->
+  Q2R (start_at b) = Q2R until /\ 0 <= Q2R (radius b) /\ is_close lo (Some b).
+Proof.
+  intros (_ & Beside) Hl Cl Kn E. unfold renewed in E. rewrite !andb_true_iff in E. destruct E as ((Eb & Rb) & E).
+  apply Qeq_bool_iff, Qeq_eqR in Eb. apply nonnegQ_spec in Rb. split; [auto|]. split; [auto|]. unfold is_close.
+  rewrite Eb. split; [auto|]. destruct a as [a|].
+  - rewrite !andb_true_iff in E. destruct E as (((Ra & Rd) & Hu) & E). apply posQ_spec in Ra. apply posQ_spec in Rd.
+    apply Qle_bool_iff, Qle_Rle in Hu. destruct Cl as (Ha & Cl). set (s := Q2R (start_at a)) in *.
+    destruct (Beside s (Q2R (start_x a)) (Q2R (start_v1 a)) (Q2R (start_v2 a)) ltac:(lra))
+      as (z & u1 & z2 & u2 & (Z0 & U1 & Z2 & U2) & Ob & C2 & D2 & Near).
+    destruct (passes _ _ _ _ _ _ _) as [st1|] eqn:E1; [|discriminate].
+    destruct (rest _ _ _ _ _ _ _ _ _) as [(st2, w)|] eqn:E2; [|discriminate].
+    assert (H : forall hi, hi <= Q2R until -> obeys M1 M2 A1 A2 B f s hi z u1 u2).
+    { intros hi Hh t0 T X V1 V2 g Ht HT Hd. apply Ob; auto. lra. }
+    assert (K0 : knows z u1 z2 u2 B f (starting p a) s).
+    { unfold knows, starting; cbn [at_t at_x at_v1 at_x2 at_v2 how]. rewrite Z0, U1, Z2, U2.
+      repeat (split; [try apply has_rat; try apply J.zero_correct|]). destruct (Qeq_bool _ _) eqn:Q; auto.
+      apply Qeq_bool_iff, Qeq_eqR in Q. auto. }
+    destruct (passes_sound z u1 z2 u2 C2 D2 now y s (Some until) Hb ltac:(lra) Hy1 HyM H p steps _ s st1 K0 (Rle_refl s) E1)
+      as (t1 & Ht1 & K1).
+    destruct (rest_sound z u1 z2 u2 C2 D2 now y s (Some until) Hb ltac:(lra) Hy1 HyM H p _ t1 K1 Ht1 _ _ _ _ _ E2)
+      as (Ht2 & _ & _ & K2 & _).
+    pose proof (small_spec z u1 z2 u2 now y p _ _ _ _ (K2 B f) E) as Sm. rewrite Q2R_minus in Sm, Rd.
+    pose proof (Rle_trans _ _ _ (Near (Q2R until) ltac:(lra)) Cl) as Sn.
+    pose proof (energy_triangle M1 M2 A2 _ _ _ _ _ _ _ _ ltac:(lra) ltac:(lra) ltac:(lra) Ra Rd Sn Sm) as T.
+    eapply Rle_trans; [|eapply Rle_trans; [exact T|]]; [right; f_equal; ring|right; ring].
+  - exact (small_spec x v1 x2 v2 now y p _ _ _ _ Kn E).
+Qed.
+
+Lemma about_spec c r M m u : has M m -> 0 < m -> 0 <= Q2R r -> Rabs (u - Q2R c) <= Q2R r * sqrt (2 / m) ->
+  has (about p c r M) u.
+Proof.
+  intros HM Hm Hr Hu. apply Rabs_inv in Hu. assert (E : Q2R 2 = 2) by (unfold Q2R; simpl; lra).
+  assert (D : has (I.mul p (rat p r) (I.sqrt p (I.div p (rat p 2) M))) (Q2R r * sqrt (2 / m))) by (rewrite <- E; has).
+  apply (J.join_correct _ _ (Q2R c - Q2R r * sqrt (2 / m)) (Q2R c + Q2R r * sqrt (2 / m))); [has|has|lra].
+Qed.
+Lemma closest_spec st b t : t = Q2R (start_at b) -> 0 <= Q2R (radius b) -> is_close lo (Some b) ->
+  (forall B' f', known B' f' st t) -> forall B' f', known B' f' (closest p K st b) t.
+Proof.
+  intros Et Hr (_ & Cl) Kn B' f'. rewrite <- Et in Cl. pose proof (has_tuned now y p) as T. destruct T.
+  destruct (Kn B' f') as (Kt & _ & _ & K2 & _ & Kh). unfold closest, knows; cbn [at_t at_x at_v1 at_x2 at_v2 how].
+  unfold energy in Cl. set (c := x t - Q2R (start_x b)) in *. set (d := v1 t - Q2R (start_v1 b)) in *.
+  set (e := v2 t - Q2R (start_v2 b)) in *.
+  assert (0 <= A2 * c ^ 2 / 2 /\ 0 <= M1 * d ^ 2 / 2 /\ 0 <= M2 * e ^ 2 / 2) by (repeat split; nra).
+  split; [auto|]. split; [|split; [|split; [auto|split; [|auto]]]].
+  - apply about_spec with A2; auto. apply (energy_part A2 _ _ _ Ha2 (Rle_refl _)); [fold c; lra|auto].
+  - apply about_spec with M1; auto. apply (energy_part M1 _ _ _ Hm1 (Rle_refl _)); [fold d; lra|auto].
+  - apply about_spec with M2; auto. apply (energy_part M2 _ _ _ Hm2 (Rle_refl _)); [fold e; lra|auto].
+Qed.
+End Close.
 
 (** a stick for ever *)
 Lemma lasts_sound now later y : 0 < Q2R (friction now) -> 0 <= Q2R (since now) ->
   answers M1 A1 A2 (in_R (fst y)) (in_R (push now)) -> answers (M1 + M2) A1 A2 (in_R (snd y)) (in_R (push now)) ->
   (forall hi, match until_next later with Some q => hi <= Q2R q | None => True end ->
     obeys M1 M2 A1 A2 (Q2R (friction now)) (in_R (push now)) (Q2R (since now)) hi x v1 v2) ->
-  forall st t e hints, Q2R (since now) <= t -> knows (Q2R (friction now)) (in_R (push now)) st t ->
+  forall st t e hints, Q2R (since now) <= t -> known (Q2R (friction now)) (in_R (push now)) st t ->
   lasts now later y st e hints = true -> for_ever e = true -> forall u, t < u -> v1 u = v2 u.
 Proof.
   intros Hb Hs Y1 YM Ob st t e hints Ht Kn. unfold lasts. destruct hints as [|[| | |bits until least] [|]];
     [intros E Ev; rewrite Ev in E; discriminate| | | | | | |destruct later; [|discriminate]|]; try discriminate.
   rewrite andb_true_iff. intros (Co & R) _ u Hu. destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
-  destruct (rest_sound now y None Hb Hs Y1 YM Ob (bits_of bits) st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & _).
+  destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ None Hb Hs Y1 YM Ob (bits_of bits) st t Kn Ht _ _ _ _ _ E)
+    as (Ht' & _ & Q & Kn' & _).
   destruct (Rle_dec u (Q2R until)); [apply Q; lra|].
-  apply (captive_spec now y None Hb YM Ob (bits_of bits) st' (Q2R until)); auto; lra.
+  apply (captive_spec x v1 x2 v2 now y _ None Hb YM Ob (bits_of bits) st' (Q2R until)); auto; lra.
 Qed.
 
 (** all events *)
-Lemma goes_sound e hints : forall now later ys st events t, fair_spells now later ys = true ->
-  runs M1 M2 A1 A2 x v1 v2 now later -> Q2R (since now) <= t -> knows (Q2R (friction now)) (in_R (push now)) st t ->
-  goes now later ys st events e hints = true -> unfolds x v1 x2 v2 t events e.
+Lemma goes_sound e hints : forall now later ys st a events t, fair_spells now later ys = true ->
+  runs M1 M2 A1 A2 x v1 v2 now later -> Q2R (since now) <= t -> known (Q2R (friction now)) (in_R (push now)) st t ->
+  is_close (Q2R (since now)) a -> goes now later ys st a events e hints = true -> unfolds x v1 x2 v2 t events e.
 Proof.
-  induction hints as [|hint hints IH]; intros now later ys st events t Fa Ru Ht Kn; [destruct ys; discriminate|].
+  induction hints as [|hint hints IH]; intros now later ys st a events t Fa Ru Ht Kn Cl; [destruct ys; discriminate|].
   destruct ys as [|y ys]; [destruct hint; try discriminate; destruct hints; discriminate|].
-  destruct (fair_now _ _ _ _ Fa) as (Hb & Hs & Y1 & YM). pose proof (runs_now _ _ Ru) as Ob.
-  destruct hint as [bits least most k'|bits until least breaks|bits least|]; cbn [goes]; [| | |discriminate].
+  destruct (fair_now _ _ _ _ Fa) as (Hb & Hs & Y1 & YM). pose proof (runs_now _ _ Ru) as Fo.
+  pose proof (fun hi Hh => proj1 (Fo hi Hh)) as Ob.
+  destruct hint as [bits least most k'|bits until least which|bits least|]; cbn [goes]; [| | |discriminate].
   - destruct events as [|ev events]; [discriminate|]. destruct (step _ _ _ _ _ _ _ _ _ _) as [st'|] eqn:E; [|discriminate].
     destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
-    destruct (step_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q & Kn').
-    apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q). apply (IH now later (y :: ys) st'); auto. lra.
+    destruct (step_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (t' & Ht' & Ev & Q & Kn').
+    apply (agrees_spec _ _ _ _ _ _ _ _ _ Kn' Ea Ht' Q). apply (IH now later (y :: ys) st' a); auto. lra.
   - destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
-    destruct (rest_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & _).
-    assert (Go : forall events, match later with
-      | next :: later' => if Qeq_bool until (since next) then goes next later' ys st' events e hints
-          else goes now later (y :: ys) st' events e hints
-      | [] => goes now later (y :: ys) st' events e hints end = true -> unfolds x v1 x2 v2 (Q2R until) events e).
-    { intros evs G. assert (Same : goes now later (y :: ys) st' evs e hints = true -> unfolds x v1 x2 v2 (Q2R until) evs e).
-      { intros G'. apply (IH now later (y :: ys) st'); auto. lra. }
+    destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Fin & Q & Kn' & _).
+    set (on := fun st a events => match later with
+      | next :: later' => if Qeq_bool until (since next) then goes next later' ys st a events e hints
+          else goes now later (y :: ys) st a events e hints
+      | [] => goes now later (y :: ys) st a events e hints end).
+    assert (Go : forall st a events, on st a events = true -> (forall B' f', known B' f' st (Q2R until)) ->
+      (a = None \/ exists b, a = Some b /\ Q2R (start_at b) = Q2R until /\ is_close (Q2R (since now)) a) ->
+      unfolds x v1 x2 v2 (Q2R until) events e).
+    { intros st1 a1 evs G Kn1 Cl1. unfold on in G.
+      assert (Same : goes now later (y :: ys) st1 a1 evs e hints = true -> unfolds x v1 x2 v2 (Q2R until) evs e).
+      { intros G'. apply (IH now later (y :: ys) st1 a1); auto; [lra|]. destruct Cl1 as [->|(b & -> & _ & Cl1)]; simpl; auto. }
       destruct later as [|next later]; auto. destruct (Qeq_bool until (since next)) eqn:Eq; auto.
       apply Qeq_bool_iff, Qeq_eqR in Eq. cbn [fair_spells] in Fa. rewrite !andb_true_iff in Fa.
-      apply (IH next later ys st'); auto; [apply Fa|apply Ru|lra]. }
-    destruct breaks.
+      apply (IH next later ys st1 a1); auto; [apply Fa|apply Ru|lra|].
+      destruct Cl1 as [->|(b & -> & Eb & _ & Cl1)]; simpl; auto. split; [lra|auto]. }
+    destruct which as [| |steps b].
+    + intros G. apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto. apply (Go st' None); auto.
     + destruct events as [|ev events]; [discriminate|]. destruct (agrees _ _ _) eqn:Ea; [|discriminate]. intros G.
       apply (agrees_spec (Q2R (friction now)) (in_R (push now)) _ st' _ _ _ _ (Q2R until)) with (2 := Ea); auto.
-      intros u Hu. apply Q. lra.
-    + intros G. apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto.
+      * intros u Hu. apply Q. lra.
+      * apply (Go st' None); auto.
+    + destruct (renewed _ _ _ _ _ _ _ _ _ _ _) eqn:En; [|discriminate]. intros G.
+      destruct (renewed_sound now y _ Hb Hs Y1 YM st' _ until least a steps b (Fo _ Fin) ltac:(lra) Cl (Kn' _ _) En)
+        as (Eb & Rb & Cl').
+      apply (unfolds_earlier _ _ _ _ t (Q2R until)); auto. apply (Go _ (Some b) events G); [|right; exists b; auto].
+      apply (closest_spec now y _); auto.
   - destruct events as [|]; [|discriminate].
     destruct (rest _ _ _ _ _ _ _ _ _) as [(st', w)|] eqn:E; [|discriminate].
-    destruct (rest_sound now y _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E) as (Ht' & Q & Kn' & Kw).
+    destruct (rest_sound x v1 x2 v2 Cx2 Dx2 now y _ _ Hb Hs Y1 YM Ob _ st t Kn Ht _ _ _ _ _ E)
+      as (Ht' & _ & Q & Kn' & Kw).
     unfold ends. rewrite !andb_true_iff. intros (((((B0 & B1) & B2) & B3) & B4) & Ev).
     destruct (Kn' 0 (in_R (push now))) as (_ & Kx & K1 & Kx2 & K2 & _). cbn [unfolds].
     repeat (split; [solve [auto; eapply inside_spec; eauto]|]).
     apply (lasts_sound now later y Hb Hs Y1 YM Ob st' (Q2R (last e)) e hints); auto. lra.
 Qed.
+End Whole.
 
 Lemma in_R_pval l u : Q2R (pval rational l u) = pval real (map Q2R l) (Q2R u).
 Proof.
@@ -1216,7 +1468,7 @@ Proof.
   apply posQ_spec in Fm1. apply posQ_spec in Fm2. apply posQ_spec in Fa2. apply nonnegQ_spec in Fa1.
   apply Qeq_bool_iff, Qeq_eqR in F0. rewrite RMicromega.Q2R_0 in F0.
   apply (goes_sound bits_of q depth sc Fm1 Fm2 Fa1 Fa2 x v1 x2 v2 C2 D2 e hints (first_spell sc) (later_spells sc) ys
-    (initial sc (bits_of bits))); auto; [|lra|].
+    (initial sc (bits_of bits)) None); simpl; auto; [|lra|].
   - apply (varying_runs _ _ _ _ Fm1 Fm2 Fa1 Fa2 _ _ U U x v1 v2 x v1 v2); eauto using fair_order.
     + intros t Ht. apply DU. lra.
     + intros t Ht. rewrite F0, Rplus_0_l. auto.

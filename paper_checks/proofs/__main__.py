@@ -1,5 +1,6 @@
-"""`python -m paper_checks.proofs [check | pin | list | F.v]`: compile the proofs; write the pins anew; name the theorems;
-judge a proof file that `python -m numerics solve --proof F.v` has written."""
+"""`python -m paper_checks.proofs [check | pin | list | F.v [--out DIR]]`: compile the proofs; write the pins anew; name the
+theorems; judge a proof file that `python -m numerics solve --proof F.v` has written, or write it with all that it rests on
+into an empty folder, where plain coqc judges it."""
 
 from __future__ import annotations
 
@@ -20,9 +21,15 @@ def main() -> int:
         "command", nargs="?", default="check", help="check, pin, list, or a proof file: a name that ends in .v"
     )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="files that are compiled at a time (2)")
+    out = "of a proof file: write it with all that it rests on into this empty folder, and print the commands of coqc"
+    parser.add_argument("--out", type=Path, metavar="DIR", help=out)
     options = parser.parse_args()
+    if options.out and not options.command.endswith(".v"):
+        parser.error(f"--out is for a proof file, whose name ends in .v, not for {options.command}")
     if options.command.endswith(".v"):
-        return _judge(Path(options.command), options.jobs)
+        return (
+            _write(Path(options.command), options.out) if options.out else _judge(Path(options.command), options.jobs)
+        )
     if options.command not in ("check", "pin", "list"):
         parser.error(f"{options.command!r} is neither check, pin or list nor a proof file, whose name ends in .v")
     if options.command == "list":
@@ -30,6 +37,18 @@ def main() -> int:
             print(f"{one:28} {name:34} {sentence}")
         return 0
     return _pin(options.jobs) if options.command == "pin" else _check(options.jobs)
+
+
+def _write(path: Path, folder: Path) -> int:
+    try:
+        print(submitted.write(path, folder))
+    except UnicodeDecodeError:
+        return refuse(f"cannot read {path}: it is not UTF-8 text", USAGE)
+    except OSError as error:
+        return refuse(f"{error.filename}: {error.strerror}", USAGE)
+    except ValueError as error:
+        return refuse(str(error), USAGE)
+    return 0
 
 
 def _judge(path: Path, jobs: int) -> int:

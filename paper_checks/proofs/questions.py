@@ -26,7 +26,7 @@ CLASSICAL_REALS = frozenset(
 MACHINE_INTEGERS = ("PrimInt63.", "Uint63.")
 
 _MARK = re.compile(r"^@@ (.*)\n", re.MULTILINE)
-_AXIOM = re.compile(r"^([A-Za-z_][\w.']*)\s*(?::|$)", re.MULTILINE)
+_AXIOM = re.compile(r"^(?:([A-Za-z_][\w.']*)\s*(?::|$)|(\S.*))", re.MULTILINE)
 _VALUE = re.compile(r"\s*= (.*?)(?:%\w+)?\s*: .*", re.DOTALL)
 _HEADER = f"""From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
@@ -118,7 +118,8 @@ def _axioms(text: str) -> tuple[str, ...]:
         return ()
     if not text.startswith("Axioms:"):
         raise RuntimeError(f"the kernel's list of axioms cannot be read: {text[:200]!r}")
-    return tuple(sorted(_AXIOM.findall(text.removeprefix("Axioms:\n"))))
+    # what is no name and type counts as it stands, such as "f is assumed to be guarded."
+    return tuple(sorted(name or said for name, said in _AXIOM.findall(text.removeprefix("Axioms:\n"))))
 
 
 def _trimmed(name: str, text: str) -> str:

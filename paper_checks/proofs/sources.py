@@ -16,7 +16,8 @@ from pathlib import Path
 FOLDER = Path(__file__).parent
 LIBRARY = "InertialPair"
 
-_COMMENT = re.compile(r"\(\*|\*\)")
+# a text in quotes holds no mark of a comment; Coq reads it as one within a comment too
+_COMMENT = re.compile(r'\(\*|\*\)|"[^"]*"')
 _REQUIRED = re.compile(rf"From\s+{LIBRARY}\s+Require\s+(?:Import\s+|Export\s+)?([\w\s]+)\.")
 _DECLARED = re.compile(
     r"\b(?:Lemma|Theorem|Corollary|Definition|Fixpoint|Inductive|Record|Axioms?|Parameters?|Conjecture)\s+([\w']+)"
@@ -62,9 +63,10 @@ def without_comments(text: str) -> str:
     """The text with every comment, nested ones included, replaced by the line ends in it."""
     kept, depth, start = [], 0, 0
     for match in _COMMENT.finditer(text):
-        piece = text[start : match.start()]
+        quoted = match[0].startswith('"')
+        piece = text[start : match.end() if quoted else match.start()]
         kept.append("\n" * piece.count("\n") if depth else piece)
-        depth = max(0, depth + (1 if match[0] == "(*" else -1))
+        depth = max(0, depth + (0 if quoted else 1 if match[0] == "(*" else -1))
         start = match.end()
     kept.append(text[start:])
     return "".join(kept)

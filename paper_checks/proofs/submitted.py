@@ -8,11 +8,12 @@ it rests.
 from __future__ import annotations
 
 import os
+import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
 from paper_checks.proofs import kernel, questions
-from paper_checks.proofs.sources import Source, all_required, read
+from paper_checks.proofs.sources import LIBRARY, Source, all_required, in_order, read
 
 NAME = "Submitted"
 """What the file is called while it is judged, whatever its own name is."""
@@ -34,6 +35,17 @@ _TOLD = _NUMBERS | {
 }
 
 
+VERDICT = "Verdict"
+_VERDICT = f"""(** What the kernel has accepted, in the words of Trajectory.v, and the axioms that it rests on. *)
+From Coq Require Import Reals.
+From {LIBRARY} Require Trajectory {NAME}.
+Open Scope R_scope.
+Check ({NAME}.trajectory : {_STATEMENT}).
+Print {NAME}.the_scene.
+Print Assumptions {NAME}.trajectory.
+"""
+
+
 @dataclass(frozen=True)
 class Judged:
     """What the kernel says of a file: True (accepted), False (refused) or None (the kernel was not run), and why."""
@@ -44,11 +56,11 @@ class Judged:
 
 def judged(path: Path, store: Path | None = None, jobs: int = 2) -> Judged:
     """Compile a file with all that it rests on, and ask what its theorem says. Raises OSError, ValueError for no text."""
-    text = path.read_text("utf-8")
+    file = Source(NAME, path.read_text("utf-8"))
     store = kernel.cache_folder() if store is None else store
     if reason := kernel.why_not(os.environ.get("PATH")) or kernel.cannot_keep(store):
         return Judged(None, reason)
-    file, library = Source(NAME, text), read()
+    library = read()
     if missing := [one for one in file.requires if one not in library]:
         return Judged(False, f"it requires {missing[0]}, which is not a file of the library")
     if unproved := file.unproved():
@@ -60,6 +72,23 @@ def judged(path: Path, store: Path | None = None, jobs: int = 2) -> Judged:
     if compiled.broken:
         return Judged(False, next(iter(compiled.broken.values())))
     return _asked(compiled)
+
+
+def write(path: Path, folder: Path) -> str:
+    """Write a file with all that it rests on into an empty folder; return the commands that judge it by `coqc` alone.
+
+    The last file prints the statement and its axioms. Raises OSError, ValueError for no text or a folder that is in use.
+    """
+    sources = read() | {NAME: Source(NAME, path.read_text("utf-8")), VERDICT: Source(VERDICT, _VERDICT)}
+    folder.mkdir(parents=True, exist_ok=True)
+    if any(folder.iterdir()):
+        raise ValueError(f"{folder} is not empty: name a new folder")
+    needed = all_required(VERDICT, sources) | {VERDICT}
+    names = [f"{one}.v" for one in in_order(sources) if one in needed]
+    for name in names:
+        (folder / name).write_text(sources[name.removesuffix(".v")].text, "utf-8")
+    (folder / "_CoqProject").write_text("\n".join([f"-Q . {LIBRARY}", *names, ""]), "utf-8")
+    return f"cd {shlex.quote(str(folder))}\nfor file in {' '.join(names)}; do coqc -w none -Q . {LIBRARY} $file || break; done"
 
 
 def _asked(compiled: kernel.Compiled) -> Judged:

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from numerics.trade.recorded import Trade
     from paper_checks.evidence.claim import Claim
-    from paper_checks.report.content.blocks import Section
-    from paper_checks.report.content.document import Document
-    from paper_checks.report.output.finished import Files, Finished
-    from paper_checks.report.output.pictures import Pictures
+    from paper_checks.report.output.finished import Files
     from paper_checks.running.runner import Row
 
 # Everything that is not needed for --help is imported where it is used.
@@ -92,79 +89,48 @@ def _written(options: argparse.Namespace, rows: Sequence[Row], trade: Trade, com
 
     kept = Finished(options.trade) if options.program else None
     names = {form: name_of(rows, form, (options.steps,)) for form in options.format}
-    files: dict[str, Files] = {}
-    if kept and not options.fresh:
-        files = {form: found for form, name in names.items() if (found := kept.files(name)) is not None}
-    wanted = [form for form in names if form not in files]
-    if wanted:
-        from paper_checks.report.output import files as writing  # with it comes matplotlib
-
-        report, pictures = _drawable(options, rows, trade, wanted, complaints, kept)
-        for form in wanted:
-            made = writing.made(form, report, pictures, options.steps)
+    found = {form: kept.files(name) if kept and not options.fresh else None for form, name in names.items()}
+    files = {form: one for form, one in found.items() if one is not None}
+    if wanted := [form for form in names if form not in files]:
+        for form, made in _made(options, rows, trade, wanted, complaints):
             files[form] = made
             if kept and not complaints:
-                kept.keep_files(names[form], made)
+                kept.keep(names[form], made)
     if kept:
         kept.forget_old()
     return [placed(options.out, files[form]) for form in names]
 
 
-def _drawable(
-    options: argparse.Namespace,
-    rows: Sequence[Row],
-    trade: Trade,
-    wanted: Sequence[str],
-    complaints: list[str],
-    kept: Finished | None,
-) -> tuple[Document, Pictures]:
-    """Return the report, and its figures for the forms that are wanted; what cannot be drawn is added to the complaints."""
+def _made(
+    options: argparse.Namespace, rows: Sequence[Row], trade: Trade, wanted: Sequence[str], complaints: list[str]
+) -> Iterator[tuple[str, Files]]:
+    """Yield the files of each form that is wanted; why a figure was not drawn is added to the complaints."""
+    from numerics.tasks import available_cores
     from paper_checks.claims import CLAIMS
-    from paper_checks.report.content import document
-    from paper_checks.report.output.pictures import Pictures
+    from paper_checks.report.content.document import document
+    from paper_checks.report.formats import progress
+    from paper_checks.report.output import files  # with it comes matplotlib
+    from paper_checks.report.output.pictures import drawn, shown
     from paper_checks.reporting import parts
     from paper_checks.speed import section
 
-    whole = len(rows) == len(CLAIMS)
-    figures, chapters = parts.figures(trade), list(parts.chapters(trade)) if whole else []
-    report = None if whole else document.document(rows)
-    pictures = Pictures(report.pictures if report else list(figures), figures, complaints.append, kept, options.fresh)
-    sections = _sections_and_pictures(options, trade, wanted, chapters, pictures)
-    report = report or document.document(rows, [sections[name] for name in chapters], section.answers(trade))
-    pictures.names = report.pictures
-    return report, pictures
-
-
-def _sections_and_pictures(
-    options: argparse.Namespace,
-    trade: Trade,
-    wanted: Sequence[str],
-    chapters: Sequence[str],
-    pictures: Pictures,
-) -> dict[str, Section]:
-    """Make the chapters, which are returned by name, and all figures that are missing for the forms that are wanted."""
-    from numerics.tasks import available_cores
-    from paper_checks.report.content.blocks import Section
-    from paper_checks.report.formats import progress
-    from paper_checks.report.output.files import FIGURES_OF
-    from paper_checks.reporting import parts
-
-    forms: dict[str, list[str]] = {}
-    for form in dict.fromkeys(FIGURES_OF[one] for one in wanted):
-        for name in pictures.missing(form):
-            forms.setdefault(name, []).append(form)
-    todo: list[parts.Part] = [parts.Chapter(name) for name in chapters]
-    todo += [parts.Drawing(name, tuple(some)) for name, some in forms.items()]
-    sections: dict[str, Section] = {}
-    with progress.parts(len(todo)) as told:
-        for part, found in parts.made(todo, trade, options.jobs or (available_cores() if options.program else 1)):
+    report = None if len(rows) == len(CLAIMS) else document(rows)
+    figures, chapters = parts.figures(trade), () if report else tuple(map(parts.Chapter, parts.chapters(trade)))
+    kinds = dict.fromkeys(files.FIGURES_OF[form] for form in wanted)
+    drawings = [parts.Drawing(name, kind) for kind in kinds for name in (report.pictures if report else figures)]
+    found: dict[parts.Part, Any] = {}
+    with progress.parts(len(chapters) + len(drawings)) as told:
+        jobs = options.jobs or (available_cores() if options.program else 1)
+        for part, made in parts.made([*chapters, *drawings], trade, jobs):
             told(part.name)
-            if isinstance(found, Section):
-                sections[part.name] = found
-            else:
-                for form, content in found.items():
-                    pictures.take(part.name, form, content)
-    return sections
+            found[part] = made
+    report = report or document(rows, [found[one] for one in chapters], section.answers(trade))
+    for form in wanted:
+        kind = files.FIGURES_OF[form]
+        pictures = {
+            name: found.get(parts.Drawing(name, kind)) or drawn(figures, name, kind) for name in report.pictures
+        }
+        yield form, files.made(form, report, shown(pictures, complaints), options.steps)
 
 
 def is_the_source(options: argparse.Namespace, complain: Callable[[str], None]) -> int:

@@ -5,7 +5,7 @@ Both ways give the same; a figure that cannot be drawn is `Undrawn`, and costs t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from numerics.trade.recorded import Trade
@@ -30,15 +30,15 @@ class Chapter:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A figure by its name, and the forms in which it is wanted, of `svg` and `pdf`."""
+    """A figure by its name, as `svg` or `pdf`: drawn anew for each, as saving it leaves a trace in its layout."""
 
     name: str
-    forms: tuple[str, ...]
+    form: str
 
 
 Part = Chapter | Drawing
-Made = Section | Mapping[str, bytes | Undrawn]
-"""A chapter, or the files of a figure by form."""
+Made = Section | bytes | Undrawn
+"""A chapter, or the file of a figure."""
 
 
 def chapters(trade: Trade) -> dict[str, Callable[[], Section]]:
@@ -70,12 +70,11 @@ def _place(part: Part) -> int:
 def _made(part: Part, trade: Trade) -> Made:
     if isinstance(part, Chapter):
         return chapters(trade)[part.name]()
-    return {form: drawn(figures(trade), part.name, form) for form in part.forms}
+    return drawn(figures(trade), part.name, part.form)
 
 
 def _here(part: Part, trade: Trade, ended: processes.Ended) -> Made:
     """Return what stands for a part whose process ended: a chapter made here, which then says what is wrong with it."""
     if isinstance(part, Chapter):
         return _made(part, trade)
-    why = f"the figure {part.name} was not drawn: its process ended with exit code {ended.exit_code}"
-    return dict.fromkeys(part.forms, Undrawn(why))
+    return Undrawn(f"the figure {part.name} was not drawn: its process ended with exit code {ended.exit_code}")

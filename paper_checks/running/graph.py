@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from paper_checks.decide import kernel
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import Clause
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, argument, closure, weakest
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, Subject, argument, closure, weakest
 from paper_checks.evidence.finding import Finding, Verdict
 from paper_checks.running import signing
 
@@ -21,9 +21,9 @@ class Proof:
 
     clause: Clause
     about: Subject
-    steps: tuple[Evidence, ...]
-    kernel: tuple[Evidence, ...]
-    bindings: tuple[Evidence, ...]
+    steps: Steps
+    kernel: Steps
+    bindings: Steps
     quoted: bool = False
     """Whether it is what the paper says where a counterexample stands against it: then nothing has to carry it."""
 
@@ -38,7 +38,7 @@ class Proof:
         return bool(self.kernel) and all(step.passed for step in self.kernel)
 
     @property
-    def needed(self) -> tuple[Evidence, ...]:
+    def needed(self) -> Steps:
         """The steps that the clause needs, without what these rest on."""
         return self.kernel if self.by_kernel else self.steps
 
@@ -93,7 +93,7 @@ def clauses(claim: Claim, finding: Finding) -> Iterator[tuple[Clause, Subject]]:
     yield from ((clause, Subject.CORRECTION) for clause in correction)
 
 
-def _by_reason(finding: Finding, about: Subject, used: set[Evidence]) -> tuple[Evidence, ...]:
+def _by_reason(finding: Finding, about: Subject, used: set[Evidence]) -> Steps:
     below = {step for item in finding.evidence for step in item.rests_on}
     steps = [item for item in finding.evidence if item.about is about and item not in below and item not in used]
     if about is Subject.COUNTEREXAMPLE:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from paper_checks.evidence.claim import Claim
-from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject, closure
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps, Subject, closure
 from paper_checks.evidence.finding import Carried, Finding, Verdict
 from paper_checks.running.graph import SETTLED, Proof, clauses, judged
 from paper_checks.running.runner import Row
@@ -21,16 +21,16 @@ class Plain:
     claim: str
     finding: Finding
     seconds: float
-    proofs: tuple[tuple[tuple[Evidence, ...], tuple[Evidence, ...], tuple[Evidence, ...]], ...]
+    proofs: tuple[tuple[Steps, Steps, Steps], ...]
 
     @property
     def lasting(self) -> bool:
-        """Whether running it again would find the same: it is settled, and every solver that was asked answered."""
+        """Whether running it again, with the tools that there are, would find the same: every solver that was asked answered."""
         silent = any(step.kind is EvidenceKind.SMT and step.passed is None for step in self.steps)
-        return self.finding.verdict in SETTLED and not silent
+        return self.finding.verdict in (*SETTLED, Verdict.UNCHECKED) and not silent
 
     @property
-    def steps(self) -> tuple[Evidence, ...]:
+    def steps(self) -> Steps:
         """Every step, each once, those that others rest on first."""
         of_clauses = (*(one.steps for one in self.finding.carried), *(part for proof in self.proofs for part in proof))
         return closure((*self.finding.evidence, *(step for part in of_clauses for step in part)))
@@ -103,7 +103,7 @@ def from_json(text: str) -> Plain:
         raise ValueError(f"no row: {error}") from None
 
 
-def _named(steps: Sequence[Evidence]) -> Callable[[Iterable[int]], tuple[Evidence, ...]]:
+def _named(steps: Sequence[Evidence]) -> Callable[[Iterable[int]], Steps]:
     return lambda numbers: tuple(steps[number] for number in numbers)
 
 

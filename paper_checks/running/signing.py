@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from paper_checks.evidence.claim import Claim
 from paper_checks.evidence.clause import Clause
-from paper_checks.evidence.evidence import Evidence, EvidenceKind
+from paper_checks.evidence.evidence import Evidence, EvidenceKind, Steps
 from paper_checks.proofs import signed
 from paper_checks.proofs.cited import CITED
 from paper_checks.proofs.pins import pinned
@@ -31,7 +31,7 @@ def key(claim: Claim, clause: Clause) -> str:
     return f"{claim.id}/{clause.id}"
 
 
-def bindings(claim: Claim, clause: Clause) -> tuple[Evidence, ...]:
+def bindings(claim: Claim, clause: Clause) -> Steps:
     """Return what turns a clause whose words were not signed beside its theorems; nothing where they were."""
     if not clause.kernel or signed.is_signed(key(claim, clause), signed.of_clause(clause.text, clause.kernel)):
         return ()

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from numerics.scene.file import load_scene
 from numerics.trade.euler import STEPS, EulerFigure, euler_figure, stick_energy
 from numerics.trade.figure import draw_trade
-from numerics.trade.recorded import Trade
+from numerics.trade.recorded import ASKED, Trade
 from numerics.trade.scenes import KINDS, kind
 from paper_checks.drawing.style import Figures, house_style
 from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Points, Section, Table
@@ -58,7 +58,7 @@ def section(trade: Trade) -> Section:
 
 
 def answers(trade: Trade) -> tuple[str, ...]:
-    """Say in a sentence for each kind of scene who is faster where no digits are asked for, and how right both are."""
+    """Say for each kind of scene who is faster where no digits are asked for, how right both are, and where that turns."""
     found = []
     for which, words in KINDS.items():
         names = [name for name in trade.scenes if kind(name) == which]
@@ -70,7 +70,22 @@ def answers(trade: Trade) -> tuple[str, ...]:
             found[-1] += (
                 f" Its law is smoothed there, with {max(peers):.0f} right digits at most; ours has {min(ours):.0f} at least."
             )
+        elif lost := [text for asked in sorted(ASKED.keys() - {0}) if (text := _asked_and_lost(trade, names, asked))]:
+            found[-1] += f" {' '.join(lost)}"
     return tuple(found)
+
+
+def _asked_and_lost(trade: Trade, names: Sequence[str], asked: int) -> str:
+    """Say on how many scenes the peer is faster where so many digits are asked for; nothing where it is on none."""
+    ratios = {name: lead.ratio for name in names if (lead := trade.beside(name, asked))}
+    lost = sum(ratio < 1 for ratio in ratios.values())
+    scenes = f"{lost} of {len(ratios)} scenes"
+    return f"Asked for {asked} digits, {PEER} wins on {scenes}; {_typical(ratios)}." if lost else ""
+
+
+def _typical(ratios: Mapping[str, float]) -> str:
+    middle = median(ratios.values())
+    return f"in the median {'ours' if middle >= 1 else PEER} is {max(middle, 1 / middle):.3g} times as fast"
 
 
 def told(ratios: Mapping[str, float]) -> str:
@@ -78,8 +93,7 @@ def told(ratios: Mapping[str, float]) -> str:
     if not ratios:
         return "nobody was measured beside ours."
     ordered = sorted(ratios, key=lambda name: ratios[name])
-    (least, low), high, middle = (ordered[0], ratios[ordered[0]]), ratios[ordered[-1]], median(ratios.values())
-    typical = f"in the median {'ours' if middle >= 1 else PEER} is {max(middle, 1 / middle):.3g} times as fast"
+    (least, low), high, typical = (ordered[0], ratios[ordered[0]]), ratios[ordered[-1]], _typical(ratios)
     lost, every = sum(one < 1 for one in ratios.values()), len(ratios)
     if not lost:
         return f"ours wins on all {every} scenes, by at least {low:.3g} times (on {least}); {typical}."

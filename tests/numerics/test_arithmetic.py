@@ -6,14 +6,15 @@ from typing import Any, NamedTuple
 import flint
 import pytest
 from flint import arb, fmpq
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import decimals
+from strategies import decimals, near_quarter_turns, wide_numbers
 
 from numerics.arithmetic import functions
 from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.arithmetic.float64 import Float64
 from numerics.arithmetic.multiprecision import Multiprecision
+from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.questions import GRAZES
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.root import falling_root
@@ -41,6 +42,48 @@ class Bits:
 
     def __exit__(self, *_):
         flint.ctx.prec = self.before
+
+
+FUNCTIONS = {
+    "sqrt": (functions.sqrt, lambda x: x.sqrt(), (-830, 830)),
+    "sin": (functions.sin, lambda x: x.sin(), (-830, 30)),
+    "cos": (lambda x: functions.sine_cosine(x)[1], lambda x: x.cos(), (-830, 30)),
+    "atan2(x, 1)": (lambda x: functions.atan2(x, functions.like(x, 1.0)), lambda x: x.atan(), (-660, 660)),
+    "versine": (functions.versine, DEFICITS["versine"], (-400, 30)),
+    "sine_deficit": (functions.sine_deficit, DEFICITS["sine_deficit"], (-265, 30)),
+    "cosine_deficit": (functions.cosine_deficit, DEFICITS["cosine_deficit"], (-200, 30)),
+    "depth": (lambda x: functions.depth_and_cotangent(x)[0], lambda x: 2 - x * (x / 2).cot(), (-400, 2)),
+}
+"""Each with its definition in balls, and the powers of 2 between which its value is normal."""
+MOST = {float: 4.0 * 2.0**-52, Pair: 8.0 * 2.0**-103}
+
+
+def exactly(x):
+    return arb(x.high) + arb(x.low) if isinstance(x, Pair) else arb(x)
+
+
+def is_right(value, truth, x):
+    """Whether a function is as accurate as is claimed; of balls it must hold the true value."""
+    if isinstance(x, arb):
+        return value(x).overlaps(truth(x))
+    with Bits():
+        true = truth(exactly(x))
+        return abs(exactly(value(x)) - true) <= MOST[type(x)] * abs(true)
+
+
+@settings(max_examples=4 * settings().max_examples)
+@given(name=st.sampled_from(sorted(FUNCTIONS)), data=st.data())
+def test_functions_are_accurate_relative_to_themselves_in_every_arithmetic(name, data):
+    value, truth, (low, high) = FUNCTIONS[name]
+    around_one = wide_numbers(-10, min(10, high))
+    x = data.draw(st.one_of(wide_numbers(low, high), around_one, *([near_quarter_turns()] if high == 30 else [])))
+    off = 1 + 2.0**-49
+    assert is_right(value, truth, x.high)
+    assert not is_right(lambda x: value(x) * off, truth, x.high)
+    assert is_right(value, truth, x)
+    assert not is_right(lambda x: value(x) * Pair(1.0, 2.0**-98), truth, x)
+    with Ball(30).context():
+        assert is_right(value, truth, exactly(x))
 
 
 @pytest.mark.parametrize("name", DEFICITS)

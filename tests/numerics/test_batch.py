@@ -197,7 +197,10 @@ def test_without_numba_the_same_numbers_come_out():
         ({"a1": [1, -2]}, r"a1\[1\] = -2 must be >= 0"),
         ({"v1": [0, np.nan]}, r"v1\[1\] = nan must be finite"),
         ({"until": np.inf}, "until = inf must be > 0 and finite"),
-        ({"b": "strong"}, "b must be an array of real numbers"),
+        ({"b": "strong"}, "b = 'strong' must be real numbers"),
+        ({"v1": np.array([0.1 + 0.2j])}, "v1 = .* must be real numbers"),
+        ({"until": np.array(["2020-01-01"], dtype="M8[D]")}, "until = .* must be real numbers"),
+        ({"m1": [True, False]}, "m1 = .* must be real numbers"),
         ({"law": "coulomb"}, "law = 'coulomb' is not one of"),
     ],
 )

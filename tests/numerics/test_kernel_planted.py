@@ -7,8 +7,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from kernel_runs import BOUNDS, STATE, a_scene, errors, exact, in_stick, moved, run, until
+from scene_files import scenes_in
 
-from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, solve
+from numerics import Force, Pair, Piece, Scene, Sine, State, solve
 from numerics.arithmetic.compiled import can_compile
 from numerics.errors import EventUndecided
 from numerics.linear.columns import make_room
@@ -271,36 +272,12 @@ def test_what_follows_is_judged_by_the_load_that_there_is_when_a_late_event_come
         assert resolve(pair, room, u, 0.6, 0.0, late) == mode
 
 
-FOUND = [
-    # a light body 1 comes back to v1 = v2 by 1e-11 of its speed, faded when the slip ends
-    (
-        Scene(
-            Pair(m1="0.00004", m2="0.99996", a2=1, b="0.99996", a1="0.00367577"),
-            State(x1="-0.9859340773445645", v1="-0.472", v2="-1.548999999338211429"),
-            until=2,
-        ),
-        3,
-    ),
-    # a stick of 6e-7 s, which an error of 7e-6 of v2 takes away: the load changes while the event is late
-    (
-        Scene(
-            Pair("0.94149", "0.05851", 1, "0.05851", "0.067737"),
-            State("-0.44344", "-1.533", 0, "-3.26367655929046"),
-            until="7.4567",
-            force=Force.step(0, "-1.1585"),
-            friction=Friction([("5.21969", "0.094534607")]),
-        ),
-        2,
-    ),
-]
-
-
-@pytest.mark.parametrize(("scene", "events"), FOUND)
+@pytest.mark.parametrize(("name", "scene"), scenes_in("certain-and-wrong").items())
 @pytest.mark.parametrize("way", [{"arithmetic": "float64"}, {"arithmetic": "double-double"}, {}])
-def test_what_was_certain_and_wrong_is_right_or_in_doubt(scene, events, way):
+def test_what_was_certain_and_wrong_is_right_or_in_doubt(name, scene, way):
     try:
         found = solve(scene, **way)
     except EventUndecided:
         assert way
         return
-    assert not found.certain or len(found.events) == events
+    assert not found.certain or name == f"{len(found.events)}-events"

@@ -61,6 +61,7 @@ def test_viscous_scenes_and_merged_ones_take_the_short_road():
     assert found.road is Road.NO_MORE_SLIP
     with found.frame.arithmetic.context():
         assert found.energy > 0
+        assert digits_within(found.energy_excess.rad(), found.energy_excess, arb(1)) >= 20
     assert energy_at(load_scene("itinerary-that-merges"), "1e100").road is Road.NO_MORE_SLIP
 
 

@@ -43,12 +43,11 @@ def fate(ratio: Fraction, excess: Fraction) -> Verdict:
 def contradictions(cells, points=POINTS, seed=1):
     """Decided cells, small and large alike, that a run from one of their points contradicts; corners are points."""
     draw = random.Random(seed)
-    decided = [cell for cell in cells.cells if cell.verdict is not Verdict.UNDECIDED]
+    decided = [cell for cell in cells.leaves if cell.verdict is not Verdict.UNDECIDED]
     found = []
     for cell in draw.choices(decided, k=points):
         ratio, excess = (
-            low + (high - low) * draw.choice((0, 1, Fraction(draw.randrange(10**6), 10**6)))
-            for low, high in cell.rectangle
+            low + (high - low) * draw.choice((0, 1, Fraction(draw.randrange(10**6), 10**6))) for low, high in cell.sides
         )
         if fate(ratio, excess) is not cell.verdict:
             found.append(cell)
@@ -62,23 +61,23 @@ def chart():
 
 def test_cells_agree_with_single_runs(chart):
     assert contradictions(chart) == []
-    assert {cell.verdict for cell in chart.cells} == set(Verdict)
+    assert {cell.verdict for cell in chart.leaves} == set(Verdict)
 
 
 def test_the_cells_cover_the_window(chart):
     assert sum(cell.share for cell in chart.leaves) == 1
     assert abs(sum(chart.shares().values()) - 1) < 1e-12
-    grid = chart.raster()
+    grid = chart.raster(COLOURS)
     assert grid.shape == (64, 64)
     assert set(grid.ravel()) == set(range(len(COLOURS)))
-    sides = {side for cell in chart.cells for side in cell.rectangle.ratio}
+    sides = {side for cell in chart.leaves for side in cell.sides[0]}
     assert (min(sides), max(sides)) == Window().ratio
 
 
 def test_up_to_the_critical_share_everything_creeps(monkeypatch):
     threshold = CRITICAL_SHARE / (1 - CRITICAL_SHARE)
     below = Window((Fraction(1, 10), threshold))
-    assert {cell.verdict for cell in merging_cells(below, 1).cells} == {Verdict.CREEPS}
+    assert {cell.verdict for cell in merging_cells(below, 1).leaves} == {Verdict.CREEPS}
     monkeypatch.setattr(merging_cell, "CRITICAL_SHARE", Fraction(0))  # the same without the theorem, cell by cell
     computed = merging_cells(below, 5).shares()
     assert computed[Verdict.MERGES] == 0

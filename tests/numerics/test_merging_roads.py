@@ -24,7 +24,7 @@ def test_a_missing_package_is_named(monkeypatch, module, road):
     monkeypatch.setitem(sys.modules, module, None)
     with pytest.raises(MissingTool, match=module):
         merging_cells(Window(), 4, **road)
-    assert merging_cells(Window(), 1).cells
+    assert merging_cells(Window(), 1).leaves
 
 
 def test_a_run_goes_on_where_it_stopped(tmp_path, chart):

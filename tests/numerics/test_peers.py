@@ -129,6 +129,7 @@ class TestEuler:
 class TestOffTheLine:
     """A surface, and friction of the speed: the event-driven law has the events, the smoothed one comes nearer."""
 
+    @pytest.mark.long
     def test_from_event_to_event_it_has_the_events(self):
         scene = benchmark("surface-stick-slip")
         found = judge(prepared("SciPy DOP853, events", scene, 1e-4)(), truth_of(scene), scene)

@@ -1,8 +1,8 @@
 """What every trajectory does, over masses, stiffness, friction, damping and states of many magnitudes."""
 
+from fractions import Fraction
 from itertools import pairwise
 
-import mpmath
 from hypothesis import given
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
@@ -10,7 +10,7 @@ from strategies import driven_scenes, scenes
 
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.linear.modes import EventKind, Mode
-from numerics.scene import Scene, State
+from numerics.scene import Force, Friction, Pair, Scene, State
 from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 
@@ -63,51 +63,6 @@ def test_the_dichotomy_of_the_undamped_pair(scene):
             assert run.final.w > 0
 
 
-@given(scenes(damped=None))
-def test_the_sign_of_v1_minus_v2_is_that_of_the_mode(scene):
-    run = solved(scene, arithmetic="mpmath", digits=20)
-    with run.arithmetic.context():
-        for segment in run.segments:
-            for part in range(1, 8):
-                state = run.frame.reduced(segment.state(segment.length * part / 8))
-                relative = state.V1 - state.V2
-                if segment.mode is Mode.STICK:
-                    assert relative == 0
-                    assert abs(state.X + run.frame.two_zeta * state.V1) <= 1 + mpmath.mpf(10) ** -20
-                else:
-                    assert segment.mode.sign * relative > 0
-
-
-@given(scenes(damped=None))
-def test_every_segment_solves_its_equation(scene):
-    """By differences of 4th order in 120 digits: m1 x1'' + a1 x1' + a2 x1 = -b s, m2 x2'' = b s; in stick M."""
-    run = solve(scene, arithmetic="mpmath", digits=120, max_events=5)
-    pair = scene.pair
-    with run.arithmetic.context():
-        m1, m2, a1, a2, b = (run.arithmetic.number(one) for one in (pair.m1, pair.m2, pair.a1, pair.a2, pair.b))
-        for segment in run.segments:
-            sign = segment.mode.sign
-            length = segment.length
-            rate = 1 + a1 / min(m1, m2) + mpmath.sqrt(a2 / m1)
-            step = min(length, 1 / rate) * mpmath.mpf(10) ** -12
-
-            def at(t, segment=segment):
-                return segment.state(t)
-
-            middle = length * 2 / 5
-            states = [at(middle + k * step) for k in (-2, -1, 1, 2)]
-            x1, v1, _, v2 = at(middle)
-            derived = [(a - 8 * p + 8 * c - d) / (12 * step) for a, p, c, d in zip(*states, strict=True)]
-            mass = m1 if sign else m1 + m2
-            force = a2 * abs(x1) + a1 * abs(v1) + b
-            tiny = mpmath.mpf(10) ** -30
-            assert abs(mass * derived[1] + a1 * v1 + a2 * x1 + b * sign) <= tiny * force
-            assert abs(derived[0] - v1) <= tiny * (abs(v1) + force / mass / rate)
-            assert abs(derived[2] - v2) <= tiny * (abs(v2) + force / min(m1, m2) / rate)
-            expected = b * sign / m2 if sign else derived[1]
-            assert abs(derived[3] - expected) <= tiny * (abs(expected) + force / min(m1, m2))
-
-
 @reaching
 @given(any_scene)
 def test_the_sign_flip_commutes_with_solving_bit_for_bit(scene):
@@ -126,3 +81,28 @@ def test_the_sign_flip_commutes_with_solving_bit_for_bit(scene):
                 assert a == -b or (enclosed and a.overlaps(-b))
             for a, b in zip(one.t, two.t, strict=True):
                 assert a == b or (enclosed and a.overlaps(b))
+
+
+@reaching
+@given(any_scene, st.integers(-40, 40), st.integers(-40, 40))
+def test_other_units_change_a_run_within_its_bounds(scene, k, n):
+    """Lengths times 2^k and masses times 2^n: exact in every number, so that only a rounding of a unit can differ."""
+    length, mass = Fraction(2) ** k, Fraction(2) ** n
+    pair, at, force = scene.pair, scene.initial, mass * length
+    other = Scene(
+        Pair(pair.m1 * mass, pair.m2 * mass, pair.a2 * mass, pair.b * force, pair.a1 * mass),
+        State(*(length * x for x in (at.x1, at.v1, at.x2, at.v2))),
+        scene.until,
+        scene.law,
+        Force((force * scene.force).pieces),
+        Friction([(start, b * force) for start, b in scene.friction.pieces]),
+    )
+    one, two = (solve(each, arithmetic="float64", max_events=30) for each in (scene, other))
+    if not (one.certain and two.certain):
+        raise LeftOut
+    assert one.modes == two.modes
+    for a, b, *off in zip(one.t[1:], two.t[1:], one.accuracy.t, two.accuracy.t, strict=False):
+        assert abs(a - b) <= sum(off)
+    ends = zip(one.final_state, two.final_state, one.accuracy.final, two.accuracy.final, strict=True)
+    for a, b, off, scaled in ends:
+        assert abs(Fraction(a) - Fraction(b) / length) <= Fraction(off) + Fraction(scaled) / length

@@ -30,7 +30,7 @@ from numerics.solver.solve import solve
         ("velocities", "0.001", 20),
         ("start-with-speed", "0.005", 1),
         ("itinerary-that-merges", "0.001", 1),
-        ("start-at-6mm", "1e-4", 10),
+        pytest.param("start-at-6mm", "1e-4", 10, marks=pytest.mark.long),
     ],
 )
 def test_the_entry_is_the_last_sample_outside(name, radius, rate):
@@ -40,8 +40,7 @@ def test_the_entry_is_the_last_sample_outside(name, radius, rate):
     assert 0 < entry - late[-1] < 2.1 * entry / 4_000
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("rate", ["20", "1/20"])
+@pytest.mark.parametrize("rate", ["20", pytest.param("1/20", marks=pytest.mark.long)])
 def test_a_creeping_pair_is_inside_in_the_middle_of_every_slip_to_come(rate):
     """Its slips get shorter and shorter: both what they add to w and what they slide must be small beside the ring."""
     scene = load_scene("start-with-speed")

@@ -29,7 +29,7 @@ def test_the_ring_of_a_pair_that_sticks_at_last(force):
     assert draw_ring(found).axes
 
 
-@pytest.mark.slow
+@pytest.mark.long
 @pytest.mark.parametrize(("amplitude", "radius"), [("2", "0.02")])
 def test_the_ring_around_a_periodic_motion(amplitude, radius):
     found = ring_entry(Scene(DAMPED, State(v1=1), 5, force=Force.sine(amplitude, 12)), radius, digits=12)

@@ -11,9 +11,10 @@ from differences import ball, deviation, everything, is_first_start, parameters
 from flint import arb
 from hypothesis import given, settings
 from reaching import LeftOut, reaching
+from scene_files import scenes_in
 from strategies import driven_scenes, scenes
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State, sensitivities, solve
+from numerics import Force, Friction, Pair, Piece, Scene, Sine, State, sensitivities, solve
 from numerics.errors import EventUndecided, NotDifferentiable, NumericsError
 from numerics.scene.file import load_scene
 from numerics.trajectory import variation
@@ -21,25 +22,9 @@ from numerics.trajectory.saltation import Chain
 from numerics.trajectory.variation import Variation
 
 CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
-PAPER, PAIR, LIGHT = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05"), Pair("0.1", 1, 200, "0.5")
-STUCK, FAR = State("0.002", "0.15", 0, "0.15"), State("0.7", -4, 0, 1)
+PAPER, PAIR = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05")
 STEP, DIGITS = Fraction(1, 10**18), 70
-FREE = {
-    "slip": Scene(PAPER, State(v1="0.15"), 5),
-    "crossings": Scene(LIGHT, State("0.1", "0.3", 0, -1), 3),
-    "from S": Scene(LIGHT, State("0.3", "0.3", 0, "0.3"), 3),
-    "stick": Scene(PAPER, STUCK, 3),
-    "stuck for ever": Scene(PAPER, State("0.002", "0.01", 0, "0.01"), 3),
-    "literal law": Scene(PAPER, State("0.05", "0.3", 0, -1), 3, Law.THREE_VALUED_SGN),
-    "damped": Scene(Pair(1, 1, 200, "0.5", 1), State(v1="0.35", v2="-0.2"), 3),
-    "damped, from stick": Scene(Pair(1, 1, 200, "0.5", "0.1"), STUCK, 3),
-    "critical stick": Scene(Pair(1, 1, 2, "0.5", 4), FAR, 3),
-    "critical slip": Scene(Pair(1, 2, 1, "0.5", 2), FAR, 8),
-    "just above critical": Scene(Pair(1, 2, 1, "0.5", "2.00000001"), FAR, 8),
-    "overdamped, long slip": Scene(Pair(1, 2, 1, "0.1", 3), State(1, -4, 0, 30), 900),
-    "underdamped, long slip": Scene(Pair(1, 2, 1, "0.1", "0.05"), State(1, -4, 0, 30), 900),
-    "near E_cr": Scene(PAPER, State("0.005", "5e-5", 0, "5e-5"), 3),
-}
+FREE = scenes_in("differentiated")
 FORCED = (
     *("both-resonances", "constant-force", "contact-at-a-rational-time", "damping-critical-in-slip", "damping-heavy"),
     *("friction-by-pieces", "friction-rises-in-slip", "jump-just-before-contact", "many-causes", "mass-ratio-1e6"),
@@ -105,7 +90,7 @@ def test_differences_of_solves(name):
     base = in_balls(named(name))
     found = deviation(base, everything(base), DIGITS, STEP)
     assert found.events_compared
-    assert found.size < (1e-25 if name == "near E_cr" else 1e-37), found
+    assert found.size < (1e-25 if name == "near-E-cr" else 1e-37), found
 
 
 @pytest.mark.parametrize(
@@ -263,7 +248,7 @@ def test_names_and_shapes():
     )
     assert (found.final.shape, found.energy.shape) == ((4, len(found.wrt)), (len(found.wrt),))
     assert found.y.shape == (len(solve(scene).events), 4, len(found.wrt))
-    none = sensitivities(solve(FREE["stuck for ever"], digits=20, arithmetic="ball"))
+    none = sensitivities(solve(FREE["stuck-for-ever"], digits=20, arithmetic="ball"))
     assert (none.t.shape, none.y.shape, none.t.dtype) == ((0, 9), (0, 4, 9), object)
 
 
@@ -300,7 +285,7 @@ HONEST_GUARD, HONEST_SYSTEM, HONEST_SINE = Variation.guard, Variation._system, v
         ("resonance-in-stick", variation, "_sine", lambda *given: HONEST_SINE(*given)._replace(by={})),
         ("friction-by-pieces", Chain, "_jumps", lambda *_: {}),
         ("stick", Variation, "guard", forgetful_guard),
-        ("critical slip", Variation, "_system", forgetful_system),
+        ("critical-slip", Variation, "_system", forgetful_system),
     ],
 )
 def test_wrong_derivatives_are_found_out(monkeypatch, name, owner, part, wrong):

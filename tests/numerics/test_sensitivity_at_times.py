@@ -7,19 +7,12 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from differences import parameters
+from scene_files import scenes_in
 
-from numerics import Force, Friction, Pair, Scene, State, sensitivities, solve
+from numerics import Force, Pair, Scene, State, sensitivities, solve
 
 PAIR = Pair(1, 1, 200, "0.2", "0.5")
-SCENES = {
-    "free": Scene(Pair(1, 1, 200, "0.2"), State(v1="0.15"), 2),
-    "damped": Scene(PAIR, State("0.01", "0.15", 0, "-0.1"), 2),
-    "sine": Scene(PAIR, State(v1="0.15"), 2, force=Force.sine("0.6", 5)),
-    "pieces": Scene(
-        PAIR, State(), 2, force=Force.trapezoid("0.2", "0.1", "0.5", "0.3", "0.7"), friction=Friction([("1.3", "0.02")])
-    ),
-}
-STEP, DIGITS = Fraction(1, 10**18), 70
+SCENES = scenes_in("followed")
 
 
 @pytest.fixture(params=SCENES)

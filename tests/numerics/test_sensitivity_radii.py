@@ -8,27 +8,16 @@ import numpy as np
 import pytest
 from differences import moved
 from flint import arb
+from scene_files import scenes_in
 
-from numerics import Force, Friction, Pair, Scene, State, solve
+from numerics import solve
 from numerics.arithmetic.ball import Ball, widened
 from numerics.trajectory import sensitivity
 from numerics.trajectory.derivatives import parameters
 from numerics.trajectory.legs import legs
 from numerics.trajectory.saltation import Carried, Chain
 
-PAIR = Pair(1, 2, 200, "0.2", "0.5")
-SCENES = {
-    "free": Scene(Pair(1, 1, 200, "0.2"), State(v1="0.15"), 1),
-    "damped": Scene(PAIR, State("0.01", "0.15", 0, "-0.1"), 1),
-    "sine": Scene(PAIR, State(v1="0.15"), 1, force=Force.sine("0.6", 5)),
-    "pieces": Scene(
-        PAIR,
-        State(v1="0.1"),
-        1,
-        force=Force.trapezoid("0.2", "0.1", "0.5", "0.3", "0.7"),
-        friction=Friction([("0.83", "0.02")]),
-    ),
-}
+SCENES = scenes_in("followed")
 RADIUS = Fraction(1, 10**6)
 
 

@@ -10,7 +10,8 @@ from fractions import Fraction
 import pytest
 from dying_worker import squared
 
-from numerics.control.response_map import ResponseMap, response_map
+from numerics.control.response_map import response_map
+from numerics.free.quadtree import CellMap
 from numerics.scene import Pair
 from numerics.tasks import run_tasks
 
@@ -18,7 +19,7 @@ PAIR = Pair(1, 1, 200, "0.5", 3)
 AMPLITUDE, OMEGA = (Fraction(1, 10), Fraction(10)), (Fraction(4), Fraction(40))
 
 
-def charted(**roads: object) -> ResponseMap:
+def charted(**roads: object) -> CellMap:
     return response_map(PAIR, AMPLITUDE, OMEGA, 4, **roads)
 
 

@@ -27,6 +27,17 @@ def test_a_terminal_sees_the_first_and_the_last_events_and_how_to_get_all(run, m
     assert "--all" not in whole
 
 
+def test_a_narrow_terminal_breaks_no_line_and_loses_no_digit(run, monkeypatch, scene_file):
+    how = ("solve", scene_file, "--arithmetic", "float64", "--all")
+    piped = run(*how)[1]
+    monkeypatch.setenv("COLUMNS", "80")
+    narrow = on_a_terminal(run, monkeypatch, *how)
+    assert max(map(len, narrow.splitlines())) < 80 < max(map(len, piped.splitlines()))
+    assert narrow.split() == piped.split()
+    monkeypatch.setenv("COLUMNS", "200")
+    assert on_a_terminal(run, monkeypatch, *how) == piped
+
+
 @pytest.mark.parametrize(
     ("argument", "arguments"),
     [

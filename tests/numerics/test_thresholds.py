@@ -11,10 +11,10 @@ from flint import arb
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import to_digits
+from numerics.control.pictures import threshold_curves
 from numerics.control.response_map import Regimes, response_map
-from numerics.control.response_picture import threshold_curves
 from numerics.control.thresholds import NonStop, load_margin, thresholds
 from numerics.errors import InvalidScene, PrecisionExhausted
 from numerics.scene import Force, Pair, Scene, State

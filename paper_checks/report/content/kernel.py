@@ -51,7 +51,7 @@ WORDS = {
     "Rate.depth": "$c$ at the angle $2p$: the depth of a slip.",
     "Filippov.filippov": "Absolutely continuous, and in the inclusion at almost every time.",
     "Filippov.included": "The velocity is in the inclusion.",
-    "Law.small": "Friction is at most $b$, or $b$ and against the slip.",
+    "Law.small": "The relative excess $w=E/E_{cr}-1$ of an energy is small.",
     "Mode.load": "$\\Lambda$, the friction force on body 2 that sticking needs.",
 }
 """The definitions that a reader meets first, in words; all others are shown without."""

@@ -48,7 +48,7 @@ SYMBOLS = {
     "XV": Symbol("X,\\,V_i", "reduced coordinates $x_1/L$ and $v_i/(L\\Omega)$", "–", _letter("X|V")),
     "y": Symbol("y", "excess energy on an exit ray over its mass share, $w/q$", "–", _letter("y")),
     "theta": Symbol("\\theta", "angle of a slip, $\\sqrt{a_2/m_1}$ times its duration", "rad", r"\\theta"),
-    "h": Symbol("h", "$(\\theta-\\sin\\theta)/(1-\\cos\\theta)$: exit speed of the slip from a ray that ends at $\\theta$, over $L\\Omega\\sqrt q$", "–", _letter("h")),
+    "h": Symbol("h", "$(\\theta-\\sin\\theta)/(1-\\cos\\theta)$: exit speed of the slip from a ray that ends at $\\theta$, over $L\\Omega\\sqrt q$", "–", _letter("h(?!_)")),
     "c": Symbol("c", "$2-\\theta\\cot(\\theta/2)$: depth of a slip from a ray, over $qL$", "–", _letter("c(?!_)")),
     "d": Symbol("d,\\,\\nu", "start of a slip on $S$: distance beyond the edge over $qL$, velocity over $L\\Omega\\sqrt q$", "–", r"\\nu"),
     "R": Symbol("r^*,\\,\\mu^*", "critical share $m_2/M$ and critical mass ratio $m_1/m_2$: beyond it no slip from $S$ above $E_{cr}$ merges", "–", r"r\^\*|\\mu\^\*"),
@@ -59,6 +59,19 @@ SYMBOLS = {
     "thresholds": Symbol("U_*,\\,U_{**}", "amplitudes of $u=U\\sin\\omega t$ up to which the pair may stick for ever, and which slip without a stop needs", "N", r"U_\{?\*"),
 }  # fmt: skip
 """The symbols by name, in the order in which a reader meets them."""
+OWN = {
+    "return-alternatives": "w",
+    "motions-on-a-surface": "w y",
+    "forced-periodic-response": "h",
+    "minimum-transfer-time": "theta",
+    "uniform-rate": "distance",
+    "tolerance-ring": "q",
+    "static-friction-stops-creeping": "C",
+    "friction-in-any-direction": "masses b w q c C distance",
+    "stuck-ellipses": "q",
+    "rotating-force": "XV",
+}
+"""Symbols whose letters a row uses for something of its own, and says for what."""
 _MATHEMATICS = re.compile(r"(?<!\\)\$+([^$]+)\$+")
 
 
@@ -67,10 +80,11 @@ def anchor(name: str) -> str:
     return f"symbol-{name}"
 
 
-def used(texts: Iterable[str]) -> tuple[str, ...]:
-    """Return the names of the symbols in the mathematics of some texts, in the order of the notation."""
+def used(texts: Iterable[str], row: str = "") -> tuple[str, ...]:
+    """Return the names of the symbols in the mathematics of some texts of a row, in the order of the notation."""
+    own = OWN.get(row, "").split()
     formulas = " ; ".join(formula for text in texts for formula in _MATHEMATICS.findall(text))
-    return tuple(name for name, symbol in SYMBOLS.items() if re.search(symbol.pattern, formulas))
+    return tuple(name for name, symbol in SYMBOLS.items() if name not in own and re.search(symbol.pattern, formulas))
 
 
 def section() -> Section:

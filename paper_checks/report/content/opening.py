@@ -43,8 +43,24 @@ EXPLORE = (
     "becomes of it; on a second tab, the pair on a surface, seen from above. `python -m paper_checks explore` writes that page alone."
 )
 TO_EXPLORE = '<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
-FREE = "No damper and no force: $a_1=0$, $u=0$, $b$ constant."
-DRIVEN = "A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless it says more."
+POSITIVE = "$m_1,m_2,a_2,b>0$."
+FREE = f"{POSITIVE} No damper and no force: $a_1=0$, $u=0$, $b$ constant."
+DRIVEN = f"{POSITIVE} A force $u(t)$ on body 1, under Coulomb's law; $a_1\\geqslant 0$ unless it says more."
+_ROUND = "On a surface, with scalar masses and springs, and friction against the slip of at most $b$ in every direction"
+ASSUMED = {
+    **dict.fromkeys(("forced-mode-rule", "forced-no-zeno", "forced-contraction", "trackable-references"), DRIVEN),
+    **dict.fromkeys(("minimum-transfer-time", "tolerance-ring"), DRIVEN),
+    "forced-periodic-response": f"{POSITIVE} A periodic force $u(t)$ on body 1; $a_1>0$, or $a_1=0$ where it says so.",
+    "forced-resonance-bound": f"{POSITIVE} No damper, $a_1=0$; a periodic force $u(t)$ on body 1.",
+    "entrainment-threshold": f"{POSITIVE} A sine $u(t)$ on body 1; $a_1\\geqslant 0$, each part says which.",
+    "damping-can-desynchronise": f"{POSITIVE} No force, $u=0$; with and without a damper.",
+    "static-friction-stops-creeping": "$m_1,m_2,a_2>0$, $a_1\\geqslant 0$. No force, $u=0$; and not Coulomb's law with one $b$: friction "
+    "at rest is larger than in slip.",
+    "friction-in-any-direction": "Any number of masses, springs and directions, with a friction as each part says; the pair only where it is named.",
+    "rotating-force": f"{_ROUND}; a damper $a_1\\geqslant 0$, a force of constant size that goes round.",
+    "stuck-ellipses": f"{_ROUND}; no damper and no force.",
+}  # fmt: skip
+"""What theorems past the paper assume besides what their statements say; all others speak of the free pair."""
 NEW: dict[str, tuple[str, str, str]] = {
     "sharp-rate-constant": (
         "rate-bounds",
@@ -53,18 +69,19 @@ NEW: dict[str, tuple[str, str, str]] = {
     ),
     "critical-mass-ratio": (
         "merging-window",
-        "Heavy driving bodies never merge",
+        "Heavy driving bodies merge at first contact or never",
         "If $m_1/m_2>\\mu^*$, no slip from $S$ above $E_{cr}$ ends below it; $«root/digits»$",
     ),
     "merging-share": (
         "merging-share",
-        "Merging is the common case",
+        "Just above critical, merging is the common case",
         "Up to $r^*$ nearly all states just above $E_{cr}$ merge, though none on $S_0$ does; their share is an integral, and falls like $1/E$",
     ),
     "entrainment-threshold": (
         "thresholds-over-frequency",
         "Three regimes under a sine",
-        "Stuck for ever, with stops, and without a stop: both amplitudes that part them are closed forms",
+        "Stuck for ever, with stops, and without a stop. Up to $U_*$ some motion sticks for ever; below $U_{**}$ none of the force's "
+        "period slips for ever with two reversals. Both are closed forms; that between them each amplitude has one motion is open",
     ),
     "uniform-rate": (
         "uniform-rate",
@@ -73,6 +90,13 @@ NEW: dict[str, tuple[str, str, str]] = {
     ),
 }
 """Results past the paper that the first page shows, by their rows: figure, title, and a sentence with formulas of the row."""
+ASKED = {
+    "critical-energy": "Where does $E_{cr}$ come from?",
+    "static-friction-stops-creeping": "What if static friction is above kinetic?",
+    "motions-on-a-surface": "What changes on a surface?",
+    "stuck-ellipses": "What becomes of the critical energy there?",
+}
+"""What is often asked, by the row that answers it."""
 _SLOT = re.compile("«([a-z]+)/([a-z]+)»")
 
 
@@ -80,7 +104,7 @@ def front(rows: Sequence[Row]) -> tuple[Section, ...]:
     """Return the sections of the first page, those that have something to say."""
     shown = {row.claim.id: row for row in rows}
     past = tuple(
-        (title, f"{_filled(name, text)} (`{name}`).", picture(figure))
+        (title, f"{_filled(name, text)} (`{name}`; weakest step: {kind(shown[name])}).", picture(figure))
         for name, (figure, title, text) in NEW.items()
         if name in shown and shown[name].as_recorded
     )
@@ -146,9 +170,13 @@ def _joined(parts: Sequence[str]) -> str:
 def _refuted(rows: Sequence[Row]) -> Iterator[Block]:
     """Yield a line for each of the paper's claims that is false as such, and the pictures of two."""
     failed = [row for row in rows if row.claim.kind is Kind.CLAIM and row.finding.verdict is Verdict.REFUTED]
-    lines = ((f"`{one.claim.id}`\n{one.claim.where}", one.claim.statement, in_short(one)) for one in failed)
+    lines = ((f"`{one.claim.id}`\n{one.claim.where}", one.claim.statement, in_short(one), kind(one)) for one in failed)
     if failed:
-        yield Table(("row", "the paper says", "what is true"), tuple(lines), "False as such, not only in a detail")
+        yield Table(
+            ("row", "the paper says", "what is true", "weakest step"),
+            tuple(lines),
+            "False as such, not only in a detail",
+        )
     known = {row.claim.id for row in failed if row.as_recorded}
     cards = (
         make()
@@ -202,6 +230,15 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         law = claim_named("sharp-rate-constant").clauses[0]
         text = f"`sharp-rate-constant`, theorem `{law.kernel[0]}` of the kernel: {law.shown} It assumes no damper, $a_1=0$; no force, $u=0$; a constant $b>0$; and an energy above $E_{{cr}}$ at all times."
         yield "Which theorem carries the 1/t law, and what does it assume?", text
+    if failed := [row for row in shown.values() if row.finding.verdict is Verdict.REFUTED]:
+        some = "; ".join(f"`{row.claim.id}`: {(row.finding.counterexample or '–').rstrip('.')}" for row in failed)
+        yield "Which claims fail, and what are the counterexamples?", f"{some}."
+    for name, question in ASKED.items():
+        if name in shown:
+            yield question, f"{in_short(shown[name])} All of it: `{name}`; weakest step: {kind(shown[name])}."
+    if any(row.kernel for row in shown.values()):
+        text = "What a solution is, all that the kernel takes for granted (its axioms), and every statement: `kernel`. What it did not prove: `trust`."
+        yield "What does the kernel prove, and with which axioms?", text
     if any(row.open for row in shown.values()):
         yield "What is not known?", "One list, from the rows: `open`."
     if any(row.claim.kind is Kind.THEOREM for row in shown.values()):
@@ -217,7 +254,7 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
 def new(rows: Sequence[Row]) -> Section:
     """Return everything past the paper in one list: what it is, what it assumes, how it is established."""
     lines = tuple(
-        (f"`{row.claim.id}`", in_short(row), DRIVEN if row.claim.id in _driven() else FREE, kind(row))
+        (f"`{row.claim.id}`", in_short(row), hypotheses(row.claim.id), kind(row))
         for row in rows
         if row.claim.kind is Kind.THEOREM
     )
@@ -227,22 +264,7 @@ def new(rows: Sequence[Row]) -> Section:
 
 def hypotheses(name: str) -> str:
     """Return what a theorem past the paper assumes besides what its statement says."""
-    return f"$m_1,m_2,a_2,b>0$. {DRIVEN if name in _driven() else FREE}"
-
-
-def _driven() -> frozenset[str]:
-    """Return the theorems that speak of a force or a damper."""
-    return frozenset(
-        {
-            "forced-mode-rule",
-            "forced-no-zeno",
-            "forced-contraction",
-            "forced-periodic-response",
-            "forced-resonance-bound",
-        }
-        | {"entrainment-threshold", "trackable-references", "minimum-transfer-time", "tolerance-ring"}
-        | {"damping-can-desynchronise", "friction-in-any-direction", "rotating-force", "static-friction-stops-creeping"}
-    )
+    return ASSUMED.get(name, FREE)
 
 
 def still_open(rows: Sequence[Row]) -> Section:

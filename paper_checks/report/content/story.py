@@ -47,7 +47,7 @@ def _story(row: Row, common: Mapping[Evidence, str], elsewhere: Collection[str])
     yield from (Paragraph(text, label) for label, text in texts.items() if text)
     yield from (Paragraph(text, "Open") for text in row.open)
     yield from _picture(row, elsewhere)
-    if symbols := notation.used([row.claim.statement, *filter(None, texts.values())]):
+    if symbols := notation.used([row.claim.statement, *filter(None, texts.values())], row.claim.id):
         yield Folded("Symbols", (notation.table(symbols, "", anchored=False),))
     yield from _folded(row, common)
     yield Code(f"python -m paper_checks run {row.claim.id}")

@@ -63,7 +63,7 @@ def print_claims(console: Console, claims: Sequence[Claim], found: Mapping[str, 
     table.add_column("where")
     for claim in claims:
         by = kind(found[claim.id]) if claim.id in found else "–"
-        table.add_row(Text(claim.id), _coloured(claim.recorded), Text(by), Text(claim.where))
+        table.add_row(Text(claim.id), _coloured(claim.recorded), Text(by), _cut(claim.where))
     console.print(table)
     if len(found) < len(claims):
         _say(console, "–: not decided here yet; `python -m paper_checks` decides all claims")
@@ -76,12 +76,17 @@ def _empty_table(*titles: str) -> Table:
     return table
 
 
+def _cut(text: str) -> Text:
+    """Return text that keeps to one line, however narrow its column is."""
+    return Text(text, no_wrap=True, overflow="ellipsis")
+
+
 def _coloured(verdict: Verdict) -> Text:
     return Text(verdict.value, STYLES[verdict])
 
 
 def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
-    """Ids, verdicts and kinds keep their width; places and reasons fold into what is left."""
+    """Ids, verdicts and kinds keep their width; places are cut to what is left, reasons fold."""
     table = _empty_table("claim", "verdict", "established by")
     table.add_column("where", ratio=1)
     if reasons:
@@ -89,7 +94,7 @@ def _table(rows: Sequence[Row], reasons: bool, times: bool) -> Table:
     if times:
         table.add_column("seconds", justify="right", no_wrap=True)
     for row in rows:
-        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row)), Text(row.claim.where)]
+        cells = [Text(row.claim.id), _coloured(row.finding.verdict), Text(kind(row)), _cut(row.claim.where)]
         cells += [Text(plain(first_sentence(row.finding.reason)))] if reasons else []
         cells += [Text(f"{row.seconds:.1f}")] if times else []
         table.add_row(*cells)

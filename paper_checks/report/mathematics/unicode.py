@@ -5,19 +5,16 @@ from __future__ import annotations
 import re
 import unicodedata
 
-_WORDS = {
-    "leqslant": "≤", "leq": "≤", "le": "≤", "geqslant": "≥", "geq": "≥", "ge": "≥", "neq": "≠", "ne": "≠",
-    "approx": "≈", "sim": "~", "pm": "±", "mp": "∓", "times": "×", "cdot": "·", "cdots": "⋯", "ldots": "…", "dots": "…",
-    "lceil": "⌈", "rceil": "⌉", "lfloor": "⌊", "rfloor": "⌋", "nu": "ν", "chi": "χ", "kappa": "κ", "Theta": "Θ",
-    "to": "→", "rightarrow": "→", "mapsto": "↦", "Rightarrow": "⇒", "implies": "⇒", "iff": "⇔", "infty": "∞",
-    "in": "∈", "notin": "∉", "cap": "∩", "cup": "∪", "subset": "⊂", "vee": "∨", "wedge": "∧", "emptyset": "∅",
-    "forall": "∀", "exists": "∃", "int": "∫", "sum": "∑", "partial": "∂", "langle": "⟨", "rangle": "⟩",
-    "lVert": "‖", "rVert": "‖", "Vert": "‖", "lvert": "|", "rvert": "|", "ell": "ℓ", "quad": "  ", "qquad": "    ",
-    "propto": "∝", "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "varepsilon": "ε", "epsilon": "ε", "zeta": "ζ",
-    "eta": "η", "theta": "θ", "lambda": "λ", "mu": "μ", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ",
-    "phi": "φ", "varphi": "φ", "psi": "ψ", "omega": "ω", "Delta": "Δ", "Lambda": "Λ",
-    "Gamma": "Γ", "Psi": "Ψ", "Pi": "Π", "Xi": "Ξ", "Phi": "Φ", "Omega": "Ω", "Sigma": "Σ",
-}  # fmt: skip
+_COMMANDS = """
+leqslant ≤ leq ≤ le ≤ geqslant ≥ geq ≥ ge ≥ neq ≠ ne ≠ approx ≈ sim ~ pm ± mp ∓ times × cdot · cdots ⋯ ldots … dots
+… lceil ⌈ rceil ⌉ lfloor ⌊ rfloor ⌋ nu ν chi χ kappa κ Theta Θ to → rightarrow → mapsto ↦ Rightarrow ⇒ implies ⇒ iff
+⇔ infty ∞ in ∈ notin ∉ cap ∩ cup ∪ subset ⊂ vee ∨ wedge ∧ emptyset ∅ forall ∀ exists ∃ int ∫ sum ∑ partial ∂ langle
+⟨ rangle ⟩ lVert ‖ rVert ‖ Vert ‖ lvert | rvert | ell ℓ propto ∝ alpha α beta β gamma γ delta δ varepsilon ε epsilon
+ε zeta ζ eta η theta θ lambda λ mu μ xi ξ pi π rho ρ sigma σ tau τ phi φ varphi φ psi ψ omega ω Delta Δ Lambda Λ
+Gamma Γ Psi Ψ Pi Π Xi Ξ Phi Φ Omega Ω Sigma Σ
+"""
+_WORDS = dict(re.findall(r"(\w+)\s+(\S+)", _COMMANDS)) | {"quad": "  ", "qquad": "    "}
+"""What commands stand for."""
 _SUBSCRIPTS = str.maketrans("0123456789+-", "₀₁₂₃₄₅₆₇₈₉₊₋")
 _SUPERSCRIPTS = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
 _ACCENTS = {"dot": "\u0307", "ddot": "\u0308", "bar": "\u0304", "hat": "\u0302", "tilde": "\u0303", "dddot": "\u20db"}

@@ -1,7 +1,7 @@
-"""Reports and figures kept in the user's cache, so that nothing is drawn or set twice: the bytes are those of a fresh run.
+"""Reports kept in the user's cache, so that nothing is drawn or set twice: the bytes are those of a fresh run.
 
 They are kept under a hash of every source file, of the versions of all that draws and sets, of the kernel's, and of the
-trade that is shown; a form of the report also under its rows and options.
+trade that is shown, of the rows and the options.
 """
 
 from __future__ import annotations
@@ -32,14 +32,6 @@ class Finished:
         self._store = Store("reports", digest(all_sources(), words), folder)
         self.forget_old = self._store.forget_old
 
-    def figure(self, file: str) -> bytes | None:
-        """Return a figure's file."""
-        return self._store.get(file)
-
-    def keep_figure(self, file: str, content: bytes) -> None:
-        """Keep a figure's file."""
-        self._store.put(file, content)
-
     def files(self, name: str) -> Files | None:
         """Return the files of a form, by what `name_of` calls it."""
         names = self._store.get(name)
@@ -47,7 +39,7 @@ class Finished:
         whole = {one: content for one, content in found.items() if content is not None}
         return whole if names and len(whole) == len(found) else None
 
-    def keep_files(self, name: str, files: Files) -> None:
+    def keep(self, name: str, files: Files) -> None:
         """Keep the files of a form, and last their names."""
         for one, content in files.items():
             self._store.put(f"{name}.{one}", content)

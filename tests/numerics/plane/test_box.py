@@ -7,7 +7,7 @@ from strategies import plane_scenes
 from numerics import Force, solve
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.box import axis_scene
-from numerics.plane.coupled import coupled
+from numerics.plane.solve import followed
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
 
@@ -32,7 +32,7 @@ def test_without_couplings_every_axis_is_the_pair_of_the_paper_digit_for_digit()
 @settings(max_examples=3)
 def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
     try:
-        found, high = coupled(scene, None, 30, "ball", LIMITS), solve(scene, digits=30)
+        found, high = followed(scene, 30, "ball", LIMITS), solve(scene, digits=30)
     except NumericsError:
         return
     with high.context():

@@ -10,11 +10,12 @@ from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.defect import Curve, slip_defect
-from numerics.plane.polynomial import scaled
+from numerics.plane.polynomial import midpoints, scaled
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
 from numerics.plane.series import Point, slip_series
 from numerics.plane.system import System
+from numerics.plane.vector import Vector
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
 
@@ -62,6 +63,7 @@ def test_a_slip_ends_along_the_load_of_a_round_pair():
     with Ball(30).context():
         size = sum((x * x for x in event.load), arb(0)).sqrt()
         assert all(x.overlaps(y / size) for x, y in zip(event.direction, event.load, strict=True))
+        assert all(x.rad() < 1e-14 for x in event.direction)
         assert size < 0.5
 
 
@@ -85,6 +87,8 @@ def test_what_a_bound_says_holds_at_more_digits(scene):
         return
     assert [(one.before, one.after) for one in low.events] == [(one.before, one.after) for one in high.events]
     with high.context():
+        for one, two in zip(low.events, high.events, strict=True):
+            assert all(x.overlaps(y) for x, y in zip(one.direction, two.direction, strict=True))
         for one, two in zip(low._points(), high._points(), strict=True):
             assert one[0].overlaps(two[0])
             assert all(x.overlaps(y) for p, q in zip(one[1], two[1], strict=True) for x, y in zip(p, q, strict=True))
@@ -95,16 +99,21 @@ def test_what_a_bound_says_holds_at_more_digits(scene):
 def test_a_defect_sees_what_is_missing():
     """A slip with one wrong coefficient is no slip: its defect is as large as what was added."""
     system = System(reduced(load_scene("plane-circle-merges")), 30)
-    at = Point(0, arb(0), [arb("0.004"), arb(0)], [arb(0), arb("0.05")], [arb("0.01"), arb("0.02")], [arb(0), arb(0)])
-    at = Point(0, at.t, *([x.mid() for x in part] for part in at[2:]))
+    place, speed, slip = (
+        Vector([arb("0.004"), arb(0)]),
+        Vector([arb(0), arb("0.05")]),
+        Vector([arb("0.01"), arb("0.02")]),
+    )
+    at = Point(0, arb(0), *(part.each(arb.mid) for part in (place, speed, slip, place)))
     with system.fine():
         h = arb("0.1").mid()
         series = slip_series(system, at, system.degree)
         for wrong in (0.0, 1e-12):
             series.v2[0][3] = series.v2[0][3] + wrong
-            t, (q1, v2, s) = scaled(series.t, h), [tuple(scaled(x, h) for x in part) for part in series[1:]]
-            impulse = tuple(x * (b * h) for x, b in zip(s, system.pieces[0].b_squared, strict=True))
-            norm = slip_defect(system, Curve(0, t, q1, v2, s, q1, impulse), h)[0].norm
+            t = midpoints((scaled(series.size, h) * h).integral())
+            q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
+            curve = Curve(0, t, q1, v2, s, q1, s * (system.pieces[0].b_squared * h))
+            norm = slip_defect(system, curve, s, t.derivative() * (1 / h), h)[0].norm
             assert (norm < 1e-25) if wrong == 0 else (norm > 1e-16)
 
 

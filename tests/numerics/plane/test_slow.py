@@ -8,10 +8,11 @@ from flint import arb
 from numerics import solve
 from numerics.arithmetic.ball import Ball
 from numerics.plane import run as running
-from numerics.plane.passage import drawn_to
+from numerics.plane.passage import drawn_to, end_direction
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
 from numerics.plane.system import System
+from numerics.plane.vector import Vector
 from numerics.plane.window import around
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -82,8 +83,21 @@ def test_a_slip_is_drawn_through_rest_up_to_the_load_at_which_its_direction_is_n
     """b_x^2 kap = b_y kap (b_y + |Lam|) at |Lam| = 1.05: PLANE's condition, at its edge."""
     system = System(reduced(PlaneScene(PlanePair(2, 2, 1, ["0.5", "0.2"]), 1, x1=["0.1", "0.1"])), 30)
     with system.fine():
-        along = [arb(0, 1e-6), arb(-1, 1e-6)]
-        psi = drawn_to(system, system.pieces[0], [arb(0), arb(load)], along)
-        assert (psi is not None) == passes
-        assert passes != (psi is None or not psi > 1)
-        assert drawn_to(system, system.pieces[0], [arb(0), arb(load)], [arb(0, 1), arb(-1)]) is None
+        along = Vector([arb(0, 1e-6), arb(-1, 1e-6)])
+        drawn = drawn_to(system, system.pieces[0], Vector([arb(0), arb(load)]), along)
+        assert (drawn is not None) == passes
+        assert passes != (drawn is None or not drawn.psi > 1)
+        assert drawn_to(system, system.pieces[0], Vector([arb(0), arb(load)]), Vector([arb(0, 1), arb(-1)])) is None
+
+
+def test_the_direction_of_an_end_is_enclosed_and_sees_the_load():
+    """Of a round pair it is the load's: to 1e-20, and that of another load is told apart."""
+    system = System(reduced(PlaneScene(PlanePair(2, 2, 1, "0.5"), 1, x1=["0.1", 0], v1=[0, 1])), 30)
+    with system.fine():
+        load, other = Vector([arb("0.3"), arb("0.1")]), Vector([arb("0.3"), arb("0.1000000000001")])
+        drawn = drawn_to(system, system.pieces[0], load, Vector([arb("0.3", 1e-3), arb("0.1", 1e-3)]))
+        found = end_direction(system, system.pieces[0], load, drawn)
+        assert all(x.overlaps(y) and x.rad() < 1e-20 for x, y in zip(found, load / (load @ load).sqrt(), strict=True))
+        assert not found[1].overlaps((other / (other @ other).sqrt())[1])
+        assert drawn_to(system, system.pieces[0], load, Vector([arb(0, 1), arb("0.1")])) is None
+        assert all(x.contains(1) for x in end_direction(system, system.pieces[0], load, None))

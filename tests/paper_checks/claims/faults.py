@@ -1,5 +1,6 @@
 """Faults to plant in theory, in the steps of an argument or in what is printed: each takes the original."""
 
+import itertools
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -63,6 +64,21 @@ class Misread:
 def misread(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
     """Return the fault for a module's name `sp`."""
     return lambda original: Misread(original, relation, read_as, uses)
+
+
+def mistaken(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
+    """Return the fault for a module's name `signed`: a relation is another one, in these of its uses or in all."""
+
+    def planted(original: Any) -> Any:
+        seen = itertools.count()
+
+        def signed(expression: Any, said: str) -> Any:
+            wrong = said == relation and (next(seen) in uses or not uses)
+            return original(expression, read_as if wrong else said)
+
+        return signed
+
+    return planted
 
 
 def entry(index, change):

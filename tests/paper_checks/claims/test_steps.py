@@ -9,6 +9,7 @@ import sympy as sp
 
 from numerics.linear.modes import Mode
 from numerics.scene.file import load_scene
+from numerics.solver.solve import solve
 from numerics.trajectory.status import Status
 from paper_checks.claims import (
     CLAIMS,
@@ -119,7 +120,7 @@ def test_one_sample_that_neither_merges_nor_creeps_turns_the_dichotomy(plant):
 
 
 def test_the_samples_see_an_excess_that_grows():
-    solved = samples.solved_samples(0, 20)
+    solved = map(solve, samples.scenes(0, 20))
     creeping = next(
         one for one in solved if one.status is not Status.STUCK_FOR_EVER and one.modes.count(Mode.STICK) > 2
     )

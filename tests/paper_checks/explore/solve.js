@@ -1,4 +1,5 @@
-// The solver PROGRAM on SCENES, and with each of FAULTY in its place.
+// The solver PROGRAM on SCENES, on FORCED and on what mirrors those; and with each of FAULTY in its place the first answer
+// that is another one: [its number, the answer].
 const made = (text) => new Function(`${text}
   return (scene) => {
     const { segments } = solve(scene, 20000), last = segments[segments.length - 1];
@@ -12,9 +13,15 @@ const mirrored = (scene) => {
   const turned = ["X", "V1", "V2", "constant", "amplitude"].map((name) => [name, -scene[name]]);
   return { ...scene, ...Object.fromEntries(turned) };
 };
-const each = (text) => ({
-  grid: SCENES.map((scene) => tried(made(text), scene)),
-  catalogue: FORCED.map((scene) => tried(made(text), scene)),
-  mirrored: FORCED.map((scene) => tried(made(text), mirrored(scene))),
-});
-return { right: each(PROGRAM), faulty: FAULTY.map(each) };
+const all = [...SCENES, ...FORCED, ...FORCED.map(mirrored)], right = all.map((scene) => tried(made(PROGRAM), scene));
+const numbers = ({ events, final }) => [...events.flat(), ...final];
+const far = (one, two) => !(Math.abs(one - two) < 1e-7 * Math.max(1, Math.abs(two)));
+const off = (one, two) => typeof one === "string" || one.modes.join() !== two.modes.join() || numbers(one).some((value, n) => far(value, numbers(two)[n]));
+const first = (run) => {
+  for (const [n, scene] of all.entries()) {
+    const found = tried(run, scene);
+    if (off(found, right[n])) return [n, found];
+  }
+  return null;
+};
+return { right, faulty: FAULTY.map((text) => first(made(text))) };

@@ -34,18 +34,13 @@ FAULTS = (
 
 @pytest.fixture(scope="module")
 def answers(whole, tmp_path_factory) -> dict:
-    """What the page's solver says of every scene, and what it says with each fault in it."""
+    """What the page's solver says of every scene, and the first one of which it says something else with a fault."""
     program, scenes = source(SOLVER), [one.for_page() for one in SCENES]
     assert all(program.count(right) == 1 for right, _ in FAULTS)
     faulty = [program.replace(right, wrong) for right, wrong in FAULTS]
     question, folder = Path(__file__).with_name("solve.js"), tmp_path_factory.mktemp("solver")
     forced = [forced_scene(name)[0] for name in FORCED_NAMES]
     return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=faulty, FORCED=forced)
-
-
-@pytest.fixture(scope="module")
-def runs() -> list:
-    return [solve(one.scene()) for one in SCENES]
 
 
 def differs(found, run) -> bool:
@@ -56,9 +51,9 @@ def differs(found, run) -> bool:
     return not all(abs(ours - float(theirs)) <= CLOSE * max(1, abs(float(theirs))) for ours, theirs in pairs)
 
 
-def test_events_and_states_are_those_of_the_exact_integrator(answers, runs):
-    found = answers["right"]["grid"]
-    assert not [scene for scene, one, run in zip(SCENES, found, runs, strict=True) if differs(one, run)]
+def test_events_and_states_are_those_of_the_exact_integrator(answers):
+    found = answers["right"][: len(SCENES)]
+    assert not [scene for scene, one in zip(SCENES, found, strict=True) if differs(one, solve(scene.scene()))]
     assert sum(len(one["modes"]) for one in found) > 1900
 
 
@@ -75,21 +70,22 @@ def is_off(found, right) -> bool:
 
 
 def test_under_a_force_the_events_are_those_of_60_digits(answers, forced):
-    found = dict(zip(FORCED_NAMES, answers["right"]["catalogue"], strict=True))
+    found = dict(zip(FORCED_NAMES, answers["right"][len(SCENES) :], strict=False))
     assert not [name for name in FORCED_NAMES if is_off(found[name], forced[name])]
     assert sum(len(one.rows) for one in forced.values()) > 150
 
 
 def test_what_points_the_other_way_moves_the_other_way(answers, forced):
     """With a negative amplitude the bounds of derivatives were negative, and roots were stepped over."""
-    found = dict(zip(FORCED_NAMES, answers["right"]["mirrored"], strict=True))
+    found = dict(zip(FORCED_NAMES, answers["right"][-len(FORCED_NAMES) :], strict=True))
     assert not [name for name in FORCED_NAMES if is_off(found[name], forced[name].mirrored)]
 
 
 @pytest.mark.parametrize("number", range(len(FAULTS)), ids=[wrong for _, wrong in FAULTS])
-def test_a_fault_in_the_program_is_seen(answers, runs, forced, number):
-    found, rights = answers["faulty"][number], list(forced.values())
-    seen = [differs(one, run) for one, run in zip(found["grid"], runs, strict=True)]
-    seen += [is_off(one, right) for one, right in zip(found["catalogue"], rights, strict=True)]
-    seen += [is_off(one, right.mirrored) for one, right in zip(found["mirrored"], rights, strict=True)]
-    assert any(seen)
+def test_a_fault_in_the_program_is_seen(answers, forced, number):
+    place, found = answers["faulty"][number]
+    if place < len(SCENES):
+        assert differs(found, solve(SCENES[place].scene()))
+        return
+    rights = [*forced.values(), *(one.mirrored for one in forced.values())]
+    assert is_off(found, rights[place - len(SCENES)])

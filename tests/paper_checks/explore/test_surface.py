@@ -1,5 +1,6 @@
 """The solver of the page's second tab, in headless Chromium, against `numerics.solve` on the scenes that it writes."""
 
+import tomllib
 from dataclasses import asdict, replace
 from pathlib import Path
 
@@ -14,22 +15,10 @@ from paper_checks.explore.page import SOLVER, source
 from paper_checks.explore.surfaces import OWN_SURFACES, ReducedSurface, reduced_surface
 
 CLOSE = 1e-9
-STUCK = ReducedSurface(until=8)
+KEPT = tomllib.loads(Path(__file__).with_name("surfaces.toml").read_text("utf-8"))
 SCENES = (
     *(replace(one.scene, until=min(6.0, one.scene.until)) for one in OWN_SURFACES),
-    replace(STUCK, X=(1.01, 0), V1=(0, 1.01), V2=(0, 1.01)),
-    replace(STUCK, X=(1.01, 0), V1=(0, 0.4), V2=(0, 0.4), until=4),
-    replace(STUCK, ratio=4, zeta=0.2, X=(-2, 0.5), V1=(0, 3), V2=(1, -1)),
-    replace(STUCK, ratio=0.1, X=(1.3, -0.4), V1=(1, 2), V2=(1, 2)),
-    replace(STUCK, size=4, V1=(-3, 1e-5), until=3),
-    replace(STUCK, size=4, V1=(-3, 0), until=3),
-    replace(STUCK, X=(1.5, 0), V1=(0.3, 0), V2=(-1, 0), until=6),
-    replace(STUCK, X=(0.6, 0.8), V1=(0.3, 0.1), V2=(0.3, 0.1), zeta=0.3, until=6),
-    replace(STUCK, X=(0.6, 0.8), V1=(-0.3, 0.1), V2=(-0.3, 0.1), until=4),
-    replace(STUCK, X=(1.2, 0.1), until=6),
-    replace(STUCK, size=1.5, omega=1.0, V1=(0.3, 0)),
-    replace(STUCK, ratio=0.5, zeta=0.1, size=3, omega=1.7, angle=0.6, V1=(0, 1), V2=(0, 1)),
-    replace(STUCK, size=2.4, angle=-2.5, zeta=0.05, V1=(0, 1), V2=(0, 1)),
+    *(ReducedSurface(**{"until": 8} | one) for one in KEPT["scenes"]),
 )
 FAULTS = (
     ("at = omega * t + angle", "at = omega * t - angle"),

@@ -210,6 +210,11 @@ def test_no_statement_or_definition_is_pinned_in_part():
         questions._trimmed("Merging.merging_set", "Merging.merging_set\n     : forall t, v1 (...) = v2 t")
 
 
+def test_what_the_kernel_did_not_check_counts_as_an_axiom():
+    told = "Axioms:\nClassical_Prop.classic : forall P : Prop,\n  P \\/ ~ P\nbad is assumed to be guarded.\n"
+    assert questions._axioms(told) == ("Classical_Prop.classic", "bad is assumed to be guarded.")
+
+
 @pytest.mark.parametrize("changed", ["questions", "graph", "library", "a proof file", "the kernel"])
 def test_the_kernel_is_asked_again_where_what_its_answers_rest_on_changes(tmp_path, monkeypatch, changed):
     asked = []

@@ -14,6 +14,13 @@ def test_comments_go_and_lines_stay():
     assert without_comments("a (* b (* c *)\n d *) e\nf") == "a \n e\nf"
 
 
+def test_what_stands_between_marks_in_quotes_is_no_comment():
+    text = 'Definition a := "(*".\nUnset Guard Checking.\nDefinition b := "*)".'
+    assert without_comments(text) == text
+    assert without_comments('(* "*)" *) c') == " c"
+    assert Source("False", text).unproved() == ("False.a: Unset Guard Checking stands where a proof is needed",)
+
+
 def test_files_come_after_what_they_require():
     assert in_order(named(HIGH, LOW)) == ("Low", "High")
     assert all_required("High", named(HIGH, LOW)) == {"Low"}

@@ -4,10 +4,10 @@ import re
 from decimal import Decimal
 
 import pytest
+from scene_files import scenes_in
 
 from numerics import Force, Pair, Scene, State, solve
 from numerics.scene.file import load_scene
-from numerics.scene.pieces import Friction, Piece, Sine
 from numerics.trajectory.theorem import theorem
 from paper_checks.proofs.__main__ import main
 from paper_checks.proofs.sources import FOLDER
@@ -17,40 +17,7 @@ SMALL = Scene(Pair(1, 1, 200, "0.05"), State(x1="0.00035", v1="0.0055", v2="0.00
 """Stick, slip, stick, slip."""
 HARD = Pair(1, 1, 200, "0.5")
 FORCED = Scene(HARD, State(v1="0.15"), until="0.6", force=Force.step("0.1", 3) + Force.sine("0.7", 5))
-SCENES = {
-    "no event at all": Scene(Pair(1, 1, 200, "0.5"), State(), until=1),
-    "slips that cross": Scene(Pair(1, 1, 200, "0.05"), State(v1="0.15"), until=1),
-    "below critical damping": Scene(Pair(1, 1, 200, "0.05", a1="0.3"), State(v1="0.15"), until="4.9"),
-    "at critical damping": Scene(Pair(2, 1, 200, "0.05", a1=40), State(x1="0.01", v1="0.5", v2="-0.3"), until=7),
-    "an event 3e-24 s before the end": Scene(Pair(2, 1, 200, "0.05", 40), State("0.01", "0.5", 0, "-0.3"), until=6),
-    "beyond critical damping": Scene(Pair(1, 1, 200, "0.05", a1=40), State("0.01", "0.15", 0, "-0.1"), until=5),
-    "body 1 beyond it, both below": Scene(Pair(1, 9, 100, 3, a1=30), State("0.05", "0.1", 0, "-0.1"), until=3),
-    "from an edge into the sliding region": Scene(Pair(1, 2, 100, "0.4", a1="0.5"), State(x1="0.006"), until=1),
-    "from an edge into a slip": Scene(Pair(1, 1, 200, "0.5"), State("0.005", "0.1", 0, "0.1"), until=1),
-    "a force that steps and a stick that it breaks": Scene(HARD, State(), until=1, force=Force.step("0.5", 3)),
-    "sines, a polynomial, pieces of friction": Scene(
-        Pair(1, 1, 200, "0.5", a1="0.1"),
-        State(),
-        until=2,
-        force=Force([Piece(0, [0, 2, 1, "-0.3"], [Sine("0.7", 5, "0.1"), Sine("0.2", 11)]), Piece("1.8", [1])]),
-        friction=Friction([("1.5", "0.3")]),
-    ),
-    "a sine beyond critical damping": Scene(
-        Pair(1, 1, 200, "0.05", a1=40), State("0.01", "0.15", 0, "-0.1"), until=2, force=Force.sine(3, 2)
-    ),
-    "from an edge under a sine into a stick": Scene(
-        HARD, State("0.005", "-0.05", 0, "-0.05"), until=1, force=Force.sine("0.3", 5)
-    ),
-    "from an edge under a sine into a slip": Scene(HARD, State("0.005"), until=1, force=Force.sine("0.3", 5)),
-    "a sine in resonance with both bodies": Scene(HARD, State(v1="0.1"), until=1, force=Force.sine(1, 10)),
-    "a sine in resonance with body 1": Scene(
-        Pair(2, 1, 200, "0.3"), State(v1="0.1"), until=1, force=Force([Piece(0, [], [Sine("0.8", 10, "0.3")])])
-    ),
-    "bounds near the last bit of both programs": Scene(
-        Pair(1, 2, 90, "0.3", a1="0.2"), State("0.02", "0.1"), until=5, force=Force.step("0.2", 2)
-    ),
-    "other units": Scene(Pair("1e-9", "2e-9", "0.3", "1e-8"), State(v1="1e-3"), until="1e-3"),
-}
+SCENES, EVER = scenes_in("proved"), scenes_in("proved-for-ever")
 
 
 def at_speed(speed, until):
@@ -58,16 +25,16 @@ def at_speed(speed, until):
     return Scene(HARD, State("0.004", speed, 0, speed), until)
 
 
-EVER = {
-    "without a damper": at_speed("0.0299999", 1),
-    "with a damper": Scene(Pair("0.8", "1.7", 310, "0.4", a1="0.11"), State("-0.012", "0.31", 0, "0.02"), until=2),
-    "beyond critical damping": Scene(Pair("0.5", "0.5", 20, "0.2", a1=30), State("0.07", "-0.4", 0, "0.3"), until=6),
-    "under a constant force": Scene(HARD, State("0.004"), until=1, force=Force.step("0.1", "0.1")),
-}
-
 WEAKER = """Definition unfolds (x v1 x2 v2 : R -> R) (t : R) (l : list event) (e : ending) := True.
 Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2 -> unfolds x v1 x2 v2 0 the_events the_ending.
 Proof. intros. exact I. Qed."""
+
+HIDDEN = """From Coq Require Import String.
+Definition begin := "(*"%string. Unset Guard Checking.
+Fixpoint false_for (n : nat) : False := false_for n.
+Set Guard Checking. Definition end_ := "*)"%string.
+Theorem trajectory x v1 x2 v2 : motion the_scene x v1 x2 v2 -> unfolds x v1 x2 v2 0 the_events the_ending.
+Proof. destruct (false_for 0). Qed."""
 
 needs_kernel = pytest.mark.usefixtures("needs_kernel")
 
@@ -188,6 +155,7 @@ def test_nothing_false_of_a_force_is_accepted(judge, planted):
         (r"Lemma accepted :\s+(.*?)\.\nProof.*?Qed\.", r"Parameter accepted : \1.", "Parameter stands where"),
         (r"Theorem trajectory.*", "Theorem trajectory : True. Proof. exact I. Qed.", "is no theorem of"),
         (r"Theorem trajectory.*", WEAKER, "is no theorem of"),
+        (r"Theorem trajectory.*", HIDDEN, "Unset Guard Checking stands where"),
         (
             r"Require Import Waves Trajectory",
             "Require Import Waves Trajectory Nowhere",

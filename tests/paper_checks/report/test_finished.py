@@ -1,4 +1,4 @@
-"""Reports and figures from the cache: the same bytes as drawn anew, and never those of another state, form or row."""
+"""Reports from the cache: the same bytes as made anew, and never those of another state, form or row."""
 
 import argparse
 from dataclasses import replace
@@ -8,7 +8,6 @@ import pytest
 
 from paper_checks.evidence.finding import Verdict
 from paper_checks.report.output import files, finished
-from paper_checks.report.output import pictures as pictures_of_a_report
 from paper_checks.report.output.finished import Finished, name_of
 from paper_checks.reporting import command_line
 from paper_checks.running.graph import proofs
@@ -26,41 +25,6 @@ def drawable(rows):
     """Rows whose only figure is the one of the first screen."""
     found = [replace(row, finding=replace(row.finding, figure=None)) for row in rows]
     return [replace(row, proofs=proofs(row.claim, row.finding)) for row in found]
-
-
-def pictures(figures, kept, complaints, *, fresh=False):
-    return pictures_of_a_report.Pictures(["sine", "lost"], figures, complaints.append, kept, fresh)
-
-
-def test_a_figure_is_drawn_once_for_each_form(figures, tmp_path):
-    drawn, complaints = [], []
-
-    def counted():
-        drawn.append("sine")
-        return figures["sine"]()
-
-    def saved(form, *, fresh=False):
-        return pictures({"sine": counted}, Finished(folder=tmp_path), complaints, fresh=fresh).saved(form)
-
-    first = saved("svg")
-    assert saved("svg") == first == pictures(figures, None, []).saved("svg")
-    assert len(drawn) == 1
-    assert saved("pdf") == saved("pdf") == pictures(figures, None, []).saved("pdf")
-    assert len(drawn) == 2
-    assert saved("svg", fresh=True) == first
-    assert len(drawn) == 3
-    assert complaints == ["the figure lost is not known"] * 5
-
-
-def test_a_figure_that_fails_is_told_once_and_not_kept(tmp_path):
-    def broken():
-        raise RuntimeError("no trajectory")
-
-    complaints = []
-    found = pictures_of_a_report.Pictures(["sine"], {"sine": broken}, complaints.append, Finished(folder=tmp_path))
-    assert found.saved("svg") == found.saved("pdf") == {}
-    assert complaints == ["the figure sine was not drawn: RuntimeError: no trajectory"]
-    assert not [path for path in tmp_path.rglob("*") if path.is_file()]
 
 
 def test_a_name_knows_rows_form_and_options_and_not_how_long_it_took(rows):
@@ -84,7 +48,7 @@ def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch)
     store, found = tmp_path / "store", []
 
     def seen(trade=None):
-        Finished(trade, store).keep_figure("sine.svg", b"")
+        Finished(trade, store).keep("one", {"report.html": b""})
         found.append(len(list(store.iterdir())))
 
     seen()
@@ -102,7 +66,7 @@ def test_another_trade_source_or_version_is_another_state(tmp_path, monkeypatch)
 @pytest.mark.parametrize("place", ["one.html", "one.html.report.html", "one.html.figures/sine.svg"])
 def test_a_damaged_form_is_not_read(tmp_path, place):
     kept, whole = Finished(folder=tmp_path), {"figures/sine.svg": b"<svg/>", "report.html": b"whole"}
-    kept.keep_files("one.html", whole)
+    kept.keep("one.html", whole)
     assert list(kept.files("one.html").items()) == list(whole.items())
     (folder,) = tmp_path.iterdir()
     (folder / place).write_bytes((folder / place).read_bytes()[:-1])

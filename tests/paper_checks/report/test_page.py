@@ -73,6 +73,23 @@ def test_every_symbol_has_an_anchor_and_is_found_where_it_is_used():
     assert "force" not in notation.used([r"$\mu+\tau u'$"])
 
 
+def test_a_letter_that_a_row_uses_for_something_else_is_not_explained_as_the_usual_one():
+    for row, names in notation.OWN.items():
+        texts = [claim_named(row).statement]
+        assert not {*names.split()} & {*notation.used(texts, row)}
+        assert notation.used(texts, row) != ()
+    reason = "where $w=v_1-v_2$ is"
+    assert ("w" in notation.used([reason]), "w" in notation.used([reason], "return-alternatives")) == (True, False)
+
+
+def test_what_a_theorem_assumes_is_said_of_theorems_only_and_of_other_laws_as_such():
+    theorems = {one.id for one in CLAIMS if one.kind is Kind.THEOREM}
+    assert {*opening.ASSUMED} <= theorems
+    assert "$u=0$" in opening.hypotheses("static-friction-stops-creeping")
+    assert "not Coulomb's law" in opening.hypotheses("static-friction-stops-creeping")
+    assert "surface" in opening.hypotheses("stuck-ellipses")
+
+
 def test_the_counts_are_those_of_the_rows(rows):
     assert opening.counts(rows[:1]) == "The claim holds as written."
     assert opening.counts(rows[:2]) == "Of the paper's 2 claims 1 holds as written and 1 is refuted."
@@ -109,6 +126,12 @@ def test_who_asks_for_the_law_reads_that_it_is_without_damper_and_force():
     told = dict(table.rows)
     assert "`sharp-law`" in told["Which theorem carries the 1/t law, and what does it assume?"]
     assert "$a_1=0$" in told["Which theorem carries the 1/t law, and what does it assume?"]
+    assert "Does the paper" in [*told][-1]
+    rows = [settled(name) for name in (*opening.ASKED, "synchronisation-time")]
+    (table,) = opening.questions(rows, ()).blocks
+    told_of_rows = dict(table.rows)
+    assert "`synchronisation-time`: $1\\neq 0$." in told_of_rows["Which claims fail, and what are the counterexamples?"]
+    assert all("weakest step: " in told_of_rows[question] for question in opening.ASKED.values())
     assert "is not known" in told["Does the paper's version on arXiv say the same?"]
 
 
@@ -117,7 +140,7 @@ def test_a_theorem_is_said_to_be_without_a_damper_where_the_kernel_has_none(clai
     """What a theorem of the free pair assumes is read off from its statements: 0 in the damper's place."""
     statements = [pinned().theorems[name].statement for one in claim.clauses for name in one.kernel]
     zeros = [dict(kernel.zeros(text)) for text in statements if "Pair.solution" in text]
-    if "a_1=0" in opening.hypotheses(claim.id):
+    if opening.hypotheses(claim.id) == opening.FREE:
         assert all(one == {"Pair.solution": "a_1"} for one in zeros)
         assert not any("Forced.forced" in text for text in statements)
     else:

@@ -33,7 +33,7 @@ SHOWN_WITH = {"matplotlib", "rich", "latex2mathml", "platformdirs"}
 
 @pytest.fixture
 def settled(rows):
-    return [row for row in rows if row.finding.verdict not in (Verdict.UNDECIDED, Verdict.UNCHECKED)]
+    return [row for row in rows if row.finding.verdict is not Verdict.UNDECIDED]
 
 
 @pytest.fixture

@@ -1,0 +1,7 @@
+"""What a claim is written with, from one place: every module of this room begins with `from paper_checks.claims.words import *`.
+
+The names are those that `paper_checks.evidence` and `paper_checks.decide` list.
+"""
+
+from paper_checks.decide import *
+from paper_checks.evidence import *

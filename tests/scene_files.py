@@ -1,0 +1,11 @@
+"""The scenes of tests, one TOML file each, by the folder under tests/scenes that they stand in."""
+
+from pathlib import Path
+
+from numerics.scene.file import Scene, load_scene
+
+
+def scenes_in(folder: str) -> dict[str, Scene]:
+    """Return the scenes of a folder by their names."""
+    files = sorted((Path(__file__).parent / "scenes" / folder).glob("*.toml"))
+    return {path.stem: load_scene(path) for path in files}

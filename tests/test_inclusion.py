@@ -1,0 +1,72 @@
+"""Any scene's answer is a motion of it; and what is not quite one is seen."""
+
+from fractions import Fraction
+from types import SimpleNamespace
+
+import pytest
+from differences import moved
+from flint import arb
+from hypothesis import given
+from inclusion import faults, motion
+from reaching import LeftOut, reaching
+from scene_files import scenes_in
+from strategies import driven_scenes, long_slips, near_critical, scenes, weakened_scenes
+
+from numerics import Law
+from numerics.errors import EventUndecided
+from numerics.scene.file import load_scene
+from numerics.trajectory.derivatives import parameters
+
+KINDS = {
+    "free": scenes(),
+    "damped": scenes(damped=True),
+    "many cycles in one slip": long_slips(damped=None, turns=(0, 0)),
+    "next to E_cr": near_critical((3, 16)),
+    "the literal law": scenes(damped=None, law=Law.THREE_VALUED_SGN),
+    "driven": driven_scenes(),
+    "friction of the state": weakened_scenes(),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_any_answer_is_a_motion(kind):
+    """For some events; or it is refused at a touch."""
+
+    @reaching
+    @given(KINDS[kind])
+    def holds(scene):
+        try:
+            motion(scene, max_events=4)
+        except EventUndecided:
+            raise LeftOut from None
+
+    holds()
+
+
+FOUND = scenes_in("passed-over")
+
+
+@pytest.mark.parametrize("scene", FOUND.values(), ids=FOUND)
+def test_no_event_is_passed_over(scene):
+    assert motion(scene).success
+
+
+def test_the_motion_of_a_scene_that_is_off_by_little_is_none_of_this():
+    run = motion(FOUND["everything"])
+    for name in parameters(run.scene).keys() - {"until"}:
+        by = Fraction(1, 10 ** (8 if name.endswith("from") else 16))
+        assert next(faults(run, moved(run.scene, {name: by})), ""), name
+
+
+@pytest.mark.parametrize("longer", ["1e-9", "0.01"])
+@pytest.mark.parametrize("row", range(4))
+def test_a_mode_that_lasts_too_long_is_none(row, longer):
+    """A slip beyond v1 = v2, and a stick beyond what friction holds."""
+    run = motion(load_scene("forced-sine-stick-slip"), max_events=6)
+    with run.arithmetic.context():
+        begin, end = run.row_times[row : row + 2]
+        late = SimpleNamespace(
+            scene=run.scene, row_times=[begin], end_time=end + arb(longer), row_signs=run.row_signs[row:]
+        )
+        late.sol = lambda t, side="right": run.dense.motion(row).after(max(t - begin, arb(0)))
+        assert any(one.startswith(f"no {'slip' if late.row_signs[0] else 'stick'}") for one in faults(late))
