@@ -50,7 +50,10 @@ def starts_of(scene: Scene) -> NDArray[np.float64]:
 
 def _pieces(scene: Scene) -> Sequence[ExactPiece]:
     force, friction, until = scene.force, scene.friction, scene.until
-    starts = sorted({Fraction(0), *(t for t in (*force.starts, *friction.starts) if t < until)})
+    starts = [Fraction(0)]
+    for t in sorted((*force.starts, *friction.starts)):
+        if starts[-1] < t < until:
+            starts.append(t)
     found: list[ExactPiece] = []
     b, piece, forces, frictions = scene.pair.b, None, 0, 0
     for start, end in zip(starts, [*starts[1:], until], strict=True):
@@ -61,16 +64,17 @@ def _pieces(scene: Scene) -> Sequence[ExactPiece]:
         polynomial, sines = (piece.polynomial, piece.sines) if piece is not None else ((), ())
         if piece is not None and piece.start != start:
             polynomial = shifted(polynomial, start - piece.start)
-        after = ExactPiece(start, end - start, b, polynomial, sines, True)
-        jumps = not found or _may_jump(found[-1], after)
-        found.append(after if jumps else ExactPiece(start, end - start, b, polynomial, sines, False))
+        jumps = not found or _may_jump(found[-1], b, polynomial, sines)
+        found.append(ExactPiece(start, end - start, b, polynomial, sines, jumps))
     return found
 
 
 def polynomial_at(polynomial: Sequence[Fraction], t: Fraction) -> Fraction:
     """Return the value of a polynomial with these coefficients, from the constant on."""
-    value = Fraction(0)
-    for coefficient in reversed(polynomial):
+    if not polynomial:
+        return Fraction(0)
+    value = polynomial[-1]
+    for coefficient in polynomial[-2::-1]:
         value = value * t + coefficient
     return value
 
@@ -84,7 +88,8 @@ def particular(polynomial: Sequence[Fraction], mass: Fraction, a1: Fraction, a2:
     return found[: len(polynomial)]
 
 
-def _may_jump(before: ExactPiece, after: ExactPiece) -> bool:
+def _may_jump(before: ExactPiece, b: Fraction, polynomial: Sequence[Fraction], sines: tuple[Sine, ...]) -> bool:
     """Return whether u or b may differ on both sides of where a piece begins: sines that change count as a jump."""
-    u = polynomial_at(before.polynomial, before.length)
-    return before.b != after.b or before.sines != after.sines or u != polynomial_at(after.polynomial, Fraction(0))
+    if before.b != b or before.sines != sines:
+        return True
+    return polynomial_at(before.polynomial, before.length) != (polynomial[0] if polynomial else 0)

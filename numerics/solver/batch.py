@@ -31,8 +31,8 @@ class Batch:
     event_t, event_y, event_mode   the first `keep_events` events: (..., k), (4, ..., k), (..., k); nan and 0 beyond
     event_t_error, event_y_error   bounds on their errors
 
-    Digits count as in trajectory/digits.py: times relative to themselves, positions and velocities to the largest
-    of each at the start, at the kept events and at the end.
+    Digits count as in trajectory/digits.py: times relative to themselves, positions, velocities and energies to the
+    largest of each at the start, at the kept events and at the end.
 
     >>> from numerics import solve_many
     >>> found = solve_many(1, 1, 200, 0.5, v1=[0.05, 0.15], until=5, keep_events=2, jobs=1)
@@ -213,7 +213,10 @@ class Batch:
         errors = np.concatenate([0 * start, self.event_y_error, self.y_error[..., None]], axis=-1)
         sizes = np.nan_to_num(abs(values)).max(axis=-1)
         sizes = np.maximum(sizes, sizes[[2, 3, 0, 1]])  # both positions, and both velocities, have one
-        energy, error, _ = self._energy
+        _, error, _ = self._energy
+        weights = [self._given(name)[..., None] for name in ("a2", "m1", "m2")]
+        energies = sum(weight * values[place] ** 2 / 2 for place, weight in zip((0, 1, 3), weights, strict=True))
+        energy = np.nan_to_num(energies).max(axis=-1)
         with np.errstate(divide="ignore", invalid="ignore"):
             ratios = [
                 (np.nan_to_num(errors, posinf=np.inf).max(axis=-1) / sizes).max(axis=0),

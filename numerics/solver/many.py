@@ -20,6 +20,7 @@ from numerics.arithmetic.pair import nearest
 from numerics.errors import InvalidScene
 from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State, read_law
 from numerics.scene.decimals import require_function, require_whole
+from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.solver.batch import SI, Batch
 from numerics.solver.rows import Chunk, Columns, room
 from numerics.tasks import available_cores
@@ -104,7 +105,7 @@ def solve_many(
     def scene_of(row: int) -> Scene:
         coefficients, waves = columns.polynomial[row], columns.sines[row]
         numbers = [Fraction(float(one)) for one in (*columns.table[row, ::2], *coefficients, *waves.ravel())]
-        return _scene(numbers, len(coefficients), limits.law)
+        return _scene(numbers, len(coefficients), limits.law, {})
 
     return _solved(columns, scene_of, columns.table, shape, limits)
 
@@ -130,10 +131,12 @@ def solve_scenes(
     if any(scene.friction.weakening for scene in scenes):
         jobs = 1  # they are solved in balls, whose precision all threads share
     limits = _limits(next(iter(laws), Law.FILIPPOV), max_events, keep_events, jobs, progress)
-    table = np.array([_halves(scene) for scene in scenes]).reshape(len(scenes), 2 * len(SI))
+    plain = len(laws) <= 1 and not any(scene.is_forced for scene in scenes)
+    table = np.array([_halves(scene, lows=plain) for scene in scenes]).reshape(len(scenes), 2 * len(SI))
     columns = Columns(table, np.zeros((len(scenes), 0)), np.zeros((len(scenes), 0, 3)))
-    plain = len(laws) <= 1 and np.isfinite(table).all() and not any(scene.is_forced for scene in scenes)
-    return _solved(columns if plain else None, scenes.__getitem__, table, (len(scenes),), limits)
+    return _solved(
+        columns if plain and np.isfinite(table).all() else None, scenes.__getitem__, table, (len(scenes),), limits
+    )
 
 
 def _scenes(given: Any) -> Sequence[Scene]:
@@ -155,24 +158,40 @@ def _limits(law: Law, max_events: int, keep_events: int, jobs: int | None, progr
     return _Limits(law, max_events, keep_events, jobs, progress)
 
 
-def _halves(scene: Scene) -> list[float]:
-    """Return the SI numbers of a scene as halves; nan where one is beyond binary64."""
+def _halves(scene: Scene, *, lows: bool) -> list[float]:
+    """Return the SI numbers of a scene as halves, or high halves and 0; nan where one is beyond binary64."""
     pair, at = scene.pair, scene.initial
     numbers = (pair.m1, pair.m2, pair.a2, pair.b, at.x1, at.v1, at.x2, at.v2, scene.until, pair.a1)
     try:
-        halves = [half for one in numbers for half in nearest(one)]
+        halves = [half for one in numbers for half in (nearest(one) if lows else (float(one), 0.0))]
     except OverflowError:
         return [np.nan] * 20
+    if not lows:
+        return halves
     same = halves[10:12] == halves[14:16]  # halves must not make two velocities equal that are not
     return halves if same == (at.v1 == at.v2) else [np.nan] * 20
 
 
-def _scene(numbers: Sequence[Any], terms: int, law: Law) -> Scene:
-    """Return the scene of its SI numbers, the coefficients of a polynomial and the numbers of sines."""
+def _scene(
+    numbers: Sequence[Any],
+    terms: int,
+    law: Law,
+    pairs: dict[tuple[int, ...], Pair],
+    force: Any = NO_FORCE,
+    friction: Any = SAME_FRICTION,
+) -> Scene:
+    """Return the scene of its SI numbers, the coefficients of a polynomial, the numbers of sines, and what acts too.
+
+    `pairs` keeps the pair of the very same numbers, which most scenes of a batch share.
+    """
     m1, m2, a2, b, x1, v1, x2, v2, until, a1, *rest = numbers
+    same = (id(m1), id(m2), id(a2), id(b), id(a1))
+    pair = pairs[same] if same in pairs else pairs.setdefault(same, Pair(m1, m2, a2, b, a1))
     waves = [Sine(*rest[k : k + 3]) for k in range(terms, len(rest), 3)]
-    force = Force((Piece(0, rest[:terms], waves),)) if any(rest[:terms]) or any(s.amplitude for s in waves) else Force()
-    return Scene(Pair(m1, m2, a2, b, a1), State(x1, v1, x2, v2), until, law, force)
+    if any(rest[:terms]) or any(s.amplitude for s in waves):
+        own = Force((Piece(0, rest[:terms], waves),))
+        force = own if force is NO_FORCE else own + force
+    return Scene(pair, State(x1, v1, x2, v2), until, law, force, friction)
 
 
 def _solve_objects(
@@ -188,14 +207,8 @@ def _solve_objects(
     objects = [np.asarray(one, dtype=object) for one in (*given, *(acts or ()))]
     shape = _common_shape(dict(zip((*named, "force", "friction"), objects, strict=False)))
     arrays = [np.broadcast_to(one, shape) for one in objects]
-    scenes = []
-    for row in zip(*[one.ravel() for one in arrays], strict=True):
-        scene = _scene(row[: len(named)], terms, limits.law)
-        if acts is not None:
-            force, friction = row[len(named) :]
-            u = scene.force + force if scene.force.pieces else force
-            scene = Scene(scene.pair, scene.initial, scene.until, limits.law, u, friction)
-        scenes.append(scene)
+    rows, pairs = zip(*[one.ravel() for one in arrays], strict=True), dict[tuple[int, ...], Pair]()
+    scenes = [_scene(row[: len(named)], terms, limits.law, pairs, *row[len(named) :]) for row in rows]
     _, max_events, keep, jobs, progress = limits
     found = solve_scenes(scenes, max_events=max_events, keep_events=keep, jobs=jobs, progress=progress)
     return Batch(found.table, found.ends, found.kept, arrays[0].shape)
