@@ -115,6 +115,8 @@ def test_a_defect_sees_what_is_missing():
             curve = Curve(0, t, q1, v2, s, q1, s * (system.pieces[0].b_squared * h))
             norm = slip_defect(system, curve, s, t.derivative() * (1 / h), h)[0].norm
             assert (norm < 1e-25) if wrong == 0 else (norm > 1e-16)
+        _, least = slip_defect(system, curve, s, t.derivative() * (arb("1.1") / h), h)  # a size that is none
+        assert all(least**2 < (s * s @ system.pieces[0].b_squared)(arb(n) / 8) for n in range(9))
         off = Vector([arb(0), arb("1e-9")])  # what friction is off counts for both bodies
         assert not defect(system, curve, off).norm < system.norm(system.still, off / system.m1, off / system.m2)
 
