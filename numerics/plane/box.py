@@ -16,7 +16,7 @@ from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
 from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
-from numerics.plane.vector import Vector
+from numerics.plane.vector import Matrix, Vector, exact
 from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
@@ -62,13 +62,12 @@ class Axes:
     def __init__(self, scene: PlaneScene, answers: list[Any]) -> None:
         """Take the answer of each axis, which may be that of another one with the same motion and other places."""
         self.answers, starts = answers, [one.scene.initial for one in answers]
-        self.places = [x - y - (at.x1 - at.x2) for x, y, at in zip(scene.x1, scene.x2, starts, strict=True)]
+        self.places = exact(x - y - (at.x1 - at.x2) for x, y, at in zip(scene.x1, scene.x2, starts, strict=True))
 
     def at(self, t: Any) -> PlaneState:
         """Return the state at a time."""
-        y = [one.sol(t) for one in self.answers]
-        x1, v1, x2, v2 = (tuple(state[k] for state in y) for k in range(4))
-        return PlaneState(x1, v1, tuple(x - Ball.number(by) for x, by in zip(x2, self.places, strict=True)), v2)
+        x1, v1, x2, v2 = map(Vector, zip(*(one.sol(t) for one in self.answers), strict=True))
+        return PlaneState(x1, v1, x2 - self.places, v2)
 
 
 def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> PlaneSolution:
@@ -96,7 +95,7 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
         y = motion.at(t)
         signs = Vector(arb({"+": 1, "0": 0, "-": -1}[one]) for one in word)
         direction = signs / (signs @ signs).max(arb(1)).sqrt()
-        load = Vector(_load(scene, y, t, i) for i in range(scene.pair.axes))
+        load = _load(scene, y, t)
         modes.append("".join(word))
         cause = "jump" if any(event.cause == "jump" for event, _ in group) else "guard"
         events.append(PlaneEvent(t, modes[-2], modes[-1], y, direction, load, cause))
@@ -106,12 +105,14 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
     return PlaneSolution(scene, arithmetic, status, events, modes, end, motion)
 
 
-def _load(scene: PlaneScene, y: PlaneState, t: arb, i: int) -> arb:
-    """Return m2/(m1 + m2) (u - a2 x1 - a1 v1) on one axis, N."""
-    pair, number = scene.pair, Ball.number
-    piece = scene.force[i].piece_at(Fraction(float(t.mid())))
-    pull = arb_poly([number(c) for c in piece.polynomial])(t - number(piece.start))
-    for sine in piece.sines:
-        pull += number(sine.amplitude) * (number(sine.omega) * t + number(sine.phase)).sin()
-    pull -= number(pair.a2[i][i]) * y.x1[i] + number(pair.a1[i][i]) * y.v1[i]
-    return number(pair.m2[i] / (pair.m1[i] + pair.m2[i])) * pull
+def _load(scene: PlaneScene, y: PlaneState, t: arb) -> Vector:
+    """Return m2/(m1 + m2) (u - a2 x1 - a1 v1), N."""
+    pair, number, u = scene.pair, Ball.number, []
+    for force in scene.force:
+        piece = force.piece_at(Fraction(float(t.mid())))
+        u.append(arb_poly([number(c) for c in piece.polynomial])(t - number(piece.start)))
+        for sine in piece.sines:
+            u[-1] += number(sine.amplitude) * (number(sine.omega) * t + number(sine.phase)).sin()
+    m1, m2 = exact(pair.m1), exact(pair.m2)
+    found: Vector = (Vector(u) - Matrix.of(pair.a2) @ y.x1 - Matrix.of(pair.a1) @ y.v1) * m2 / (m1 + m2)
+    return found

@@ -15,7 +15,7 @@ Both series diverge in general: they are cut where their terms are least, and th
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from flint import arb, arb_series
@@ -63,21 +63,28 @@ def first_slip(system: System, drive: Drive, load: Vector) -> tuple[Vector, arb]
     return (p / (c + h)).each(arb.mid), h
 
 
-def slow_series(system: System, at: Point, degree: int) -> Series | None:
-    """Return the series of a slip that has settled, None if the iteration does not settle."""
+def slow_series(system: System, at: Point, degree: int, quick: Sequence[bool]) -> Series | None:
+    """Return the series of a slip that has settled on the `quick` axes, None if the iteration does not settle.
+
+    On the others h D g goes on from its beginning, by B^-1 Lam - g.
+    """
     drive = system.pieces[at.piece]
     u = drive.force(arb_series([at.t, 1], degree))
     f, first = drive.friction(at.s)
     size, g = arb_series([first.mid()], degree), (f / drive.b).each(lambda x: arb_series([x.mid()], degree))
-    change = arb("inf")
+    change, began = arb("inf"), (g * drive.heavy * size).order(0)
+    settles = drive.heavy * Vector(map(arb, quick))
 
     def kept(p: Any) -> Any:
         return arb_series([x.mid() for x in p.coeffs()], degree)
 
     for turn in range(degree):
         q1, v2, s, load = _moved(system, drive, at, u, size, g)
-        across = g * drive.heavy
-        free = load / drive.b - size * across.each(arb_series.derivative)
+        across, push = g * settles, load / drive.b
+        free = push - size * across.each(arb_series.derivative)
+        if not all(quick):
+            late = ((push - g).each(arb_series.integral) + began) / (size * drive.heavy)
+            free = Vector(x if one else y for x, y, one in zip(free, late, quick, strict=True))
         over, along, square = free @ free - 1, free @ across, across @ across
         root = along * along - square * over
         if not root[0] > 0:

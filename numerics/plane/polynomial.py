@@ -51,18 +51,12 @@ def least(p: arb_poly) -> arb:
         first, *rest = on(p, a, b)
         low = (first - sum(map(abs, rest), arb(0))).lower()
         if 2 * low < first and b - a > 2**-10:
-            if not (arb_value(p, a) > 0 and arb_value(p, b) > 0):
+            if not (p(arb(a)) > 0 and p(arb(b)) > 0):
                 return low
             middle = (a + b) / 2
             waiting += [(a, middle), (middle, b)]
         else:
             found = found.min(low)
-    return found
-
-
-def arb_value(p: arb_poly, x: float) -> arb:
-    """Return p(x)."""
-    found: arb = p(arb(x))
     return found
 
 
@@ -81,9 +75,9 @@ def first_root(p: arb_poly, error: arb, start: float = 0.0) -> tuple[arb, arb] |
         steep, *others = on(slope, a, b)
         room = -steep - sum(map(abs, others), arb(0))
         if room > 0:
-            if arb_value(p, b) > error:
+            if p(arb(b)) > error:
                 continue
-            if arb_value(p, a) > error and arb_value(p, b) < -error:
+            if p(arb(a)) > error and p(arb(b)) < -error:
                 return _newton(p, slope, arb(a), arb(b)), (error / room).upper()
         if b - a < _PARTS:
             return False

@@ -12,6 +12,7 @@ says what holds all through one):
 
 from __future__ import annotations
 
+from fractions import Fraction
 from itertools import accumulate, pairwise
 
 from flint import arb, arb_poly
@@ -30,16 +31,21 @@ _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
 _OFTEN = 8
 """Steps of a slip between two questions whether it has settled."""
-_QUICK = 64
+_QUICK = 256
 """It is asked where a direction settles so many times in the time in which things change."""
+_QUICKER = 64
+"""So many times quicker some axes settle than the last, if these alone are asked."""
 _SHORT = 2.0**-20
 """The part of a step after which a load that falls from the edge into K is seen inside."""
 
 
 class Run(Path):
-    """The path of an ellipsoid; `steps` counts those of a slip since one that had settled was tried."""
+    """The path of an ellipsoid; `steps` counts those of a slip since one that had settled was tried.
 
-    steps, on_edge = 0, False
+    `held`: nothing but another piece of force or friction ends this stick.
+    """
+
+    steps, on_edge, held, stride = 0, False, False, arb(0)
 
     def one_step(self) -> None:
         """Stick or slip for a step, or to the first event in it."""
@@ -51,7 +57,9 @@ class Run(Path):
         series, reach = self.linear(held, self.system.degree)
         h, ends = self.fitted(reach)
         curve, found, norm = self.drawn(series, h, held)
-        root = self.exit(curve, found, norm, self.system.axes, _SHORT if self.falls_inside(h) else 0.0)
+        root = None
+        if not self.held:
+            root = self.exit(curve, found, norm, self.system.axes, _SHORT if self.falls_inside(h) else 0.0)
         if root is None:
             self.go_on(curve, STICK, arb(1), norm, ends=ends)
             return
@@ -105,6 +113,7 @@ class Run(Path):
             h, ends = (h / 2).mid(), False
         else:
             raise self.undecided("does the slip turn or end")
+        self.stride = clock(1) - at.t
         self.go_on(curve, SLIP, arb(1), norm, ends=ends)
         if not ends:
             self.land()
@@ -127,19 +136,23 @@ class Run(Path):
     def settled(self) -> bool:
         """Go on with the series of a slip that has settled, to its end if it comes in it; return whether that is it."""
         drive = self.system.pieces[self.at.piece]
-        if self.system.n > 1 and not highest(drive.heavy) * drive.friction(self.at.s)[1] * _QUICK < self.period:
-            return False
-        series = slow_series(self.system, self.at, self.system.degree)
-        if series is None:
-            return False
-        h, top = self.reach(series, 0)
-        return any(self.settle(series, (h / 2**k).mid(), top) for k in range(3))
+        size, n = drive.friction(self.at.s)[1], self.system.n
+        quick = [n == 1 or bool(x * size * _QUICK < self.period) for x in drive.heavy]
+        quicker = [one and bool(x * _QUICKER < highest(drive.heavy)) for x, one in zip(drive.heavy, quick, strict=True)]
+        for axes in (quick, quicker):
+            if all(axes) or sum(axes) > 1:
+                series = slow_series(self.system, self.at, self.system.degree, axes)
+                if series is not None:
+                    h, top = self.reach(series, 0)
+                    if any(self.settle(series, (h / 2**k).mid(), top) for k in range(3)):
+                        return True
+        return False
 
     def settle(self, series: Series, h: arb, top: int) -> bool:
-        """Go on with a series for a time h, if it is as good as a step."""
+        """Go on with a series for a time h, if it is as good as a step, and much longer or the last one."""
         system, at, (h, ends) = self.system, self.at, self.fitted(h)
         root = first_root(scaled(series.size[:top], h), arb(0))
-        if isinstance(root, bool):
+        if isinstance(root, bool) or (root is None and h < 4 * self.stride):
             return False
         if root is not None:
             h, ends = (h * root[0]).mid(), False
@@ -247,7 +260,8 @@ class Run(Path):
         _, v1, v2 = self.system.given.start
         if cause is None:
             self.mode = STICK if v1 == v2 else SLIP
-        if self.mode != STICK:
+        self.held = cause is None and self.mode == STICK and never_leaves(self.system)
+        if self.mode != STICK or self.held:
             return
         strain = self.system.pieces[self.at.piece].strain(self.load())
         if strain > 1:
@@ -286,6 +300,7 @@ class Run(Path):
         window = (2 * drive.reach * norm / slowest).upper().root(m) + 2 * late
         if not (window < h / 2 and self.leaves(first if m == 1 else direction, window, m)):
             raise self.undecided("does the load leave the friction set, or only touch its edge")
+        self.stride = h
         self.go_on(curve, SLIP, arb(1), norm, ends=ends)
 
     def first_direction(self, first: Vector, load: Vector, m: int) -> Vector:
@@ -315,3 +330,27 @@ def exactly_on_edge(system: System) -> bool:
     held = Vector(Vector(one) @ q1 + Vector(two) @ v1 for one, two in zip(given.a2, given.a1, strict=True))
     load = (Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - held) * m2 / (m1 + m2)
     return bool(load / Vector(acting.b_squared) @ load == 1)
+
+
+def never_leaves(system: System) -> bool:
+    """Return whether the load of bodies that stick at t = 0 stays in K as long as the first piece lasts, on exact data.
+
+    Asked where it swings with one frequency, Lam = C cos W t + W^-1 Lam' sin W t: then K has the whole ellipse if and
+    only if the larger root of B^-1 (C C^T + W^-2 Lam' Lam'^T) B^-1 is at most 1.
+    """
+    given, acting = system.given, system.given.pieces[0]
+    if acting.sines or len(acting.polynomial) > 1 or any(map(any, given.a1)):
+        return False
+    q1, v1, m1, m2 = map(Vector, (*given.start[:2], given.m1, given.m2))
+
+    def pull(x: Vector) -> Vector:
+        return Vector(Vector(row) @ x for row in given.a2)
+
+    push, rate = Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - pull(q1), pull(v1)
+    bends = [(one, pull(one / (m1 + m2))) for one in (push, rate)]
+    square = next((y / x for pair in bends for x, y in zip(*pair, strict=True) if x), Fraction(1))
+    if any(list(two) != list(one * square) for one, two in bends):
+        return False
+    weight = m2 * m2 / ((m1 + m2) * (m1 + m2) * Vector(acting.b_squared))
+    place, mixed, speed = (weight * one @ two for one, two in ((push, push), (push, rate), (rate, rate)))
+    return bool(place <= 1 and speed <= square and (1 - place) * (square - speed) >= mixed * mixed)

@@ -6,12 +6,12 @@ any time is answered as before; of a box without couplings, the header of each a
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, cast
+from typing import Any
 
 from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
 from numerics.plane.box import Axes
 from numerics.plane.defect import Curve
-from numerics.plane.path import Leg, Path
+from numerics.plane.path import Leg
 from numerics.plane.reduced import reduced
 from numerics.plane.states import States
 from numerics.plane.system import System
@@ -24,13 +24,6 @@ from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
 FORMAT = "inertial-pair surface trajectory 1"
-
-
-class Followed(NamedTuple):
-    """A path that was followed to its end, as much of it as answers any time."""
-
-    system: System
-    legs: list[Leg]
 
 
 def contents(trajectory: PlaneSolution) -> dict[str, Any]:
@@ -49,7 +42,7 @@ def contents(trajectory: PlaneSolution) -> dict[str, Any]:
         "digits": trajectory.digits,
         "tried": trajectory.tried,
         "t_eval": None if trajectory.t_eval is None else saved.plain(trajectory.t_eval),
-        "legs": saved.plain(motion.run.legs) if isinstance(motion, States) else None,
+        "legs": saved.plain(motion.legs) if isinstance(motion, States) else None,
         "axes": [saved.contents(one)[0] for one in motion.answers] if isinstance(motion, Axes) else None,
     }
 
@@ -69,7 +62,7 @@ def restored(header: dict[str, Any], _: Any = None) -> PlaneSolution:
     with arithmetic.context():
         motion: Any
         if header["axes"] is None:
-            motion = States(scene, cast("Path", Followed(System(reduced(scene), digits), [*map(_leg, header["legs"])])))
+            motion = States(scene, System(reduced(scene), digits), [*map(_leg, header["legs"])])
         else:
             motion = Axes(scene, [saved.restored(one, {}, Trajectory) for one in header["axes"]])
         time, state = header["end"]

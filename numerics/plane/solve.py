@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
 from numerics.plane.answer import PlaneSolution, Working
 from numerics.plane.box import independent
@@ -17,9 +18,8 @@ from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
 
-_GUARD, _LADDER = 10, (19, 40, 80, 160)
-"""Working digits beyond those asked for; what is tried where none are asked for: the float64 road has 64 bits."""
-_MOST_TRIES = 2
+_GUARD, _FLOAT, _MOST_TRIES = 10, 19, 2
+"""Working digits beyond those asked for; those of the float64 road, 64 bits; how often they are doubled (there +1)."""
 _MAX_LEGS = 200_000
 Line = Callable[..., Any]
 
@@ -47,38 +47,23 @@ def solve_plane(
     if arithmetic == "float64" and digits is not None:
         raise ValueError("float64 has the digits that it has; leave digits out, or the choice of arithmetic")
     limits: dict[str, Any] = {"max_events": max_events, "progress": progress}
-    if arithmetic == "float64" or (arithmetic is None and digits is None):
-        tries = _LADDER if arithmetic is None else _LADDER[:1]
-        tried: list[str] = []
-        for working in tries:
-            try:
-                found = _once(scene, line, working, "float64", limits)
-            except EventUndecided as error:
-                tried.append(str(error))
-                if working == tries[-1]:
-                    raise
-                continue
-            found.t_eval, found.tried = t_eval, "; ".join(tried)
-            return PlaneTrajectory.of(found)
-    wanted = digits or 15
-    working, undecided = wanted + _GUARD, 0
-    while True:
-        if working > max_digits:
-            raise PrecisionExhausted(
-                f"{wanted} right digits need more than {max_digits} working digits; raise max_digits"
-            )
+    floats, wanted = arithmetic == "float64" or (arithmetic is None and digits is None), digits or 15
+    working, tried = _FLOAT if floats else wanted + _GUARD, list[str]()
+    while floats or working <= max_digits:
         try:
-            found = _once(scene, line, working, "ball", limits)
-        except EventUndecided:
-            undecided += 1
-            if undecided > _MOST_TRIES or 2 * working > max_digits:
+            found = _once(scene, line, working, "float64" if floats else "ball", limits)
+        except EventUndecided as error:
+            tried.append(str(error))
+            if arithmetic == "float64" or len(tried) > _MOST_TRIES + floats or 2 * working > max_digits:
                 raise
             working *= 2
             continue
-        if found.digits >= wanted:
-            found.t_eval, found.digits = t_eval, wanted
+        if floats or found.digits >= wanted:
+            found.t_eval, found.tried = t_eval, "; ".join(tried if floats else [])
+            found.digits = found.digits if floats else wanted
             return PlaneTrajectory.of(found)
         working += wanted - found.digits + 3
+    raise PrecisionExhausted(f"{wanted} right digits need more than {max_digits} working digits; raise max_digits")
 
 
 def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneSolution:
@@ -93,10 +78,12 @@ def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any])
     kind = BoxRun if scene.pair.shape == "box" else Run
     run = kind(System(reduced(scene), working), limits["max_events"], _MAX_LEGS, limits["progress"])
     run.follow()
-    states = States(scene, run)
+    states = States(scene, run.system, run.legs)
     with run.system.fine():
         events = [states.event(one) for one in run.events]
         first = events[0].before if events else states.word(run.mode)
         status = Status.REACHED_HORIZON if run.reached else Status.EVENT_LIMIT
         modes = [first, *(one.after for one in events)]
-        return PlaneSolution(scene, Working(working, name), status, events, modes, states.end(), states)
+        until = Ball.number(scene.until)
+        end = (until, states.at(until)) if run.reached else (events[-1].t, events[-1].y)
+        return PlaneSolution(scene, Working(working, name), status, events, modes, end, states)

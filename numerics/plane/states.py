@@ -9,9 +9,10 @@ from flint import arb
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided
 from numerics.plane.answer import PlaneEvent, PlaneState
-from numerics.plane.path import SLIP, STICK, Happening, Leg, Path
+from numerics.plane.path import SLIP, STICK, Happening, Leg
 from numerics.plane.polynomial import rise
 from numerics.plane.series import Point
+from numerics.plane.system import System
 from numerics.plane.vector import Matrix, Vector, exact, wide
 from numerics.plane.window import around
 from numerics.scene.plane import PlaneScene
@@ -20,10 +21,10 @@ from numerics.scene.plane import PlaneScene
 class States:
     """The states of a run, as enclosures of the true ones."""
 
-    def __init__(self, scene: PlaneScene, run: Path) -> None:
-        """Take a scene and its run."""
-        self.scene, self.run, self.system = scene, run, run.system
-        self.starts = [(leg.curve.piece, leg.curve.t[0]) for leg in run.legs]
+    def __init__(self, scene: PlaneScene, system: System, legs: list[Leg]) -> None:
+        """Take a scene and the path of its run."""
+        self.system, self.legs = system, legs
+        self.starts = [(leg.curve.piece, leg.curve.t[0]) for leg in legs]
         with self.system.fine():
             given = self.system.given
             self.pieces = [Ball.number(p.start) for p in given.pieces]
@@ -59,19 +60,11 @@ class States:
         letters = iter(mode)
         return mode if mode in (STICK, SLIP) else "".join(next(letters) if row else "0" for row in self.place)
 
-    def end(self) -> tuple[arb, PlaneState]:
-        """Return time and state at the end of the run."""
-        if self.run.reached:
-            until = Ball.number(self.scene.until)
-            return until, self.at(until)
-        found = self.event(self.run.events[-1])
-        return found.t, found.y
-
     def at(self, t: arb) -> PlaneState:
         """Return the state at a time."""
         piece = max(0, bisect_right(self.pieces, t.mid()) - 1)
         local = t - self.pieces[piece]
-        leg = self.run.legs[max(0, bisect_right(self.starts, (piece, local.mid())) - 1)]
+        leg = self.legs[max(0, bisect_right(self.starts, (piece, local.mid())) - 1)]
         curve, norm, system = leg.curve, leg.norm, self.system
         x = _place(leg, local.mid())
         q1, v2, s, z = (part.each(lambda p: p(x)) for part in curve[2:6])

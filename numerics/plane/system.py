@@ -29,6 +29,7 @@ class System:
         with self.fine():
             self.m1, self.m2 = exact(given.m1), exact(given.m2)
             self.a1, self.a2 = Matrix.of(given.a1), Matrix.of(given.a2)
+            self.held = Matrix.of((*two, *one) for one, two in zip(given.a1, given.a2, strict=True))
             self.mass = self.m1 + self.m2
             self.kappa, self.share = self.mass / (self.m1 * self.m2), self.m2 / self.mass
             self.still, ones = Vector([arb(0)] * self.n), Vector([arb(1)] * self.n)
@@ -55,7 +56,7 @@ class System:
 
     def push(self, u: Vector, q1: Vector, v1: Vector) -> Vector:
         """Return u - A2 q1 - A1 v1, of numbers, of polynomials or of series."""
-        found: Vector = u - self.a2 @ q1 - self.a1 @ v1
+        found: Vector = u - self.held @ (*q1, *v1)
         return found
 
     def load(self, u: Vector, q1: Vector, v1: Vector) -> Vector:

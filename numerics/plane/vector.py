@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from itertools import repeat
 from operator import add, mul, sub, truediv
 from typing import Any
@@ -63,7 +63,7 @@ class Matrix(tuple[Any, ...]):
         """Return the matrix of exact rows."""
         return cls(tuple((j, Ball.number(x)) for j, x in enumerate(row) if x) for row in rows)
 
-    def __matmul__(self, vector: Vector) -> Vector:
+    def __matmul__(self, vector: Sequence[Any]) -> Vector:
         """Return the matrix times a vector, of numbers or of polynomials."""
         return Vector(sum((x * vector[j] for j, x in row), arb(0)) for row in self)
 

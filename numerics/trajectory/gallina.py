@@ -10,8 +10,8 @@ from numerics.scene import Scene
 from numerics.scene.decimals import decimal_text
 from numerics.trajectory.spells import Spell, Steady
 
-SIGN_BITS, DEPTH = 24, 30
-"""In what precision the kernel shows that no event was passed, and how often it halves an interval for that."""
+DEPTH = 64
+"""How often the kernel halves an interval to show that no event was passed."""
 
 
 def number(value: Fraction) -> str:
@@ -33,9 +33,9 @@ def mode(value: Mode) -> str:
 
 
 def proof_file(
-    scene: Scene, spells: list[Spell], events: Iterable[str], ending: str, hints: Iterable[str], bits: int
+    scene: Scene, spells: list[Spell], events: Iterable[str], ending: str, hints: Iterable[str], bits: tuple[int, int]
 ) -> str:
-    """Return the file."""
+    """Return the file; bits: those of the first state, and those in which it is shown that no event was passed."""
     pair, at = scene.pair, scene.initial
     numbers = (pair.m1, pair.m2, pair.a1, pair.a2, at.x1, at.v1, at.x2, at.v2)
     table = ";\n  ".join(events)
@@ -47,8 +47,8 @@ def proof_file(
         ending=ending,
         answers=_list((f"({_steady(one.alone)}, {_steady(one.together)})" for one in spells), ";\n  "),
         hints=";\n  ".join(hints),
-        state=bits,
-        sign=SIGN_BITS,
+        state=bits[0],
+        sign=bits[1],
         depth=DEPTH,
     )
 

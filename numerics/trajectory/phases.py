@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
 from mpmath.ctx_iv import MPIntervalContext
 from mpmath.ctx_mp import MPContext
@@ -15,9 +15,28 @@ from numerics.scene import Pair
 from numerics.trajectory.closed_forms import ClosedForms, State, Value, Wave
 from numerics.trajectory.spells import Spell
 
+SIGN_BITS = (20, 28, 44, 60, 92, 124)
+"""In what precisions it is tried to see that nothing happens in a phase; the kernel takes `SPARE_SIGN_BITS` more."""
+SPARE_SIGN_BITS = 4
+DEPTH = 60
+"""How often an interval is halved for that."""
+PARTS = 1000
+"""Into how many parts a phase is cut at most for that: a file has to be judged in minutes."""
+
 
 class TooCoarse(Exception):
     """The boxes have grown too large: more bits are needed."""
+
+
+class Unseen(TooCoarse):
+    """It is not seen that the pair keeps its mode until the next event."""
+
+
+class Known(NamedTuple):
+    """What is known of a state beside bounds: a contact, and with k the edge at which a stick has ended."""
+
+    touches: bool
+    k: int = 0
 
 
 class Forms:
@@ -25,6 +44,7 @@ class Forms:
 
     def __init__(self, pair: Pair, most: int) -> None:
         """Compute with so many bits at most."""
+        self.sign_bits, self.parts = SIGN_BITS[0], PARTS
         self.pair, self.bits, self.points, self.boxes = pair, most, MPContext(), MPIntervalContext()
         self.points.prec, self.boxes.prec = 2 * most, most
 
@@ -37,6 +57,49 @@ class Forms:
         """Compute over intervals with no more bits than these."""
         self.bits = self.boxes.prec = min(self.bits, bits)
 
+    def keeps(self, wave: Wave, zeros: int, end: Fraction) -> None:
+        """See that a wave is positive after 0 until an end, as the kernel does; it and its slope may be zero at 0.
+
+        Raises Unseen.
+        """
+        before = self.sign_bits
+        for self.sign_bits in (one for one in SIGN_BITS if one >= before):
+            self.boxes.prec, self.parts = self.sign_bits, PARTS
+            waves = wave, wave.slope(), wave.slope().slope()
+            begins = Fraction(0) if not zeros else self._early(waves[zeros], end / 2)
+            seen = begins is not None and (not begins or waves[0](self.wide.number(begins)) > 0)
+            seen = seen and self._stays(waves, begins or Fraction(0), end, DEPTH)
+            self.boxes.prec = self.bits
+            if seen and (zeros or wave(self.wide.number(Fraction(0))) > 0):
+                return
+        self.sign_bits = before
+        raise Unseen
+
+    def _early(self, wave: Wave, end: Fraction) -> Fraction | None:
+        """Return a time until which a wave is positive by its bounds."""
+        for _ in range(DEPTH):
+            if wave(self._hull(Fraction(0), end)) > 0:
+                return end
+            end /= 2
+        return None
+
+    def _stays(self, waves: tuple[Wave, Wave, Wave], low: Fraction, high: Fraction, depth: int) -> bool:
+        """Whether a wave that is positive at both ends is seen to be so between: by bounds, slope, bend or halves."""
+        between, middle = self._hull(low, high), (low + high) / 2
+        self.parts -= 1
+        if waves[0](between) > 0:
+            return True
+        slope = waves[1](between)
+        bend = waves[2](between)
+        if slope >= 0 or slope <= 0 or bend <= 0 or (bend >= 0 and waves[1](self.wide.number(low)) >= 0):
+            return True
+        if not depth or self.parts <= 0 or not waves[0](self.wide.number(middle)) > 0:
+            return False
+        return all(self._stays(waves, *part, depth - 1) for part in ((low, middle), (middle, high)))
+
+    def _hull(self, low: Fraction, high: Fraction) -> Value:
+        return self.boxes.mpf([self.wide.number(low).a, self.wide.number(high).b])
+
 
 @dataclass
 class Run:
@@ -45,11 +108,20 @@ class Run:
     forms: Forms
     at_points: State
     at: State
+    known: Known
 
     @classmethod
-    def start(cls, forms: Forms, numbers: tuple[Fraction, ...]) -> Run:
-        """Return the run from an exact state: t, x1, v1, x2, v2."""
-        return cls(forms, *(State(*map(of.number, numbers)) for of in (forms.sharp, forms.wide)))
+    def start(cls, forms: Forms, numbers: tuple[Fraction, ...], k: int = 0) -> Run:
+        """Return the run from an exact state, t, x1, v1, x2, v2; with k at the edge towards a slip of that sign."""
+        points, boxes = (State(*map(of.number, numbers)) for of in (forms.sharp, forms.wide))
+        return cls(forms, points, boxes, Known(numbers[2] == numbers[4], k))
+
+    def _keeps(self, mode: Mode, k: int, wave: Wave, end: Fraction) -> None:
+        """See that what is positive in a mode is so until an end."""
+        if mode is Mode.STICK:
+            self.forms.keeps(wave, 1 if self.known.k == k else 0, end)
+        else:
+            self.forms.keeps(wave, (1 + (self.known.k == k)) if self.known.touches else 0, end)
 
     def guards(self, mode: Mode, k: int) -> tuple[Wave, Wave]:
         """Return what is positive until a phase ends, over points and over intervals."""
@@ -61,10 +133,16 @@ class Run:
     def hit(self, mode: Mode, k: int, time: float, places: int) -> tuple[Fraction, Fraction]:
         """Go to the next event, near the time; return bounds of the time since, to so many places, or TooCoarse."""
         sharp, wide = self.forms.sharp, self.forms.wide
+        if mode is not Mode.STICK and self.known.k not in (0, k):
+            raise Unseen
         low, high = self._bracket(time - float(self.at_points.t), places, *self.guards(mode, k))
+        self._keeps(mode, k, self.guards(mode, k)[1], low)
+        if mode is Mode.STICK:
+            self._keeps(mode, -k, self.guards(mode, -k)[1], high)
         between = self.forms.boxes.mpf([wide.number(low).a, wide.number(high).b])
         self.at_points = moved(sharp, mode, k, self.at_points, sharp.number((low + high) / 2), ends=True)
         self.at = moved(wide, mode, k, self.at, between, ends=True)
+        self.known = Known(touches=True, k=k if mode is Mode.STICK else 0)
         return low, high
 
     def rest(self, mode: Mode, time: Fraction) -> tuple[Fraction, Value]:
@@ -78,10 +156,13 @@ class Run:
         guards = [self.guards(mode, k)[1] for k in signs]
         if not all(guard(wide.number(least)) > 0 for guard in guards):
             raise TooCoarse
+        for k, guard in zip(signs, guards, strict=True):
+            self._keeps(mode, k, guard, least)
         relative = mode.sign * guards[0](left)
         since = sharp.number(time) - self.at_points.t
         self.at_points = moved(sharp, mode, mode.sign, self.at_points, since, ends=False)
         self.at = moved(wide, mode, mode.sign, self.at, left, ends=False)._replace(t=wide.number(time))
+        self.known = Known(touches=mode is Mode.STICK)
         return least, relative
 
     def _bracket(self, guess: float, shown: int, sharp: Wave, wide: Wave) -> tuple[Fraction, Fraction]:

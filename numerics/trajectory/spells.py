@@ -14,6 +14,8 @@ from mpmath.ctx_mp import MPContext
 from numerics.linear.pieces import particular
 from numerics.scene import Pair, Scene
 
+SHORT = 2.0**-11
+"""How long an interval is at most whose sine the kernel bounds by its middle and its slope."""
 Polynomial = tuple[Fraction, ...]
 """Coefficients of 1, t, t^2, ..."""
 
@@ -73,7 +75,7 @@ class Steady(NamedTuple):
 
 def bounded(on: Any, function: Callable[[Any], Any], angle: Any) -> Any:
     """Return a sine or cosine; over an interval by its middle and its slope, as the kernel does."""
-    if isinstance(on, MPContext):
+    if isinstance(on, MPContext) or angle.delta > SHORT:
         return function(angle)
     return function(angle.mid) + (angle - angle.mid)
 

@@ -22,7 +22,7 @@ from numerics.scene.decimals import decimal_text
 from numerics.trajectory import gallina
 from numerics.trajectory.closed_forms import State, Value
 from numerics.trajectory.export import arrays
-from numerics.trajectory.phases import Forms, Run, TooCoarse, moved, outward
+from numerics.trajectory.phases import SPARE_SIGN_BITS, Forms, Run, TooCoarse, Unseen, moved, outward
 from numerics.trajectory.solution import Solution
 from numerics.trajectory.spells import spells
 from numerics.trajectory.status import Status
@@ -62,10 +62,16 @@ def theorem(trajectory: Solution) -> str:
     places = _Places(*(SHOWN - (math.ceil(math.log10(size)) if size else 0) for size in greatest))
     times = [float(one) for one in table["t"][1:]]
     for bits, renewing in TRIES:
+        writer = _Writer(scene, places, bits, renewing=renewing)
         try:
-            return _Writer(scene, places, bits, renewing=renewing).text(trajectory, times)
-        except TooCoarse:
-            continue
+            return writer.text(trajectory, times)
+        except TooCoarse as error:
+            unseen = isinstance(error, Unseen)
+    if unseen:
+        since = f"after t = {float(writer.run.at_points.t):.6g} s the checker does not see that the pair keeps its mode"
+        raise NoProof(
+            f"no theorem is written: {since}, as it does not at a graze, or exactly at an edge or the critical energy"
+        )
     raise NoProof(f"no theorem is written: {TRIES[-1][0]} bits are too few for {len(times)} events; shorten until")
 
 
@@ -94,7 +100,7 @@ class _Writer:
         self.forms = Forms(scene.pair, most)
         self._begin(0)
         at = scene.initial
-        self.run = Run.start(self.forms, (Fraction(0), at.x1, at.v1, at.x2, at.v2))
+        self.run = Run.start(self.forms, (Fraction(0), at.x1, at.v1, at.x2, at.v2), self._edge())
         self.close: Run | None = None
         self.radius, self.steps, self.fresh = Fraction(0), list[str](), self._size()
 
@@ -102,6 +108,15 @@ class _Writer:
         """Begin a spell."""
         self.index = index
         self.forms.begin(self.spells[index])
+
+    def _edge(self) -> int:
+        """Return k if the pair starts in contact on the edge towards k, as far as the kernel decides that; or 0."""
+        pair, at, force, friction = self.scene.pair, self.scene.initial, self.spells[0].force, self.spells[0].friction
+        if at.v1 != at.v2 or any(one.phase for one in force.tones):
+            return 0
+        pushed = sum((one * (-force.since) ** n for n, one in enumerate(force.polynomial)), Fraction(0))
+        load = pair.m2 * (pair.a2 * at.x1 + pair.a1 * at.v1 - pushed - sum(one.in_cosine for one in force.tones))
+        return {-friction * pair.mass: 1, friction * pair.mass: -1}.get(load, 0)
 
     def text(self, trajectory: Solution, times: list[float]) -> str:
         """Return the file; the last of the times is the end."""
@@ -123,7 +138,8 @@ class _Writer:
         ends = self._bounds((x1, v1, x2, v2, relative), (place, speed, place, speed, speed))
         ever = gallina.truth(trajectory.status is Status.STUCK_FOR_EVER and self._for_ever())
         ending = f"Ending {gallina.mode(last)} {gallina.number(self.scene.until)} {ends} {ever}"
-        return gallina.proof_file(self.scene, self.spells, events, ending, self.hints, self.most + KERNEL_BITS)
+        bits = self.most + KERNEL_BITS, self.forms.sign_bits + SPARE_SIGN_BITS
+        return gallina.proof_file(self.scene, self.spells, events, ending, self.hints, bits)
 
     def _rest_before(self, time: float, mode: Mode, *, jump: bool) -> None:
         """Go through the spells that end before a time; if there is a jump, the one that ends with it stays."""
@@ -180,10 +196,9 @@ class _Writer:
             least = max(one.rest(mode, time)[0] for one in (run, other))
         except TooCoarse:
             return False
-        wide = self.forms.wide
-        size = max(float(other.at.x1.delta.b), *(float(one.delta.b) for one in other.at)) or 2.0**-self.most
-        places = 1 - math.floor(math.log10(size))
-        x1, v1, v2 = (round(sum(outward(one, places)) / 2, places) for one in (other.at.x1, other.at.v1, other.at.v2))
+        wide, box = self.forms.wide, (other.at.x1, other.at.v1, other.at.v2)
+        places = 1 - math.floor(math.log10(min(float(one.delta.b) for one in box) or 2.0**-self.most))
+        x1, v1, v2 = (sum(outward(one, places), Fraction(0)) / 2 for one in box)
         centre = Run.start(self.forms, (time, x1, v1, Fraction(0), v2))
         away = self._norm(State(*(one - at for one, at in zip(other.at, centre.at, strict=True))))
         radius = self.radius + Fraction(f"{1.25 * float(away.b):.2e}")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import operator
 from collections.abc import Mapping
 
 import sympy as sp
 
-from paper_checks.evidence.clause import decimal_places
+from paper_checks.decide.polynomial import RELATIONAL
+from paper_checks.evidence.clause import RELATIONS, decimal_places
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 from paper_checks.evidence.formula import latex, pointed
 
@@ -18,14 +18,6 @@ Relation = tuple["sp.Expr | int", str, "sp.Expr | int"]
 """Left side, one of < <= = != >= >, right side."""
 
 ENGINE = "rational arithmetic"
-_OPERATORS = {
-    "<": (operator.lt, "<"),
-    "<=": (operator.le, r"\leqslant"),
-    "=": (operator.eq, "="),
-    "!=": (operator.ne, r"\neq"),
-    ">=": (operator.ge, r"\geqslant"),
-    ">": (operator.gt, ">"),
-}
 
 
 def exhibit(statement: str, point: Point, *relations: Relation) -> Evidence:
@@ -40,12 +32,11 @@ def exhibit(statement: str, point: Point, *relations: Relation) -> Evidence:
             raise TypeError(f"{symbol} = {value} is not a rational number: write sp.Rational('0.006')")
     answers, texts = [], []
     for left, relation, right in relations:
-        function, sign = _OPERATORS[relation]
         sides = [sp.simplify(sp.sympify(side).subs(values)) for side in (left, right)]
         rational = all(side.is_Rational for side in sides)
-        answers.append(bool(function(*sides)) if rational else None)
+        answers.append(bool(RELATIONAL[relation](*sides)) if rational else None)
         shown = [_decimal(side) if side.is_Rational else latex(side) for side in sides]
-        texts.append(f"${shown[0]}{sign} {shown[1]}$")
+        texts.append(f"${shown[0]}{RELATIONS[relation].strip()} {shown[1]}$")
     passed = False if False in answers else None if None in answers or not answers else True
     return Evidence(EvidenceKind.EXACT, ENGINE, statement, passed, len(relations), ", ".join(texts))
 

@@ -38,7 +38,7 @@ def exits(start: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return times, excesses
 
 
-def rate_bounds_explicit() -> Figure:
+def rate_bounds_figure() -> Figure:
     """Draw w over its limit law between the two bounds, from an exit with y = 0.15."""
     start = STARTS[1][0]
     times, excesses = exits(start)

@@ -23,7 +23,7 @@ from paper_checks.drawing.style import (
 )
 
 
-def velocities_scene() -> Figure:
+def velocities() -> Figure:
     """Draw v1 and v2 for b = 0.05 N from v1(0) = 0.15 m/s."""
     figure, rows = panels(8.2, 7.2, 3, 1)
     exact, run = solved("velocities", UNTIL), euler("velocities-literal", UNTIL)

@@ -607,13 +607,16 @@ Section Program.
 Variables (p q : I.precision) (depth : nat).
 
 (** *** Positive on an interval *)
-(** between a and b, the values at both being positive: by its bounds, or rising, falling or concave, or by halves *)
+(** between a and b, the values at both being positive: by its bounds, or rising, falling, concave, or convex and rising
+    at first, or by halves *)
 Fixpoint stays depth (F F' F'' : bounded) a b : bool :=
   let i := hull q a b in let swing := swung q F i in let sines := sung q F i in
   if pos (made q F i swing sines) then true else
   let d := made q F' i swing sines in
   if nonneg d then true else if nonneg (I.neg d) then true else
-  if nonneg (I.neg (made q F'' i swing sines)) then true else
+  let e := made q F'' i swing sines in
+  if nonneg (I.neg e) then true else
+  if (if nonneg e then nonneg (value q F' (rat q a)) else false) then true else
   match depth with
   | O => false
   | S depth => let c := mid a b in
@@ -640,6 +643,11 @@ Proof.
   all: destruct (nonneg (I.neg (made q (steep q (steep q F)) _ _ _))) eqn:E3;
     [intros _; apply (concave_positive f (Q2R a) (Q2R b)); auto; intros r Hr; apply Ropp_le_cancel; rewrite Ropp_0;
       apply (nonneg_spec _ _ E3), J.neg_correct, S'', has_hull; auto|].
+  all: destruct (if nonneg (made q (steep q (steep q F)) _ _ _) then _ else false) eqn:E6;
+    [intros _; destruct (nonneg (made q (steep q (steep q F)) _ _ _)) eqn:E7; [|discriminate];
+      apply (convex_positive f (Q2R a) (Q2R b)); auto;
+      [apply (nonneg_spec _ _ E6), has_value; auto; apply has_rat|
+        intros r Hr; apply (nonneg_spec _ _ E7), S'', has_hull; auto]|].
   - discriminate.
   - destruct (pos (value q F (rat q (mid a b)))) eqn:E4; [|discriminate].
     destruct (stays n F (steep q F) (steep q (steep q F)) a (mid a b)) eqn:E5; [|discriminate]. intros St.

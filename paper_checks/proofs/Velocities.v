@@ -103,7 +103,7 @@ Definition hints := [
 
 (** the program accepts it *)
 Lemma accepted :
-  C.check F.PtoP (F.PtoP 24) 30 the_scene 72 answers the_events the_ending hints = true.
+  C.check F.PtoP (F.PtoP 24) 64 the_scene 72 answers the_events the_ending hints = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 (** so every motion of the scene runs through these events *)

@@ -225,6 +225,13 @@ Proof.
   intros S u Hu. destruct (Req_dec u q) as [->|]; auto. destruct (val_mean f u q ltac:(lra)) as (c & Hc & E).
   specialize (S c ltac:(lra)). nra.
 Qed.
+(** a convex one that rises at first, from its start *)
+Lemma convex_positive : 0 <= val (slope f) p -> (forall u, p <= u <= q -> 0 <= val (slope (slope f)) u) ->
+  forall u, p <= u <= q -> 0 < val f u.
+Proof.
+  intros Z S. apply rising_positive. intros u Hu. destruct (Req_dec u p) as [->|]; auto.
+  destruct (val_mean (slope f) p u ltac:(lra)) as (c & Hc & E). specialize (S c ltac:(lra)). nra.
+Qed.
 (** a concave one, from both *)
 Lemma concave_positive : (forall u, p <= u <= q -> val (slope (slope f)) u <= 0) -> forall u, p <= u <= q ->
   0 < val f u.

@@ -131,7 +131,9 @@ def _where_open(finding: Finding, found: Sequence[Proof]) -> Finding:
     waiting = all(proof.kernel_status == kernel.NOT_RUN for proof in left)
     verdict = Verdict.UNCHECKED if waiting else Verdict.UNDECIDED
     missing = f"the proof kernel, which alone proves {names}" if waiting else f"steps that carry {names}"
-    reason = f"Not settled: nothing that was run carries {names}. {finding.reason}"
+    parts, need = (f"its part {names}", "needs") if len(left) == 1 else (f"its parts {names}", "need")
+    why = f"{parts} {need} the proof kernel, which was not run" if waiting else f"nothing carries {parts}"
+    reason = f"Not settled: {why}. {finding.reason}"
     return replace(finding, verdict=verdict, reason=reason, missing=missing)
 
 

@@ -114,6 +114,15 @@ def test_the_speed_counts_even_where_nothing_is_left_to_slide(monkeypatch):
             assert abs(y[1, k] - y[3, k] - v1 + v2) < 1e-3
 
 
+def test_what_can_still_slide_is_in_the_limit(monkeypatch):
+    """@example of a fault that survived: it is far less than the last digits of balls."""
+    monkeypatch.setattr(rings, "slide_left", lambda *_: arb("1e-6"))
+    scene = Scene(Pair(1, 1, 200, "0.5", 3), State(v1=1), 80, force=Force.sine(2, 12))
+    orbit, arithmetic = response(scene, digits=15).orbit, Ball(20)
+    with arithmetic.context():
+        assert periodic_settled(run_scene(scene, arithmetic, 2_000), orbit, 1e-3).limit.rad() >= 1e-6
+
+
 def test_since_is_the_first_period_that_is_proved_to_stay_as_near_as_asked(monkeypatch):
     """One period earlier the speeds may be further apart; with 20 times the distance that would count as near, too."""
     monkeypatch.setattr(rings, "slide_left", lambda *_: arb(0))

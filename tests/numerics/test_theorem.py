@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 
-from numerics import Law, Pair, Scene, State, solve
+from numerics import Force, Law, Pair, Scene, State, solve
 from numerics.__main__ import main
 from numerics.errors import NoProof
 from numerics.trajectory.theorem import theorem
@@ -31,6 +31,7 @@ def test_every_event_is_within_its_bounds():
         (Scene(PAIR, MOVING, 1, Law.THREE_VALUED_SGN), 'the law "filippov" only'),
         (Scene(PAIR, State(x1="0.005"), 1), "at rest on an edge"),
         (Scene(PAIR, State(x1="0.003", v1="0.04", v2="0.04"), 1), "exactly the critical energy"),
+        (Scene(PAIR, State(x1="0.0055"), 1, force=Force.step(0, "0.1")), "does not see that the pair keeps its mode"),
     ],
 )
 def test_what_the_checker_does_not_cover_is_refused_in_a_sentence(scene, said):

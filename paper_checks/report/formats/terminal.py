@@ -39,9 +39,11 @@ def print_rows(console: Console, rows: Sequence[Row], *, times: bool = False) ->
         console.print(_table(rows, console.width >= ROOM_FOR_REASONS, times))
         _print_findings(console, rows)
     for row in rows:
-        if not row.as_recorded:
+        if not row.as_recorded and row.finding.verdict is not Verdict.UNCHECKED:
             found, recorded = row.finding.verdict.value, row.claim.recorded.value
             _say(console, f"differs from the record: {row.claim.id} is {found}, recorded {recorded}")
+    if waiting := [row.claim.id for row in rows if row.finding.verdict is Verdict.UNCHECKED]:
+        _say(console, f"unchecked, not what the record says, as a tool is missing: {', '.join(waiting)}")
     if why := _no_kernel(rows):
         _say(console, why)
     counts = Counter(row.finding.verdict for row in rows)

@@ -129,10 +129,28 @@ def test_the_state_at_any_time_lies_between_the_events():
         found.sol(2)
 
 
-def test_a_circle_on_the_edge_is_not_decided():
+@pytest.mark.parametrize(
+    ("x1", "v1", "sticks"),
+    [
+        (("0.005", 0), (0, "0.05"), True),  # a circle
+        (("0.003", "0.004"), ("-0.04", "0.03"), True),
+        ((0, "0.003"), ("0.05", 0), True),  # an ellipse whose greater half axis is L
+        (("0.003", "0.004"), (0, 0), True),  # a line
+        (("0.003", "0.004"), ("-0.04", "0.0300000001"), False),
+        (("0.0049", 0), ("0.03", "0.03"), False),  # inside the edge at t = 0, and with v/W
+    ],
+)
+def test_ellipses_that_touch_the_edge_are_stuck_for_ever_and_larger_ones_slip(x1, v1, sticks):
     pair = PlanePair(1, 1, 200, "0.5")
+    found = solve(PlaneScene(pair, 1, x1=x1, v1=v1, v2=v1), digits=10)
+    assert (found.modes == ("stick",)) == sticks
+    weaker = PlaneScene(pair, 1, x1=x1, v1=v1, v2=v1, friction=[("0.7", "0.499")])
+    assert not sticks or solve(weaker, digits=10).modes[:2] == ("stick", "slip")
+
+
+def test_an_ellipse_of_two_frequencies_on_the_edge_is_not_decided():
     with pytest.raises(EventUndecided, match="leave the friction set"):
-        solve(PlaneScene(pair, 1, x1=["0.005", 0], v1=[0, "0.05"], v2=[0, "0.05"]), digits=10)
+        solve(PlaneScene(PlanePair(1, 1, [200, 50], "0.5"), 3, x1=["0.004", "0.012"]), digits=10)
 
 
 @pytest.mark.parametrize(("v", "before"), [("0.05", "slip"), ("-0.05", "stick")])

@@ -101,3 +101,13 @@ def test_the_direction_of_an_end_is_enclosed_and_sees_the_load():
         assert not found[1].overlaps((other / (other @ other).sqrt())[1])
         assert drawn_to(system, system.pieces[0], load, Vector([arb(0, 1), arb("0.1")])) is None
         assert all(x.contains(1) for x in end_direction(system, system.pieces[0], load, None))
+
+
+def test_a_slip_settles_on_two_axes_quickly_and_slowly_on_the_third():
+    """The two are followed as settled while the third is not yet: else the same slip takes 1500 steps."""
+    pair = PlanePair("0.5", 1, 200, ["0.5", "0.5", "0.02"])
+    start = {"v1": ["0", "0.0433433", "0.0001"], "v2": ["0", "0.0433433", "0.0001"]}
+    found = solve(PlaneScene(pair, 1, x1=["0.00375375", 0, "0.00001"], **start))
+    assert [one.after for one in found.events] == ["stick"]
+    assert len(found.motion.legs) < 400
+    assert found.digits >= 12

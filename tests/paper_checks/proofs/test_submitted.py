@@ -1,6 +1,7 @@
 """A trajectory as a theorem: what the solver writes is accepted by the kernel, and nothing false is."""
 
 import re
+import subprocess
 from decimal import Decimal
 
 import pytest
@@ -8,8 +9,10 @@ from scene_files import scenes_in
 
 from numerics import Force, Pair, Scene, State, solve
 from numerics.scene.file import load_scene
+from numerics.trajectory import theorem as writer
 from numerics.trajectory.theorem import theorem
 from paper_checks.proofs.__main__ import main
+from paper_checks.proofs.questions import CLASSICAL_REALS
 from paper_checks.proofs.sources import FOLDER
 from paper_checks.proofs.submitted import judged
 
@@ -87,6 +90,16 @@ FALSE_OF_A_FORCE = {
 }
 
 
+FALSE_OF_A_BALL = {
+    "a radius": lambda text: changed(text, r"(Close \S+ \S+ \S+ \S+) \S+\)", r"\1 1e-30)"),
+    "no radius at all": lambda text: changed(text, r"(Close \S+ \S+ \S+ \S+) \S+\)", r"\1 0)"),
+    "a velocity of its centre": lambda text: changed(text, r"(Close \S+ \S+ )\S+", r"\g<1>0.01"),
+    "its time": lambda text: changed(text, r"Close \S+", "Close 0"),
+    "an event on its way": lambda text: changed(text, r"(Renews \[)\([^;]*?\)(; )?([^\]]*\]\n)", r"\1\3"),
+    "the time of one": lambda text: changed(text, r"(Renews \[\(\(?[^,]*, )[^,]*, [^,]*,", r"\g<1>0.001, 0.002,"),
+}
+
+
 def test_the_shipped_table_is_what_the_solver_writes():
     assert proof(load_scene("velocities")) == (FOLDER / "Velocities.v").read_text("utf-8")
 
@@ -146,6 +159,26 @@ def test_nothing_false_of_a_force_is_accepted(judge, planted):
     assert judge(planted(text)).holds is False
 
 
+@pytest.fixture
+def balls(monkeypatch):
+    """A proof in which balls take the place of boxes soon."""
+    monkeypatch.setattr(writer, "TRIES", ((80, True),))
+    monkeypatch.setattr(writer, "WORN", 2.0)
+    return proof(FORCED)
+
+
+def test_balls_take_the_place_of_boxes_that_grow(balls):
+    assert balls.count("Renews [(") > 1
+
+
+@pytest.mark.long
+@needs_kernel
+@pytest.mark.parametrize("planted", FALSE_OF_A_BALL.values(), ids=FALSE_OF_A_BALL)
+def test_a_ball_about_another_motion_is_judged(judge, balls, planted):
+    assert judge(balls).holds is True
+    assert judge(planted(balls)).holds is False
+
+
 @pytest.mark.long
 @needs_kernel
 @pytest.mark.parametrize(
@@ -171,8 +204,8 @@ def test_a_file_that_proves_less_is_refused(judge, pattern, new, said):
 
 @pytest.fixture
 def command(monkeypatch, capsys):
-    def run(name):
-        monkeypatch.setattr("sys.argv", ["paper_checks.proofs", str(name)])
+    def run(*words):
+        monkeypatch.setattr("sys.argv", ["paper_checks.proofs", *map(str, words)])
         try:
             code = main()
         except SystemExit as stop:
@@ -195,3 +228,29 @@ def test_a_name_that_is_no_file_is_bad_usage(command, name):
     code, out, err = command(name)
     assert (code, out, err.count("\n")) == (2, "", 1)
     assert name in err
+
+
+def test_a_file_and_all_below_it_are_written_for_plain_coqc(command, tmp_path):
+    path, out = tmp_path / "a.v", tmp_path / "to judge"
+    path.write_text(proof(SMALL), "utf-8")
+    code, said, _ = command(path, "--out", out)
+    assert code == 0
+    assert said.startswith(f"cd '{out}'\nfor file in Dini.v ")
+    listed = (out / "_CoqProject").read_text("utf-8").split()[3:]
+    assert listed[-2:] == ["Submitted.v", "Verdict.v"]
+    assert {one.name for one in out.glob("*.v")} == set(listed)
+    assert "Print Assumptions Submitted.trajectory." in (out / "Verdict.v").read_text("utf-8")
+    code, _, err = command(path, "--out", out)
+    assert (code, "is not empty" in err) == (2, True)
+    assert command("check", "--out", out)[0] == 2
+
+
+@pytest.mark.long
+@needs_kernel
+def test_plain_coqc_accepts_it_in_an_empty_folder(command, tmp_path):
+    path = tmp_path / "a.v"
+    path.write_text(proof(SMALL), "utf-8")
+    _, commands, _ = command(path, "--out", tmp_path / "out")
+    told = subprocess.run(["sh", "-c", commands], capture_output=True, encoding="utf-8", check=False).stdout
+    axioms = re.findall(r"^(\S+)\s*:", told.split("Axioms:")[1], re.MULTILINE)
+    assert set(axioms) == CLASSICAL_REALS

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
+from paper_checks.evidence.finding import Verdict
 from paper_checks.report.content.phrases import first_sentence, kind
 from paper_checks.report.formats import json as json_report
 from paper_checks.report.formats.terminal import print_claims, print_rows
@@ -35,6 +36,9 @@ def test_each_finding_has_its_sentence_and_differences_are_named(rows):
     text = " ".join(printed(rows).split())
     assert "As printed the bound |ẍ₁|<b m₂⁻¹ fails" in text
     assert "differs from the record: rate-one-over-t is undecided, recorded holds" in text
+    (waiting,) = [row.claim.id for row in rows if row.finding.verdict is Verdict.UNCHECKED]
+    assert f"unchecked, not what the record says, as a tool is missing: {waiting}" in text
+    assert f"record: {waiting}" not in text
     assert "1 holds, 1 holds-corrected, 1 refuted, 1 undecided, 1 unchecked" in text
 
 

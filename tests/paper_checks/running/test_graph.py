@@ -88,11 +88,18 @@ def test_a_row_is_as_strong_as_its_weakest_clause():
     assert of(finding, clause("one", "A,"), clause("two", "B.")).established_by is EvidenceKind.ENCLOSURE
 
 
-def test_a_wrong_formula_turns_the_row():
+CORRECTED = (BALL.as_counterexample(), SMT.as_correction()), {"corrected": "B.", "counterexample": "x = 1"}
+
+
+@pytest.mark.parametrize(
+    ("verdict", "steps", "more"), [(Verdict.HOLDS, (EXACT,), {}), (Verdict.HOLDS_CORRECTED, *CORRECTED)]
+)
+def test_a_wrong_formula_turns_the_row(verdict, steps, more):
+    """One that is quoted beside its counterexample too."""
     right = Formula("E", "=", sp.Symbol("m1"), equals(lambda: sp.Symbol("m1")))
     wrong = Formula("E", "=", sp.Symbol("m2"), equals(lambda: sp.Symbol("m1")))
-    finding = conclude(Verdict.HOLDS, "r", EXACT)
-    assert of(finding, clause("c", "«e».", e=right)).finding.verdict is Verdict.HOLDS
+    finding = conclude(verdict, "r", *steps, **more)
+    assert of(finding, clause("c", "«e».", e=right)).finding.verdict is verdict
     turned = of(finding, clause("c", "«e».", e=wrong))
     assert (turned.finding.verdict, turned.established_by) == (Verdict.UNDECIDED, None)
     assert "$E=m_{2}$" in (turned.finding.missing or "")
