@@ -87,8 +87,8 @@ def refined(g: Any, order: int, s: float, alone: float) -> tuple[float, float, f
     than the last bits; what is left is the square of the change times half of g'', which is at most g'/(4 alone), and
     the change times the rounding of the slope.
     """
-    left = 0.0
-    for _ in range(3):
+    change = left = 0.0
+    for again in range(2, -1, -1):
         slope = size = steep = al = 0.0
         ah, k = 0.0, g.shape[1] - 1
         while k >= PRECISE:
@@ -103,7 +103,7 @@ def refined(g: Any, order: int, s: float, alone: float) -> tuple[float, float, f
             k -= 1
         change = ah / slope
         left = abs(change) * (abs(change * slope) / (8.0 * alone) + 4.0 * g.shape[1] * UNIT * steep)
-        if change * change <= 8.0 * alone * s * UNIT * UNIT:
+        if again == 0 or change * change <= 8.0 * alone * s * UNIT * UNIT:
             break
         s -= change
     high, low = two_sum(s, -change)
