@@ -18,7 +18,7 @@ from numerics.plane.trajectory import PlaneTrajectory
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
 
-_GUARD, _FLOAT, _MOST_TRIES = 10, 19, 2
+_GUARD, _FLOAT, _MOST_TRIES = 6, 19, 2
 """Working digits beyond those asked for; those of the float64 road, 64 bits; how often they are doubled (there +1)."""
 _MAX_LEGS = 200_000
 Line = Callable[..., Any]
