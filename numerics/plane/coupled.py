@@ -73,7 +73,15 @@ class BoxRun(Path):
             reach = (h / 2).mid()
             if reach < self.period * self.eps:
                 raise self.undecided("does the load leave the friction set, or only touch its edge")
-        self.go_to_event(curve, found, norm, h, ends=ends)
+        event = self.first_event(curve, found, norm, h)
+        self.young, self.after = {}, arb(0)
+        if event is None:
+            self.go_on(curve, SLIP, arb(1), norm, ends=ends)
+            self.clear = arb(0)
+        else:
+            x, off, i = event
+            rounded = self.go_part(series, h, x, friction, SLIP)
+            self.change(i, (off * h + rounded).upper())
 
     def has_begun(self, i: int, s: arb_poly, norm: arb, h: arb) -> bool:
         """Return whether an axis surely slips, and goes on to, from where it begins to the end of a step.
@@ -90,20 +98,20 @@ class BoxRun(Path):
         slips = [None if j == i else f for j, f in enumerate(self.friction)]
         return bool(window < h / 2) and self.leaves(normal, window, order, slips)
 
-    def go_to_event(self, curve: Curve, found: Defect, norm: arb, h: arb, *, ends: bool) -> None:
-        """Go to the end of a step or to the first event in it."""
+    def first_event(self, curve: Curve, found: Defect, norm: arb, h: arb) -> tuple[arb, arb, int] | None:
+        """Return where in a step an axis changes first, how far that may be off, and the axis; None if none does."""
         roots = [(root, i) for i in self.system.axes if (root := self.end_of(i, curve, found, norm)) is not None]
-        self.young, self.after = {}, arb(0)
         if not roots:
-            self.go_on(curve, SLIP, arb(1), norm, ends=ends)
-            self.clear = arb(0)
-            return
+            return None
         (x, off), i = min(roots, key=lambda one: float(one[0][0]))
         others = [y - other for (y, other), j in roots if j != i]
         if not all(x + off < one for one in others) or not (x - off) * h > self.clear:
             raise self.undecided("which axis has its event first")
-        self.go_on(curve, SLIP, x, norm, ends=False)
-        before, late, self.clear = self.mode, (off * h).upper(), arb(0)
+        return x, off, i
+
+    def change(self, i: int, late: arb) -> None:
+        """Change the mode of an axis at the point, which its event is within `late` (s) of."""
+        before, self.clear = self.mode, arb(0)
         if before[i] == "0":
             self.let_go(i, self.load()[i], 2)
         else:

@@ -194,6 +194,16 @@ class Path:
         found = defect(self.system, curve, self.system.still)
         return curve, found, (self.norm + found.norm).upper()
 
+    def go_part(self, series: Series, h: arb, x: arb, friction: Sequence[arb | None], mode: str) -> arb:
+        """Go to a part x of a step h, by a curve that ends there: the defect of the whole step is far larger.
+
+        Return what the time that is reached lacks of it, s.
+        """
+        part = (h * x).mid()
+        curve, _, norm = self.drawn(series, part, friction)
+        self.go_on(curve, mode, arb(1), norm, ends=False)
+        return (h * x - part).abs_upper()
+
     def exit(
         self, curve: Curve, found: Defect, norm: arb, of: Iterable[int], start: float = 0.0
     ) -> tuple[arb, arb] | None:

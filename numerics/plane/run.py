@@ -64,8 +64,8 @@ class Run(Path):
             self.go_on(curve, STICK, arb(1), norm, ends=ends)
             return
         x, off = root
-        self.go_on(curve, STICK, x, norm, ends=False)
-        self.begin(2, "guard", STICK, (off * h).upper())
+        rounded = self.go_part(series, h, x, held, STICK)
+        self.begin(2, "guard", STICK, (off * h + rounded).upper())
 
     def falls_inside(self, h: arb) -> bool:
         """Return whether the step begins on the edge of K: the load falls inside then, till _SHORT of it at least."""
