@@ -9,7 +9,7 @@ from __future__ import annotations
 from flint import arb, arb_poly
 
 from numerics.plane.defect import Curve, Defect
-from numerics.plane.path import SLIP, Path
+from numerics.plane.path import AGAIN, LATE, SLIP, Path
 from numerics.plane.polynomial import least
 from numerics.plane.vector import Vector
 
@@ -68,20 +68,23 @@ class BoxRun(Path):
         while True:
             h, ends = self.fitted(reach)
             curve, found, norm = self.drawn(series, h, friction)
-            if all(self.has_begun(i, curve.s[i], norm, h) for i in self.young):
+            if not all(self.has_begun(i, curve.s[i], norm, h) for i in self.young):
+                reach = (h / 2).mid()
+                if reach < self.period * self.eps:
+                    raise self.undecided("does the load leave the friction set, or only touch its edge")
+                continue
+            event = self.first_event(curve, found, norm, h)
+            if event is None or event[0] > LATE:
                 break
-            reach = (h / 2).mid()
-            if reach < self.period * self.eps:
-                raise self.undecided("does the load leave the friction set, or only touch its edge")
-        event = self.first_event(curve, found, norm, h)
+            reach = (h * event[0] * AGAIN).mid()
         self.young, self.after = {}, arb(0)
         if event is None:
             self.go_on(curve, SLIP, arb(1), norm, ends=ends)
             self.clear = arb(0)
         else:
             x, off, i = event
-            rounded = self.go_part(series, h, x, friction, SLIP)
-            self.change(i, (off * h + rounded).upper())
+            self.go_on(curve, SLIP, x, norm, ends=False)
+            self.change(i, (off * h).upper())
 
     def has_begun(self, i: int, s: arb_poly, norm: arb, h: arb) -> bool:
         """Return whether an axis surely slips, and goes on to, from where it begins to the end of a step.

@@ -18,6 +18,8 @@ from numerics.plane.vector import Vector, exact, wide
 from numerics.plane.window import Around, around
 
 STICK, SLIP = "stick", "slip"
+LATE, AGAIN = 31 / 32, 65 / 64
+"""An event before that part of a step has it drawn again, so much longer than to the event: with the defect of that."""
 
 
 class Leg(NamedTuple):
@@ -193,16 +195,6 @@ class Path:
         curve = self.curve(arb_poly([self.at.t, h]), q1, v2, s, impulse)
         found = defect(self.system, curve, self.system.still)
         return curve, found, (self.norm + found.norm).upper()
-
-    def go_part(self, series: Series, h: arb, x: arb, friction: Sequence[arb | None], mode: str) -> arb:
-        """Go to a part x of a step h, by a curve that ends there: the defect of the whole step is far larger.
-
-        Return what the time that is reached lacks of it, s.
-        """
-        part = (h * x).mid()
-        curve, _, norm = self.drawn(series, part, friction)
-        self.go_on(curve, mode, arb(1), norm, ends=False)
-        return (h * x - part).abs_upper()
 
     def exit(
         self, curve: Curve, found: Defect, norm: arb, of: Iterable[int], start: float = 0.0

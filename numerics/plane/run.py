@@ -21,7 +21,7 @@ from numerics.arithmetic.ball import sqrt
 from numerics.plane.defect import Curve, Defect, defect, slip_defect
 from numerics.plane.onset import onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
-from numerics.plane.path import SLIP, STICK, Path, log2, two_to
+from numerics.plane.path import AGAIN, LATE, SLIP, STICK, Path, log2, two_to
 from numerics.plane.polynomial import first_root, midpoints, rise, scaled
 from numerics.plane.series import Series, slip_series
 from numerics.plane.system import System, highest
@@ -56,16 +56,19 @@ class Run(Path):
         held = [None] * self.system.n
         series, reach = self.linear(held, self.system.degree)
         h, ends = self.fitted(reach)
-        curve, found, norm = self.drawn(series, h, held)
-        root = None
-        if not self.held:
-            root = self.exit(curve, found, norm, self.system.axes, _SHORT if self.falls_inside(h) else 0.0)
+        start = _SHORT if not self.held and self.falls_inside(h) else 0.0
+        while True:
+            curve, found, norm = self.drawn(series, h, held)
+            root = None if self.held else self.exit(curve, found, norm, self.system.axes, start)
+            if root is None or root[0] > LATE:
+                break
+            h, ends = (h * root[0] * AGAIN).mid(), False
         if root is None:
             self.go_on(curve, STICK, arb(1), norm, ends=ends)
             return
         x, off = root
-        rounded = self.go_part(series, h, x, held, STICK)
-        self.begin(2, "guard", STICK, (off * h + rounded).upper())
+        self.go_on(curve, STICK, x, norm, ends=False)
+        self.begin(2, "guard", STICK, (off * h).upper())
 
     def falls_inside(self, h: arb) -> bool:
         """Return whether the step begins on the edge of K: the load falls inside then, till _SHORT of it at least."""
@@ -207,16 +210,18 @@ class Run(Path):
             self.end(curve, norm, at.s.each(lambda x: arb_poly([x])), size)
 
     def end(self, curve: Curve, norm: arb, slip: Vector, slowest: arb) -> None:
-        """Go along s = (1 - x) S to s = 0; the motion slips up to a time `early` before, when h(s) is 2 sup h(N).
+        """Go along s = (1 - x) S to s = 0; the motion slips up to a time `early` before, when |s|_{kap^-1} is N.
 
-        At a time early/narrow its direction is that of S up to `narrow`.
+        Up to a time early/narrow before, its direction is that of S up to `narrow`; |s| is a multiple of N then.
         """
         self.go_on(curve, SLIP, arb(1), norm, ends=False)
         self.at = self.at._replace(s=self.system.still)
-        part = (2 * self.system.pieces[curve.piece].reach * self.norm / slowest).upper()
+        part = (self.system.pieces[curve.piece].reach * self.norm / slowest).upper()
         near_end = arb(1) - arb(0).union(part / self.narrow)
         s = slip.each(lambda p: p(near_end))
-        self.arrive(part * curve.t[1], wide(s, self.system.apart * (self.system.length(s) * self.narrow)))
+        size = self.system.length(s)
+        early = part.min(self.norm / size.lower()) * curve.t[1]
+        self.arrive(early.upper(), wide(s, self.system.apart * (size * self.narrow)))
 
     def stop(self) -> None:
         """Put s = 0 where it is no larger than N allows: the motion slips up to here."""
@@ -238,15 +243,17 @@ class Run(Path):
             drawn = drawn_to(system, drive, load, s) if s is not None else None
             if not inside:
                 return drawn and drawn.psi, drawn
-            strain = drive.strain(load)
-            return (1 - sqrt(strain)) * drive.weak if strain < 1 else None, drawn
+            if not (strain := drive.strain(load)) < 1:
+                return None, drawn
+            slowest = (1 - sqrt(strain)) * drive.weak  # in any direction; it may be known better where s points
+            return slowest if drawn is None else slowest.max(drawn.psi), drawn
 
         about, _ = fate(self.load())
         window = early / self.narrow + 2 * self.norm / about if about is not None else arb(0)
         near = self.load(window)
         fall, drawn = fate(near)
         outside = bool(drive.strain(near) > 1)
-        if fall is None or inside == outside or not (late := early + self.norm / fall) < window:
+        if fall is None or inside == outside or not (late := early.max(self.norm / fall)) < window:
             raise self.undecided("does the slip end, turn around s = 0 or pass through it")
         self.drift(self.norm, late)
         if inside:
