@@ -6,14 +6,11 @@ from fractions import Fraction
 import matplotlib as mpl
 import numpy as np
 import pytest
-from flint import arb
 from hypothesis import given, settings
 from matplotlib import pyplot as plt
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.orbit import Box
 from numerics.errors import InvalidScene, OutOfRange
-from numerics.linear.path_enclosed import Path
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.file import parse_scene
 from numerics.scene.writing import scene_text
@@ -139,27 +136,6 @@ def test_two_motions_part_no_faster_than_the_steepest_fall_of_friction_lets_them
         x1, v1, _, v2 = (float(a - b) for a, b in zip(one.sol(float(t)), two.sol(float(t)), strict=True))
         norm = np.sqrt(200 * x1**2 + v1**2 + v2**2)
         assert norm <= 1.000001 * float(apart) * np.exp(float(fall) * kappa2 * t)
-
-
-def test_the_bound_grows_where_neighbours_part_and_would_be_false_if_it_did_not(monkeypatch):
-    # u balances friction in the falling part: w stays, and what it is off by grows like exp(2 t)
-    balanced = Scene(
-        Pair(1, 1, "0.01", 5),
-        State(v1=2),
-        "1.2",
-        force=Force([Piece(0, [6])]),
-        friction=Friction((), Weakening([(4, 1)])),
-    )
-    off = Fraction(99, 10**22)
-    edge = run_scene(replace(balanced, initial=State(v1=2 + off, v2=-off)), Ball(60)).final_state
-
-    def holds() -> bool:
-        box = run_scene(balanced, Box(60, arb(10) ** -20)).final_state
-        return all(one.overlaps(other) for one, other in zip(box, edge, strict=True))
-
-    assert holds()
-    monkeypatch.setattr(Path, "growth", lambda *_: arb(1))
-    assert not holds()
 
 
 def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
