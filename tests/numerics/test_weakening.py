@@ -185,23 +185,6 @@ def test_a_scene_is_written_and_read_again():
     assert parse_scene(scene_text(JUMPING)).friction.weakening == BY_PLACE
 
 
-@pytest.mark.parametrize(
-    ("text", "match"),
-    [
-        ("[weakening]\nspeed = [[0, 0.3]]", "ill-posed"),
-        ("[weakening]\nspeed = [[0.1, 0.3], [0.1, 0.2]]", "ill-posed"),
-        ("[weakening]\nspeed = [[0.1, 0.3], [0.05, 0.2]]", "in order"),
-        ("[weakening]\nplace = [[0.1, 0.3], [0.1, 0.2]]", "in order"),
-        ("[weakening]\nspeed = 3", "must be points"),
-        ("[weakening]\nspeed = [[0.1, nan]]", "B in speed"),
-        ("[weakening]\nslope = 3", "unknown key"),
-    ],
-)
-def test_a_table_that_is_no_friction_is_refused(text, match):
-    with pytest.raises(InvalidScene, match=match):
-        parse_scene(f"[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[run]\nuntil = 1\n{text}\n")
-
-
 def test_two_coefficients_are_refused_with_the_reason():
     with pytest.raises(InvalidScene, match="both solutions at every instant"):
         parse_scene("[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb_s = 0.5\nb_k = 0.3\n[run]\nuntil = 1\n")
