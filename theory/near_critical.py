@@ -14,7 +14,7 @@ from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
 from theory.filippov import at_edge
-from theory.power_series import taylor
+from theory.power_series import reverted, taylor
 from theory.scaling import canonical_pair, excess, half_width, stick_frequency, to_si
 from theory.symbols import V1, V2, X, epsilon, q, t, theta, v1_0, w, x1, x1_0
 
@@ -29,29 +29,14 @@ def truncate(expression: Expr, variable: Symbol, order: int) -> Expr:
 
 @cache
 def slip_angle(order: int = ORDER) -> Expr:
-    """theta(epsilon): the reversion of h(theta) = epsilon/sqrt(q), dimensionless.
-
-    Solved by iterating theta -> theta - (h(theta) - u)/h'(0); each pass settles one more order.
-    """
-    polynomial = taylor(h(), theta, order)
-    slope = polynomial.coeff(theta, 1)
-    angle = Integer(0)
-    for _ in range(order):
-        angle = truncate(angle - (compose(polynomial, angle, order) - epsilon / sqrt(q)) / slope, epsilon, order)
-    return angle
-
-
-def compose(polynomial: Expr, inner: Expr, order: int) -> Expr:
-    """A polynomial in theta at theta = inner, a polynomial in epsilon, below epsilon**order (Horner)."""
-    value = Integer(0)
-    for power in reversed(range(order)):
-        value = truncate(value * inner + polynomial.coeff(theta, power), epsilon, order)
-    return value
+    """theta(epsilon): the reversion of h(theta) = epsilon/sqrt(q), dimensionless."""
+    return in_speed(theta, order)
 
 
 def in_speed(expression: Expr, order: int = ORDER) -> Expr:
     """A closed form in theta as a series in epsilon below epsilon**order."""
-    return compose(taylor(expression, theta, order), slip_angle(order), order)
+    coefficients = reverted(h(), theta, order, expression)
+    return sum((expand(one / sqrt(q) ** n) * epsilon**n for n, one in enumerate(coefficients)), Integer(0))
 
 
 @dataclass(frozen=True)
