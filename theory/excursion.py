@@ -27,11 +27,11 @@ from sympy import (
     rem,
     simplify,
     sin,
-    solve,
     sqrt,
 )
 
 from theory.closed_forms import Regime, rate, rates, solution
+from theory.linear import root
 from theory.scaling import canonical_pair, excess
 from theory.symbols import V1, V2, X, epsilon, h_value, overshoot, q, r, t, theta, v1_0, v2_0, x1_0
 
@@ -103,7 +103,7 @@ def h() -> Expr:
 
     Solved from the guard: h is the value of u for which it vanishes.
     """
-    return solve(slip_from_ray().guard, epsilon)[0] / sqrt(q)
+    return root(guard_of_u(), h_value)
 
 
 @cache

@@ -10,6 +10,7 @@ from functools import cache
 
 from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Rational, S, factor, solve
 
+from theory.linear import root
 from theory.symbols import a1, a2, acceleration1, acceleration2, b, free, m1, m2, sgn, u, v1, v2, x1
 
 RELATIVE_SIGN = sgn(v1 - v2)
@@ -145,8 +146,8 @@ def case_study_closed_form() -> tuple[Expr, Expr]:
     The second keeps x1'' as a symbol, as eq (12) does.
     """
     kept = {STICTION_SIGN: Integer(-1)}
-    first = solve(driving_equation().subs(CASE_STUDY), acceleration1)[0]
-    second = solve(driven_equation().subs(kept).subs(CASE_STUDY), acceleration2)[0]
+    first = root(driving_equation().subs(CASE_STUDY), acceleration1)
+    second = root(driven_equation().subs(kept).subs(CASE_STUDY), acceleration2)
     return factor(first), second
 
 
