@@ -39,6 +39,7 @@ angle = Symbol("phi", positive=True)  # half slip angle theta/2, in (0, pi)
 half_tangent = Symbol("k", real=True)  # tan(theta/2)
 
 
+@cache
 def half_tangent_form(expression: Expr) -> Expr:
     """An expression in theta, sin theta, cos theta as a reduced fraction in theta and k = tan(theta/2).
 
@@ -47,7 +48,7 @@ def half_tangent_form(expression: Expr) -> Expr:
     """
     k = half_tangent
     circle = {sin(theta): 2 * k / (1 + k**2), cos(theta): (1 - k**2) / (1 + k**2)}
-    return factor(expand_trig(expression).subs(circle, simultaneous=True))
+    return factor(expand_trig(expression).xreplace(circle))
 
 
 def on_circle(expression: Expr) -> Expr:

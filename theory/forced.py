@@ -85,6 +85,7 @@ def tie_derivative(sign: int, order: int) -> Expr:
     return diff(imbalance(sign).subs(u, jet(order)), t, order).subs(t, 0)
 
 
+@cache
 def deviation_force(mode: str, sign: int) -> Expr:
     """I y'' + a1 y' + a2 y, N, for the place y of body 1 beside the reference in a mode of inertia I: it is p(t)."""
     place = reference(sign)

@@ -6,7 +6,7 @@ physical.
 """
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 
 from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Rational, S, factor, solve
 
@@ -48,17 +48,17 @@ class Branch:
     acceleration1: Expr
     acceleration2: Expr
 
-    @property
+    @cached_property
     def force_on_first(self) -> Expr:
         """The interface force on body 1, N: what Newton's law leaves after spring, damper and control."""
         return factor(m1 * self.acceleration1 + a1 * v1 + a2 * x1 - u)
 
-    @property
+    @cached_property
     def force_on_second(self) -> Expr:
         """The interface force on body 2, N: no other force acts on it."""
         return factor(m2 * self.acceleration2)
 
-    @property
+    @cached_property
     def force_imbalance(self) -> Expr:
         """Sum of both interface forces, N: zero exactly where they are equal and opposite."""
         return factor(self.force_on_first + self.force_on_second)

@@ -14,7 +14,7 @@ from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
 from theory.filippov import at_edge
-from theory.power_series import reverted, taylor
+from theory.power_series import composed, reverted, taylor
 from theory.scaling import canonical_pair, excess, half_width, stick_frequency, to_si
 from theory.symbols import V1, V2, X, epsilon, q, t, theta, v1_0, w, x1, x1_0
 
@@ -75,7 +75,7 @@ def angle_of(cosine: Expr, sine: Expr, order: int) -> Expr:
     """
     first = atan2(sine.subs(epsilon, 0), cosine.subs(epsilon, 0))
     rest = expand(sine * cos(first) - cosine * sin(first))
-    return first + taylor(asin(theta), theta, order).subs(theta, rest)
+    return first + composed(asin(epsilon), epsilon, order, rest)
 
 
 @cache
@@ -84,10 +84,12 @@ def cycle(order: int = ORDER) -> CycleSeries:
     one = excursion()
     position, velocity = in_speed(one.position, order), in_speed(one.velocity, order)
     excess_after = in_speed(next_excess(), order)
-    speed_after = taylor(epsilon * sqrt(expand(excess_after / epsilon**2)), epsilon, order - 1)
+    speed_after = expand(
+        epsilon * composed(sqrt(1 + epsilon), epsilon, order - 2, expand(excess_after / epsilon**2) - 1)
+    )
     state = {x1_0: position, v1_0: velocity, epsilon: speed_after}
     cosine, sine = (taylor(part.subs(state, simultaneous=True), epsilon, order - 1) for part in stick_rotation())
-    stick = truncate(angle_of(cosine, sine, order - 1), epsilon, order - 1)
+    stick = angle_of(cosine, sine, order - 1)
     slip = sqrt(q) * slip_angle(order)
     return CycleSeries(
         slip_angle=slip_angle(order),
@@ -117,7 +119,7 @@ def quadratic_coefficient() -> Expr:
 @cache
 def cycle_limit() -> Expr:
     """Limit of the reduced duration of slip plus stick as w -> 0."""
-    return limit(cycle().cycle_duration, epsilon, 0)
+    return cycle().cycle_duration.subs(epsilon, 0)
 
 
 @cache
@@ -162,12 +164,12 @@ def critical_limits() -> CriticalLimits:
     length, frequency = half_width(), stick_frequency()
     speed = length * frequency
     return CriticalLimits(
-        stick_duration=limit(found.stick_duration, epsilon, 0) / frequency,
-        slip_duration=limit(found.slip_duration, epsilon, 0) / frequency,
+        stick_duration=found.stick_duration.subs(epsilon, 0) / frequency,
+        slip_duration=found.slip_duration.subs(epsilon, 0) / frequency,
         exit_position=at_edge(x1, 1),
-        exit_velocity=limit(exit_speed(), w, 0) * speed,
-        entry_position=limit(found.position, epsilon, 0) * length,
-        entry_velocity=limit(found.velocity, epsilon, 0) * speed,
+        exit_velocity=exit_speed().subs(w, 0) * speed,
+        entry_position=found.position.subs(epsilon, 0) * length,
+        entry_velocity=found.velocity.subs(epsilon, 0) * speed,
     )
 
 

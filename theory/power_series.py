@@ -51,6 +51,16 @@ def reverted(inner: Expr, variable: Symbol, order: int, outer: Expr) -> list[Exp
     return found
 
 
+def composed(outer: Expr, variable: Symbol, order: int, inner: Expr) -> Expr:
+    """Taylor polynomial below variable**order of `outer` at `inner`, a polynomial in the variable that is 0 at 0."""
+    argument, end = Poly(inner, variable, field=True), Poly(variable**order, variable)
+    coefficients = taylor(outer, variable, order)
+    value = Poly(0, variable, domain=argument.domain)
+    for power in reversed(range(order)):
+        value = (value * argument + coefficients.coeff(variable, power)).rem(end)
+    return sum((expand(one) * variable**n for (n,), one in reversed(value.terms())), Integer(0))
+
+
 def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
     sine, cosine = Dummy("sine"), Dummy("cosine")
     roots = {one: Dummy(one.name, positive=True) for one in expression.free_symbols - {variable} if one.is_positive}
