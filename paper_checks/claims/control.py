@@ -42,7 +42,7 @@ FIRST_PLACE, WAY_START = sp.Symbol("{x_1(0)}", real=True), sp.Symbol(r"{x_{\math
 @claim(
     "one-active-one-passive",
     "Abstract",
-    "sixth sentence",
+    "abstract, sixth sentence",
     HOLDS,
     clause(
         "freedoms",

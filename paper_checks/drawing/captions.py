@@ -126,7 +126,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "tolerance-ring-of-a-scene": (
         "Fig. 1, drawn for the scene of Fig. 5 (a)",
-        "Left: the relative motion about its limit; from the black point on, in blue, it stays inside the dashed ring. Right: its distance "
+        "Left: the relative motion about its limit; from the point on, in blue, it stays inside the dashed ring. Right: its distance "
         "from the limit over time.",
     ),
     "jumping-force": (

@@ -115,10 +115,10 @@ def _regimes() -> Iterator[Block]:
     yield Table(
         (
             "$\\omega$ (rad/s)",
-            *(f"${letter}$, $a_1={float(pair.a1):g}$" for pair in PAIRS for letter in ("U_*", "U_{**}")),
+            *(f"${letter}$ (N), $a_1={float(pair.a1):g}$ N s/m" for pair in PAIRS for letter in ("U_*", "U_{**}")),
         ),
         tuple(_thresholds(rate) for rate in FREQUENCIES),
-        "Both thresholds (N) at some frequencies; the second formula is for $a_1=0$",
+        "Both thresholds at some frequencies; the second formula is for $a_1=0$",
     )
     third = harmonic_amplitude().subs(multiple, 3)
     yield Paragraph(
