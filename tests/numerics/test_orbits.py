@@ -5,14 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from control_scenes import DAMPED, under
+from control_scenes import DAMPED, middle, started, under
 from flint import arb
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import rounded, solved_again
+from numerics.control.answers import solved_again
 from numerics.control.orbit import Orbit, one_round, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
 from numerics.errors import EventUndecided, NotSettled
@@ -23,11 +23,9 @@ from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 @pytest.mark.parametrize("radius", ["0.1", "1"])
 def test_a_box_whose_motions_have_other_events_is_not_followed(radius):
     orbit = response(under(DAMPED, "0.5")).orbit
+    begin = middle(orbit)
+    start = started(orbit, begin)
     with Ball(20).context():
-        leg, after = orbit.turns[0]
-        begin = rounded((leg.t + after.t) / 2)
-        x1, v1, _, v2 = orbit.motion(leg).state(Ball.number(begin) - leg.t)
-        start = [rounded(one) for one in (x1, v1, v2)]
         assert one_round(orbit.drive, begin, start, arb("1e-6"), 4).slopes.nrows() == 3
         with pytest.raises(EventUndecided):
             one_round(orbit.drive, begin, start, arb(radius), 4)
