@@ -16,7 +16,7 @@ from numerics.control.answers import solved_again
 from numerics.control.orbit import Orbit, one_round, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
 from numerics.errors import EventUndecided, NotSettled
-from numerics.linear.system import LinearMode, W
+from numerics.linear.system import LinearMode, W, is_positive_on
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
 
@@ -76,3 +76,14 @@ def test_a_range_over_times_holds_the_values_at_them(m1, a1, side, length):
             wide = motion.range(row, begin.union(end), order)
             for k in range(5):
                 assert wide.overlaps(motion.range(row, begin + (end - begin) * k / 4, order))
+
+
+def test_a_slip_that_turns_back_in_between_is_not_called_a_slip():
+    """w falls below 0 and comes back: its ends alone do not say so."""
+    with Ball(20).context():
+        mode = LinearMode(Pair(1, 1, 1, "0.01"), Fraction(1, 100), 1, Piece(0, (), [Sine(1, 20)]))
+        motion = mode.motion([arb(0), arb("0.05"), arb(0), arb(0)], arb(0))
+        period = 2 * arb.pi() / 20
+        assert is_positive_on(lambda t: motion.range(W, t), arb(0), period)
+        backwards = mode.motion([arb(0), arb("0.02"), arb(0), arb("0.06")], arb(0))
+        assert not is_positive_on(lambda t: backwards.range(W, t), arb(0), period)
