@@ -115,6 +115,7 @@ class Event:
 
     def farthest(self, found):
         """How far out errors lie in the set, its edge being 1."""
+        take_in(self.room.E, self.room.R, self.room.basis, self.room.column)
         errors = np.array([error for _, error, _ in found]).T
         c = np.linalg.pinv(self.room.E, 1e-14) @ errors
         assert abs(self.room.E @ c - errors).max() <= 1e-7 * abs(errors).max()
