@@ -4,6 +4,16 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip.
 Local Open Scope R_scope.
 
+(** the depth, the push and the half angle *)
+Lemma depth_hh p : 0 < p < PI -> depth p ^ 2 - 2 * depth p - 4 * p * hh p + 4 * p ^ 2 = 0.
+Proof.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
+  unfold depth, hh. apply Rmult_eq_reg_r with (sin p ^ 2); [|apply pow_nonzero; lra].
+  replace (((2 * (sin p - p * cos p) / sin p) ^ 2 - 2 * (2 * (sin p - p * cos p) / sin p) -
+    4 * p * ((p - sin p * cos p) / sin p ^ 2) + 4 * p ^ 2) * sin p ^ 2)
+    with (4 * p ^ 2 * (sin p * sin p + cos p * cos p - 1)) by (field; lra). rewrite SC. ring.
+Qed.
+
 Section Cycle.
 Variables m1 m2 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -68,30 +78,6 @@ Definition S1 u t := b / (m2 * o1) * (u * cos (o1 * t) - sin (o1 * t)).
 Definition S2 u t := b / (m2 * o1) * (u - o1 * t).
 
 (** the guard v1 - v2 is a positive multiple of h(theta) - u: h increases, so it is negative until h(theta) = u *)
-Lemma slip_arc p : 0 < p < PI -> arc m1 m2 a2 b (2 * p / o1) (Sx (hh p)) (S1 (hh p)) (S2 (hh p)) (fun _ => -1).
-Proof.
-  intros Hp. pose proof o1_pos as O. constructor.
-  - intros t. unfold Sx, S1. auto_derive; auto. rewrite o1_sq. field. repeat split; lra.
-  - intros t. unfold Sx, S1. auto_derive; auto. rewrite o1_sq. field. repeat split; lra.
-  - intros t. unfold S2. auto_derive; auto. field. repeat split; lra.
-  - intros t Ht. split; [lra|]. split; [|auto]. intros N. exfalso.
-    assert (G : S1 (hh p) t - S2 (hh p) t = b / (m2 * o1) * ((o1 * t - sin (o1 * t)) - hh p * (1 - cos (o1 * t))))
-      by (unfold S1, S2; field; lra).
-    assert (0 < b / (m2 * o1)) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
-    assert (Th : 0 <= o1 * t < 2 * p).
-    { split; [apply Rmult_le_pos; lra|]. replace (2 * p) with (o1 * (2 * p / o1)) by (field; lra).
-      apply Rmult_lt_compat_l; lra. }
-    destruct (Req_dec (o1 * t) 0) as [Z|Z].
-    { rewrite Z, sin_0, cos_0 in G. lra. }
-    assert (h (o1 * t) < h (2 * p)) as I by (apply h_increases; lra). rewrite <- hh_h in I by auto.
-    pose proof (one_cos (o1 * t) ltac:(lra)) as C. unfold h in I.
-    assert (o1 * t - sin (o1 * t) < hh p * (1 - cos (o1 * t))).
-    { apply Rmult_lt_compat_r with (r := 1 - cos (o1 * t)) in I; auto.
-      replace ((o1 * t - sin (o1 * t)) / (1 - cos (o1 * t)) * (1 - cos (o1 * t))) with (o1 * t - sin (o1 * t)) in
-        I by (field; lra). auto. }
-    nra.
-Qed.
-(** v1 < v2 inside the slip *)
 Lemma slip_sign p t : 0 < p < PI -> 0 < t < 2 * p / o1 -> S1 (hh p) t < S2 (hh p) t.
 Proof.
   intros Hp Ht. pose proof o1_pos as O.
@@ -110,6 +96,17 @@ Proof.
   nra.
 Qed.
 
+(** the slip obeys the law until then *)
+Lemma slip_arc p : 0 < p < PI -> arc m1 m2 a2 b (2 * p / o1) (Sx (hh p)) (S1 (hh p)) (S2 (hh p)) (fun _ => -1).
+Proof.
+  intros Hp. pose proof o1_pos as O. constructor.
+  - intros t. unfold Sx, S1. auto_derive; auto. rewrite o1_sq. field. repeat split; lra.
+  - intros t. unfold Sx, S1. auto_derive; auto. rewrite o1_sq. field. repeat split; lra.
+  - intros t. unfold S2. auto_derive; auto. field. repeat split; lra.
+  - intros t Ht. split; [lra|]. split; [|auto]. intros N. exfalso. destruct (Req_dec t 0) as [->|].
+    + unfold S1, S2 in N. rewrite Rmult_0_r, cos_0, sin_0 in N. lra.
+    + pose proof (slip_sign p t Hp ltac:(lra)). lra.
+Qed.
 (** the landing: X1 = 1 - q c, both speeds ray (u - theta) *)
 Lemma landing p : 0 < p < PI -> Sx (hh p) (2 * p / o1) = L * (1 - q * depth p) /\
   S1 (hh p) (2 * p / o1) = ray (hh p - 2 * p) /\ S2 (hh p) (2 * p / o1) = ray (hh p - 2 * p).
@@ -136,13 +133,7 @@ Lemma landing_energy p : 0 < p < PI ->
   energy m1 m2 a2 (L * (1 - q * depth p)) (ray (hh p - 2 * p)) (ray (hh p - 2 * p)) = Ecr * (1 + q * (hh p ^ 2 - r
     * depth p ^ 2)).
 Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
-    unfold Rsqr in SC. pose proof qr_one as QR.
-  assert (I : depth p ^ 2 - 2 * depth p - 4 * p * hh p + 4 * p ^ 2 = 0).
-  { unfold depth, hh. apply Rmult_eq_reg_r with (sin p ^ 2); [|apply pow_nonzero; lra].
-    replace (((2 * (sin p - p * cos p) / sin p) ^ 2 - 2 * (2 * (sin p - p * cos p) / sin p) -
-      4 * p * ((p - sin p * cos p) / sin p ^ 2) + 4 * p ^ 2) * sin p ^ 2)
-      with (4 * p ^ 2 * (sin p * sin p + cos p * cos p - 1)) by (field; lra). rewrite SC. ring. }
+  intros Hp. pose proof qr_one as QR. pose proof (depth_hh p Hp) as I.
   set (c := depth p) in *. set (u := hh p) in *. set (d := u - 2 * p) in *.
   assert (R1 : energy m1 m2 a2 (L * (1 - q * c)) (ray d) (ray d) = energy m1 m2 a2 L (ray d) (ray d) + Ecr * ((1 -
     q * c) ^ 2 - 1)).

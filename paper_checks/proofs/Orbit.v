@@ -73,23 +73,7 @@ Proof.
     destruct (Rlt_dec (PI / 2) ps) as [|G]; auto. exfalso.
       destruct (Req_dec ps (PI / 2)) as [E|E]; [rewrite E in Z; lra|].
     specialize (Ri (PI / 2) ltac:(lra)). lra. }
-  rewrite !ratio_AB by lra. set (f := fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))).
-    change (f q <= f p).
-  assert (Q : - f p < - f q); [|lra].
-  apply (incr_function (fun u => - f u) 0 ps (fun p => - ((2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2)
-    / (2 * sin p ^ 2 * (sin p - p * cos p) ^ 2)))); try (simpl; lra).
-  - intros u U0 U1; simpl in U0, U1. apply (is_derive_opp f u). apply derive_ratio; lra.
-  - intros u U0 U1; simpl in U0, U1. pose proof (Le u ltac:(lra)) as Ku. pose proof (g_pos u ltac:(lra)) as G.
-    pose proof (A_pos u ltac:(lra)) as A.
-    pose proof (sqrt_sqrt 2 ltac:(lra)) as S2. pose proof (sqrt_lt_R0 2 ltac:(lra)) as S0. unfold K in Ku.
-    assert (Nu : 0 < (u - sin u * cos u) ^ 2 - 2 * (sin u - u * cos u) ^ 2).
-    { set (a := u - sin u * cos u) in *. set (g := sin u - u * cos u) in *. rewrite <- S2.
-      replace (a ^ 2 - sqrt 2 * sqrt 2 * g ^ 2) with ((a - sqrt 2 * g) * (a + sqrt 2 * g)) by ring.
-        apply Rmult_lt_0_compat; [lra|]. pose proof (Rmult_lt_0_compat _ _ S0 G). lra. }
-    assert (De : 0 < / (2 * sin u ^ 2 * (sin u - u * cos u) ^ 2)).
-    { apply Rinv_0_lt_compat. pose proof (pow_lt _ 2 (sin_gt_0 u ltac:(lra) ltac:(lra))).
-      pose proof (pow_lt _ 2 G). apply Rmult_lt_0_compat; lra. }
-    unfold Rdiv. pose proof (Rmult_lt_0_compat _ _ Nu De). lra.
+  apply Rlt_le, (ratio_step p q); [lra|lra|lra|]. intros t Ht. apply Le. lra.
 Qed.
 (** so an excursion shorter than one that ends above E_cr ends above it too *)
 Lemma stays_above r p q : 0 < p -> p <= q -> q <= PI / 2 -> r * depth q ^ 2 < hh q ^ 2 -> r * depth p ^ 2 < hh p ^ 2.

@@ -173,11 +173,11 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "sticks-inside": ("Surface.sticks_inside", "On $S_0$, but for the exit rays, every solution sticks for a while."),
     "arc-to-ray": (
-        "Cross.to_ray",
+        "Law.to_ray",
         "On $S_0$ above $E_{cr}$ every solution sticks until it reaches one of the two exit rays.",
     ),
     "arc-to-left-ray": (
-        "Cross.to_ray_left",
+        "Law.to_ray_left",
         "On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit ray, "
         "at the same level.",
     ),
