@@ -12,11 +12,8 @@ Variables m1 m2 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
-Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
 Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
-Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let w t := v1 t - v2 t.
 Let CW : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H)]. Qed.

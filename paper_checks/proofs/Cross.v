@@ -6,20 +6,6 @@ From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Sl
   Alternate.
 Local Open Scope R_scope.
 
-(** the level after a slip is the level before it minus r c (c + 2 d) *)
-Lemma level_loss m1 m2 p d : 0 < m1 -> 0 < m2 -> 0 < p < PI ->
-  level m1 m2 p d = push d p ^ 2 + 2 * d + m1 / (m1 + m2) * d ^ 2 - m2 / (m1 + m2) * (depth p * (depth p + 2 * d)).
-Proof.
-  intros H1 H2 Hp. pose proof (half_depth p Hp) as I. unfold level, push. cbv zeta.
-  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra). set (q := m1 / (m1 + m2)).
-  set (c := depth p) in *. set (h := hh p) in *. set (k := ct p) in *. clearbody c h k q.
-  apply Rminus_diag_uniq. rewrite <- (Rmult_0_r (c + 2 * d)).
-  replace 0 with (c * (1 + k ^ 2) - 2 * (1 - h * k)) at 1 by lra. ring.
-Qed.
-(** with no gap that of the return map *)
-Lemma level_0 m1 m2 p : 0 < m1 -> 0 < m2 -> 0 < p < PI -> level m1 m2 p 0 = hh p ^ 2 - m2 / (m1 + m2) * depth p ^ 2.
-Proof. intros H1 H2 Hp. rewrite level_loss, push_0 by auto. ring. Qed.
-
 Section Cross.
 Variables m1 m2 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).

@@ -4,16 +4,6 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Excursion Rate Slip.
 Local Open Scope R_scope.
 
-(** the depth, the push and the half angle *)
-Lemma depth_hh p : 0 < p < PI -> depth p ^ 2 - 2 * depth p - 4 * p * hh p + 4 * p ^ 2 = 0.
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  unfold depth, hh. apply Rmult_eq_reg_r with (sin p ^ 2); [|apply pow_nonzero; lra].
-  replace (((2 * (sin p - p * cos p) / sin p) ^ 2 - 2 * (2 * (sin p - p * cos p) / sin p) -
-    4 * p * ((p - sin p * cos p) / sin p ^ 2) + 4 * p ^ 2) * sin p ^ 2)
-    with (4 * p ^ 2 * (sin p * sin p + cos p * cos p - 1)) by (field; lra). rewrite SC. ring.
-Qed.
-
 Section Cycle.
 Variables m1 m2 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -68,101 +58,6 @@ Lemma ray_level u : energy m1 m2 a2 L (ray u) (ray u) = Ecr * (1 + q * u ^ 2).
 Proof.
   unfold Ecr. rewrite Ecr_L by auto. fold L. pose proof o1_pos. unfold energy, ray. rewrite L_o1. rewrite o1_sq.
     unfold q, M. field. repeat split; lra.
-Qed.
-
-(** *** Slip: from the ray x = L at the speed ray u *)
-Definition Sx u t := b / a2 + b * m1 / (a2 * m2) * (cos (o1 * t) + u * sin (o1 * t)).
-(** the speed of body 1 *)
-Definition S1 u t := b / (m2 * o1) * (u * cos (o1 * t) - sin (o1 * t)).
-(** the speed of body 2 *)
-Definition S2 u t := b / (m2 * o1) * (u - o1 * t).
-
-(** the guard v1 - v2 is a positive multiple of h(theta) - u: h increases, so it is negative until h(theta) = u *)
-Lemma slip_sign p t : 0 < p < PI -> 0 < t < 2 * p / o1 -> S1 (hh p) t < S2 (hh p) t.
-Proof.
-  intros Hp Ht. pose proof o1_pos as O.
-  assert (G : S1 (hh p) t - S2 (hh p) t = b / (m2 * o1) * ((o1 * t - sin (o1 * t)) - hh p * (1 - cos (o1 * t))))
-    by (unfold S1, S2; field; lra).
-  assert (0 < b / (m2 * o1)) by (apply Rdiv_lt_0_compat; auto; apply Rmult_lt_0_compat; auto).
-  assert (Th : 0 < o1 * t < 2 * p).
-  { split; [apply Rmult_lt_0_compat; lra|]. replace (2 * p) with (o1 * (2 * p / o1)) by (field; lra).
-    apply Rmult_lt_compat_l; lra. }
-  assert (h (o1 * t) < h (2 * p)) as I by (apply h_increases; lra). rewrite <- hh_h in I by auto.
-  pose proof (one_cos (o1 * t) ltac:(lra)) as C. unfold h in I.
-  assert (o1 * t - sin (o1 * t) < hh p * (1 - cos (o1 * t))).
-  { apply Rmult_lt_compat_r with (r := 1 - cos (o1 * t)) in I; auto.
-    replace ((o1 * t - sin (o1 * t)) / (1 - cos (o1 * t)) * (1 - cos (o1 * t))) with (o1 * t - sin (o1 * t)) in I
-      by (field; lra). auto. }
-  nra.
-Qed.
-
-(** the slip obeys the law until then *)
-Lemma slip_arc p : 0 < p < PI -> arc m1 m2 a2 b (2 * p / o1) (Sx (hh p)) (S1 (hh p)) (S2 (hh p)) (fun _ => -1).
-Proof.
-  intros Hp. pose proof o1_pos as O. constructor.
-  - intros t. unfold Sx, S1. auto_derive; auto. rewrite o1_sq. field. repeat split; lra.
-  - intros t. unfold Sx, S1. auto_derive; auto. rewrite o1_sq. field. repeat split; lra.
-  - intros t. unfold S2. auto_derive; auto. field. repeat split; lra.
-  - intros t Ht. split; [lra|]. split; [|auto]. intros N. exfalso. destruct (Req_dec t 0) as [->|].
-    + unfold S1, S2 in N. rewrite Rmult_0_r, cos_0, sin_0 in N. lra.
-    + pose proof (slip_sign p t Hp ltac:(lra)). lra.
-Qed.
-(** the landing: X1 = 1 - q c, both speeds ray (u - theta) *)
-Lemma landing p : 0 < p < PI -> Sx (hh p) (2 * p / o1) = L * (1 - q * depth p) /\
-  S1 (hh p) (2 * p / o1) = ray (hh p - 2 * p) /\ S2 (hh p) (2 * p / o1) = ray (hh p - 2 * p).
-Proof.
-  intros Hp. pose proof o1_pos as O. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S.
-  pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  unfold Sx, S1, S2, ray. replace (o1 * (2 * p / o1)) with (2 * p) by (field; lra). rewrite cos_2a_sin, sin_2a.
-  assert (U : hh p * (sin p * sin p) = p - sin p * cos p) by (unfold hh; field; lra).
-  assert (E1 : hh p * (1 - 2 * sin p * sin p) - 2 * sin p * cos p = hh p - 2 * p) by lra.
-  assert (E2 : 1 - 2 * sin p * sin p + hh p * (2 * sin p * cos p) = 1 - depth p).
-  { unfold depth. apply Rmult_eq_reg_r with (sin p); [|lra].
-    replace ((1 - 2 * (sin p - p * cos p) / sin p) * sin p) with (sin p - 2 * (sin p - p * cos p)) by (field; lra).
-    replace ((1 - 2 * sin p * sin p + hh p * (2 * sin p * cos p)) * sin p)
-      with (sin p - 2 * sin p * (sin p * sin p) + 2 * cos p * (hh p * (sin p * sin p))) by ring. rewrite U.
-    replace (sin p * sin p) with (1 - cos p * cos p) by lra. ring. }
-  rewrite E2. split; [|split].
-  - unfold L, Stick.L, q, M. field. repeat split; lra.
-  - f_equal. exact E1.
-  - f_equal.
-Qed.
-
-(** the return map, from the energy at the landing *)
-Lemma landing_energy p : 0 < p < PI ->
-  energy m1 m2 a2 (L * (1 - q * depth p)) (ray (hh p - 2 * p)) (ray (hh p - 2 * p)) = Ecr * (1 + q * (hh p ^ 2 - r
-    * depth p ^ 2)).
-Proof.
-  intros Hp. pose proof qr_one as QR. pose proof (depth_hh p Hp) as I.
-  set (c := depth p) in *. set (u := hh p) in *. set (d := u - 2 * p) in *.
-  assert (R1 : energy m1 m2 a2 (L * (1 - q * c)) (ray d) (ray d) = energy m1 m2 a2 L (ray d) (ray d) + Ecr * ((1 -
-    q * c) ^ 2 - 1)).
-  { unfold Ecr. rewrite Ecr_L by auto. fold L. unfold energy. field. }
-  rewrite R1, ray_level. replace r with (1 - q) by lra.
-  assert (Z : q * (d ^ 2 + q * c ^ 2 - 2 * c - u ^ 2 + (1 - q) * c ^ 2) = 0).
-  { replace (d ^ 2 + q * c ^ 2 - 2 * c - u ^ 2 + (1 - q) * c ^ 2) with (c ^ 2 - 2 * c - 4 * p * u + 4 * p ^ 2) by
-    (unfold d; ring). rewrite I; ring. }
-  rewrite <- Rmult_plus_distr_l. f_equal. lra.
-Qed.
-
-(** Every solution on the exit ray x = L at t0 slips until the half angle p with hh p = u, and lands as computed. *)
-Theorem slip x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < p < PI -> on_ray 1 (hh p) x v1 v2 t0 ->
-  (forall u, 0 < u < 2 * p / o1 -> v1 (t0 + u) < v2 (t0 + u)) /\
-  x (t0 + 2 * p / o1) = L * (1 - q * depth p) /\
-  v1 (t0 + 2 * p / o1) = ray (hh p - 2 * p) /\ v2 (t0 + 2 * p / o1) = ray (hh p - 2 * p).
-Proof.
-  intros H Ht Hp (Ex & E1 & E2). pose proof o1_pos as O. rewrite Rmult_1_l in Ex, E1, E2.
-  assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
-  assert (F := follow m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s _ _ _ _ _ t0 H (slip_arc p Hp) Ht).
-  destruct (landing p Hp) as (Lx & L1 & L2). rewrite <- Lx. rewrite <- L1 at 1. rewrite <- L2.
-  assert (G : forall u, 0 <= u <= 2 * p / o1 -> x (t0 + u) = Sx (hh p) u /\ v1 (t0 + u) = S1 (hh p) u /\
-    v2 (t0 + u) = S2 (hh p) u).
-  { apply F.
-    - rewrite Ex. unfold Sx. rewrite Rmult_0_r, cos_0, sin_0. unfold L, Stick.L. field. lra.
-    - rewrite E1. unfold S1, ray. rewrite Rmult_0_r, cos_0, sin_0. ring.
-    - rewrite E2. unfold S2, ray. ring. }
-  split; [|apply G; lra]. intros u Hu. destruct (G u ltac:(lra)) as (_ & G1 & G2). rewrite G1, G2.
-    apply slip_sign; auto.
 Qed.
 
 (** *** Stick: the arc of an ellipse above E_cr inside the strip *)

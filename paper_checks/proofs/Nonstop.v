@@ -167,7 +167,6 @@ Variables k k' : R -> R.
 Hypotheses (Dk : forall t, is_derive k t (k' t)) (Dk' : forall t, is_derive k' t ((1 - a1 * k' t - a2 * k t) / m1))
   (Ek : k (PI / om) = - k 0) (Ek' : k' (PI / om) = - k' 0) (HZ : 0 < Z1) (Hl : 0 < leave (k 0) (k' 0)).
 Let T := PI / om.
-Let M := m1 + m2.
 
 (** half a period is positive *)
 Lemma half_pos : 0 < T.

@@ -1,18 +1,8 @@
 (** From cycle to cycle: the exits of a solution are an orbit of the return map; the cycle time. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Gap.
 Local Open Scope R_scope.
-
-(** *** The half slip angle as a function of the exit speed: the inverse of hh *)
-Lemma sin_half p : 0 < p <= PI / 2 -> p / 2 <= sin p.
-Proof.
-  intros Hp. pose proof (sinc_decr p (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q. rewrite sin_PI2 in Q.
-    pose proof PI_4.
-  assert (1 / 2 <= 1 / (PI / 2)).
-  { apply Rmult_le_reg_r with (PI / 2); [lra|]. replace (1 / (PI / 2) * (PI / 2)) with 1 by (field; lra). lra. }
-  assert (sin p / p * p = sin p) by (field; lra). nra.
-Qed.
 
 (** it exists, as h goes from 0 to infinity *)
 Lemma half_ex u : 0 < u -> {p | 0 < p < PI /\ hh p = u}.
@@ -166,7 +156,7 @@ Proof.
   - split; nra.
   - rewrite L1. pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb (2 * p - hh p) ltac:(lra)). unfold ray in *. lra.
   - rewrite L1, L2; auto.
-  - rewrite Lx, L1, L2, E. exact (landing_energy m1 m2 a2 b Hm1 Hm2 Ha2 p Hp).
+  - rewrite E. exact (slip_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 p H Ht Hp HR).
   - fold om amp in St, Sr, Si. set (T :=
     (acos (- / amp (hh (next p) ^ 2)) - acos ((1 - q * depth p) / amp (hh (next p) ^ 2))) / om) in *.
     assert (C : cyc p = 2 * p / o1 + T) by reflexivity. rewrite C.

@@ -78,6 +78,16 @@ Qed.
 Lemma sinc_pos p : 0 < p < PI -> 0 < sin p / p.
 Proof. intros. apply Rdiv_lt_0_compat; [apply sin_gt_0|]; lra. Qed.
 
+(** *** The half slip angle as a function of the exit speed: the inverse of hh *)
+Lemma sin_half p : 0 < p <= PI / 2 -> p / 2 <= sin p.
+Proof.
+  intros Hp. pose proof (sinc_decr p (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q. rewrite sin_PI2 in Q.
+    pose proof PI_4.
+  assert (1 / 2 <= 1 / (PI / 2)).
+  { apply Rmult_le_reg_r with (PI / 2); [lra|]. replace (1 / (PI / 2) * (PI / 2)) with 1 by (field; lra). lra. }
+  assert (sin p / p * p = sin p) by (field; lra). nra.
+Qed.
+
 Section Orbit.
 Variable r : R.
 Hypothesis Hr : 0 < r.

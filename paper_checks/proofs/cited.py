@@ -64,7 +64,7 @@ _FREE: dict[str, tuple[str, str]] = {
     # one slip, one stick
     "follow": ("Slip.follow", "A solution that meets the start of an explicit arc that obeys the law runs along it."),
     "slip-arc": (
-        "Cycle.slip",
+        "Gap.slip",
         r"From the right exit ray at the push $h$ of an angle every solution slips up to that angle, and lands where the closed form says.",
     ),
     "stick-arc": (
