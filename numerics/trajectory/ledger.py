@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.scene.short_repr import ShortRepr
-from numerics.trajectory.dense import Dense, by_pieces, of_rows
-from numerics.trajectory.flow import losses
+from numerics.trajectory.dense import Dense
+from numerics.trajectory.flow import losses, over_rows
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -48,8 +48,7 @@ def losses_of_rows(dense: Dense, rows: range) -> NDArray[Any]:
         for at, (row, length) in enumerate(zip(rows, lengths, strict=True)):
             found[:, at] = dense.motion(row).losses(length)
         return found
-    chosen = np.arange(rows.start, rows.stop)
-    return by_pieces(losses, run, run.row_pieces[chosen], of_rows(run, chosen), lengths)
+    return over_rows(losses, run, np.array(rows), lengths)
 
 
 def ledger_of(dense: Dense) -> EnergyLedger:
