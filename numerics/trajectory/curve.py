@@ -70,7 +70,7 @@ def sampled(trajectory: Rows) -> Curve:
     parts = _parts(radians)
     at = np.repeat(rows, parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
-    since, (local, y) = lengths[at] * share, trajectory.in_binary64
+    since, (local, y) = lengths[at] * share, trajectory.row_numbers
     y, taken = y[:, at] + over_rows(moved, trajectory, at, since), over_rows(losses, trajectory, at, since)[:2]
     u, b = np.zeros(len(at)), np.zeros(len(at))
     for piece in np.unique(pieces):

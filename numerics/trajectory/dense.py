@@ -138,7 +138,7 @@ class Dense:
         if row not in self._motions:
             of = self.of
             start = of.row_times[row], of.row_states[:, row].tolist()
-            self._motions[row] = Moving(self.arithmetic, of.mode(of.row_modes[1][row]), start)
+            self._motions[row] = Moving(self.arithmetic, of.row_mode(of.row_modes[1][row]), start)
         return self._motions[row]
 
     def floats(self, rows: NDArray[np.int64], since: NDArray[Any]) -> NDArray[np.float64]:

@@ -167,11 +167,11 @@ def losses(mode: LinearMode, at: Begun, tau: Floats) -> Floats:
 
 def over_rows(function: Callable[..., Floats], run: Rows, rows: NDArray[np.int64], tau: Floats) -> Floats:
     """Return `moved` or `losses` of a run's motions from its rows on, row by row for a time (s)."""
-    (local, y), found = run.in_binary64, np.zeros((3 if function is losses else 4, len(tau)))
+    (local, y), found = run.row_numbers, np.zeros((3 if function is losses else 4, len(tau)))
     which = run.row_modes[1][rows]
     modes, counts = np.unique(which, return_counts=True)
     parts = np.split(np.argsort(which, kind="stable"), np.cumsum(counts)[:-1])
     for mode, chosen in zip(modes, parts, strict=False):  # of no rows there is one part, and no mode
         at = rows[chosen]
-        found[:, chosen] = function(run.mode(mode), Begun(local[at], y[:, at]), tau[chosen])
+        found[:, chosen] = function(run.row_mode(mode), Begun(local[at], y[:, at]), tau[chosen])
     return found

@@ -73,13 +73,13 @@ class Rows:
         modes, which = np.unique(all_rows, axis=0, return_inverse=True)
         return modes, which.ravel()
 
-    def mode(self, which: int) -> LinearMode:
+    def row_mode(self, which: int) -> LinearMode:
         """Return one of the linear modes in which rows begin."""
         piece, sign, *cell = self.row_modes[0][which].tolist()
         return mode_in(self.scene, self.pieces[piece], sign, (cell[0], cell[1]))
 
     @cached_property
-    def in_binary64(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def row_numbers(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
         local, y = self.columns.numbers("local"), self.row_states
         if self.arithmetic.name == "float64":
