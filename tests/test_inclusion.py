@@ -15,7 +15,7 @@ from strategies import driven_scenes, long_slips, near_critical, scenes, weakene
 from numerics import Law
 from numerics.errors import EventUndecided
 from numerics.scene.file import load_scene
-from numerics.trajectory.derivatives import parameters
+from numerics.trajectory.sensitivity import parameters
 
 KINDS = {
     "free": scenes(),
