@@ -21,7 +21,7 @@ from theory.symbols import a1, a2, b, m1, m2, undamped, v1
 @claim(
     "synchronisation-all-parameters",
     "V",
-    "first bullet",
+    "V, first bullet",
     HOLDS,
     clause(
         "synchronises",
@@ -54,7 +54,7 @@ def synchronisation_all_parameters() -> Case:
 @claim(
     "finite-time-then-alternation",
     "V",
-    "second bullet",
+    "V, second bullet",
     CORRECTED,
     r"""
     Zero convergence of $\dot{z}(t)$ does not take place in a single dynamic mode. A finite time convergence towards a
@@ -158,7 +158,7 @@ def merges_with_a_damper() -> Steps:
 @claim(
     "viscous-accelerates",
     "V",
-    "third bullet",
+    "V, third bullet",
     CORRECTED,
     """
     The viscous damping of the driving body influences the trajectories, but has no principal impact on the
