@@ -26,6 +26,7 @@ from sympy import (
     sqrt,
 )
 
+from theory.linear import root
 from theory.model import branch_named
 from theory.symbols import a1, a2, free, m1, t, total_mass, v1, v1_0, v2_0, x1, x1_0, x2_0
 
@@ -89,10 +90,10 @@ def rates(mode: str, regime: Regime) -> dict[Symbol, Expr]:
 def coefficients(mode: str, regime: Regime) -> dict[Symbol, Expr]:
     """a1 and a2 by the rates: the inverse of ``rates``, polynomial, so that residuals become identities."""
     mass = inertia(mode)
-    damping = Integer(0) if regime is Regime.UNDAMPED else solve(a1 / (2 * mass) - decay, a1)[0]
+    damping = Integer(0) if regime is Regime.UNDAMPED else root(a1 / (2 * mass) - decay, a1)
     squared = {Regime.CRITICAL: Integer(0), Regime.OVERDAMPED: rate**2}.get(regime, -(rate**2))
-    stiffness = solve((discriminant(mode) - (2 * mass * rate) ** 2).subs({a1: damping, rate**2: squared}), a2)
-    return {a1: damping, a2: stiffness[0]}
+    stiffness = root((discriminant(mode) - (2 * mass * rate) ** 2).subs({a1: damping, rate**2: squared}), a2)
+    return {a1: damping, a2: stiffness}
 
 
 def decaying_pair(regime: Regime) -> tuple[Expr, Expr]:
@@ -114,7 +115,7 @@ def solution(mode: str, regime: Regime) -> ModeSolution:
     Raises KeyError for a mode other than "stick", "slip+" and "slip-".
     """
     field = branch_named(mode)
-    rest = solve(free(field.acceleration1).subs(v1, 0), x1)[0]
+    rest = root(free(field.acceleration1).subs(v1, 0), x1)
     first, second = Symbol("C1"), Symbol("C2")
     shape = decaying_pair(regime)
     ansatz = rest + first * shape[0] + second * shape[1]

@@ -17,6 +17,7 @@ from sympy import (
 )
 
 from theory.filippov import STATE, derivative_along, half_width, load_threshold, sliding_field
+from theory.linear import root
 from theory.model import free_system, slip
 from theory.symbols import (
     E0,
@@ -78,7 +79,7 @@ def level_semi_axis() -> Expr:
 @cache
 def critical_energy() -> Expr:
     """E_cr, J: the level whose semi-axis is the half width of S0."""
-    return factor(solve(level_semi_axis() - half_width(), E0)[0])
+    return factor(root(level_semi_axis() ** 2 - half_width() ** 2, E0))
 
 
 @cache
@@ -97,7 +98,7 @@ def edge_speed_squared() -> Expr:
     square = Symbol("v^2", real=True)
     level = on_surface().subs(v1, sqrt(square)).subs(x1, half_width())
     gap = E0 - critical_energy()
-    return cancel(solve(level - E0, square)[0] / gap) * gap
+    return cancel(root(level - E0, square) / gap) * gap
 
 
 @cache
@@ -108,7 +109,7 @@ def arc_speed_terms() -> tuple[Expr, Expr]:
     x1 = -L to the ray l_+, the other from x1 = L to l_-.
     """
     square = Symbol("v^2", real=True)
-    level = solve(on_surface().subs(v1, sqrt(square)) - E0, square)[0]
+    level = root(on_surface().subs(v1, sqrt(square)) - E0, square)
     return edge_speed_squared(), factor(level - edge_speed_squared())
 
 
@@ -121,7 +122,7 @@ def captive_energy() -> Expr:
     """
     speed_axis = sqrt(2 * E0 / diff(on_surface(), v1, 2))
     amplitude = (a2 * level_semi_axis()) ** 2 + (a1 * speed_axis) ** 2
-    return factor(solve(amplitude - load_threshold() ** 2, E0)[0])
+    return factor(root(amplitude - load_threshold() ** 2, E0))
 
 
 def other(quantity: Expr) -> Expr:

@@ -27,11 +27,11 @@ from sympy import (
     rem,
     simplify,
     sin,
-    solve,
     sqrt,
 )
 
 from theory.closed_forms import Regime, rate, rates, solution
+from theory.linear import root
 from theory.scaling import canonical_pair, excess
 from theory.symbols import V1, V2, X, epsilon, h_value, overshoot, q, r, t, theta, v1_0, v2_0, x1_0
 
@@ -39,6 +39,7 @@ angle = Symbol("phi", positive=True)  # half slip angle theta/2, in (0, pi)
 half_tangent = Symbol("k", real=True)  # tan(theta/2)
 
 
+@cache
 def half_tangent_form(expression: Expr) -> Expr:
     """An expression in theta, sin theta, cos theta as a reduced fraction in theta and k = tan(theta/2).
 
@@ -47,7 +48,7 @@ def half_tangent_form(expression: Expr) -> Expr:
     """
     k = half_tangent
     circle = {sin(theta): 2 * k / (1 + k**2), cos(theta): (1 - k**2) / (1 + k**2)}
-    return factor(expand_trig(expression).subs(circle, simultaneous=True))
+    return factor(expand_trig(expression).xreplace(circle))
 
 
 def on_circle(expression: Expr) -> Expr:
@@ -103,7 +104,7 @@ def h() -> Expr:
 
     Solved from the guard: h is the value of u for which it vanishes.
     """
-    return solve(slip_from_ray().guard, epsilon)[0] / sqrt(q)
+    return root(guard_of_u(), h_value)
 
 
 @cache

@@ -20,9 +20,9 @@ from sympy import (
     Symbol,
     diff,
     factor,
-    solve,
 )
 
+from theory.linear import root
 from theory.model import slip
 from theory.symbols import a1, a2, distance, lower, undamped, upper, v1, v2, x1
 
@@ -60,7 +60,7 @@ def transversality(sign: int, damped: bool = False) -> Expr:
 @cache
 def half_width() -> Expr:
     """Half width L of S0, m: where Phi_- . n_S vanishes (a1 = 0)."""
-    return factor(solve(transversality(-1), x1)[0])
+    return factor(root(transversality(-1), x1))
 
 
 @cache
@@ -68,7 +68,7 @@ def load_threshold() -> Expr:
     """The load a2 L at which adhesion gives way, N; the same with and without damping."""
     load_symbol = Symbol("p", real=True)
     product = transversality(-1, damped=True).subs(x1, (load_symbol - a1 * v1) / a2)
-    return factor(solve(product, load_symbol)[0])
+    return factor(root(product, load_symbol))
 
 
 def load(damped: bool = False) -> Expr:
@@ -125,7 +125,7 @@ def manifest_signs(damped: bool = False) -> dict[tuple[str, int], Expr]:
         ("sliding", -1): edge * (1 - 2 * lower),
     }
     position = Symbol("x", real=True)
-    at = solve(load(damped) - a2 * position, x1)[0]
+    at = root(load(damped) - a2 * position, x1)
     return {
         (part, sign): factor(transversality(sign, damped).subs(x1, at.subs(position, place)))
         for (part, sign), place in places.items()
@@ -137,7 +137,7 @@ def sliding_weight(damped: bool = False) -> Expr:
     """Weight alpha of Phi_+ for which alpha Phi_+ + (1 - alpha) Phi_- is tangent to S; dimensionless."""
     alpha = Symbol("alpha", real=True)
     tangency = alpha * transversality(1, damped) + (1 - alpha) * transversality(-1, damped)
-    return factor(solve(tangency, alpha)[0])
+    return factor(root(tangency, alpha))
 
 
 @cache

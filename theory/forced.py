@@ -16,13 +16,13 @@ from sympy import (
     factor,
     factorial,
     sin,
-    solve,
     sqrt,
     symbols,
 )
 
 from theory.energy import energy, inner_product, other, sigma
 from theory.filippov import STATE, derivative_along
+from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, free_system, slip, stick
 from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, v2, x1, x1_other
 
@@ -64,7 +64,7 @@ def held_at_the_limit() -> Expr:
     path = reference(1).subs({x1: 0, v1: 0})
     along = {x1: path, v1: diff(path, t)}
     balance = stick().acceleration1.subs(along, simultaneous=True) - diff(path, t, 2)
-    return solve(balance, u)[0].subs(CASE_STUDY).subs(b, Rational(1, 2))
+    return root(balance, u).subs(CASE_STUDY).subs(b, Rational(1, 2))
 
 
 @cache
@@ -85,6 +85,7 @@ def tie_derivative(sign: int, order: int) -> Expr:
     return diff(imbalance(sign).subs(u, jet(order)), t, order).subs(t, 0)
 
 
+@cache
 def deviation_force(mode: str, sign: int) -> Expr:
     """I y'' + a1 y' + a2 y, N, for the place y of body 1 beside the reference in a mode of inertia I: it is p(t)."""
     place = reference(sign)
@@ -181,12 +182,12 @@ def undamped_difference() -> tuple[Expr, Expr]:
 def breaking_damping() -> Expr:
     """The damping, N s/m, at which the stuck pair needs all of the friction at x1 = 0 and v1 > 0."""
     needed = load().subs({u: 0, x1: 0})
-    return factor(solve(needed + b, a1)[0])
+    return factor(root(needed + b, a1))
 
 
 @cache
 def creeping_load() -> Expr:
     """a2 x1 + a1 v1, N, on which a heavily damped body 1 settles in slip of sign sigma: where its acceleration is 0."""
     p = Symbol("p", real=True)
-    acceleration = (m1 * free_system(sigma)[1]).subs(x1, solve(load().subs(u, 0) + m2 * p / total_mass(), x1)[0])
-    return solve(acceleration, p)[0]
+    acceleration = (m1 * free_system(sigma)[1]).subs(x1, root(load().subs(u, 0) + m2 * p / total_mass(), x1))
+    return root(acceleration, p)

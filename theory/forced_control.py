@@ -24,6 +24,7 @@ from sympy import (
 from theory.energy import metric, slip_rate
 from theory.filippov import STATE, guard
 from theory.forced_response import decline, natural, swing
+from theory.linear import root
 from theory.model import slip, stick
 from theory.scaling import stick_frequency
 from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v2_0, x1, x1_0, x2_0
@@ -55,7 +56,7 @@ def followed_start() -> tuple[Expr, Expr]:
     place, speed = Symbol("p_0", real=True), Symbol("p_1", real=True)
     gained = integrate(integrate(r_acceleration, t), t)
     apart = x2_0 + v2_0 * t + gained - (place + speed * t + r_acceleration * t**2 / 2)
-    at_start = {place: solve(apart.subs(t, 0), place)[0], speed: solve(diff(apart, t).subs(t, 0), speed)[0]}
+    at_start = {place: root(apart.subs(t, 0), place), speed: root(diff(apart, t).subs(t, 0), speed)}
     return at_start[place], at_start[speed]
 
 
@@ -69,7 +70,7 @@ def stuck_offset() -> Expr:
 def stuck_force() -> Expr:
     """The force, N, under which the stuck pair has a place, velocity and acceleration: that of the reference."""
     along = {x1: r_place, v1: r_speed}
-    return solve(stick().acceleration1.subs(along, simultaneous=True) - r_acceleration, u)[0].expand()
+    return root(stick().acceleration1.subs(along, simultaneous=True) - r_acceleration, u).expand()
 
 
 @cache
@@ -81,7 +82,7 @@ def farthest() -> Expr:
     turn = Symbol("s", positive=True)
     first = strongest() * t
     second = first.subs(t, turn) - strongest() * (t - turn)
-    switch = solve(second.subs(t, duration) - velocity_gain, turn)[0]
+    switch = root(second.subs(t, duration) - velocity_gain, turn)
     place = integrate(first, (t, 0, turn)) + integrate(second, (t, turn, duration))
     return simplify(place.subs(turn, switch))
 
@@ -133,13 +134,13 @@ def stuck_amplitudes() -> tuple[Expr, Expr, Expr]:
     at_turn = transfer_force(True).subs(t, turn).expand()
     at_rest = stuck_force().subs({r_place: path, r_speed: 0, r_acceleration: 0})
     late = transfer_force(False)
-    return at_turn, at_rest, late.subs(t, solve(diff(late, t), t)[0]).expand()
+    return at_turn, at_rest, late.subs(t, root(diff(late, t), t)).expand()
 
 
 @cache
 def late_peak() -> Expr:
     """a2^2 D - a1^2 b/m2, (N/s)^2 kg: at least zero where the force of the second half has its highest point inside."""
-    before = solve(diff(transfer_force(False), t), t)[0]
+    before = root(diff(transfer_force(False), t), t)
     return factor(((least_time() / 2) ** 2 - before**2) * a2**2 * strongest()).expand()
 
 
@@ -160,7 +161,7 @@ def slipping_amplitude() -> Expr:
     """The least amplitude with which body 2 arrives in the least time, N, by g(tau): v1 is v2 at tau."""
     g = Symbol("g", positive=True)
     reached = (strength - b) * g
-    return solve(reached - strongest() * half_time, strength)[0].expand()
+    return root(reached - strongest() * half_time, strength).expand()
 
 
 @cache
@@ -178,7 +179,7 @@ def switching() -> tuple[Expr, Expr]:
     In units of U/a2: about 1 from (0, 0) and about -1 into (d, 0), circles that meet at one place.
     """
     place = Symbol("X", real=True)
-    meets = solve((1 - (place - 1) ** 2) - ((1 + reduced) ** 2 - (place + 1) ** 2), place)[0]
+    meets = root((1 - (place - 1) ** 2) - ((1 + reduced) ** 2 - (place + 1) ** 2), place)
     return acos((1 - meets).expand()), acos(together((meets + 1) / (1 + reduced)))
 
 

@@ -28,6 +28,7 @@ from sympy import (
 )
 
 from theory.forced import load
+from theory.linear import root
 from theory.model import slip, stick
 from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1
 
@@ -52,11 +53,11 @@ square_place, square_speed = Symbol("h", real=True), Symbol("h'", real=True)
 @cache
 def rates() -> tuple[Expr, Expr]:
     """(lambda, omega_d), 1/s, of body 1 on its spring and damper: its motion has the roots -lambda +- i omega_d."""
-    root = Symbol("rho")
-    acceleration = slip(1).acceleration1.subs({x1: 1, v1: root, u: 0, b: 0}, simultaneous=True)
-    first, second = solve(root**2 - acceleration, root)
-    half = expand((first + second) / 2)
-    return -half, sqrt(expand(first * second) - half**2)
+    rate = Symbol("rho")
+    acceleration = slip(1).acceleration1.subs({x1: 1, v1: rate, u: 0, b: 0}, simultaneous=True)
+    quadratic = expand(rate**2 - acceleration)
+    half = quadratic.coeff(rate, 1) / 2
+    return half, sqrt(quadratic.coeff(rate, 0) - half**2)
 
 
 def left_after_half() -> Expr:
@@ -90,7 +91,7 @@ def size_squared(impedance: Expr) -> Expr:
 def entrained_amplitude() -> Expr:
     """U*, N: the amplitude at which the stuck response needs all of the friction, omega^2 |x1| = b/m2."""
     place = amplitude / sqrt(size_squared(stuck_impedance()))
-    return solve(m2 * omega**2 * place - b, amplitude)[0]
+    return root(m2 * omega**2 * place - b, amplitude)
 
 
 @cache
@@ -103,7 +104,7 @@ def harmonic_amplitude() -> Expr:
     phi, share = Symbol("phi", real=True), Symbol("epsilon", positive=True)
     curve = cos(phi) - share * cos(multiple * phi)
     place = pi / (2 * multiple)
-    flat = solve(diff(curve, phi).subs(phi, place), share)[0]
+    flat = root(diff(curve, phi).subs(phi, place), share)
     return 1 / curve.subs(phi, place).subs(share, flat)
 
 
@@ -202,7 +203,7 @@ def short_slip() -> tuple[Expr, Expr]:
     """
     load_rate = Symbol(r"\dot{\Lambda}", real=True)
     rate = (slip(1).acceleration1 - slip(1).acceleration2).subs(
-        x1, solve(load() - b - load_rate * t, x1)[0], simultaneous=True
+        x1, root(load() - b - load_rate * t, x1), simultaneous=True
     )
     return expand(rate.subs(t, 0)), expand(diff(rate, t))
 
@@ -226,7 +227,7 @@ def mean_absolute_cosine() -> Expr:
 @cache
 def resonant_amplitude() -> Expr:
     """The Fourier amplitude, N, at which the force gives as much as friction can take at most: U/2 = b mean |cos|."""
-    return solve(amplitude / 2 - b * mean_absolute_cosine(), amplitude)[0]
+    return root(amplitude / 2 - b * mean_absolute_cosine(), amplitude)
 
 
 @cache

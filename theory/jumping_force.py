@@ -6,9 +6,10 @@ and then repeats with the opposite sign. All members of the family slip and stic
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Symbol, atan, cos, diff, expand, expand_trig, pi, sin, solve, sqrt
+from sympy import Expr, ImmutableMatrix, Symbol, atan, cos, diff, expand, expand_trig, pi, sin, sqrt
 
 from theory.forced import distance_squared, load
+from theory.linear import root
 from theory.model import slip, stick
 from theory.symbols import a1, a2, b, m1, m2, t, u, v1, v1_other, v2, v2_other, x1, x1_other
 
@@ -34,7 +35,7 @@ def _acceleration(mode: str, force: Expr | int) -> Expr:
 def _rest_and_rate(mode: str, force: Expr | int) -> tuple[Expr, Expr]:
     """Return the place (m) about which body 1 swings in a mode under a constant force, and its rate (1/s)."""
     acceleration = _acceleration(mode, force)
-    return solve(acceleration, x1)[0], sqrt(-diff(acceleration, x1))
+    return root(acceleration, x1), sqrt(-diff(acceleration, x1))
 
 
 def path(mode: str, force: Expr | int, start: ImmutableMatrix) -> ImmutableMatrix:
@@ -51,7 +52,7 @@ def exit_state() -> ImmutableMatrix:
     place = Symbol("x", real=True)
     start = ImmutableMatrix([place, speed, speed])
     end = path("slip", PUSH, start).subs(t, SLIP_TIME)
-    return start.subs(place, solve(end[1] - end[2], place)[0])
+    return start.subs(place, root(end[1] - end[2], place))
 
 
 @cache
@@ -84,7 +85,7 @@ def relative_velocity() -> Expr:
 def slowest_and_fastest() -> tuple[Expr, Expr]:
     """The speeds, m/s, between which a member leaves its stick at the jump: the load is b after it, or before it."""
     before, after, _ = loads()
-    return solve(after - PAIR[b], speed)[0], solve(before - PAIR[b], speed)[0]
+    return root(after - PAIR[b], speed), root(before - PAIR[b], speed)
 
 
 def apart_squared() -> Expr:

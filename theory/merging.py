@@ -7,9 +7,10 @@ dimensionless, and hold for 0 < phi < pi.
 
 from functools import cache
 
-from sympy import Expr, Symbol, cos, diff, expand, factor, sin, solve, sqrt
+from sympy import Expr, Symbol, cos, diff, expand, factor, sin, sqrt
 
 from theory.excursion import angle, half_tangent_form
+from theory.linear import root
 from theory.symbols import h_value, theta
 
 share = Symbol("r", positive=True)  # m2/(m1 + m2), here independent of q: the statements are for every value in (0, 1)
@@ -95,7 +96,7 @@ def critical_share() -> Expr:
 @cache
 def critical_mass_ratio() -> Expr:
     """m1/m2 = (1 - r*)/r* at the threshold: -cos(2 phi*), the slip angle's own cosine."""
-    return factor(solve(share * (1 + h_value) - 1, h_value)[0].subs(share, critical_share()))
+    return factor(root(share * (1 + h_value) - 1, h_value).subs(share, critical_share()))
 
 
 @cache

@@ -6,10 +6,11 @@ physical.
 """
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 
 from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Rational, S, factor, solve
 
+from theory.linear import root
 from theory.symbols import a1, a2, acceleration1, acceleration2, b, free, m1, m2, sgn, u, v1, v2, x1
 
 RELATIVE_SIGN = sgn(v1 - v2)
@@ -47,17 +48,17 @@ class Branch:
     acceleration1: Expr
     acceleration2: Expr
 
-    @property
+    @cached_property
     def force_on_first(self) -> Expr:
         """The interface force on body 1, N: what Newton's law leaves after spring, damper and control."""
         return factor(m1 * self.acceleration1 + a1 * v1 + a2 * x1 - u)
 
-    @property
+    @cached_property
     def force_on_second(self) -> Expr:
         """The interface force on body 2, N: no other force acts on it."""
         return factor(m2 * self.acceleration2)
 
-    @property
+    @cached_property
     def force_imbalance(self) -> Expr:
         """Sum of both interface forces, N: zero exactly where they are equal and opposite."""
         return factor(self.force_on_first + self.force_on_second)
@@ -145,8 +146,8 @@ def case_study_closed_form() -> tuple[Expr, Expr]:
     The second keeps x1'' as a symbol, as eq (12) does.
     """
     kept = {STICTION_SIGN: Integer(-1)}
-    first = solve(driving_equation().subs(CASE_STUDY), acceleration1)[0]
-    second = solve(driven_equation().subs(kept).subs(CASE_STUDY), acceleration2)[0]
+    first = root(driving_equation().subs(CASE_STUDY), acceleration1)
+    second = root(driven_equation().subs(kept).subs(CASE_STUDY), acceleration2)
     return factor(first), second
 
 

@@ -14,7 +14,7 @@ from theory.closed_forms import Regime, rate, rates, solution
 from theory.energy import critical_energy
 from theory.excursion import displacement_of_angle, excursion, h, next_excess
 from theory.filippov import at_edge
-from theory.power_series import taylor
+from theory.power_series import composed, reverted, taylor
 from theory.scaling import canonical_pair, excess, half_width, stick_frequency, to_si
 from theory.symbols import V1, V2, X, epsilon, q, t, theta, v1_0, w, x1, x1_0
 
@@ -29,29 +29,14 @@ def truncate(expression: Expr, variable: Symbol, order: int) -> Expr:
 
 @cache
 def slip_angle(order: int = ORDER) -> Expr:
-    """theta(epsilon): the reversion of h(theta) = epsilon/sqrt(q), dimensionless.
-
-    Solved by iterating theta -> theta - (h(theta) - u)/h'(0); each pass settles one more order.
-    """
-    polynomial = taylor(h(), theta, order)
-    slope = polynomial.coeff(theta, 1)
-    angle = Integer(0)
-    for _ in range(order):
-        angle = truncate(angle - (compose(polynomial, angle, order) - epsilon / sqrt(q)) / slope, epsilon, order)
-    return angle
-
-
-def compose(polynomial: Expr, inner: Expr, order: int) -> Expr:
-    """A polynomial in theta at theta = inner, a polynomial in epsilon, below epsilon**order (Horner)."""
-    value = Integer(0)
-    for power in reversed(range(order)):
-        value = truncate(value * inner + polynomial.coeff(theta, power), epsilon, order)
-    return value
+    """theta(epsilon): the reversion of h(theta) = epsilon/sqrt(q), dimensionless."""
+    return in_speed(theta, order)
 
 
 def in_speed(expression: Expr, order: int = ORDER) -> Expr:
     """A closed form in theta as a series in epsilon below epsilon**order."""
-    return compose(taylor(expression, theta, order), slip_angle(order), order)
+    coefficients = reverted(h(), theta, order, expression)
+    return sum((expand(one / sqrt(q) ** n) * epsilon**n for n, one in enumerate(coefficients)), Integer(0))
 
 
 @dataclass(frozen=True)
@@ -90,7 +75,7 @@ def angle_of(cosine: Expr, sine: Expr, order: int) -> Expr:
     """
     first = atan2(sine.subs(epsilon, 0), cosine.subs(epsilon, 0))
     rest = expand(sine * cos(first) - cosine * sin(first))
-    return first + taylor(asin(theta), theta, order).subs(theta, rest)
+    return first + composed(asin(epsilon), epsilon, order, rest)
 
 
 @cache
@@ -99,10 +84,12 @@ def cycle(order: int = ORDER) -> CycleSeries:
     one = excursion()
     position, velocity = in_speed(one.position, order), in_speed(one.velocity, order)
     excess_after = in_speed(next_excess(), order)
-    speed_after = taylor(epsilon * sqrt(expand(excess_after / epsilon**2)), epsilon, order - 1)
+    speed_after = expand(
+        epsilon * composed(sqrt(1 + epsilon), epsilon, order - 2, expand(excess_after / epsilon**2) - 1)
+    )
     state = {x1_0: position, v1_0: velocity, epsilon: speed_after}
     cosine, sine = (taylor(part.subs(state, simultaneous=True), epsilon, order - 1) for part in stick_rotation())
-    stick = truncate(angle_of(cosine, sine, order - 1), epsilon, order - 1)
+    stick = angle_of(cosine, sine, order - 1)
     slip = sqrt(q) * slip_angle(order)
     return CycleSeries(
         slip_angle=slip_angle(order),
@@ -132,7 +119,7 @@ def quadratic_coefficient() -> Expr:
 @cache
 def cycle_limit() -> Expr:
     """Limit of the reduced duration of slip plus stick as w -> 0."""
-    return limit(cycle().cycle_duration, epsilon, 0)
+    return cycle().cycle_duration.subs(epsilon, 0)
 
 
 @cache
@@ -177,12 +164,12 @@ def critical_limits() -> CriticalLimits:
     length, frequency = half_width(), stick_frequency()
     speed = length * frequency
     return CriticalLimits(
-        stick_duration=limit(found.stick_duration, epsilon, 0) / frequency,
-        slip_duration=limit(found.slip_duration, epsilon, 0) / frequency,
+        stick_duration=found.stick_duration.subs(epsilon, 0) / frequency,
+        slip_duration=found.slip_duration.subs(epsilon, 0) / frequency,
         exit_position=at_edge(x1, 1),
-        exit_velocity=limit(exit_speed(), w, 0) * speed,
-        entry_position=limit(found.position, epsilon, 0) * length,
-        entry_velocity=limit(found.velocity, epsilon, 0) * speed,
+        exit_velocity=exit_speed().subs(w, 0) * speed,
+        entry_position=found.position.subs(epsilon, 0) * length,
+        entry_velocity=found.velocity.subs(epsilon, 0) * speed,
     )
 
 

@@ -35,6 +35,32 @@ def taylor(expression: Expr, variable: Symbol, order: int) -> Expr:
     return expand(series(expression, variable, 0, order).removeO()) if found is None else found
 
 
+def reverted(inner: Expr, variable: Symbol, order: int, outer: Expr) -> list[Expr]:
+    """Coefficients below u**order of `outer`, where u = `inner`, which is 0 at 0, with a slope, and rational: exact.
+
+    The coefficient of u^n is that of x^(n - 1) in outer'(x) (x/inner(x))^n/n (Lagrange).
+    """
+    given, slopes = taylor(inner, variable, order + 1), taylor(outer, variable, order)
+    bottom = [QQ.from_sympy(given.coeff(variable, n + 1)) for n in range(order)]
+    quotient = _divided([QQ(1), *[QQ(0)] * (order - 1)], bottom, order)
+    power, found = quotient, [slopes.coeff(variable, 0)]
+    for n in range(1, order):
+        terms = (QQ.to_sympy(power[n - k] * k / n) * slopes.coeff(variable, k) for k in range(1, n + 1))
+        found.append(expand(sum(terms, Integer(0))))
+        power = _product(power, quotient)
+    return found
+
+
+def composed(outer: Expr, variable: Symbol, order: int, inner: Expr) -> Expr:
+    """Taylor polynomial below variable**order of `outer` at `inner`, a polynomial in the variable that is 0 at 0."""
+    argument, end = Poly(inner, variable, field=True), Poly(variable**order, variable)
+    coefficients = taylor(outer, variable, order)
+    value = Poly(0, variable, domain=argument.domain)
+    for power in reversed(range(order)):
+        value = (value * argument + coefficients.coeff(variable, power)).rem(end)
+    return sum((expand(one) * variable**n for (n,), one in reversed(value.terms())), Integer(0))
+
+
 def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
     sine, cosine = Dummy("sine"), Dummy("cosine")
     roots = {one: Dummy(one.name, positive=True) for one in expression.free_symbols - {variable} if one.is_positive}

@@ -16,7 +16,7 @@ from functools import cache
 from sympy import Expr, Integer, Rational, Symbol, cos, cot, diff, expand, sin, sqrt
 
 from theory.excursion import excursion, h, half_tangent_form, slip_from_outside
-from theory.power_series import taylor
+from theory.power_series import reverted
 from theory.scaling import excess
 from theory.symbols import V1, V2, X, epsilon, overshoot, q, r, theta
 
@@ -134,22 +134,10 @@ def return_map_slope_residual() -> Expr:
 def depth_series(order: int) -> tuple[Rational, ...]:
     """Coefficients of c as a power series in y = h^2, c_1 y + c_2 y^2 + ... + c_order y^order; exact rationals.
 
-    c'(theta) = h gives dc/dy = 1/(2 h'); both sides are even in theta, and y(theta) is inverted term by term.
+    c is even in theta, and so in u = h(theta).
     """
-    terms = 2 * order + 2
-    squared, deep = (taylor(one, theta, terms) for one in (h() ** 2, in_trigonometry(depth())))
-    remainder, coefficients = deep, []
-    power = Integer(1)
-    for n in range(1, order + 1):
-        power = _truncate(expand(power * squared), terms)
-        lead = remainder.coeff(theta, 2 * n) / power.coeff(theta, 2 * n)
-        coefficients.append(Rational(lead))
-        remainder = expand(remainder - lead * power)
-    return tuple(coefficients)
-
-
-def _truncate(expression: Expr, order: int) -> Expr:
-    return sum((expression.coeff(theta, n) * theta**n for n in range(order)), Integer(0))
+    coefficients = reverted(h(), theta, 2 * order + 1, in_trigonometry(depth()))
+    return tuple(map(Rational, coefficients[2::2]))
 
 
 @cache

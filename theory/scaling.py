@@ -6,10 +6,11 @@ For a1 = 0 one parameter is left, the mass fraction q = m1/M; with a1 > 0 the da
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, simplify, solve, sqrt, together
+from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, simplify, sqrt, together
 
 from theory.energy import critical_energy, energy, slip_rate
 from theory.filippov import load_threshold, phi, sliding_field
+from theory.linear import root
 from theory.symbols import V1, V2, X, a1, a2, b, m1, m2, q, r, total_mass, undamped, v1, v2, x1, zeta
 
 # Units of the reduced coordinates as free symbols: length (m), frequency (rad/s), mass (kg).
@@ -38,9 +39,9 @@ def damping_ratio() -> Expr:
 def parameters() -> dict[Symbol, Expr]:
     """SI parameters by reduced ones and units: m1, m2, a2, b, a1 by q, zeta, M, Omega, L (exact)."""
     masses = {m1: q * M, m2: r * M}
-    stiffness = solve(stick_frequency() - Omega, a2)[0].subs(masses)
-    force = solve((half_width() - L).subs(masses), b)[0].subs(a2, stiffness)
-    viscosity = solve(damping_ratio() - zeta, a1)[0].subs(masses).subs(a2, stiffness)
+    stiffness = root(stick_frequency() ** 2 - Omega**2, a2).subs(masses)
+    force = root((half_width() - L).subs(masses), b).subs(a2, stiffness)
+    viscosity = root(damping_ratio() - zeta, a1).subs(masses).subs(a2, stiffness)
     return {**masses, a2: together(stiffness), b: together(force), a1: together(viscosity)}
 
 

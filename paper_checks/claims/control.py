@@ -128,7 +128,7 @@ def target_or_set_point() -> Case:
     ),
     clause(
         "literal",
-        r"Under (3)–(4) a pair that sticks follows exactly those references with $|\ddot x_{\mathrm{ref}}|<b/m_2$ at almost all times.",
+        r"Under (3)–(4) a pair that sticks follows exactly those of them with $|\ddot x_{\mathrm{ref}}|<b/m_2$ at almost all times.",
     ),
     clause(
         "sticks",

@@ -14,6 +14,7 @@ from paper_checks.claims.signum import none_under_control, under_a_force
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
 from theory.filippov import load, load_threshold, phi, sliding_field
+from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, branches, case_study_mode, slip
 from theory.symbols import b, free, m2, x1
 
@@ -29,7 +30,7 @@ def _half() -> sp.Expr:
 def _stick_bound() -> Decide:
     """Return how the bound of x2'' in stick is decided, for a1 >= 0 and the load p = a2 x1 + a1 v1 on S0."""
     force = sp.Symbol("p", real=True)
-    pull = sp.solve(load(damped=True) - force, x1)[0]
+    pull = root(load(damped=True) - force, x1)
 
     def loaded() -> list[sp.Basic]:
         threshold, width = sp.fraction(load_threshold())
@@ -184,7 +185,7 @@ def two_descriptions() -> Case:
 def acceleration_bound() -> Case:
     """Bound x2'' in every mode, and read the sentence literally."""
     slipping, literal = case_study_mode(1), case_study_mode(0)
-    unloaded = {**EXAMPLE_PAIR, x1: sp.solve(slipping[0], x1)[0].subs(EXAMPLE_PAIR)}
+    unloaded = {**EXAMPLE_PAIR, x1: root(slipping[0], x1).subs(EXAMPLE_PAIR)}
     rest = [one for one in branches() if one.name in ("half adhesion", "broken adhesion")]
     return because(
         r"""

@@ -7,6 +7,7 @@ from paper_checks.claims.points import PULL, START_AT_6MM
 from paper_checks.claims.words import *
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import stick_rate
+from theory.linear import root
 from theory.model import (
     CASE_STUDY,
     RELATIVE_SIGN,
@@ -47,8 +48,8 @@ def printed_reduction() -> sp.Matrix:
 def derived_reduction() -> sp.Matrix:
     """Return the same from (3), (4) with unit masses, a1 = u = 0, a2 = 200, the second sign of (4) kept."""
     values = {RELATIVE_SIGN: s, STICTION_SIGN: bracket_sign}
-    first = sp.solve(driving_equation().subs(values).subs(CASE_STUDY), acceleration1)[0]
-    second = sp.solve(driven_equation().subs(values).subs(CASE_STUDY), acceleration2)[0]
+    first = root(driving_equation().subs(values).subs(CASE_STUDY), acceleration1)
+    second = root(driven_equation().subs(values).subs(CASE_STUDY), acceleration2)
     return sp.Matrix([first, second])
 
 

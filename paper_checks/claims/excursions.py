@@ -18,6 +18,7 @@ from paper_checks.claims.words import *
 from theory.energy import critical_energy
 from theory.excursion import angle, excursion, guard_of_u, h, h_limits, h_slope, half_angle_slope, half_tangent_form
 from theory.near_critical import cycle_limit, inverse_step, quadratic_coefficient, rate_constant
+from theory.power_series import taylor
 from theory.rate_bounds import no_merging_excess
 from theory.return_map import (
     depth,
@@ -90,7 +91,7 @@ def never_merges() -> Steps:
         vanishes(r"$c'=h>0$: the depth grows with the angle", depth_slope_residual()),
         identity(
             r"from $c\to 0$ as $\theta\to 0$ to $c(\pi)=2$",
-            [sp.limit(depth(), theta, 0), depth().subs(theta, sp.pi)],
+            [taylor(in_trigonometry(depth()), theta, 1), depth().subs(theta, sp.pi)],
             [0, 2],
         ),
         vanishes(

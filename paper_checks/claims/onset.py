@@ -13,6 +13,7 @@ from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solve
 from theory.closed_forms import Regime, rate, rates, residual, solution
 from theory.energy import critical_energy, edge_speed_squared, energy, on_surface, slip_rate, stick_rate
 from theory.filippov import derivative_along, edge_contact, half_width
+from theory.linear import root
 from theory.model import CASE_STUDY, case_study_mode, slip, stick
 from theory.symbols import E0, a2, b, free, m1, m2, undamped, v1, v2, x1
 
@@ -233,7 +234,7 @@ DRIVEN = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("-0.1"), v2: sp.Rational("-0.2"
 
 def amplitude_squared(sign: int) -> sp.Expr:
     """Return the squared amplitude of body 1 about its rest position in slip, m^2."""
-    rest = sp.solve(case_study_mode(sign)[0], x1)[0]
+    rest = root(case_study_mode(sign)[0], x1)
     stiffness = -sp.diff(case_study_mode(sign)[0], x1)
     return (x1 - rest) ** 2 + v1**2 / stiffness
 

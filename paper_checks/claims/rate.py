@@ -18,6 +18,7 @@ from paper_checks.claims.slips import depth_grows, landings, rise_is_convex
 from paper_checks.claims.words import *
 from theory.excursion import excursion, h, half_tangent_form
 from theory.near_critical import stick_rotation
+from theory.power_series import taylor
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
@@ -29,7 +30,7 @@ def depth_over_excess() -> Evidence:
     """The limit of c/y at the ray's end."""
     return identity(
         r"$c/y\to\tfrac{3}{2}$ as $y\to 0$",
-        [sp.limit(sp.simplify(in_trigonometry(depth_of_angle()) / h() ** 2), theta, 0), depth_series(7)[0]],
+        [taylor(in_trigonometry(depth_of_angle()) / h() ** 2, theta, 1), depth_series(7)[0]],
         [sp.Rational(3, 2)] * 2,
     )
 

@@ -20,8 +20,8 @@ ORDER = 20
 
 
 ARCS = 64
-NEAR, WIDE, LONG = 200, 32, 48
-"""Boxes of p near 0, and of p and of the angle beyond."""
+RIMS, NEAR, WIDE, LONG = 25, 8, 32, 48
+"""Boxes of p on the rim, parts of each near 0, and boxes of p and of the angle beyond."""
 
 
 TERMS = 60
@@ -125,23 +125,27 @@ def near() -> Near:
         return Near(plain(arb_series([0, 1])), tuple(on_rim(theta) for theta in _rim()))
 
 
-def near_zero(quotient: Quotient, slips: Near, p: arb) -> arb:
-    """Enclose a quotient for slip angles up to SPLIT: Taylor polynomial, and the rest by Cauchy's estimate on the rim."""
-    with terms(ORDER + 12):
-        above, below = quotient(slips.series, arb_series([p]))
-        series = _shifted(above, ZEROS[quotient]) / _shifted(below, ZEROS[quotient])
-        coefficients = [series[n] for n in range(0, ORDER, 2)]
+def rest(quotient: Quotient, slips: Near, p: arb) -> arb:
+    """Bound what a quotient's Taylor polynomial leaves out for slip angles up to SPLIT: Cauchy's estimate on the rim."""
     top = arb(0)
     for slip in slips.rim:
         over, under = quotient(slip, acb(p))
         top = top.max(abs(over / under).upper())
     share = (point(SPLIT) / point(RIM)) ** 2
-    rest = top * share ** (ORDER // 2) / (1 - share)
+    return (top * share ** (ORDER // 2) / (1 - share)).upper()
+
+
+def near_zero(quotient: Quotient, slips: Near, p: arb, missed: arb) -> arb:
+    """Enclose a quotient for slip angles up to SPLIT: its Taylor polynomial, and what that leaves out."""
+    with terms(ORDER + 12):
+        above, below = quotient(slips.series, arb_series([p]))
+        series = _shifted(above, ZEROS[quotient]) / _shifted(below, ZEROS[quotient])
+        coefficients = [series[n] for n in range(0, ORDER, 2)]
     square = arb(0).union(point(SPLIT) ** 2)
     value = arb(0)
     for one in reversed(coefficients):
         value = value * square + one
-    return value + arb(0, rest.upper())
+    return value + arb(0, missed)
 
 
 class Beyond(NamedTuple):
@@ -203,8 +207,10 @@ def ranges() -> tuple[tuple[arb, arb], tuple[arb, arb]]:
 
 def _values(quotient: Quotient) -> Iterator[arb]:
     slips = near()
-    for p in _pieces(arb(0), arb(1), NEAR):
-        yield near_zero(quotient, slips, p)
+    for wide in _pieces(arb(0), arb(1), RIMS):  # what is left out is small: wider boxes do for it
+        missed = rest(quotient, slips, wide)
+        for p in _pieces(wide.lower(), wide.upper(), NEAR):
+            yield near_zero(quotient, slips, p, missed)
     for theta in _pieces(point(SPLIT), arb.pi() / 2, LONG):
         yield from _refined(quotient, theta, list(_pieces(arb(0), arb(1), WIDE)), 3)
 

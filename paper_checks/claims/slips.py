@@ -17,6 +17,7 @@ from paper_checks.claims.words import *
 from paper_checks.decide.balls import precision, shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import guard_factors, h, half_tangent_form
+from theory.linear import root
 from theory.return_map import (
     contact_condition,
     contact_slope,
@@ -206,7 +207,7 @@ def first_factor_positive() -> Evidence:
 
 def _crossing_depth() -> sp.Expr:
     """Return the depth at which a slip from a ray ends at the other edge, X' = -1."""
-    return sp.solve(1 + q * landing().gap.subs({gap: 0, depth(): C}) + 1, C)[0]
+    return root(1 + q * landing().gap.subs({gap: 0, depth(): C}) + 1, C)
 
 
 def _turning_angle() -> arb:
@@ -239,7 +240,7 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
         $v_1<v_2$ (and $\nu>0$ if $d=0$), ends at the one angle $\theta=\sqrt{a/m_1}\,t\in(0,2\pi)$ with «contact»,
         «rise».
         """,
-        contact=in_angle(r"\nu", H - gap * sp.cot(theta / 2), lambda: sp.solve(contact_condition(), push)[0]),
+        contact=in_angle(r"\nu", H - gap * sp.cot(theta / 2), lambda: root(contact_condition(), push)),
         rise=equal("h", (theta - sp.sin(theta)) / (1 - sp.cos(theta)), h),
     ),
     clause(

@@ -115,7 +115,7 @@ def off_the_place() -> Steps:
         ),
         clause(
             "velocity",
-            r"so under the force of trackable-references, if bounded, every motion takes on the velocity of the reference in the end: $x_1$, $v_1$ and $v_2$ track it.",
+            r"so under the force of trackable-references, if bounded, every motion takes on the velocity of the reference in the end: $v_1$ and $v_2$ track it, and $x_1$ does but for the $\gamma$ of that force.",
         ),
         clause(
             "place",

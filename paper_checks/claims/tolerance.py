@@ -253,7 +253,7 @@ def tolerance_ring() -> Case:
             v1**2,
             "<=",
             b**2 * MASS / (a2 * m2**2),
-            lambda: (v1**2, "<=", sp.solve(on_surface().subs(x1, 0) - critical_energy(), v1**2)[0]),
+            lambda: (v1**2, "<=", critical_energy() / on_surface().subs({x1: 0, v1: 1})),
         ),
         kernel="capture",
     ),

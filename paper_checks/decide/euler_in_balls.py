@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 
-from flint import arb
+from flint import acb, arb
 
 from numerics.arithmetic.ball import Ball, proved_sign
 from numerics.scene import Scene
@@ -22,8 +22,10 @@ COARSE = Fraction(1, 1000)
 HORIZONS = {"start-with-speed": 1, "relative-motion-b02": 2, "velocities": 5}
 """How far each scene is run, s: past its first adhesion."""
 DIGITS = 80
-BALL, ZERO = Ball(DIGITS), arb(0)
 """Working digits; the balls of a rotation widen by about 14 digits in a second of the case study."""
+BALL, ZERO = Ball(DIGITS), arb(0)
+SINGLE, MOST = 16, 14
+"""Steps one by one before many are tried, and the most that are: 2^14."""
 
 
 @dataclass(frozen=True)
@@ -63,12 +65,23 @@ def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
         x1, v1, relative = number(at.x1), number(at.v1), number(at.v1 - at.v2)
         steps, contact, chatter, adhesion = int(until / step), None, 0, None
         sign = 1 if at.v1 > at.v2 else -1
-        for n in range(1, steps + 1):
+        many = _ManySteps(scene, step)
+        n = since = 0  # steps, and those of them up to the last change of sign, or up to where many at once did not go
+        while n < steps:
+            if n - since >= SINGLE:
+                if (power := many.power(x1, v1, relative, sign, steps - n)) is not None:
+                    n += 1 << power
+                    before_jump = v1
+                    x1, v1 = many.after(x1, v1, sign, power)
+                    relative = relative + v1 - before_jump + driven[sign] * (1 << power)
+                    continue
+                since = n
+            n += 1
             before, dv1 = x1, spring * x1 + push[sign]
             x1, v1, relative = x1 + h * v1, v1 + dv1, relative + dv1 + driven[sign]
             if relative > ZERO if sign > 0 else relative < ZERO:
                 continue
-            sign = -sign
+            sign, since = -sign, n
             if _sign(relative, "sign of the relative velocity", n) == 0:
                 steps = contact = n
                 break
@@ -78,6 +91,40 @@ def euler_in_balls(scene: Scene, step: Fraction, until: Fraction) -> EulerRun:
         v2 = v1 - relative
         energy = number(pair.a2) * x1 * x1 + number(pair.m1) * v1 * v1 + number(pair.m2) * v2 * v2
         return EulerRun(step, steps, contact, chatter, adhesion, energy / number(2 * scene.energy))
+
+
+class _ManySteps:
+    """Many steps of one slip at once, as far as the relative velocity is proved to keep its sign.
+
+    With z = (x1 - centre) + i v1/omega, omega^2 = a2/m1, a step is z -> (1 - i h omega) z: 2^k of them are a product.
+    """
+
+    def __init__(self, scene: Scene, step: Fraction) -> None:
+        """Find the products, and by how much each step of them can change the relative velocity."""
+        number, pair = BALL.number, scene.pair
+        self.centre, self.omega = number(pair.b / pair.a2), number(pair.a2 / pair.m1).sqrt()
+        self.products = [acb(1, -number(step) * self.omega)]
+        for _ in range(MOST):
+            self.products.append(self.products[-1] ** 2)
+        self.spring, self.driven = number(step * pair.a2 / pair.m1), number(step * pair.b / pair.m2)
+
+    def _turned(self, x1: arb, v1: arb, sign: int) -> acb:
+        return acb(x1 + sign * self.centre, v1 / self.omega)
+
+    def power(self, x1: arb, v1: arb, relative: arb, sign: int, left: int) -> int | None:
+        """Return a k for which 2^k steps are no more than are left and keep the sign; None where k would be small."""
+        size = abs(self._turned(x1, v1, sign))
+        for power in range(min(MOST, left.bit_length() - 1), SINGLE.bit_length() - 2, -1):
+            # |x1 - centre| is at most |z| all the way, which grows
+            change = self.spring * size * abs(self.products[power]) + self.driven
+            if change * (1 << power) < abs(relative):
+                return power
+        return None
+
+    def after(self, x1: arb, v1: arb, sign: int, power: int) -> tuple[arb, arb]:
+        """Return x1 and v1 after 2^power steps."""
+        found = self._turned(x1, v1, sign) * self.products[power]
+        return found.real - sign * self.centre, found.imag * self.omega
 
 
 def _sign(value: arb, question: str, step: int) -> int:

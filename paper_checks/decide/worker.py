@@ -11,6 +11,7 @@ import json
 import signal
 import sys
 from fractions import Fraction
+from functools import cache
 
 
 def ask_z3(text: str, seconds: float) -> tuple[str, str]:
@@ -56,9 +57,10 @@ SOLVERS = {"z3": ask_z3, "cvc5": ask_cvc5}
 def main(name: str) -> None:
     """Answer the questions on stdin, one line each."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C reaches the whole group: end without a word
+    answered = cache(SOLVERS[name])  # the same text, of which every third is, has the same answer
     for line in sys.stdin:
         question = json.loads(line)
-        results = [SOLVERS[name](text, question["seconds"]) for text in question["texts"]]
+        results = [answered(text, question["seconds"]) for text in question["texts"]]
         print(json.dumps({"answers": [answer for answer, _ in results], "model": results[-1][1]}), flush=True)
 
 

@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given, settings
 from strategies import trigonometric_quotients
-from sympy import Symbol, asin, cos, exp, expand, series, sin, sqrt, symbols
+from sympy import Symbol, asin, cancel, cos, exp, expand, series, sin, sqrt, symbols
 
 from theory import power_series
 from theory.power_series import taylor
@@ -49,3 +49,15 @@ def test_a_pole_is_no_polynomial():
 def test_the_zero_of_a_denominator_takes_orders_away():
     deep = (1 - cos(theta)) ** 5
     assert taylor(deep * (1 + theta) / deep.subs(cos(theta), 1 - theta**2 / 2), theta, 2) == theta + 1
+
+
+def test_a_series_is_reverted_and_composed_again():
+    """sin x = u, so x = asin u and cos x = sqrt(1 - u^2), whatever stands beside them."""
+    for outer, expected in ((theta, asin(theta)), (free * cos(theta) + theta, free * sqrt(1 - theta**2) + asin(theta))):
+        found = power_series.reverted(sin(theta), theta, 8, outer)
+        series_of = by_sympy(expected, theta, 8)
+        assert [expand(one - series_of.coeff(theta, n)) for n, one in enumerate(found)] == [0] * 8
+    inner = theta + free * theta**2 - theta**3 / (1 + q)
+    for outer in (asin(theta), sqrt(1 + theta)):
+        found = power_series.composed(outer, theta, 6, inner)
+        assert cancel(found - by_sympy(outer.subs(theta, inner), theta, 6)) == 0

@@ -107,7 +107,7 @@ def _regimes() -> Iterator[Block]:
         "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ a motion that "
         "sticks for ever exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "
         "if $\\dot z$ keeps its sign between the turns. For $a_1=0$ and $\\omega>\\omega_1$ it always does; else it does from some amplitude on, which may "
-        "lie above $U_{**}$. In between the pair slips, and sticks or reverses more than twice in each period. With a damper every motion tends to the "
+        "lie above $U_{**}$ (for $a_1=0$ unless $\\omega_1$ is an odd multiple of $\\omega$). In between the pair slips, and sticks or reverses more than twice in each period. With a damper every motion tends to the "
         "one of its regime (`forced-periodic-response`)."
         + _formula("entrainment-threshold", "stuck", "threshold")
         + _formula("entrainment-threshold", "non-stop-undamped", "threshold")

@@ -10,6 +10,7 @@ from numerics.scene.file import load_scene
 from numerics.trade.comparisons.forward_euler import forward_euler
 from paper_checks.claims import euler
 from paper_checks.claims.itineraries import never_merges
+from paper_checks.decide import euler_in_balls as decide_euler
 from paper_checks.decide.enclosure import solved
 from paper_checks.decide.euler_in_balls import STEPS, euler_in_balls, run
 from paper_checks.evidence.finding import Verdict
@@ -29,6 +30,18 @@ def test_euler_in_balls_is_the_program_without_rounding():
     program, method = forward_euler(scene, 1e-3), euler_in_balls(scene, Fraction(1, 1000), Fraction(5))
     assert method.chatter == program.chatter
     assert float(method.energy_ratio.mid()) == pytest.approx(program.energy[-1] / program.energy[0], rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["velocities", "relative-motion-b02"])
+def test_many_steps_at_once_are_as_many_steps(name, monkeypatch):
+    """The run that tries each step by itself has the same signs, and its energy in the same ball."""
+    scene, step, until = load_scene(name), Fraction(1, 1000), Fraction(2)
+    jumped = euler_in_balls(scene, step, until)
+    monkeypatch.setattr(decide_euler, "SINGLE", jumped.steps + 1)
+    single = euler_in_balls(scene, step, until)
+    assert (jumped.contact, jumped.chatter, jumped.adhesion) == (single.contact, single.chatter, single.adhesion)
+    assert jumped.energy_ratio.overlaps(single.energy_ratio)
+    assert jumped.energy_ratio.rad() < single.energy_ratio.rad()  # it has rounded less often
 
 
 @pytest.mark.parametrize("changed", [{"b": "0.05", "m2": 2}])

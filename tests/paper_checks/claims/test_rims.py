@@ -31,7 +31,8 @@ def test_enclosures_of_a_quotient_hold_its_values(quotient, p):
     """Near zero and beyond, on boxes: the value at points of them, from 200 digits."""
     with precision(20):
         box = arb(p).union(arb(p) + arb("0.005"))
-        near = rate_error.near_zero(quotient, rate_error.near(), box)
+        slips = rate_error.near()
+        near = rate_error.near_zero(quotient, slips, box, rate_error.rest(quotient, slips, box))
         wide = rate_error.beyond(quotient, rate_error.slips_on(arb("0.9").union(arb("0.95"))), box)
     with precision(100):
         for inside in (arb(p), arb(p) + arb("0.0025"), arb(p) + arb("0.005")):
