@@ -10,7 +10,6 @@ from paper_checks.claims.words import *
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import critical_energy, dwell_time_bound, energy, on_surface, stick_rate
 from theory.filippov import half_width, phi, transversality
-from theory.symbols import E0, b, m2, undamped, v1, v2, x1
 
 
 def energy_decreases() -> Steps:

@@ -9,7 +9,6 @@ from paper_checks.claims.words import *
 from theory import forced
 from theory.energy import contraction_rate, energy, sigma, sigma_other
 from theory.model import slip, stick
-from theory.symbols import a1, a2, b, m1, m2, u, v1, v1_other, v2, v2_other, x1, x1_other
 
 
 @cache

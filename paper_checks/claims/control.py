@@ -11,7 +11,6 @@ from theory.energy import sigma
 from theory.filippov import load_threshold
 from theory.forced_control import angle, duration, path, strength, velocity_gain
 from theory.scaling import stick_frequency
-from theory.symbols import a1, a2, b, m1, m2, u, v2_0, x1_0, x2_0
 
 RESPONSE, SPREAD = sp.Symbol("g", positive=True), sp.Symbol("s", real=True)
 HALF, PART = sp.Symbol("t_{1/2}", positive=True), sp.Symbol("xi", positive=True)

@@ -10,7 +10,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide.samples import dichotomy_samples
 from theory.energy import energy, sigma, stick_rate
 from theory.filippov import half_width, phi
-from theory.symbols import a2, b, distance, m1, m2, undamped, x1
 from theory.turned_back import claimed_rates, energy_parts, rates, relative_rate
 
 

@@ -16,7 +16,6 @@ from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stu
 from theory.filippov import load, load_threshold, phi, sliding_field
 from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, branches, case_study_mode, slip
-from theory.symbols import b, free, m2, x1
 
 DRIVEN, DRIVING = sp.symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
 

@@ -8,7 +8,6 @@ from paper_checks.claims.words import *
 from theory.energy import captive_energy, energy, on_surface, sigma, slip_rate
 from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
 from theory.model import free_system, slip
-from theory.symbols import a1, a2, b, m1, m2, total_mass, undamped, v1, v2, x1
 
 
 def admissible(expression: sp.Basic) -> sp.Basic:

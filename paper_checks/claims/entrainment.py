@@ -13,7 +13,6 @@ from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
 from theory.model import slip
 from theory.scaling import stick_frequency
-from theory.symbols import a1, a2, b, m1, m2, total_mass
 
 
 @cache

@@ -14,7 +14,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, rounded, solved, stuck_for_ever, text, within
 from paper_checks.decide.euler_in_balls import COARSE, HORIZONS, STEPS, run
 from theory.filippov import half_width, phi, sliding_field
-from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
 
 step = sp.Symbol("h", positive=True)
 

@@ -20,7 +20,6 @@ from theory.model import (
     driving_equation,
 )
 from theory.scaling import stick_frequency
-from theory.symbols import acceleration1, acceleration2, b, undamped, x1, x1_0, x2_0
 
 Z = sp.Symbol(r"\mathrm{sgn}(\dot{z})", real=True)
 

@@ -27,7 +27,6 @@ from theory.return_map import (
     return_map_residuals,
     return_map_slope_residual,
 )
-from theory.symbols import a2, b, h_value, m1, m2, q, r, theta
 
 
 def vanishes(statement: str, expression: sp.Expr) -> Evidence:

@@ -17,7 +17,6 @@ from theory.model import (
     slip,
     stick,
 )
-from theory.symbols import a1, a2, acceleration1, b, free, m1, m2, total_mass, undamped, v1, v1_other, v2, v2_other, x1
 
 ARGUMENT = (
     r"""

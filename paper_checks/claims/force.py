@@ -10,7 +10,6 @@ from theory.energy import sigma
 from theory.forced import energy_rate as forced_energy_rate
 from theory.forced import forced_system
 from theory.model import driven_equation, driving_equation
-from theory.symbols import a1, a2, b, m2, u, v1, v2, x1
 
 REFERENCE, REFERENCE_RATE, DISTURBANCE = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} u_d", real=True)
 STIFFNESS, VISCOSITY = sp.symbols("k_1 k_2", positive=True)

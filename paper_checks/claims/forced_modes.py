@@ -11,7 +11,6 @@ from paper_checks.claims.words import *
 from theory import forced
 from theory.forced import U_RATES
 from theory.model import slip
-from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1
 
 NEEDED = sp.Symbol("P", real=True)
 """The load, N, as a letter for the solvers."""

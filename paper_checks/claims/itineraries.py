@@ -25,7 +25,6 @@ from theory.excursion import (
     next_excess,
 )
 from theory.power_series import taylor
-from theory.symbols import h_value, q, r, theta
 
 LARGEST = sp.pi**2 / 4
 """w/q of the excursion of slip angle pi: proved by `largest_excess`, used by `starts_below`."""

@@ -11,7 +11,6 @@ from paper_checks.claims.forced_modes import slip_rates, strict_rule
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved
 from theory import jumping_force as jump
-from theory.symbols import t
 
 HALF_PI = sp.pi / 2
 DECIMALS = 40

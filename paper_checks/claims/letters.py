@@ -10,7 +10,6 @@ from theory.excursion import h
 from theory.filippov import half_width
 from theory.near_critical import rate_constant
 from theory.return_map import depth
-from theory.symbols import a2, b, m1, m2, v1, x1
 from theory.symbols import r as share_of_q
 
 SIGN = sp.Symbol(r"\mathrm{sign}(v_1-v_2)", real=True)

@@ -7,7 +7,6 @@ from paper_checks.claims.sliding import beyond, product, within
 from paper_checks.claims.words import *
 from theory.energy import critical_energy, edge_speed_squared, level_semi_axis, on_surface, semi_axis_margin, stick_rate
 from theory.filippov import edge_contact, half_width, sliding_field
-from theory.symbols import E0, a2, b, m1, m2, undamped, v1, x1
 
 LEVEL = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)
 

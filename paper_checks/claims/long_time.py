@@ -24,7 +24,6 @@ from theory.long_time import (
     logarithm_weight,
     map_coefficients,
 )
-from theory.symbols import q, r
 
 TIMES = ("1e6", "1e12", "1e30")
 DIGITS = 45

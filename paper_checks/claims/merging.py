@@ -22,7 +22,6 @@ from paper_checks.decide.roots import enclosed_root
 from theory.excursion import angle
 from theory.merging import half_angle_form, ratio, ray_excess, share
 from theory.return_map import return_map_of_angle
-from theory.symbols import q
 
 SHARES = (Fraction(3, 5), Fraction(7, 10), Fraction(4, 5), Fraction(9, 10), Fraction(99, 100), Fraction(1))
 DIGITS = 30

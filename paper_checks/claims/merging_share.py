@@ -23,7 +23,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision
 from theory.merging_share import density, dissipation, divergence, flux, large_energy_limit, level, relative, sphere
-from theory.symbols import X, q, r
 from theory.symbols import r as share_of_q
 
 MERGES, CREEPS = "merges", "creeps"

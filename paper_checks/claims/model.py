@@ -15,7 +15,6 @@ from paper_checks.claims.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.claims.signum import agree, none_under_control, under_a_force
 from paper_checks.claims.words import *
 from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, branches, driven_equation, driving_equation
-from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, u, v1, x1
 
 Z, ADHESION = (
     sp.Symbol(r"\mathrm{sgn}(\dot{z})", real=True),

@@ -23,7 +23,6 @@ from paper_checks.claims.sliding import width
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import solved, within
 from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, rate_constant, truncate
-from theory.symbols import a2, b, epsilon, m1, m2
 
 HALF_PERIOD = sp.pi * sp.sqrt((m1 + m2) / a2)
 

@@ -15,7 +15,6 @@ from theory.energy import critical_energy, edge_speed_squared, energy, on_surfac
 from theory.filippov import derivative_along, edge_contact, half_width
 from theory.linear import root
 from theory.model import CASE_STUDY, case_study_mode, slip, stick
-from theory.symbols import E0, a2, b, free, m1, m2, undamped, v1, v2, x1
 
 
 def _level() -> sp.Rel:

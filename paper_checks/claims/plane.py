@@ -7,7 +7,6 @@ import sympy as sp
 from paper_checks.claims.words import *
 from theory import plane
 from theory.plane import FIRST, OTHER, SECOND, SHARE, SHARE_OTHER, SLIP
-from theory.symbols import a1, b
 
 AXIS, DIAGONAL = sp.ImmutableMatrix([1, 0]), sp.ImmutableMatrix([1, 1])
 """Slips, m/s: nearly along the first axis, where the second sign is 0, and along the diagonal."""

@@ -22,7 +22,6 @@ from theory.power_series import taylor
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
-from theory.symbols import epsilon, q, theta, v1_0, x1_0
 
 
 @cache

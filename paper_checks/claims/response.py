@@ -13,7 +13,6 @@ from theory import forced_response as response
 from theory import jumping_force as jumping
 from theory.energy import sigma
 from theory.forced_response import natural, rates
-from theory.symbols import a2, b, m1, m2, t, u, undamped, v1, x1
 
 
 @cache

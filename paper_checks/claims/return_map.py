@@ -13,7 +13,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide.balls import point, precision, terms
 from theory.near_critical import cycle
 from theory.return_map import depth_series, return_map_of_angle, return_map_series, scaled_excess
-from theory.symbols import epsilon, q, r, w
 
 ORDER = 8
 RADIUS = 2

@@ -19,7 +19,6 @@ from theory.closed_forms import Regime, residual, solution
 from theory.filippov import sliding_field, transversality
 from theory.forced import held_at_the_limit, load
 from theory.model import branch_named, case_study_mode, free_system, stick
-from theory.symbols import a1, a2, b, m1, m2, t, u, v1, x1
 
 
 @cache

@@ -8,7 +8,6 @@ from paper_checks.claims.words import *
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import energy, stick_rate
 from theory.filippov import STATE, edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
-from theory.symbols import a2, b, m1, m2, undamped, v1, v2, x1
 
 WIDTH = b * (m1 + m2) / (a2 * m2)
 

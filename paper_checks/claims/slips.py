@@ -34,7 +34,6 @@ from theory.return_map import (
     return_map_residuals,
 )
 from theory.scaling import to_si
-from theory.symbols import m1, m2, q, r, theta
 
 
 @cache

@@ -34,7 +34,6 @@ from theory.closed_forms import Regime, rate, solution
 from theory.energy import critical_energy, energy
 from theory.filippov import half_width, transversality
 from theory.model import CASE_STUDY, branch_named, stick
-from theory.symbols import a1, a2, b, free, m1, m2, t, total_mass, undamped, v1, v1_0, v2, x1, x1_0
 
 
 def _event(scene: str, number: int) -> Callable[[], arb]:

@@ -11,7 +11,6 @@ from paper_checks.decide.enclosure import ball, compare, exact, itinerary, round
 from theory import forced
 from theory.energy import energy, sigma, sigma_other
 from theory.model import stick
-from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, v1_other, v2, v2_other, x1
 
 LIPSCHITZ = sp.Symbol("ell", positive=True)
 APART = {b: 2, forced.b_other: 1, v1: 1, v2: 0, v1_other: 3, v2_other: 0}

@@ -10,7 +10,6 @@ from paper_checks.claims.words import *
 from theory import forced_response as response
 from theory.forced_response import amplitude, multiple, omega
 from theory.model import stick
-from theory.symbols import a1, a2, t, total_mass, u, v1, x1
 
 
 @cache

@@ -8,7 +8,6 @@ from paper_checks.claims.words import *
 from theory.energy import critical_energy
 from theory.filippov import half_width
 from theory.forced_response import omega
-from theory.symbols import a1, a2, b, m1, m2
 
 
 @cache

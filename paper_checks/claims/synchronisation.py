@@ -15,7 +15,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stuck_for_ever, text
 from theory.energy import captive_energy, critical_energy, on_surface, slip_rate, stick_rate
 from theory.filippov import surface
-from theory.symbols import a1, a2, b, m1, m2, undamped, v1
 
 
 @claim(

@@ -15,7 +15,6 @@ from theory import forced
 from theory import forced_control as control
 from theory.energy import critical_energy, on_surface, sigma
 from theory.forced_control import ring_ratio
-from theory.symbols import a1, a2, b, m1, m2, total_mass, u, v1, v2, x1, x2
 
 
 @cache

@@ -10,7 +10,6 @@ from theory import forced
 from theory import forced_control as control
 from theory.energy import sigma
 from theory.forced_control import angle, reduced, strength
-from theory.symbols import a1, a2, b, m2, t, total_mass, u, v1, x1
 
 
 @cache

@@ -17,7 +17,6 @@ from theory.long_time import abel_defect, leading_coefficient, logarithm_weight,
 from theory.near_critical import cycle
 from theory.rate_bounds import first_depth, first_excess
 from theory.return_map import depth
-from theory.symbols import epsilon, q, r, tau, theta, w
 from theory.symbols import r as share_of_q
 from theory.uniform_rate import (
     crossing_loss,
@@ -151,7 +150,7 @@ def few_crossings() -> Evidence:
 
 
 @cache
-def upper() -> Evidence:
+def from_above() -> Evidence:
     """The bound of w from above."""
     return argument(
         r"""
@@ -276,7 +275,7 @@ def uniform_rate() -> Case:
         $E(0)$ may lose as much of it as one likes in their first slip. For starts on $S_0$ slightly above $E_{cr}$
         both constants exist (rate-one-over-t).
         """,
-        carried("upper", upper()),
+        carried("upper", from_above()),
         derivation=(
             "$$X=r,\\quad V=\\sqrt{1-r^2+\\delta},\\qquad V_1-V_2=V(\\cos\\sigma-1)-\\sqrt q\\,\\sigma<0\\quad(\\sigma>0)$$",
         ),

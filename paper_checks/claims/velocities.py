@@ -18,7 +18,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
 from theory.filippov import half_width
 from theory.model import CASE_STUDY, slip
-from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
 
 TEETH = 10
 SLIPS = (Mode.SLIP_PLUS, Mode.SLIP_MINUS) * TEETH + (Mode.SLIP_PLUS,)

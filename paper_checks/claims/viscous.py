@@ -16,7 +16,6 @@ from theory.energy import energy, slip_rate, stick_rate
 from theory.filippov import derivative_along, load, load_threshold, sliding_field
 from theory.model import free_system, slip, stick
 from theory.scaling import damping_ratio
-from theory.symbols import a1, a2, b, free, m1, m2, undamped, v1, v2, x1
 
 
 def _underdamped() -> Formula:
