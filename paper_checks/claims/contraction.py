@@ -110,7 +110,7 @@ def friction_of_the_state() -> Evidence:
         ),
         prove(
             r"for two slips of one sign, $w>k>0$, whose friction falls by at most $l(w-k)$: $(b-c)(w-k)\geqslant-l(w-k)^2$",
-            [sp.Gt(larger, smaller), sp.Ge(strong, weak - slope * (larger - smaller), evaluate=False)],
+            [larger > smaller, sp.Ge(strong, weak - slope * (larger - smaller), evaluate=False)],
             sp.Ge((strong - weak) * (larger - smaller), -slope * (larger - smaller) ** 2, evaluate=False),
         ),
         filippov.never_apart(),

@@ -46,9 +46,9 @@ def each_turn_has_a_cost() -> Evidence:
     """R > L is impossible."""
     beyond = [
         signed(x1 - half_width() - distance, ">="),
-        sp.Ge(sigma, -1),
-        sp.Le(sigma, 1),
-        sp.Gt(distance, 0),
+        sigma >= -1,
+        sigma <= 1,
+        distance > 0,
     ]
     falls = signed(relative_rate() + a2 * distance / m1, "<=")
     return argument(

@@ -53,21 +53,21 @@ def energy_never_grows() -> Evidence:
     """The right side is never positive; negative wherever z' != 0."""
     velocity = sp.Symbol("w", positive=True)
     rate = admissible(slip_rate(1)).subs(v2, v1 - velocity)
-    return prove("that rate is negative for $\\dot z=w>0$", [], sp.Lt(sp.expand(rate), 0, evaluate=False))
+    return prove("that rate is negative for $\\dot z=w>0$", [], signed(rate, "<"))
 
 
 @cache
 def state_is_bounded() -> Evidence:
     """On {E <= E0} with 2 E0 = a2 P^2 the driving body has |x1| <= P (the same for v1 with m1 Q^2)."""
-    below = sp.Le(sp.expand(2 * energy() - a2 * P**2), 0, evaluate=False)
-    return prove("$2E\\leqslant a_2P^2$ implies $|x_1|\\leqslant P$", [below], sp.Le(sp.Abs(x1), P))
+    below = signed(2 * energy() - a2 * P**2, "<=")
+    return prove("$2E\\leqslant a_2P^2$ implies $|x_1|\\leqslant P$", [below], sp.Abs(x1) <= P)
 
 
 @cache
 def speed_is_bounded() -> Evidence:
     """On {E <= E0} with 2 E0 = m1 Q^2 the driving body has |v1| <= Q."""
-    below = sp.Le(sp.expand(2 * energy() - m1 * Q**2), 0, evaluate=False)
-    return prove("$2E\\leqslant m_1Q^2$ implies $|v_1|\\leqslant Q$", [below], sp.Le(sp.Abs(v1), Q))
+    below = signed(2 * energy() - m1 * Q**2, "<=")
+    return prove("$2E\\leqslant m_1Q^2$ implies $|v_1|\\leqslant Q$", [below], sp.Abs(v1) <= Q)
 
 
 def lipschitz_constant() -> sp.Expr:
@@ -83,11 +83,11 @@ def relative_acceleration_is_bounded(sign: int) -> Evidence:
     largest = sp.Symbol("F", nonnegative=True)
     at_load = acceleration.subs(x1, (force - a1 * v1) / a2)
     bound = lipschitz_constant().subs(P, (largest - a1 * Q) / a2)
-    margins = [sp.Ge(admissible(cleared(bound - side * at_load)), 0, evaluate=False) for side in (1, -1)]
+    margins = [signed(admissible(cleared(bound - side * at_load)), ">=") for side in (1, -1)]
     return prove(
         f"where $\\mathrm{{sgn}}(\\dot z)={sign}$, $|\\ddot z|\\leqslant K=(a_2P+a_1Q)/m_1+b(1/m_1+1/m_2)$ "
         "(here $p=a_2x_1+a_1v_1$, $F=a_2P+a_1Q$)",
-        [sp.Le(sp.Abs(force), largest)],
+        [sp.Abs(force) <= largest],
         sp.And(*margins),
     )
 
@@ -268,9 +268,9 @@ def rate_of_energy() -> Case:
             -b * (v1 - v2),
             "<",
             0,
-            implied(lambda: [sp.Gt(v1, v2)]),
+            implied(lambda: [v1 > v2]),
         ),
-        below=Formula(b * (v1 - v2), "<", 0, implied(lambda: [sp.Lt(v1, v2)])),
+        below=Formula(b * (v1 - v2), "<", 0, implied(lambda: [v1 < v2])),
         kernel="energy-rate",
     ),
     clause(

@@ -144,7 +144,7 @@ def example_reduction() -> Case:
             prove(
                 "in stick $|\\ddot x_1|<b$ exactly where $|x_1|<b/100$",
                 [sp.Eq(acceleration, literal[0])],
-                sp.Equivalent(sp.Lt(sp.Abs(acceleration), b), sp.Lt(100 * sp.Abs(x1), b)),
+                sp.Equivalent(sp.Abs(acceleration) < b, 100 * sp.Abs(x1) < b),
             ),
             text=r"""
             (3)–(4) reduce to (11) and, where $\dot z\neq 0$ or $|x_1|<b/100$, to (12). At $\dot z=0$ with

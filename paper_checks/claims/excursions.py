@@ -84,8 +84,8 @@ def never_merges() -> Steps:
         vanishes(r"$dw'/dw=1-r(1-\cos\theta)$", return_map_slope_residual()),
         prove(
             r"$1-r(1-\cos\theta)>0$ for $\theta\leqslant\pi/2$ and every mass ratio, so $w'$ rises with $w$ from 0",
-            [sp.Gt(fraction, 0), sp.Lt(fraction, 1), sp.Ge(cosine, 0), sp.Le(cosine, 1)],
-            sp.Gt(1 - (1 - fraction) * (1 - cosine), 0, evaluate=False),
+            [fraction > 0, fraction < 1, cosine >= 0, cosine <= 1],
+            signed(1 - (1 - fraction) * (1 - cosine), ">"),
         ),
         vanishes(r"$c'=h>0$: the depth grows with the angle", depth_slope_residual()),
         identity(
@@ -119,8 +119,8 @@ def no_merging_at_any_energy() -> Evidence:
     cosine, share = sp.symbols("c r", real=True)
     return prove(
         r"for $m_2\leqslant m_1$, $1-r(1-\cos\theta)\geqslant 0$ at every angle, so $w'>0$ after every excursion from a ray",
-        [sp.Gt(share, 0), sp.Le(2 * share, 1), sp.Ge(cosine, -1), sp.Le(cosine, 1)],
-        sp.Ge(1 - share * (1 - cosine), 0, evaluate=False),
+        [share > 0, 2 * share <= 1, cosine >= -1, cosine <= 1],
+        signed(1 - share * (1 - cosine), ">="),
     )
 
 

@@ -100,7 +100,7 @@ def spurious_branch(name: str) -> Evidence:
 @cache
 def spurious_branches_leave() -> Evidence:
     """Where those branches apply the acceleration is not zero."""
-    reached = sp.Ge(sp.Abs(acceleration1) * m2, b)
+    reached = sp.Abs(acceleration1) * m2 >= b
     plain = {acceleration1: sp.Symbol("A", real=True)}
     return prove(
         r"$|\ddot{x}_1|\geqslant b/m_2$ implies $\ddot{x}_1\neq 0$: those branches leave $\dot{z}=0$ at once",
@@ -149,16 +149,16 @@ def never_apart() -> Evidence:
         $\tilde\sigma\in\mathrm{Sign}(\dot{\tilde z})$ (here $s,h$ and $w,k$): two solutions never move apart
         """,
         [set_valued_sign(first, relative), set_valued_sign(second, other)],
-        sp.Le(friction, 0, evaluate=False),
+        signed(friction, "<="),
     )
 
 
 def set_valued_sign(value: sp.Symbol, velocity: sp.Symbol) -> sp.Basic:
     """Return the condition that a value belongs to Sign of a velocity: 1, -1, or anything between at velocity 0."""
     return sp.Or(
-        sp.And(sp.Gt(velocity, 0), sp.Eq(value, 1)),
-        sp.And(sp.Lt(velocity, 0), sp.Eq(value, -1)),
-        sp.And(sp.Eq(velocity, 0), sp.Le(value, 1), sp.Ge(value, -1)),
+        sp.And(velocity > 0, sp.Eq(value, 1)),
+        sp.And(velocity < 0, sp.Eq(value, -1)),
+        sp.And(sp.Eq(velocity, 0), value <= 1, value >= -1),
     )
 
 

@@ -35,7 +35,7 @@ def slips_beyond() -> Evidence:
     return prove(
         r"where $\Lambda>b$ both slips have $\ddot z>0$: slip of sign $1$ goes on, slip of sign $-1$ and stick cannot (here $P=\Lambda$)",
         [sp.Gt(NEEDED, b, evaluate=False)],
-        sp.And(*(sp.Gt(rate, 0, evaluate=False) for rate in rates)),
+        sp.And(*(signed(rate, ">") for rate in rates)),
     )
 
 
@@ -46,7 +46,7 @@ def sticks_within() -> Evidence:
     return prove(
         r"where $|\Lambda|<b$ slip of either sign has $s\,\ddot z<0$: neither can begin",
         [sp.Lt(sp.Abs(NEEDED), b, evaluate=False)],
-        sp.And(*(sp.Lt(rate, 0, evaluate=False) for rate in rates)),
+        sp.And(*(signed(rate, "<") for rate in rates)),
     )
 
 

@@ -70,8 +70,8 @@ def last_factor_is_positive() -> Evidence:
     cosine = sp.Symbol("c", real=True)
     return prove(
         r"$1-r(1-\cos\theta)>0$ for $m_2\leqslant m_1$ and $0\leqslant\theta<\pi$ ($c=\cos\theta$, $q=1-r$)",
-        [sp.Ge(2 * q, 1, evaluate=False), sp.Lt(q, 1), sp.Gt(cosine, -1), sp.Le(cosine, 1)],
-        sp.Gt(sp.expand(1 - r * (1 - cosine)), 0, evaluate=False),
+        [sp.Ge(2 * q, 1, evaluate=False), q < 1, cosine > -1, cosine <= 1],
+        signed(1 - r * (1 - cosine), ">"),
     )
 
 

@@ -105,10 +105,10 @@ def supercritical_arcs() -> Case:
         identity("on $\\ell_+$, $\\Phi_-\\cdot n_S=0$: the guard has a double root", contact.first),
         prove(
             "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
-            [sp.Gt(v1, 0)],
+            [v1 > 0],
             signed(contact.second, "<"),
         ),
-        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], sp.Lt(product(1), 0, evaluate=False)),
+        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], signed(product(1), "<")),
         capture.mirror_image(),
         derivation=(
             f"$$\\ddot g|_{{\\ell_+}}={latex(contact.second)}$$",

@@ -39,8 +39,8 @@ def sign_of_excess() -> Steps:
         ),
         prove(
             r"$w'\leqslant 0$ on $S$, $X^2+V^2\leqslant 1$, is on $S_0$: the pair sticks there, for ever",
-            [sp.Le(position**2 + velocity**2, 1)],
-            sp.Le(position**2, 1),
+            [position**2 + velocity**2 <= 1],
+            position**2 <= 1,
         ),
     )
 
@@ -55,9 +55,9 @@ def never_from_below() -> Steps:
             for $\theta<\theta_a$, where $R^2>r$: $0<y'=h^2-r\,c^2<y=h^2<y_a$, and so on without end: each re-enters
             $S_0$, as $c$ rises with $\theta$ and $w'=0$ at $\theta_a$ puts its end into $|X'|\leqslant 1$
             """,
-            [sp.Lt(share, 1), sp.Gt(rise_value**2, share * deep**2), sp.Lt(rise_value**2, y_a)],
+            [share < 1, rise_value**2 > share * deep**2, rise_value**2 < y_a],
             sp.And(
-                sp.Gt(rise_value**2 - share * deep**2, 0, evaluate=False),
+                signed(rise_value**2 - share * deep**2, ">"),
                 sp.Lt(rise_value**2 - share * deep**2, y_a, evaluate=False),
             ),
         ),

@@ -292,7 +292,7 @@ def rate_one_over_t() -> Case:
             """,
             prove(
                 "$c_1/t\\leqslant E(t)-E_{cr}\\leqslant E(0)-E_{cr}=:e_0$ fails at $t=c_1/(2e_0)$, whatever $c_1>0$",
-                [sp.Eq(2 * above * t, c1), sp.Le(now, above)],
+                [sp.Eq(2 * above * t, c1), now <= above],
                 sp.Gt(c1, now * t, evaluate=False),
             ),
         ),

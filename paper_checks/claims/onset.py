@@ -20,7 +20,7 @@ from theory.model import CASE_STUDY, case_study_mode, slip, stick
 def _level() -> sp.Rel:
     """Return the condition E <= E_cr on S for the example, in x1 and the common velocity, with v^2 by itself."""
     speed = sp.Symbol("v_1", real=True)
-    return sp.Le(sp.expand(on_surface().subs(CASE_STUDY).subs(v1, speed)), critical_energy().subs(CASE_STUDY))
+    return sp.expand(on_surface().subs(CASE_STUDY).subs(v1, speed)) <= critical_energy().subs(CASE_STUDY)
 
 
 START_WITH_SPEED = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.15"), v2: 0}
@@ -138,7 +138,7 @@ def comes_apart() -> Steps:
         *leaves_above_critical(),
         prove(
             "and with $\\ddot{(v_1-v_2)}<0$: the pair slips at once",
-            [sp.Gt(v1, 0)],
+            [v1 > 0],
             signed(contact.second, "<"),
         ),
     )

@@ -38,7 +38,7 @@ def depth_over_excess() -> Evidence:
 def one_step() -> Steps:
     """a' y^2 <= y - y' <= a y^2, and what that makes of 1/y."""
     before, after, low, high, part = sp.symbols("y z a' a kappa", positive=True)
-    given = [sp.Lt(after, before), sp.Ge(before - after, low * before**2), sp.Le(before - after, high * before**2)]
+    given = [after < before, before - after >= low * before**2, before - after <= high * before**2]
     return (
         prove(
             r"$a'y^2\leqslant y-y'$ gives $\frac{1}{y'}-\frac{1}{y}\geqslant a'$ (here $z=y'$)",
@@ -47,7 +47,7 @@ def one_step() -> Steps:
         ),
         prove(
             r"$y-y'\leqslant a\,y^2$ and $y-y'\leqslant\kappa\,y$ with $\kappa<1$ give $\frac{1}{y'}-\frac{1}{y}\leqslant\frac{a}{1-\kappa}$",
-            [*given, sp.Lt(part, 1), sp.Le(before - after, part * before)],
+            [*given, part < 1, before - after <= part * before],
             sp.Le((1 - part) * (before - after), high * before * after, evaluate=False),
         ),
         identity(

@@ -70,7 +70,7 @@ def stuck_below_the_limit() -> Evidence:
         ),
         prove(
             r"in $k>1$ times the least time it is less, $b/(m_2k^2)<b/m_2$",
-            [sp.Gt(slower, 1)],
+            [slower > 1],
             sp.Lt(b, b * slower**2, evaluate=False),
         ),
     )

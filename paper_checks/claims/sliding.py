@@ -30,7 +30,7 @@ HALF_SPACES = (("+", 1), ("-", -1))
 def beyond(side: int, *, strict: bool = True) -> sp.Basic:
     """Return the condition side x1 > L (or >=), cleared of its denominator."""
     margin = cleared(side * x1 - half_width())
-    return sp.Gt(margin, 0, evaluate=False) if strict else sp.Ge(margin, 0, evaluate=False)
+    return signed(margin, ">" if strict else ">=")
 
 
 def within() -> list[sp.Basic]:
@@ -56,7 +56,7 @@ def outside_proofs() -> list[Evidence]:
         prove(
             f"$\\Phi_{name}\\cdot n_S{relation}0$ on $S_{part}$",
             [beyond(side)],
-            sp.Lt(side * product(sign), 0, evaluate=False),
+            signed(side * product(sign), "<"),
         )
         for part, side, relation in (("+", 1, "<"), ("-", -1, ">"))
         for name, sign in HALF_SPACES
@@ -66,8 +66,8 @@ def outside_proofs() -> list[Evidence]:
 def strip_proofs() -> list[Evidence]:
     """Return the two proofs of (10)."""
     return [
-        prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", within(), sp.Ge(product(-1), 0, evaluate=False)),
-        prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", within(), sp.Le(product(1), 0, evaluate=False)),
+        prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", within(), signed(product(-1), ">=")),
+        prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", within(), signed(product(1), "<=")),
     ]
 
 
@@ -224,11 +224,11 @@ def sliding_region() -> Case:
 def return_alternatives() -> Case:
     """From Omega_- a trajectory can only arrive where Phi_-.n >= 0; at the ends of that strip it need not enter S0."""
     contact = edge_contact(1)
-    arrives = sp.Ge(product(-1), 0, evaluate=False)
+    arrives = signed(product(-1), ">=")
     touches = identity("at $x_1=L$ the arrival is tangential, $\\Phi_-\\cdot n_S=0$", contact.first)
     turns = prove(
         "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
-        [sp.Gt(v1, 0)],
+        [v1 > 0],
         signed(contact.second, "<"),
     )
     slips = identity(
@@ -281,7 +281,7 @@ def return_alternatives() -> Case:
             "tangent",
             prove(
                 "on $\\ell_-$ the second derivative of $v_1-v_2$ along $\\Phi_+$ is positive",
-                [sp.Lt(v1, 0)],
+                [v1 < 0],
                 signed(edge_contact(-1).second, ">"),
             ),
         ),

@@ -191,7 +191,7 @@ def stays_or_crosses() -> Steps:
         ),
         prove(
             r"on $S_0$ above $E_{cr}$, $X^2+V^2>1$ with $|X|\leqslant 1$: $V\neq 0$, so the stick moves on to the edge that $V'$ points to",
-            [sp.Gt(position**2 + velocity**2, 1), sp.Le(position**2, 1)],
+            [position**2 + velocity**2 > 1, position**2 <= 1],
             sp.Ne(velocity, 0),
         ),
     )

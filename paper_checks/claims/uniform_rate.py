@@ -124,7 +124,7 @@ DEEP, GAP, EDGE = sp.symbols("c d k", positive=True)  # k = 1/q
 @cache
 def few_crossings() -> Evidence:
     """Each slip that crosses S loses a fixed part of y."""
-    crosses = [sp.Ge(DEEP + GAP, 2 * EDGE)]
+    crosses = [DEEP + GAP >= 2 * EDGE]
     return argument(
         r"""
         A slip that crosses has $c+d\geqslant 2/q$ and loses $r\,c\,(c+2d)$ of $y$. If $d\leqslant 1/q$ that is at
@@ -138,12 +138,12 @@ def few_crossings() -> Evidence:
         *depth_grows(),
         prove(
             r"$c+d\geqslant 2/q$ and $d\leqslant 1/q$ give $c\,(c+2d)\geqslant 2/q^2$ (here $k=1/q$)",
-            [*crosses, sp.Le(GAP, EDGE)],
+            [*crosses, GAP <= EDGE],
             sp.Ge(DEEP * (DEEP + 2 * GAP), 2 * EDGE**2, evaluate=False),
         ),
         prove(
             r"$d\geqslant 1/q$ gives $c\,(c+2d)\geqslant 2c/q$",
-            [sp.Ge(GAP, EDGE)],
+            [GAP >= EDGE],
             sp.Ge(DEEP * (DEEP + 2 * GAP), 2 * DEEP * EDGE, evaluate=False),
         ),
     )
