@@ -86,7 +86,7 @@ def follow_rows(
             is_same = is_same and key[k] == before[k]
         if not is_same:
             before[:] = key
-            form(tables, 0, pair, terms, omegas, drive.length[0, 0], REACH)
+            form(tables, 0, pair, terms, omegas, drive.length[0, 0], REACH, False)
         own = constants(pair, literal)
         how, count = follow_in(
             room, spare, own, drive, tables, start, False, -1.0, max_events, False, False, kept[row], end

@@ -15,12 +15,8 @@ from numerics.arithmetic.pair import Pair
 from numerics.arithmetic.pair_elementary import sine_cosine
 from numerics.linear.pairs import add, multiply
 from numerics.linear.record import AT
-from numerics.linear.table import FIRST, FRICTION, NODES, Tables
+from numerics.linear.table import FIRST, FRICTION, NODES, PRECISE, Tables
 
-UNIT, WIDE_UNIT = 2.0**-53, 2.0**-101
-"""A rounding of float64; one of double-double, with what its operations lose."""
-PRECISE = 22
-"""So many terms of a series are formed in pairs: later ones, 1.5^22/22! and less, weigh so little that floats do."""
 FAST: dict[str, Any] = {"fastmath": {"contract", "reassoc"}}
 
 _LOCAL, _X1, _ERRORS = AT["local"], AT["x1"], AT["x1_error"]
@@ -80,14 +76,13 @@ class Room(NamedTuple):
     """(n,) what the roundings of z are counted in."""
     X: Any
     """(2, 2, terms) high and low parts of the coefficients of x1 and x2."""
-    most: Any
-    """(2, terms) absolute sums of the terms of these, times their roundings."""
     g: Any
     """(2, terms) high and low parts of a guard."""
     q: Any
     other: Any
+    inverse: Any
+    """(terms,) 1/(k + 1)."""
     bernstein: Any
-    powers: Any
     E: Any
     R: Any
     flow: Any
@@ -108,10 +103,9 @@ def make_room(count: int, terms: int) -> Room:
         np.zeros(count),
         np.zeros((2, 2, terms)),
         np.zeros((2, terms)),
-        np.zeros((2, terms)),
         np.zeros(terms),
         np.zeros(terms),
-        np.zeros(8),
+        1.0 / np.arange(1, terms + 1),
         np.zeros(8),
         np.zeros((4, 4)),
         np.zeros(2),
@@ -226,18 +220,16 @@ def wide_product(rows: Any, degrees: Any, z: Any, count: int, X: Any) -> None:
                 high[k], low[k] = add(high[k], low[k], p, e)
 
 
-@compilable_with(forceinline=False, **FAST)
-def sizes(rows: Any, degrees: Any, size: Any, count: int, most: Any, wide: bool) -> None:
-    """Form what the roundings of the coefficients are counted in, each times its number of roundings."""
-    for i in range(2):
-        total = most[i]
-        total[:] = 0.0
-        for j in range(count):
-            row, factor = rows[0, i, j], size[j]
-            for k in range(degrees[i, j]):
-                total[k] += abs(row[k]) * factor
-        for k in range(most.shape[1]):
-            total[k] *= (2 * k + count + 4) * (UNIT / WIDE_UNIT if wide and k >= PRECISE else 1.0)
+@compilable
+def counted(sums: Any, size: Any, count: int, s: float) -> float:
+    """Return what is counted of a series at s in [0, 1], in roundings; `sums` (2, n): of each column at 0 and 1.
+
+    All its terms are positive, so that between 0 and 1 it is below its chord.
+    """
+    total = 0.0
+    for j in range(count):
+        total += size[j] * (sums[0, j] + s * (sums[1, j] - sums[0, j]))
+    return total
 
 
 @compilable
@@ -246,12 +238,3 @@ def expand(room: Room, drive: Drive, tables: Tables, piece: int, mode: int) -> N
     kind, side = drive.places[piece, 4], 1 if mode == 0 else 0
     state_columns(room, mode, drive.b[piece])
     product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)
-
-
-@compilable
-def coefficients(tables: Tables, room: Room, at: tuple[int, int], wide: bool) -> None:
-    """Form the coefficients in pairs, if `wide`, and the sizes of their roundings."""
-    kind, side = at
-    if wide:
-        wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, tables.count[kind], room.X)
-    sizes(tables.rows[kind, side], tables.degrees[kind, side], room.size, tables.count[kind], room.most, wide)

@@ -6,7 +6,7 @@ events; so N of the error is at most the sum of the local errors. By components 
     {E c + r: |c_k| <= 1, |r| <= R0 in (x1, v1, v2), |r_x2| <= R1}
 
 in the order x1, v1, x2, v2, in units in which N is a length (rows times root a2, root m1, root a2, root m2). A mode
-maps E by its flow; R only adds up, because N contracts; at events the rest is taken into E by an orthogonal basis.
+maps E by its flow; R only adds up, because N contracts; where a slip ends R is taken into E by an orthogonal basis.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def row_of(flow: Any, i: int) -> tuple[float, float, float, float]:
     return flow[i, 0], flow[i, 1], flow[i, 2], flow[i, 3]
 
 
-@compilable_with(forceinline=False, **_CONTRACT)
+@compilable_with(**_CONTRACT)
 def box(E: Any, R: Any, i: int) -> float:
     """Return a bound on component i, in its unit."""
     total = R[1] if i == 2 else R[0]

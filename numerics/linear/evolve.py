@@ -10,19 +10,17 @@ import numpy as np
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.linear.columns import (
     FAST,
-    PRECISE,
-    UNIT,
-    WIDE_UNIT,
     Constants,
     Drive,
     Room,
-    coefficients,
+    counted,
     force_columns,
+    wide_product,
 )
 from numerics.linear.error_set import carry, take_in
 from numerics.linear.first_root import value_slope
 from numerics.linear.pairs import add, divide, multiply, times
-from numerics.linear.table import FIRST, NODES, WEIGHTS, Tables
+from numerics.linear.table import FIRST, NODES, PRECISE, UNIT, WEIGHTS, WIDE_UNIT, Tables
 
 
 @compilable_with(forceinline=False)
@@ -77,38 +75,42 @@ def wide_step(whole: Any, z: Any, count: int, y: Any) -> None:
 
 @compilable
 def partial_step(
-    rows: Any, degrees: Any, X: Any, most: Any, s: tuple[float, float], h: float, unit: float, wide: bool, room: Room
+    tables: Tables, at: tuple[int, int], s: tuple[float, float], unit: float, wide: bool, room: Room
 ) -> None:
     """Move the state by a part s of a step; form what that adds to its errors, and the flow of these."""
-    y, own, flow = room.y, room.column, room.flow
+    kind, side = at
+    y, own, flow, sums, h = room.y, room.column, room.flow, tables.state_own[kind, side], tables.h[kind, side]
+    rows, degrees, per_h = tables.rows[kind, side, 0], tables.degrees[kind, side], 1.0 / h
     for i in range(2):
-        y[2 * i, 0], y[2 * i, 1], y[2 * i + 1, 0], y[2 * i + 1, 1] = evaluate(X, i, s[0], s[1], h, wide)
-        value, slope = value_slope(most[i], s[0])
-        own[2 * i], own[2 * i + 1] = value * unit, slope * unit / h
+        y[2 * i, 0], y[2 * i, 1], y[2 * i + 1, 0], y[2 * i + 1, 1] = evaluate(room.X, i, s[0], s[1], h, wide)
+        own[2 * i] = unit * counted(sums[2 * i], room.size, tables.count[kind], s[0])
+        own[2 * i + 1] = unit * per_h * counted(sums[2 * i + 1], room.size, tables.count[kind], s[0])
         for j in range(4):
-            value, slope = value_slope(rows[0, i, j][: degrees[i, j]], s[0])
-            flow[2 * i, j], flow[2 * i + 1, j] = value, slope / h
+            value = slope = 0.0
+            if degrees[i, j] > 0:
+                value, slope = value_slope(rows[i, j, : degrees[i, j]], s[0])
+            flow[2 * i, j], flow[2 * i + 1, j] = value, slope * per_h
 
 
 @compilable
 def evolve(
-    tables: Tables, room: Room, at: tuple[int, int], mode: int, s: tuple[float, float], is_sized: bool, wide: bool
+    tables: Tables, room: Room, at: tuple[int, int], mode: int, s: tuple[float, float], is_wide: bool, wide: bool
 ) -> tuple[float, float]:
     """Move state, errors and clock by s steps; return the time, and what the step adds to N.
 
-    `is_sized`: the coefficients, and the sizes of their roundings, have been formed.
+    `is_wide`: the coefficients have been formed in pairs, where that is asked for.
     """
     kind, side = at
     h, count, unit = tables.h[kind, side], tables.count[kind], WIDE_UNIT if wide else UNIT
-    rows, degrees, own = tables.rows[kind, side], tables.degrees[kind, side], room.column
+    own = room.column
     if s[0] == 1.0 and s[1] == 0.0:
         full_step(tables.ends[kind, side], room.size, room.z, count, unit, room.y, own, room.flow)
         if wide:
             wide_step(tables.ends[kind, side], room.z, count, room.y)
     else:
-        if not is_sized:
-            coefficients(tables, room, at, wide)
-        partial_step(rows, degrees, room.X, room.most, s, h, unit, wide, room)
+        if wide and not is_wide:
+            wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, count, room.X)
+        partial_step(tables, at, s, unit, wide, room)
     if mode == 0:
         room.y[3, 0], room.y[3, 1] = room.y[1, 0], room.y[1, 1]
         own[3] = own[1]
@@ -134,7 +136,7 @@ def slid_and_damped(
     if mode != 0:
         g, square, odd, odd_size = room.g, s * s, 0.0, 0.0
         for k in range(terms - 2, -1, -2):
-            one, two = g[0, k] / (k + 1.0), g[0, k + 1] / (k + 2.0)
+            one, two = g[0, k] * room.inverse[k], g[0, k + 1] * room.inverse[k + 1]
             slid, odd = slid * square + one, odd * square + two
             size, odd_size = size * square + abs(one) * (k + 8.0), odd_size * square + abs(two) * (k + 9.0)
         slid, size = s * (slid + s * odd), s * (size + s * odd_size)

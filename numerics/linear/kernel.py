@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from numerics.arithmetic.compiled import compilable, compilable_with
-from numerics.linear.columns import UNIT, WIDE_UNIT, Constants, Drive, Room, begin, expand, force_columns, make_room
+from numerics.linear.columns import Constants, Drive, Room, begin, expand, force_columns, make_room
 from numerics.linear.error_set import box, norm_of
 from numerics.linear.evolve import evolve, long_step, rest_is_calm, slid_and_damped
 from numerics.linear.first_root import ROOT, UNDECIDED
@@ -28,7 +28,7 @@ from numerics.linear.next_event import next_event
 from numerics.linear.pairs import add, divide
 from numerics.linear.record import AT, ROW
 from numerics.linear.resolve import errors_after_slip, errors_after_stick, lateness, resolve
-from numerics.linear.table import Tables
+from numerics.linear.table import UNIT, WIDE_UNIT, Tables
 
 REACHED, STUCK, EVENT_LIMIT, OUT_OF_RANGE, DOUBT, NO_ROOM, TOO_MANY = 0, 1, 2, 3, 4, 5, 6
 """How a call ended: the first five as in record.How; or more rows, or more steps, are needed."""
@@ -174,7 +174,7 @@ def follow_in(
             since = 1e300
         elif off > 0.0:  # an exit
             N += errors_after_stick(pair, room, u, late, slope, off)
-            N, off = min(N, norm_of(room.E, room.R)), 0.0
+            off = 0.0
         # record
         if is_new:
             if is_event and events == most:
@@ -182,14 +182,17 @@ def follow_in(
                 break
             if keeps_all and count == rows.shape[0]:
                 return NO_ROOM, count
-            row = rows[count] if count < rows.shape[0] else spare
-            record(pair, room, row, (mode, order, is_event, is_jump, piece), u, b, N, late)
+            events += 1 if is_event else 0
+            may_end = events == most and (is_event or count == 0)
+            if count < rows.shape[0] or may_end:
+                row = rows[count] if count < rows.shape[0] else spare
+                record(pair, room, row, (mode, order, is_event, is_jump, piece), u, b, N, late)
+                if may_end:
+                    for k in range(ROW):
+                        end[k] = row[k]
+                    end[_FRICTION], end[_VISCOUS], end[_LOST] = slid_work, damped_work, lost
             if is_event or count == 0:
                 last_event = count
-                for k in range(ROW):
-                    end[k] = row[k]
-                end[_FRICTION], end[_VISCOUS], end[_LOST] = slid_work, damped_work, lost
-            events += 1 if is_event else 0
             count += 1
             clock[1, 0] = clock[1, 1] = 0.0
             is_new, is_event, is_jump, ended, late = False, False, False, 0, 0.0

@@ -6,10 +6,10 @@ from typing import Any, NamedTuple
 
 from numerics.arithmetic.compiled import compilable, compilable_with
 from numerics.arithmetic.pair import two_sum
-from numerics.linear.columns import PRECISE, UNIT, WIDE_UNIT, Constants, Drive, Room, coefficients
-from numerics.linear.first_root import CLEAR, ROOT, first_root, value_slope
+from numerics.linear.columns import Constants, Drive, Room, counted, wide_product
+from numerics.linear.first_root import CLEAR, ROOT, first_root
 from numerics.linear.pairs import add, divide, multiply, times
-from numerics.linear.table import Tables
+from numerics.linear.table import PRECISE, UNIT, WIDE_UNIT, Tables
 
 
 class Next(NamedTuple):
@@ -146,20 +146,16 @@ def next_in_slip(
         m0 = off + 2.0 * pair.kappa1 * N * h * h
     else:
         m2 = 16.0 * pair.kappa1 * N * h * h
-    how, s, alone, _ = first_root(room.q, room.q[:0], (m0, m1, m2, 0.0), theta, room.bernstein, room.powers)
+    how, s, alone, _, value, slope = first_root(room.q, room.q[:0], (m0, m1, m2, 0.0), theta, room.bernstein)
     if how != ROOT:
         return Next(how, s, 0.0, mode, 0.0, 0.0, 0.0, 0.0)
-    value, slope = value_slope(room.q, s)
     low = 0.0
-    # the rounding of the coefficients that were not dropped, at the root
-    coefficients(tables, room, at, wide)
     if wide:
+        wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, count, room.X)
         wide_slip_guard(room, mode, order)
         s, low, value = refined(room.g, order, s, alone)
-    own = 0.0
-    for k in range(room.q.shape[0] - 2, order - 1, -1):
-        own = own * s + (k + 1) * (room.most[0, k + 1] + room.most[1, k + 1])
-    own *= WIDE_UNIT if wide else UNIT
+    # the rounding of the coefficients that were not dropped, at the root
+    own = counted(tables.slip_own[kind, order], room.size, count, s) * (WIDE_UNIT if wide else UNIT)
     power = s**order
     steep = abs(slope) * power
     window = (abs(value) + own) * power / steep * h
@@ -190,25 +186,23 @@ def next_in_stick(
     off = rounding(room, tables.load_sums[kind, order], count) + 2.0 * UNIT * edge[0]
     plain = rounding(room, tables.load_sums[kind, 0], count) + 2.0 * UNIT * edge[0]
     margin = pair.lam * N * to_load
-    how, s, alone, which = first_root(
-        room.q, room.other, (off + margin, 0.0, 0.0, plain + margin), theta, room.bernstein, room.powers
+    how, s, alone, which, value, slope = first_root(
+        room.q, room.other, (off + margin, 0.0, 0.0, plain + margin), theta, room.bernstein
     )
     if how != ROOT:
         return Next(how, s, 0.0, 0, 0.0, 0.0, 0.0, 0.0)
     dropped = order if which == 0 else 0
     exit_side = edge_side if which == 0 else -edge_side
-    value, slope = value_slope(room.q if which == 0 else room.other, s)
     low = 0.0
-    coefficients(tables, room, at, wide)
     if wide:
+        wide_product(tables.rows[kind, side], tables.degrees[kind, side], room.z, count, room.X)
         load_guard(room, edge, dropped, exit_side)
         s, low, value = refined(room.g, dropped, s, alone)
-    own = 2.0 * edge[0] if dropped == 0 else 0.0
-    series = 0.0
-    for k in range(room.q.shape[0] - 3, dropped - 1, -1):
-        series = series * s + (k + 2) * (k + 1) * room.most[1, k + 2]
     power = s**dropped
-    own = (own + series * power) * (WIDE_UNIT if wide else UNIT)
+    own = (2.0 * edge[0] if dropped == 0 else 0.0) + counted(
+        tables.load_own[kind, dropped], room.size, count, s
+    ) * power
+    own *= WIDE_UNIT if wide else UNIT
     steep = abs(slope) * power
     window = (abs(value) * power + own) / steep * h
     return Next(how, s, low, exit_side, alone, steep / to_load / h, window, own / to_load)

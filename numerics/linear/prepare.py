@@ -207,5 +207,7 @@ def _tables(pair: tuple[Halves, ...], kinds: tuple[Kind, ...], longest: float, w
     reach, terms = (_WIDE_REACH, most_terms(most, _WIDE_TERMS)) if wide else (REACH, most_terms(most))
     tables = make_tables(len(kinds), columns, terms)
     for index, (coefficients, omegas) in enumerate(kinds):
-        compiled(form)(tables, index, np.array(pair), coefficients, np.array(omegas).reshape(-1, 2), longest, reach)
+        compiled(form)(
+            tables, index, np.array(pair), coefficients, np.array(omegas).reshape(-1, 2), longest, reach, wide
+        )
     return tables

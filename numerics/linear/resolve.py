@@ -8,10 +8,11 @@ from __future__ import annotations
 import math
 
 from numerics.arithmetic.compiled import compilable
-from numerics.linear.columns import UNIT, Constants, Room
+from numerics.linear.columns import Constants, Room
 from numerics.linear.error_set import box, take_in, width
 from numerics.linear.modes import mode_on_surface
 from numerics.linear.next_event import Next
+from numerics.linear.table import UNIT
 
 
 @compilable
@@ -104,5 +105,4 @@ def errors_after_stick(
     R[0] += scale[0] * apart * late + scale[3] * apart
     R[0] += scale[1] * (apart + (drift + pair.a1 * apart) * late / pair.m1 * late)
     R[1] += scale[2] * apart * late
-    take_in(E, R, room.basis, room.column)
     return apart * math.sqrt(pair.m1 + pair.m2)

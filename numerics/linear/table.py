@@ -22,6 +22,10 @@ from numerics.linear.first_root import value_slope
 from numerics.linear.pairs import add, divide, multiply
 
 X1, V1, X2, V2, FRICTION, FIRST = 0, 1, 2, 3, 4, 5
+UNIT, WIDE_UNIT = 2.0**-53, 2.0**-101
+"""A rounding of float64; one of double-double, with what its operations lose."""
+PRECISE = 22
+"""So many terms of a series are formed in pairs: later ones, 1.5^22/22! and less, weigh so little that floats do."""
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(20)[0] + 1.0) / 2.0, np.polynomial.legendre.leggauss(20)[1] / 2.0
 """Of Gauss's rule on [0, 1]: exact up to degree 39, and what a step has beyond that is below rounding."""
 ORDERS = 8
@@ -48,6 +52,11 @@ class Tables(NamedTuple):
     """(kinds, ORDERS, n): what rounding and truncation do to h (v1 - v2) less p coefficients, in roundings."""
     load_sums: Any
     """(kinds, ORDERS, n): the same for h^2 x2'' in stick."""
+    slip_own: Any
+    load_own: Any
+    """(kinds, ORDERS, 2, n): what rounding alone does to them over s^p at s = 0 and 1 (columns.counted)."""
+    state_own: Any
+    """(kinds, 2, 4, 2, n): the same of x1, h v1, x2, h v2."""
     squares: Any
     """(kinds, 2, n, n): int v1^2 dt over the step, as a quadratic form of z; 0 without damping."""
 
@@ -63,12 +72,17 @@ def make_tables(kinds: int, n: int, terms: int) -> Tables:
         np.zeros((kinds, 2, 2, n, n)),
         np.zeros((kinds, ORDERS, n)),
         np.zeros((kinds, ORDERS, n)),
+        np.zeros((kinds, ORDERS, 2, n)),
+        np.zeros((kinds, ORDERS, 2, n)),
+        np.zeros((kinds, 2, 4, 2, n)),
         np.zeros((kinds, 2, n, n)),
     )
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
-def form(tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest: float, reach: float) -> None:
+def form(
+    tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest: float, reach: float, wide: bool
+) -> None:
     """Form the tables of one kind of force: so many coefficients of a polynomial, and frequencies (k, 2) as pairs.
 
     `pair` (5, 2): m1, m1 + m2, m2, a1, a2 as pairs. A step is `reach` over the fastest rate, or `longest`.
@@ -98,8 +112,34 @@ def form(tables: Tables, kind: int, pair: Any, terms: int, omegas: Any, longest:
             unused if side == 1 else tables.slip_sums[kind],
             tables.load_sums[kind] if side == 1 else unused,
         )
+        count_roundings(tables, kind, side, wide)
         if pair[3, 0] > 0.0:
             square(tables.rows[kind, side, 0, 0], h, n, tables.squares[kind, side])
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def count_roundings(tables: Tables, kind: int, side: int, wide: bool) -> None:
+    """Count the roundings of each series, c_k s^k with 2 k + n + 4, at s = 0 (of its first term) and at s = 1 (of all).
+
+    Where `wide`, later terms are formed in floats.
+    """
+    rows, n = tables.rows[kind, side, 0], tables.count[kind]
+    own, guard = tables.state_own[kind, side], tables.slip_own[kind] if side == 0 else tables.load_own[kind]
+    own[:, :, :] = 0.0
+    guard[:, :, :] = 0.0
+    for k in range(rows.shape[2]):
+        weight = (2 * k + n + 4) * (UNIT / WIDE_UNIT if wide and k >= PRECISE else 1.0)
+        for j in range(n):
+            one, two = weight * abs(rows[0, j, k]), weight * abs(rows[1, j, k])
+            for i in range(2):
+                value = two if i == 1 else one
+                for end in range(2):
+                    own[2 * i, end, j] += value if end == 1 or k == 0 else 0.0
+                    own[2 * i + 1, end, j] += k * value if end == 1 or k == 1 else 0.0
+            of_guard, order = (k * (one + two), k - 1) if side == 0 else (k * (k - 1) * two, k - 2)
+            for p in range(min(order + 1, ORDERS)):
+                guard[p, 1, j] += of_guard
+                guard[p, 0, j] += of_guard if p == order else 0.0
 
 
 @compilable_with(makes_arrays=True, forceinline=False)

@@ -1,103 +1,121 @@
-"""A box |f_i| <= b_i without couplings: on every axis a pair of the paper by itself, solved by the line's engines.
+"""A box |f_i| <= b_i in parts that neither springs nor dampers couple: each moves by itself, as if there were no other.
 
-The events of all axes make one list, a mode is a word of + 0 -. Two axes with the same data have their events at one
-time, exactly; where others may be at one time the precision is raised.
+A part of one axis is a pair of the paper, solved by the line's engines; a larger one is a box with fewer axes. The
+events of all parts make one list, a mode is a word of + 0 -. Parts with the same data have their events at one time,
+exactly, and so have those that the same change of force or of friction lets go; where others may be at one time the
+precision is raised.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
+import numpy as np
 from flint import arb, arb_poly
 
-from numerics.arithmetic.ball import Ball
+from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
 from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
 from numerics.plane.vector import Matrix, Vector, exact
 from numerics.scene import Friction, Pair, Scene, State
-from numerics.scene.plane import PlaneScene
+from numerics.scene.plane import PlanePair, PlaneScene
 from numerics.trajectory.status import Status
 
-LETTERS = {Mode.SLIP_PLUS: "+", Mode.STICK: "0", Mode.SLIP_MINUS: "-"}
-_SPARE = 4
+LETTERS: dict[Any, str] = {Mode.SLIP_PLUS: "+", Mode.STICK: "0", Mode.SLIP_MINUS: "-"}
+_SIGNS = {"+": 1, "0": 0, "-": -1}
 
 
-def axis_scene(scene: PlaneScene, i: int) -> Scene:
-    """Return the scene of one axis of a box without couplings."""
+def part_scene(scene: PlaneScene, axes: Sequence[int]) -> Scene | PlaneScene:
+    """Return the scene of axes that no other one acts on, of a pair on a line if it is one; there x2 = 0 at t = 0."""
+
+    def of(numbers: Sequence[Any]) -> list[Any]:
+        return [numbers[i] for i in axes]
+
     pair = scene.pair
-    return Scene(
-        Pair(pair.m1[i], pair.m2[i], pair.a2[i][i], pair.b[i], pair.a1[i][i]),
-        State(scene.x1[i], scene.v1[i], scene.x2[i], scene.v2[i]),
-        scene.until,
-        force=scene.force[i],
-        friction=Friction((start, b[i]) for start, b in scene.friction),
-    )
+    a1, a2 = ([of(row) for row in of(matrix)] for matrix in (pair.a1, pair.a2))
+    m1, m2, b, x1, v1, v2, force = map(of, (pair.m1, pair.m2, pair.b, scene.x1, scene.v1, scene.v2, scene.force))
+    friction = [(start, of(changed)) for start, changed in scene.friction]
+    if len(axes) > 1:
+        small = PlanePair(m1, m2, a2, b, a1, "box")
+        return PlaneScene(small, scene.until, x1, v1, 0, v2, force=force, friction=friction)
+    line = Pair(m1[0], m2[0], a2[0][0], b[0], a1[0][0])
+    changes = Friction((start, changed[0]) for start, changed in friction)
+    return Scene(line, State(x1[0], v1[0], 0, v2[0]), scene.until, force=force[0], friction=changes)
 
 
-def independent(
-    scene: PlaneScene, line: Callable[..., Any], working: int, name: str, limits: dict[str, Any]
-) -> PlaneSolution:
-    """Return the axes' motions as one. Raises EventUndecided."""
-    asked = {"digits": working - _SPARE, "arithmetic": "ball", **limits}
-    solved: dict[Any, Any] = {}
-    answers = []
-    for part in (axis_scene(scene, i) for i in range(scene.pair.axes)):
-        key = part.pair, part.initial.x1, part.initial.v1, part.initial.v2, part.force
-        if key not in solved:  # axes that share these have their events at the same times
-            solved[key] = line(part, **asked)
-        answers.append(solved[key])
+def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], name: str, most: int) -> PlaneSolution:
+    """Return the motions of the parts, which `alone` solves in balls, as one. Raises EventUndecided, InvalidScene."""
+    parts = [part_scene(scene, axes) for axes in scene.pair.parts]
+    solved = {part: alone(part) for part in dict.fromkeys(parts)}
+    answers = [solved[part] for part in parts]
     if not all(one.success for one in answers):
-        raise InvalidScene(f"an axis of the box has more than {limits['max_events']} events; raise the cap max_events")
+        raise InvalidScene(f"a part of the box has more than {most} events; raise the cap max_events")
     arithmetic = Working(2 * max(one.arithmetic.digits for one in answers), name)
     with arithmetic.context():
         return _joined(scene, answers, arithmetic)
 
 
-class Axes:
-    """The motions of all axes as one, at any time."""
+class Parts:
+    """The motions of all parts as one, at any time."""
 
     def __init__(self, scene: PlaneScene, answers: list[Any]) -> None:
-        """Take the answer of each axis, which may be that of another one with the same motion and other places."""
-        self.answers, starts = answers, [one.scene.initial for one in answers]
-        self.places = exact(x - y - (at.x1 - at.x2) for x, y, at in zip(scene.x1, scene.x2, starts, strict=True))
+        """Take the answer of each part, with x2 = 0 at t = 0."""
+        self.axes, self.answers, self.x2 = scene.pair.parts, answers, exact(scene.x2)
 
     def at(self, t: Any) -> PlaneState:
         """Return the state at a time."""
-        x1, v1, x2, v2 = map(Vector, zip(*(one.sol(t) for one in self.answers), strict=True))
-        return PlaneState(x1, v1, x2 - self.places, v2)
+        rows = np.empty((4, len(self.x2)), dtype=object)
+        for axes, one in zip(self.axes, self.answers, strict=True):
+            rows[:, axes] = one.sol(t).reshape(4, -1)
+        x1, v1, x2, v2 = map(Vector, rows)
+        return PlaneState(x1, v1, x2 + self.x2, v2)
 
 
 def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> PlaneSolution:
-    """Return the motions of all axes with one list of events."""
-    motion = Axes(scene, answers)
+    """Return the motions of all parts with one list of events."""
+    motion, changes = Parts(scene, answers), {s for one in scene.force for s in one.starts}
+    changes |= {start for start, _ in scene.friction}
+
+    def changed(event: Any) -> list[Fraction]:
+        """Return at which change an event may be, exactly; none for one that is not due to any."""
+        return [one for one in changes if event.t.overlaps(Ball.number(one))] if event.cause == "jump" else []
+
     happened = [(event, i) for i, one in enumerate(answers) for event in one.events]
     happened.sort(key=lambda one: (float(one[0].t.mid()), one[1]))
     groups: list[list[tuple[Any, int]]] = []
     for event, i in happened:
-        if groups and groups[-1][-1][0].t.overlaps(event.t):
-            before, k = groups[-1][-1]
-            if answers[k] is not answers[i] and not (event.t.is_exact() and before.t.is_exact()):
-                raise EventUndecided(
-                    "which axis has its event first", str(event.t.str(6)), answers[i].arithmetic.digits
-                )
-            groups[-1].append((event, i))
-        else:
-            groups.append([(event, i)])
-    word = [LETTERS[one.modes[0]] for one in answers]
+        if not groups or not groups[-1][-1][0].t.overlaps(event.t):
+            groups.append([])
+        elif answers[i] is not answers[groups[-1][-1][1]]:
+            both = changed(event), changed(groups[-1][-1][0])
+            if len(both[0]) != 1 or both[0] != both[1]:
+                digits = max(one.arithmetic.digits for one in answers)
+                raise EventUndecided("which axis has its event first", str(event.t.str(6)), digits)
+        groups[-1].append((event, i))
+    word = ["0"] * scene.pair.axes
+
+    def put(i: int, mode: Any) -> None:
+        for axis, letter in zip(scene.pair.parts[i], LETTERS.get(mode, mode), strict=True):
+            word[axis] = letter
+
+    for i, one in enumerate(answers):
+        put(i, one.modes[0])
     modes, events = ["".join(word)], []
     for group in groups:
-        t = group[0][0].t
+        t, cause = group[0][0].t, "guard"
         for event, i in group:
-            word[i] = LETTERS[event.after]
+            put(i, event.after)
+            cause = "jump" if event.cause == "jump" else cause
         y = motion.at(t)
-        signs = Vector(arb({"+": 1, "0": 0, "-": -1}[one]) for one in word)
+        signs = Vector(arb(_SIGNS[one]) for one in word)
         direction = signs / (signs @ signs).max(arb(1)).sqrt()
-        load = _load(scene, y, t)
+        pieces = changed(group[0][0]) or [exact_middle(t.lower()), exact_middle(t.upper())]
+        loads = [_load(scene, y, t, one) for one in pieces]
+        load = Vector(x.union(y) for x, y in zip(loads[0], loads[-1], strict=True))
         modes.append("".join(word))
-        cause = "jump" if any(event.cause == "jump" for event, _ in group) else "guard"
         events.append(PlaneEvent(t, modes[-2], modes[-1], y, direction, load, cause))
     stuck = all(one.status is Status.STUCK_FOR_EVER for one in answers)
     status = Status.STUCK_FOR_EVER if stuck else Status.REACHED_HORIZON
@@ -105,11 +123,11 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
     return PlaneSolution(scene, arithmetic, status, events, modes, end, motion)
 
 
-def _load(scene: PlaneScene, y: PlaneState, t: arb) -> Vector:
-    """Return m2/(m1 + m2) (u - a2 x1 - a1 v1), N."""
+def _load(scene: PlaneScene, y: PlaneState, t: arb, when: Fraction) -> Vector:
+    """Return m2/(m1 + m2) (u - a2 x1 - a1 v1) at t, N, of the piece of u that begins last up to `when`."""
     pair, number, u = scene.pair, Ball.number, []
     for force in scene.force:
-        piece = force.piece_at(Fraction(float(t.mid())))
+        piece = force.piece_at(when)
         u.append(arb_poly([number(c) for c in piece.polynomial])(t - number(piece.start)))
         for sine in piece.sines:
             u[-1] += number(sine.amplitude) * (number(sine.omega) * t + number(sine.phase)).sin()

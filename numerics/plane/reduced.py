@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import pairwise
+from itertools import chain, pairwise
 from operator import mul
 from typing import NamedTuple
 
@@ -46,10 +46,8 @@ def reduced(scene: PlaneScene) -> Reduced:
     pair, n = scene.pair, scene.pair.axes
     pieces, start = _pieces(scene), (scene.x1, scene.v1, scene.v2)
     pushes = [one for p in pieces for one in (*p.polynomial, *(amplitudes for _, _, amplitudes in p.sines))]
-    moving = {i for i in range(n) if any(one[i] for one in (*start, *pushes))} or {0}
-    for _ in range(n):
-        moving |= {i for i in range(n) for j in moving if pair.a1[i][j] or pair.a2[i][j]}
-    unit = [tuple(Fraction(i == j) for i in range(n)) for j in sorted(moving)]
+    moving = [part for part in pair.parts if any(one[i] for one in (*start, *pushes) for i in part)] or pair.parts[:1]
+    unit = [tuple(Fraction(i == j) for i in range(n)) for j in sorted(chain(*moving))]
     if pair.shape == "ellipsoid":
         # a line has the direction of the start, or if that is at rest, of M1^-1 u
         pushed = ([x / m for x, m in zip(one, pair.m1, strict=True)] for one in pushes)

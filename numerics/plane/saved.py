@@ -1,7 +1,7 @@
 """A trajectory on a surface in a file, without a pickle: what comes back equals what was saved, to the last bit.
 
 The archive is that of the line (trajectory/saved.py). The header has the legs of the path with their bounds, so that
-any time is answered as before; of a box without couplings, the header of each axis' own trajectory.
+any time is answered as before; of a box in parts, the header of each part's own trajectory.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
-from numerics.plane.box import Axes
+from numerics.plane.box import Parts
 from numerics.plane.defect import Curve
 from numerics.plane.path import Leg
 from numerics.plane.reduced import reduced
@@ -23,7 +23,7 @@ from numerics.trajectory import saved
 from numerics.trajectory.status import Status
 from numerics.trajectory.trajectory import Trajectory
 
-FORMAT = "inertial-pair surface trajectory 1"
+FORMAT = "inertial-pair surface trajectory 2"
 
 
 def contents(trajectory: PlaneSolution) -> dict[str, Any]:
@@ -43,7 +43,7 @@ def contents(trajectory: PlaneSolution) -> dict[str, Any]:
         "tried": trajectory.tried,
         "t_eval": None if trajectory.t_eval is None else saved.plain(trajectory.t_eval),
         "legs": saved.plain(motion.legs) if isinstance(motion, States) else None,
-        "axes": [saved.contents(one)[0] for one in motion.answers] if isinstance(motion, Axes) else None,
+        "parts": [_part(one) for one in motion.answers] if isinstance(motion, Parts) else None,
     }
 
 
@@ -61,10 +61,10 @@ def restored(header: dict[str, Any], _: Any = None) -> PlaneSolution:
     arithmetic, n = Working(digits, name), scene.pair.axes
     with arithmetic.context():
         motion: Any
-        if header["axes"] is None:
+        if header["parts"] is None:
             motion = States(scene, System(reduced(scene), digits), [*map(_leg, header["legs"])])
         else:
-            motion = Axes(scene, [saved.restored(one, {}, Trajectory) for one in header["axes"]])
+            motion = Parts(scene, [*map(_restored_part, header["parts"])])
         time, state = header["end"]
         found = PlaneSolution(
             scene,
@@ -80,6 +80,14 @@ def restored(header: dict[str, Any], _: Any = None) -> PlaneSolution:
     if len(found.modes) != len(found.events) + 1:
         raise ValueError("its count of events is not that of its modes")
     return found
+
+
+def _part(answer: Any) -> dict[str, Any]:
+    return contents(answer) if isinstance(answer, PlaneSolution) else saved.contents(answer)[0]
+
+
+def _restored_part(header: dict[str, Any]) -> Any:
+    return restored(header) if header["format"] == FORMAT else saved.restored(header, {}, Trajectory)
 
 
 def _state(given: Any, n: int) -> PlaneState:

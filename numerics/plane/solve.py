@@ -8,18 +8,21 @@ from typing import Any
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided, InvalidScene, PrecisionExhausted
 from numerics.plane.answer import PlaneSolution, Working
-from numerics.plane.box import independent
+from numerics.plane.box import joined
 from numerics.plane.coupled import BoxRun
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
 from numerics.plane.states import States
 from numerics.plane.system import System
 from numerics.plane.trajectory import PlaneTrajectory
+from numerics.scene import Scene
 from numerics.scene.plane import PlaneScene
 from numerics.trajectory.status import Status
 
 _GUARD, _FLOAT, _MOST_TRIES = 6, 19, 2
 """Working digits beyond those asked for; those of the float64 road, 64 bits; how often they are doubled (there +1)."""
+_SPARE = 4
+"""Working digits of a path that a part of one axis, solved to right digits by the line's engines, does without."""
 _MAX_LEGS = 200_000
 Line = Callable[..., Any]
 
@@ -35,7 +38,7 @@ def solve_plane(
     max_digits: int = 20_000,
     progress: Any = None,
 ) -> PlaneTrajectory:
-    """Solve a scene on a surface; a box without couplings by `line`, the solve of one axis.
+    """Solve a scene on a surface; an axis of a box that no other acts on by `line`, the solve of a pair on a line.
 
     Without digits and arithmetic: 64 bits, answers in floats with proved bounds, more bits only where these leave the
     sequence open. With `digits`, or "ball" (15): as many proved digits, relative to each number, near 0 to the largest
@@ -67,10 +70,16 @@ def solve_plane(
 
 
 def _once(scene: PlaneScene, line: Line, working: int, name: str, limits: dict[str, Any]) -> PlaneSolution:
-    """Solve a scene once."""
-    if scene.pair.shape == "box" and scene.pair.is_diagonal:
-        return independent(scene, line, working, name, limits)
-    return followed(scene, working, name, limits)
+    """Solve a scene once: a box part by part."""
+    if scene.pair.shape == "ellipsoid" or len(scene.pair.parts) == 1:
+        return followed(scene, working, name, limits)
+
+    def alone(part: Scene | PlaneScene) -> Any:
+        if isinstance(part, PlaneScene):
+            return followed(part, working, "ball", limits)
+        return line(part, digits=working - _SPARE, arithmetic="ball", **limits)
+
+    return joined(scene, alone, name, limits["max_events"])
 
 
 def followed(scene: PlaneScene, working: int, name: str, limits: dict[str, Any]) -> PlaneSolution:

@@ -36,8 +36,8 @@ class PlanePair(ShortRepr):
     `shape` "ellipsoid": sum (f_i/b_i)^2 <= 1; "box": |f_i| <= b_i.
 
     >>> pair = PlanePair(m1=1, m2=1, a2=[200, 120], b=["0.5", "0.25"], a1=0, shape="box")
-    >>> pair.axes, pair.is_diagonal, pair.shape, [str(one) for one in pair.b]
-    (2, True, 'box', ['1/2', '1/4'])
+    >>> pair.axes, pair.is_diagonal, pair.parts, pair.shape, [str(one) for one in pair.b]
+    (2, True, ((0,), (1,)), 'box', ['1/2', '1/4'])
     """
 
     m1: Vector
@@ -86,7 +86,15 @@ class PlanePair(ShortRepr):
     @property
     def is_diagonal(self) -> bool:
         """Return whether neither springs nor dampers couple the axes."""
-        return all(not m[i][j] for m in (self.a1, self.a2) for i in range(self.axes) for j in range(i))
+        return len(self.parts) == self.axes
+
+    @property
+    def parts(self) -> tuple[tuple[int, ...], ...]:
+        """Return the axes in groups that neither springs nor dampers couple to another one, by their indices."""
+        axes = range(self.axes)
+        near = [{j for j in axes if i == j or self.a1[i][j] or self.a2[i][j]} for i in axes]
+        groups = (set[int]().union(*(near[j] for j in one)) for one in near)  # three axes: two couplings at most
+        return tuple(sorted({tuple(sorted(one)) for one in groups}))
 
 
 @dataclass(frozen=True, slots=True, init=False, repr=False)

@@ -41,7 +41,7 @@ FIRST_PLACE, WAY_START = sp.Symbol("{x_1(0)}", real=True), sp.Symbol(r"{x_{\math
 @claim(
     "one-active-one-passive",
     "Abstract",
-    "sixth sentence",
+    "abstract, sixth sentence",
     HOLDS,
     clause(
         "freedoms",
@@ -127,7 +127,7 @@ def target_or_set_point() -> Case:
     ),
     clause(
         "literal",
-        r"Under (3)–(4) a pair that sticks follows exactly those references with $|\ddot x_{\mathrm{ref}}|<b/m_2$ at almost all times.",
+        r"Under (3)–(4) a pair that sticks follows exactly those of them with $|\ddot x_{\mathrm{ref}}|<b/m_2$ at almost all times.",
     ),
     clause(
         "sticks",

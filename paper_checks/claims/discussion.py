@@ -83,7 +83,7 @@ def same_fields() -> Steps:
 @claim(
     "two-descriptions",
     "V",
-    "fourth bullet",
+    "V, fourth bullet",
     CORRECTED,
     r"""
     The switched system (2)–(4) with the signum (1) allows for zero velocity solutions in $\dot{z}$, i.e. adhesion;
@@ -156,7 +156,7 @@ def two_descriptions() -> Case:
 @claim(
     "acceleration-bound",
     "V",
-    "sixth bullet",
+    "V, sixth bullet",
     CORRECTED,
     r"""
     The switched motion system (2)–(4) is underactuated as well as upper-bounded by $\ddot{x}_1=\ddot{x}_2$, as for

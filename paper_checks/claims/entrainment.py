@@ -119,7 +119,12 @@ def two_ends() -> Evidence:
     first, second = response.short_slip()
     load_rate = sp.Symbol(r"\dot{\Lambda}", real=True)
     return argument(
-        r"At $t_s=\pi/\omega$ the end is the next turn, $v_1=-v_0$. As $t_s\to 0$, $\dot z(t_s)/t_s^2\to\dddot z(0)/2=0$: the load is $b$ and turns there, as on the stuck response of amplitude $U_*$.",
+        r"""
+        At $t_s=\pi/\omega$ the end is the next turn, $v_1=-v_0$. As $t_s\to 0$, $\dot z(t_s)/t_s^2\to\dddot
+        z(0)/2=0$: the load is $b$ and turns there. A stuck motion that is its own negative half a period later is the
+        stuck response, unless a free oscillation is so, too, which is $a_1=0$ and $\Omega$ an odd multiple of
+        $\omega$; so the amplitude of its load is $b$, and its own is $U_*$.
+        """,
         identity(
             r"where $\Lambda=b$, $\ddot z=0$ and $\dddot z=\kappa\dot\Lambda$",
             [first, second],
@@ -266,7 +271,7 @@ OPEN = (
         r"""
         In between: let $u=U_{\sin}\sin\omega t+U_{\cos}\cos\omega t$ from an exit $(x_0,v_0)$ on, and a slip of sign
         1 last for $t_s<\pi/\omega$. The conditions «exit» at the exit, «end» at $t_s$, and $(x_1,v_1)=-(x_0,v_0)$ at
-        $\pi/\omega$ are linear in $x_0,v_0,U_{\sin},U_{\cos}$. Their solution is a motion of amplitude
+        $\pi/\omega$ are linear in $x_0,v_0,U_{\sin},U_{\cos}$. A solution of them is a motion of amplitude
         $U=\sqrt{U_{\sin}^2+U_{\cos}^2}$ that is its own negative half a period later exactly if $\dot z>0$ in the
         slip and $|\Lambda|\leqslant b$ in the stick.
         """,
@@ -289,7 +294,7 @@ OPEN = (
     ),
     clause(
         "two-ends",
-        r"As $t_s\to\pi/\omega$ these conditions become those of $U_{**}$, with «last»; as $t_s\to 0$ the load only touches $b$, which is $U_*$.",
+        r"Let $a_1>0$, or neither $\Omega$ nor $\omega_1$ be an odd multiple of $\omega$. As $t_s\to\pi/\omega$ these conditions become those of $U_{**}$, with «last»; as $t_s\to 0$ the load only touches $b$, which is $U_*$.",
         last=equal(
             "v_0",
             -sp.pi * b / (2 * m2 * omega),

@@ -91,7 +91,7 @@ def on_a_line() -> Evidence:
 @claim(
     "motions-on-a-surface",
     "V",
-    "fifth bullet, and Section II after Fig. 2",
+    "V, fifth bullet; II, after Fig. 2",
     CORRECTED,
     r"""
     The framework can be further extended to motions on a surface, that is with two translational and one rotational

@@ -23,8 +23,9 @@ def begins_fast() -> Evidence:
     clause(
         "costs",
         r"""
-        Let friction be $b_k>0$ in slip and up to $b_s>b_k$ at rest, $u=0$, $a_1\geqslant 0$, and let a stick be kept
-        while its load has $|\Lambda|<b_s$. Then a slip from a contact to the next one lasts longer than $h_0$ and
+        Let friction be $b_k>0$ in slip and up to $b_s>b_k$ at rest, $u=0$, $a_1\geqslant 0$, and let a pair
+        with $\dot z=0$ stick while its load has $|\Lambda|<b_s$, also where a slip ends that could go over into the
+        other. Then a slip from a contact to the next one lasts longer than $h_0$ and
         costs at least $e_0$: $h_0=(b_s-b_k)/\bigl(2C+(b_s-b_k)\sqrt{a_2/m_1}\bigr)$,
         $e_0=b_k\kappa\,(b_s-b_k)\,h_0^2/16$, $\kappa=\frac1{m_1}+\frac1{m_2}$, and
         $C=\frac{m_2}{m_1+m_2}\bigl(a_2\sqrt{2E/m_1}+\frac{a_1}{m_1}(a_2\sqrt{2E/a_2}+a_1\sqrt{2E/m_1}+b_s)\bigr)$ with

@@ -20,7 +20,7 @@ APART = {b: 2, forced.b_other: 1, v1: 1, v2: 0, v1_other: 3, v2_other: 0}
 @claim(
     "driven-body-steered",
     "V",
-    "first paragraph",
+    "V, first paragraph",
     HOLDS,
     clause(
         "unbounded",
@@ -103,7 +103,7 @@ def off_the_place() -> Steps:
 @claim(
     "damping-for-tracking",
     "V",
-    "third bullet",
+    "V, third bullet",
     CORRECTED,
     r"A purposefully controlled viscous damping of the active body can be purposefully used for trajectory tracking, cf. Fig. 1.",
     correction=(
@@ -114,7 +114,7 @@ def off_the_place() -> Steps:
         ),
         clause(
             "velocity",
-            r"so under the force of trackable-references, if bounded, every motion takes on the velocity of the reference in the end: $x_1$, $v_1$ and $v_2$ track it.",
+            r"so under the force of trackable-references, if bounded, every motion takes on the velocity of the reference in the end: $v_1$ and $v_2$ track it, and $x_1$ does but for the $\gamma$ of that force.",
         ),
         clause(
             "place",
@@ -175,7 +175,7 @@ def damping_for_tracking() -> Case:
 @claim(
     "varying-interface",
     "V",
-    "sixth bullet",
+    "V, sixth bullet",
     CORRECTED,
     r"""
     The effect of the time- and state-varying behaviour of the frictional interface, i.e. $b(\cdot)$, on the motion

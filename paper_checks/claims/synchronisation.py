@@ -20,7 +20,7 @@ from theory.filippov import surface
 @claim(
     "synchronisation-all-parameters",
     "V",
-    "first bullet",
+    "V, first bullet",
     HOLDS,
     clause(
         "synchronises",
@@ -53,7 +53,7 @@ def synchronisation_all_parameters() -> Case:
 @claim(
     "finite-time-then-alternation",
     "V",
-    "second bullet",
+    "V, second bullet",
     CORRECTED,
     r"""
     Zero convergence of $\dot{z}(t)$ does not take place in a single dynamic mode. A finite time convergence towards a
@@ -157,7 +157,7 @@ def merges_with_a_damper() -> Steps:
 @claim(
     "viscous-accelerates",
     "V",
-    "third bullet",
+    "V, third bullet",
     CORRECTED,
     """
     The viscous damping of the driving body influences the trajectories, but has no principal impact on the

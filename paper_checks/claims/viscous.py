@@ -26,7 +26,7 @@ def _underdamped() -> Formula:
 @claim(
     "viscous-no-direct-effect",
     "III",
-    "opening paragraph",
+    "III, opening paragraph",
     CORRECTED,
     r"""
     Taking $a_1=0$ is justified by the fact that the viscous damping of the driving body, $a_1\dot{x}_1$, is always
@@ -106,7 +106,7 @@ def viscous_no_direct_effect() -> Case:
 @claim(
     "viscous-energy-rate",
     "III",
-    "last paragraph",
+    "III, last paragraph",
     HOLDS,
     clause(
         "rate",
@@ -140,7 +140,7 @@ def viscous_energy_rate() -> Case:
 @claim(
     "viscous-origin-stable",
     "III",
-    "last paragraph",
+    "III, last paragraph",
     CORRECTED,
     """
     When a relatively small viscous friction is present, the switching dynamics is similar but the trajectories inside

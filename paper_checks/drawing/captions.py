@@ -105,8 +105,8 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     "thresholds-over-frequency": (
         "Three regimes under a sinusoidal force",
         "Up to $U_*$ the pair sticks for ever, from the upper full line on it never stops (without a damper: some motion does); in between a "
-        "motion slips, and sticks or reverses more than twice in each period. Below the dashed $U_{**}$ no motion slips for ever with two "
-        "reversals a period; where the upper line leaves it, the bodies would meet once more. That line is computed on a grid, not proved. "
+        "motion slips, and sticks or reverses more than twice in each period. Below the dashed $U_{**}$ no motion of the force's period slips for "
+        "ever with two reversals a period; where the upper line leaves it, the bodies would meet once more. That line is computed on a grid, not proved. "
         "Left without a damper, right with one. Dotted: the stuck pair's own frequency, and that of body 1 alone.",
     ),
     "resonance": (
@@ -126,7 +126,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "tolerance-ring-of-a-scene": (
         "Fig. 1, drawn for the scene of Fig. 5 (a)",
-        "Left: the relative motion about its limit; from the black point on, in blue, it stays inside the dashed ring. Right: its distance "
+        "Left: the relative motion about its limit; from the point on, in blue, it stays inside the dashed ring. Right: its distance "
         "from the limit over time.",
     ),
     "jumping-force": (

@@ -18,7 +18,7 @@ PRINTED = 4.7
 
 def relative_velocity() -> Figure:
     """Draw z' about the printed 4.7 s: exact, and by forward Euler; grey where the exact solution sticks."""
-    figure, axes = panels(4.9, 3.4)  # narrow, so that its letters read on a telephone
+    figure, axes = panels(4.9, 2.8)  # narrow, so that its letters read on a telephone
     draw_relative_velocity(axes, solved("velocities", UNTIL))
     return figure
 

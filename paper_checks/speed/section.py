@@ -95,6 +95,8 @@ def told(ratios: Mapping[str, float]) -> str:
     ordered = sorted(ratios, key=lambda name: ratios[name])
     (least, low), high, typical = (ordered[0], ratios[ordered[0]]), ratios[ordered[-1]], _typical(ratios)
     lost, every = sum(one < 1 for one in ratios.values()), len(ratios)
+    if every == 1:
+        return f"{_typical(ratios).removeprefix('in the median ')} on the one scene, {least}."
     if not lost:
         return f"ours wins on all {every} scenes, by at least {low:.3g} times (on {least}); {typical}."
     won = f"ours wins on {every - lost}, by up to {high:.3g} times; " if lost < every else ""

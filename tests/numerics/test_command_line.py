@@ -6,7 +6,7 @@ import json
 import subprocess
 import sys
 from dataclasses import replace
-from decimal import Decimal, localcontext
+from decimal import Decimal
 
 import numpy as np
 import pytest
@@ -35,19 +35,6 @@ def test_json_has_the_shape_of_the_interface(run, scene_file):
     assert {"t", *STATE, "energy", "energy_excess"} <= set(found["final"])
     texts = [row[key] for row in (*found["events"], found["final"]) for key in row if key not in ("from", "to", "mode")]
     assert all(isinstance(text, str) and Decimal(text).is_finite() for text in texts)
-
-
-@pytest.mark.parametrize("digits", [3, 15, 40])
-def test_the_printed_balls_enclose_a_far_better_solution(run, scene_file, digits):
-    found = json.loads(run("solve", scene_file, "--json", "--digits", digits)[1])
-    truth = as_record(solve(TWO_SECONDS, digits=90, arithmetic="ball"))
-    with localcontext() as context:
-        context.prec = 120
-        for row, exact in zip([*found["events"], found["final"]], [*truth["events"], truth["final"]], strict=True):
-            for name in [key for key in row if f"{key}_radius" in row]:
-                radius, distance = Decimal(row[f"{name}_radius"]), abs(Decimal(row[name]) - Decimal(exact[name]))
-                assert distance <= radius + Decimal(exact[f"{name}_radius"])
-                assert radius <= abs(Decimal(exact[name])) * Decimal(10) ** -digits or abs(Decimal(exact[name])) < 1e-80
 
 
 @pytest.mark.parametrize("arithmetic", ["float64", "double-double", "mpmath"])
@@ -183,62 +170,54 @@ def test_output_to_a_folder_is_refused(run, scene_file, tmp_path):
     assert not list(tmp_path.rglob(".*"))
 
 
-@pytest.mark.parametrize(
-    "arguments",
-    [
-        [],
-        ["solve"],
-        ["dance"],
-        ["solve", "start-at-6mm", "--digits", "0"],
-        ["solve", "start-at-6mm", "--digits", "-1"],
-        ["solve", "start-at-6mm", "--digits", "1.5"],
-        ["solve", "start-at-6mm", "--digits", "²"],
-        ["solve", "start-at-6mm", "--max-events", "0"],
-        ["solve", "start-at-6mm", "--arithmetic", "decimal"],
-        ["solve", "start-at-6mm", "--json", "--csv"],
-        ["solve", "start-at-6mm", "--arithmetic", "float64", "--digits", "9"],
-        ["solve", "start-at-6mm", "velocities"],
-        ["solve", "start-at-6mm", "--dig", "9"],
-        ["solve", "start-at-6mm", "--digits", "1e3"],
-        ["map", "--depth", "-1"],
-        ["map", "--jobs", "0"],
-        ["map", "--energy", "0.5", "0.7"],
-        ["energy", "forced-step", "--at", "1"],
-        ["map", "--depth", "40"],
-        ["map", "--ratio", "2", "1"],
-        ["map", "--ratio", "0", "1"],
-        ["map", "--energy", "1", "2"],
-        ["map", "--energy", "3", "3"],
-        ["map", "--energy", "x", "2"],
-        ["map", "--out", "map.txt"],
-        ["map", "--out", "no/m.png"],
-        ["response", "velocities"],
-        ["response", "velocities", "--omega", "0"],
-        ["response", "none-such"],
-        ["move", "at-rest", "--distance", "0"],
-        ["move", "at-rest", "--distance", "1", "--margin", "2"],
-        ["move", "velocities", "--distance", "1"],
-        ["move", "at-rest", "--distance", "1", "--out", "no/where.toml"],
-        ["track", "at-rest", "--reference", "none-such"],
-        ["track", "at-rest", "--reference", "s-curve", "--plot", "x.txt"],
-        ["ring", "velocities", "--radius", "x"],
-        ["response-map", "at-rest", "--amplitude", "1", "1", "--omega", "1", "2"],
-        ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "0", "2"],
-        ["response-map", "at-rest", "--amplitude", "1", "2", "--omega", "1", "2", "--depth", "40"],
-    ],
-)
-def test_bad_usage(run, arguments):
-    code, out, err = run(*arguments)
+BAD_USAGE = """
+solve
+dance
+solve start-at-6mm --digits 0
+solve start-at-6mm --digits -1
+solve start-at-6mm --digits 1.5
+solve start-at-6mm --digits ²
+solve start-at-6mm --max-events 0
+solve start-at-6mm --arithmetic decimal
+solve start-at-6mm --json --csv
+solve start-at-6mm --arithmetic float64 --digits 9
+solve start-at-6mm velocities
+solve start-at-6mm --dig 9
+solve start-at-6mm --digits 1e3
+map --depth -1
+map --jobs 0
+map --energy 0.5 0.7
+energy forced-step --at 1
+map --depth 40
+map --ratio 2 1
+map --ratio 0 1
+map --energy 1 2
+map --energy 3 3
+map --energy x 2
+map --out map.txt
+map --out no/m.png
+response velocities
+response velocities --omega 0
+response none-such
+move at-rest --distance 0
+move at-rest --distance 1 --margin 2
+move velocities --distance 1
+move at-rest --distance 1 --out no/where.toml
+track at-rest --reference none-such
+track at-rest --reference s-curve --plot x.txt
+ring velocities --radius x
+response-map at-rest --amplitude 1 1 --omega 1 2
+response-map at-rest --amplitude 1 2 --omega 0 2
+response-map at-rest --amplitude 1 2 --omega 1 2 --depth 40
+"""
+
+
+@pytest.mark.parametrize("words", ["", *BAD_USAGE.strip().splitlines()])
+def test_bad_usage(run, words):
+    code, out, err = run(*words.split())
     assert (code, out) == (2, "")
     assert err.startswith("error: ")
     assert (err.count("error"), err.count("\n")) == (1, 1)
-
-
-def test_the_cap_on_events_is_a_status(run):
-    found = json.loads(run("solve", "velocities", "--max-events", "2", "--json")[1])
-    assert found["status"] == "event-limit"
-    assert len(found["events"]) == 2
-    assert found["final"]["t"] == found["events"][-1]["t"]
 
 
 BAD_FILES = {

@@ -7,9 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from kernel_runs import a_scene
 
-from numerics.linear.columns import UNIT, force_columns, make_room, product, state_columns
+from numerics.linear.columns import force_columns, make_room, product, state_columns
 from numerics.linear.evolve import evolve
 from numerics.linear.prepare import prepare
+from numerics.linear.table import UNIT
 
 seeds = st.integers(0, 2**32 - 1)
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from numerics.arithmetic.pair import nearest
-from numerics.linear.columns import PRECISE, UNIT, WIDE_UNIT, sizes
+from numerics.linear.columns import counted
 from numerics.linear.evolve import evaluate
-from numerics.linear.first_root import value_slope
 from numerics.linear.next_event import refined
+from numerics.linear.table import PRECISE, UNIT, WIDE_UNIT, count_roundings, make_tables
 
 TERMS, H = 36, 0.125
 
@@ -36,10 +36,13 @@ def test_a_value_in_pairs_is_off_by_what_is_counted_also_where_late_terms_are_la
         terms = [Fraction(a) + Fraction(b) for a, b in rows[:, 0, 0].T]
         value, slope = exact(terms, Fraction(s) + Fraction(low))
         off = [abs(Fraction(x) + Fraction(x_low) - value), abs((Fraction(v) + Fraction(v_low)) * Fraction(H) - slope)]
-        counted = [np.zeros((2, TERMS)) for _ in range(2)]
-        for most, wide in zip(counted, (True, False), strict=True):
-            sizes(rows, np.array([[TERMS], [0]]), np.ones(1), 1, most, wide)
-        enough, few = ([one * WIDE_UNIT for one in value_slope(most[0], s)] for most in counted)
+        tables = make_tables(1, 1, TERMS)
+        tables.rows[0, 0], tables.count[0] = rows, 1
+        both = []
+        for wide in (True, False):
+            count_roundings(tables, 0, 0, wide)
+            both.append([WIDE_UNIT * counted(one, np.ones(1), 1, s) for one in tables.state_own[0, 0, :2]])
+        enough, few = both
         assert all(a <= b for a, b in zip(off, enough, strict=True))
         too_few += any(a > b for a, b in zip(off, few, strict=True))
     assert (too_few > 30) == (late > 0)

@@ -14,7 +14,7 @@ from numerics.linear.first_root import (
     lower_bound,
 )
 
-TERMS, ROOMS, NONE = 24, (np.zeros(8), np.zeros(8)), np.zeros(0)
+TERMS, ROOM, NONE = 24, np.zeros(8), np.zeros(0)
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -43,7 +43,7 @@ def test_a_lower_bound_holds_and_is_sharp_where_the_least_coefficient_is_the_las
     high = tail(random)
     q = np.concatenate([np.linalg.solve(BERNSTEIN.T, c) / theta ** np.arange(8), high])
     least = c.min() - abs(high) @ theta ** np.arange(8, TERMS)
-    low, guess = lower_bound(q, theta, *ROOMS)
+    low, guess = lower_bound(q, theta, ROOM)
     assert value(q, grid(0, theta)).min() >= low - 1e-9
     assert abs(low - least) < 1e-6
     assert (guess >= 0) == (c.min() <= 0)
@@ -52,7 +52,7 @@ def test_a_lower_bound_holds_and_is_sharp_where_the_least_coefficient_is_the_las
 def holds(q, other, margins, theta):
     """Whether what is found is true of dense values; return how."""
     m0, m1, m2, m_other = margins
-    how, s, room, which = first_root(q, other, margins, theta, *ROOMS)
+    how, s, room, which, *_ = first_root(q, other, margins, theta, ROOM)
     assert 0 < s <= theta
     end = s - room if how == ROOT else s
     if how != UNDECIDED:
@@ -83,11 +83,11 @@ def test_a_single_root_is_found_in_either_guard_and_a_double_one_never(part, slo
     single, plain = padded(np.array([1, slope - 1 / r, -slope / r])), padded(np.array([2.0]))
     double = padded(np.array([1, -2 / r, 1 / r**2]))
     first, second = (plain, single) if swap else (single, plain)
-    how, s, room, which = first_root(first, second, (margin, 0, 0, margin), theta, *ROOMS)
+    how, s, room, which, *_ = first_root(first, second, (margin, 0, 0, margin), theta, ROOM)
     assert (how, which) == (ROOT, int(swap))
     assert abs(s - r) < 1e-9
     assert room > 0.05 * r
-    how, s, *_ = first_root(double, NONE, (margin, 0, 0, 0), theta, *ROOMS)
+    how, s, *_ = first_root(double, NONE, (margin, 0, 0, 0), theta, ROOM)
     assert how == UNDECIDED or (how == CLEAR and s < r)
 
 
@@ -99,5 +99,5 @@ def test_a_margin_is_the_sum_of_its_parts(value_at_end, part, theta):
     for factor, is_clear in ((0.999, True), (1.001, False)):
         margins = np.where(np.arange(4) == part, factor * value_at_end / weights, 0)
         guards = (padded(np.array([2.0])), q) if part == 3 else (q, NONE)
-        how, s, *_ = first_root(*guards, margins, theta, *ROOMS)
+        how, s, *_ = first_root(*guards, margins, theta, ROOM)
         assert (how == CLEAR and s == theta) == is_clear

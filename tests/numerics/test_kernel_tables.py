@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from kernel_runs import STATE, a_scene
 
-from numerics.linear.columns import UNIT, force_columns, make_room, product, state_columns
+from numerics.linear.columns import force_columns, make_room, product, state_columns
 from numerics.linear.next_event import slip_guard, stick_guards
 from numerics.linear.prepare import prepare
-from numerics.linear.table import ORDERS, fill
+from numerics.linear.table import ORDERS, UNIT, fill
 
 
 def wholly(prepared, mode, order, wide):

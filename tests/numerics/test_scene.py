@@ -1,7 +1,9 @@
 """Scenes are exact, and whatever describes no scene is refused in one line."""
 
+import tomllib
 from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -103,26 +105,45 @@ BAD_TEXTS = {
     "empty": "",
     "no table": "m1 = 1",
     "broken": "[pair",
-    "twice": VALID + "[run]\nuntil = 5\n",
     "missing key": VALID.replace("m2 = 1\n", ""),
-    "unknown table": VALID + "[extra]\n",
-    "unknown key": VALID + "speed = 5\n",
-    "key with a line": VALID + '"a\\nb" = 5\n',
     "long key": VALID + "a" * 5000 + " = 5\n",
     "pair is an array": "pair = [1]\n[run]\nuntil = 5\n",
     "pair is a number": "pair = 1\n[run]\nuntil = 5\n",
+    "forces that are numbers": "force = [1]\n" + VALID,
     "array of tables": VALID.replace("[pair]", "[[pair]]"),
     "byte order mark": "\ufeff" + VALID,
     "nul": VALID + "\0",
     "a1 negative": VALID.replace("m1 = 1", "m1 = 1\na1 = -1"),
-    "unknown law": VALID + 'law = "coulomb"\n',
-    "only a comment": "# nothing\n",
+    "too many sines": f"{VALID}[[force]]\nsines = [{', '.join(['{ amplitude = 1, omega = 1 }'] * 1001)}]",
+    "brackets without end": f"{VALID}[[force]]\npolynomial = {'[' * 3000}{']' * 3000}",
+    "too many pieces": VALID + "".join(f"[[force]]\nfrom = {k}\n" for k in range(100_001)),
 }
+REFUSED = tomllib.loads((Path(__file__).parents[1] / "refused.toml").read_text("utf-8"))
+
+
+def with_pair(text):
+    """A scene, but for the text behind its pair."""
+    run = "" if "[run]" in text else "[run]\nuntil = 5\n"
+    return f"{run}[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n{text}\n"
+
+
+def test_without_a_text_it_is_a_scene():
+    assert parse_scene(with_pair("")).until == 5
+
+
+BAD_TEXTS |= {name: with_pair(text) for name, text in REFUSED["refused"].items()}
 
 
 @pytest.mark.parametrize("kind", BAD_TEXTS)
 def test_bad_files_are_refused_in_one_line(kind):
     require_refusal(BAD_TEXTS[kind])
+
+
+@pytest.mark.parametrize("said", REFUSED["said"])
+def test_a_refusal_says_what_is_wrong(said):
+    for text in REFUSED["said"][said]:
+        with pytest.raises(InvalidScene, match=said):
+            parse_scene(with_pair(text))
 
 
 @given(st.text())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from fractions import Fraction
 from pathlib import Path
 
@@ -25,55 +26,8 @@ CATALOGUE = Path(__file__).parents[1] / "forced" / "scenes"
 PAPER, PAIR = Pair(1, 1, 200, "0.5"), Pair(1, 1, 200, "0.05")
 STEP, DIGITS = Fraction(1, 10**18), 70
 FREE = scenes_in("differentiated")
-FORCED = (
-    *("both-resonances", "constant-force", "contact-at-a-rational-time", "damping-critical-in-slip", "damping-heavy"),
-    *("friction-by-pieces", "friction-rises-in-slip", "jump-just-before-contact", "many-causes", "mass-ratio-1e6"),
-    *("polynomial-of-degree-8", "resonance-in-slip-damped", "resonance-in-stick", "near-resonance-in-stick"),
-    *("sine-stick-slip", "sine-that-starts-late", "tie-at-the-start-of-a-moving-pair", "trapezoid"),
-)
-CORNERS = {
-    "contact-to-third-order": "without a slope",
-    "force-and-friction-jump-together": "which of them comes first",
-    "friction-drops-at-contact": "a slip ends where a piece begins",
-    "friction-jumps-onto-the-load-slips": "onto the edge",
-    "jump-at-contact-reverses": "a slip ends where a piece begins",
-    "jump-at-contact-slips-on": "a slip ends where a piece begins",
-    "jump-at-contact-sticks": "a slip ends where a piece begins",
-    "jump-at-exit-slips": "stick ends where a piece begins",
-    "jump-at-exit-to-the-other-side": "stick ends where a piece begins",
-    "load-crosses-to-third-order": "without a slope",
-    "marginal-stick": "the motion of a slip as well",
-    "marginal-stick-then-slip": "the motion of a slip as well",
-    "tie-at-a-jump-at-contact-slips-on": "a slip ends where a piece begins",
-    "tie-at-a-jump-at-contact-sticks": "a slip ends where a piece begins",
-    "tie-by-first-derivative-slips": "stick ends where a piece begins",
-    "tie-by-second-derivative-slips": "stick ends where a piece begins",
-    "tie-by-third-derivative-slips": "stick ends where a piece begins",
-    "tie-on-the-lower-edge": "stick ends where a piece begins",
-    "touch-in-slip": "touch in a slip",
-}
-TIES = {
-    "friction-jumps-onto-the-load-sticks": 1e-40,
-    "jump-at-exit-holds": 1e-40,
-    "load-touches-the-edge": 1e-20,
-    "sine-at-threshold": 1e-20,
-    "tie-by-first-derivative-sticks": 1e-40,
-    "tie-by-second-derivative-sticks": 1e-20,
-    "tie-by-third-derivative-sticks": 1e-8,
-}
-"""Scenes whose neighbours have other events: their derivatives exist, and differences tend to them more slowly."""
-NEAREST = {
-    **dict.fromkeys(("jump-just-after-contact", "jump-just-before-contact"), Fraction(1, 10**44)),
-    **dict.fromkeys(("reversal-just-before-contact", "sine-barely-below-threshold"), Fraction(1, 10**44)),
-    "sine-barely-above-threshold": Fraction(1, 10**70),
-}
-"""Scenes so near to a tie that only nearer neighbours have the same events."""
-LEFT_OUT = {
-    *("load-touches-to-fourth-order", "tie-at-the-start-fourth-derivative-slips"),
-    *("tie-at-the-start-fourth-derivative-sticks", "touches-at-irrational-times"),
-}
-"""Differences tend to the derivative like the fourth root of the step, and neighbours so near to a tie take too many
-steps; and a scene that no digits decide."""
+GIVEN = tomllib.loads((CATALOGUE.parent / "derivatives.toml").read_text("utf-8"))
+FORCED, CORNERS, TIES, LEFT_OUT = (GIVEN[one] for one in ("compared", "corners", "ties", "left_out"))
 
 
 def named(name):
@@ -108,7 +62,7 @@ def test_ties_that_leave_derivatives(name):
     "name", [*FREE, *sorted({one.stem for one in CATALOGUE.glob("*.toml")} - {*CORNERS, *TIES, *LEFT_OUT})]
 )
 def test_differences_by_each_number(name):
-    step = NEAREST.get(name, STEP)
+    step = Fraction(GIVEN["nearest"].get(name, STEP))
     digits = DIGITS if step == STEP else 230
     base = in_balls(named(name), digits, 6)
     names = list(parameters(base.scene))

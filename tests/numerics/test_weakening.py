@@ -6,14 +6,11 @@ from fractions import Fraction
 import matplotlib as mpl
 import numpy as np
 import pytest
-from flint import arb
 from hypothesis import given, settings
 from matplotlib import pyplot as plt
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.orbit import Box
 from numerics.errors import InvalidScene, OutOfRange
-from numerics.linear.path_enclosed import Path
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.scene.file import parse_scene
 from numerics.scene.writing import scene_text
@@ -141,27 +138,6 @@ def test_two_motions_part_no_faster_than_the_steepest_fall_of_friction_lets_them
         assert norm <= 1.000001 * float(apart) * np.exp(float(fall) * kappa2 * t)
 
 
-def test_the_bound_grows_where_neighbours_part_and_would_be_false_if_it_did_not(monkeypatch):
-    # u balances friction in the falling part: w stays, and what it is off by grows like exp(2 t)
-    balanced = Scene(
-        Pair(1, 1, "0.01", 5),
-        State(v1=2),
-        "1.2",
-        force=Force([Piece(0, [6])]),
-        friction=Friction((), Weakening([(4, 1)])),
-    )
-    off = Fraction(99, 10**22)
-    edge = run_scene(replace(balanced, initial=State(v1=2 + off, v2=-off)), Ball(60)).final_state
-
-    def holds() -> bool:
-        box = run_scene(balanced, Box(60, arb(10) ** -20)).final_state
-        return all(one.overlaps(other) for one, other in zip(box, edge, strict=True))
-
-    assert holds()
-    monkeypatch.setattr(Path, "growth", lambda *_: arb(1))
-    assert not holds()
-
-
 def test_crossings_of_knots_are_no_events_and_everything_else_reads_the_run():
     run = solve(JUMPING, digits=20)
     assert "balls" in run.tried
@@ -207,23 +183,6 @@ def test_a_steep_fall_is_solved_and_what_runs_to_no_friction_is_refused():
 def test_a_scene_is_written_and_read_again():
     assert parse_scene(scene_text(JUMPING)) == JUMPING
     assert parse_scene(scene_text(JUMPING)).friction.weakening == BY_PLACE
-
-
-@pytest.mark.parametrize(
-    ("text", "match"),
-    [
-        ("[weakening]\nspeed = [[0, 0.3]]", "ill-posed"),
-        ("[weakening]\nspeed = [[0.1, 0.3], [0.1, 0.2]]", "ill-posed"),
-        ("[weakening]\nspeed = [[0.1, 0.3], [0.05, 0.2]]", "in order"),
-        ("[weakening]\nplace = [[0.1, 0.3], [0.1, 0.2]]", "in order"),
-        ("[weakening]\nspeed = 3", "must be points"),
-        ("[weakening]\nspeed = [[0.1, nan]]", "B in speed"),
-        ("[weakening]\nslope = 3", "unknown key"),
-    ],
-)
-def test_a_table_that_is_no_friction_is_refused(text, match):
-    with pytest.raises(InvalidScene, match=match):
-        parse_scene(f"[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = 0.5\n[run]\nuntil = 1\n{text}\n")
 
 
 def test_two_coefficients_are_refused_with_the_reason():

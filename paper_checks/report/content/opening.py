@@ -18,6 +18,7 @@ from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import motion
 from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
 from paper_checks.report.content.phrases import formula, in_short, kind
+from paper_checks.report.content.trust import LAW
 from paper_checks.running.runner import Row
 
 MODEL = (
@@ -40,7 +41,7 @@ _WORDS = {
 }
 EXPLORE = (
     "Choose masses, damper, force and start, or a scene of the paper: the motion in phase space, the force that sticking needs, the energy, and what "
-    "becomes of it; on a second tab, the pair on a surface, seen from above. `python -m paper_checks explore` writes that page alone."
+    "becomes of it; on a second tab, the pair on a surface, seen from above."
 )
 TO_EXPLORE = '<p><a class="go" href="pages/explore.html">Explore the pair</a></p>'
 POSITIVE = "$m_1,m_2,a_2,b>0$."
@@ -91,6 +92,7 @@ NEW: dict[str, tuple[str, str, str]] = {
 }
 """Results past the paper that the first page shows, by their rows: figure, title, and a sentence with formulas of the row."""
 ASKED = {
+    "synchronisation-time": "Do the bodies synchronise at 4.7 s?",
     "critical-energy": "Where does $E_{cr}$ come from?",
     "static-friction-stops-creeping": "What if static friction is above kinetic?",
     "motions-on-a-surface": "What changes on a surface?",
@@ -237,12 +239,14 @@ def _questions(shown: dict[str, Row], answers: Sequence[str]) -> Iterator[tuple[
         if name in shown:
             yield question, f"{in_short(shown[name])} All of it: `{name}`; weakest step: {kind(shown[name])}."
     if any(row.kernel for row in shown.values()):
-        text = "What a solution is, all that the kernel takes for granted (its axioms), and every statement: `kernel`. What it did not prove: `trust`."
+        text = "The kernel is the small part of the proof assistant Coq that accepts or refuses every line of a proof. What a solution is, all that it takes for granted (its axioms), and every statement: `kernel`. What it did not prove: `trust`."
         yield "What does the kernel prove, and with which axioms?", text
     if any(row.open for row in shown.values()):
         yield "What is not known?", "One list, from the rows: `open`."
     if any(row.claim.kind is Kind.THEOREM for row in shown.values()):
         yield "What is new past the paper?", "One list: `new`."
+    yield "Which law of friction is used?", LAW
+    yield "How do I check one row again?", "Every row's page ends with the command. How to install it: `provenance`."
     if answers:
         yield "How fast is it beside heyoka?", " ".join(answers)
     yield (
@@ -270,7 +274,7 @@ def hypotheses(name: str) -> str:
 def still_open(rows: Sequence[Row]) -> Section:
     """Return all that rows leave open, sentence by sentence, and what is not settled at all."""
     kinds = {
-        "Beside what is decided": tuple(f"{text} (`{row.claim.id}`)" for row in rows for text in row.open),
+        "Parts that decided rows leave open": tuple(f"{text} (`{row.claim.id}`)" for row in rows for text in row.open),
         "Not settled here": tuple(f"`{row.claim.id}`: {row.finding.missing}" for row in rows if row.finding.missing),
     }
     parts = (block for title, items in kinds.items() if items for block in (Heading(title), Points(items)))

@@ -107,7 +107,7 @@ def _regimes() -> Iterator[Block]:
         "Under $u=U\\sin\\omega t$ there are three regimes (`entrainment-threshold`). Up to $U_*$ a motion that "
         "sticks for ever exists. Below $U_{**}$ none slips without a stop, one way for half a period and then the other way; from $U_{**}$ on one does "
         "if $\\dot z$ keeps its sign between the turns. For $a_1=0$ and $\\omega>\\omega_1$ it always does; else it does from some amplitude on, which may "
-        "lie above $U_{**}$. In between the pair slips, and sticks or reverses more than twice in each period. With a damper every motion tends to the "
+        "lie above $U_{**}$ (for $a_1=0$ unless $\\omega_1$ is an odd multiple of $\\omega$). In between the pair slips, and sticks or reverses more than twice in each period. With a damper every motion tends to the "
         "one of its regime (`forced-periodic-response`)."
         + _formula("entrainment-threshold", "stuck", "threshold")
         + _formula("entrainment-threshold", "non-stop-undamped", "threshold")
@@ -115,10 +115,10 @@ def _regimes() -> Iterator[Block]:
     yield Table(
         (
             "$\\omega$ (rad/s)",
-            *(f"${letter}$, $a_1={float(pair.a1):g}$" for pair in PAIRS for letter in ("U_*", "U_{**}")),
+            *(f"${letter}$ (N), $a_1={float(pair.a1):g}$ N s/m" for pair in PAIRS for letter in ("U_*", "U_{**}")),
         ),
         tuple(_thresholds(rate) for rate in FREQUENCIES),
-        "Both thresholds (N) at some frequencies; the second formula is for $a_1=0$",
+        "Both thresholds at some frequencies; the second formula is for $a_1=0$",
     )
     third = harmonic_amplitude().subs(multiple, 3)
     yield Paragraph(

@@ -1,12 +1,11 @@
-"""A box: without couplings the pairs of the paper, digit for digit; with them the same events by another road."""
+"""A box: axes that nothing couples are pairs of the paper, digit for digit; all of it has the events of one path."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from strategies import plane_scenes
 
-from numerics import Force, solve
+from numerics import Force, Pair, Scene, State, solve
 from numerics.errors import EventUndecided, NumericsError
-from numerics.plane.box import axis_scene
 from numerics.plane.solve import followed
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
@@ -18,7 +17,11 @@ def test_without_couplings_every_axis_is_the_pair_of_the_paper_digit_for_digit()
     pair = PlanePair(1, ["0.5", 1], [200, 120], ["0.5", "0.2"], shape="box")
     scene = PlaneScene(pair, 2, x1=["0.02", "0.01"], v1=["0.1", "-0.2"], x2=[0, 1])
     found = solve(scene, digits=20)
-    lines = [solve(axis_scene(scene, i), digits=20, arithmetic="ball") for i in range(2)]
+    axes = [
+        Scene(Pair(1, "0.5", 200, "0.5"), State("0.02", "0.1"), 2),
+        Scene(Pair(1, 1, 120, "0.2"), State("0.01", "-0.2", 1), 2),
+    ]
+    lines = [solve(one, digits=20, arithmetic="ball") for one in axes]
     with found.context():
         times = sorted((event.t for line in lines for event in line.events), key=float)
         assert len(times) == len(found.events) > 5
@@ -29,6 +32,15 @@ def test_without_couplings_every_axis_is_the_pair_of_the_paper_digit_for_digit()
 
 
 @given(plane_scenes(shape="box"))
+@example(  # axes 0, 1 and axis 2 are parts; all at once they have bounds 10^10 times too large
+    PlaneScene(
+        PlanePair(1, 1, [[200, 50, 0], [50, 120, 0], [0, 0, 90]], ["0.5", "0.3", "0.2"], shape="box"),
+        "0.5",
+        x1=["0.02", 0, "0.01"],
+        v1=["0.1", "-0.2", "0.05"],
+        force=[Force(), Force.step("0.1", 1), Force.sine(1, 7)],
+    )
+)
 @settings(max_examples=3)
 def test_both_roads_agree_and_more_digits_stay_in_the_bounds(scene):
     try:
@@ -62,3 +74,12 @@ def test_friction_by_pieces_and_a_jump_let_several_axes_go():
     )
     first = solve(jump, digits=12).events[0]
     assert (first.before, first.after, first.cause, float(first.t)) == ("00", "++", "jump", 0.5)
+
+
+@pytest.mark.parametrize("at", ["0.5", "0.3", "1/3"])
+def test_axes_that_one_jump_lets_go_slip_at_once_and_know_the_load_behind_it(at):
+    """Without couplings too, and where no binary number is the time of the jump."""
+    scene = PlaneScene(PlanePair(1, 1, 200, "0.5", shape="box"), 1, force=[Force.step(at, 4), Force.step(at, 3)])
+    first = solve(scene, digits=12).events[0]
+    assert (first.before, first.after, first.cause) == ("00", "++", "jump")
+    assert [float(x) for x in first.load] == [2, 1.5]

@@ -20,6 +20,10 @@ from numerics.trajectory.trajectory import Trajectory
 PAIR = PlanePair(1, 1, [200, 120], ["0.5", "0.3"], shape="box")
 APART = PlaneScene(PAIR, 2, x1=["0.012", 0], v1=["0.1", "-0.2"], x2=[0, "1/3"])
 """A box without couplings: two motions of the line, which their own archives keep."""
+PARTLY = PlaneScene(
+    PlanePair(1, 1, [[200, 0, 60], [0, 90, 0], [60, 0, 120]], "0.5", shape="box"), 2, x1="0.01", v1="0.1", x2=[1, 2, 3]
+)
+"""A box in two parts: a motion of the line, and one along a path."""
 ROUND = PlaneScene(PlanePair(1, 1, 200, "0.5"), 2, v1=["0.06", "0.01"])
 SCENES = [load_scene("plane-box"), APART, ROUND]
 
@@ -36,7 +40,7 @@ def test_a_scene_is_written_as_the_text_of_the_same_scene(scene):
 
 
 @pytest.mark.parametrize(
-    ("scene", "asked"), [(SCENES[0], {}), (APART, {"digits": 12}), (SCENES[2], {"t_eval": [0, "1/3"]})]
+    ("scene", "asked"), [(SCENES[0], {}), (APART, {"digits": 12}), (PARTLY, {}), (SCENES[2], {"t_eval": [0, "1/3"]})]
 )
 def test_what_was_saved_comes_back_to_the_last_bit(scene, asked, tmp_path):
     run = solve(scene, **asked)
@@ -59,7 +63,7 @@ def test_what_is_no_such_file_is_refused(tmp_path):
     with pytest.raises(InvalidFile, match="its format is 'inertial-pair trajectory 1'"):
         PlaneTrajectory.load(path)
     run.save(path)
-    with pytest.raises(InvalidFile, match="surface trajectory 1'"):
+    with pytest.raises(InvalidFile, match="surface trajectory 2'"):
         Trajectory.load(path)
     kept = dict(np.load(path))
     text = kept["header"].tobytes().decode()

@@ -7,7 +7,6 @@ import pytest
 
 from numerics import Force, Pair, PlanePair, PlaneScene, solve
 from numerics.errors import InvalidScene
-from numerics.scene.file import parse_scene
 
 PAIR = PlanePair(m1=1, m2=1, a2=200, b="0.5")
 
@@ -66,29 +65,6 @@ def test_a_pair(given, told):
 def test_a_scene(given, told):
     with pytest.raises(InvalidScene, match=told):
         PlaneScene(**({"pair": PAIR, "until": 1} | given))
-
-
-@pytest.mark.parametrize(
-    ("pair", "more", "told"),
-    [
-        ("", '[[force]]\naxis = "z"', "axis = 'z' is not one of x, y, phi"),
-        ("", '[[force]]\naxis = ["x"]', "is not one of x, y, phi"),
-        ("", '[[force]]\naxis = "x"\npolynomial = [[1, 2]]', r"\[\[force\]\] number 1: polynomial\[0\]"),
-        ("", '[initial]\nx1 = [0, 0]\n[[force]]\naxis = "phi"', "x1 has 2 numbers and the scene 3 axes"),
-        ('shape = "boxx"', "", "shape = 'boxx' is not one of"),
-        ('shape = "box"\naxes = 3', "", "unknown key 'axes'"),
-        ('shape = "box"', "[weakening]\nlast_slope = 1", "is for bodies on one line"),
-        ('shape = "box"', "[[friction]]\nfrom = 1", r"\[\[friction\]\] number 1: missing key b"),
-        ('shape = "box"', "[[friction]]\nb = [1, 1]", r"\[\[friction\]\] number 1: missing key from"),
-        ('shape = "box"', "[[friction]]\nfrom = 1\nb = [1, 1, 1]", "b has 3 numbers"),
-        ('shape = "box"', "[initial]\nphi = 1", "unknown key 'phi'"),
-        ('shape = "box"', '[run]\nuntil = 1\nlaw = "three-valued-sgn"', "the law is filippov"),
-    ],
-)
-def test_a_file(pair, more, told):
-    run = "" if "[run]" in more else "[run]\nuntil = 1\n"
-    with pytest.raises(InvalidScene, match=told):
-        parse_scene(f'[pair]\nm1 = 1\nm2 = 1\na2 = 200\nb = "0.5"\n{pair}\n{run}{more}\n')
 
 
 @pytest.mark.parametrize(

@@ -42,14 +42,8 @@ class TestWhoIsFaster:
             run("solve", "forced-touch", 1e-2, 14.0),
             run("heyoka", "forced-touch", 1e-4, 14.0),
         )
-        assert free == (
-            "Without a force, ours wins on all 1 scenes, by at least 20 times (on velocities); "
-            "in the median ours is 20 times as fast."
-        )
-        assert under == (
-            "Under a force, heyoka wins on 1 of 1 scenes, by up to 100 times (on forced-touch); "
-            "in the median heyoka is 100 times as fast."
-        )
+        assert free == "Without a force, ours is 20 times as fast on the one scene, velocities."
+        assert under == "Under a force, heyoka is 100 times as fast on the one scene, forced-touch."
 
     def test_where_both_win_some_both_are_said(self):
         peers = run("heyoka", "velocities", 4e-3, 15.0), run("heyoka", "relative-motion-b05", 5e-4, 15.0)
@@ -111,7 +105,7 @@ def test_the_shipped_record_is_told_in_every_form():
     assert LatexWriter({}).section(whole).count(r"\begin{longtable}") == 2
     assert not re.search(r"\bnan\b|\bNone\b|\binf\b", text_of(whole))
     assert set(whole.pictures) == set(section.figures(recorded()))
-    assert all(one.count("heyoka") or "ours wins on all" in one for one in section.answers(recorded()))
+    assert all("heyoka" in one or "ours wins on all" in one or "ours is" in one for one in section.answers(recorded()))
 
 
 def test_every_figure_has_its_scene():
