@@ -30,8 +30,8 @@ DIGITS = 30
 @cache
 def sign_of_excess() -> Steps:
     """w' on the ray has the sign of R^2 - r; where it is not positive the pair is on S0."""
-    position, velocity = sp.symbols("X V", real=True)
-    deep = 2 * (1 - angle * sp.cos(angle) / sp.sin(angle))
+    position, velocity = symbols("X V", real=True)
+    deep = 2 * (1 - angle * cos(angle) / sin(angle))
     return (
         vanishes(
             r"$w'/q=c^2\,(R^2-r)$: the pair merges at this re-entry exactly if $R^2\leqslant r$, that is on one closed interval of angles",
@@ -48,7 +48,7 @@ def sign_of_excess() -> Steps:
 @cache
 def never_from_below() -> Steps:
     """Below the window 0 < y' < y: the same holds again after every excursion."""
-    rise_value, deep, y_a = sp.symbols("h c y_a", positive=True)
+    rise_value, deep, y_a = symbols("h c y_a", positive=True)
     return (
         prove(
             r"""
@@ -56,7 +56,7 @@ def never_from_below() -> Steps:
             $S_0$, as $c$ rises with $\theta$ and $w'=0$ at $\theta_a$ puts its end into $|X'|\leqslant 1$
             """,
             [share < 1, rise_value**2 > share * deep**2, rise_value**2 < y_a],
-            sp.And(
+            And(
                 signed(rise_value**2 - share * deep**2, ">"),
                 sp.Lt(rise_value**2 - share * deep**2, y_a, evaluate=False),
             ),

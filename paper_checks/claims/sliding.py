@@ -27,18 +27,18 @@ def _at_guard(sign: int, relation: str, side: int) -> Formula:
 HALF_SPACES = (("+", 1), ("-", -1))
 
 
-def beyond(side: int, *, strict: bool = True) -> sp.Basic:
+def beyond(side: int, *, strict: bool = True) -> Basic:
     """Return the condition side x1 > L (or >=), cleared of its denominator."""
     margin = cleared(side * x1 - half_width())
     return signed(margin, ">" if strict else ">=")
 
 
-def within() -> list[sp.Basic]:
+def within() -> list[Basic]:
     """Return the conditions |x1| <= L of S0, cleared of their denominators."""
     return [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
 
 
-def product(sign: int) -> sp.Expr:
+def product(sign: int) -> Expr:
     """Return Phi_sign . n_S times m1 m2 > 0."""
     return cleared(transversality(sign))
 
@@ -91,7 +91,7 @@ def _products() -> tuple[str, ...]:
         plus_below=_at_guard(1, ">", -1),
         minus_below=_at_guard(-1, ">", -1),
         width=width(),
-        normal=equal("n_S", sp.Matrix([0, 1, -1]), lambda: sp.Matrix(normal())),
+        normal=equal("n_S", Matrix([0, 1, -1]), lambda: Matrix(normal())),
         kernel="rate-above rate-below transversal-beyond",
     ),
 )
@@ -233,7 +233,7 @@ def return_alternatives() -> Case:
     )
     slips = identity(
         "the slip with $\\dot z<0$ solves (3), (4), before and after",
-        sp.Matrix(residual(solution("slip-", Regime.UNDAMPED))),
+        Matrix(residual(solution("slip-", Regime.UNDAMPED))),
     )
     return because(
         r"""
