@@ -28,7 +28,7 @@ def meets_surface() -> Steps:
     gained = Symbol("k", nonnegative=True)  # v2 gained during the stay
     bounds = [m2 * speed**2 <= 2 * E0 for speed in (v2, v2 + gained)]
     return (
-        identity(r"$\dot v_2=\pm b/m_2$ in $\Omega_\pm$", Matrix([phi(1)[2], phi(-1)[2]]), Matrix([b, -b]) / m2),
+        identity(r"$\dot v_2=\pm b/m_2$ in $\Omega_\pm$", [phi(1)[2], phi(-1)[2]], Matrix([b, -b]) / m2),
         prove(r"$m_2v_2^2\leqslant 2E$", [2 * energy() <= 2 * E0], m2 * v2**2 <= 2 * E0),
         prove(r"so $v_2$ can gain at most $\sqrt{8E/m_2}$", bounds, m2 * gained**2 <= 8 * E0),
         identity(
@@ -71,7 +71,7 @@ def stick_is_a_motion() -> Evidence:
     """The closed form of stick solves (3), (4), and E is constant along it."""
     return identity(
         "stick, $x_1=x_{10}\\cos\\Omega t+\\cdots$, solves (3), (4), and $\\dot E=0$ along it",
-        Matrix([*residual(solution("stick", Regime.UNDAMPED)), undamped(stick_rate())]),
+        [*residual(solution("stick", Regime.UNDAMPED)), undamped(stick_rate())],
     )
 
 

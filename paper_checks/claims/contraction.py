@@ -19,8 +19,8 @@ def same_modes() -> Evidence:
     stuck = forced.forced_system(forced.load() / b).subs(v2, v1)
     return identity(
         r"$m_1\dot v_1=u-a_2x_1-a_1v_1-b\sigma$, $m_2\dot v_2=b\sigma$ is slip of (3), (4) for $\sigma=\pm 1$, and stick for $\sigma=\Lambda/b$",
-        Matrix([*field, stuck[1], stuck[2]]),
-        Matrix([*slips, stick().acceleration1.subs(v2, v1), stick().acceleration2.subs(v2, v1)]),
+        [*field, stuck[1], stuck[2]],
+        [*slips, stick().acceleration1.subs(v2, v1), stick().acceleration2.subs(v2, v1)],
     )
 
 

@@ -57,8 +57,8 @@ def one_active_one_passive() -> Case:
                 "A degree of freedom is active if the control acts on it, passive if only the interface does.",
                 identity(
                     r"$u$ stands in the equation of body 1 alone",
-                    Matrix([diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)]),
-                    Matrix([0, 1, 0]),
+                    [diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)],
+                    [0, 1, 0],
                 ),
                 transfers.gentle(),
             ),

@@ -27,8 +27,8 @@ def converges() -> Evidence:
             with $P=m_1v_1+m_2v_2$, the point $(x_1,P/(M\Omega))$ turned back by $\Omega t$ moves at the rate
             $\frac{m_2}{M}(v_1-v_2)\,(\cos\Omega t,\sin\Omega t)$ for every value of friction
             """,
-            Matrix(rates()),
-            Matrix(claimed_rates()),
+            rates(),
+            claimed_rates(),
         ),
         identity(
             r"$2E=a(A^2+B^2)+\frac{m_1m_2}{M}(v_1-v_2)^2$: the pair as one body, and the relative motion",

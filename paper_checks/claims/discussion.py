@@ -73,7 +73,7 @@ def same_fields() -> Steps:
     return tuple(
         identity(
             f"{name}: (11)–(12) and (5)–(7) in Filippov's sense have the same accelerations",
-            Matrix(case_study_mode(sign)),
+            case_study_mode(sign),
             field[1:, 0].subs(CASE_STUDY),
         )
         for name, sign, field in fields

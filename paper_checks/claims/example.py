@@ -129,8 +129,8 @@ def example_reduction() -> Case:
             identity("(12) is (4) where the second bracket is 1", derived[1].subs(bracket_sign, -1), printed[1]),
             identity(
                 "with $\\mathrm{sgn}(\\dot z)=0,\\,1,\\,-1$ they give the same accelerations",
-                Matrix([printed.subs(s, sign).subs(acceleration1, case_study_mode(sign)[0]) for sign in (0, 1, -1)]),
-                Matrix([Matrix(case_study_mode(sign)) for sign in (0, 1, -1)]),
+                [printed.subs(s, sign).subs(acceleration1, case_study_mode(sign)[0]) for sign in (0, 1, -1)],
+                [case_study_mode(sign) for sign in (0, 1, -1)],
             ),
             bracket_is_off_in_slip(),
             identity(
@@ -198,7 +198,7 @@ def example_two_modes() -> Case:
         carried("second"),
         carried(
             "together",
-            identity("the closed form of stick satisfies (3), (4), by substitution", Matrix(residual(together))),
+            identity("the closed form of stick satisfies (3), (4), by substitution", residual(together)),
             identity("in it $x_1-x_2$ is constant", together.x1 - together.x2, x1_0 - x2_0),
             identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
             identity("undamped: $\\dot E=0$", undamped(stick_rate())),

@@ -47,7 +47,7 @@ def bracket_is_off_in_slip() -> Evidence:
     factors = [adhesion_factor(sign, stiction) for sign in (1, -1) for stiction in (-1, 0, 1)]
     return identity(
         "for $\\dot z\\neq 0$ the brackets of (4) are $0$, whatever $|\\ddot x_1|$ is",
-        Matrix(factors),
+        factors,
     )
 
 

@@ -76,7 +76,7 @@ def force_as_reference_or_disturbance() -> Case:
             ),
             identity(
                 r"(4) has no $u$, $a_1$, $a_2$",
-                Matrix([diff(driven_equation(), one) for one in (u, a1, a2)]),
+                [diff(driven_equation(), one) for one in (u, a1, a2)],
             ),
         ),
     )

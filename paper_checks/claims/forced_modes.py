@@ -23,8 +23,8 @@ def slip_rates() -> Evidence:
     by_load = [forced.coupling() * (forced.load() - sign * b) for sign in (1, -1)]
     return identity(
         r"in slip of sign $s$, $\ddot z=\kappa\,(\Lambda-sb)$, $\kappa=M/(m_1m_2)$",
-        Matrix(rates),
-        Matrix(by_load),
+        rates,
+        by_load,
     )
 
 
@@ -56,8 +56,8 @@ def deviation() -> Evidence:
     modes = [(mode, sign) for sign in (1, -1) for mode in ("stick", "slip+" if sign > 0 else "slip-")]
     return identity(
         r"where $\Lambda=sb$, $\eta=x_1-r$ beside $r=x_1+v_1t+sbt^2/2m_2$ has $I\ddot\eta+a_1\dot\eta+a_2\eta=p(t)$ in slip of sign $s$ ($I=m_1$) and in stick ($I=M$)",
-        Matrix([forced.deviation_force(mode, sign) for mode, sign in modes]),
-        Matrix([forced.imbalance(sign) for _, sign in modes]),
+        [forced.deviation_force(mode, sign) for mode, sign in modes],
+        [forced.imbalance(sign) for _, sign in modes],
     )
 
 
@@ -67,8 +67,8 @@ def excess() -> Evidence:
     beside = [m2 / total_mass() * (forced.imbalance(s) - a1 * forced.gap_rate - a2 * forced.gap) for s in (1, -1)]
     return identity(
         r"there $\Lambda-sb=(m_2/M)(p-a_1\dot\eta-a_2\eta)$",
-        Matrix([forced.excess_load(sign) for sign in (1, -1)]),
-        Matrix(beside),
+        [forced.excess_load(sign) for sign in (1, -1)],
+        beside,
     )
 
 
@@ -76,7 +76,7 @@ def excess() -> Evidence:
 def relative_is_deviation() -> Evidence:
     """In slip of sign s body 2 has the reference's acceleration, so w' is that of y."""
     rates = [diff(forced.reference(s), t, 2) - slip(s).acceleration2 for s in (1, -1)]
-    return identity(r"in slip of sign $s$ body 2 keeps the velocity $\dot r$: $\dot z=\dot\eta$", Matrix(rates))
+    return identity(r"in slip of sign $s$ body 2 keeps the velocity $\dot r$: $\dot z=\dot\eta$", rates)
 
 
 @cache

@@ -102,8 +102,8 @@ def largest_relative_speed() -> Evidence:
     rational = [sp.cancel(sp.expand_trig(one.subs(at))) for one in (diff(guard_of_u(), theta), guard_of_u())]
     return identity(
         r"$(V_1-V_2)/\sqrt q$ is stationary at $\theta=2\arctan\nu$, with the value $-2(\nu-\arctan\nu)$",
-        Matrix(rational),
-        Matrix([0, -2 * (h_value - sp.atan(h_value))]),
+        rational,
+        [0, -2 * (h_value - sp.atan(h_value))],
     )
 
 

@@ -36,8 +36,8 @@ def slips() -> Evidence:
         """,
         identity(
             r"$\dot z$ vanishes at $0$ and $\pi/2$ and has the slopes $v-1+\pi/2$ and $-1-v$ there",
-            Matrix([*ends, *slopes]),
-            Matrix([0, 0, jump.speed - 1 + HALF_PI, -1 - jump.speed]),
+            [*ends, *slopes],
+            [0, 0, jump.speed - 1 + HALF_PI, -1 - jump.speed],
         ),
         identity(
             r"its second derivative is $-v\cos t-(\pi/2+v)\sin t$",
@@ -63,7 +63,7 @@ def sticks() -> Evidence:
         """,
         identity(
             r"the load is $(\pi/4-v)/2$ where the stick begins, of size $(v+3\pi/4)/2$ where it ends, $(v+1+\pi/2)/2$ after the jump",
-            Matrix([first, before, after]),
+            [first, before, after],
             Matrix([pi / 4 - jump.speed, jump.speed + 3 * pi / 4, jump.speed + 1 + HALF_PI]) / 2,
         ),
         identity(
@@ -94,7 +94,7 @@ def returns() -> Evidence:
     """After half a period the state is minus what it was, for every member."""
     return identity(
         r"after slip and stick $(x_1,v_1,v_2)$ is minus what it was at the exit, for every $v$",
-        Matrix(jump.after_half_period()),
+        jump.after_half_period(),
         -Matrix(jump.exit_state()),
     )
 

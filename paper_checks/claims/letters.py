@@ -49,7 +49,7 @@ def either_sign(derived: Callable[[int], Expr], where: dict[Symbol, Callable[[in
     def decide(formula: Formula) -> Evidence:
         right = sp.sympify(formula.right)
         sides = [right.subs({one: value(s) for one, value in (where or {}).items()}).subs(S, s) for s in (1, -1)]
-        return identity(f"${formula.latex}$, as derived", Matrix([derived(1), derived(-1)]), Matrix(sides))
+        return identity(f"${formula.latex}$, as derived", [derived(1), derived(-1)], sides)
 
     return decide
 

@@ -35,8 +35,8 @@ def expansion() -> Steps:
     return (
         identity(
             r"$y'=y-\alpha y^2+\beta y^3-\cdots$ with $\alpha=\tfrac{9}{4}r$, $\beta=\tfrac{81}{40}r$",
-            Matrix(map_coefficients()),
-            Matrix([9 * r / 4, 81 * r / 40]),
+            map_coefficients(),
+            [9 * r / 4, 81 * r / 40],
         ),
         identity(
             r"$A(y)=\frac{1}{\alpha y}+B\ln y$ has $A(y')-A(y)=1+O(y^2)$, a sum that converges along the exits, as $y_n\sim\frac{1}{\alpha n}$",

@@ -213,7 +213,7 @@ def example_onset() -> Case:
             stuck_for_ever("from there it sticks for ever too", solved(scene_at(TOGETHER, "1000"))),
             identity(
                 "stick satisfies (3)–(4) and (11)–(12), by substitution",
-                Matrix(residual(solution("stick", Regime.UNDAMPED))),
+                residual(solution("stick", Regime.UNDAMPED)),
             ),
         ),
         correction(*(*stays_together(), *comes_apart())),

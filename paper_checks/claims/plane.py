@@ -81,8 +81,8 @@ def on_a_line() -> Evidence:
         r"With scalar masses, spring and damper all forces on a motion along a line are in it, and friction is $b\,\mathrm{sgn}(w)$ along it: the equations are those of the pair, and there is one motion from each start.",
         identity(
             r"for $\mathbf w=\pm w\,\mathbf e$ friction is $\pm b\,\mathbf e$",
-            Matrix([*plane.by_direction(line * speed), *plane.by_direction(-line * speed)]),
-            Matrix([*(b * line), *(-b * line)]),
+            [*plane.by_direction(line * speed), *plane.by_direction(-line * speed)],
+            [*(b * line), *(-b * line)],
         ),
         never_apart(),
     )

@@ -52,7 +52,7 @@ def one_step() -> Steps:
         ),
         identity(
             r"$h'(\pi/2)=c(\pi/2)=2-\frac{\pi}{2}<1$: for $\theta\leqslant\pi/2$, $\theta-h$ rises ($h'$ rises) and $q\,c<1$",
-            Matrix([diff(h(), theta).subs(theta, pi / 2), depth_of_angle().subs(theta, pi / 2)]),
+            [diff(h(), theta).subs(theta, pi / 2), depth_of_angle().subs(theta, pi / 2)],
             (2 - pi / 2) * sp.ones(2, 1),
         ),
     )

@@ -37,8 +37,8 @@ def coefficients() -> Steps:
         stating(
             identity(
                 r"$c=\tfrac{3}{2}y-\tfrac{27}{40}y^2+\tfrac{243}{560}y^3-\cdots$ in powers of $y=h^2$",
-                Matrix(found[:3]),
-                Matrix(printed_depth_coefficients()),
+                found[:3],
+                printed_depth_coefficients(),
             ),
             form("coefficients of c", list(found)),
         ),
@@ -80,7 +80,7 @@ def remainder() -> Steps:
     return (
         identity(
             r"$c^2-P_8(y)$ has a zero of order $18$ at $\theta=0$: its coefficients, in exact series of $\theta$, vanish",
-            Matrix(defect_in_angle()),
+            defect_in_angle(),
         ),
         enclosed(
             f"$|c^2-P_8(y)|<\\tfrac{{1}}{{3}}$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
@@ -122,8 +122,8 @@ def cycle_time() -> Evidence:
     return stating(
         identity(
             r"the reduced time of a cycle is $\pi+\frac{9r}{8q}\varepsilon^3+O(\varepsilon^5)$, $\varepsilon=\sqrt w$",
-            Matrix([found.coeff(epsilon, power) for power in range(4)]),
-            Matrix([pi, 0, 0, 9 * r / (8 * q)]),
+            [found.coeff(epsilon, power) for power in range(4)],
+            [pi, 0, 0, 9 * r / (8 * q)],
         ),
         form("cycle time", sp.collect(found, epsilon, sp.factor)),
     )

@@ -125,10 +125,10 @@ def two_solutions() -> Steps:
     slipping = solved(load_scene("start-at-6mm"))
     stuck, loose = (solution(mode, Regime.UNDAMPED) for mode in ("stick", "slip-"))
     return (
-        identity("a pair that sticks for ever satisfies (11), (12) (stick, by substitution)", Matrix(residual(stuck))),
+        identity("a pair that sticks for ever satisfies (11), (12) (stick, by substitution)", residual(stuck)),
         identity(
             "a pair that slips with $\\dot z<0$ satisfies them too (slip, by substitution)",
-            Matrix(residual(loose)),
+            residual(loose),
         ),
         itinerary("from the start of Fig. 4 (a) the slip has $\\dot z<0$ at first", slipping, [Mode.SLIP_MINUS]),
         compare("and until a time $t_1>0$", slipping.events[0].t, ">", exact(0)),

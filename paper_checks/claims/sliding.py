@@ -233,7 +233,7 @@ def return_alternatives() -> Case:
     )
     slips = identity(
         "the slip with $\\dot z<0$ solves (3), (4), before and after",
-        Matrix(residual(solution("slip-", Regime.UNDAMPED))),
+        residual(solution("slip-", Regime.UNDAMPED)),
     )
     return because(
         r"""

@@ -51,7 +51,7 @@ def blind_to_x2() -> Evidence:
     """No acceleration depends on x2."""
     return identity(
         r"no acceleration depends on $x_2$: a start moved by $c$ in $x_2$ keeps $c$ for ever",
-        Matrix([diff(entry, x2) for entry in forced.forced_system(sigma)]),
+        [diff(entry, x2) for entry in forced.forced_system(sigma)],
     )
 
 

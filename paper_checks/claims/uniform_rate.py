@@ -55,8 +55,8 @@ def one_more_cycle() -> Evidence:
         identity(r"$G=O(y^2)$", abel_defect()),
         identity(
             r"$F=O(y^{3/2})$",
-            Matrix([expand(cycle().cycle_duration).coeff(epsilon, n) for n in range(3)]),
-            Matrix([pi, 0, 0]),
+            [expand(cycle().cycle_duration).coeff(epsilon, n) for n in range(3)],
+            [pi, 0, 0],
         ),
     )
 

@@ -196,8 +196,8 @@ def _linear_decay() -> Steps:
     return (
         identity(
             "in slip$\\pm$ $\\ddot x_1=-\\frac{a_2}{m_1}(x_1\\pm b/a_2)$",
-            Matrix(force),
-            Matrix([-a2 / m1 * (x1 + sign * b / a2) for sign in (1, -1)]),
+            force,
+            [-a2 / m1 * (x1 + sign * b / a2) for sign in (1, -1)],
         ),
         identity(
             "at a crossing the squared amplitude changes by $-4bx_1/a_2$",

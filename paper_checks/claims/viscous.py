@@ -88,8 +88,8 @@ def viscous_no_direct_effect() -> Case:
             "friction-of-slip",
             identity(
                 "in slip the force on body 2 is $\\pm b$, without $a_1$",
-                Matrix([free(slip(sign).force_on_second) for sign in (1, -1)]),
-                Matrix([b, -b]),
+                [free(slip(sign).force_on_second) for sign in (1, -1)],
+                [b, -b],
             ),
             identity(
                 "the damper changes $\\dot E$ by $-a_1v_1^2\\leqslant 0$",
