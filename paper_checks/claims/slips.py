@@ -18,6 +18,7 @@ from paper_checks.decide.balls import precision, shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import guard_factors, h, half_tangent_form
 from theory.linear import root
+from theory.power_series import taylor
 from theory.return_map import (
     contact_condition,
     contact_slope,
@@ -125,7 +126,7 @@ def rise_is_convex() -> Steps:
 @cache
 def depth_grows() -> Steps:
     """c' = h > 0 from 0 to infinity; c is concave in y = h^2."""
-    limits = sp.limit(depth(), theta, 0, "+"), sp.limit(depth(), theta, 2 * pi, "-")
+    limits = taylor(in_trigonometry(depth()), theta, 1), sp.limit(depth(), theta, 2 * pi, "-")
     slope = half_tangent_form(diff(in_trigonometry(depth()), theta) / diff(h() ** 2, theta))
     return (
         stating(vanishes("$c'=h>0$", depth_slope_residual()), form("c", depth())),
