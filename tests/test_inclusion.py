@@ -15,7 +15,7 @@ from strategies import weakened_scenes
 
 from numerics.errors import EventUndecided
 from numerics.scene.file import load_scene
-from numerics.trajectory.derivatives import parameters
+from numerics.trajectory.sensitivity import parameters
 
 KINDS = STRATEGIES | {"friction of the state": weakened_scenes()}
 
