@@ -31,9 +31,10 @@ def chart_response(options: argparse.Namespace) -> int:
     from numerics.control.response_map import response_map
     from numerics.scene.file import load_line
 
-    scene, amplitude, omega = load_line(options.scene), _side(options, "amplitude"), _side(options, "omega")
+    scene = load_line(options.scene)
     scene.require_one_b("a map of responses")
-    return _chart(options, partial(response_map, scene.pair, amplitude, omega, options.depth), _drawn_response)
+    compute = partial(response_map, scene.pair, options.amplitude, options.omega, options.depth)
+    return _chart(options, compute, _drawn_response)
 
 
 def _drawn_response(found: CellMap) -> Any:
