@@ -58,6 +58,12 @@ def test_equal_axes_have_their_events_together():
     pair = PlanePair(1, 1, 200, "0.5", shape="box")
     found = solve(PlaneScene(pair, 1, x1="0.02", v1="0.1"), digits=15)
     assert {one.after for one in found.events} <= {"++", "00", "--"}
+    other = solve(PlaneScene(pair, 1, x1=["0.02", "-0.02"], v1=["0.1", "-0.1"]), digits=15)
+    assert [one.after for one in other.events] == [
+        {"++": "+-", "--": "-+"}.get(one.after, "00") for one in found.events
+    ]
+    x, y = other.final_state.x1
+    assert x.overlaps(-y)
 
 
 def test_coupled_axes_with_one_event_time_are_not_decided():
