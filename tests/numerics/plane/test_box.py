@@ -89,3 +89,10 @@ def test_axes_that_one_jump_lets_go_slip_at_once_and_know_the_load_behind_it(at)
     first = solve(scene, digits=12).events[0]
     assert (first.before, first.after, first.cause) == ("00", "++", "jump")
     assert [float(x) for x in first.load] == [2, 1.5]
+
+
+@pytest.mark.parametrize(("v", "modes"), [("0.1", ["-0", "00"]), ("-0.1", ["00", "+0"])])
+def test_a_coupled_axis_that_begins_exactly_on_the_edge_leaves_it_the_way_its_load_goes(v, modes):
+    pair = PlanePair(1, 1, [[100, 1], [1, 100]], "0.5", shape="box")
+    found = solve(PlaneScene(pair, "0.6", x1=["0.01", 0], v1=[v, 0], v2=[v, 0]), digits=15)
+    assert [*found.modes[:2]] == modes
