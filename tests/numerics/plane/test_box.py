@@ -4,7 +4,7 @@ import pytest
 from hypothesis import example, given, settings
 from strategies import plane_scenes
 
-from numerics import Force, Pair, Scene, State, solve
+from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.solve import followed
 from numerics.scene.file import load_scene
@@ -96,3 +96,11 @@ def test_a_coupled_axis_that_begins_exactly_on_the_edge_leaves_it_the_way_its_lo
     pair = PlanePair(1, 1, [[100, 1], [1, 100]], "0.5", shape="box")
     found = solve(PlaneScene(pair, "0.6", x1=["0.01", 0], v1=[v, 0], v2=[v, 0]), digits=15)
     assert [*found.modes[:2]] == modes
+
+
+def test_axes_with_other_data_may_stop_at_one_time_that_is_known_exactly():
+    """Body 1 rests, m2 v2' = -b: both slips end at 1 s = m2 v2/b."""
+    pair = PlanePair([1, 1], [1, 2], [1, 2], [1, 3], shape="box")
+    scene = PlaneScene(pair, 3, v2=[1, "1.5"], force=[Force([Piece(0, [-1])]), Force([Piece(0, [-3])])])
+    (event,) = solve(scene, digits=20).events
+    assert (event.t, event.before, event.after) == (1, "--", "00")
