@@ -78,14 +78,16 @@ def non_stop() -> Evidence:
 
 @cache
 def below_non_stop() -> Evidence:
-    """Whatever slips for ever with the period of the force makes a motion that is its own negative half a period later."""
+    """Whatever slips for ever by halves of the force's period makes a motion that is its own negative half a period later."""
     return argument(
         r"""
-        Let a motion of the period $T=2\pi/\omega$ have $\dot z>0$ for half a period and $\dot z<0$ for the other. Its
-        friction is the square wave, so half of the difference between it and itself half a period later has the same
-        friction and, as $u(t+T/2)=-u(t)$, the same force; its relative velocity keeps the sign, and it is its own
-        negative half a period later. At its turn $\Lambda\geqslant b$, which needs $U\geqslant U_{**}$ whatever $\dot
-        z$ does at $U_{**}$.
+        Let $\dot z>0$ for half a period, $T/2=\pi/\omega$, and $\dot z<0$ for the next, for ever. Friction is the
+        square wave then. If $a_1>0$ or $\omega_1/\omega$ is no integer, the motion is one of the period $T$ and a free
+        oscillation of body 1, and the mean of its shifts by $T,2T,\ldots$ takes the latter away: what is left has the
+        same friction, $\dot z\geqslant 0$ and $\dot z\leqslant 0$. If $\omega_1/\omega$ is even it has the period $T$
+        itself. Half of the difference between that and itself half a period later has the same friction and, as
+        $u(t+T/2)=-u(t)$, the same force, and is its own negative half a period later. At its turn
+        $\Lambda\geqslant b$, which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$.
         """,
         square_wave(),
         non_stop(),
@@ -153,7 +155,7 @@ def _gain() -> Expr:
 
 OPEN = (
     "That each amplitude between $U_*$ and $U_{**}$ has just one motion with two stops, and that its conditions hold on the whole branch, is not proved.",
-    "Motions that slip for ever, half a period each way, and have another period than the force are not treated for $a_1=0$.",
+    "Motions that slip for ever and turn at other times than after each half period of the force are not treated for $a_1=0$.",
 )
 
 
@@ -243,7 +245,7 @@ OPEN = (
     ),
     clause(
         "below",
-        r"Below $U_{**}$ no motion of the force's period slips for ever, one way for half a period and then the other way, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
+        r"Below $U_{**}$ no motion slips for ever, one way for half a period of the force and then the other way, whatever its own period is, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
     ),
     clause(
         "over-damped",

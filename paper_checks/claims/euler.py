@@ -58,8 +58,8 @@ def euler_reproduces_figures() -> Case:
             *_energy_of_start_at_6mm(),
             *_converges(),
             text=(
-                "Forward Euler approximates the Filippov solution, unless it starts at $\\dot z=0$ exactly, as in Fig. 4 (a). Of the "
-                "steps tried, $5\\cdot10^{-5}$ s and $10^{-5}$ s give the first adhesion of Fig. 5 (a) within three steps, $10^{-4}$ s and more "
+                "In these scenes forward Euler approximates the Filippov solution, unless it starts at $\\dot z=0$ exactly, as in Fig. 4 (a). "
+                "Of the steps tried, $5\\cdot10^{-5}$ s and $10^{-5}$ s give the first adhesion of Fig. 5 (a) within three steps, $10^{-4}$ s and more "
                 "do not; Fig. 4 (b) has it with all of them. Fig. 4 (a) "
                 f"gains {gains[Fraction(1, 10000)]} % of its energy in 5 s with $10^{{-4}}$ s, {gains[Fraction(1, 1000)]} % with $10^{{-3}}$ s."
             ),

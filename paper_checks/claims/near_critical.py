@@ -122,7 +122,7 @@ def slip_durations() -> Case:
             "eventually",
             r"""
             The exit points and the entry points of a trajectory that never merges tend to the end points $(\pm
-            L,\,0,\,0)$: «entry» and «speed» at the entries. So all but finitely many are near them; the first
+            L,\,0,\,0)$: «entry» and «speed» at the entries. So all late ones are near them; the first
             entries may lie elsewhere in $S_0$.
             """,
             entry=Formula(r"|x_1|", "->", b * (m1 + m2) / (a2 * m2), equals(lambda: critical_limits().entry_position)),

@@ -242,7 +242,7 @@ def return_alternatives() -> Case:
         reaches 0 its rate $\Phi_-\cdot n_S$ is not negative: the point has $x_1\leqslant L$. On $S_-$ both products
         are positive and the crossing is transversal; the rest is $S_0$. At a point of $\ell_+$ the trajectory touches
         $S$ and goes on in $\Omega_-$, and through $\ell_-$ it crosses into $\Omega_+$, at a point that is not in
-        $S_-$. Only starts on a curve lead there; for all others the sentence holds as it stands.
+        $S_-$. Only starts on surfaces lead there; for all others the sentence holds as it stands.
         """,
         counterexample(
             r"""
