@@ -70,9 +70,8 @@ def complete(parser: argparse.ArgumentParser) -> None:
 
 def missing(module: str) -> str:
     """Return the sentence that says that a module is not installed, and what to do."""
-    return (
-        f"this needs {module}, which is not installed: python -m pip install 'inertial-pair[checks]' brings all tools"
-    )
+    extra = {"matplotlib": "plot"}.get(module, "checks")
+    return f"this needs {module}, which is not installed; python -m pip install 'inertial-pair[{extra}]'"
 
 
 class Version(argparse.Action):

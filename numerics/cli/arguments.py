@@ -33,6 +33,8 @@ def parser() -> argparse.ArgumentParser:
         made.set_defaults(run=run)
         return made
 
+    shown: dict[str, Any] = {"epilog": _EPILOG, "formatter_class": argparse.RawDescriptionHelpFormatter}
+    _solve(command("solve", solving.solve_scene, "solve one scene", **shown))
     command("scenes", commands.list_scenes, "list the shipped scenes, a line each")
     _energy(command("energy", commands.print_energy, "the energy at one time, however late, without stepping there"))
     chart = command("map", maps.chart_merging, "which mass ratios merge from which energies on S0, in proved cells")
@@ -55,8 +57,6 @@ def parser() -> argparse.ArgumentParser:
     what, left_out = "measure speed against accuracy, ours and other integrators'", "what is not installed is left out"
     epilog = f"{left_out} and named; a run that hangs or fails is stopped and shown as such"
     _trade(command("trade", measure_trade, what, epilog=epilog))
-    shown: dict[str, Any] = {"epilog": _EPILOG, "formatter_class": argparse.RawDescriptionHelpFormatter}
-    _solve(command("solve", solving.solve_scene, "solve one scene", **shown))
     return top
 
 
@@ -82,7 +82,7 @@ def _solve(asked: argparse.ArgumentParser) -> None:
     _count(asked, "--max-events", 250_000, "stop after N events")
     _count(asked, "--max-digits", 20_000, "cap on the working digits")
     asked.add_argument("--all", action="store_true", help="print all events on a terminal, not the first and the last")
-    asked.add_argument("--explain", action="store_true", help="say on stderr which road was taken, and why")
+    asked.add_argument("--explain", action="store_true", help="say on stderr which arithmetic was used, and why")
     derivatives = "add the derivatives by initial state, parameters and numbers of the force (SI units)"
     asked.add_argument("--sensitivity", action="store_true", help=derivatives)
     output = asked.add_mutually_exclusive_group()

@@ -54,8 +54,7 @@ def print_energy(options: argparse.Namespace) -> int:
 
 def audit_numerics(options: argparse.Namespace) -> int:
     """Measure what the package claims of its numbers; FAILED if a row is not as required."""
-    from numerics.audit.rows import as_record, print_rows
-    from numerics.audit.solves import SIZES, audit
+    from numerics.audit.solves import SIZES, as_record, audit, print_rows
 
     with shown_steps() as say:
         rows = list(audit(options.seed, *SIZES[options.size], say))

@@ -1,22 +1,26 @@
-"""Many scenes of one piece of force in one compiled call: rows of numbers in, first events and ends out, in float64."""
+"""Many scenes in one compiled call, in float64: first events and ends out.
+
+In come rows of numbers, of one piece of force; or scenes with forces and frictions of any pieces.
+"""
 
 from __future__ import annotations
 
 import math
-from typing import Any, Protocol
+from collections.abc import Sequence
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.compiled import compilable, compilable_with, compiled
 from numerics.arithmetic.pair import two_sum
-from numerics.linear.columns import Drive, constants, make_room
+from numerics.linear.columns import Constants, Drive, constants, make_room
 from numerics.linear.kernel import follow_in
-from numerics.linear.prepare import REACH, most_terms
-from numerics.linear.record import AT, END_ROW, ROW, in_si
-from numerics.linear.table import FIRST, form, make_tables
+from numerics.linear.prepare import REACH, Prepared, Units, most_terms
+from numerics.linear.record import AT, END_ROW, ROW, finish, in_si
+from numerics.linear.table import FIRST, Tables, form, make_tables
 
-_X1 = AT["x1"]
+_X1, _EVENT, _PIECE, _LOCAL = (AT[name] for name in ("x1", "event", "piece", "local"))
 
 
 class Columns(Protocol):
@@ -36,6 +40,79 @@ def run_rows(
     """
     table, polynomial, sines = columns.table, columns.polynomial, columns.sines
     compiled(follow_rows)(table, polynomial, sines, literal, max_events, most_terms(polynomial.shape[1]), kept, ends)
+
+
+class Drives(NamedTuple):
+    """Drives of many scenes one after another (columns.Drive): scene i has the pieces from first[i] to first[i + 1]."""
+
+    first: Any
+    begin: Any
+    """(n,) when each piece begins, s."""
+    drive: Drive
+
+
+def run_prepared(
+    given: Sequence[Prepared], max_events: int, kept: NDArray[np.float64], ends: NDArray[np.float64]
+) -> None:
+    """Do for scenes as they are prepared what `run_rows` does for rows; all of one pair and with the same tables."""
+    drives = [one.drive for one in given]
+    places, b, length, coefficients, sines = (np.concatenate(parts) for parts in zip(*drives, strict=True))
+    counts = np.array([(len(one.places), len(one.coefficients), len(one.sines)) for one in drives])
+    before = np.cumsum(counts, axis=0) - counts
+    places[:, [0, 2]] += np.repeat(before[:, 1:], counts[:, 0], axis=0)
+    begin = np.array([float(piece.start) for one in given for piece in one.pieces])
+    of_all = Drives(np.append(before[:, 0], len(places)), begin, Drive(places, b, length, coefficients, sines))
+    starts, decided = np.array([one.start for one in given]), np.array([one.is_decided for one in given])
+    first = given[0]
+    compiled(follow_drives)(first.pair, first.tables, of_all, starts, decided, max_events, first.units, kept, ends)
+
+
+@compilable_with(makes_arrays=True, forceinline=False)
+def follow_drives(
+    pair: Constants,
+    tables: Tables,
+    drives: Drives,
+    starts: Any,
+    decided: Any,
+    max_events: int,
+    units: Units,
+    kept: Any,
+    ends: Any,
+) -> None:
+    """Solve the scenes of many drives; of the rows that are kept only events count, and times from the run's start."""
+    first, begin, (places, b, length, coefficients, sines) = drives
+    room, spare = make_room(tables.rows.shape[4], tables.rows.shape[5]), np.empty(ROW)
+    end, rows = np.zeros(END_ROW), np.empty((kept.shape[1] + places.shape[0], ROW))
+    for n in range(starts.shape[0]):
+        of = slice(first[n], first[n + 1])
+        drive = Drive(places[of], b[of], length[of], coefficients, sines)
+        room_for = kept.shape[1] - 1 + drive.places.shape[0] if kept.shape[1] > 1 else 1
+        how, count = follow_in(
+            room,
+            spare,
+            pair,
+            drive,
+            tables,
+            starts[n],
+            decided[n],
+            -1.0,
+            max_events,
+            False,
+            False,
+            rows[:room_for],
+            end,
+        )
+        written = rows[: min(count, room_for)]
+        if how >= 3 or not finish(written, end, units.mass, units.time, units.length):  # out of range, or in doubt
+            continue
+        end[_LOCAL], end[_PIECE] = end[_LOCAL] + begin[first[n] + int(end[_PIECE])], 0.0
+        ends[n], done = end, 0
+        for k in range(written.shape[0]):
+            if (k == 0 or written[k, _EVENT] == 1.0) and done < kept.shape[1]:
+                kept[n, done] = written[k]
+                kept[n, done, _LOCAL] += begin[first[n] + int(written[k, _PIECE])]
+                kept[n, done, _PIECE] = 0.0
+                done += 1
 
 
 @compilable_with(makes_arrays=True, forceinline=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -9,7 +10,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.scene import Scene, Sine
+from numerics.scene import Force, Friction, Scene, Sine
 from numerics.scene.pieces import shifted
 
 _AT_ONCE = np.zeros(1)
@@ -30,10 +31,13 @@ class ExactPiece:
     is_jump: bool
 
 
-def pieces_of(scene: Scene) -> Sequence[ExactPiece]:
-    """Return the pieces from t = 0 up to the horizon, in order; made once and kept with the scene."""
+def pieces_of(scene: Scene, grid: Grid | None = None) -> Sequence[ExactPiece]:
+    """Return the pieces from t = 0 up to the horizon, in order; made once and kept with the scene.
+
+    `grid`: that of scenes before this one.
+    """
     if "pieces" not in scene.made:
-        scene.made["pieces"] = _pieces(scene)
+        scene.made["pieces"] = _pieces(scene, grid or Grid())
     found: Sequence[ExactPiece] = scene.made["pieces"]
     return found
 
@@ -48,24 +52,48 @@ def starts_of(scene: Scene) -> NDArray[np.float64]:
     return found
 
 
-def _pieces(scene: Scene) -> Sequence[ExactPiece]:
-    force, friction, until = scene.force, scene.friction, scene.until
+class Grid:
+    """When the pieces of scenes begin and which of force and friction act; scenes of a batch may share the last one."""
+
+    def __init__(self) -> None:
+        """Begin with none."""
+        self._of: tuple[object, ...] = ()
+        self._found: list[tuple[Fraction, Fraction, int, int]] = []
+
+    def of(self, force: Force, friction: Friction, until: Fraction) -> list[tuple[Fraction, Fraction, int, int]]:
+        """Return of each piece start and length, s, and how many pieces of force and of friction have begun."""
+        given = (friction, until, *force.starts)
+        if len(given) != len(self._of) or any(one is not two for one, two in zip(given, self._of, strict=True)):
+            self._of, self._found = given, _grid(force.starts, friction.starts, until)
+        return self._found
+
+
+def _grid(
+    forces: Sequence[Fraction], frictions: Sequence[Fraction], until: Fraction
+) -> list[tuple[Fraction, Fraction, int, int]]:
     starts = [Fraction(0)]
-    for t in sorted((*force.starts, *friction.starts)):
+    for t in sorted((*forces, *frictions)):
         if starts[-1] < t < until:
             starts.append(t)
+    ends = [*starts[1:], until]
+    return [
+        (start, end - start, bisect_right(forces, start), bisect_right(frictions, start))
+        for start, end in zip(starts, ends, strict=True)
+    ]
+
+
+def _pieces(scene: Scene, grid: Grid) -> Sequence[ExactPiece]:
     found: list[ExactPiece] = []
-    b, piece, forces, frictions = scene.pair.b, None, 0, 0
-    for start, end in zip(starts, [*starts[1:], until], strict=True):
-        while frictions < len(friction.pieces) and friction.pieces[frictions][0] <= start:
-            b, frictions = friction.pieces[frictions][1], frictions + 1
-        while forces < len(force.pieces) and force.pieces[forces].start <= start:
-            piece, forces = force.pieces[forces], forces + 1
-        polynomial, sines = (piece.polynomial, piece.sines) if piece is not None else ((), ())
-        if piece is not None and piece.start != start:
-            polynomial = shifted(polynomial, start - piece.start)
+    for start, length, forces, frictions in grid.of(scene.force, scene.friction, scene.until):
+        b = scene.friction.pieces[frictions - 1][1] if frictions else scene.pair.b
+        polynomial, sines = (), ()  # type: tuple[Fraction, ...], tuple[Sine, ...]
+        if forces:
+            piece = scene.force.pieces[forces - 1]
+            polynomial, sines = piece.polynomial, piece.sines
+            if polynomial and piece.start != start:
+                polynomial = shifted(polynomial, start - piece.start)
         jumps = not found or _may_jump(found[-1], b, polynomial, sines)
-        found.append(ExactPiece(start, end - start, b, polynomial, sines, jumps))
+        found.append(ExactPiece(start, length, b, polynomial, sines, jumps))
     return found
 
 

@@ -19,10 +19,10 @@ from numerics.arithmetic.ball import exact_middle
 from numerics.arithmetic.compiled import compiled
 from numerics.errors import OutOfRange
 from numerics.linear.columns import Constants, Drive, constants
-from numerics.linear.pieces import ExactPiece, pieces_of
+from numerics.linear.pieces import ExactPiece, Grid, pieces_of
 from numerics.linear.record import AT, ROW
 from numerics.linear.table import FIRST, Tables, form, make_tables
-from numerics.scene import Law, Pair, Scene
+from numerics.scene import Law, Pair, Scene, Sine
 
 Halves = tuple[float, float]
 REACH, TERMS = 1.5, 24
@@ -57,8 +57,11 @@ class Prepared(NamedTuple):
     is_decided: bool
     units: Units
     pieces: Sequence[ExactPiece]
-    room: int
-    """So many rows are given room for at first; with more the run is made again."""
+
+    @property
+    def room(self) -> int:
+        """Return how many rows are given room for at first; with more the run is made again."""
+        return len(self.pieces) + 16 + int(_ROWS_PER_HALF_TURN * _half_turns(self.pair, self.drive))
 
 
 def halves(x: Fraction, exponent: int = 0) -> Halves:
@@ -121,19 +124,53 @@ def bodies_of(pair: Pair, law: Law) -> Bodies:
     return Bodies(constants(np.array(numbers), law is Law.THREE_VALUED_SGN), numbers, units)
 
 
-def prepare(scene: Scene, *, wide: bool) -> Prepared:
-    """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange."""
+class Known:
+    """Numbers of scenes as halves; the very same numbers, which many pieces and scenes share, are converted once."""
+
+    def __init__(self) -> None:
+        """Begin with none."""
+        self._found: dict[tuple[int, ...], tuple[Halves, object]] = {}
+        self._bodies: dict[tuple[int, Law], tuple[Bodies, Pair]] = {}
+        self.grid = Grid()
+
+    def halves(self, x: Fraction, exponent: int = 0) -> Halves:
+        """Return halves(x, exponent)."""
+        key = id(x), exponent
+        if key not in self._found:
+            self._found[key] = halves(x, exponent), x  # what is kept keeps its id
+        return self._found[key][0]
+
+    def phase(self, sine: Sine, start: Fraction) -> Halves:
+        """Return the phase of a sine at a time."""
+        key = id(sine.omega), id(sine.phase), id(start)
+        if key not in self._found:
+            self._found[key] = halves(reduced(sine.omega * start + sine.phase)), (sine, start)
+        return self._found[key][0]
+
+    def bodies(self, pair: Pair, law: Law) -> Bodies:
+        """Return bodies_of(pair, law)."""
+        key = id(pair), law
+        if key not in self._bodies:
+            self._bodies[key] = bodies_of(pair, law), pair
+        return self._bodies[key][0]
+
+
+def prepare(scene: Scene, *, wide: bool, known: Known | None = None) -> Prepared:
+    """Return a scene as the kernel reads it, made once and kept with the scene. Raises OutOfRange.
+
+    `known`: what scenes before this one have had converted.
+    """
     found: Prepared | None = scene.made.get(wide)
     if found is None:
-        found = scene.made[wide] = _prepared(scene, wide=wide)
+        found = scene.made[wide] = _prepared(scene, known or Known(), wide=wide)
     return found
 
 
-def _prepared(scene: Scene, *, wide: bool) -> Prepared:
-    pair, numbers, units = bodies_of(scene.pair, scene.law)
-    pieces = pieces_of(scene)
-    drive, kinds = _drive(pieces, units)
-    tables = _tables(numbers, tuple(kinds), float(drive.length[:, 0].max()), wide)
+def _prepared(scene: Scene, known: Known, *, wide: bool) -> Prepared:
+    pair, numbers, units = known.bodies(scene.pair, scene.law)
+    pieces = pieces_of(scene, known.grid)
+    drive, kinds, longest = _drive(pieces, units, known)
+    tables = _tables(numbers, tuple(kinds), longest, wide)
     at, speed = scene.initial, units.of(length=1, time=-1)
     start = np.zeros(ROW)
     for name, value, exponent in (
@@ -142,11 +179,10 @@ def _prepared(scene: Scene, *, wide: bool) -> Prepared:
         ("x2", at.x2, units.length),
         ("v2", at.v2, speed),
     ):
-        start[AT[name] : AT[name] + 2] = halves(value, exponent)
+        start[AT[name] : AT[name] + 2] = known.halves(value, exponent)
     gap = (at.v1 > at.v2) - (at.v1 < at.v2)  # exact: halves may not tell
     start[AT["mode"]] = gap
-    room = len(pieces) + 16 + int(_ROWS_PER_HALF_TURN * _half_turns(pair, drive))
-    return Prepared(pair, drive, tables, start, gap != 0, units, pieces, room)
+    return Prepared(pair, drive, tables, start, gap != 0, units, pieces)
 
 
 def _half_turns(pair: Constants, drive: Drive) -> float:
@@ -160,8 +196,8 @@ Kind = tuple[int, tuple[Halves, ...]]
 """The number of coefficients of the polynomial, and the frequencies."""
 
 
-def _drive(pieces: Sequence[ExactPiece], units: Units) -> tuple[Drive, dict[Kind, int]]:
-    """Return the table of the pieces, and the kinds of force in it."""
+def _drive(pieces: Sequence[ExactPiece], units: Units, known: Known) -> tuple[Drive, dict[Kind, int], float]:
+    """Return the table of the pieces, the kinds of force in it, and the length of the longest piece."""
     force, second = units.of(mass=1, length=1, time=-2), units.time
     places: list[tuple[int, ...]] = []
     b: list[Halves] = []
@@ -169,22 +205,16 @@ def _drive(pieces: Sequence[ExactPiece], units: Units) -> tuple[Drive, dict[Kind
     coefficients: list[Halves] = []
     sines: list[tuple[Halves, Halves, Halves]] = []
     kinds: dict[Kind, int] = {}
-    omegas: dict[Fraction, Halves] = {}
-    last: Fraction | None = None
     for one in pieces:
-        for sine in one.sines:
-            if sine.omega not in omegas:
-                omegas[sine.omega] = halves(sine.omega, -second)
-        kind = len(one.polynomial), tuple(omegas[sine.omega] for sine in one.sines)
+        omegas = tuple([known.halves(sine.omega, -second) for sine in one.sines])
+        kind = len(one.polynomial), omegas
         index = kinds.setdefault(kind, len(kinds))
         places.append((len(coefficients), len(one.polynomial), len(sines), len(one.sines), index, int(one.is_jump)))
-        b.append(b[-1] if one.b == last else halves(one.b, force))
-        last = one.b
-        length.append(halves(one.length, second))
-        coefficients += [halves(c, force - k * second) for k, c in enumerate(one.polynomial)]
-        for sine in one.sines:
-            phase = reduced(sine.omega * one.start + sine.phase)
-            sines.append((halves(sine.amplitude, force), omegas[sine.omega], halves(phase)))
+        b.append(known.halves(one.b, force))
+        length.append(known.halves(one.length, second))
+        coefficients += [known.halves(c, force - k * second) for k, c in enumerate(one.polynomial)]
+        for sine, omega in zip(one.sines, omegas, strict=True):
+            sines.append((known.halves(sine.amplitude, force), omega, known.phase(sine, one.start)))
     drive = Drive(
         np.array(places, dtype=np.int64),
         np.array(b),
@@ -192,7 +222,7 @@ def _drive(pieces: Sequence[ExactPiece], units: Units) -> tuple[Drive, dict[Kind
         np.array(coefficients).reshape(-1, 2),
         np.array(sines).reshape(-1, 3, 2),
     )
-    return drive, kinds
+    return drive, kinds, max(length)[0]
 
 
 def most_terms(coefficients: int, least: int = TERMS) -> int:

@@ -90,8 +90,9 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
         if not groups or not groups[-1][-1][0].t.overlaps(event.t):
             groups.append([])
         elif answers[i] is not answers[groups[-1][-1][1]]:
-            both = changed(event), changed(groups[-1][-1][0])
-            if len(both[0]) != 1 or both[0] != both[1]:
+            before = groups[-1][-1][0]
+            both, are_exact = (changed(event), changed(before)), event.t.is_exact() and before.t.is_exact()
+            if not are_exact and (len(both[0]) != 1 or both[0] != both[1]):
                 digits = max(one.arithmetic.digits for one in answers)
                 raise EventUndecided("which axis has its event first", str(event.t.str(6)), digits)
         groups[-1].append((event, i))

@@ -143,7 +143,7 @@ class Run(Path):
         quick = [n == 1 or bool(x * size * _QUICK < self.period) for x in drive.heavy]
         quicker = [one and bool(x * _QUICKER < highest(drive.heavy)) for x, one in zip(drive.heavy, quick, strict=True)]
         for axes in (quick, quicker):
-            if all(axes) or sum(axes) > 1:
+            if any(axes):
                 series = slow_series(self.system, self.at, self.system.degree, axes)
                 if series is not None:
                     h, top = self.reach(series, 0)

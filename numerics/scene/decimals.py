@@ -36,6 +36,8 @@ def exact_decimal(value: object, name: str) -> Fraction:
     >>> exact_decimal("0.005", "x1"), exact_decimal(0.005, "x1"), exact_decimal("-1e-3", "x1")
     (Fraction(1, 200), Fraction(1, 200), Fraction(-1, 1000))
     """
+    if type(value) is Fraction:  # itself: scenes that share a number can be told to
+        return _checked_size(value, name)
     if isinstance(value, str):
         return _from_ratio(value.strip(), name)
     if isinstance(value, Decimal):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,11 +15,12 @@ from numerics.arithmetic.compiled import can_compile, compiled
 from numerics.arithmetic.float64 import Float64
 from numerics.errors import EventUndecided, OutOfRange
 from numerics.free.rows import UNKNOWN, solve_rows
-from numerics.linear.batch import run_rows
+from numerics.linear.batch import run_prepared, run_rows
 from numerics.linear.pieces import pieces_of
+from numerics.linear.prepare import Known, Prepared, prepare
 from numerics.linear.record import AT, BOUNDS, CODES, END_ROW, ROW, How, Knot
 from numerics.scene import Scene
-from numerics.trajectory.run import run_scene
+from numerics.trajectory.run import free_scene, run_scene
 
 Table = NDArray[np.float64]
 _FLOAT64, _DIGITS = Float64(), 68
@@ -71,9 +73,27 @@ class Chunk:
                     kept, ends = self.kept[rows], self.ends[rows]
                     run(self.columns.part(rows), self.literal, self.max_events, kept, ends)
                     self.kept[rows], self.ends[rows] = kept, ends
+        elif can_compile():
+            self._solve_linear()
         for row in np.flatnonzero(self.ends[:, AT["how"]] == UNKNOWN):
             _solve_one(self.exact(int(row)), self.max_events, self.kept[row], self.ends[row])
         return len(self.ends)
+
+    def _solve_linear(self) -> None:
+        """Solve the scenes that the linear engine solves in float64: those of one pair, and of like forces, at once."""
+        alike: dict[tuple[int, int], list[tuple[int, Prepared]]] = {}
+        known = Known()
+        for row in range(len(self.ends)):
+            scene = self.exact(row)
+            if not free_scene(scene) and not scene.friction.weakening:
+                with suppress(OutOfRange):
+                    one = prepare(scene, wide=False, known=known)
+                    alike.setdefault((id(one.pair), id(one.tables)), []).append((row, one))
+        for group in alike.values():
+            rows = [row for row, _ in group]
+            kept, ends = self.kept[rows], self.ends[rows]
+            run_prepared([one for _, one in group], self.max_events, kept, ends)
+            self.kept[rows], self.ends[rows] = kept, ends
 
 
 def _free_rows(columns: Columns, literal: bool, max_events: int, kept: Table, ends: Table) -> None:

@@ -4,12 +4,14 @@ import os
 import pickle
 import subprocess
 import sys
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from kernel_runs import a_scene
 from strategies import scenes
 
 from numerics.errors import EventUndecided, InvalidScene, OutOfRange
@@ -130,6 +132,26 @@ def test_rows_under_a_force_are_what_their_scenes_give_by_themselves_in_any_orde
             np.testing.assert_allclose(found.y[:, k], one.y[:, -1], rtol=1e-9, atol=1e-11)
             np.testing.assert_allclose(found.event_t[k, :count], one.event_times[:count], rtol=1e-9)
             assert one.accuracy.digits - 1 <= found.digits[k] <= one.accuracy.digits + 1
+
+
+def test_scenes_of_any_pieces_are_what_they_are_by_themselves():
+    """Forces and frictions by pieces, one pair with several forces among them: the same bits."""
+    scenes = [a_scene(np.random.default_rng((7, k))) for k in range(60)]
+    scenes = [one for one in scenes if one.law is Law.FILIPPOV]
+    scenes += [replace(scenes[-1], force=factor * Force.step(1, 1)) for factor in (1, 2, 3)]
+    found = solve_scenes(scenes, keep_events=5, max_events=40)
+    for k, one in enumerate(scenes):
+        try:
+            alone = solve(one, arithmetic="float64", max_events=40)
+        except EventUndecided:
+            assert found.status[k] == Status.SEQUENCE_OPEN
+            continue
+        assert (found.events[k], found.status[k]) == (len(alone.events), alone.status)
+        assert found.y[:, k].tolist() == [float(x) for x in alone.final_state]
+        assert found.dissipated_error[k] == alone.record.dissipated_error
+        count = min(5, len(alone.events))
+        np.testing.assert_allclose(found.event_t[k, :count], alone.event_times[:count], rtol=1e-15)
+        assert found.event_mode[k, :count].tolist() == [mode.sign for mode in alone.modes[1 : count + 1]]
 
 
 def test_shapes_broadcast():

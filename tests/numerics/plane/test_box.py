@@ -4,7 +4,7 @@ import pytest
 from hypothesis import example, given, settings
 from strategies import plane_scenes
 
-from numerics import Force, Pair, Scene, State, solve
+from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.solve import followed
 from numerics.scene.file import load_scene
@@ -83,3 +83,11 @@ def test_axes_that_one_jump_lets_go_slip_at_once_and_know_the_load_behind_it(at)
     first = solve(scene, digits=12).events[0]
     assert (first.before, first.after, first.cause) == ("00", "++", "jump")
     assert [float(x) for x in first.load] == [2, 1.5]
+
+
+def test_axes_with_other_data_may_stop_at_one_time_that_is_known_exactly():
+    """Body 1 rests, m2 v2' = -b: both slips end at 1 s = m2 v2/b."""
+    pair = PlanePair([1, 1], [1, 2], [1, 2], [1, 3], shape="box")
+    scene = PlaneScene(pair, 3, v2=[1, "1.5"], force=[Force([Piece(0, [-1])]), Force([Piece(0, [-3])])])
+    (event,) = solve(scene, digits=20).events
+    assert (event.t, event.before, event.after) == (1, "--", "00")
