@@ -6,10 +6,12 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
 Local Open Scope R_scope.
 
-(** a natural number above each real one *)
-Lemma nat_above y : exists k : nat, y < INR k.
-Proof. destruct (nfloor_ex (Rmax 0 y) (Rmax_l _ _)) as (n & _ & Hn). exists (S n). rewrite S_INR.
-  pose proof (Rmax_r 0 y). lra. Qed.
+(** Archimedes *)
+Lemma nat_above y d : 0 < d -> exists k : nat, y < INR k * d.
+Proof.
+  intros Hd. destruct (nfloor_ex (Rmax 0 (y / d)) (Rmax_l _ _)) as (n & _ & Hn). exists (S n). rewrite S_INR.
+  pose proof (Rmax_r 0 (y / d)). replace y with (y / d * d) by (field; lra). apply Rmult_lt_compat_r; lra.
+Qed.
 
 (** polar coordinates, at a time as late as one likes *)
 Lemma polar A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
@@ -31,14 +33,12 @@ Proof.
       apply Rmult_integral in M. lra. }
     destruct D as [D|D]; [exists (acos (A / R))|exists (- acos (A / R))]; [auto|]. rewrite cos_neg, sin_neg.
       split; lra. }
-  destruct (nat_above ((om * t0 - phi) / (2 * PI))) as (k & Hk). pose proof PI_RGT_0.
+  pose proof PI_RGT_0. destruct (nat_above (om * t0 - phi) (2 * PI)) as (k & Hk); [lra|].
   exists ((phi + 2 * INR k * PI) / om).
   replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by (field; lra).
   rewrite cos_period, sin_period. repeat split; auto.
   apply Rmult_le_reg_l with om; auto. replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by
-    (field; lra).
-  apply Rmult_lt_compat_r with (r := 2 * PI) in Hk; [|lra].
-  replace ((om * t0 - phi) / (2 * PI) * (2 * PI)) with (om * t0 - phi) in Hk by (field; lra). lra.
+    (field; lra). lra.
 Qed.
 
 (** and within one turn *)

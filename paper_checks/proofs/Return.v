@@ -206,9 +206,7 @@ Proof.
   { rewrite A. apply Rmult_lt_0_compat; [exact E0|]. pose proof (pow2_ge_0 u). pose proof (pow2_ge_0 d).
     assert (0 <= q * d ^ 2) by (apply Rmult_le_pos; lra).
     assert (0 <= q * (u ^ 2 + 2 * d + q * d ^ 2)) by (apply Rmult_le_pos; lra). lra. }
-  pose proof (least_cost_pos (E t0) Ep) as C. destruct (nat_above (E t0 / least_cost (E t0))) as (n & Hn).
-  destruct (returns_paid (E t0) n Ep k d u t0) as (t & F & _); auto; try lra; [|exists t; auto].
-  apply Rmult_le_reg_r with (/ least_cost (E t0)); [apply Rinv_0_lt_compat; auto|].
-  rewrite Rmult_assoc, Rinv_r by lra. unfold Rdiv in Hn. lra.
+  pose proof (least_cost_pos (E t0) Ep) as C. destruct (nat_above (E t0) _ C) as (n & Hn).
+  destruct (returns_paid (E t0) n Ep k d u t0) as (t & F & _); auto; try lra. exists t; auto.
 Qed.
 End Return.

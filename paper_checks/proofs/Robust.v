@@ -312,9 +312,7 @@ Proof.
     - exfalso. simpl in En. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E, energy in *.
       lra.
     - apply (IH t); [lra|]. rewrite S_INR in En. lra. }
-  destruct (nat_above (E 0 / e0)) as (n & Hn). apply (Q n 0); [lra|]. apply Rmult_lt_compat_r with (r := e0) in Hn;
-    auto.
-  replace (E 0 / e0 * e0) with (E 0) in Hn by (field; lra). lra.
+  destruct (nat_above (E 0) e0 e0_pos) as (n & Hn). apply (Q n 0); lra.
 Qed.
 End One.
 End Robust.
