@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from paper_checks.drawing.captions import caption
-from paper_checks.report.content.blocks import Picture, Section, Table
+from paper_checks.report.content.blocks import Section, Table
+from paper_checks.report.content.phrases import picture
 
 ID, TITLE = "notation", "Notation"
 
@@ -89,9 +89,8 @@ def used(texts: Iterable[str], row: str = "") -> tuple[str, ...]:
 
 def section() -> Section:
     """Return the section that explains every symbol."""
-    title, text = caption("two-bodies")
     letters = table(SYMBOLS, "The letters of this report, in SI units; – stands for dimensionless")
-    return Section(ID, TITLE, (Picture("two-bodies", text, title), letters))
+    return Section(ID, TITLE, (picture("two-bodies"), letters))
 
 
 def table(names: Iterable[str], caption: str, *, anchored: bool = True) -> Table:

@@ -10,14 +10,13 @@ from fractions import Fraction
 from numerics.scene.file import load_scene
 from numerics.solver.solve import solve
 from paper_checks.claims import claim_named, source
-from paper_checks.drawing.captions import caption
 from paper_checks.drawing.relative_velocity import PRINTED
 from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.evidence import EvidenceKind
 from paper_checks.evidence.finding import Verdict
 from paper_checks.explore import motion
 from paper_checks.report.content.blocks import Block, Cards, Heading, Markup, Paragraph, Picture, Points, Section, Table
-from paper_checks.report.content.phrases import formula, in_short, kind
+from paper_checks.report.content.phrases import formula, in_short, kind, picture
 from paper_checks.report.content.trust import LAW
 from paper_checks.running.runner import Row
 
@@ -136,12 +135,6 @@ def front(rows: Sequence[Row]) -> tuple[Section, ...]:
 def _filled(row: str, text: str) -> str:
     """Return a sentence with the formulas of a row in their places."""
     return _SLOT.sub(lambda place: formula(row, place[1], place[2]), text)
-
-
-def picture(name: str) -> Picture:
-    """Return a figure with its title and caption."""
-    title, text = caption(name)
-    return Picture(name, text, title)
 
 
 def counts(rows: Sequence[Row]) -> str:

@@ -6,8 +6,10 @@ import re
 
 from paper_checks.claims import claim_named
 from paper_checks.decide.kernel import PROVED
+from paper_checks.drawing.captions import caption
 from paper_checks.evidence.claim import Claim, Kind
 from paper_checks.evidence.finding import Verdict
+from paper_checks.report.content.blocks import Picture
 from paper_checks.running.runner import Row
 
 OUTCOMES = {True: "passed", False: "failed", None: "no answer"}
@@ -22,6 +24,12 @@ def formula(row: str, clause: str, name: str) -> str:
     """Return LaTeX of a formula of a row: what stands there is what is checked."""
     found = next(one for one in claim_named(row).clauses if one.id == clause)
     return found.formulas[name].latex
+
+
+def picture(name: str) -> Picture:
+    """Return a figure with its title and caption."""
+    title, text = caption(name)
+    return Picture(name, text, title)
 
 
 def speaker(claim: Claim) -> str:

@@ -13,9 +13,9 @@ from paper_checks.evidence.claim import Kind
 from paper_checks.evidence.clause import Clause
 from paper_checks.evidence.evidence import Evidence, EvidenceKind, Subject
 from paper_checks.report.content import notation, shared, under_a_force
-from paper_checks.report.content.blocks import Block, Code, Folded, Paragraph, Picture, Points, Table
+from paper_checks.report.content.blocks import Block, Code, Folded, Paragraph, Points, Table
 from paper_checks.report.content.opening import hypotheses
-from paper_checks.report.content.phrases import place
+from paper_checks.report.content.phrases import picture, place
 from paper_checks.running.graph import Proof
 from paper_checks.running.runner import Row
 
@@ -80,7 +80,7 @@ def _picture(row: Row, elsewhere: Collection[str]) -> Iterator[Block]:
     if figure and anchor in elsewhere:
         yield Paragraph(f"{caption(figure)[0]}, drawn under `{anchor}`.", "Picture")
     elif figure:
-        yield Picture(figure, *reversed(caption(figure)))
+        yield picture(figure)
 
 
 def decisive(row: Row) -> Evidence | None:

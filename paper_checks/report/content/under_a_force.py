@@ -19,11 +19,10 @@ from numerics.scene import Pair
 from numerics.scene.file import load_reference, load_scene
 from paper_checks.decide.enclosure import rounded
 from paper_checks.drawing import under_a_force as drawing
-from paper_checks.drawing.captions import caption
 from paper_checks.drawing.jumping_force import jumping_force
 from paper_checks.drawing.style import Figures, house_style
-from paper_checks.report.content.blocks import Block, Heading, Paragraph, Picture, Section, Table
-from paper_checks.report.content.phrases import formula
+from paper_checks.report.content.blocks import Block, Heading, Paragraph, Section, Table
+from paper_checks.report.content.phrases import formula, picture
 from theory.forced import breaking_damping
 from theory.forced_response import harmonic_amplitude, multiple, resonant_amplitude
 from theory.symbols import b, m1, m2, v1
@@ -65,11 +64,6 @@ DRAWINGS: Figures = {
     "drift-against-asymmetry": drawing.drift_against_asymmetry,
     "jumping-force": jumping_force,
 }
-
-
-def _picture(name: str) -> Picture:
-    title, seen = caption(name)
-    return Picture(name, seen, title)
 
 
 def _formula(row: str, clause: str, name: str) -> str:
@@ -126,7 +120,7 @@ def _regimes() -> Iterator[Block]:
         f"peaks of the load, and the pair may stick up to an amplitude above $U_*$: for $n=3$ by the factor {_digits(third)}."
         + _formula("entrainment-threshold", "undamped", "harmonic")
     )
-    yield _picture("thresholds-over-frequency")
+    yield picture("thresholds-over-frequency")
 
 
 PAIRS = (drawing.PAIR, drawing.DAMPED)
@@ -145,7 +139,7 @@ def _resonance() -> Iterator[Block]:
         f"makes every motion grow; with less, every motion stays bounded (`forced-resonance-bound`). For $b={float(drawing.PAIR.b):g}$ N that is "
         f"{_digits(edge)} N. The growth is at least" + _formula("forced-resonance-bound", "grows", "growth")
     )
-    yield _picture("resonance")
+    yield picture("resonance")
 
 
 def _tracking() -> Iterator[Block]:
@@ -158,7 +152,7 @@ def _tracking() -> Iterator[Block]:
     yield Paragraph(
         f"The reference in the picture asks for {rounded(100 * found.share, 1)} % of the friction that there is."
     )
-    yield _picture("tracked-reference")
+    yield picture("tracked-reference")
 
 
 def _transfer() -> Iterator[Block]:
@@ -174,7 +168,7 @@ def _transfer() -> Iterator[Block]:
         f"Over 1 mm that is {rounded(1000 * found.bound, 2)} ms. A pair that sticks all the way needs a force of up to {rounded(found.stuck_amplitude, 4)} N. If body 1 "
         f"may run ahead through the first half, {rounded(least, 4)} N are enough, and no force below that arrives in time."
     )
-    yield _picture("fastest-transfer")
+    yield picture("fastest-transfer")
 
 
 def _ring() -> Iterator[Block]:
@@ -186,7 +180,7 @@ def _ring() -> Iterator[Block]:
         + _formula("tolerance-ring", "ring", "within")
     )
     yield Paragraph(f"The scene of Fig. 5 (a) enters the ring of 1 mm for good at {rounded(found.entry, 4)} s.")
-    yield _picture("tolerance-ring-of-a-scene")
+    yield picture("tolerance-ring-of-a-scene")
 
 
 def _drift() -> Iterator[Block]:
@@ -198,7 +192,7 @@ def _drift() -> Iterator[Block]:
         "(`forced-periodic-response`); any asymmetry may carry it away; how fast and which way depends on the phases of its parts. At the symmetric end of the picture the periodic motion attracts: "
         f"what is beside it shrinks to {rounded(100 * largest, 1)} % in a period."
     )
-    yield _picture("drift-against-asymmetry")
+    yield picture("drift-against-asymmetry")
 
 
 def _jump() -> Iterator[Block]:
@@ -208,7 +202,7 @@ def _jump() -> Iterator[Block]:
         "(`forced-periodic-response`). Where it jumps there, all motions of a whole family may slip and stick at the same times, and none attracts another. Two of them keep the distance"
         + _formula("forced-periodic-response", "jump", "apart")
     )
-    yield _picture("jumping-force")
+    yield picture("jumping-force")
 
 
 def _damping() -> Iterator[Block]:
