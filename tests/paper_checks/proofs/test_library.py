@@ -109,7 +109,7 @@ def test_nothing_rests_on_an_axiom_beyond_the_classical_reals_but_where_interval
 @pytest.mark.usefixtures("needs_kernel")
 def test_definitions_of_the_model_are_tied_to_the_theory(built):
     tied = {name for one in built.theorems.values() for name in pins.pinned().tied.get(one.id, ())}
-    assert tied >= {"Pair.solution", "Pair.energy", "Stick.Ecr", "Stick.L", "Rate.hh", "Rate.depth", "Cycle.Sx"}
+    assert tied >= {"Pair.solution", "Pair.energy", "Stick.Ecr", "Stick.L", "Rate.hh", "Rate.depth", "Gap.Gx"}
     law = built.theorem("sharp-law")
     assert set(law.definitions) - tied - MACHINERY == set()
     assert {"tie-solution", "tie-energy", "tie-critical-energy", "tie-rate"} <= set(law.ties)
