@@ -20,6 +20,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from flint import arb
 
+from numerics.arithmetic.ball import exact_middle
 from numerics.audit.draws import KINDS
 from numerics.errors import NumericsError
 from numerics.plane.trajectory import PlaneTrajectory
@@ -181,10 +182,7 @@ def _state(state: Any, bounds: Any) -> Iterator[Figure]:
 
 def _figure(name: str, value: Any, bound: Any) -> Figure:
     if isinstance(value, arb):
-        middle, radius = (
-            int(one) * Fraction(2) ** int(power) for one, power in (value.mid().man_exp(), value.rad().man_exp())
-        )
-        return name, middle, radius
+        return name, exact_middle(value), exact_middle(value.rad())
     return name, as_fraction(value), None if bound is None or not math.isfinite(bound) else Fraction(bound)
 
 

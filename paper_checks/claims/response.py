@@ -4,7 +4,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.claims import jumping_force
+from paper_checks.claims import jumping_force, plane
 from paper_checks.claims.contraction import energy_rate, force_cancels, never_apart, one_solution
 from paper_checks.claims.forced_modes import strict_rule, tie_rule
 from paper_checks.claims.words import *
@@ -58,6 +58,22 @@ def one_response() -> Evidence:
         approach(),
         one_solution(),
         cites=("Browder and Petryshyn: a nonexpansive map with a bounded orbit has a fixed point",),
+    )
+
+
+@cache
+def goes_round() -> Evidence:
+    """On a surface what keeps its distance from a motion whose friction goes round is that motion."""
+    return argument(
+        r"""
+        Let $\mathbf v_i^*$ go round with the force, with the friction $\mathbf f^*$ of rotating-force. No motion moves
+        away from it, so $N$ has a limit, and motions from which it is taken keep their distance: $\mathbf v_1=\mathbf
+        v_1^*$, so $\mathbf f-\mathbf f^*$ is a constant, which is $0$, as $\mathbf v_2$ is bounded, and $\mathbf
+        w-\mathbf w^*=\mathbf c$ is a constant, too. Where $|\mathbf f^*|<b$ neither slips, and $\mathbf c=0$. Where
+        $|\mathbf f^*|=b$ both $\mathbf w$ and $\mathbf w^*$ are along $\mathbf f^*$, or $0$: so is $\mathbf c$ while
+        $\mathbf f^*$ goes round, and $\mathbf c=0$.
+        """,
+        plane.never_apart(),
     )
 
 
@@ -183,6 +199,13 @@ DISTANCE = Symbol("N", nonnegative=True)
         kernel="drift no-drift",
     ),
     clause(
+        "round",
+        r"""
+        On a surface, with scalar masses, spring and damper, $a_1>0$, and friction of at most $b$ against the slip, every
+        motion under the force of rotating-force tends to the one that goes round with it.
+        """,
+    ),
+    clause(
         "undamped",
         r"""
         Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant at which $u$ is continuous and
@@ -233,6 +256,7 @@ def forced_periodic_response() -> Case:
         the slip after it has the right length and the force does not jump at that exit. With a jump there whole
         families of periodic motions may lie beside one another.
         """,
+        carried("round", goes_round()),
         carried("undamped", undamped_attraction()),
         carried("jump", jumping_force.keeps_apart()),
     )

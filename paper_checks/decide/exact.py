@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import Any, TypeAlias
 
 import sympy as sp
 from flint import acb, arb, fmpq
@@ -18,7 +18,7 @@ from paper_checks.decide.balls import precision
 from paper_checks.decide.normal_form import is_zero
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
-Side = sp.Basic | int | Sequence[Any]
+Side: TypeAlias = "sp.Basic | int | Sequence[Any]"
 """An expression, or a list or matrix of sides."""
 _MANY = sp.MatrixBase | list | tuple
 DIGITS = 45
