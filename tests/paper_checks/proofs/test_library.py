@@ -109,7 +109,7 @@ def test_nothing_rests_on_an_axiom_beyond_the_classical_reals_but_where_interval
 @pytest.mark.usefixtures("needs_kernel")
 def test_definitions_of_the_model_are_tied_to_the_theory(built):
     tied = {name for one in built.theorems.values() for name in pins.pinned().tied.get(one.id, ())}
-    assert tied >= {"Pair.solution", "Pair.energy", "Stick.Ecr", "Stick.L", "Rate.hh", "Rate.depth", "Cycle.Sx"}
+    assert tied >= {"Pair.solution", "Pair.energy", "Stick.Ecr", "Stick.L", "Rate.hh", "Rate.depth", "Gap.Gx"}
     law = built.theorem("sharp-law")
     assert set(law.definitions) - tied - MACHINERY == set()
     assert {"tie-solution", "tie-energy", "tie-critical-energy", "tie-rate"} <= set(law.ties)
@@ -143,7 +143,9 @@ def test_the_kernel_itself_finds_the_same_lemmas_below_a_theorem(tmp_path):
     ours = set(compiled.folders)
     seen = {one for one in re.findall(r"^ *(\w+\.\w+) :", said, re.MULTILINE) if one.split(".")[0] in ours}
     read = {one for one in graph.everything_below(name, references) if one in references} - definitions
-    parts = {one for one in read if one.count(".") > 1 or one.startswith("Pair.s_")}  # of a section, of a record
+    parts = {
+        one for one in read if one.count(".") > 1 or one.startswith(("Pair.s_", "Pair.q_"))
+    }  # of sections, records
     assert seen - {name} == read - parts
 
 
