@@ -18,8 +18,10 @@ FIGURES = (".svg", ".pdf", ".png")
 
 
 def refuse(message: str, code: int) -> int:
-    """Print one error line on stderr and return the exit code."""
-    print(f"error: {' '.join(message.split())}", file=sys.stderr)
+    """Print one error line on stderr and return the exit code; a remedy names the flag, not the argument in Python."""
+    said = re.sub(r"\bmax_(digits|events|steps)\b", r"--max-\1", " ".join(message.split()))
+    said = re.sub(r'\barithmetic="(.+?)"', r"--arithmetic \1", said)
+    print(f"error: {said}", file=sys.stderr)
     return code
 
 
@@ -70,9 +72,8 @@ def complete(parser: argparse.ArgumentParser) -> None:
 
 def missing(module: str) -> str:
     """Return the sentence that says that a module is not installed, and what to do."""
-    return (
-        f"this needs {module}, which is not installed: python -m pip install 'inertial-pair[checks]' brings all tools"
-    )
+    extra = {"matplotlib": "plot"}.get(module, "checks")
+    return f"this needs {module}, which is not installed; python -m pip install 'inertial-pair[{extra}]'"
 
 
 class Version(argparse.Action):

@@ -261,7 +261,8 @@ def _chosen(ids: Sequence[str]) -> tuple[Claim, ...] | None:
     known = [claim.id for claim in CLAIMS]
     for name in ids:
         if name not in known:
-            near = difflib.get_close_matches(name, [*known, *COMMANDS], n=3, cutoff=0.5)
+            others = [one for one in (*known, *COMMANDS) if one != name]
+            near = difflib.get_close_matches(name, others, n=3, cutoff=0.5)
             hint = f"did you mean {', '.join(near)}?" if near else "`list` prints the ids"
             _complain(f"unknown claim {name!r}; {hint}")
             return None

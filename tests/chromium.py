@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import subprocess
+import tomllib
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -12,6 +13,18 @@ import pytest
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 ANSWER = re.compile(r'<script type="text/plain" id="test-answer">(.*?)</script>', re.DOTALL)
+
+
+def faults(name: str) -> list[tuple[str, str]]:
+    """Return the changes of a program that a comparison has to see."""
+    path = Path(__file__).parent / "paper_checks" / "explore" / "faults.toml"
+    return tomllib.loads(path.read_text("utf-8"))[name]
+
+
+def planted(program: str, some: list[tuple[str, str]]) -> list[str]:
+    """Return the program with each of some changes."""
+    assert not [right for right, _ in some if program.count(right) != 1]
+    return [program.replace(right, wrong) for right, wrong in some]
 
 
 def browser() -> str:

@@ -1,6 +1,7 @@
 """Scenes and answers of numerics/control; both handed to the independent reference, which shares no code with it."""
 
 import tomllib
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -10,6 +11,7 @@ from forced_reference import Reference
 
 from numerics.arithmetic.ball import Ball
 from numerics.control.answers import rounded
+from numerics.control.attraction import passage_at
 from numerics.control.orbit import Orbit
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 from numerics.scene.writing import scene_text
@@ -29,20 +31,30 @@ def referred(scene: Scene, digits: int = 36) -> Reference:
     return Reference(tables, digits=digits).run()
 
 
-def one_period(orbit: Orbit, moved: tuple[Fraction, Fraction, Fraction] = (Fraction(0),) * 3) -> Scene:
-    """One period of a periodic motion from the middle of its first leg, its start moved by (x1, v1, v2)."""
-    leg, after = orbit.turns[0]
-    begin = rounded((leg.t + after.t) / 2)
+def middle(orbit: Orbit, number: int = 0) -> Fraction:
+    """A time in the middle of a leg of a periodic motion."""
+    leg, after = orbit.turns[number]
+    return rounded((leg.t + after.t) / 2)
+
+
+def started(orbit: Orbit, begin: Fraction) -> list[Fraction]:
+    """(x1, v1, v2) of a periodic motion at a time."""
     with Ball(50).context():
-        x1, v1, _, v2 = (rounded(one) for one in orbit.motion(leg).state(Ball.number(begin) - leg.t))
-        period = rounded(orbit.drive.period)
-    if leg.side == 0:
-        v2 = v1
+        x1, v1, _, v2 = passage_at(orbit, Ball.number(begin)).state(Ball.number(begin))
+        return [rounded(one) for one in (x1, v1, v1 if v1.overlaps(v2) else v2)]
+
+
+def one_period(orbit: Orbit, moved: Sequence[Fraction] = (Fraction(0),) * 3, begin: Fraction | None = None) -> Scene:
+    """One period of a periodic motion from a time, or from the middle of its first leg, its start moved."""
+    begin = middle(orbit) if begin is None else begin
+    x1, v1, v2 = (at + by for at, by in zip(started(orbit, begin), moved, strict=True))
     piece = orbit.drive.piece
     sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * begin) for one in piece.sines]
-    start = State(x1=x1 + moved[0], v1=v1 + moved[1], v2=v2 + moved[2])
-    force = Force((Piece(0, piece.polynomial, sines),))
-    return Scene(orbit.drive.pair, start, until=period, force=force)
+    with Ball(50).context():
+        period = rounded(orbit.drive.period)
+    return Scene(
+        orbit.drive.pair, State(x1, v1, 0, v2), until=period, force=Force((Piece(0, piece.polynomial, sines),))
+    )
 
 
 def outside(found: Any, until: float, points: int = 4_001) -> np.ndarray:

@@ -13,8 +13,7 @@ from numerics.errors import InvalidScene
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Friction, Pair, Piece, Scene, Sine, State, Weakening
 from numerics.solver.solve import solve
-from numerics.trajectory.derivatives import parameters
-from numerics.trajectory.sensitivity import sensitivities
+from numerics.trajectory.sensitivity import parameters, sensitivities
 
 SMALLEST = 1e-9
 """Derivatives that are all smaller, in the scene's own units, are compared absolutely: they may be 0."""

@@ -283,6 +283,16 @@ def driven_states(draw, pair: Pair, force: Force) -> State:
     return State(x, v, x, v)
 
 
+KINDS = {
+    "free": scenes(),
+    "damped": scenes(damped=True),
+    "many cycles in one slip": long_slips(damped=None, turns=(0, 0)),
+    "next to E_cr": near_critical((3, 16)),
+    "the literal law": scenes(damped=None, law=Law.THREE_VALUED_SGN),
+    "driven": driven_scenes(),
+}
+
+
 reaches = st.sampled_from([0.3, 0.9, 1.0])
 
 

@@ -17,9 +17,9 @@ from forced.catalogue import scene as scene_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from reaching import LeftOut, reaching
-from strategies import MODERATE, driven_scenes, long_slips, near_critical, pairs, scenes, states
+from strategies import KINDS, MODERATE, pairs, states
 
-from numerics import Force, Friction, Law, Pair, Piece, Scene, Sine, State
+from numerics import Force, Friction, Pair, Piece, Scene, Sine, State
 from numerics.arithmetic.ball import precision
 from numerics.errors import EventUndecided, NumericsError, OutOfRange
 from numerics.solver.solve import solve
@@ -178,16 +178,6 @@ def test_rates_out_of_all_proportion_are_refused_in_one_line(a2, way):
     with pytest.raises(NumericsError) as refused:
         solve(scene, arithmetic=way)
     assert len(str(refused.value).splitlines()) == 1
-
-
-KINDS = {
-    "free": scenes(),
-    "damped": scenes(damped=True),
-    "many cycles in one slip": long_slips(damped=None, turns=(0, 0)),
-    "next to E_cr": near_critical((3, 16)),
-    "the literal law": scenes(damped=None, law=Law.THREE_VALUED_SGN),
-    "driven": driven_scenes(),
-}
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import ast
 import graphlib
 import importlib
 import re
 import subprocess
 import sys
 import tomllib
-from functools import cache
 from pathlib import Path
 
 import pytest
+from imported import imported_modules
 
 ROOT = Path(__file__).resolve().parent.parent
 COMPILED = ROOT / "numerics" / "arithmetic" / "compiled.py"
@@ -24,14 +23,8 @@ FORBIDDEN = {
 
 
 def imported_packages(path: Path) -> set[str]:
-    """Return the top-level packages that a module imports, lazily or not."""
-    found = set()
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        if isinstance(node, ast.Import):
-            found |= {alias.name.split(".")[0] for alias in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            found.add(node.module.split(".")[0])
-    return found
+    """Return the top-level packages that a module imports."""
+    return {one.split(".")[0] for one in imported_modules(path)}
 
 
 @pytest.mark.parametrize("package", sorted(FORBIDDEN))
@@ -42,23 +35,6 @@ def test_imports_point_one_way(package):
         if (wrong := imported_packages(path) & FORBIDDEN[package])
     }
     assert not offenders
-
-
-@cache
-def imported_modules(path: Path) -> set[str]:
-    """Return the modules that a module imports, by their full names; of `from a import b` both a and a.b."""
-    found = set()
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            assert not node.level, f"{path}: a relative import"
-            found |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
-    return found
-
-
-def within(module: str, package: str) -> bool:
-    return module == package or module.startswith(f"{package}.")
 
 
 FLOORS = {

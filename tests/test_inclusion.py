@@ -10,22 +10,14 @@ from hypothesis import given
 from inclusion import faults, motion
 from reaching import LeftOut, reaching
 from scene_files import scenes_in
-from strategies import driven_scenes, long_slips, near_critical, scenes, weakened_scenes
+from strategies import KINDS as STRATEGIES
+from strategies import weakened_scenes
 
-from numerics import Law
 from numerics.errors import EventUndecided
 from numerics.scene.file import load_scene
-from numerics.trajectory.derivatives import parameters
+from numerics.trajectory.sensitivity import parameters
 
-KINDS = {
-    "free": scenes(),
-    "damped": scenes(damped=True),
-    "many cycles in one slip": long_slips(damped=None, turns=(0, 0)),
-    "next to E_cr": near_critical((3, 16)),
-    "the literal law": scenes(damped=None, law=Law.THREE_VALUED_SGN),
-    "driven": driven_scenes(),
-    "friction of the state": weakened_scenes(),
-}
+KINDS = STRATEGIES | {"friction of the state": weakened_scenes()}
 
 
 @pytest.mark.parametrize("kind", KINDS)

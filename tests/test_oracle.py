@@ -25,7 +25,7 @@ ANSWERED_SINCE = {
         "entry": "4.9405304722687342852827967",
     }
 }
-"""What was refused when the rest was frozen; held against the motion itself in tests/numerics/test_ring_forced.py."""
+"""What was refused when the rest was frozen; held against the motion itself in tests/numerics/test_ring.py."""
 
 
 def require(answers, way):

@@ -7,9 +7,11 @@ that converges; pi A grows as the time does. Solving it for y gives the expansio
 
 from functools import cache
 
-from sympy import Expr, Symbol, cancel, diff, expand, log, pi, series, solve
+from sympy import Expr, Symbol, cancel, diff, expand, fraction, log, pi
 
+from theory.linear import root
 from theory.near_critical import cycle_limit
+from theory.power_series import composed, taylor
 from theory.return_map import return_map_series, scaled_excess
 from theory.symbols import q
 
@@ -40,8 +42,8 @@ def abel_defect() -> Expr:
     image = y - step * y**2 + curvature * y**3
     shrink = cancel(image / y)
     weight = 1 - curvature / step**2
-    gain = cancel((1 / image - 1 / y) / step) + weight * log(shrink) - 1
-    return expand(series(gain, y, 0, 2).removeO())
+    change = composed(log(1 + y), y, 2, shrink - 1)
+    return expand(taylor(cancel((1 / image - 1 / y) / step), y, 2) + weight * change - 1)
 
 
 def reduced_excess() -> Expr:
@@ -57,8 +59,9 @@ def expansion_defect() -> Expr:
     y = reduced_excess()
     # ln y = -Lambda + ln(1 - ...), as pi x/a = e^(-Lambda)
     inside = cancel(y * step / (pi * inverse_time))
-    value = cancel(pi / (step * y) - 1 / inverse_time) + pi * weight * (log(inside) - logarithm) - phase
-    return expand(series(value, inverse_time, 0, 1).removeO())
+    first = taylor(cancel(pi / (step * y) - 1 / inverse_time), inverse_time, 1)
+    change = composed(log(1 + inverse_time), inverse_time, 1, inside - 1)
+    return expand(first + pi * weight * (change - logarithm) - phase)
 
 
 @cache
@@ -77,4 +80,4 @@ def logarithm_coefficient() -> Expr:
 
 def balanced_share() -> Expr:
     """The share r = m2/M at which the logarithm vanishes: 2/5, that is m1/m2 = 3/2."""
-    return 1 - solve(logarithm_weight(), q)[0]
+    return 1 - root(fraction(logarithm_weight())[0], q)

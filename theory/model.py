@@ -8,7 +8,7 @@ physical.
 from dataclasses import dataclass
 from functools import cache, cached_property
 
-from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Rational, S, factor, solve
+from sympy import Abs, Eq, Expr, Gt, ImmutableMatrix, Integer, Piecewise, Rational, S, factor
 
 from theory.linear import root
 from theory.symbols import a1, a2, acceleration1, acceleration2, b, free, m1, m2, sgn, u, v1, v2, x1
@@ -76,15 +76,19 @@ def branch(relative_sign: int, stiction_sign: int, name: str = "") -> Branch:
     0
     """
     values = {RELATIVE_SIGN: Integer(relative_sign), STICTION_SIGN: Integer(stiction_sign)}
-    equations = [driving_equation().subs(values), driven_equation().subs(values)]
-    solution = solve(equations, [acceleration1, acceleration2], dict=True)[0]
     return Branch(
         name,
         values[RELATIVE_SIGN],
         None if relative_sign else values[STICTION_SIGN],
-        factor(solution[acceleration1]),
-        factor(solution[acceleration2]),
+        *_accelerations(driving_equation().subs(values), driven_equation().subs(values)),
     )
+
+
+@cache
+def _accelerations(driving: Expr, driven: Expr) -> tuple[Expr, Expr]:
+    """The accelerations: eq (3) has that of body 1 alone, eq (4) that of body 2 besides."""
+    first = root(driving, acceleration1)
+    return factor(first), factor(root(driven.subs(acceleration1, first), acceleration2))
 
 
 BRANCH_NAMES = {

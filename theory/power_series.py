@@ -10,6 +10,7 @@ from sympy import (
     Integer,
     Poly,
     PolynomialError,
+    Pow,
     Symbol,
     cos,
     expand,
@@ -63,8 +64,10 @@ def composed(outer: Expr, variable: Symbol, order: int, inner: Expr) -> Expr:
 
 def _by_division(expression: Expr, variable: Symbol, order: int) -> Expr | None:
     sine, cosine = Dummy("sine"), Dummy("cosine")
-    roots = {one: Dummy(one.name, positive=True) for one in expression.free_symbols - {variable} if one.is_positive}
-    unknown = expression.subs({sin(variable): sine, cos(variable): cosine})
+    roots = {}
+    if any(not one.exp.is_Integer for one in expression.atoms(Pow)):
+        roots = {one: Dummy(one.name, positive=True) for one in expression.free_symbols - {variable} if one.is_positive}
+    unknown = expression.xreplace({sin(variable): sine, cos(variable): cosine})
     unknown = unknown.subs({one: root**2 for one, root in roots.items()})
     letters = sorted(unknown.free_symbols - {variable, sine, cosine}, key=str)
     field = QQ.frac_field(*letters) if letters else QQ

@@ -6,7 +6,7 @@ For a1 = 0 one parameter is left, the mass fraction q = m1/M; with a1 > 0 the da
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, simplify, sqrt, together
+from sympy import Expr, ImmutableMatrix, Symbol, cancel, diff, factor, sqrt, together
 
 from theory.energy import critical_energy, energy, slip_rate
 from theory.filippov import load_threshold, phi, sliding_field
@@ -48,7 +48,7 @@ def parameters() -> dict[Symbol, Expr]:
 def to_reduced(expression: Expr) -> Expr:
     """An SI expression of state and parameters in reduced coordinates; its unit remains in M, Omega, L."""
     state = {x1: L * X, v1: L * Omega * V1, v2: L * Omega * V2}
-    return simplify(expression.subs(state, simultaneous=True).subs(parameters(), simultaneous=True))
+    return factor(expression.subs(state, simultaneous=True).subs(parameters(), simultaneous=True))
 
 
 def to_si(expression: Expr) -> Expr:

@@ -27,6 +27,6 @@ class DoubleDouble(Multiprecision):
         high = float(x)
         if x != 0 and not SMALLEST < abs(high) < LARGEST:
             raise OutOfRange(
-                "a number of this scene is beyond the range of double-double (1e-130 to 1e100); use ball arithmetic"
+                'a number of this scene is beyond the range of double-double (1e-130 to 1e100); use arithmetic="ball"'
             )
         return two_sum(high, float(x - high))

@@ -30,7 +30,7 @@ class Float64:
             number = math.inf
         if math.isinf(number) or (number == 0 and value != 0):
             raise OutOfRange(
-                "a number of this scene is beyond the range of float64 (1e-308 to 1e308); use ball arithmetic"
+                'a number of this scene is beyond the range of float64 (1e-308 to 1e308); use arithmetic="ball"'
             )
         return number
 

@@ -11,23 +11,26 @@ from __future__ import annotations
 
 import math
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import partial
 from random import Random
 from statistics import median
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from flint import arb
 
+from numerics.arithmetic.ball import exact_middle
 from numerics.audit.draws import KINDS
-from numerics.audit.rows import Progress, Row, counted
 from numerics.errors import NumericsError
 from numerics.plane.trajectory import PlaneTrajectory
+from numerics.shown import print_table
 from numerics.solver.solve import solve
 from numerics.trajectory.comparison import as_fraction
 from numerics.trajectory.rows import STATE
 
+Progress: TypeAlias = Callable[[str], None]
+"""Hears now and then, in a few words, what is being tried."""
 Solver: TypeAlias = Callable[[Any], Any]
 Figure: TypeAlias = tuple[str, Fraction, Fraction | None]
 """What it is of, its value, and the bound on its error, None where there is none; exact."""
@@ -48,6 +51,21 @@ MOST_SLACK, _KEPT = 1e4, 5
 SIZES = {"small": (5, 10), "default": (60, 300), "large": (600, 10_000)}
 """How many scenes of a kind in all arithmetics, and in float64 on a line."""
 _REFUSED = NumericsError
+
+
+class Row(NamedTuple):
+    """One property: how many cases were tried, the figures that came out, the requirement, and the answer to it.
+
+    `passed` is computed where the row is made; a row for which nothing was tried has not passed. `details` are the
+    first few failures, for --json.
+    """
+
+    name: str
+    tried: int
+    measured: Mapping[str, Any]
+    required: str
+    passed: bool
+    details: Sequence[Mapping[str, Any]] = ()
 
 
 def audit(
@@ -164,10 +182,7 @@ def _state(state: Any, bounds: Any) -> Iterator[Figure]:
 
 def _figure(name: str, value: Any, bound: Any) -> Figure:
     if isinstance(value, arb):
-        middle, radius = (
-            int(one) * Fraction(2) ** int(power) for one, power in (value.mid().man_exp(), value.rad().man_exp())
-        )
-        return name, middle, radius
+        return name, exact_middle(value), exact_middle(value.rad())
     return name, as_fraction(value), None if bound is None or not math.isfinite(bound) else Fraction(bound)
 
 
@@ -183,3 +198,27 @@ def relative_residual(trajectory: Any) -> float:
         (_, residual, radius), *rest = (_figure("", part, None) for part in parts)
     whole = sum((abs(size) for _, size, _ in rest), Fraction(0))
     return float(max(abs(residual) - (radius or 0), Fraction(0)) / whole) if whole else 0.0
+
+
+def counted(cases: int, what: str, progress: Progress) -> Iterator[int]:
+    """Yield 0, ..., cases - 1, and say now and then how many of what were tried."""
+    for case in range(cases):
+        if case % 100 == 0:
+            progress(f"{what}, {case + 1} of {cases}")
+        yield case
+
+
+def as_record(rows: Sequence[Row], seed: int, size: str) -> dict[str, Any]:
+    """Return the audit as the JSON object of the interface; `passed` is whether every row has. JSON has no infinity."""
+    finite = [{name: str(x) if x in {math.inf} else x for name, x in row.measured.items()} for row in rows]
+    shown = [row._asdict() | {"measured": measured} for row, measured in zip(rows, finite, strict=True)]
+    return {"seed": seed, "size": size, "passed": all(row.passed for row in rows), "rows": shown}
+
+
+def print_rows(rows: Sequence[Row]) -> None:
+    """Print one line a row."""
+    lines = []
+    for row in rows:
+        found = ", ".join(f"{k} {x:.3g}" if isinstance(x, float) else f"{k} {x}" for k, x in row.measured.items())
+        lines.append((row.name, str(row.tried), found, row.required, "pass" if row.passed else "FAIL"))
+    print_table(("what", "tried", "found", "required", ""), lines)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from numerics.cli import commands, maps, plans, responses, solving
+from numerics.cli import commands, control, solving
 from numerics.exits import OneLineParser, Version, program_name
 from numerics.trade.command import measure_trade
 
@@ -33,16 +33,18 @@ def parser() -> argparse.ArgumentParser:
         made.set_defaults(run=run)
         return made
 
+    shown: dict[str, Any] = {"epilog": _EPILOG, "formatter_class": argparse.RawDescriptionHelpFormatter}
+    _solve(command("solve", solving.solve_scene, "solve one scene", **shown))
     command("scenes", commands.list_scenes, "list the shipped scenes, a line each")
     _energy(command("energy", commands.print_energy, "the energy at one time, however late, without stepping there"))
-    chart = command("map", maps.chart_merging, "which mass ratios merge from which energies on S0, in proved cells")
+    chart = command("map", commands.chart_merging, "which mass ratios merge from which energies on S0, in proved cells")
     chart.add_argument("--ratio", nargs=2, metavar=("A", "B"), default=["0.8", "100"], help="range of m2/m1")
     chart.add_argument("--energy", nargs=2, metavar=("A", "B"), default=["1.01", "101"], help="range of E/E_cr")
     _of_a_map(chart)
     what = "what the pair does in the long run under its periodic force: thresholds, periodic motion, multipliers"
-    _response(command("response", responses.print_response, what))
+    _response(command("response", control.print_response, what))
     what = "which regime a sine brings, over frequency and amplitude, in proved cells"
-    chart = command("response-map", maps.chart_response, what)
+    chart = command("response-map", commands.chart_response, what)
     _scene(chart, "scene whose pair is taken; its force is ignored")
     chart.add_argument("--amplitude", nargs=2, required=True, metavar=("A", "B"), help="range of the amplitude, N")
     chart.add_argument("--omega", nargs=2, required=True, metavar=("A", "B"), help="range of the frequency, rad/s")
@@ -55,8 +57,6 @@ def parser() -> argparse.ArgumentParser:
     what, left_out = "measure speed against accuracy, ours and other integrators'", "what is not installed is left out"
     epilog = f"{left_out} and named; a run that hangs or fails is stopped and shown as such"
     _trade(command("trade", measure_trade, what, epilog=epilog))
-    shown: dict[str, Any] = {"epilog": _EPILOG, "formatter_class": argparse.RawDescriptionHelpFormatter}
-    _solve(command("solve", solving.solve_scene, "solve one scene", **shown))
     return top
 
 
@@ -82,7 +82,7 @@ def _solve(asked: argparse.ArgumentParser) -> None:
     _count(asked, "--max-events", 250_000, "stop after N events")
     _count(asked, "--max-digits", 20_000, "cap on the working digits")
     asked.add_argument("--all", action="store_true", help="print all events on a terminal, not the first and the last")
-    asked.add_argument("--explain", action="store_true", help="say on stderr which road was taken, and why")
+    asked.add_argument("--explain", action="store_true", help="say on stderr which arithmetic was used, and why")
     derivatives = "add the derivatives by initial state, parameters and numbers of the force (SI units)"
     asked.add_argument("--sensitivity", action="store_true", help=derivatives)
     output = asked.add_mutually_exclusive_group()
@@ -145,9 +145,9 @@ def _response(asked: argparse.ArgumentParser) -> None:
 
 def _plans(command: Callable[..., argparse.ArgumentParser]) -> None:
     """Add track, move and ring."""
-    track = command("track", plans.print_tracking, "the force under which body 2 follows a reference, as a scene")
-    move = command("move", plans.print_transfer, "the fastest transfer from rest to rest, its force as a scene")
-    ring = command("ring", plans.print_ring, "when the relative motion enters its tolerance ring for good")
+    track = command("track", control.print_tracking, "the force under which body 2 follows a reference, as a scene")
+    move = command("move", control.print_transfer, "the fastest transfer from rest to rest, its force as a scene")
+    ring = command("ring", control.print_ring, "when the relative motion enters its tolerance ring for good")
     for one in (track, move, ring):
         _of_a_scene(one)
     track.add_argument("--reference", required=True, metavar="FILE", help="TOML file of [[reference]] pieces, in m")

@@ -138,7 +138,7 @@ def _print_table(trajectory: Trajectory, *, whole: bool) -> None:
 
 
 def explanation(trajectory: Trajectory) -> str:
-    """Return which road a solve took: arithmetic, digits, what was tried, events, and why no more were needed."""
+    """Return how a scene was solved: arithmetic, digits, what was tried, events, and why no more were needed."""
     from numerics.linear.modes import Mode
     from numerics.trajectory.status import Status
 

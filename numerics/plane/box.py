@@ -1,9 +1,9 @@
 """A box |f_i| <= b_i in parts that neither springs nor dampers couple: each moves by itself, as if there were no other.
 
 A part of one axis is a pair of the paper, solved by the line's engines; a larger one is a box with fewer axes. The
-events of all parts make one list, a mode is a word of + 0 -. Parts with the same data have their events at one time,
-exactly, and so have those that the same change of force or of friction lets go; where others may be at one time the
-precision is raised.
+events of all parts make one list, a mode is a word of + 0 -. Parts with the same data, or mirrored ones, have their
+events at one time, exactly, and so have those that one change of force or of friction lets go; where others may be at
+one time the precision is raised.
 """
 
 from __future__ import annotations
@@ -19,24 +19,29 @@ from numerics.arithmetic.ball import Ball, exact_middle
 from numerics.errors import EventUndecided, InvalidScene
 from numerics.linear.modes import Mode
 from numerics.plane.answer import PlaneEvent, PlaneSolution, PlaneState, Working
+from numerics.plane.coupled import SIGNS
 from numerics.plane.vector import Matrix, Vector, exact
 from numerics.scene import Friction, Pair, Scene, State
 from numerics.scene.plane import PlanePair, PlaneScene
 from numerics.trajectory.status import Status
 
 LETTERS: dict[Any, str] = {Mode.SLIP_PLUS: "+", Mode.STICK: "0", Mode.SLIP_MINUS: "-"}
-_SIGNS = {"+": 1, "0": 0, "-": -1}
+_MIRRORED = str.maketrans("+-", "-+")
 
 
-def part_scene(scene: PlaneScene, axes: Sequence[int]) -> Scene | PlaneScene:
-    """Return the scene of axes that no other one acts on, of a pair on a line if it is one; there x2 = 0 at t = 0."""
+def part_scene(scene: PlaneScene, axes: Sequence[int], sign: int = 1) -> Scene | PlaneScene:
+    """Return the scene of axes that no other one acts on, of a pair on a line if it is one; there x2 = 0 at t = 0.
+
+    With the sign -1 it is mirrored: all goes the other way.
+    """
 
     def of(numbers: Sequence[Any]) -> list[Any]:
         return [numbers[i] for i in axes]
 
     pair = scene.pair
     a1, a2 = ([of(row) for row in of(matrix)] for matrix in (pair.a1, pair.a2))
-    m1, m2, b, x1, v1, v2, force = map(of, (pair.m1, pair.m2, pair.b, scene.x1, scene.v1, scene.v2, scene.force))
+    m1, m2, b = map(of, (pair.m1, pair.m2, pair.b))
+    x1, v1, v2, force = ([sign * one for one in of(given)] for given in (scene.x1, scene.v1, scene.v2, scene.force))
     friction = [(start, of(changed)) for start, changed in scene.friction]
     if len(axes) > 1:
         small = PlanePair(m1, m2, a2, b, a1, "box")
@@ -48,9 +53,14 @@ def part_scene(scene: PlaneScene, axes: Sequence[int]) -> Scene | PlaneScene:
 
 def joined(scene: PlaneScene, alone: Callable[[Scene | PlaneScene], Any], name: str, most: int) -> PlaneSolution:
     """Return the motions of the parts, which `alone` solves in balls, as one. Raises EventUndecided, InvalidScene."""
-    parts = [part_scene(scene, axes) for axes in scene.pair.parts]
-    solved = {part: alone(part) for part in dict.fromkeys(parts)}
-    answers = [solved[part] for part in parts]
+    solved: dict[Any, Any] = {}
+    answers = []
+    for axes in scene.pair.parts:
+        part, mirrored = (part_scene(scene, axes, sign) for sign in (1, -1))
+        known = mirrored if mirrored in solved else part
+        if known not in solved:
+            solved[known] = alone(known)
+        answers.append(solved[known])
     if not all(one.success for one in answers):
         raise InvalidScene(f"a part of the box has more than {most} events; raise the cap max_events")
     arithmetic = Working(2 * max(one.arithmetic.digits for one in answers), name)
@@ -62,14 +72,16 @@ class Parts:
     """The motions of all parts as one, at any time."""
 
     def __init__(self, scene: PlaneScene, answers: list[Any]) -> None:
-        """Take the answer of each part, with x2 = 0 at t = 0."""
+        """Take the answer of each part, or of that mirrored, with x2 = 0 at t = 0."""
         self.axes, self.answers, self.x2 = scene.pair.parts, answers, exact(scene.x2)
+        whole = zip(self.axes, answers, strict=True)
+        self.signs = [1 if one.scene == part_scene(scene, axes) else -1 for axes, one in whole]
 
     def at(self, t: Any) -> PlaneState:
         """Return the state at a time."""
         rows = np.empty((4, len(self.x2)), dtype=object)
-        for axes, one in zip(self.axes, self.answers, strict=True):
-            rows[:, axes] = one.sol(t).reshape(4, -1)
+        for axes, one, sign in zip(self.axes, self.answers, self.signs, strict=True):
+            rows[:, axes] = one.sol(t).reshape(4, -1) * sign
         x1, v1, x2, v2 = map(Vector, rows)
         return PlaneState(x1, v1, x2 + self.x2, v2)
 
@@ -90,15 +102,19 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
         if not groups or not groups[-1][-1][0].t.overlaps(event.t):
             groups.append([])
         elif answers[i] is not answers[groups[-1][-1][1]]:
-            both = changed(event), changed(groups[-1][-1][0])
-            if len(both[0]) != 1 or both[0] != both[1]:
+            before = groups[-1][-1][0]
+            both, are_exact = (changed(event), changed(before)), event.t.is_exact() and before.t.is_exact()
+            if not are_exact and (len(both[0]) != 1 or both[0] != both[1]):
                 digits = max(one.arithmetic.digits for one in answers)
                 raise EventUndecided("which axis has its event first", str(event.t.str(6)), digits)
         groups[-1].append((event, i))
     word = ["0"] * scene.pair.axes
 
     def put(i: int, mode: Any) -> None:
-        for axis, letter in zip(scene.pair.parts[i], LETTERS.get(mode, mode), strict=True):
+        letters = LETTERS.get(mode, mode)
+        for axis, letter in zip(
+            motion.axes[i], letters if motion.signs[i] > 0 else letters.translate(_MIRRORED), strict=True
+        ):
             word[axis] = letter
 
     for i, one in enumerate(answers):
@@ -110,7 +126,7 @@ def _joined(scene: PlaneScene, answers: list[Any], arithmetic: Working) -> Plane
             put(i, event.after)
             cause = "jump" if event.cause == "jump" else cause
         y = motion.at(t)
-        signs = Vector(arb(_SIGNS[one]) for one in word)
+        signs = Vector(arb(SIGNS[one]) for one in word)
         direction = signs / (signs @ signs).max(arb(1)).sqrt()
         pieces = changed(group[0][0]) or [exact_middle(t.lower()), exact_middle(t.upper())]
         loads = [_load(scene, y, t, one) for one in pieces]

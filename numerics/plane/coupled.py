@@ -9,7 +9,7 @@ from __future__ import annotations
 from flint import arb, arb_poly
 
 from numerics.plane.defect import Curve, Defect
-from numerics.plane.path import AGAIN, LATE, SLIP, Path
+from numerics.plane.path import AGAIN, LATE, SHORT, SLIP, Path, exactly_on_edge
 from numerics.plane.polynomial import least
 from numerics.plane.vector import Vector
 
@@ -18,9 +18,13 @@ _LETTER = {one: letter for letter, one in SIGNS.items()}
 
 
 class BoxRun(Path):
-    """The path of a box; `young` are the axes that begin to slip at the point, with the order of the zero of s_i."""
+    """The path of a box; `young` are the axes that begin to slip at the point, with the order of the zero of s_i.
+
+    `on_edge` are those whose load falls from b_i at the point.
+    """
 
     young: dict[int, int]
+    on_edge: list[int]
     clear = arb(0)
     """Until when after the point no other event is allowed for, s."""
     after = arb(0)
@@ -29,14 +33,32 @@ class BoxRun(Path):
     def released(self, cause: str | None) -> None:
         """Let the axes go whose load a piece of force, or the start, puts outside."""
         if cause is None:
-            self.young, (_, v1, v2) = {}, self.system.given.start
+            self.young, self.on_edge, (_, v1, v2) = {}, [], self.system.given.start
             self.mode = "".join(_LETTER[(x > y) - (x < y)] for x, y in zip(v1, v2, strict=True))
         load, drive, before = self.load(), self.system.pieces[self.at.piece], self.mode
+        on_edge = []
         for i in self.system.axes:
             if before[i] == "0" and not abs(load[i]) < drive.b[i]:
-                self.let_go(i, load[i], 1, "is the load inside the friction set")
+                if cause is None and exactly_on_edge(self.system, [i]):
+                    on_edge.append(i)
+                else:
+                    self.let_go(i, load[i], 1, "is the load inside the friction set")
+        for i in on_edge:
+            way = self.outward(i, arb(0))
+            if way > 0:
+                self.let_go(i, load[i], 2)
+            elif way < 0:
+                self.on_edge.append(i)
+            else:
+                raise self.undecided("does the load leave the friction set at t = 0")
         if cause is not None and self.mode != before:
             self.tell(before, arb(0), cause)
+
+    def outward(self, i: int, window: arb) -> arb:
+        """Return the rate at which the load of an axis that sticks goes out, within a window."""
+        near = self.around(window, self.friction)
+        found: arb = near.drift[i] * near.load[i]
+        return found
 
     def let_go(self, i: int, load: arb, order: int, question: str = "") -> None:
         """Let an axis slip the way of a load; of order 1, if that is outside."""
@@ -67,6 +89,8 @@ class BoxRun(Path):
             series.slip[i][:order] = [arb(0)] * order  # what is dropped is seen in the defect
         while True:
             h, ends = self.fitted(reach)
+            if not all(self.outward(i, h * SHORT) < 0 for i in self.on_edge):
+                raise self.undecided("does the load leave the friction set at t = 0")
             curve, found, norm = self.drawn(series, h, friction)
             if not all(self.has_begun(i, curve.s[i], norm, h) for i in self.young):
                 reach = (h / 2).mid()
@@ -77,7 +101,7 @@ class BoxRun(Path):
             if event is None or event[0] > LATE:
                 break
             reach = (h * event[0] * AGAIN).mid()
-        self.young, self.after = {}, arb(0)
+        self.young, self.on_edge, self.after = {}, [], arb(0)
         if event is None:
             self.go_on(curve, SLIP, arb(1), norm, ends=ends)
             self.clear = arb(0)
@@ -132,5 +156,5 @@ class BoxRun(Path):
         if i in self.young:
             return None
         if self.mode[i] == "0":
-            return self.exit(curve, found, norm, (i,))
+            return self.exit(curve, found, norm, (i,), SHORT if i in self.on_edge else 0.0)
         return self.root(curve.s[i] * SIGNS[self.mode[i]], self.system.apart[i] * norm, "does the slip turn or end")

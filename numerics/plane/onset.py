@@ -24,6 +24,9 @@ from numerics.plane.series import Point, Series
 from numerics.plane.system import Drive, System
 from numerics.plane.vector import Vector
 
+_PART = 2.0**-7
+"""The part of |g|^2 from which on axes that have not settled hold h."""
+
 
 def onset(system: System, at: Point, load: Vector, degree: int, m: int) -> Series:
     """Return the series of a slip from s = 0, at a point where the load is outside K (m = 1), or on its edge (2)."""
@@ -66,33 +69,42 @@ def first_slip(system: System, drive: Drive, load: Vector) -> tuple[Vector, arb]
 def slow_series(system: System, at: Point, degree: int, quick: Sequence[bool]) -> Series | None:
     """Return the series of a slip that has settled on the `quick` axes, None if the iteration does not settle.
 
-    On the others h D g goes on from its beginning, by B^-1 Lam - g.
+    On the others h D g goes on from its beginning, by B^-1 Lam - g. If they have a part in h it is what |g| = 1 asks
+    for; else the quick axes alone say how it changes.
     """
     drive = system.pieces[at.piece]
     u = drive.force(arb_series([at.t, 1], degree))
     f, first = drive.friction(at.s)
     size, g = arb_series([first.mid()], degree), (f / drive.b).each(lambda x: arb_series([x.mid()], degree))
-    change, began = arb("inf"), (g * drive.heavy * size).order(0)
-    settles = drive.heavy * Vector(map(arb, quick))
+    change, began = arb("inf"), at.s / drive.b / system.kappa
+    settles, rests = (Vector(arb(one == part) for one in quick) for part in (True, False))
+    held = bool((g * g @ rests)[0] > _PART)
 
     def kept(p: Any) -> Any:
         return arb_series([x.mid() for x in p.coeffs()], degree)
 
     for turn in range(degree):
         q1, v2, s, load = _moved(system, drive, at, u, size, g)
-        across, push = g * settles, load / drive.b
-        free = push - size * across.each(arb_series.derivative)
-        if not all(quick):
-            late = ((push - g).each(arb_series.integral) + began) / (size * drive.heavy)
-            free = Vector(x if one else y for x, y, one in zip(free, late, quick, strict=True))
-        over, along, square = free @ free - 1, free @ across, across @ across
-        root = along * along - square * over
-        if not root[0] > 0:
-            return None
-        root = root.sqrt()  # the smaller h' of the two, without cancellation
-        rate = over / (along + root) if along[0] > 0 else (along - root) / square
-        size = kept(rate.integral() + first)
-        before, g = g, (free - rate * across).each(kept)
+        across, push, before = g * drive.heavy * settles, load / drive.b, g
+        slow = ((push - g).each(arb_series.integral) + began) / drive.heavy * rests
+        free = push * settles - size * across.each(arb_series.derivative)
+        if held:
+            free = free - across * size.derivative()
+            left = 1 - free @ free
+            if not left[0] > 0:
+                return None
+            size = kept((slow @ slow / left).sqrt())
+            g = (free + slow / size).each(kept)
+        else:
+            free = free + slow / size
+            over, along, square = free @ free - 1, free @ across, across @ across
+            root = along * along - square * over
+            if not root[0] > 0:
+                return None
+            root = root.sqrt()  # the smaller h' of the two, without cancellation
+            rate = over / (along + root) if along[0] > 0 else (along - root) / square
+            size = kept(rate.integral() + first)
+            g = (free - rate * across).each(kept)
         last, change = change, max((abs(x[0] - y[0]) for x, y in zip(g, before, strict=True)), key=lambda one: one)
         if turn > 8 and not (change < last or change < arb((1, -system.bits // 2))):
             return None

@@ -20,6 +20,8 @@ from numerics.plane.window import Around, around
 STICK, SLIP = "stick", "slip"
 LATE, AGAIN = 31 / 32, 65 / 64
 """An event before that part of a step has it drawn again, so much longer than to the event: with the defect of that."""
+SHORT = 2.0**-20
+"""The part of a step after which a load that falls from the edge into K is seen inside."""
 
 
 class Leg(NamedTuple):
@@ -236,6 +238,18 @@ class Path:
             raise self.undecided("does the event come before the force changes, or the run ends")
         load = self.load(late)
         self.events.append(Happening(self.at, late, before, self.mode, direction, load, cause, self.norm, self.apart))
+
+
+def exactly_on_edge(system: System, axes: Iterable[int]) -> bool:
+    """Return whether the sum of (Lam_i/b_i)^2 is 1 at t = 0, on exact data; False where a sine is not exactly known."""
+    given, acting = system.given, system.given.pieces[0]
+    if any(phase for _, phase, _ in acting.sines):
+        return False
+    q1, v1, m1, m2 = map(Vector, (*given.start[:2], given.m1, given.m2))
+    held = Vector(Vector(one) @ q1 + Vector(two) @ v1 for one, two in zip(given.a2, given.a1, strict=True))
+    load = (Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - held) * m2 / (m1 + m2)
+    strains = load * load / Vector(acting.b_squared)
+    return bool(sum(strains[i] for i in axes) == 1)
 
 
 def log2(x: arb) -> float:

@@ -21,7 +21,7 @@ from numerics.arithmetic.ball import sqrt
 from numerics.plane.defect import Curve, Defect, defect, slip_defect
 from numerics.plane.onset import onset, slow_series
 from numerics.plane.passage import Drawn, drawn_to, end_direction
-from numerics.plane.path import AGAIN, LATE, SLIP, STICK, Path, log2, two_to
+from numerics.plane.path import AGAIN, LATE, SHORT, SLIP, STICK, Path, exactly_on_edge, log2, two_to
 from numerics.plane.polynomial import first_root, midpoints, rise, scaled
 from numerics.plane.series import Series, slip_series
 from numerics.plane.system import System, highest
@@ -35,8 +35,6 @@ _QUICK = 256
 """It is asked where a direction settles so many times in the time in which things change."""
 _QUICKER = 64
 """So many times quicker some axes settle than the last, if these alone are asked."""
-_SHORT = 2.0**-20
-"""The part of a step after which a load that falls from the edge into K is seen inside."""
 
 
 class Run(Path):
@@ -56,7 +54,7 @@ class Run(Path):
         held = [None] * self.system.n
         series, reach = self.linear(held, self.system.degree)
         h, ends = self.fitted(reach)
-        start = _SHORT if not self.held and self.falls_inside(h) else 0.0
+        start = SHORT if not self.held and self.falls_inside(h) else 0.0
         while True:
             curve, found, norm = self.drawn(series, h, held)
             root = None if self.held else self.exit(curve, found, norm, self.system.axes, start)
@@ -71,11 +69,11 @@ class Run(Path):
         self.begin(2, "guard", STICK, (off * h).upper())
 
     def falls_inside(self, h: arb) -> bool:
-        """Return whether the step begins on the edge of K: the load falls inside then, till _SHORT of it at least."""
+        """Return whether the step begins on the edge of K: the load falls inside then, till SHORT of it at least."""
         if not self.on_edge:
             return False
         self.on_edge = False
-        if not self.outward(h * _SHORT) < 0:
+        if not self.outward(h * SHORT) < 0:
             raise self.undecided("does the load leave the friction set at t = 0")
         return True
 
@@ -143,7 +141,7 @@ class Run(Path):
         quick = [n == 1 or bool(x * size * _QUICK < self.period) for x in drive.heavy]
         quicker = [one and bool(x * _QUICKER < highest(drive.heavy)) for x, one in zip(drive.heavy, quick, strict=True)]
         for axes in (quick, quicker):
-            if all(axes) or sum(axes) > 1:
+            if any(axes):
                 series = slow_series(self.system, self.at, self.system.degree, axes)
                 if series is not None:
                     h, top = self.reach(series, 0)
@@ -274,7 +272,7 @@ class Run(Path):
         if strain > 1:
             self.begin(1, cause, STICK, arb(0))
         elif not strain < 1:
-            if cause is not None or not exactly_on_edge(self.system):
+            if cause is not None or not exactly_on_edge(self.system, self.system.axes):
                 raise self.undecided("is the load inside the friction set")
             way = self.outward(arb(0))
             if way > 0:
@@ -326,17 +324,6 @@ class Run(Path):
         found = both[-1] if m == 1 else max(both[3:])
         top = 2 + max(k for k, one in enumerate(both) if one >= found and (k > 2 or m == 1))
         return two_to(min(found, log2(self.period) + 4) - (0.1 if m == 1 else 0.4)), top + (m == 1)
-
-
-def exactly_on_edge(system: System) -> bool:
-    """Return whether |B^-1 Lam| = 1 at t = 0, on exact data; False where a sine is not exactly known."""
-    given, acting = system.given, system.given.pieces[0]
-    if any(phase for _, phase, _ in acting.sines):
-        return False
-    q1, v1, m1, m2 = map(Vector, (*given.start[:2], given.m1, given.m2))
-    held = Vector(Vector(one) @ q1 + Vector(two) @ v1 for one, two in zip(given.a2, given.a1, strict=True))
-    load = (Vector(acting.polynomial[0] if acting.polynomial else [0] * system.n) - held) * m2 / (m1 + m2)
-    return bool(load / Vector(acting.b_squared) @ load == 1)
 
 
 def never_leaves(system: System) -> bool:

@@ -51,7 +51,7 @@ class PlaneTrajectory(PlaneSolution):
 
         return draw(self, kind, ax)
 
-    def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 25) -> Any:
+    def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
         """Return a matplotlib animation of both bodies from above; see Trajectory.animate."""
         from numerics.plane.pictures import animate
 

@@ -95,7 +95,7 @@ def _text_of(path: Path, what: str, remedy: str) -> str:
             data = file.read(MAX_FORCED_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise InvalidScene(f"no {what} {str(path)!r}: {reason}; {remedy}") from None
+        raise InvalidScene(f"no {what} {str(path)[:200]!r}: {reason}; {remedy}") from None
     named = "on standard input" if str(path) == "-" else f"file {str(path)!r}"
     most = MAX_FORCED_BYTES if any(b"[[" + table.encode() in data for table in (*_PIECES, _REFERENCE)) else MAX_BYTES
     if len(data) > most:

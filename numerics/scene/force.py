@@ -7,6 +7,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import zip_longest
 
 from numerics.errors import InvalidScene
 from numerics.scene.decimals import Exact, exact_decimal, put, short
@@ -158,8 +159,7 @@ class Force(ShortRepr):
 
 def _summed(one: Piece, two: Piece) -> Piece:
     """Return the sum of two pieces that begin at the same time; equal sines become one."""
-    longer, shorter = sorted((one.polynomial, two.polynomial), key=len, reverse=True)
-    coefficients = [c + (shorter[k] if k < len(shorter) else 0) for k, c in enumerate(longer)]
+    coefficients = map(sum, zip_longest(one.polynomial, two.polynomial, fillvalue=Fraction(0)))
     sines: dict[tuple[Fraction, Fraction], Fraction] = {}
     for sine in (*one.sines, *two.sines):
         key = sine.omega, sine.phase

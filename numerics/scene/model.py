@@ -148,8 +148,8 @@ class Scene(ShortRepr):
         laws = ((force, Force, "Force.sine(amplitude, omega)"), (friction, Friction, "Friction([(start, b)])"))
         for part, kind, remedy in (*parts, *laws):
             if not isinstance(part, kind):
-                given = f"of a scene is what is of type {type(part).__name__}"
-                raise InvalidScene(f"the {kind.__name__} {given}; build one, such as {remedy}")
+                given = f"{str(part)[:40]!r}, {type(part).__name__}"
+                raise InvalidScene(f"a scene needs a {kind.__name__}, not {given}; build one, such as {remedy}")
         put(self, pair=pair, initial=initial, law=read_law(law), force=force, friction=friction, made={})
         keep(self, until=until)
         if self.until <= 0:

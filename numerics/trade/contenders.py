@@ -12,7 +12,7 @@ import numpy as np
 from numerics.plane.trajectory import PlaneTrajectory
 from numerics.solver.solve import ArithmeticName, solve
 from numerics.trade.comparisons.direct import by_events, smoothed
-from numerics.trade.comparisons.euler_peer import euler_peer
+from numerics.trade.comparisons.forward_euler import euler_peer
 from numerics.trade.comparisons.heyoka_peer import heyoka_arcs
 from numerics.trade.comparisons.peer import PeerRun
 from numerics.trade.comparisons.scipy_peer import scipy_arcs

@@ -10,8 +10,7 @@ import numpy as np
 
 from numerics.scene import Scene
 from numerics.scene.file import load_scene
-from numerics.trade.comparisons.euler_peer import read
-from numerics.trade.comparisons.forward_euler import forward_euler
+from numerics.trade.comparisons.forward_euler import forward_euler, read
 from numerics.trade.comparisons.switched import SwitchedPair
 from numerics.trade.judge import judge, proved
 

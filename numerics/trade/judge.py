@@ -14,7 +14,6 @@ All are upper bounds: the radius of the reference is part of the error.
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 from typing import Any, NamedTuple
 
 from flint import arb
@@ -84,9 +83,7 @@ def as_arb(value: Any) -> arb:
         return sum(map(as_arb, value), arb(0))
     if not math.isfinite(value):
         return arb("nan")
-    if hasattr(value, "man_exp"):
-        return Ball.number(as_fraction(value))
-    return Ball.number(Fraction(*value.as_integer_ratio()))
+    return Ball.number(as_fraction(value))
 
 
 def first_difference(found: PeerRun, truth: PeerRun) -> str | None:

@@ -158,7 +158,7 @@ def recorded(file: Path | None = None) -> Trade:
         [float(part or 0.0) for one in runs for part in (one.seconds, one.digits)]
         return Trade(**record, runs=runs, sweeps=sweeps)
     except OSError as error:
-        raise UnreadableTrade(f"{path.name} cannot be read: {error.strerror}") from None
+        raise UnreadableTrade(f"{path} cannot be read: {error.strerror}") from None
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         what = f"{error} is missing" if isinstance(error, KeyError) else str(error)
         raise UnreadableTrade(f"{path.name} is no output of `{COMMAND}`: {what}") from None

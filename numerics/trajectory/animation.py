@@ -66,11 +66,14 @@ def film(drawn: Callable[[int], Any], file: str | Path | None, duration: float, 
     figure, show = drawn(count)
     show(0)
     figure.canvas.draw()
-    figure.set_layout_engine("none")  # the axes stay where they are: to lay them out anew takes as long as a frame
+    figure.set_layout_engine(None)  # the axes stay where they are: to lay them out anew takes as long as a frame
     made = animation.FuncAnimation(figure, show, frames=count, interval=1000 / frames_per_second, blit=False)
     if path is not None and writer is not None:
         with tempfile.TemporaryDirectory() as folder, whole_file(path) as opened:
             kept = Path(folder) / path.name
+            figure.canvas.draw_idle = lambda: (
+                None
+            )  # the writer draws each frame; matplotlib would do it once before that
             made.save(kept, writer=writer, fps=frames_per_second)
             opened.write(kept.read_bytes())
         plt.close(figure)

@@ -16,12 +16,12 @@ class SequenceDiffers(NumericsError):
 
 
 def as_fraction(value: Number) -> Fraction:
-    """Return the exact rational value of a float or an mpmath number."""
+    """Return the exact rational value of a float of any format, of a rational or of an mpmath number."""
     if hasattr(value, "man_exp"):
         mantissa, exponent = value.man_exp
         sign = -1 if value < 0 else 1
         return sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-    return Fraction(value)
+    return Fraction(*value.as_integer_ratio())
 
 
 def require_same_sequence(points: Any, balls: Any) -> None:

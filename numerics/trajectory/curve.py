@@ -7,11 +7,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.linear.cells import cells_of, mode_in
+from numerics.linear.cells import cells_of
 from numerics.linear.pieces import ExactPiece
 from numerics.scene import Pair
-from numerics.trajectory.dense import by_pieces, of_rows
-from numerics.trajectory.flow import Knots, coupled, losses, moved
+from numerics.trajectory.flow import losses, moved, over_rows
 from numerics.trajectory.rows import Rows
 
 RESOLVED = 100
@@ -65,35 +64,24 @@ def sampled(trajectory: Rows) -> Curve:
         lengths = number(trajectory.row_lengths)
         rows = np.arange(len(lengths))
         starts, excess = number(trajectory.row_times)[rows], trajectory.columns.numbers("excess")[rows]
-        knots, pieces = of_rows(trajectory, rows), trajectory.row_pieces[rows]
+        pieces = trajectory.row_pieces[rows]
     fastest = [max([float(pair.a2 / pair.m1) ** 0.5, *(float(s.omega) for s in p.sines)]) for p in trajectory.pieces]
     radians = lengths * np.array(fastest)[pieces]
     parts = _parts(radians)
     at = np.repeat(rows, parts + 1)
     share = np.concatenate([np.linspace(0, 1, count + 1) for count in parts])
-    since, knots = lengths[at] * share, Knots(*(part[..., at] for part in knots))
-    y, taken, u, b = knots.y.copy(), np.zeros((2, len(at))), np.zeros(len(at)), np.zeros(len(at))
+    since, (local, y) = lengths[at] * share, trajectory.row_numbers
+    y, taken = y[:, at] + over_rows(moved, trajectory, at, since), over_rows(losses, trajectory, at, since)[:2]
+    u, b = np.zeros(len(at)), np.zeros(len(at))
     for piece in np.unique(pieces):
         chosen, acting = pieces[at] == piece, trajectory.pieces[piece]
-        begun = Knots(*(part[..., chosen] for part in knots))
-        u[chosen], b[chosen] = force_of(acting, begun.local + since[chosen]), float(acting.b)
-        if cells is None:
-            continue
-        for sign, cell in {(int(trajectory.row_signs[row]), trajectory.row_cells[row]) for row in rows}:
-            own = chosen & np.array([trajectory.row_cells[row] == cell for row in rows])[at] & (knots.sign == sign)
-            begun = Knots(*(part[..., own] for part in knots))
-            mode = mode_in(trajectory.scene, acting, sign, cell)
-            changes, losses_there = coupled(mode, begun, since[own])
-            y[:, own] += changes
-            taken[:, own] = losses_there[:2]
-        b[chosen] *= cells.relative(y[1, chosen] - y[3, chosen], y[0, chosen] - y[2, chosen])
-    if cells is None:
-        y = y + by_pieces(moved, trajectory, pieces[at], knots, since)
-        taken = by_pieces(losses, trajectory, pieces[at], knots, since)[:2]
+        u[chosen], b[chosen] = force_of(acting, (local[at] + since)[chosen]), float(acting.b)
+    if cells is not None:
+        b *= cells.relative(y[1] - y[3], y[0] - y[2])
     before = np.cumsum(taken[:, np.cumsum(parts + 1) - 1], axis=1)
     lost = np.concatenate([np.zeros((2, 1)), before], axis=1)[:, at] + taken
     segment, t = np.searchsorted(trajectory.event_rows, at, side="right"), starts[at] + since
-    curve = Curve(t, y, t, lost, segment, (parts >= _FEWEST * radians)[at], knots.sign == 0, u, b)
+    curve = Curve(t, y, t, lost, segment, (parts >= _FEWEST * radians)[at], trajectory.row_signs[at] == 0, u, b)
     unit = float(pair.critical_energy)
     w = curve.energy(pair) / unit - 1
     if not trajectory.scene.is_forced and excess[0] is not None and excess[0] == excess[0]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
 from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
@@ -13,10 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
-from numerics.linear.cells import mode_in
 from numerics.linear.modes import MODES
 from numerics.scene.decimals import short
-from numerics.trajectory.flow import Floats, Knots, losses, moved
+from numerics.trajectory.flow import losses, moved, over_rows
 from numerics.trajectory.motions import Moving
 from numerics.trajectory.rows import Rows
 
@@ -109,8 +107,7 @@ class Dense:
             return None
         if self.in_floats:
             since = self.since(np.array([time]), np.array([row]))
-            knots = of_rows(self.of, np.array([row]))
-            return float(carried[row] - losses(self.of.scene.pair, self.of.pieces[0], knots, since)[:2].sum() / unit)
+            return float(carried[row] - over_rows(losses, self.of, np.array([row]), since)[:2].sum() / unit)
         return _union(
             [(carried[one] - sum(self.motion(one).losses(since)[:2]) / unit,) for one, since in self._held(time, row)]
         )[0]
@@ -141,15 +138,12 @@ class Dense:
         if row not in self._motions:
             of = self.of
             start = of.row_times[row], of.row_states[:, row].tolist()
-            piece = of.pieces[of.row_pieces[row]]
-            mode = mode_in(of.scene, piece, int(of.row_signs[row]), of.row_cells[row])
-            self._motions[row] = Moving(self.arithmetic, mode, start)
+            self._motions[row] = Moving(self.arithmetic, of.row_mode(of.row_modes[1][row]), start)
         return self._motions[row]
 
     def floats(self, rows: NDArray[np.int64], since: NDArray[Any]) -> NDArray[np.float64]:
         """Return the states at times after the starts of rows, in binary64, shape (4, n)."""
-        knots = of_rows(self.of, rows)
-        return knots.y + by_pieces(moved, self.of, self.of.row_pieces[rows], knots, since)
+        return self.of.row_states[:, rows] + over_rows(moved, self.of, rows, since)
 
     def after(self, rows: range, since: Number) -> tuple[Number, Number, Number, Number]:
         """Return the state at `since` (s) after the start of a segment that consists of rows."""
@@ -179,27 +173,6 @@ def _union(found: list[tuple[Number, ...]]) -> tuple[Number, ...]:
     for other in rest:
         first = tuple(one.union(two) for one, two in zip(first, other, strict=True))
     return first
-
-
-def by_pieces(
-    function: Callable[..., Floats], trajectory: Rows, pieces: NDArray[np.int64], knots: Knots, since: Floats
-) -> Floats:
-    """Return `moved` or `losses` (flow.py) of knots in several pieces."""
-    found = np.zeros((3 if function is losses else 4, len(since)))
-    for piece in np.unique(pieces):
-        chosen = pieces == piece
-        begun = Knots(*(part[..., chosen] for part in knots))
-        found[:, chosen] = function(trajectory.scene.pair, trajectory.pieces[piece], begun, since[chosen])
-    return found
-
-
-def of_rows(trajectory: Rows, rows: NDArray[np.int64]) -> Knots:
-    """Return rows of any trajectory in binary64."""
-    number = np.vectorize(trajectory.arithmetic.to_float, otypes=[float])
-    local, y = trajectory.columns.numbers("local")[rows], trajectory.row_states[:, rows]
-    if local.dtype == object and len(rows):
-        local, y = number(local), number(y)
-    return Knots(trajectory.row_signs[rows].astype(float), local.astype(float), y.astype(float))
 
 
 def exact_time(t: Any, name: str = "t") -> Fraction:

@@ -1,15 +1,24 @@
-"""What a trajectory consists of: segments in one mode, and the events between them."""
+"""What a trajectory consists of: segments in one mode, the events between them, and where the energy went.
+
+E' = u v1 - a1 v1^2 - b |v1 - v2| is integrated anew between the rows of a record, each time from the state of a row
+over the length that the run says: an engine that put an event, or the state at it, in a wrong place leaves a residual.
+Quadratic forms of z' = A z are integrated by Van Loan's block exponential, what is slid is the flow itself.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from numerics.arithmetic.protocol import Number
 from numerics.free.frame import ReducedState
 from numerics.linear.modes import EventKind, Mode
 from numerics.scene.short_repr import ShortRepr
 from numerics.trajectory.dense import Dense
-from numerics.trajectory.ledger import losses_of_rows
+from numerics.trajectory.flow import losses, over_rows
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -50,3 +59,44 @@ class Segment(ShortRepr):
         """Return what friction and viscosity take in it, b int |v1 - v2| and a1 int v1^2, J."""
         friction, viscous, _ = losses_of_rows(self.dense, self.rows).sum(axis=1)
         return friction, viscous
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class EnergyLedger(ShortRepr):
+    """Where the energy went, J: initial - final against b int |v1 - v2| dt + a1 int v1^2 dt.
+
+    `work` is what a force has put in, int u v1 dt. `residual` = initial + work - final - friction - viscous: rounding
+    only, and an enclosure of 0 for balls. The integrals start anew from the state at each event, so that an
+    event at the wrong place shows.
+    """
+
+    initial: Number
+    final: Number
+    friction: Number
+    viscous: Number
+    residual: Number
+    work: Number = 0
+
+
+def losses_of_rows(dense: Dense, rows: range) -> NDArray[Any]:
+    """Return b int |v1 - v2|, a1 int v1^2 and int u v1 over the segments of rows, J, shape (3, n).
+
+    To be used in the arithmetic's context; enclosures for balls.
+    """
+    run = dense.of
+    lengths = run.row_lengths[rows.start : rows.stop]
+    if run.arithmetic.name != "float64":
+        found = np.empty((3, len(lengths)), dtype=object)
+        for at, (row, length) in enumerate(zip(rows, lengths, strict=True)):
+            found[:, at] = dense.motion(row).losses(length)
+        return found
+    return over_rows(losses, run, np.array(rows), lengths)
+
+
+def ledger_of(dense: Dense) -> EnergyLedger:
+    """Return the ledger of the whole run; in the arithmetic's context."""
+    run, zero = dense.of, dense.arithmetic.number(0)
+    losses = losses_of_rows(dense, range(len(run.row_lengths)))
+    friction, viscous, work = (sum(part.tolist(), zero) for part in losses)
+    initial, final = run.arithmetic.number(run.scene.energy), run.final_energy
+    return EnergyLedger(initial, final, friction, viscous, initial + work - final - friction - viscous, work)

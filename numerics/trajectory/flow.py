@@ -1,86 +1,90 @@
 """The motion after a knot in binary64, for thousands of knots and times at once: exponentials of small matrices.
 
-Body 1 and what drives it form z' = J z, z = (omega x1, v1 + slow x1, drive), omega = sqrt(a2/m). With the oscillator's
-slow rate split off J is triangular where it is overdamped: a slow rate keeps its digits beside a fast one. Body 2 has a
-constant acceleration in slip, and moves with body 1 in stick. Approximate, without a bound: the enclosed
-evaluation is that of motions.py.
+A body on its spring and what drives it form z' = J z, z = (omega x1, v1 + slow x1, drive), omega = sqrt(a2/m). With the
+oscillator's slow rate split off J is triangular where it is overdamped: a slow rate keeps its digits beside a fast one.
+Body 2 has a constant acceleration in slip, and moves with body 1 in stick; where friction depends on the state it is
+part of z. Approximate, without a bound: the enclosed evaluation is that of motions.py.
 """
 
 from __future__ import annotations
 
-from fractions import Fraction
+import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from numerics.linear.pieces import ExactPiece
-from numerics.linear.system import V1, LinearMode, Row, W
-from numerics.scene import Pair
+from numerics.linear.system import FIRST, LinearMode
+from numerics.trajectory.rows import Rows
 
 Floats = NDArray[np.float64]
 _TERMS = 14
 """Terms of Taylor for matrices of norm 1/2: the next one is below 2^-53 of their size."""
 
 
-class Knots(NamedTuple):
-    """Where n motions under one piece begin: the sign of v1 - v2 (0 in stick), the time in the piece, the state."""
+class Begun(NamedTuple):
+    """Where n motions in one mode begin: the times in its piece (s), and x1, v1, x2, v2, shape (4, n)."""
 
-    sign: Floats
     local: Floats
     y: Floats
-    """x1, v1, x2, v2, shape (4, n)."""
 
 
-class _Rates(NamedTuple):
-    """Of body 1 with the mass (kg) that the spring moves: rates in 1/s, all of shape (n,)."""
+class _Numbers:
+    """The numbers of a mode: rates of body 1 (1/s) with the mass (kg) that the spring moves, friction over z."""
 
-    mass: Floats
-    omega: Floats
-    slow: Floats
-    fast: Floats
-    coupling: Floats
-    size: Floats
+    def __init__(self, mode: LinearMode) -> None:
+        """Convert them."""
+        self.mass, self.m2, self.a1 = float(mode.mass), float(mode.pair.m2), float(mode.pair.a1)
+        self.held = mode.side * float(mode.b)
+        self.omega, half = math.sqrt(float(mode.pair.a2) / self.mass), self.a1 / self.mass / 2
+        self.slow, self.fast, self.coupling = 0.0, 2 * half, self.omega
+        if half > self.omega:
+            self.fast = half + math.sqrt((half - self.omega) * (half + self.omega))
+            self.slow, self.coupling = self.omega / self.fast * self.omega, 0.0
+        self.reach = self.omega + self.fast
+        slope, pull = float(mode.slope), float(mode.pull)
+        self.bodies = 4 if mode.slope or mode.pull else 2
+        self.v1 = np.array([-self.slow / self.omega, 1.0, 0.0, 0.0])
+        self.w = self.v1 - [0.0, 0.0, 0.0, 1.0]
+        self.friction = slope * self.w + np.array([pull, 0.0, -pull, 0.0]) / self.omega
+        """Without its constant."""
 
 
-def _rates(pair: Pair, sign: Floats) -> _Rates:
-    mass = np.where(sign == 0, float(pair.mass), float(pair.m1))
-    omega, half = np.sqrt(float(pair.a2) / mass), float(pair.a1) / mass / 2
-    over = half > omega
-    root = np.sqrt(np.where(over, (half - omega) * (half + omega), 0.0))
-    fast = np.where(over, half + root, 2 * half)
-    slow = np.where(over, omega / np.where(over, fast, 1.0) * omega, 0.0)
-    return _Rates(mass, omega, slow, fast, np.where(over, 0.0, omega), omega + fast)
-
-
-def _system(pair: Pair, piece: ExactPiece, at: Knots, tau: Floats, parts: tuple[bool, slice]) -> tuple[Floats, Floats]:
-    """Return J tau (n, k, k) and z (n, k): body 1 itself with b and the polynomial, or not; and some of the sines."""
-    rates, (own, chosen) = _rates(pair, at.sign), parts
-    coefficients = np.array([float(one) for one in piece.polynomial] or [0.0])
-    count, sines = len(coefficients) if own else 0, piece.sines[chosen]
-    size = 2 + count + 2 * len(sines)
-    J, z = np.zeros((len(tau), size, size)), np.zeros((len(tau), size))
-    J[:, 0, 0], J[:, 0, 1], J[:, 1, 0], J[:, 1, 1] = -rates.slow, rates.omega, -rates.coupling, -rates.fast
-    unit = 1.0 / (rates.mass * rates.size)
-    span = np.where(tau > 0, tau, 1.0)
+def _system(mode: LinearMode, at: Begun, tau: Floats, own: bool, chosen: slice) -> tuple[Floats, Floats]:
+    """Return J tau (n, k, k) and z (n, k): the bodies with b and the polynomial, or at rest; and some of the sines."""
+    of, piece = _Numbers(mode), mode.piece
+    terms, sines = (piece.polynomial if own else ()), piece.sines[chosen]
+    constant, first = of.bodies, of.bodies + 1
+    size = first + len(terms) + 2 * len(sines)
+    A, z = np.zeros((size, size)), np.zeros((len(tau), size))
+    A[0, :2], A[1, :2] = (-of.slow, of.omega), (-of.coupling, -of.fast)
+    A[1, constant] = -of.reach
+    if terms:
+        A[1, first] = of.reach
+    if of.bodies == 4:
+        A[1, :4] -= of.friction / of.mass
+        A[2, 3], A[3, :4], A[3, constant] = of.omega, of.friction / of.m2, of.reach * of.mass / of.m2
+    unit = 1.0 / (of.mass * of.reach)
     if own:
-        z[:, 0], z[:, 1] = rates.omega * at.y[0], at.y[1] + rates.slow * at.y[0]
-        J[:, 1, 2] = rates.size
-        for k in range(count):
-            value = np.polynomial.polynomial.polyval(at.local, coefficients) * unit
-            for _ in range(k):  # one by one, so that no power of a time leaves the range
-                value = value * span
-            z[:, 2 + k] = value
-            coefficients = np.polynomial.polynomial.polyder(coefficients)
-            if k:
-                J[:, 1 + k, 2 + k] = 1.0 / span
-        z[:, 2] -= at.sign * float(piece.b) * unit
-    for k, sine in enumerate(sines):
-        place, omega, height = 2 + count + 2 * k, float(sine.omega), float(sine.amplitude) * unit
+        x1, v1, x2, v2 = at.y
+        bodies = of.omega * x1, v1 + of.slow * x1, of.omega * x2, v2
+        z[:, :constant], z[:, constant] = np.transpose(bodies[:constant]), of.held * unit
+    span, coefficients = np.where(tau > 0, tau, 1.0), np.array([float(one) for one in terms])
+    for k in range(len(terms)):
+        value = np.polynomial.polynomial.polyval(at.local, coefficients) * unit
+        for _ in range(k):  # one by one, so that no power of a time leaves the range
+            value = value * span
+        z[:, first + k], coefficients = value, np.polynomial.polynomial.polyder(coefficients)
+    for place, sine in zip(range(first + len(terms), size, 2), sines, strict=True):
+        omega, height = float(sine.omega), float(sine.amplitude) * unit
         phase = omega * at.local + float(sine.omega * piece.start + sine.phase)
         z[:, place], z[:, place + 1] = height * np.sin(phase), height * np.cos(phase)
-        J[:, 1, place], J[:, place, place + 1], J[:, place + 1, place] = rates.size, omega, -omega
-    return J * tau[:, None, None], z
+        A[1, place], A[place, place + 1], A[place + 1, place] = of.reach, omega, -omega
+    J = A * tau[:, None, None]
+    for k in range(first, first + len(terms) - 1):
+        J[:, k, k + 1] = tau > 0
+    return J, z
 
 
 def _halvings(A: Floats) -> NDArray[np.int64]:
@@ -125,66 +129,49 @@ def _gramian(A: Floats, Q: Floats) -> Floats:
     return found
 
 
-def moved(pair: Pair, piece: ExactPiece, at: Knots, tau: Floats) -> Floats:
+def moved(mode: LinearMode, at: Begun, tau: Floats) -> Floats:
     """Return by how much x1, v1, x2, v2 change within tau (s), shape (4, n)."""
-    rates, pulled = _rates(pair, at.sign), at.sign * float(piece.b / pair.m2)
-    by = np.zeros((2, len(tau)))
-    for part in ((True, slice(0)), *((False, slice(k, k + 1)) for k in range(len(piece.sines)))):
-        J, z = _system(pair, piece, at, tau, part)
-        by += np.einsum("nij,nj->in", exponential_less_one(J)[:, :2], z)
-    x1 = by[0] / rates.omega
-    v1 = by[1] - rates.slow * x1
-    slips = at.sign != 0
-    x2 = np.where(slips, (at.y[3] + pulled * tau / 2) * tau, x1)
-    return np.stack([x1, v1, x2, np.where(slips, pulled * tau, v1)])
+    of, by = _Numbers(mode), np.zeros((4, len(tau)))
+    for part in ((True, slice(0)), *((False, slice(k, k + 1)) for k in range(len(mode.piece.sines)))):
+        J, z = _system(mode, at, tau, *part)
+        by[: of.bodies] += np.einsum("nij,nj->in", exponential_less_one(J)[:, : of.bodies], z)
+    x1 = by[0] / of.omega
+    v1 = by[1] - of.slow * x1
+    if of.bodies == 4:
+        return np.stack([x1, v1, by[2] / of.omega, by[3]])
+    if not mode.side:
+        return np.stack([x1, v1, x1, v1])
+    gained = of.held / of.m2 * tau
+    return np.stack([x1, v1, (at.y[3] + gained / 2) * tau, gained])
 
 
-def losses(pair: Pair, piece: ExactPiece, at: Knots, tau: Floats) -> Floats:
+def losses(mode: LinearMode, at: Begun, tau: Floats) -> Floats:
     """Return b int |v1 - v2|, a1 int v1^2 and int u v1 within tau (s), J, shape (3, n)."""
-    x1, _, x2, _ = moved(pair, piece, at, tau)
+    of, (x1, _, x2, _) = _Numbers(mode), moved(mode, at, tau)
     found = np.zeros((3, len(tau)))
-    found[0] = float(piece.b) * at.sign * (x1 - x2)
-    acts = bool(piece.polynomial or piece.sines)
-    if pair.a1 == 0 and not acts:
+    found[0], forces = of.held * (x1 - x2), bool(mode.force)
+    if of.bodies == 2 and not (of.a1 or forces):
         return found
-    J, z = _system(pair, piece, at, tau, (True, slice(None)))
-    rates, n = _rates(pair, at.sign), z.shape[1]
-    v1, drive = np.zeros((len(tau), n)), np.zeros(n)
-    v1[:, 0], v1[:, 1] = -rates.slow / rates.omega, 1.0
-    drive[[2, *range(2 + max(1, len(piece.polynomial)), n, 2)]] = 1.0
-    if pair.a1:
-        found[1] = float(pair.a1) * tau * _integral(J, v1[:, :, None] * v1[:, None, :], z)
-    if acts:  # the drive is u - sign b, over mass and size
-        both = v1[:, :, None] * drive
-        work = rates.mass * rates.size * tau * _integral(J, (both + both.swapaxes(1, 2)) / 2, z)
-        found[2] = work + at.sign * float(piece.b) * x1
+    J, z = _system(mode, at, tau, True, slice(None))
+    v1, w, friction, drive = np.zeros((4, z.shape[1]))
+    for row, over in ((v1, of.v1), (w, of.w), (friction, of.friction)):
+        row[: of.bodies] = over[: of.bodies]
+    drive[of.bodies + 1 :][[place - FIRST for place, _ in mode.force]] = 1.0
+    products = (1.0, friction, w, of.bodies == 4), (of.a1, v1, v1, of.a1), (of.mass * of.reach, drive, v1, forces)
+    for k, (factor, one, two, acts) in enumerate(products):
+        if acts:
+            form = (np.outer(one, two) + np.outer(two, one)) / 2
+            found[k] += factor * tau * np.einsum("ni,nij,nj->n", z, _gramian(J, np.broadcast_to(form, J.shape)), z)
     return found
 
 
-def coupled(mode: LinearMode, at: Knots, tau: Floats) -> tuple[Floats, Floats]:
-    """Return the same two, `moved` and `losses`, for motions in one mode whose friction depends on the state."""
-    A, z = np.array(mode.generator(), dtype=float), np.zeros((len(tau), mode.size))
-    z[:, :4], z[:, 4] = at.y.T, 1.0
-    terms = np.array([float(one) for one in mode.piece.polynomial] or [0.0])
-    for place in mode.polynomial_places:
-        z[:, place], terms = np.polynomial.polynomial.polyval(at.local, terms), np.polynomial.polynomial.polyder(terms)
-    for place, sine in zip(mode.sine_places, mode.piece.sines, strict=True):
-        phase = float(sine.omega) * at.local + float(sine.omega * mode.piece.start + sine.phase)
-        z[:, place], z[:, place + 1] = float(sine.amplitude) * np.sin(phase), float(sine.amplitude) * np.cos(phase)
-    J, found = A * tau[:, None, None], np.zeros((3, len(tau)))
-    w, v, force, friction = (_vector(row, mode.size) for row in (W, ((V1, Fraction(1)),), mode.force, mode.friction))
-    for k, (one, two) in enumerate(((friction, w), (float(mode.pair.a1) * v, v), (force, v))):
-        form = np.outer(one, two) * (mode.side != 0 or k > 0)
-        found[k] = tau * _integral(J, np.broadcast_to((form + form.T) / 2, J.shape), z)
-    return np.einsum("nij,nj->in", exponential_less_one(J)[:, :4], z), found
-
-
-def _vector(row: Row, size: int) -> Floats:
-    found = np.zeros(size)
-    for place, factor in row:
-        found[place] += float(factor)
+def over_rows(function: Callable[..., Floats], run: Rows, rows: NDArray[np.int64], tau: Floats) -> Floats:
+    """Return `moved` or `losses` of a run's motions from its rows on, row by row for a time (s)."""
+    (local, y), found = run.row_numbers, np.zeros((3 if function is losses else 4, len(tau)))
+    which = run.row_modes[1][rows]
+    modes, counts = np.unique(which, return_counts=True)
+    parts = np.split(np.argsort(which, kind="stable"), np.cumsum(counts)[:-1])
+    for mode, chosen in zip(modes, parts, strict=False):  # of no rows there is one part, and no mode
+        at = rows[chosen]
+        found[:, chosen] = function(run.row_mode(mode), Begun(local[at], y[:, at]), tau[chosen])
     return found
-
-
-def _integral(A: Floats, Q: Floats, z: Floats) -> Floats:
-    return np.asarray(np.einsum("ni,nij,nj->n", z, _gramian(A, Q), z))

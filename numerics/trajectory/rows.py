@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from numerics.arithmetic.compiled import compiled, compiles_now
 from numerics.arithmetic.protocol import Arithmetic, Number
 from numerics.free.frame import Frame
-from numerics.linear.cells import PLAIN
+from numerics.linear.cells import PLAIN, mode_in
 from numerics.linear.modes import MODES, Mode
 from numerics.linear.pieces import ExactPiece, pieces_of, starts_of
 from numerics.linear.record import How, Record, tabulate
+from numerics.linear.system import LinearMode
 from numerics.scene import Scene
 from numerics.trajectory.columns import Columns
 
@@ -64,11 +65,27 @@ class Rows:
         return self.columns.code("piece").astype(np.int64)
 
     @cached_property
-    def row_cells(self) -> list[tuple[int, int]]:
-        """Return the cell of friction in which each row begins (linear/cells.py)."""
-        if isinstance(self.record.rows, np.ndarray):
-            return [PLAIN] * len(self.record.rows)
-        return [(k, j) for k, j in (row.cell for row in self.record.rows)]
+    def row_modes(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Return all (piece, sign, cell of friction) in which rows begin (linear/cells.py), and each row's one."""
+        rows = self.record.rows
+        cells = np.array([PLAIN] * len(rows) if isinstance(rows, np.ndarray) else [one.cell for one in rows])
+        all_rows = np.column_stack([self.row_pieces, self.row_signs, cells])
+        modes, which = np.unique(all_rows, axis=0, return_inverse=True)
+        return modes, which.ravel()
+
+    def row_mode(self, which: int) -> LinearMode:
+        """Return one of the linear modes in which rows begin."""
+        piece, sign, *cell = self.row_modes[0][which].tolist()
+        return mode_in(self.scene, self.pieces[piece], sign, (cell[0], cell[1]))
+
+    @cached_property
+    def row_numbers(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return when each row begins in its piece, s, and its state, shape (4, n), in binary64."""
+        local, y = self.columns.numbers("local"), self.row_states
+        if self.arithmetic.name == "float64":
+            return local, y
+        number = np.vectorize(self.arithmetic.to_float, otypes=[float])
+        return number(local), number(y)
 
     @cached_property
     def row_times(self) -> NDArray[Any]:

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import reduce
 from typing import NamedTuple
 
@@ -29,8 +30,8 @@ from flint import arb
 
 from numerics.arithmetic.ball import Ball, widened
 from numerics.errors import NotDifferentiable
-from numerics.linear.cells import PLAIN, cells_of
-from numerics.linear.pieces import pieces_of
+from numerics.linear.cells import PLAIN, cells_of, mode_in
+from numerics.linear.pieces import ExactPiece, pieces_of
 from numerics.linear.sine_form import SineForm
 from numerics.linear.ties import force_form
 from numerics.scene import Law, Scene
@@ -99,8 +100,8 @@ class Chain:
             return self.y[-1]
         y = self.at(len(self.legs) - 1, last.end)
         if "until" in self.column:
-            u, b = self._force_and_friction(last.piece, last.end, last, state)
-            y[:, self.column["until"]] += self._field(state, u, b, last.side)
+            piece = self.pieces[last.piece]
+            y[:, self.column["until"]] += self._field(piece, last.end, state, last.side, last.cell)
         return y
 
     def energy(self, state: Sequence[arb], y: Array) -> Array:
@@ -178,8 +179,8 @@ class Chain:
 
     def _after_guard(self, leg: Leg, after: Leg, ended: Carried) -> Carried:
         """Return the derivatives after an event by a guard."""
-        u, b = self._force_and_friction(leg.piece, after.start, leg, after.state)
-        before, behind = (self._field(after.state, u, b, side) for side in (leg.side, after.side))
+        at = self.pieces[leg.piece], after.start, after.state
+        before, behind = (self._field(*at, one.side, one.cell) for one in (leg, after))
         motion = self._variation(leg.side, leg.piece, leg.cell)
         by_state, by_numbers, rate = motion.guard(after.state, after.start, before, after.side)
         held = arb(0)
@@ -227,24 +228,23 @@ class Chain:
         if not jumping:
             return found
         literal = self.scene.law is Law.THREE_VALUED_SGN
-        (u, b), side = self._force_and_friction(leg.piece, leg.start, leg, leg.state), leg.side
-        if index:
-            before = self.legs[index - 1]
-            side = before.side
-            u_before, b_before = self._force_and_friction(before.piece, leg.start, before, leg.state)
-        else:  # before the run there is no force, and the pair's own b
-            u_before, b_before = arb(0), b * Ball.number(self.scene.pair.b / self.pieces[leg.piece].b)
+        last, here = self.legs[max(index - 1, 0)], self.pieces[leg.piece]
+        # before the run there is no force, and the pair's own b
+        before = self.pieces[last.piece] if index else replace(here, b=self.scene.pair.b, polynomial=(), sines=())
         from_rest = index == 0 and self.scene.initial.v1 == self.scene.initial.v2 and not literal
-        pushes = {"force": (u_before, b), "friction": (u, b_before)}
+        alone = {"force": replace(before, b=here.b), "friction": replace(here, b=before.b)}
+        at = leg.start, leg.state
         if index and len(jumping) == 2 and (leg.is_event or not (leg.side or literal)):
-            loads = ((abs(self.m2 * self._field(leg.state, *one, 0)[1]), one[1]) for one in pushes.values())
-            if leg.is_event or not all(load < b for load, b in loads):
-                at = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"
-                raise NotDifferentiable(f"this scene has no derivatives: {at} counts; move one by a little")
-        after = self._field(leg.state, u, b, leg.side)
+            loads = ((abs(self.m2 * self._field(one, *at, 0)[1]), self._held(one, leg.state)) for one in alone.values())
+            if leg.is_event or not all(load < held for load, held in loads):
+                when = f"at t = {float(leg.start):.6g} s force and friction both jump, and which of them comes first"
+                raise NotDifferentiable(f"this scene has no derivatives: {when} counts; move one by a little")
+        after = self._field(here, *at, leg.side, leg.cell)
         for kind, name in jumping.items():
-            if kind == "force" or leg.side or side or from_rest:
-                found[name] = self._field(leg.state, *pushes[kind], None if from_rest else side), after
+            if from_rest:
+                found[name] = self._field_from_rest(alone[kind], *at), after
+            elif kind == "force" or leg.side or last.side:
+                found[name] = self._field(alone[kind], *at, last.side, last.cell), after
         return found
 
     def _jumping(self, piece: int) -> dict[str, str]:
@@ -260,22 +260,20 @@ class Chain:
             kinds.append(("friction", self.scene.friction.starts))
         return {kind: f"{kind}[{bisect_left(starts, here.start)}].from" for kind, starts in kinds}
 
-    def _force_and_friction(self, piece: int, t: arb, leg: Leg, state: Sequence[arb]) -> tuple[arb, arb]:
-        """Return u and what friction is, or can be in stick, in a leg and a piece at a time (s) and a state."""
-        u, given = self._variation(0, piece).force(t), self.pieces[piece]
-        if self.cells is None:
-            return u, Ball.number(given.b)
-        x1, v1, x2, v2 = state
-        if leg.side == 0:
-            return u, self.cells.held(given, x1 - x2)
-        offset, slope, pull = map(Ball.number, self.cells.branch(given, leg.side, leg.cell))
-        return u, offset + leg.side * (slope * (v1 - v2) + pull * (x1 - x2))
+    def _field(
+        self, piece: ExactPiece, t: arb, state: Sequence[arb], side: int, cell: tuple[int, int] = PLAIN
+    ) -> Array:
+        """Return (v1, v1', v2, v2') of a state in a mode at a time, s."""
+        motion = mode_in(self.scene, piece, side, cell).motion(state, t)
+        return np.array(motion.rate(motion.begin).entries()[:4])
 
-    def _field(self, state: Sequence[arb], u: arb, b: arb, side: int | None) -> Array:
-        """Return (v1, v1', v2, v2') in a mode; None: in that which follows v1 = v2."""
-        x1, v1, _, v2 = state
-        pull = u - self.a2 * x1 - self.a1 * v1
-        push = side * b if side else self.m2 / self.mass * pull
-        if side is None:
-            push = push.min(b).max(-b)
-        return np.array([v1, (pull - push) / self.m1, v2, push / self.m2])
+    def _field_from_rest(self, piece: ExactPiece, t: arb, state: Sequence[arb]) -> Array:
+        """Return the same in the mode that follows v1 = v2."""
+        v1, rate, v2, _ = self._field(piece, t, state, 0)
+        held = self._held(piece, state)
+        push = (self.m2 * rate).min(held).max(-held)
+        return np.array([v1, (self.mass * rate - push) / self.m1, v2, push / self.m2])
+
+    def _held(self, piece: ExactPiece, state: Sequence[arb]) -> arb:
+        """Return what friction can be while the bodies stick, N."""
+        return self.cells.held(piece, state[0] - state[2]) if self.cells else Ball.number(piece.b)

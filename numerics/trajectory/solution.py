@@ -17,8 +17,7 @@ from numerics.linear.record import How, Record
 from numerics.scene import Scene
 from numerics.trajectory.dense import Dense, Side
 from numerics.trajectory.digits import Accuracy, accuracy_of
-from numerics.trajectory.events import Event, Segment
-from numerics.trajectory.ledger import EnergyLedger, ledger_of
+from numerics.trajectory.events import EnergyLedger, Event, Segment, ledger_of
 from numerics.trajectory.rows import Rows
 from numerics.trajectory.status import Status
 

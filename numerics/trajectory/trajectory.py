@@ -54,11 +54,11 @@ class Trajectory(Solution):
 
         return draw(self, kind, ax)
 
-    def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 25) -> Any:
+    def animate(self, file: str | Path | None = None, *, duration: float = 10.0, frames_per_second: int = 15) -> Any:
         """Return a matplotlib animation of both bodies and their velocities; write it to a .gif or .mp4 file, if given.
 
         `duration`: s that the film lasts, whatever the run does. A GIF needs pillow, which comes with matplotlib, an
-        MP4 needs ffmpeg. A frame takes a tenth of a second. Raises MissingTool, OSError, ValueError for other files or
+        MP4 needs ffmpeg. A frame takes some 50 ms. Raises MissingTool, OSError, ValueError for other files or
         numbers that are not above 0.
         """
         from numerics.trajectory.animation import animate

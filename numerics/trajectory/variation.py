@@ -151,11 +151,6 @@ class Variation:
         own = list(state[: self.size])
         return [np.array([*([arb(0)] * self.size if k else own), *p.values(t)]) for k, p in enumerate(self.parts)]
 
-    def force(self, t: arb) -> arb:
-        """Return u at a time (s), N."""
-        terms = (w * c for part in self.parts for w, c in zip(part.values(t), part.own, strict=True))
-        return sum(terms, arb(0))
-
     def over(self, state: Sequence[arb], t: arb, tau: arb) -> tuple[Array, Array]:
         """Return the derivatives at tau (s) after the start of a motion, which is at t (s) with this state.
 

@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 
-import sympy as sp
 from flint import arb
 
 from numerics.linear.modes import EventKind, Mode
@@ -53,7 +52,7 @@ _AFTER = (Mode.STICK, Mode.SLIP_MINUS, Mode.STICK, Mode.SLIP_PLUS)
         clause(
             "slipping",
             r"At 4.7 s the bodies slip, «speed» mm/s.",
-            speed=Formula(r"|\dot z(4.7)|", "=...", sp.Rational("2.3139"), decimal(_relative_speed)),
+            speed=Formula(r"|\dot z(4.7)|", "=...", Rational("2.3139"), decimal(_relative_speed)),
         ),
         clause(
             "adheres",
@@ -66,7 +65,7 @@ _AFTER = (Mode.STICK, Mode.SLIP_MINUS, Mode.STICK, Mode.SLIP_PLUS)
         clause(
             "for-ever",
             r"they stick and slip in turn for ever, with $|\dot z|\leqslant\beta$, «bound» mm/s, falling from slip to slip to 0 as $t\to\infty$.",
-            bound=Formula(r"\beta", "=...", sp.Rational("2.320"), decimal(_later_speed)),
+            bound=Formula(r"\beta", "=...", Rational("2.320"), decimal(_later_speed)),
         ),
     ),
 )

@@ -9,19 +9,18 @@ from paper_checks.claims.words import *
 from theory import forced
 from theory.energy import contraction_rate, energy, sigma, sigma_other
 from theory.model import slip, stick
-from theory.symbols import a1, a2, b, m1, m2, u, v1, v1_other, v2, v2_other, x1, x1_other
 
 
 @cache
 def same_modes() -> Evidence:
     """The set-valued field under a force is the slip of (3), (4) for sigma = 1 and -1, and stick for sigma = load/b."""
     slips = [one.acceleration1 for one in (slip(1), slip(-1))] + [one.acceleration2 for one in (slip(1), slip(-1))]
-    field = [forced.forced_system(sp.Integer(sign))[place] for place in (1, 2) for sign in (1, -1)]
+    field = [forced.forced_system(Integer(sign))[place] for place in (1, 2) for sign in (1, -1)]
     stuck = forced.forced_system(forced.load() / b).subs(v2, v1)
     return identity(
         r"$m_1\dot v_1=u-a_2x_1-a_1v_1-b\sigma$, $m_2\dot v_2=b\sigma$ is slip of (3), (4) for $\sigma=\pm 1$, and stick for $\sigma=\Lambda/b$",
-        sp.Matrix([*field, stuck[1], stuck[2]]),
-        sp.Matrix([*slips, stick().acceleration1.subs(v2, v1), stick().acceleration2.subs(v2, v1)]),
+        [*field, stuck[1], stuck[2]],
+        [*slips, stick().acceleration1.subs(v2, v1), stick().acceleration2.subs(v2, v1)],
     )
 
 
@@ -71,15 +70,15 @@ def one_solution() -> Evidence:
 def forces_apart() -> Evidence:
     """Two forces: the distance grows at most as their difference."""
     work = forced.distance_rate() - forced.contraction_rate()
-    letters = {one: sp.Symbol(f"k{n}", real=True) for n, one in enumerate((x1_other, v1_other, v2_other))}
+    letters = {one: Symbol(f"k{n}", real=True) for n, one in enumerate((x1_other, v1_other, v2_other))}
     squared = forced.distance_squared().subs(letters)
     return argument(
         r"$N\dot N\leqslant(u-\tilde u)(v_1-\tilde v_1)\leqslant|u-\tilde u|\,N/\sqrt{m_1}$; integrate.",
         never_apart(),
         identity(
             r"two forces add the work of their difference to $\tfrac12\frac{d}{dt}N^2$",
-            work.subs(forced.u_other, 0).subs(u, sp.Symbol("f", real=True)),
-            sp.Symbol("f", real=True) * (v1 - v1_other),
+            work.subs(forced.u_other, 0).subs(u, Symbol("f", real=True)),
+            Symbol("f", real=True) * (v1 - v1_other),
         ),
         prove(
             r"$m_1(v_1-\tilde v_1)^2\leqslant N^2$ (here $k$ for the second solution)",
@@ -92,8 +91,8 @@ def forces_apart() -> Evidence:
 @cache
 def friction_of_the_state() -> Evidence:
     """A friction that depends on place or speed: what the distance of two motions gains."""
-    larger, smaller, slope = sp.symbols("w k l", positive=True)
-    strong, weak = sp.symbols("b c", positive=True)
+    larger, smaller, slope = symbols("w k l", positive=True)
+    strong, weak = symbols("b c", positive=True)
     shares = b * sigma - forced.b_other * sigma_other
     return argument(
         r"""
@@ -111,7 +110,7 @@ def friction_of_the_state() -> Evidence:
         ),
         prove(
             r"for two slips of one sign, $w>k>0$, whose friction falls by at most $l(w-k)$: $(b-c)(w-k)\geqslant-l(w-k)^2$",
-            [sp.Gt(larger, smaller), sp.Ge(strong, weak - slope * (larger - smaller), evaluate=False)],
+            [larger > smaller, sp.Ge(strong, weak - slope * (larger - smaller), evaluate=False)],
             sp.Ge((strong - weak) * (larger - smaller), -slope * (larger - smaller) ** 2, evaluate=False),
         ),
         filippov.never_apart(),
@@ -151,18 +150,18 @@ def friction_in_time() -> Evidence:
         one_solution(),
         identity(
             r"$E$ does not depend on $b$, and the rates are linear in it",
-            [sp.diff(energy(), b), sp.diff(forced.energy_rate(), b, 2), sp.diff(forced.contraction_rate(), b, 2)],
+            [diff(energy(), b), diff(forced.energy_rate(), b, 2), diff(forced.contraction_rate(), b, 2)],
         ),
     )
 
 
-DISTANCE = sp.Symbol("N", nonnegative=True)
+DISTANCE = Symbol("N", nonnegative=True)
 
 
-def _quotable() -> dict[sp.Basic, sp.Basic]:
+def _quotable() -> dict[Basic, Basic]:
     """Return what N stands for, and letters without a tilde for the second solution."""
-    letters = {one: sp.Symbol(f"{one.name[-4]}_k{one.name[-1]}", real=True) for one in (x1_other, v1_other, v2_other)}
-    return {DISTANCE: sp.sqrt(forced.distance_squared().subs(letters)), **letters}
+    letters = {one: Symbol(f"{one.name[-4]}_k{one.name[-1]}", real=True) for one in (x1_other, v1_other, v2_other)}
+    return {DISTANCE: sqrt(forced.distance_squared().subs(letters)), **letters}
 
 
 @theorem(

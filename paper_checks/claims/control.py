@@ -1,7 +1,5 @@
 """What a force can make body 2 do: follow a reference, go from rest to rest in the least time."""
 
-import sympy as sp
-
 from paper_checks.claims import signum, transfers
 from paper_checks.claims.letters import MASS
 from paper_checks.claims.words import *
@@ -11,32 +9,31 @@ from theory.energy import sigma
 from theory.filippov import load_threshold
 from theory.forced_control import angle, duration, path, strength, velocity_gain
 from theory.scaling import stick_frequency
-from theory.symbols import a1, a2, b, m1, m2, u, v2_0, x1_0, x2_0
 
-RESPONSE, SPREAD = sp.Symbol("g", positive=True), sp.Symbol("s", real=True)
-HALF, PART = sp.Symbol("t_{1/2}", positive=True), sp.Symbol("xi", positive=True)
-PLACE_START, PLACE_END = sp.Symbol("{x_2(0)}", real=True), sp.Symbol("{x_2(T)}", real=True)
-RATE_START, RATE_END = sp.Symbol("{v_2(0)}", real=True), sp.Symbol("{v_2(T)}", real=True)
-FIRST_ANGLE, SECOND_ANGLE, PACE = sp.symbols("alpha_1 alpha_2 Omega", positive=True)
+RESPONSE, SPREAD = Symbol("g", positive=True), Symbol("s", real=True)
+HALF, PART = Symbol("t_{1/2}", positive=True), Symbol("xi", positive=True)
+PLACE_START, PLACE_END = Symbol("{x_2(0)}", real=True), Symbol("{x_2(T)}", real=True)
+RATE_START, RATE_END = Symbol("{v_2(0)}", real=True), Symbol("{v_2(T)}", real=True)
+FIRST_ANGLE, SECOND_ANGLE, PACE = symbols("alpha_1 alpha_2 Omega", positive=True)
 
 
-def _arcs() -> dict[sp.Basic, sp.Basic]:
+def _arcs() -> dict[Basic, Basic]:
     return {FIRST_ANGLE: control.switching()[0], SECOND_ANGLE: control.switching()[1], PACE: stick_frequency()}
 
 
-def _off_centre() -> sp.Expr:
+def _off_centre() -> Expr:
     """How far body 2 is from the middle of the places that it can reach."""
     middle = RATE_START * duration + control.middle().subs(velocity_gain, RATE_END - RATE_START)
     return PLACE_END - PLACE_START - middle
 
 
-OFFSET = sp.Symbol("gamma", real=True)
-WAY, WAY_RATE, WAY_BEND = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} \ddot{x}_{\mathrm{ref}}", real=True)
-THEN, LATER = sp.symbols("t_1 t_2", nonnegative=True)
-RATE_THEN, RATE_LATER = sp.symbols(r"\dot{x}_{\mathrm{ref}}(t_1) \dot{x}_{\mathrm{ref}}(t_2)", real=True)
+OFFSET = Symbol("gamma", real=True)
+WAY, WAY_RATE, WAY_BEND = symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} \ddot{x}_{\mathrm{ref}}", real=True)
+THEN, LATER = symbols("t_1 t_2", nonnegative=True)
+RATE_THEN, RATE_LATER = symbols(r"\dot{x}_{\mathrm{ref}}(t_1) \dot{x}_{\mathrm{ref}}(t_2)", real=True)
 REFERENCE = {WAY: control.r_place, WAY_RATE: control.r_speed, WAY_BEND: control.r_acceleration}
 START = {PLACE_START: x2_0, RATE_START: v2_0}
-FIRST_PLACE, WAY_START = sp.Symbol("{x_1(0)}", real=True), sp.Symbol(r"{x_{\mathrm{ref}}(0)}", real=True)
+FIRST_PLACE, WAY_START = Symbol("{x_1(0)}", real=True), Symbol(r"{x_{\mathrm{ref}}(0)}", real=True)
 
 
 @claim(
@@ -60,8 +57,8 @@ def one_active_one_passive() -> Case:
                 "A degree of freedom is active if the control acts on it, passive if only the interface does.",
                 identity(
                     r"$u$ stands in the equation of body 1 alone",
-                    sp.Matrix([sp.diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)]),
-                    sp.Matrix([0, 1, 0]),
+                    [diff(entry, u) * mass for entry, mass in zip(field, (1, m1, 1), strict=True)],
+                    [0, 1, 0],
                 ),
                 transfers.gentle(),
             ),
@@ -119,10 +116,10 @@ def target_or_set_point() -> Case:
         place=equal(r"x_{\mathrm{ref}}(0)", PLACE_START, lambda: control.followed_start()[0], lambda: START),
         speed=equal(r"\dot x_{\mathrm{ref}}(0)", RATE_START, lambda: control.followed_start()[1], lambda: START),
         gentle=sharp(
-            sp.Abs(RATE_THEN - RATE_LATER),
+            Abs(RATE_THEN - RATE_LATER),
             "<=",
-            b / m2 * sp.Abs(THEN - LATER),
-            lambda: (sp.Abs(RATE_THEN - RATE_LATER), "<=", control.strongest() * sp.Abs(THEN - LATER)),
+            b / m2 * Abs(THEN - LATER),
+            lambda: (Abs(RATE_THEN - RATE_LATER), "<=", control.strongest() * Abs(THEN - LATER)),
         ),
         kernel="trackable driven-acceleration",
     ),
@@ -133,7 +130,7 @@ def target_or_set_point() -> Case:
     clause(
         "sticks",
         r"While «slower» the pair must stick. So where that is so at the start, body 1 has to start with $v_1(0)=v_2(0)$.",
-        slower=sharp(sp.Abs(WAY_BEND), "<", b / m2, lambda: (sp.Abs(WAY_BEND), "<", control.strongest())),
+        slower=sharp(Abs(WAY_BEND), "<", b / m2, lambda: (Abs(WAY_BEND), "<", control.strongest())),
         kernel="must-stick",
     ),
     clause(
@@ -170,10 +167,10 @@ def trackable_references() -> Case:
         Whatever the force, at the time $T$ body 2 has «within», where «spread» and $\Delta v_2=v_2(T)-v_2(0)$.
         """,
         within=sharp(
-            sp.Abs(PLACE_END - PLACE_START - duration / 2 * (RATE_START + RATE_END)),
+            Abs(PLACE_END - PLACE_START - duration / 2 * (RATE_START + RATE_END)),
             "<=",
             SPREAD,
-            lambda: (sp.Abs(_off_centre()), "<=", SPREAD),
+            lambda: (Abs(_off_centre()), "<=", SPREAD),
         ),
         spread=equal(
             SPREAD,
@@ -185,7 +182,7 @@ def trackable_references() -> Case:
     clause(
         "least",
         r"From rest to rest over $D>0$ it takes at least «time», and under Coulomb's law that is attained by a pair that sticks at the limit, $|\Lambda|=b$.",
-        time=equal("T", 2 * sp.sqrt(m2 * path / b), control.least_time),
+        time=equal("T", 2 * sqrt(m2 * path / b), control.least_time),
         kernel="least-time least-time-attained",
     ),
     clause(
@@ -197,7 +194,7 @@ def trackable_references() -> Case:
         r"From $x_1(0)=0$ that stuck transfer, and to stay, needs $|u|$ up to the largest of «turn», «hold», and, if «late», of «peak».",
         turn=equal(
             "u_1",
-            b * MASS / m2 + a1 * sp.sqrt(b * path / m2) + a2 * path / 2,
+            b * MASS / m2 + a1 * sqrt(b * path / m2) + a2 * path / 2,
             lambda: control.stuck_amplitudes()[0],
         ),
         hold=equal("u_2", a2 * path, lambda: control.stuck_amplitudes()[1]),
@@ -218,7 +215,7 @@ def trackable_references() -> Case:
         Coulomb's law body 1 can be at rest then, too, if the pair may stick at the limit through the second half under
         such a force.
         """,
-        half=equal(HALF, sp.sqrt(m2 * path / b), lambda: control.least_time() / 2),
+        half=equal(HALF, sqrt(m2 * path / b), lambda: control.least_time() / 2),
         least=equal(
             r"U_{\min}",
             b + b * HALF / (m2 * RESPONSE),
@@ -230,8 +227,8 @@ def trackable_references() -> Case:
     clause(
         "slip-undamped",
         r"For $a_1=0$, $\theta=\omega_1t_{1/2}$ and «rising» that is «undamped».",
-        rising=sharp(angle, "<=", sp.pi / 2, lambda: (angle, "<=", control.response_peak())),
-        undamped=equal(r"U_{\min}", b + b * m1 / m2 * angle / sp.sin(angle), control.undamped_slipping_amplitude),
+        rising=sharp(angle, "<=", pi / 2, lambda: (angle, "<=", control.response_peak())),
+        undamped=equal(r"U_{\min}", b + b * m1 / m2 * angle / sin(angle), control.undamped_slipping_amplitude),
         kernel="least-amplitude-undamped",
     ),
     clause(
@@ -242,22 +239,22 @@ def trackable_references() -> Case:
         angle, $-U$ over the second.
         """,
         weak=sharp(
-            3 * strength, "<=", b * MASS / m2, lambda: (control.pressed().subs(angle, sp.pi), "<=", load_threshold())
+            3 * strength, "<=", b * MASS / m2, lambda: (control.pressed().subs(angle, pi), "<=", load_threshold())
         ),
         held=sharp(a2 * path, "<=", strength, lambda: (control.stuck_amplitudes()[1], "<=", strength)),
         share=equal(PART, a2 * path / strength, lambda: control.stuck_amplitudes()[1] / strength),
         span=equal("T_w", (FIRST_ANGLE + SECOND_ANGLE) / PACE, control.weak_time, _arcs),
-        pace=equal(PACE, sp.sqrt(a2 / MASS), stick_frequency),
+        pace=equal(PACE, sqrt(a2 / MASS), stick_frequency),
         first=equal(
             r"\cos\alpha_1",
             1 - PART / 2 - PART**2 / 4,
-            lambda: sp.cos(control.switching()[0]),
+            lambda: cos(control.switching()[0]),
             lambda: {PART: control.reduced},
         ),
         second=equal(
             r"\cos\alpha_2",
             (1 + PART / 2 + PART**2 / 4) / (1 + PART),
-            lambda: sp.cos(control.switching()[1]),
+            lambda: cos(control.switching()[1]),
             lambda: {PART: control.reduced},
         ),
     ),

@@ -3,7 +3,6 @@
 from fractions import Fraction
 from functools import cache
 
-import sympy as sp
 from flint import arb
 
 from paper_checks.claims.excursions import vanishes
@@ -55,7 +54,7 @@ def one_turning_point() -> Steps:
         ),
         identity(
             r"$K'=\sin\varphi\,(2\sin\varphi-\sqrt2\,\varphi)$",
-            [turning_slope_residual(), first * second - sp.sin(angle) * (2 * sp.sin(angle) - sp.sqrt(2) * angle)],
+            [turning_slope_residual(), first * second - sin(angle) * (2 * sin(angle) - sqrt(2) * angle)],
             [0, 0],
         ),
         identity(
@@ -64,11 +63,11 @@ def one_turning_point() -> Steps:
             $\pi(1-\sqrt2)<0$: one zero $\varphi^*$ in $(0,\pi)$
             """,
             [
-                sp.diff(sp.sin(angle) / angle, angle) * angle**2,
+                diff(sin(angle) / angle, angle) * angle**2,
                 turning_function().subs(angle, 0),
-                turning_function().subs(angle, sp.pi),
+                turning_function().subs(angle, pi),
             ],
-            [angle * sp.cos(angle) - sp.sin(angle), 0, sp.pi * (1 - sp.sqrt(2))],
+            [angle * cos(angle) - sin(angle), 0, pi * (1 - sqrt(2))],
         ),
     )
 
@@ -108,7 +107,7 @@ def threshold() -> Steps:
     return (
         identity(
             r"at $\varphi^*$, where $A=\sqrt2B$: $r^*=R^2=\frac{1}{2\sin^2\varphi^*}$, which is $r(1-\cos\theta^*)=1$",
-            2 * critical_share() * sp.sin(angle) ** 2,
+            2 * critical_share() * sin(angle) ** 2,
             1,
         ),
         stating(
@@ -130,7 +129,7 @@ def threshold() -> Steps:
     )
 
 
-ANGLE = sp.Symbol("varphi", positive=True)
+ANGLE = Symbol("varphi", positive=True)
 
 
 def _critical_ratio() -> arb:
@@ -146,12 +145,12 @@ def _critical_ratio() -> arb:
         r"Let $\varphi^*$ be the one root in $(0,\pi)$ of «turning», and «ratio» at $\varphi=\varphi^*$: «digits».",
         turning=equal(
             "K",
-            ANGLE - sp.sin(ANGLE) * sp.cos(ANGLE) - sp.sqrt(2) * (sp.sin(ANGLE) - ANGLE * sp.cos(ANGLE)),
+            ANGLE - sin(ANGLE) * cos(ANGLE) - sqrt(2) * (sin(ANGLE) - ANGLE * cos(ANGLE)),
             turning_function,
             lambda: {ANGLE: angle},
         ),
-        ratio=equal(r"\mu^*", -sp.cos(2 * ANGLE), critical_mass_ratio, lambda: {ANGLE: angle}),
-        digits=Formula(r"\mu^*", "=...", sp.Rational("0.79263"), decimal(_critical_ratio)),
+        ratio=equal(r"\mu^*", -cos(2 * ANGLE), critical_mass_ratio, lambda: {ANGLE: angle}),
+        digits=Formula(r"\mu^*", "=...", Rational("0.79263"), decimal(_critical_ratio)),
         kernel="turning-point critical-mass-ratio-digits",
     ),
     clause(

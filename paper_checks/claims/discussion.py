@@ -16,12 +16,11 @@ from paper_checks.decide.enclosure import compare, exact, itinerary, solved, stu
 from theory.filippov import load, load_threshold, phi, sliding_field
 from theory.linear import root
 from theory.model import CASE_STUDY, branch_named, branches, case_study_mode, slip
-from theory.symbols import b, free, m2, x1
 
-DRIVEN, DRIVING = sp.symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
+DRIVEN, DRIVING = symbols(r"\ddot{x}_2 \ddot{x}_1", real=True)
 
 
-def _half() -> sp.Expr:
+def _half() -> Expr:
     """Return x2'' where (4) is at its equality, by x1''."""
     found = branch_named("half adhesion")
     return sp.cancel(found.acceleration2 / found.acceleration1) * DRIVING
@@ -29,16 +28,16 @@ def _half() -> sp.Expr:
 
 def _stick_bound() -> Decide:
     """Return how the bound of x2'' in stick is decided, for a1 >= 0 and the load p = a2 x1 + a1 v1 on S0."""
-    force = sp.Symbol("p", real=True)
+    force = Symbol("p", real=True)
     pull = root(load(damped=True) - force, x1)
 
-    def loaded() -> list[sp.Basic]:
+    def loaded() -> list[Basic]:
         threshold, width = sp.fraction(load_threshold())
-        return [sp.Le(sp.Abs(force) * width, threshold, evaluate=False)]
+        return [sp.Le(Abs(force) * width, threshold, evaluate=False)]
 
     def decide(formula: Formula) -> Evidence:
         acceleration = sp.simplify(sliding_field(damped=True)[2].subs(x1, pull))
-        places = [{sp.Abs(DRIVEN): side * acceleration} for side in (1, -1)]
+        places = [{Abs(DRIVEN): side * acceleration} for side in (1, -1)]
         sides = [implied(loaded, partial(dict, place))(formula) for place in places]
         return min(sides, key=lambda item: (item.passed is True, item.passed is None))
 
@@ -49,7 +48,7 @@ COMPARED_AT = Fraction(1, 5)
 """A time (s) at which both readings of Fig. 4 (a) are compared."""
 
 
-APART = sp.Rational("0.0004")
+APART = Rational("0.0004")
 """A distance (m) by which they then differ."""
 
 
@@ -74,7 +73,7 @@ def same_fields() -> Steps:
     return tuple(
         identity(
             f"{name}: (11)–(12) and (5)–(7) in Filippov's sense have the same accelerations",
-            sp.Matrix(case_study_mode(sign)),
+            case_study_mode(sign),
             field[1:, 0].subs(CASE_STUDY),
         )
         for name, sign, field in fields
@@ -131,7 +130,7 @@ def two_descriptions() -> Case:
             exhibit(
                 "for that literal stick, body 2 has $m_2|\\ddot x_2|>b$: more than friction can give",
                 START_AT_6MM,
-                (sp.Abs(m2 * case_study_mode(0)[1]), ">", b),
+                (Abs(m2 * case_study_mode(0)[1]), ">", b),
             ),
         ),
         carried("same", solutions.equivalent(), solutions.one_solution()),
@@ -148,7 +147,7 @@ def two_descriptions() -> Case:
         derivation=(
             *solutions.ARGUMENT,
             equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{S_0}", sliding_field().T),
-            equation(r"(\ddot{x}_1,\ddot{x}_2)|_{(13)}", sp.Matrix(case_study_mode(0)).T),
+            equation(r"(\ddot{x}_1,\ddot{x}_2)|_{(13)}", Matrix(case_study_mode(0)).T),
         ),
         figure="start-at-6mm",
     )
@@ -172,8 +171,8 @@ def two_descriptions() -> Case:
         clause(
             "modes",
             r"in slip «slip», and in stick, on $S_0$, $\ddot x_2=\ddot x_1$ with «stick».",
-            slip=equal(sp.Abs(DRIVEN), b / m2, lambda: sp.Abs(free(slip(1).acceleration2))),
-            stick=Formula(sp.Abs(DRIVEN), "<=", b / m2, _stick_bound()),
+            slip=equal(Abs(DRIVEN), b / m2, lambda: Abs(free(slip(1).acceleration2))),
+            stick=Formula(Abs(DRIVEN), "<=", b / m2, _stick_bound()),
         ),
         clause(
             "equality",
@@ -199,18 +198,18 @@ def acceleration_bound() -> Case:
                 "$m_1=m_2=1$, $a_1=0$, $a_2=200$, $b=0.5$. In slip with $\\dot z>0$ at "
                 f"$x_1={value_at(x1, unloaded)}$: $\\ddot x_1={value_at(slipping[0], unloaded)}$, "
                 f"$\\ddot x_2={value_at(slipping[1], unloaded)}$. Under (11)–(12) at $x_1=0.006$, $\\dot z=0$: "
-                f"$|\\ddot x_2|={value_at(sp.Abs(literal[1]), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$."
+                f"$|\\ddot x_2|={value_at(Abs(literal[1]), START_AT_6MM)}>{value_at(b / m2, START_AT_6MM)}=b/m_2$."
             ),
             exhibit(
                 "in slip with $\\dot z>0$ at $x_1=-b/200$, $\\ddot x_1=0$ and $|\\ddot x_2|>|\\ddot x_1|$",
                 unloaded,
                 (slipping[0], "=", 0),
-                (sp.Abs(slipping[1]), ">", sp.Abs(slipping[0])),
+                (Abs(slipping[1]), ">", Abs(slipping[0])),
             ),
             exhibit(
                 "under (11)–(12) the start of Fig. 4 (a) has $|\\ddot x_2|>b/m_2$",
                 START_AT_6MM,
-                (sp.Abs(literal[1]), ">", b / m2),
+                (Abs(literal[1]), ">", b / m2),
             ),
         ),
         carried("bound", transfers.gentle()),
@@ -224,7 +223,7 @@ def acceleration_bound() -> Case:
                     one.acceleration2,
                     share * one.acceleration1,
                 )
-                for one, share in zip(rest, (sp.Rational(1, 2), sp.Integer(0)), strict=True)
+                for one, share in zip(rest, (Rational(1, 2), Integer(0)), strict=True)
             ),
         ),
         derivation=(

@@ -8,12 +8,11 @@ from paper_checks.claims.words import *
 from theory.energy import captive_energy, energy, on_surface, sigma, slip_rate
 from theory.filippov import derivative_along, guard, load, load_threshold, sliding_field
 from theory.model import free_system, slip
-from theory.symbols import a1, a2, b, m1, m2, total_mass, undamped, v1, v2, x1
 
 
-def admissible(expression: sp.Basic) -> sp.Basic:
+def admissible(expression: Basic) -> Basic:
     """Return the expression with a1 >= 0 instead of theory's a1 > 0."""
-    return expression.subs(a1, sp.Symbol("a1", nonnegative=True))
+    return expression.subs(a1, Symbol("a1", nonnegative=True))
 
 
 SYNCHRONISATION = (
@@ -33,7 +32,7 @@ SYNCHRONISATION = (
 
 
 # Bounds of |x1| (m) and |v1| (m/s) on {E <= E(0)}.
-P, Q = sp.symbols("P Q", nonnegative=True)
+P, Q = symbols("P Q", nonnegative=True)
 
 
 @cache
@@ -52,26 +51,26 @@ def energy_rate() -> Evidence:
 @cache
 def energy_never_grows() -> Evidence:
     """The right side is never positive; negative wherever z' != 0."""
-    velocity = sp.Symbol("w", positive=True)
+    velocity = Symbol("w", positive=True)
     rate = admissible(slip_rate(1)).subs(v2, v1 - velocity)
-    return prove("that rate is negative for $\\dot z=w>0$", [], sp.Lt(sp.expand(rate), 0, evaluate=False))
+    return prove("that rate is negative for $\\dot z=w>0$", [], signed(rate, "<"))
 
 
 @cache
 def state_is_bounded() -> Evidence:
     """On {E <= E0} with 2 E0 = a2 P^2 the driving body has |x1| <= P (the same for v1 with m1 Q^2)."""
-    below = sp.Le(sp.expand(2 * energy() - a2 * P**2), 0, evaluate=False)
-    return prove("$2E\\leqslant a_2P^2$ implies $|x_1|\\leqslant P$", [below], sp.Le(sp.Abs(x1), P))
+    below = signed(2 * energy() - a2 * P**2, "<=")
+    return prove("$2E\\leqslant a_2P^2$ implies $|x_1|\\leqslant P$", [below], Abs(x1) <= P)
 
 
 @cache
 def speed_is_bounded() -> Evidence:
     """On {E <= E0} with 2 E0 = m1 Q^2 the driving body has |v1| <= Q."""
-    below = sp.Le(sp.expand(2 * energy() - m1 * Q**2), 0, evaluate=False)
-    return prove("$2E\\leqslant m_1Q^2$ implies $|v_1|\\leqslant Q$", [below], sp.Le(sp.Abs(v1), Q))
+    below = signed(2 * energy() - m1 * Q**2, "<=")
+    return prove("$2E\\leqslant m_1Q^2$ implies $|v_1|\\leqslant Q$", [below], Abs(v1) <= Q)
 
 
-def lipschitz_constant() -> sp.Expr:
+def lipschitz_constant() -> Expr:
     """Return the bound of |z''| on {E <= E0}, m/s^2: spring, damper and friction at their largest."""
     return (a2 * P + a1 * Q) / m1 + b * (1 / m1 + 1 / m2)
 
@@ -80,16 +79,16 @@ def lipschitz_constant() -> sp.Expr:
 def relative_acceleration_is_bounded(sign: int) -> Evidence:
     """In slip |z''| <= K; in stick z'' = 0."""
     acceleration = derivative_along(slip(sign).field, guard())
-    force = sp.Symbol("p", real=True)  # a2 x1 + a1 v1, at most F in absolute value
-    largest = sp.Symbol("F", nonnegative=True)
+    force = Symbol("p", real=True)  # a2 x1 + a1 v1, at most F in absolute value
+    largest = Symbol("F", nonnegative=True)
     at_load = acceleration.subs(x1, (force - a1 * v1) / a2)
     bound = lipschitz_constant().subs(P, (largest - a1 * Q) / a2)
-    margins = [sp.Ge(admissible(cleared(bound - side * at_load)), 0, evaluate=False) for side in (1, -1)]
+    margins = [signed(admissible(cleared(bound - side * at_load)), ">=") for side in (1, -1)]
     return prove(
         f"where $\\mathrm{{sgn}}(\\dot z)={sign}$, $|\\ddot z|\\leqslant K=(a_2P+a_1Q)/m_1+b(1/m_1+1/m_2)$ "
         "(here $p=a_2x_1+a_1v_1$, $F=a_2P+a_1Q$)",
-        [sp.Le(sp.Abs(force), largest)],
-        sp.And(*margins),
+        [Abs(force) <= largest],
+        And(*margins),
     )
 
 
@@ -102,8 +101,8 @@ def stick_keeps_together() -> Evidence:
 @cache
 def price_of_relative_speed() -> Evidence:
     """The relative displacement that a relative speed eta costs before it can be gone."""
-    speed, rate = sp.symbols("eta K", positive=True)
-    time = sp.Symbol("s", nonnegative=True)
+    speed, rate = symbols("eta K", positive=True)
+    time = Symbol("s", nonnegative=True)
     area = sp.integrate(speed - rate * time, (time, 0, speed / rate))
     return identity("$\\int_0^{\\eta/K}(\\eta-Ks)\\,ds=\\eta^2/(2K)$", area, speed**2 / (2 * rate))
 
@@ -140,7 +139,7 @@ REST = (
 @cache
 def momentum_rate() -> Evidence:
     """The interface is an inner force: spring and damper alone change the total momentum, in slip and in stick."""
-    set_valued = free_system(sp.Symbol("sigma", real=True))
+    set_valued = free_system(Symbol("sigma", real=True))
     return identity(
         "$\\frac{d}{dt}(m_1v_1+m_2v_2)=-(a_2x_1+a_1v_1)$ for every value of the friction force",
         m1 * set_valued[1] + m2 * set_valued[2],
@@ -216,15 +215,15 @@ def captured() -> Evidence:
         energy=equal("E", a2 * x1**2 / 2 + m1 * v1**2 / 2 + m2 * v2**2 / 2, energy),
         rate=equal(
             r"\dot E",
-            -b * sp.Abs(v1 - v2),
-            lambda: derivative_along(undamped(free_system(sp.Abs(v1 - v2) / (v1 - v2))), energy()),
+            -b * Abs(v1 - v2),
+            lambda: derivative_along(undamped(free_system(Abs(v1 - v2) / (v1 - v2))), energy()),
         ),
         kernel="energy-rate",
     ),
     clause(
         "sign",
         r"and «sign».",
-        sign=Formula(-b * sp.Abs(v1 - v2), "<=", 0, implied()),
+        sign=Formula(-b * Abs(v1 - v2), "<=", 0, implied()),
         kernel="energy-decreases",
     ),
 )
@@ -269,9 +268,9 @@ def rate_of_energy() -> Case:
             -b * (v1 - v2),
             "<",
             0,
-            implied(lambda: [sp.Gt(v1, v2)]),
+            implied(lambda: [v1 > v2]),
         ),
-        below=Formula(b * (v1 - v2), "<", 0, implied(lambda: [sp.Lt(v1, v2)])),
+        below=Formula(b * (v1 - v2), "<", 0, implied(lambda: [v1 < v2])),
         kernel="energy-rate",
     ),
     clause(

@@ -13,7 +13,6 @@ from theory import forced_response as response
 from theory.forced_response import decayed, decline, multiple, natural, omega, swing
 from theory.model import slip
 from theory.scaling import stick_frequency
-from theory.symbols import a1, a2, b, m1, m2, total_mass
 
 
 @cache
@@ -21,7 +20,7 @@ def square_wave() -> Evidence:
     """h and h' continue to a motion that is its own negative half a period later."""
     stiffness = m1 * (decline**2 + swing**2)
     place, speed = (sp.cancel(response.half_turn(one) * stiffness) for one in response.square_wave())
-    c, s = (response.half_turn(one(sp.pi * swing / omega)) for one in (sp.cos, sp.sin))
+    c, s = (response.half_turn(one(pi * swing / omega)) for one in (cos, sin))
     first, second = place - 1, sp.cancel((speed + decline * (place - 1)) / swing)
     later = 1 + decayed * (first * c + second * s)
     later_speed = decayed * ((swing * second - decline * first) * c - (swing * first + decline * second) * s)
@@ -36,9 +35,9 @@ def load_positive() -> Evidence:
     """M/m2 - a2 h - a1 h' > 0: the cosine part of the limit motion is negative."""
     place, speed = response.square_wave()
     stiffness, damping = m1 * (decline**2 + swing**2), 2 * m1 * decline
-    left = 1 + 2 * decayed * sp.cos(sp.pi * swing / omega) + decayed**2
+    left = 1 + 2 * decayed * cos(pi * swing / omega) + decayed**2
     found = (-stiffness * place - damping * speed) * left
-    shown = 1 - decayed**2 + 2 * decayed * decline / swing * sp.sin(sp.pi * swing / omega)
+    shown = 1 - decayed**2 + 2 * decayed * decline / swing * sin(pi * swing / omega)
     return argument(
         r"$\delta^{-1}-\delta=2\sinh(\pi\lambda/\omega)\geqslant 2\pi\lambda/\omega\geqslant 2\frac{\lambda}{\omega_d}|\sin(\pi\omega_d/\omega)|$, so $-a_2k-a_1k'\geqslant 0$.",
         identity(
@@ -53,7 +52,7 @@ def load_positive() -> Evidence:
 def non_stop() -> Evidence:
     """Permanent slip, exactly from U** on if the relative velocity keeps its sign at U**."""
     in_phase, out_of_phase = response.non_stop_parts()
-    lowest = -slip(1).acceleration2 * sp.pi / omega / 2
+    lowest = -slip(1).acceleration2 * pi / omega / 2
     speed = in_phase * omega - b * response.square_speed
     return argument(
         r"""
@@ -79,14 +78,16 @@ def non_stop() -> Evidence:
 
 @cache
 def below_non_stop() -> Evidence:
-    """Whatever slips for ever with the period of the force makes a motion that is its own negative half a period later."""
+    """Whatever slips for ever by halves of the force's period makes a motion that is its own negative half a period later."""
     return argument(
         r"""
-        Let a motion of the period $T=2\pi/\omega$ have $\dot z>0$ for half a period and $\dot z<0$ for the other. Its
-        friction is the square wave, so half of the difference between it and itself half a period later has the same
-        friction and, as $u(t+T/2)=-u(t)$, the same force; its relative velocity keeps the sign, and it is its own
-        negative half a period later. At its turn $\Lambda\geqslant b$, which needs $U\geqslant U_{**}$ whatever $\dot
-        z$ does at $U_{**}$.
+        Let $\dot z>0$ for half a period, $T/2=\pi/\omega$, and $\dot z<0$ for the next, for ever. Friction is the
+        square wave then. If $a_1>0$ or $\omega_1/\omega$ is no integer, the motion is one of the period $T$ and a free
+        oscillation of body 1, and the mean of its shifts by $T,2T,\ldots$ takes the latter away: what is left has the
+        same friction, $\dot z\geqslant 0$ and $\dot z\leqslant 0$. If $\omega_1/\omega$ is even it has the period $T$
+        itself. Half of the difference between that and itself half a period later has the same friction and, as
+        $u(t+T/2)=-u(t)$, the same force, and is its own negative half a period later. At its turn
+        $\Lambda\geqslant b$, which needs $U\geqslant U_{**}$ whatever $\dot z$ does at $U_{**}$.
         """,
         square_wave(),
         non_stop(),
@@ -96,7 +97,7 @@ def below_non_stop() -> Evidence:
 @cache
 def over_damped() -> Evidence:
     """The closed forms hold for a body 1 that does not oscillate."""
-    nu = sp.Symbol("nu", positive=True)
+    nu = Symbol("nu", positive=True)
     return argument(
         r"""
         The steps are identities in $\lambda$ and $\omega_d$, so they hold for $\omega_d=i\nu$, where $\cos$ and
@@ -107,7 +108,7 @@ def over_damped() -> Evidence:
         """,
         identity(
             r"$\cos(i\nu)=\cosh\nu$ and $\sin(i\nu)/(i\nu)=\sinh(\nu)/\nu$",
-            [sp.cos(sp.I * nu) - sp.cosh(nu), sp.sin(sp.I * nu) / (sp.I * nu) - sp.sinh(nu) / nu],
+            [cos(sp.I * nu) - sp.cosh(nu), sin(sp.I * nu) / (sp.I * nu) - sp.sinh(nu) / nu],
         ),
         non_stop(),
         below_non_stop(),
@@ -118,7 +119,7 @@ def over_damped() -> Evidence:
 def two_ends() -> Evidence:
     """Both ends of the branch of two stops."""
     first, second = response.short_slip()
-    load_rate = sp.Symbol(r"\dot{\Lambda}", real=True)
+    load_rate = Symbol(r"\dot{\Lambda}", real=True)
     return argument(
         r"""
         At $t_s=\pi/\omega$ the end is the next turn, $v_1=-v_0$. As $t_s\to 0$, $\dot z(t_s)/t_s^2\to\dddot
@@ -134,27 +135,27 @@ def two_ends() -> Evidence:
         identity(
             r"at $t_s=\pi/\omega$ the end gives $v_0=-\pi b/(2m_2\omega)$",
             response.two_stop_conditions()[2],
-            -2 * (response.exit_speed + sp.pi * b / (2 * m2 * omega)),
+            -2 * (response.exit_speed + pi * b / (2 * m2 * omega)),
         ),
         non_stop(),
     )
 
 
 MASS = m1 + m2
-GAIN, K, K_RATE = sp.Symbol("G", positive=True), sp.Symbol("k", real=True), sp.Symbol("k'", real=True)
-RINGING = sp.Symbol("omega_d", positive=True)
+GAIN, K, K_RATE = Symbol("G", positive=True), Symbol("k", real=True), Symbol("k'", real=True)
+RINGING = Symbol("omega_d", positive=True)
 WAVE = {K: response.square_place, K_RATE: response.square_speed}
-TURN = sp.pi * RINGING / omega
-LEFT = 1 + 2 * decayed * sp.cos(TURN) + decayed**2
+TURN = pi * RINGING / omega
+LEFT = 1 + 2 * decayed * cos(TURN) + decayed**2
 
 
-def _gain() -> sp.Expr:
-    return 1 / sp.sqrt(response.size_squared(response.slip_impedance()))
+def _gain() -> Expr:
+    return 1 / sqrt(response.size_squared(response.slip_impedance()))
 
 
 OPEN = (
     "That each amplitude between $U_*$ and $U_{**}$ has just one motion with two stops, and that its conditions hold on the whole branch, is not proved.",
-    "Motions that slip for ever, half a period each way, and have another period than the force are not treated for $a_1=0$.",
+    "Motions that slip for ever and turn at other times than after each half period of the force are not treated for $a_1=0$.",
 )
 
 
@@ -168,7 +169,7 @@ OPEN = (
         """,
         threshold=equal(
             "U_*",
-            b / (m2 * omega**2) * sp.sqrt((a2 - MASS * omega**2) ** 2 + a1**2 * omega**2),
+            b / (m2 * omega**2) * sqrt((a2 - MASS * omega**2) ** 2 + a1**2 * omega**2),
             response.entrained_amplitude,
         ),
         kernel="stuck-iff entrains synchronises",
@@ -182,11 +183,11 @@ OPEN = (
         """,
         threshold=equal(
             "U_*",
-            b / m2 * sp.Abs(a2 / omega**2 - MASS),
-            lambda: sp.sqrt(sp.factor(response.entrained_amplitude().subs(a1, 0) ** 2)),
+            b / m2 * Abs(a2 / omega**2 - MASS),
+            lambda: sqrt(sp.factor(response.entrained_amplitude().subs(a1, 0) ** 2)),
         ),
-        pace=equal(r"\Omega", sp.sqrt(a2 / MASS), stick_frequency),
-        harmonic=equal(r"U_n/U_*", 1 / sp.cos(sp.pi / (2 * multiple)), response.harmonic_amplitude),
+        pace=equal(r"\Omega", sqrt(a2 / MASS), stick_frequency),
+        harmonic=equal(r"U_n/U_*", 1 / cos(pi / (2 * multiple)), response.harmonic_amplitude),
     ),
     clause(
         "letters",
@@ -197,21 +198,21 @@ OPEN = (
         decline=equal(decline, a1 / (2 * m1), lambda: response.rates()[0]),
         ringing=equal(
             RINGING,
-            sp.sqrt(a2 / m1 - decline**2),
+            sqrt(a2 / m1 - decline**2),
             lambda: response.rates()[1],
             lambda: {decline: response.rates()[0]},
         ),
-        left=equal(decayed, sp.exp(-sp.pi * decline / omega), response.left_after_half),
-        gain=equal(GAIN, 1 / sp.sqrt((a2 - m1 * omega**2) ** 2 + a1**2 * omega**2), _gain),
+        left=equal(decayed, sp.exp(-pi * decline / omega), response.left_after_half),
+        gain=equal(GAIN, 1 / sqrt((a2 - m1 * omega**2) ** 2 + a1**2 * omega**2), _gain),
         place=equal(
             K,
-            (2 * decayed * decline / RINGING * sp.sin(TURN) - 1 + decayed**2) / (m1 * (decline**2 + RINGING**2) * LEFT),
+            (2 * decayed * decline / RINGING * sin(TURN) - 1 + decayed**2) / (m1 * (decline**2 + RINGING**2) * LEFT),
             lambda: response.square_wave()[0],
             lambda: {RINGING: swing},
         ),
         speed=equal(
             K_RATE,
-            -2 * decayed * sp.sin(TURN) / (m1 * RINGING * LEFT),
+            -2 * decayed * sin(TURN) / (m1 * RINGING * LEFT),
             lambda: response.square_wave()[1],
             lambda: {RINGING: swing},
         ),
@@ -228,7 +229,7 @@ OPEN = (
             "U_{**}^2",
             b**2
             / (GAIN * omega) ** 2
-            * ((sp.pi / (2 * m2 * omega) - K_RATE) ** 2 + ((MASS / m2 - a2 * K - a1 * K_RATE) / (m1 * omega)) ** 2),
+            * ((pi / (2 * m2 * omega) - K_RATE) ** 2 + ((MASS / m2 - a2 * K - a1 * K_RATE) / (m1 * omega)) ** 2),
             response.non_stop_amplitude_squared,
             lambda: {GAIN: _gain(), **WAVE},
         ),
@@ -244,7 +245,7 @@ OPEN = (
     ),
     clause(
         "below",
-        r"Below $U_{**}$ no motion of the force's period slips for ever, one way for half a period and then the other way, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
+        r"Below $U_{**}$ no motion slips for ever, one way for half a period of the force and then the other way, whatever its own period is, whatever $\dot z$ does at $U_{**}$ and whether it is its own negative or not,",
     ),
     clause(
         "over-damped",
@@ -259,10 +260,7 @@ OPEN = (
             b**2
             / omega**4
             * (natural**2 - omega**2) ** 2
-            * (
-                (omega / natural * sp.tan(sp.pi * natural / (2 * omega)) + sp.pi * m1 / (2 * m2)) ** 2
-                + (MASS / m2) ** 2
-            ),
+            * ((omega / natural * sp.tan(pi * natural / (2 * omega)) + pi * m1 / (2 * m2)) ** 2 + (MASS / m2) ** 2),
             response.undamped_non_stop_amplitude_squared,
         ),
         kernel="nonstop-undamped nonstop-above-resonance",
@@ -298,7 +296,7 @@ OPEN = (
         r"Let $a_1>0$, or neither $\Omega$ nor $\omega_1$ be an odd multiple of $\omega$. As $t_s\to\pi/\omega$ these conditions become those of $U_{**}$, with «last»; as $t_s\to 0$ the load only touches $b$, which is $U_*$.",
         last=equal(
             "v_0",
-            -sp.pi * b / (2 * m2 * omega),
+            -pi * b / (2 * m2 * omega),
             lambda: response.exit_speed + response.two_stop_conditions()[2] / 2,
         ),
     ),

@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-import sympy as sp
 from flint import arb, fmpq
 
 from numerics.scene import Scene
@@ -14,9 +13,8 @@ from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, rounded, solved, stuck_for_ever, text, within
 from paper_checks.decide.euler_in_balls import COARSE, HORIZONS, STEPS, run
 from theory.filippov import half_width, phi, sliding_field
-from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
 
-step = sp.Symbol("h", positive=True)
+step = Symbol("h", positive=True)
 
 
 @claim(
@@ -60,8 +58,8 @@ def euler_reproduces_figures() -> Case:
             *_energy_of_start_at_6mm(),
             *_converges(),
             text=(
-                "Forward Euler approximates the Filippov solution, unless it starts at $\\dot z=0$ exactly, as in Fig. 4 (a). Of the "
-                "steps tried, $5\\cdot10^{-5}$ s and $10^{-5}$ s give the first adhesion of Fig. 5 (a) within three steps, $10^{-4}$ s and more "
+                "In these scenes forward Euler approximates the Filippov solution, unless it starts at $\\dot z=0$ exactly, as in Fig. 4 (a). "
+                "Of the steps tried, $5\\cdot10^{-5}$ s and $10^{-5}$ s give the first adhesion of Fig. 5 (a) within three steps, $10^{-4}$ s and more "
                 "do not; Fig. 4 (b) has it with all of them. Fig. 4 (a) "
                 f"gains {gains[Fraction(1, 10000)]} % of its energy in 5 s with $10^{{-4}}$ s, {gains[Fraction(1, 1000)]} % with $10^{{-3}}$ s."
             ),
@@ -111,7 +109,7 @@ def _one_step() -> Steps:
 
 def _chatter_is_small() -> Evidence:
     """Return that in the strip |z'| <= hC stays so, C = 2 b M/(m1 m2)."""
-    relative = sp.Symbol("w", positive=True)
+    relative = Symbol("w", positive=True)
     largest = 2 * b * total_mass() / (m1 * m2)
     change = undamped(phi(1)[1] - phi(1)[2])
     strip = [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
@@ -123,16 +121,16 @@ def _chatter_is_small() -> Evidence:
     return prove(
         "in the strip a step from $\\dot z=w>0$ ends in $[-hC,w]$, $C=2b(m_1+m_2)/(m_1m_2)$ (for $w<0$ by symmetry)",
         strip,
-        sp.And(*bounds),
+        And(*bounds),
     )
 
 
 def _first_amplitude() -> tuple[float, float]:
     """Return the amplitude at the start of Fig. 5 (a), m, and the step at which Euler adds what friction takes, s."""
     scene = load_scene("velocities")
-    known = {one: sp.Rational(str(getattr(scene.pair, one.name))) for one in (m1, a2, b)}
-    amplitude = sp.Rational(str(scene.initial.v1)) * sp.sqrt(m1 / a2)
-    step_there = 4 * b / (sp.pi * sp.sqrt(a2**3 / m1)) / amplitude
+    known = {one: Rational(str(getattr(scene.pair, one.name))) for one in (m1, a2, b)}
+    amplitude = Rational(str(scene.initial.v1)) * sqrt(m1 / a2)
+    step_there = 4 * b / (pi * sqrt(a2**3 / m1)) / amplitude
     return float(amplitude.subs(known)), float(step_there.subs(known))
 
 

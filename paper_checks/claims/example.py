@@ -20,37 +20,36 @@ from theory.model import (
     driving_equation,
 )
 from theory.scaling import stick_frequency
-from theory.symbols import acceleration1, acceleration2, b, undamped, x1, x1_0, x2_0
 
-Z = sp.Symbol(r"\mathrm{sgn}(\dot{z})", real=True)
+Z = Symbol(r"\mathrm{sgn}(\dot{z})", real=True)
 
 
-def _reduced(index: int) -> sp.Expr:
+def _reduced(index: int) -> Expr:
     return case_study_closed_form()[index].subs(RELATIVE_SIGN, Z)
 
 
-def _mode(sign: int, index: int, right: sp.Expr) -> Formula:
+def _mode(sign: int, index: int, right: Expr) -> Formula:
     """Return an acceleration of (13) (sign 0) or (14)."""
     return equal(rf"\ddot{{x}}_{index + 1}", right, lambda: case_study_mode(sign)[index])
 
 
 # sgn(z') and sgn(|x1''| - b/m2) as symbols, so that an identity holds for whatever values they have.
-s, bracket_sign = sp.symbols("s sigma", real=True)
+s, bracket_sign = symbols("s sigma", real=True)
 
 
-def printed_reduction() -> sp.Matrix:
+def printed_reduction() -> Matrix:
     """Return the right sides of (11), (12) as printed, with s for sgn(z') and x1'' kept in (12); m/s^2."""
-    first = -1 / (2 - sp.Abs(s)) * (200 * x1 + b * s)
-    second = (1 - sp.Abs(s)) * acceleration1 + b * s
-    return sp.Matrix([first, second])
+    first = -1 / (2 - Abs(s)) * (200 * x1 + b * s)
+    second = (1 - Abs(s)) * acceleration1 + b * s
+    return Matrix([first, second])
 
 
-def derived_reduction() -> sp.Matrix:
+def derived_reduction() -> Matrix:
     """Return the same from (3), (4) with unit masses, a1 = u = 0, a2 = 200, the second sign of (4) kept."""
     values = {RELATIVE_SIGN: s, STICTION_SIGN: bracket_sign}
     first = root(driving_equation().subs(values).subs(CASE_STUDY), acceleration1)
     second = root(driven_equation().subs(values).subs(CASE_STUDY), acceleration2)
-    return sp.Matrix([first, second])
+    return Matrix([first, second])
 
 
 @claim(
@@ -91,10 +90,10 @@ def example_eigenfrequency() -> Case:
     clause(
         "reduction",
         r"For $u=0$ the dynamics (3)–(4) reduces to the autonomous system «first», «second».",
-        first=equal(r"\ddot{x}_1", -(200 * x1 + b * Z) / (2 - sp.Abs(Z)), lambda: _reduced(0)),
+        first=equal(r"\ddot{x}_1", -(200 * x1 + b * Z) / (2 - Abs(Z)), lambda: _reduced(0)),
         second=equal(
             r"\ddot{x}_2",
-            (1 - sp.Abs(Z)) * PULL + b * Z,
+            (1 - Abs(Z)) * PULL + b * Z,
             lambda: _reduced(1).subs(acceleration1, PULL),
         ),
     ),
@@ -103,7 +102,7 @@ def example_reduction() -> Case:
     """Derive (11) and (12) with the stiction bracket left open, and find where (12) follows."""
     derived, printed = derived_reduction(), printed_reduction()
     broken, literal = branch_named("broken adhesion"), case_study_mode(0)
-    acceleration = sp.Symbol("A", real=True)
+    acceleration = Symbol("A", real=True)
     return because(
         r"""
         (12) follows from (4) for $\dot z\neq 0$, but at $\dot z=0$ only where $|\ddot x_1|<b$, that is $|x_1|<b/100$;
@@ -119,7 +118,7 @@ def example_reduction() -> Case:
             exhibit(
                 "at the start of Fig. 4 (a), $x_1=0.006$, $b=0.5$, (4) gives $\\ddot x_2=0$ and (12) gives $\\ddot x_2\\neq 0$",
                 START_AT_6MM,
-                (sp.Abs(broken.acceleration1), ">", b),
+                (Abs(broken.acceleration1), ">", b),
                 (broken.acceleration2, "=", 0),
                 (literal[1], "=", literal[0]),
                 (literal[1], "<", 0),
@@ -130,8 +129,8 @@ def example_reduction() -> Case:
             identity("(12) is (4) where the second bracket is 1", derived[1].subs(bracket_sign, -1), printed[1]),
             identity(
                 "with $\\mathrm{sgn}(\\dot z)=0,\\,1,\\,-1$ they give the same accelerations",
-                sp.Matrix([printed.subs(s, sign).subs(acceleration1, case_study_mode(sign)[0]) for sign in (0, 1, -1)]),
-                sp.Matrix([sp.Matrix(case_study_mode(sign)) for sign in (0, 1, -1)]),
+                [printed.subs(s, sign).subs(acceleration1, case_study_mode(sign)[0]) for sign in (0, 1, -1)],
+                [case_study_mode(sign) for sign in (0, 1, -1)],
             ),
             bracket_is_off_in_slip(),
             identity(
@@ -145,7 +144,7 @@ def example_reduction() -> Case:
             prove(
                 "in stick $|\\ddot x_1|<b$ exactly where $|x_1|<b/100$",
                 [sp.Eq(acceleration, literal[0])],
-                sp.Equivalent(sp.Lt(sp.Abs(acceleration), b), sp.Lt(100 * sp.Abs(x1), b)),
+                sp.Equivalent(Abs(acceleration) < b, 100 * Abs(x1) < b),
             ),
             text=r"""
             (3)–(4) reduce to (11) and, where $\dot z\neq 0$ or $|x_1|<b/100$, to (12). At $\dot z=0$ with
@@ -199,7 +198,7 @@ def example_two_modes() -> Case:
         carried("second"),
         carried(
             "together",
-            identity("the closed form of stick satisfies (3), (4), by substitution", sp.Matrix(residual(together))),
+            identity("the closed form of stick satisfies (3), (4), by substitution", residual(together)),
             identity("in it $x_1-x_2$ is constant", together.x1 - together.x2, x1_0 - x2_0),
             identity("and $\\dot x_1=\\dot x_2$", together.v1, together.v2),
             identity("undamped: $\\dot E=0$", undamped(stick_rate())),

@@ -4,7 +4,6 @@ from fractions import Fraction
 from functools import cache
 from itertools import islice
 
-import sympy as sp
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
@@ -27,10 +26,9 @@ from theory.return_map import (
     return_map_residuals,
     return_map_slope_residual,
 )
-from theory.symbols import a2, b, h_value, m1, m2, q, r, theta
 
 
-def vanishes(statement: str, expression: sp.Expr) -> Evidence:
+def vanishes(statement: str, expression: Expr) -> Evidence:
     """Return that an expression in theta, sin theta, cos theta is 0: decided by its form in theta and tan(theta/2)."""
     form = half_tangent_form(expression)
     value = "0 as a fraction in theta, tan(theta/2)" if form == 0 else f"{form}"
@@ -48,25 +46,25 @@ def angle_of_excursion() -> Steps:
             the guard is $(1-\cos\theta)(h(\theta)-\nu)$, $h=\frac{\theta-\sin\theta}{1-\cos\theta}$: its double root
             at the start divided out
             """,
-            guard_of_u() - (1 - sp.cos(theta)) * (h() - h_value),
+            guard_of_u() - (1 - cos(theta)) * (h() - h_value),
         ),
         identity(
             r"$h'(2\varphi)=(\sin\varphi-\varphi\cos\varphi)/\sin^3\varphi$",
             h_slope().subs(theta, 2 * angle),
-            increment / sp.sin(angle) ** 3,
+            increment / sin(angle) ** 3,
         ),
         identity(
             r"$\sin\varphi-\varphi\cos\varphi$ is 0 at 0 and has the derivative $\varphi\sin\varphi>0$ on $(0,\pi)$, so $h'>0$",
-            [increment.subs(angle, 0), sp.diff(increment, angle)],
-            [0, angle * sp.sin(angle)],
+            [increment.subs(angle, 0), diff(increment, angle)],
+            [0, angle * sin(angle)],
         ),
         Evidence(
             EvidenceKind.EXACT,
             "sympy",
             r"$h\to 0$ as $\theta\to 0$ and $h\to\infty$ as $\theta\to 2\pi$",
-            (at_zero, at_full_turn) == (0, sp.oo),
+            (at_zero, at_full_turn) == (0, oo),
             2,
-            f"limits {at_zero} and {'unbounded' if at_full_turn == sp.oo else at_full_turn}",
+            f"limits {at_zero} and {'unbounded' if at_full_turn == oo else at_full_turn}",
         ),
     )
 
@@ -74,7 +72,7 @@ def angle_of_excursion() -> Steps:
 @cache
 def never_merges() -> Steps:
     """From a ray with w <= q (pi/2 - 1)^2 an excursion ends inside S0 with 0 < w' < w, for every mass ratio."""
-    cosine, fraction = sp.symbols("c q", real=True)
+    cosine, fraction = symbols("c q", real=True)
     before, after = return_map_residuals()
     return (
         mirror_image(),
@@ -85,43 +83,43 @@ def never_merges() -> Steps:
         vanishes(r"$dw'/dw=1-r(1-\cos\theta)$", return_map_slope_residual()),
         prove(
             r"$1-r(1-\cos\theta)>0$ for $\theta\leqslant\pi/2$ and every mass ratio, so $w'$ rises with $w$ from 0",
-            [sp.Gt(fraction, 0), sp.Lt(fraction, 1), sp.Ge(cosine, 0), sp.Le(cosine, 1)],
-            sp.Gt(1 - (1 - fraction) * (1 - cosine), 0, evaluate=False),
+            [fraction > 0, fraction < 1, cosine >= 0, cosine <= 1],
+            signed(1 - (1 - fraction) * (1 - cosine), ">"),
         ),
         vanishes(r"$c'=h>0$: the depth grows with the angle", depth_slope_residual()),
         identity(
             r"from $c\to 0$ as $\theta\to 0$ to $c(\pi)=2$",
-            [taylor(in_trigonometry(depth()), theta, 1), depth().subs(theta, sp.pi)],
+            [taylor(in_trigonometry(depth()), theta, 1), depth().subs(theta, pi)],
             [0, 2],
         ),
         vanishes(
             r"at re-entry $1-X=q\,c(\theta)$, so in $(0,2)$ for $\theta\leqslant\pi$: inside $S_0$",
             1 - excursion().position - q * in_trigonometry(depth()),
         ),
-        identity(r"the level at $\theta=\pi/2$ is $w=q(\pi/2-1)^2$", no_merging_excess(), q * (sp.pi / 2 - 1) ** 2),
+        identity(r"the level at $\theta=\pi/2$ is $w=q(\pi/2-1)^2$", no_merging_excess(), q * (pi / 2 - 1) ** 2),
     )
 
 
 @cache
 def heads_for_the_other_ray() -> Evidence:
     """At re-entry V < 0 after an excursion from l_+: the stick that follows ends on l_-, near half a turn on."""
-    inward = (sp.sin(theta) - theta * sp.cos(theta)) / (1 - sp.cos(theta))
+    inward = (sin(theta) - theta * cos(theta)) / (1 - cos(theta))
     return vanishes(
         r"""
         at re-entry $-V=\sqrt q\,\frac{\sin\theta-\theta\cos\theta}{1-\cos\theta}>0$ for $\theta<\pi$: the pair moves
         away from the ray that it left, to the other one
         """,
-        excursion().velocity / sp.sqrt(q) + inward,
+        excursion().velocity / sqrt(q) + inward,
     )
 
 
 def no_merging_at_any_energy() -> Evidence:
     """For m2 <= m1 the factor 1 - r (1 - cos theta) is never negative: no excursion from a ray merges by re-entry."""
-    cosine, share = sp.symbols("c r", real=True)
+    cosine, share = symbols("c r", real=True)
     return prove(
         r"for $m_2\leqslant m_1$, $1-r(1-\cos\theta)\geqslant 0$ at every angle, so $w'>0$ after every excursion from a ray",
-        [sp.Gt(share, 0), sp.Le(2 * share, 1), sp.Ge(cosine, -1), sp.Le(cosine, 1)],
-        sp.Ge(1 - share * (1 - cosine), 0, evaluate=False),
+        [share > 0, 2 * share <= 1, cosine >= -1, cosine <= 1],
+        signed(1 - share * (1 - cosine), ">="),
     )
 
 
@@ -169,9 +167,9 @@ def creeps_for_ever() -> Evidence:
     )
 
 
-def printed_rate_constant() -> sp.Expr:
+def printed_rate_constant() -> Expr:
     """Return the sharp constant of the 1/t law as the report states it, J s."""
-    return b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2) * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
+    return b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2) * 4 * pi / 9 * m1 / m2 * sqrt((m1 + m2) / a2)
 
 
 @cache
@@ -186,7 +184,7 @@ def sharp_limit() -> Evidence:
         creeps_for_ever(),
         identity("$1/w'-1/w\\to 9r/(4q)$ as $w\\to 0$", inverse_step(), 9 * r / (4 * q)),
         identity("equivalently $w'=w-\\tfrac{9r}{4q}w^2+\\dots$", quadratic_coefficient(), 9 * r / (4 * q)),
-        identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), sp.pi),
+        identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), pi),
         identity(
             "so $t\\,(E-E_{cr})\\to E_{cr}\\,\\tfrac{4\\pi}{9}\\tfrac{m_1}{m_2}\\sqrt{(m_1+m_2)/a}$",
             rate_constant(),

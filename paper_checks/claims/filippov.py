@@ -17,7 +17,6 @@ from theory.model import (
     slip,
     stick,
 )
-from theory.symbols import a1, a2, acceleration1, b, free, m1, m2, total_mass, undamped, v1, v1_other, v2, v2_other, x1
 
 ARGUMENT = (
     r"""
@@ -36,10 +35,10 @@ ARGUMENT = (
 )
 
 
-def adhesion_factor(relative_sign: int, stiction_sign: int) -> sp.Expr:
+def adhesion_factor(relative_sign: int, stiction_sign: int) -> Expr:
     """Return the factor with which the brackets of (4) hand m2 x1'' on to body 2, dimensionless, for both signs."""
-    values = {RELATIVE_SIGN: sp.Integer(relative_sign), STICTION_SIGN: sp.Integer(stiction_sign)}
-    return sp.diff(driven_equation().subs(values), acceleration1) / m2
+    values = {RELATIVE_SIGN: Integer(relative_sign), STICTION_SIGN: Integer(stiction_sign)}
+    return diff(driven_equation().subs(values), acceleration1) / m2
 
 
 @cache
@@ -48,15 +47,15 @@ def bracket_is_off_in_slip() -> Evidence:
     factors = [adhesion_factor(sign, stiction) for sign in (1, -1) for stiction in (-1, 0, 1)]
     return identity(
         "for $\\dot z\\neq 0$ the brackets of (4) are $0$, whatever $|\\ddot x_1|$ is",
-        sp.Matrix(factors),
+        factors,
     )
 
 
 @cache
 def slip_is_filippov() -> Evidence:
     """Off S both systems have the same field."""
-    fields = sp.Matrix.hstack(*(slip(sign).field for sign in (1, -1)))
-    set_valued = sp.Matrix.hstack(*(free_system(sp.Integer(sign)) for sign in (1, -1)))
+    fields = Matrix.hstack(*(slip(sign).field for sign in (1, -1)))
+    set_valued = Matrix.hstack(*(free_system(Integer(sign)) for sign in (1, -1)))
     return identity("for $\\dot z\\neq 0$, (3), (4) are (5)–(7) (with the damper kept)", fields, set_valued)
 
 
@@ -83,8 +82,8 @@ def stick_region() -> Evidence:
     )
 
 
-def _share(name: str) -> sp.Rational:
-    return {"half adhesion": sp.Rational(1, 2), "broken adhesion": sp.Integer(1)}[name]
+def _share(name: str) -> Rational:
+    return {"half adhesion": Rational(1, 2), "broken adhesion": Integer(1)}[name]
 
 
 @cache
@@ -101,8 +100,8 @@ def spurious_branch(name: str) -> Evidence:
 @cache
 def spurious_branches_leave() -> Evidence:
     """Where those branches apply the acceleration is not zero."""
-    reached = sp.Ge(sp.Abs(acceleration1) * m2, b)
-    plain = {acceleration1: sp.Symbol("A", real=True)}
+    reached = Abs(acceleration1) * m2 >= b
+    plain = {acceleration1: Symbol("A", real=True)}
     return prove(
         r"$|\ddot{x}_1|\geqslant b/m_2$ implies $\ddot{x}_1\neq 0$: those branches leave $\dot{z}=0$ at once",
         [reached.subs(plain)],
@@ -141,25 +140,25 @@ def contraction() -> Evidence:
 @cache
 def never_apart() -> Evidence:
     """The friction term is never positive, whatever values the set-valued sign takes; the other is -a1 (...)^2."""
-    relative, other, first, second = sp.symbols("w k s h", real=True)
+    relative, other, first, second = symbols("w k s h", real=True)
     named = {sigma: first, sigma_other: second, v1: v2 + relative, v1_other: v2_other + other}
-    friction = sp.expand((contraction_terms()[1] / b).subs(named, simultaneous=True))
+    friction = expand((contraction_terms()[1] / b).subs(named, simultaneous=True))
     return prove(
         r"""
         $-(\sigma-\tilde\sigma)(\dot z-\dot{\tilde z})\leqslant 0$ for all $\sigma\in\mathrm{Sign}(\dot z)$,
         $\tilde\sigma\in\mathrm{Sign}(\dot{\tilde z})$ (here $s,h$ and $w,k$): two solutions never move apart
         """,
         [set_valued_sign(first, relative), set_valued_sign(second, other)],
-        sp.Le(friction, 0, evaluate=False),
+        signed(friction, "<="),
     )
 
 
-def set_valued_sign(value: sp.Symbol, velocity: sp.Symbol) -> sp.Basic:
+def set_valued_sign(value: Symbol, velocity: Symbol) -> Basic:
     """Return the condition that a value belongs to Sign of a velocity: 1, -1, or anything between at velocity 0."""
     return sp.Or(
-        sp.And(sp.Gt(velocity, 0), sp.Eq(value, 1)),
-        sp.And(sp.Lt(velocity, 0), sp.Eq(value, -1)),
-        sp.And(sp.Eq(velocity, 0), sp.Le(value, 1), sp.Ge(value, -1)),
+        And(velocity > 0, sp.Eq(value, 1)),
+        And(velocity < 0, sp.Eq(value, -1)),
+        And(sp.Eq(velocity, 0), value <= 1, value >= -1),
     )
 
 
@@ -249,7 +248,7 @@ def vector_fields() -> Case:
 )
 def filippov_equivalence() -> Case:
     """Compare the two systems off S, inside S0, and on the rest of S."""
-    literal = undamped(free_system(sp.Integer(0)))
+    literal = undamped(free_system(Integer(0)))
     inside = signed(x1**2 - half_width() ** 2, "<")
     return because(
         r"""
@@ -272,7 +271,7 @@ def filippov_equivalence() -> Case:
             prove(
                 r"nor can it leave $S$ there: $\Phi_+\cdot n_S<0<\Phi_-\cdot n_S$ where $|x_1|<L$",
                 [inside],
-                sp.And(*(signed(sign * transversality(sign), "<") for sign in (1, -1))),
+                And(*(signed(sign * transversality(sign), "<") for sign in (1, -1))),
             ),
         ),
         carried("same-solutions", equivalent()),

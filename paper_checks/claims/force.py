@@ -1,7 +1,5 @@
 """Section II: what the force u(t) stands for, and in which direction friction acts."""
 
-import sympy as sp
-
 from paper_checks.claims import transfers
 from paper_checks.claims.points import EXAMPLE_PAIR
 from paper_checks.claims.words import *
@@ -10,22 +8,21 @@ from theory.energy import sigma
 from theory.forced import energy_rate as forced_energy_rate
 from theory.forced import forced_system
 from theory.model import driven_equation, driving_equation
-from theory.symbols import a1, a2, b, m2, u, v1, v2, x1
 
-REFERENCE, REFERENCE_RATE, DISTURBANCE = sp.symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} u_d", real=True)
-STIFFNESS, VISCOSITY = sp.symbols("k_1 k_2", positive=True)
+REFERENCE, REFERENCE_RATE, DISTURBANCE = symbols(r"x_{\mathrm{ref}} \dot{x}_{\mathrm{ref}} u_d", real=True)
+STIFFNESS, VISCOSITY = symbols("k_1 k_2", positive=True)
 
 
 COMMAND = DISTURBANCE - STIFFNESS * (x1 - REFERENCE) - VISCOSITY * (v1 - REFERENCE_RATE)
 VIRTUAL = {a1: a1 + VISCOSITY, a2: a2 + STIFFNESS}
 
 
-def _feedback() -> sp.Expr:
+def _feedback() -> Expr:
     """Return the force u of (3) for a feedback on the place and velocity beside a reference, and a disturbance, N."""
-    return sp.expand(driving_equation().subs(VIRTUAL, simultaneous=True) - driving_equation() + COMMAND)
+    return expand(driving_equation().subs(VIRTUAL, simultaneous=True) - driving_equation() + COMMAND)
 
 
-AT_REST = {**EXAMPLE_PAIR, u: sp.Rational("0.01"), x1: sp.Rational("0.00005")}
+AT_REST = {**EXAMPLE_PAIR, u: Rational("0.01"), x1: Rational("0.00005")}
 
 
 @claim(
@@ -79,13 +76,13 @@ def force_as_reference_or_disturbance() -> Case:
             ),
             identity(
                 r"(4) has no $u$, $a_1$, $a_2$",
-                sp.Matrix([sp.diff(driven_equation(), one) for one in (u, a1, a2)]),
+                [diff(driven_equation(), one) for one in (u, a1, a2)],
             ),
         ),
     )
 
 
-SLIPPING = {b: sp.Rational(1, 2), u: 0, a1: 0, sigma: 1, v1: sp.Rational("0.15"), v2: 0}
+SLIPPING = {b: Rational(1, 2), u: 0, a1: 0, sigma: 1, v1: Rational("0.15"), v2: 0}
 """The start of Fig. 4 (b), in slip with z' > 0."""
 
 
@@ -124,7 +121,7 @@ def free_interface() -> Case:
             exhibit(
                 r"at the start of Fig. 4 (b) friction takes the power $b\dot z=0.075$ W from a motion along the surface; a normal force takes none",
                 SLIPPING,
-                (forced.energy_rate(), "=", -sp.Rational("0.075")),
+                (forced.energy_rate(), "=", -Rational("0.075")),
                 (v1 - v2, ">", 0),
             ),
         ),

@@ -11,9 +11,8 @@ from paper_checks.claims.words import *
 from theory import forced
 from theory.forced import U_RATES
 from theory.model import slip
-from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, x1
 
-NEEDED = sp.Symbol("P", real=True)
+NEEDED = Symbol("P", real=True)
 """The load, N, as a letter for the solvers."""
 
 
@@ -24,8 +23,8 @@ def slip_rates() -> Evidence:
     by_load = [forced.coupling() * (forced.load() - sign * b) for sign in (1, -1)]
     return identity(
         r"in slip of sign $s$, $\ddot z=\kappa\,(\Lambda-sb)$, $\kappa=M/(m_1m_2)$",
-        sp.Matrix(rates),
-        sp.Matrix(by_load),
+        rates,
+        by_load,
     )
 
 
@@ -36,7 +35,7 @@ def slips_beyond() -> Evidence:
     return prove(
         r"where $\Lambda>b$ both slips have $\ddot z>0$: slip of sign $1$ goes on, slip of sign $-1$ and stick cannot (here $P=\Lambda$)",
         [sp.Gt(NEEDED, b, evaluate=False)],
-        sp.And(*(sp.Gt(rate, 0, evaluate=False) for rate in rates)),
+        And(*(signed(rate, ">") for rate in rates)),
     )
 
 
@@ -46,8 +45,8 @@ def sticks_within() -> Evidence:
     rates = [sign * cleared(forced.coupling() * (NEEDED - sign * b)) for sign in (1, -1)]
     return prove(
         r"where $|\Lambda|<b$ slip of either sign has $s\,\ddot z<0$: neither can begin",
-        [sp.Lt(sp.Abs(NEEDED), b, evaluate=False)],
-        sp.And(*(sp.Lt(rate, 0, evaluate=False) for rate in rates)),
+        [sp.Lt(Abs(NEEDED), b, evaluate=False)],
+        And(*(signed(rate, "<") for rate in rates)),
     )
 
 
@@ -57,8 +56,8 @@ def deviation() -> Evidence:
     modes = [(mode, sign) for sign in (1, -1) for mode in ("stick", "slip+" if sign > 0 else "slip-")]
     return identity(
         r"where $\Lambda=sb$, $\eta=x_1-r$ beside $r=x_1+v_1t+sbt^2/2m_2$ has $I\ddot\eta+a_1\dot\eta+a_2\eta=p(t)$ in slip of sign $s$ ($I=m_1$) and in stick ($I=M$)",
-        sp.Matrix([forced.deviation_force(mode, sign) for mode, sign in modes]),
-        sp.Matrix([forced.imbalance(sign) for _, sign in modes]),
+        [forced.deviation_force(mode, sign) for mode, sign in modes],
+        [forced.imbalance(sign) for _, sign in modes],
     )
 
 
@@ -68,25 +67,25 @@ def excess() -> Evidence:
     beside = [m2 / total_mass() * (forced.imbalance(s) - a1 * forced.gap_rate - a2 * forced.gap) for s in (1, -1)]
     return identity(
         r"there $\Lambda-sb=(m_2/M)(p-a_1\dot\eta-a_2\eta)$",
-        sp.Matrix([forced.excess_load(sign) for sign in (1, -1)]),
-        sp.Matrix(beside),
+        [forced.excess_load(sign) for sign in (1, -1)],
+        beside,
     )
 
 
 @cache
 def relative_is_deviation() -> Evidence:
     """In slip of sign s body 2 has the reference's acceleration, so w' is that of y."""
-    rates = [sp.diff(forced.reference(s), t, 2) - slip(s).acceleration2 for s in (1, -1)]
-    return identity(r"in slip of sign $s$ body 2 keeps the velocity $\dot r$: $\dot z=\dot\eta$", sp.Matrix(rates))
+    rates = [diff(forced.reference(s), t, 2) - slip(s).acceleration2 for s in (1, -1)]
+    return identity(r"in slip of sign $s$ body 2 keeps the velocity $\dot r$: $\dot z=\dot\eta$", rates)
 
 
 @cache
 def leading_term() -> Evidence:
     """If p begins with c t^k, so does the load beside the edge; y and its rate are of higher order."""
     k, c, inertia = (
-        sp.Symbol("k", nonnegative=True, integer=True),
-        sp.Symbol("c", real=True),
-        sp.Symbol("I", positive=True),
+        Symbol("k", nonnegative=True, integer=True),
+        Symbol("c", real=True),
+        Symbol("I", positive=True),
     )
     rate = c * t ** (k + 1) / (inertia * (k + 1))
     return argument(
@@ -99,7 +98,7 @@ def leading_term() -> Evidence:
         deviation(),
         excess(),
         relative_is_deviation(),
-        identity(r"$\frac{d}{dt}\frac{c\,t^{k+1}}{I(k+1)}=\frac{c\,t^k}{I}$", sp.diff(rate, t), c * t**k / inertia),
+        identity(r"$\frac{d}{dt}\frac{c\,t^{k+1}}{I(k+1)}=\frac{c\,t^k}{I}$", diff(rate, t), c * t**k / inertia),
         cites=("Gronwall's inequality",),
     )
 
@@ -167,10 +166,10 @@ def finitely_many_events() -> Evidence:
     )
 
 
-LOAD = sp.Symbol("Lambda", real=True)
-P = sp.Symbol("p", real=True)
-ETA, ETA_RATE = sp.Symbol("eta", real=True), sp.Symbol(r"\dot{\eta}", real=True)
-BESIDE: dict[sp.Symbol, Callable[[int], sp.Expr]] = {
+LOAD = Symbol("Lambda", real=True)
+P = Symbol("p", real=True)
+ETA, ETA_RATE = Symbol("eta", real=True), Symbol(r"\dot{\eta}", real=True)
+BESIDE: dict[Symbol, Callable[[int], Expr]] = {
     P: forced.imbalance,
     ETA: lambda _: forced.gap,
     ETA_RATE: lambda _: forced.gap_rate,
@@ -180,7 +179,7 @@ BESIDE: dict[sp.Symbol, Callable[[int], sp.Expr]] = {
 MASS = m1 + m2
 
 
-def tie(order: int) -> Callable[[int], sp.Expr]:
+def tie(order: int) -> Callable[[int], Expr]:
     """Return the derivative of p of this order by the sign."""
     return lambda sign: forced.tie_derivative(sign, order)
 

@@ -25,9 +25,8 @@ from theory.excursion import (
     next_excess,
 )
 from theory.power_series import taylor
-from theory.symbols import h_value, q, r, theta
 
-LARGEST = sp.pi**2 / 4
+LARGEST = pi**2 / 4
 """w/q of the excursion of slip angle pi: proved by `largest_excess`, used by `starts_below`."""
 
 
@@ -57,10 +56,10 @@ ARGUMENT = (
 @cache
 def excess_after() -> Evidence:
     """dw'/dtheta in factors, and w' at theta = 0."""
-    slope = 2 * q * h() * sp.diff(h(), theta) * (1 - r * (1 - sp.cos(theta)))
+    slope = 2 * q * h() * diff(h(), theta) * (1 - r * (1 - cos(theta)))
     return identity(
         r"$w'=0$ at $\theta=0$ and $\frac{dw'}{d\theta}=2q\,h\,h'\,\bigl(1-r(1-\cos\theta)\bigr)$, $r=m_2/(m_1+m_2)$",
-        [taylor(next_excess(), theta, 1), half_tangent_form(sp.diff(next_excess(), theta))],
+        [taylor(next_excess(), theta, 1), half_tangent_form(diff(next_excess(), theta))],
         [0, half_tangent_form(slope)],
     )
 
@@ -68,11 +67,11 @@ def excess_after() -> Evidence:
 @cache
 def last_factor_is_positive() -> Evidence:
     """1 - r(1 - cos theta) > 0 for m2 <= m1, 0 < theta < pi."""
-    cosine = sp.Symbol("c", real=True)
+    cosine = Symbol("c", real=True)
     return prove(
         r"$1-r(1-\cos\theta)>0$ for $m_2\leqslant m_1$ and $0\leqslant\theta<\pi$ ($c=\cos\theta$, $q=1-r$)",
-        [sp.Ge(2 * q, 1, evaluate=False), sp.Lt(q, 1), sp.Gt(cosine, -1), sp.Le(cosine, 1)],
-        sp.Gt(sp.expand(1 - r * (1 - cosine)), 0, evaluate=False),
+        [sp.Ge(2 * q, 1, evaluate=False), q < 1, cosine > -1, cosine <= 1],
+        signed(1 - r * (1 - cosine), ">"),
     )
 
 
@@ -86,25 +85,25 @@ def reentry_is_inside() -> Evidence:
         $\varphi\leqslant\pi/2$
         """,
         depth,
-        2 * q * (sp.sin(angle) - angle * sp.cos(angle)) / sp.sin(angle),
+        2 * q * (sin(angle) - angle * cos(angle)) / sin(angle),
     )
 
 
 @cache
 def largest_excess() -> Evidence:
     """The excess of the excursion of slip angle pi."""
-    return identity(r"$q\,h(\pi)^2=q\pi^2/4$", (q * h() ** 2).subs(theta, sp.pi), q * LARGEST)
+    return identity(r"$q\,h(\pi)^2=q\pi^2/4$", (q * h() ** 2).subs(theta, pi), q * LARGEST)
 
 
 @cache
 def largest_relative_speed() -> Evidence:
     """The extremum of the guard of an excursion and its value."""
     at = {theta: 2 * sp.atan(h_value)}
-    rational = [sp.cancel(sp.expand_trig(one.subs(at))) for one in (sp.diff(guard_of_u(), theta), guard_of_u())]
+    rational = [sp.cancel(sp.expand_trig(one.subs(at))) for one in (diff(guard_of_u(), theta), guard_of_u())]
     return identity(
         r"$(V_1-V_2)/\sqrt q$ is stationary at $\theta=2\arctan\nu$, with the value $-2(\nu-\arctan\nu)$",
-        sp.Matrix(rational),
-        sp.Matrix([0, -2 * (h_value - sp.atan(h_value))]),
+        rational,
+        [0, -2 * (h_value - sp.atan(h_value))],
     )
 
 

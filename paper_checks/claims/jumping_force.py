@@ -11,9 +11,8 @@ from paper_checks.claims.forced_modes import slip_rates, strict_rule
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import ball, compare, exact, itinerary, solved
 from theory import jumping_force as jump
-from theory.symbols import t
 
-HALF_PI = sp.pi / 2
+HALF_PI = pi / 2
 DECIMALS = 40
 """Decimals to which force, times and places are rounded where members of the family are solved."""
 
@@ -28,7 +27,7 @@ def slips() -> Evidence:
     relative = jump.relative_velocity()
     slowest, fastest = jump.slowest_and_fastest()
     ends = [relative.subs(t, 0), relative.subs(t, jump.SLIP_TIME)]
-    slopes = [sp.diff(relative, t).subs(t, at) for at in (0, jump.SLIP_TIME)]
+    slopes = [diff(relative, t).subs(t, at) for at in (0, jump.SLIP_TIME)]
     return argument(
         r"""
         $\dot z$ is $0$ at both ends of the slip, leaves $0$ upwards, as $v>1-\pi/2$, and $\ddot z$ is positive as
@@ -37,13 +36,13 @@ def slips() -> Evidence:
         """,
         identity(
             r"$\dot z$ vanishes at $0$ and $\pi/2$ and has the slopes $v-1+\pi/2$ and $-1-v$ there",
-            sp.Matrix([*ends, *slopes]),
-            sp.Matrix([0, 0, jump.speed - 1 + HALF_PI, -1 - jump.speed]),
+            [*ends, *slopes],
+            [0, 0, jump.speed - 1 + HALF_PI, -1 - jump.speed],
         ),
         identity(
             r"its second derivative is $-v\cos t-(\pi/2+v)\sin t$",
-            sp.diff(relative, t, 2),
-            -jump.speed * sp.cos(t) - (HALF_PI + jump.speed) * sp.sin(t),
+            diff(relative, t, 2),
+            -jump.speed * cos(t) - (HALF_PI + jump.speed) * sin(t),
         ),
         compare(r"every $v$ of the family is negative: the largest is", ball(fastest), "<", exact(0)),
         compare(r"and every $\pi/2+v$ is positive: the smallest is", ball(HALF_PI + slowest), ">", exact(0)),
@@ -64,8 +63,8 @@ def sticks() -> Evidence:
         """,
         identity(
             r"the load is $(\pi/4-v)/2$ where the stick begins, of size $(v+3\pi/4)/2$ where it ends, $(v+1+\pi/2)/2$ after the jump",
-            sp.Matrix([first, before, after]),
-            sp.Matrix([sp.pi / 4 - jump.speed, jump.speed + 3 * sp.pi / 4, jump.speed + 1 + HALF_PI]) / 2,
+            [first, before, after],
+            Matrix([pi / 4 - jump.speed, jump.speed + 3 * pi / 4, jump.speed + 1 + HALF_PI]) / 2,
         ),
         identity(
             r"the stick begins with $v_1=v+\pi/2$ and ends with $v_1=-v$",
@@ -78,11 +77,11 @@ def sticks() -> Evidence:
             "<",
             exact(1),
         ),
-        compare(r"the stick turns by less than $\pi$", ball(2 * sp.atan(sp.sqrt(2))), "<", ball(sp.pi)),
+        compare(r"the stick turns by less than $\pi$", ball(2 * sp.atan(sqrt(2))), "<", ball(pi)),
         identity(
             "that is the turn of the stuck pair, whose frequency is $1/\\sqrt 2$",
-            jump.stick_time() / sp.sqrt(2),
-            2 * sp.atan(sp.sqrt(2)),
+            jump.stick_time() / sqrt(2),
+            2 * sp.atan(sqrt(2)),
         ),
         slips(),
         slip_rates(),
@@ -95,8 +94,8 @@ def returns() -> Evidence:
     """After half a period the state is minus what it was, for every member."""
     return identity(
         r"after slip and stick $(x_1,v_1,v_2)$ is minus what it was at the exit, for every $v$",
-        sp.Matrix(jump.after_half_period()),
-        -sp.Matrix(jump.exit_state()),
+        jump.after_half_period(),
+        -Matrix(jump.exit_state()),
     )
 
 
@@ -123,12 +122,12 @@ def member(speed: Fraction, periods: int = 1) -> Scene:
         begin = number * half
         pieces.append(Piece(_decimal(begin), ((-1) ** number * _decimal(jump.PUSH),)))
         pieces.append(Piece(_decimal(begin + jump.SLIP_TIME), (0,)))
-    place = _decimal(jump.exit_state()[0].subs(jump.speed, sp.Rational(speed)))
+    place = _decimal(jump.exit_state()[0].subs(jump.speed, Rational(speed)))
     start = State(x1=place, v1=speed, v2=speed)
     return Scene(Pair(1, 1, 1, 1), start, until=_decimal(2 * periods * half), force=Force(pieces))
 
 
-def _decimal(value: sp.Expr | int) -> Fraction:
+def _decimal(value: Expr | int) -> Fraction:
     return Fraction(str(sp.N(value, DECIMALS + 5))).limit_denominator(10**DECIMALS)
 
 
@@ -143,7 +142,7 @@ def seen() -> Steps:
         modes = (Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS, Mode.STICK)
         found.append(itinerary(f"$v={float(speed):g}$, in balls: slip, stick, slip, stick", run, modes).as_support())
         back = compare(
-            "after a period it is back (largest difference, SI units)", error, "<", exact(sp.Rational(1, 10**20))
+            "after a period it is back (largest difference, SI units)", error, "<", exact(Rational(1, 10**20))
         )
         found.append(back.as_support())
     return tuple(found)

@@ -10,15 +10,14 @@ from theory.excursion import h
 from theory.filippov import half_width
 from theory.near_critical import rate_constant
 from theory.return_map import depth
-from theory.symbols import a2, b, m1, m2, v1, x1
 from theory.symbols import r as share_of_q
 
-SIGN = sp.Symbol(r"\mathrm{sign}(v_1-v_2)", real=True)
-S = sp.Symbol("s", real=True)
+SIGN = Symbol(r"\mathrm{sign}(v_1-v_2)", real=True)
+S = Symbol("s", real=True)
 """The sign of a slip."""
 
 
-Conditions = Callable[[], list[sp.Basic]]
+Conditions = Callable[[], list[Basic]]
 
 
 def _beyond(side: int) -> Conditions:
@@ -29,36 +28,34 @@ BEYOND: dict[int, Conditions] = {1: _beyond(1), -1: _beyond(-1)}
 """The conditions side x1 > L of S_+ and S_-."""
 
 
-def WITHIN() -> list[sp.Basic]:
+def WITHIN() -> list[Basic]:
     """Return the conditions |x1| <= L of S_0."""
     return [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
 
 
-def field(sign: int) -> sp.Matrix:
+def field(sign: int) -> Matrix:
     """Return Phi_+ (sign 1) or Phi_- (sign -1) as printed."""
-    return sp.Matrix([v1, -a2 / m1 * x1 - sign * b / m1, sign * b / m2])
+    return Matrix([v1, -a2 / m1 * x1 - sign * b / m1, sign * b / m2])
 
 
-def guard_rate(sign: int) -> sp.Symbol:
+def guard_rate(sign: int) -> Symbol:
     """Return the letter of a field's product with the normal of S."""
-    return sp.Symbol(rf"\Phi_{{{'+' if sign > 0 else '-'}}}\cdot n_S", real=True)
+    return Symbol(rf"\Phi_{{{'+' if sign > 0 else '-'}}}\cdot n_S", real=True)
 
 
-def either_sign(
-    derived: Callable[[int], sp.Expr], where: dict[sp.Symbol, Callable[[int], sp.Expr]] | None = None
-) -> Decide:
+def either_sign(derived: Callable[[int], Expr], where: dict[Symbol, Callable[[int], Expr]] | None = None) -> Decide:
     """Decide an equation with the sign s of a slip: it holds for s = 1 and for s = -1."""
 
     def decide(formula: Formula) -> Evidence:
         right = sp.sympify(formula.right)
         sides = [right.subs({one: value(s) for one, value in (where or {}).items()}).subs(S, s) for s in (1, -1)]
-        return identity(f"${formula.latex}$, as derived", sp.Matrix([derived(1), derived(-1)]), sp.Matrix(sides))
+        return identity(f"${formula.latex}$, as derived", [derived(1), derived(-1)], sides)
 
     return decide
 
 
-ECR = sp.Symbol("E_{cr}", positive=True)
-RATE = ECR * 4 * sp.pi / 9 * m1 / m2 * sp.sqrt((m1 + m2) / a2)
+ECR = Symbol("E_{cr}", positive=True)
+RATE = ECR * 4 * pi / 9 * m1 / m2 * sqrt((m1 + m2) / a2)
 
 
 def limit_of_energy() -> Formula:
@@ -68,20 +65,20 @@ def limit_of_energy() -> Formula:
     )
 
 
-C, H, R = sp.symbols("c h r", positive=True)
+C, H, R = symbols("c h r", positive=True)
 
 
-def meanings() -> dict[sp.Symbol, sp.Expr]:
+def meanings() -> dict[Symbol, Expr]:
     """Return what the letters stand for in the theory; derived when a formula is decided, not when the ledger is read."""
     return {C: depth(), H: h(), R: share_of_q}
 
 
-def in_angle(left: str, right: sp.Expr, derived: Callable[[], sp.Basic]) -> Formula:
+def in_angle(left: str, right: Expr, derived: Callable[[], Basic]) -> Formula:
     """Return an equation in the letters h, c and r."""
     return equal(left, right, derived, meanings)
 
 
-def of_share(left: str, right: sp.Expr, derived: Callable[[], sp.Basic]) -> Formula:
+def of_share(left: str, right: Expr, derived: Callable[[], Basic]) -> Formula:
     """Return an equation in the letter r = 1 - q."""
     return equal(left, right, derived, lambda: {R: share_of_q})
 

@@ -7,7 +7,6 @@ from paper_checks.claims.sliding import beyond, product, within
 from paper_checks.claims.words import *
 from theory.energy import critical_energy, edge_speed_squared, level_semi_axis, on_surface, semi_axis_margin, stick_rate
 from theory.filippov import edge_contact, half_width, sliding_field
-from theory.symbols import E0, a2, b, m1, m2, undamped, v1, x1
 
 LEVEL = b**2 * (m1 + m2) ** 2 / (2 * a2 * m2**2)
 
@@ -106,10 +105,10 @@ def supercritical_arcs() -> Case:
         identity("on $\\ell_+$, $\\Phi_-\\cdot n_S=0$: the guard has a double root", contact.first),
         prove(
             "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
-            [sp.Gt(v1, 0)],
+            [v1 > 0],
             signed(contact.second, "<"),
         ),
-        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], sp.Lt(product(1), 0, evaluate=False)),
+        prove("on $\\ell_+$, $\\Phi_+\\cdot n_S<0$", [beyond(1, strict=False)], signed(product(1), "<")),
         capture.mirror_image(),
         derivation=(
             f"$$\\ddot g|_{{\\ell_+}}={latex(contact.second)}$$",

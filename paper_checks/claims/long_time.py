@@ -3,7 +3,6 @@
 from fractions import Fraction
 from functools import cache
 
-import sympy as sp
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
@@ -24,7 +23,6 @@ from theory.long_time import (
     logarithm_weight,
     map_coefficients,
 )
-from theory.symbols import q, r
 
 TIMES = ("1e6", "1e12", "1e30")
 DIGITS = 45
@@ -37,8 +35,8 @@ def expansion() -> Steps:
     return (
         identity(
             r"$y'=y-\alpha y^2+\beta y^3-\cdots$ with $\alpha=\tfrac{9}{4}r$, $\beta=\tfrac{81}{40}r$",
-            sp.Matrix(map_coefficients()),
-            sp.Matrix([9 * r / 4, 81 * r / 40]),
+            map_coefficients(),
+            [9 * r / 4, 81 * r / 40],
         ),
         identity(
             r"$A(y)=\frac{1}{\alpha y}+B\ln y$ has $A(y')-A(y)=1+O(y^2)$, a sum that converges along the exits, as $y_n\sim\frac{1}{\alpha n}$",
@@ -56,7 +54,7 @@ def expansion() -> Steps:
             identity(
                 r"the coefficient of $-C\ln\tau/\tau^2$ is $\pi B=\pi\bigl(1-\frac{2}{5r}\bigr)$",
                 logarithm_coefficient(),
-                sp.pi * (1 - 2 / (5 * r)),
+                pi * (1 - 2 / (5 * r)),
             ),
             form("pi*B", logarithm_coefficient()),
         ),
@@ -113,14 +111,14 @@ def constant_found_again(share: Fraction, speed: Fraction) -> Evidence:
         B\ln(\alpha\tau/\pi)+K}{\tau}+O(\tau^{-3/2})\Bigr)$ with «leading», «alpha», «weight» and one number $K$ that
         alone depends on the start. At other times the time to the next exit is added to $K$ during stick.
         """,
-        leading=of_share("C", 4 * sp.pi * q / (9 * R), leading_coefficient),
-        alpha=of_share(r"\alpha", sp.Rational(9, 4) * R, lambda: map_coefficients()[0]),
+        leading=of_share("C", 4 * pi * q / (9 * R), leading_coefficient),
+        alpha=of_share(r"\alpha", Rational(9, 4) * R, lambda: map_coefficients()[0]),
         weight=of_share("B", 1 - 2 / (5 * R), logarithm_weight),
     ),
     clause(
         "balanced",
         r"The logarithm vanishes for «ratio».",
-        ratio=equal("m_1/m_2", sp.Rational(3, 2), lambda: 1 / balanced_share() - 1),
+        ratio=equal("m_1/m_2", Rational(3, 2), lambda: 1 / balanced_share() - 1),
     ),
 )
 def long_time_expansion() -> Case:

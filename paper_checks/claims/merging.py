@@ -22,7 +22,6 @@ from paper_checks.decide.roots import enclosed_root
 from theory.excursion import angle
 from theory.merging import half_angle_form, ratio, ray_excess, share
 from theory.return_map import return_map_of_angle
-from theory.symbols import q
 
 SHARES = (Fraction(3, 5), Fraction(7, 10), Fraction(4, 5), Fraction(9, 10), Fraction(99, 100), Fraction(1))
 DIGITS = 30
@@ -31,8 +30,8 @@ DIGITS = 30
 @cache
 def sign_of_excess() -> Steps:
     """w' on the ray has the sign of R^2 - r; where it is not positive the pair is on S0."""
-    position, velocity = sp.symbols("X V", real=True)
-    deep = 2 * (1 - angle * sp.cos(angle) / sp.sin(angle))
+    position, velocity = symbols("X V", real=True)
+    deep = 2 * (1 - angle * cos(angle) / sin(angle))
     return (
         vanishes(
             r"$w'/q=c^2\,(R^2-r)$: the pair merges at this re-entry exactly if $R^2\leqslant r$, that is on one closed interval of angles",
@@ -40,8 +39,8 @@ def sign_of_excess() -> Steps:
         ),
         prove(
             r"$w'\leqslant 0$ on $S$, $X^2+V^2\leqslant 1$, is on $S_0$: the pair sticks there, for ever",
-            [sp.Le(position**2 + velocity**2, 1)],
-            sp.Le(position**2, 1),
+            [position**2 + velocity**2 <= 1],
+            position**2 <= 1,
         ),
     )
 
@@ -49,16 +48,16 @@ def sign_of_excess() -> Steps:
 @cache
 def never_from_below() -> Steps:
     """Below the window 0 < y' < y: the same holds again after every excursion."""
-    rise_value, deep, y_a = sp.symbols("h c y_a", positive=True)
+    rise_value, deep, y_a = symbols("h c y_a", positive=True)
     return (
         prove(
             r"""
             for $\theta<\theta_a$, where $R^2>r$: $0<y'=h^2-r\,c^2<y=h^2<y_a$, and so on without end: each re-enters
             $S_0$, as $c$ rises with $\theta$ and $w'=0$ at $\theta_a$ puts its end into $|X'|\leqslant 1$
             """,
-            [sp.Lt(share, 1), sp.Gt(rise_value**2, share * deep**2), sp.Lt(rise_value**2, y_a)],
-            sp.And(
-                sp.Gt(rise_value**2 - share * deep**2, 0, evaluate=False),
+            [share < 1, rise_value**2 > share * deep**2, rise_value**2 < y_a],
+            And(
+                signed(rise_value**2 - share * deep**2, ">"),
                 sp.Lt(rise_value**2 - share * deep**2, y_a, evaluate=False),
             ),
         ),

@@ -7,7 +7,6 @@ from fractions import Fraction
 from functools import cache
 
 import numpy as np
-import sympy as sp
 from flint import arb
 
 from numerics.linear.modes import EventKind
@@ -23,7 +22,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide import kernel
 from paper_checks.decide.balls import point, precision
 from theory.merging_share import density, dissipation, divergence, flux, large_energy_limit, level, relative, sphere
-from theory.symbols import X, q, r
 from theory.symbols import r as share_of_q
 
 MERGES, CREEPS = "merges", "creeps"
@@ -120,12 +118,12 @@ def exact_share() -> Evidence:
         identity(
             "the sphere has the measure $2\\pi\\sqrt{E/(qr)}$ (units of $E_{cr}$)",
             sphere(),
-            2 * sp.pi * sp.sqrt(level) / sp.sqrt(q) / sp.sqrt(r),
+            2 * pi * sqrt(level) / sqrt(q) / sqrt(r),
         ),
         identity(
             "together: the density on the disc",
             density(),
-            (1 - X) / relative / (2 * sp.pi * sp.sqrt(q) * sp.sqrt(r) * sp.sqrt(level)),
+            (1 - X) / relative / (2 * pi * sqrt(q) * sqrt(r) * sqrt(level)),
         ),
         cites=("Liouville's theorem",),
     )
@@ -137,7 +135,7 @@ def limit() -> Evidence:
     return argument(
         "Where the slip has the energy $E$, $X$ and $V_1$ are bounded, so $r\\,|V_1-V_2|^2/E\\to 1$ as $E\\to\\infty$, evenly on the disc.",
         exact_share(),
-        identity("$E$ times the share tends to $\\frac{1}{2\\sqrt q}$", large_energy_limit(), 1 / (2 * sp.sqrt(q))),
+        identity("$E$ times the share tends to $\\frac{1}{2\\sqrt q}$", large_energy_limit(), 1 / (2 * sqrt(q))),
     )
 
 
@@ -248,7 +246,7 @@ def merging_bands() -> Case:
         """,
         density=equal(
             "f",
-            (1 - X) / relative / (2 * sp.pi * sp.sqrt(q) * sp.sqrt(R) * sp.sqrt(level)),
+            (1 - X) / relative / (2 * pi * sqrt(q) * sqrt(R) * sqrt(level)),
             density,
             lambda: {R: share_of_q},
         ),
@@ -256,7 +254,7 @@ def merging_bands() -> Case:
     clause(
         "limit",
         r"As $E$ grows, «limit».",
-        limit=Formula(r"e\,\int f", "->", 1 / (2 * sp.sqrt(q)), equals(large_energy_limit)),
+        limit=Formula(r"e\,\int f", "->", 1 / (2 * sqrt(q)), equals(large_energy_limit)),
     ),
 )
 def merging_share(seed: int) -> Case:

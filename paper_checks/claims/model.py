@@ -15,20 +15,19 @@ from paper_checks.claims.points import EDGE, INSIDE, START_AT_6MM
 from paper_checks.claims.signum import agree, none_under_control, under_a_force
 from paper_checks.claims.words import *
 from theory.model import RELATIVE_SIGN, STICTION_SIGN, branch_named, branches, driven_equation, driving_equation
-from theory.symbols import a1, a2, acceleration1, acceleration2, b, m1, m2, u, v1, x1
 
 Z, ADHESION = (
-    sp.Symbol(r"\mathrm{sgn}(\dot{z})", real=True),
-    sp.Symbol(r"\mathrm{sgn}(|\ddot{x}_1|-b\,m_2^{-1})", real=True),
+    Symbol(r"\mathrm{sgn}(\dot{z})", real=True),
+    Symbol(r"\mathrm{sgn}(|\ddot{x}_1|-b\,m_2^{-1})", real=True),
 )
 
 
 LETTERS = {RELATIVE_SIGN: Z, STICTION_SIGN: ADHESION}
 
 
-def _factor(sign: int) -> sp.Expr:
+def _factor(sign: int) -> Expr:
     """Return what the brackets of (4) hand on of m2 x1'' at z' = 0 for a sign of |x1''| - b/m2."""
-    return sp.diff(driven_equation().subs({RELATIVE_SIGN: 0, STICTION_SIGN: sign}), acceleration1) / m2
+    return diff(driven_equation().subs({RELATIVE_SIGN: 0, STICTION_SIGN: sign}), acceleration1) / m2
 
 
 SPURIOUS = ("half adhesion", "broken adhesion")
@@ -39,12 +38,12 @@ def leaves_the_surface() -> Steps:
     return (*(spurious_branch(name) for name in SPURIOUS), spurious_branches_leave(), edge_is_isolated())
 
 
-def mode_equations(sign: int) -> sp.Matrix:
+def mode_equations(sign: int) -> Matrix:
     """Return the text's modes as left minus right side, N: (i) for sign 0, (ii) for sign 1 and -1."""
     mass = m1 + m2 if sign == 0 else m1
     first = mass * acceleration1 + a1 * v1 + a2 * x1 + b * sign - u
     second = acceleration1 - acceleration2 if sign == 0 else m2 * acceleration2 - b * sign
-    return sp.Matrix([first, second])
+    return Matrix([first, second])
 
 
 def is_mode(name: str) -> Evidence:
@@ -68,12 +67,12 @@ def is_mode(name: str) -> Evidence:
         r"The equations of motion are «first» and «second».",
         first=equal(
             "u",
-            (m1 + m2 * (1 - sp.Abs(Z))) * acceleration1 + a1 * v1 + a2 * x1 + b * Z,
+            (m1 + m2 * (1 - Abs(Z))) * acceleration1 + a1 * v1 + a2 * x1 + b * Z,
             lambda: driving_equation().subs(LETTERS) + u,
         ),
         second=equal(
             "0",
-            m2 * acceleration1 * (1 - sp.Abs(Z)) * (1 - ADHESION) / 2 - m2 * acceleration2 + b * Z,
+            m2 * acceleration1 * (1 - Abs(Z)) * (1 - ADHESION) / 2 - m2 * acceleration2 + b * Z,
             lambda: driven_equation().subs(LETTERS),
         ),
     ),
@@ -122,14 +121,14 @@ def modes_from_closed_form() -> Case:
                 total mass and no adhesion
                 """,
                 START_AT_6MM,
-                (sp.Abs(broken.acceleration1), ">", b / m2),
+                (Abs(broken.acceleration1), ">", b / m2),
                 ((m1 + m2) * broken.acceleration1, "=", -a2 * x1),
                 (broken.acceleration2, "=", 0),
             ),
             exhibit(
                 "at $x_1=0.005$, at rest, $|\\ddot x_1|=b/m_2$ and $\\ddot x_2=\\ddot x_1/2$",
                 EDGE,
-                (sp.Abs(half.acceleration1), "=", b / m2),
+                (Abs(half.acceleration1), "=", b / m2),
                 (half.acceleration2, "=", half.acceleration1 / 2),
                 (half.acceleration1, "!=", 0),
             ),
@@ -175,7 +174,7 @@ def modes_from_closed_form() -> Case:
             «half» where $|\ddot x_1|=b/m_2$ and «broken» where $|\ddot x_1|>b/m_2$.
             """,
             kept=equal("f", 1, lambda: _factor(-1)),
-            half=equal("f", sp.Rational(1, 2), lambda: _factor(0)),
+            half=equal("f", Rational(1, 2), lambda: _factor(0)),
             broken=equal("f", 0, lambda: _factor(1)),
         ),
         clause(
@@ -208,14 +207,14 @@ def stiction_bracket() -> Case:
             exhibit(
                 "at $x_1=0.004$ the condition as printed, $|\\ddot x_1|>b/m_2$, is violated, yet (4) keeps adhesion",
                 INSIDE,
-                (sp.Abs(stuck.acceleration1), "<=", b / m2),
+                (Abs(stuck.acceleration1), "<=", b / m2),
                 (stuck.acceleration2, "=", stuck.acceleration1),
                 (adhesion_factor(0, -1), "=", 1),
             ),
             exhibit(
                 "at $x_1=0.005$, $|\\ddot x_1|=b/m_2$: (4) gives $\\ddot x_2=\\ddot x_1/2$",
                 EDGE,
-                (sp.Abs(stuck.acceleration1), "=", b / m2),
+                (Abs(stuck.acceleration1), "=", b / m2),
                 (branch_named("half adhesion").acceleration2, "=", stuck.acceleration1 / 2),
             ),
         ),
@@ -231,7 +230,7 @@ def stiction_bracket() -> Case:
         ),
         derivation=(
             equation("0", driven_equation()),
-            f"At $\\dot z=0$, for $|\\ddot x_1|<,\\,=,\\,>b/m_2$: $${latex(sp.Matrix(list(at_zero.values())).T)}$$",
+            f"At $\\dot z=0$, for $|\\ddot x_1|<,\\,=,\\,>b/m_2$: $${latex(Matrix(list(at_zero.values())).T)}$$",
             equation(r"\ddot{x}_1|_{\dot{z}=0}", stuck.acceleration1),
         ),
     )
@@ -256,7 +255,7 @@ def stiction_bracket() -> Case:
             sum=equal(
                 "f_1+f_2",
                 sp.zeros(3, 1),
-                lambda: sp.Matrix([branch_named(name).force_imbalance for name in ("stick", "slip+", "slip-")]),
+                lambda: Matrix([branch_named(name).force_imbalance for name in ("stick", "slip+", "slip-")]),
             ),
         ),
         clause(
@@ -288,14 +287,14 @@ def interface_force_balance() -> Case:
             exhibit(
                 "at the start of Fig. 4 (a) the interface pushes body 1 and does not push body 2",
                 START_AT_6MM,
-                (sp.Abs(broken.acceleration1), ">", b / m2),
-                (broken.force_on_first, "=", sp.Rational(3, 5)),
+                (Abs(broken.acceleration1), ">", b / m2),
+                (broken.force_on_first, "=", Rational(3, 5)),
                 (broken.force_on_second, "=", 0),
             ),
             exhibit(
                 "at $x_1=0.005$ the forces on body 1 and body 2 do not add up to 0",
                 EDGE,
-                (sp.Abs(half.acceleration1), "=", b / m2),
+                (Abs(half.acceleration1), "=", b / m2),
                 (half.force_on_second, "=", -half.force_on_first / 2),
                 (half.force_imbalance, "!=", 0),
             ),

@@ -23,12 +23,11 @@ from paper_checks.claims.sliding import width
 from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import solved, within
 from theory.near_critical import critical_limits, cycle, cycle_limit, excess_ratio_limit, rate_constant, truncate
-from theory.symbols import a2, b, epsilon, m1, m2
 
-HALF_PERIOD = sp.pi * sp.sqrt((m1 + m2) / a2)
+HALF_PERIOD = pi * sqrt((m1 + m2) / a2)
 
 
-def _series(name: str, expression: sp.Expr, order: int = 4) -> str:
+def _series(name: str, expression: Expr, order: int = 4) -> str:
     return f"$${name}={latex(truncate(expression, epsilon, order))}+\\cdots,\\qquad \\varepsilon=\\sqrt w$$"
 
 
@@ -62,7 +61,7 @@ def stick_durations() -> Case:
                 identity(
                     r"$\tau_k-t_k\to\pi\sqrt{(m_1+m_2)/a}$",
                     critical_limits().stick_duration,
-                    sp.pi * sp.sqrt((m1 + m2) / a2),
+                    pi * sqrt((m1 + m2) / a2),
                 ),
             ),
         ),
@@ -123,7 +122,7 @@ def slip_durations() -> Case:
             "eventually",
             r"""
             The exit points and the entry points of a trajectory that never merges tend to the end points $(\pm
-            L,\,0,\,0)$: «entry» and «speed» at the entries. So all but finitely many are near them; the first
+            L,\,0,\,0)$: «entry» and «speed» at the entries. So all late ones are near them; the first
             entries may lie elsewhere in $S_0$.
             """,
             entry=Formula(r"|x_1|", "->", b * (m1 + m2) / (a2 * m2), equals(lambda: critical_limits().entry_position)),
@@ -237,7 +236,7 @@ def slower_than_exponential() -> Case:
                 """,
                 creeps_for_ever(),
                 identity("$w'/w\\to 1$ as $w\\to 0$", excess_ratio_limit(), 1),
-                identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), sp.pi),
+                identity("the time of a cycle tends to $\\pi/\\Omega$", cycle_limit(), pi),
             ),
         ),
         derivation=(_series("w'", cycle().next_excess, 7),),
@@ -276,8 +275,8 @@ def slower_than_exponential() -> Case:
 )
 def rate_one_over_t() -> Case:
     """The bound cannot hold as t -> 0; from any positive time on it does, with one limit for all starts."""
-    c1, above, now = sp.symbols("c_1 e_0 e", positive=True)
-    t = sp.Symbol("t", positive=True)
+    c1, above, now = symbols("c_1 e_0 e", positive=True)
+    t = Symbol("t", positive=True)
     return because(
         r"""
         As written, for all $t$, the lower bound fails near $t=0$: $c_1/t$ is unbounded there, while
@@ -293,7 +292,7 @@ def rate_one_over_t() -> Case:
             """,
             prove(
                 "$c_1/t\\leqslant E(t)-E_{cr}\\leqslant E(0)-E_{cr}=:e_0$ fails at $t=c_1/(2e_0)$, whatever $c_1>0$",
-                [sp.Eq(2 * above * t, c1), sp.Le(now, above)],
+                [sp.Eq(2 * above * t, c1), now <= above],
                 sp.Gt(c1, now * t, evaluate=False),
             ),
         ),

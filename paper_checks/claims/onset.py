@@ -15,20 +15,19 @@ from theory.energy import critical_energy, edge_speed_squared, energy, on_surfac
 from theory.filippov import derivative_along, edge_contact, half_width
 from theory.linear import root
 from theory.model import CASE_STUDY, case_study_mode, slip, stick
-from theory.symbols import E0, a2, b, free, m1, m2, undamped, v1, v2, x1
 
 
 def _level() -> sp.Rel:
     """Return the condition E <= E_cr on S for the example, in x1 and the common velocity, with v^2 by itself."""
-    speed = sp.Symbol("v_1", real=True)
-    return sp.Le(sp.expand(on_surface().subs(CASE_STUDY).subs(v1, speed)), critical_energy().subs(CASE_STUDY))
+    speed = Symbol("v_1", real=True)
+    return expand(on_surface().subs(CASE_STUDY).subs(v1, speed)) <= critical_energy().subs(CASE_STUDY)
 
 
-START_WITH_SPEED = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.15"), v2: 0}
-TOGETHER = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.03"), v2: sp.Rational("0.03")}
+START_WITH_SPEED = {**EXAMPLE_PAIR, x1: 0, v1: Rational("0.15"), v2: 0}
+TOGETHER = {**EXAMPLE_PAIR, x1: 0, v1: Rational("0.03"), v2: Rational("0.03")}
 
 
-def subcritical_level() -> sp.Basic:
+def subcritical_level() -> Basic:
     """Return E <= E_cr on S (a1 = 0), cleared of its denominator."""
     return signed(on_surface() - critical_energy(), "<=")
 
@@ -42,7 +41,7 @@ def subcritical_level() -> sp.Basic:
         "bound",
         r"Equation (12) does not include the acceleration-dependent switching since the system ensures that «bound».",
         bound=Formula(
-            sp.Abs(PULL),
+            Abs(PULL),
             "<",
             b / m2,
             fails_at(START_AT_6MM, lambda: {PULL: case_study_mode(0)[0]}),
@@ -84,12 +83,12 @@ def example_stiction_never_violated() -> Case:
             exhibit(
                 "at the start of Fig. 4 (a), $\\dot z=0$ and $|\\ddot x_1|>b/m_2$ by (11)",
                 START_AT_6MM,
-                (sp.Abs(literal), ">", b / m2),
+                (Abs(literal), ">", b / m2),
             ),
             exhibit(
                 "at the start of Fig. 4 (b), in slip, $|\\ddot x_1|=b/m_2$, not less",
                 START_WITH_SPEED,
-                (sp.Abs(slipping), "=", b / m2),
+                (Abs(slipping), "=", b / m2),
             ),
             compare(
                 "in Fig. 5 (a), just before the first event, $|\\ddot x_1|>b/m_2=0.05$",
@@ -139,7 +138,7 @@ def comes_apart() -> Steps:
         *leaves_above_critical(),
         prove(
             "and with $\\ddot{(v_1-v_2)}<0$: the pair slips at once",
-            [sp.Gt(v1, 0)],
+            [v1 > 0],
             signed(contact.second, "<"),
         ),
     )
@@ -163,7 +162,7 @@ def comes_apart() -> Steps:
             at the start.
             """,
             together=Formula(
-                100 * x1**2 + sp.Symbol("v_1", real=True) ** 2,
+                100 * x1**2 + Symbol("v_1", real=True) ** 2,
                 "<=",
                 b**2 / 100,
                 condition(_level),
@@ -214,7 +213,7 @@ def example_onset() -> Case:
             stuck_for_ever("from there it sticks for ever too", solved(scene_at(TOGETHER, "1000"))),
             identity(
                 "stick satisfies (3)–(4) and (11)–(12), by substitution",
-                sp.Matrix(residual(solution("stick", Regime.UNDAMPED))),
+                residual(solution("stick", Regime.UNDAMPED)),
             ),
         ),
         correction(*(*stays_together(), *comes_apart())),
@@ -228,14 +227,14 @@ def example_onset() -> Case:
 
 
 # A slip of the example that lasts for more than a period of body 1, and one state in which friction drives body 1.
-LONG_SLIP = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("0.1"), v2: -1}
-DRIVEN = {**EXAMPLE_PAIR, x1: 0, v1: sp.Rational("-0.1"), v2: sp.Rational("-0.2")}
+LONG_SLIP = {**EXAMPLE_PAIR, x1: 0, v1: Rational("0.1"), v2: -1}
+DRIVEN = {**EXAMPLE_PAIR, x1: 0, v1: Rational("-0.1"), v2: Rational("-0.2")}
 
 
-def amplitude_squared(sign: int) -> sp.Expr:
+def amplitude_squared(sign: int) -> Expr:
     """Return the squared amplitude of body 1 about its rest position in slip, m^2."""
     rest = root(case_study_mode(sign)[0], x1)
-    stiffness = -sp.diff(case_study_mode(sign)[0], x1)
+    stiffness = -diff(case_study_mode(sign)[0], x1)
     return (x1 - rest) ** 2 + v1**2 / stiffness
 
 
@@ -262,7 +261,7 @@ def example_damped_oscillations() -> Case:
     """Show which part of (14) damps what, and prove that z' -> 0."""
     trajectory = solved(scene_at(LONG_SLIP, "10"))
     with trajectory.arithmetic.context():
-        period = ball(2 * sp.pi / rates("slip+", Regime.UNDAMPED)[rate].subs(CASE_STUDY))
+        period = ball(2 * pi / rates("slip+", Regime.UNDAMPED)[rate].subs(CASE_STUDY))
     own_energy = (a2 * x1**2 + m1 * v1**2) / 2
     own_rate = derivative_along(slip(1).field, own_energy)
     return because(

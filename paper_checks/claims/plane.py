@@ -7,7 +7,6 @@ import sympy as sp
 from paper_checks.claims.words import *
 from theory import plane
 from theory.plane import FIRST, OTHER, SECOND, SHARE, SHARE_OTHER, SLIP
-from theory.symbols import a1, b
 
 AXIS, DIAGONAL = sp.ImmutableMatrix([1, 0]), sp.ImmutableMatrix([1, 1])
 """Slips, m/s: nearly along the first axis, where the second sign is 0, and along the diagonal."""
@@ -76,14 +75,14 @@ def never_apart() -> Evidence:
 @cache
 def on_a_line() -> Evidence:
     """A motion along one direction has its friction in it."""
-    speed = sp.Symbol("w", positive=True)
+    speed = Symbol("w", positive=True)
     line = plane.along(plane.direction)
     return argument(
         r"With scalar masses, spring and damper all forces on a motion along a line are in it, and friction is $b\,\mathrm{sgn}(w)$ along it: the equations are those of the pair, and there is one motion from each start.",
         identity(
             r"for $\mathbf w=\pm w\,\mathbf e$ friction is $\pm b\,\mathbf e$",
-            sp.Matrix([*plane.by_direction(line * speed), *plane.by_direction(-line * speed)]),
-            sp.Matrix([*(b * line), *(-b * line)]),
+            [*plane.by_direction(line * speed), *plane.by_direction(-line * speed)],
+            [*(b * line), *(-b * line)],
         ),
         never_apart(),
     )
@@ -109,13 +108,13 @@ def on_a_line() -> Evidence:
             """,
             size=equal(
                 "f",
-                b * (sp.Abs(sp.cos(plane.direction)) + sp.Abs(sp.sin(plane.direction))),
+                b * (Abs(cos(plane.direction)) + Abs(sin(plane.direction))),
                 lambda: plane.against_slip(plane.direction),
             ),
             diagonal=equal(
                 r"f(\pi/4)/f(0)",
-                sp.sqrt(2),
-                lambda: plane.against_slip(sp.pi / 4) / b,
+                sqrt(2),
+                lambda: plane.against_slip(pi / 4) / b,
             ),
         ),
         clause(

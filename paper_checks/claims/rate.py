@@ -22,7 +22,6 @@ from theory.power_series import taylor
 from theory.rate_bounds import cycle_times, elapsed, excess_bounds, first_angle, first_depth, first_excess, gains
 from theory.return_map import depth as depth_of_angle
 from theory.return_map import depth_series, in_trigonometry
-from theory.symbols import epsilon, q, theta, v1_0, x1_0
 
 
 @cache
@@ -31,15 +30,15 @@ def depth_over_excess() -> Evidence:
     return identity(
         r"$c/y\to\tfrac{3}{2}$ as $y\to 0$",
         [taylor(in_trigonometry(depth_of_angle()) / h() ** 2, theta, 1), depth_series(7)[0]],
-        [sp.Rational(3, 2)] * 2,
+        [Rational(3, 2)] * 2,
     )
 
 
 @cache
 def one_step() -> Steps:
     """a' y^2 <= y - y' <= a y^2, and what that makes of 1/y."""
-    before, after, low, high, part = sp.symbols("y z a' a kappa", positive=True)
-    given = [sp.Lt(after, before), sp.Ge(before - after, low * before**2), sp.Le(before - after, high * before**2)]
+    before, after, low, high, part = symbols("y z a' a kappa", positive=True)
+    given = [after < before, before - after >= low * before**2, before - after <= high * before**2]
     return (
         prove(
             r"$a'y^2\leqslant y-y'$ gives $\frac{1}{y'}-\frac{1}{y}\geqslant a'$ (here $z=y'$)",
@@ -48,13 +47,13 @@ def one_step() -> Steps:
         ),
         prove(
             r"$y-y'\leqslant a\,y^2$ and $y-y'\leqslant\kappa\,y$ with $\kappa<1$ give $\frac{1}{y'}-\frac{1}{y}\leqslant\frac{a}{1-\kappa}$",
-            [*given, sp.Lt(part, 1), sp.Le(before - after, part * before)],
+            [*given, part < 1, before - after <= part * before],
             sp.Le((1 - part) * (before - after), high * before * after, evaluate=False),
         ),
         identity(
             r"$h'(\pi/2)=c(\pi/2)=2-\frac{\pi}{2}<1$: for $\theta\leqslant\pi/2$, $\theta-h$ rises ($h'$ rises) and $q\,c<1$",
-            sp.Matrix([sp.diff(h(), theta).subs(theta, sp.pi / 2), depth_of_angle().subs(theta, sp.pi / 2)]),
-            (2 - sp.pi / 2) * sp.ones(2, 1),
+            [diff(h(), theta).subs(theta, pi / 2), depth_of_angle().subs(theta, pi / 2)],
+            (2 - pi / 2) * sp.ones(2, 1),
         ),
     )
 
@@ -64,12 +63,12 @@ def one_cycle() -> Steps:
     """Slip and stick last between T_- and T_+."""
     one = excursion()
     landed = -one.velocity / one.position
-    speed = sp.Symbol("e", positive=True)
+    speed = Symbol("e", positive=True)
     state = {x1_0: one.position, v1_0: one.velocity, epsilon: speed}
     _, sine = (part.subs(state, simultaneous=True) for part in stick_rotation())
     # sin(pi - alpha - beta), tan alpha = e, tan beta = -V'/X', times the two radii
     expected = (speed * one.position - one.velocity) / (one.position**2 + one.velocity**2)
-    shortfall = sp.sqrt(q) * (theta - h()) * q * in_trigonometry(depth_of_angle())
+    shortfall = sqrt(q) * (theta - h()) * q * in_trigonometry(depth_of_angle())
     return (
         vanishes(
             r"the stick turns $(X',V')$ to $(-1,-\varepsilon')$, $\varepsilon'=\sqrt{w'}$: by $\pi-\arctan\varepsilon'-\arctan\frac{-V'}{X'}<\pi$",
@@ -81,7 +80,7 @@ def one_cycle() -> Steps:
             $\varepsilon'<\varepsilon$ it is longer than $\pi+\sqrt q\,\theta-\varepsilon-\frac{-V'}{X'}=\pi-\sqrt
             q\,(\theta-h)\frac{q\,c}{1-q\,c}$
             """,
-            half_tangent_form((sp.sqrt(q) * theta - sp.sqrt(q) * h() - landed) * one.position + shortfall),
+            half_tangent_form((sqrt(q) * theta - sqrt(q) * h() - landed) * one.position + shortfall),
         ),
     )
 
@@ -172,15 +171,15 @@ def sharp_rate_constant() -> Case:
         """,
         lower=equal(
             r"w_-",
-            q / (1 / first_excess + sp.Symbol("A") * (elapsed / sp.Symbol("T_-") + 1)),
+            q / (1 / first_excess + Symbol("A") * (elapsed / Symbol("T_-") + 1)),
             lambda: excess_bounds()[0],
-            lambda: {sp.Symbol("A"): gains()[1], sp.Symbol("T_-"): cycle_times()[0]},
+            lambda: {Symbol("A"): gains()[1], Symbol("T_-"): cycle_times()[0]},
         ),
         upper=equal(
             r"w_+",
-            q / (1 / first_excess + sp.Symbol("a'") * (elapsed / sp.Symbol("T_+") - 1)),
+            q / (1 / first_excess + Symbol("a'") * (elapsed / Symbol("T_+") - 1)),
             lambda: excess_bounds()[1],
-            lambda: {sp.Symbol("a'"): gains()[0], sp.Symbol("T_+"): cycle_times()[1]},
+            lambda: {Symbol("a'"): gains()[0], Symbol("T_+"): cycle_times()[1]},
         ),
     ),
     clause(
@@ -188,10 +187,10 @@ def sharp_rate_constant() -> Case:
         r"where «slowest», «fastest», «longest», «shortest».",
         slowest=of_share("a'", R * first_depth**2 / first_excess**2, lambda: gains()[0]),
         fastest=of_share("A", 9 * R / 4 / (1 - R * first_depth**2 / first_excess), lambda: gains()[1]),
-        longest=equal("T_+", sp.pi + sp.sqrt(q) * first_angle, lambda: cycle_times()[1]),
+        longest=equal("T_+", pi + sqrt(q) * first_angle, lambda: cycle_times()[1]),
         shortest=equal(
             "T_-",
-            sp.pi - sp.sqrt(q) * (first_angle - sp.sqrt(first_excess)) * q * first_depth / (1 - q * first_depth),
+            pi - sqrt(q) * (first_angle - sqrt(first_excess)) * q * first_depth / (1 - q * first_depth),
             lambda: cycle_times()[0],
         ),
     ),

@@ -4,7 +4,7 @@ from functools import cache
 
 import sympy as sp
 
-from paper_checks.claims import jumping_force
+from paper_checks.claims import jumping_force, plane
 from paper_checks.claims.contraction import energy_rate, force_cancels, never_apart, one_solution
 from paper_checks.claims.forced_modes import strict_rule, tie_rule
 from paper_checks.claims.words import *
@@ -13,7 +13,6 @@ from theory import forced_response as response
 from theory import jumping_force as jumping
 from theory.energy import sigma
 from theory.forced_response import natural, rates
-from theory.symbols import a2, b, m1, m2, t, u, undamped, v1, x1
 
 
 @cache
@@ -63,10 +62,26 @@ def one_response() -> Evidence:
 
 
 @cache
+def goes_round() -> Evidence:
+    """On a surface what keeps its distance from a motion whose friction goes round is that motion."""
+    return argument(
+        r"""
+        Let $\mathbf v_i^*$ go round with the force, with the friction $\mathbf f^*$ of rotating-force. No motion moves
+        away from it, so $N$ has a limit, and motions from which it is taken keep their distance: $\mathbf v_1=\mathbf
+        v_1^*$, so $\mathbf f-\mathbf f^*$ is a constant, which is $0$, as $\mathbf v_2$ is bounded, and $\mathbf
+        w-\mathbf w^*=\mathbf c$ is a constant, too. Where $|\mathbf f^*|<b$ neither slips, and $\mathbf c=0$. Where
+        $|\mathbf f^*|=b$ both $\mathbf w$ and $\mathbf w^*$ are along $\mathbf f^*$, or $0$: so is $\mathbf c$ while
+        $\mathbf f^*$ goes round, and $\mathbf c=0$.
+        """,
+        plane.never_apart(),
+    )
+
+
+@cache
 def undamped_attraction() -> Evidence:
     """Without a damper one stick exit with a slip after it is enough, where the force is continuous at that exit."""
     place, relative = forced.undamped_difference()
-    frequency = sp.Symbol("omega_1", positive=True)
+    frequency = Symbol("omega_1", positive=True)
     return argument(
         r"""
         Let $\eta_*$ be the periodic motion, $\zeta$ a limit of another one moved by periods: $N(\zeta-\eta_*)$ is
@@ -81,12 +96,12 @@ def undamped_attraction() -> Evidence:
         """,
         identity(
             r"the difference starts as $0$ with the rate $\beta$, and $\dot z-\dot{\tilde z}$ vanishes with $\beta$ or $\cos\omega_1t=1$",
-            [place.subs(t, 0), sp.diff(place, t).subs(t, 0), relative],
-            [0, forced.velocity_gap, forced.velocity_gap * (sp.cos(frequency * t) - 1)],
+            [place.subs(t, 0), diff(place, t).subs(t, 0), relative],
+            [0, forced.velocity_gap, forced.velocity_gap * (cos(frequency * t) - 1)],
         ),
         identity(
             r"in stick the load falls by $(m_2/M)a_2$ with $x_1$: equal loads are equal places",
-            sp.diff(forced.load(), x1),
+            diff(forced.load(), x1),
             -m2 * a2 / (m1 + m2),
         ),
         never_apart(),
@@ -101,14 +116,14 @@ def resonant_rate() -> Evidence:
     return identity(
         r"with $a_2=m_1\omega_1^2$, $e^{i\omega_1t}\dot A=(u-b\sigma)/m_1$",
         response.amplitude_rate(),
-        (u - b * sp.Symbol("sigma", real=True)) / m1,
+        (u - b * Symbol("sigma", real=True)) / m1,
     )
 
 
 @cache
 def most_friction() -> Evidence:
     """The mean of |cos| over a period."""
-    return identity(r"the mean of $|\cos|$ is $2/\pi$", response.mean_absolute_cosine(), 2 / sp.pi)
+    return identity(r"the mean of $|\cos|$ is $2/\pi$", response.mean_absolute_cosine(), 2 / pi)
 
 
 @cache
@@ -124,7 +139,7 @@ def grows() -> Evidence:
         identity(
             r"so $|A|$ gains $(U-4b/\pi)/(2m_1)$ in the mean",
             response.growth_rate(),
-            (response.amplitude / 2 - 2 * b / sp.pi) / m1,
+            (response.amplitude / 2 - 2 * b / pi) / m1,
         ),
     )
 
@@ -132,8 +147,8 @@ def grows() -> Evidence:
 @cache
 def stays_bounded() -> Evidence:
     """Below the bound the energy falls over periods in which it is large."""
-    offset = sp.Symbol("c", positive=True)
-    slope = sp.diff(response.path_beside(offset), offset)
+    offset = Symbol("c", positive=True)
+    slope = diff(response.path_beside(offset), offset)
     return argument(
         r"""
         Over $n$ periods $A$ and $v_2$ change by at most a constant, $|A|=R$. So the work of $u$ is at most
@@ -153,19 +168,19 @@ def stays_bounded() -> Evidence:
     )
 
 
-SIGMA = sp.Symbol("sigma", real=True)
+SIGMA = Symbol("sigma", real=True)
 
 
 def natural_frequency() -> Formula:
     """The frequency of body 1 alone without a damper."""
-    return equal(natural, sp.sqrt(a2 / m1), lambda: undamped(response.rates()[1]))
+    return equal(natural, sqrt(a2 / m1), lambda: undamped(response.rates()[1]))
 
 
-AHEAD, NATURAL = sp.Symbol("beta", real=True), sp.Symbol("omega_1", positive=True)
+AHEAD, NATURAL = Symbol("beta", real=True), Symbol("omega_1", positive=True)
 """What both velocities of one pair are ahead of those of another, and the frequency of body 1 alone."""
 
 
-DISTANCE = sp.Symbol("N", nonnegative=True)
+DISTANCE = Symbol("N", nonnegative=True)
 
 
 @theorem(
@@ -184,6 +199,13 @@ DISTANCE = sp.Symbol("N", nonnegative=True)
         kernel="drift no-drift",
     ),
     clause(
+        "round",
+        r"""
+        On a surface, with scalar masses, spring and damper, $a_1>0$, and friction of at most $b$ against the slip, every
+        motion under the force of rotating-force tends to the one that goes round with it.
+        """,
+    ),
+    clause(
         "undamped",
         r"""
         Let $a_1=0$, and let some motion of period $T$ leave a stick at an instant at which $u$ is continuous and
@@ -192,16 +214,16 @@ DISTANCE = sp.Symbol("N", nonnegative=True)
         distance from it differs in that slip by «place» and «relative» at the time $t$ after the exit, $\beta$ being
         the lead of both velocities at it, and both pairs have $\dot z=0$ at $t=t_s$.
         """,
-        natural=equal(NATURAL, sp.sqrt(a2 / m1), lambda: undamped(rates()[1])),
+        natural=equal(NATURAL, sqrt(a2 / m1), lambda: undamped(rates()[1])),
         place=equal(
             r"x_1-\tilde x_1",
-            AHEAD / NATURAL * sp.sin(NATURAL * t),
+            AHEAD / NATURAL * sin(NATURAL * t),
             lambda: forced.undamped_difference()[0],
             lambda: {AHEAD: forced.velocity_gap},
         ),
         relative=equal(
             r"\dot z-\dot{\tilde z}",
-            AHEAD * (sp.cos(NATURAL * t) - 1),
+            AHEAD * (cos(NATURAL * t) - 1),
             lambda: forced.undamped_difference()[1],
             lambda: {AHEAD: forced.velocity_gap},
         ),
@@ -215,15 +237,13 @@ DISTANCE = sp.Symbol("N", nonnegative=True)
         $\omega_1t_s=\pi/2$: a slip and a stick in each half period. Two of them keep the distance «apart» for ever:
         none attracts another.
         """,
-        push=equal("u", 1 - sp.pi / 4, lambda: jumping.PUSH),
-        slip=equal("t_s", sp.pi / 2, lambda: jumping.SLIP_TIME),
-        stick=equal("t_h", 2 * sp.sqrt(2) * sp.atan(sp.sqrt(2)), jumping.stick_time),
-        place=equal("x_1", -3 * sp.pi / 4 - jumping.speed, lambda: jumping.exit_state()[0]),
-        slowest=sharp(
-            jumping.speed, ">", 1 - sp.pi / 2, lambda: (jumping.speed, ">", jumping.slowest_and_fastest()[0])
-        ),
+        push=equal("u", 1 - pi / 4, lambda: jumping.PUSH),
+        slip=equal("t_s", pi / 2, lambda: jumping.SLIP_TIME),
+        stick=equal("t_h", 2 * sqrt(2) * sp.atan(sqrt(2)), jumping.stick_time),
+        place=equal("x_1", -3 * pi / 4 - jumping.speed, lambda: jumping.exit_state()[0]),
+        slowest=sharp(jumping.speed, ">", 1 - pi / 2, lambda: (jumping.speed, ">", jumping.slowest_and_fastest()[0])),
         fastest=sharp(
-            jumping.speed, "<", 2 - 3 * sp.pi / 4, lambda: (jumping.speed, "<", jumping.slowest_and_fastest()[1])
+            jumping.speed, "<", 2 - 3 * pi / 4, lambda: (jumping.speed, "<", jumping.slowest_and_fastest()[1])
         ),
         apart=equal(DISTANCE**2, 3 * (jumping.speed - jumping.other_speed) ** 2, jumping.apart_squared),
     ),
@@ -236,6 +256,7 @@ def forced_periodic_response() -> Case:
         the slip after it has the right length and the force does not jump at that exit. With a jump there whole
         families of periodic motions may lie beside one another.
         """,
+        carried("round", goes_round()),
         carried("undamped", undamped_attraction()),
         carried("jump", jumping_force.keeps_apart()),
     )
@@ -256,14 +277,14 @@ def forced_periodic_response() -> Case:
     clause(
         "grows",
         r"If $U_1>U_{\mathrm{res}}$, «threshold», every motion grows: $|A(t)|\geqslant\rho t-A_0$ with «growth», $U=U_1$, and a constant $A_0$.",
-        threshold=equal(r"U_{\mathrm{res}}", 4 * b / sp.pi, response.resonant_amplitude),
-        growth=equal(r"\rho", (response.amplitude - 4 * b / sp.pi) / (2 * m1), response.growth_rate),
+        threshold=equal(r"U_{\mathrm{res}}", 4 * b / pi, response.resonant_amplitude),
+        growth=equal(r"\rho", (response.amplitude - 4 * b / pi) / (2 * m1), response.growth_rate),
     ),
     clause("bounded", r"If $U_1<U_{\mathrm{res}}$, every motion is bounded."),
     clause(
         "sine",
         r"For $u=U\sin\omega t$ the amplitude $U_{**}$ of entrainment-threshold has this limit: «limit» as $\omega\to\omega_1$.",
-        limit=Formula("U_{**}", "->", 4 * b / sp.pi, equals(response.resonant_non_stop_amplitude)),
+        limit=Formula("U_{**}", "->", 4 * b / pi, equals(response.resonant_non_stop_amplitude)),
     ),
     open=("What happens at $U_1=U_{\\mathrm{res}}$.",),
 )

@@ -13,7 +13,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide.balls import point, precision, terms
 from theory.near_critical import cycle
 from theory.return_map import depth_series, return_map_of_angle, return_map_series, scaled_excess
-from theory.symbols import epsilon, q, r, w
 
 ORDER = 8
 RADIUS = 2
@@ -23,23 +22,23 @@ RADIUS = 2
 ARCS = 512
 
 
-def printed_depth_coefficients() -> tuple[sp.Rational, ...]:
+def printed_depth_coefficients() -> tuple[Rational, ...]:
     """Return the coefficients of c that the theorem states."""
-    return sp.Rational(3, 2), -sp.Rational(27, 40), sp.Rational(243, 560)
+    return Rational(3, 2), -Rational(27, 40), Rational(243, 560)
 
 
 @cache
 def coefficients() -> Steps:
     """c(y) and y'(y) with exact coefficients."""
     found = depth_series(ORDER - 1)
-    polynomial = sp.expand(return_map_series(ORDER))
-    scaled = sp.collect(sp.expand(q * polynomial.subs(sp.Symbol("y", positive=True), w / q)), w, sp.factor)
+    polynomial = expand(return_map_series(ORDER))
+    scaled = sp.collect(expand(q * polynomial.subs(Symbol("y", positive=True), w / q)), w, sp.factor)
     return (
         stating(
             identity(
                 r"$c=\tfrac{3}{2}y-\tfrac{27}{40}y^2+\tfrac{243}{560}y^3-\cdots$ in powers of $y=h^2$",
-                sp.Matrix(found[:3]),
-                sp.Matrix(printed_depth_coefficients()),
+                found[:3],
+                printed_depth_coefficients(),
             ),
             form("coefficients of c", list(found)),
         ),
@@ -55,10 +54,10 @@ def _divided(series: fmpq_series, power: int) -> fmpq_series:
     return fmpq_series([series[k] for k in range(power, series.length())])
 
 
-def lost_coefficients() -> tuple[sp.Rational, ...]:
+def lost_coefficients() -> tuple[Rational, ...]:
     """Return the coefficients of c^2, from y^2 to y^ORDER: y' is y less r times this."""
     series = depth_series(ORDER - 1)
-    return tuple(sum((series[i] * series[n - 2 - i] for i in range(n - 1)), sp.Integer(0)) for n in range(2, ORDER + 1))
+    return tuple(sum((series[i] * series[n - 2 - i] for i in range(n - 1)), Integer(0)) for n in range(2, ORDER + 1))
 
 
 @cache
@@ -81,7 +80,7 @@ def remainder() -> Steps:
     return (
         identity(
             r"$c^2-P_8(y)$ has a zero of order $18$ at $\theta=0$: its coefficients, in exact series of $\theta$, vanish",
-            sp.Matrix(defect_in_angle()),
+            defect_in_angle(),
         ),
         enclosed(
             f"$|c^2-P_8(y)|<\\tfrac{{1}}{{3}}$ on the rim $|\\theta|={RADIUS}$, where $h$ and $c$ are analytic inside; its zero at $0$ is of order "
@@ -93,7 +92,7 @@ def remainder() -> Steps:
     )
 
 
-def defect_in_angle() -> list[sp.Rational]:
+def defect_in_angle() -> list[Rational]:
     """Return the coefficients of c^2 - P_8(h^2) in the slip angle below the power 2 ORDER + 2, exact."""
     with terms(2 * ORDER + 6):
         theta = fmpq_series([0, 1])
@@ -105,7 +104,7 @@ def defect_in_angle() -> list[sp.Rational]:
         for term in lost_coefficients():
             power = power * y
             defect = defect - power * fmpq(int(term.p), int(term.q))
-        return [sp.Rational(int(defect[n].p), int(defect[n].q)) for n in range(2 * ORDER + 2)]
+        return [Rational(int(defect[n].p), int(defect[n].q)) for n in range(2 * ORDER + 2)]
 
 
 def quarter_rim() -> Iterator[acb]:
@@ -119,12 +118,12 @@ def quarter_rim() -> Iterator[acb]:
 @cache
 def cycle_time() -> Evidence:
     """The reduced time of slip and stick as a series."""
-    found = sp.expand(cycle().cycle_duration)
+    found = expand(cycle().cycle_duration)
     return stating(
         identity(
             r"the reduced time of a cycle is $\pi+\frac{9r}{8q}\varepsilon^3+O(\varepsilon^5)$, $\varepsilon=\sqrt w$",
-            sp.Matrix([found.coeff(epsilon, power) for power in range(4)]),
-            sp.Matrix([sp.pi, 0, 0, 9 * r / (8 * q)]),
+            [found.coeff(epsilon, power) for power in range(4)],
+            [pi, 0, 0, 9 * r / (8 * q)],
         ),
         form("cycle time", sp.collect(found, epsilon, sp.factor)),
     )
@@ -141,9 +140,9 @@ def cycle_time() -> Evidence:
         map=in_angle("y'", H**2 - R * C**2, lambda: return_map_of_angle()[1]),
         series=equal(
             "c",
-            sp.Rational(3, 2) * scaled_excess
-            - sp.Rational(27, 40) * scaled_excess**2
-            + sp.Rational(243, 560) * scaled_excess**3,
+            Rational(3, 2) * scaled_excess
+            - Rational(27, 40) * scaled_excess**2
+            + Rational(243, 560) * scaled_excess**3,
             lambda: sum(one * scaled_excess**n for n, one in enumerate(depth_series(3), start=1)),
         ),
     ),
@@ -156,8 +155,8 @@ def cycle_time() -> Evidence:
         r"and the reduced time of a cycle, up to $w^{3/2}$, is «time».",
         time=of_share(
             "T",
-            sp.pi + 9 * R / (8 * q) * w ** sp.Rational(3, 2),
-            lambda: sum(sp.expand(cycle().cycle_duration).coeff(epsilon, n) * sp.sqrt(w) ** n for n in range(4)),
+            pi + 9 * R / (8 * q) * w ** Rational(3, 2),
+            lambda: sum(expand(cycle().cycle_duration).coeff(epsilon, n) * sqrt(w) ** n for n in range(4)),
         ),
     ),
 )

@@ -19,7 +19,6 @@ from theory.closed_forms import Regime, residual, solution
 from theory.filippov import sliding_field, transversality
 from theory.forced import held_at_the_limit, load
 from theory.model import branch_named, case_study_mode, free_system, stick
-from theory.symbols import a1, a2, b, m1, m2, t, u, v1, x1
 
 
 @cache
@@ -54,7 +53,7 @@ def agree() -> Evidence:
 @cache
 def stuck_below_the_limit() -> Evidence:
     """A stuck pair that asks for less than all of the friction obeys (3), (4), too; it needs no more time than one likes."""
-    slower = sp.Symbol("k", positive=True)
+    slower = Symbol("k", positive=True)
     return argument(
         r"""
         A pair that sticks along a reference has the load $m_2\ddot x_{\mathrm{ref}}$: with $|\ddot
@@ -71,7 +70,7 @@ def stuck_below_the_limit() -> Evidence:
         ),
         prove(
             r"in $k>1$ times the least time it is less, $b/(m_2k^2)<b/m_2$",
-            [sp.Gt(slower, 1)],
+            [slower > 1],
             sp.Lt(b, b * slower**2, evaluate=False),
         ),
     )
@@ -108,7 +107,7 @@ $\dot z>0$; and it cannot stay 0, as $\ddot z=1/4$ where $\dot z=0$.
 
 def no_solution_inside() -> Evidence:
     """(5)-(7) with sgn(0) = 0 at a point inside S0: neither staying on S nor leaving it is possible."""
-    literal = free_system(sp.Integer(0))
+    literal = free_system(Integer(0))
     return exhibit(
         r"""
         with $\mathrm{sgn}(0)=0$ in (5)–(7), at $x_1=0.004$ at rest: both fields point to $S$, so a solution must stay
@@ -126,29 +125,27 @@ def two_solutions() -> Steps:
     slipping = solved(load_scene("start-at-6mm"))
     stuck, loose = (solution(mode, Regime.UNDAMPED) for mode in ("stick", "slip-"))
     return (
-        identity(
-            "a pair that sticks for ever satisfies (11), (12) (stick, by substitution)", sp.Matrix(residual(stuck))
-        ),
+        identity("a pair that sticks for ever satisfies (11), (12) (stick, by substitution)", residual(stuck)),
         identity(
             "a pair that slips with $\\dot z<0$ satisfies them too (slip, by substitution)",
-            sp.Matrix(residual(loose)),
+            residual(loose),
         ),
         itinerary("from the start of Fig. 4 (a) the slip has $\\dot z<0$ at first", slipping, [Mode.SLIP_MINUS]),
         compare("and until a time $t_1>0$", slipping.events[0].t, ">", exact(0)),
     )
 
 
-def controlled(name: str, offset: sp.Expr) -> sp.Expr:
+def controlled(name: str, offset: Expr) -> Expr:
     """Return z'' of a branch under that control at x1 = path + offset, v1 = velocity of the path (m/s^2)."""
     found = branch_named(name)
-    place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH + offset, v1: sp.diff(PATH, t)}
-    return sp.expand((found.acceleration1 - found.acceleration2).subs(place))
+    place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH + offset, v1: diff(PATH, t)}
+    return expand((found.acceleration1 - found.acceleration2).subs(place))
 
 
 def no_solution_under_control() -> Steps:
     """(3), (4) with a control: each branch contradicts itself."""
-    place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH, v1: sp.diff(PATH, t)}
-    offset = sp.Symbol("delta", real=True)
+    place = {**EXAMPLE_PAIR, u: held_at_the_limit(), x1: PATH, v1: diff(PATH, t)}
+    offset = Symbol("delta", real=True)
     return (
         identity(
             "with $u=1+50t^2$ from rest, $\\dot z=0$ gives $x_1=t^2/4$ and $\\ddot x_1=b/m_2$ for all $t$",
@@ -157,10 +154,10 @@ def no_solution_under_control() -> Steps:
         ),
         identity(
             "there (4) leaves half of the adhesion: $\\ddot z=1/4\\neq 0$",
-            controlled("half adhesion", sp.Integer(0)),
-            sp.Rational(1, 4),
+            controlled("half adhesion", Integer(0)),
+            Rational(1, 4),
         ),
-        identity("with $\\dot z>0$ it gives $\\ddot z=0$ at $x_1=t^2/4$", controlled("slip+", sp.Integer(0))),
+        identity("with $\\dot z>0$ it gives $\\ddot z=0$ at $x_1=t^2/4$", controlled("slip+", Integer(0))),
         identity(
             "with $\\dot z<0$ it gives $\\ddot z=2-200\\delta$ at $x_1=t^2/4+\\delta$: positive near $\\delta=0$",
             controlled("slip-", offset),
@@ -204,7 +201,7 @@ def none_under_control() -> Evidence:
 def sgn_three_valued() -> Case:
     """Existence and uniqueness at z' = 0 in (3)-(4), in (5)-(7) with sgn(0) = 0, and in (11)-(12)."""
     first_contact = solved(load_scene("start-at-6mm")).events[0].t
-    literal = free_system(sp.Integer(0))
+    literal = free_system(Integer(0))
     return because(
         r"""
         What gives (3)–(4) well-defined solutions at $\dot z=0$ is the total mass in (3) with the stiction bracket in
@@ -233,7 +230,7 @@ def sgn_three_valued() -> Case:
             equation(r"(\dot{x}_1,\dot{v}_1,\dot{v}_2)|_{\dot{z}=0}", sliding_field(damped=True).T),
             CONTRADICTION,
             "Both solutions of (11)–(12): with $\\dot z=0$ and with $\\dot z<0$ they read "
-            f"$${latex(sp.Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
+            f"$${latex(Matrix([case_study_mode(0), case_study_mode(-1)]))}$$ for $(\\ddot x_1,\\ddot x_2)$; at "
             f"$x_1=0.006$ the second gives $\\ddot z={value_at(case_study_mode(-1)[0] - case_study_mode(-1)[1], START_AT_6MM)}"
             "<0$.",
         ),

@@ -8,7 +8,6 @@ from paper_checks.claims.words import *
 from theory.closed_forms import Regime, residual, solution
 from theory.energy import energy, stick_rate
 from theory.filippov import STATE, edge_contact, half_width, normal, sliding_field, sliding_weight, transversality
-from theory.symbols import a2, b, m1, m2, undamped, v1, v2, x1
 
 WIDTH = b * (m1 + m2) / (a2 * m2)
 
@@ -28,18 +27,18 @@ def _at_guard(sign: int, relation: str, side: int) -> Formula:
 HALF_SPACES = (("+", 1), ("-", -1))
 
 
-def beyond(side: int, *, strict: bool = True) -> sp.Basic:
+def beyond(side: int, *, strict: bool = True) -> Basic:
     """Return the condition side x1 > L (or >=), cleared of its denominator."""
     margin = cleared(side * x1 - half_width())
-    return sp.Gt(margin, 0, evaluate=False) if strict else sp.Ge(margin, 0, evaluate=False)
+    return signed(margin, ">" if strict else ">=")
 
 
-def within() -> list[sp.Basic]:
+def within() -> list[Basic]:
     """Return the conditions |x1| <= L of S0, cleared of their denominators."""
     return [signed(side * x1 - half_width(), "<=") for side in (1, -1)]
 
 
-def product(sign: int) -> sp.Expr:
+def product(sign: int) -> Expr:
     """Return Phi_sign . n_S times m1 m2 > 0."""
     return cleared(transversality(sign))
 
@@ -57,7 +56,7 @@ def outside_proofs() -> list[Evidence]:
         prove(
             f"$\\Phi_{name}\\cdot n_S{relation}0$ on $S_{part}$",
             [beyond(side)],
-            sp.Lt(side * product(sign), 0, evaluate=False),
+            signed(side * product(sign), "<"),
         )
         for part, side, relation in (("+", 1, "<"), ("-", -1, ">"))
         for name, sign in HALF_SPACES
@@ -67,8 +66,8 @@ def outside_proofs() -> list[Evidence]:
 def strip_proofs() -> list[Evidence]:
     """Return the two proofs of (10)."""
     return [
-        prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", within(), sp.Ge(product(-1), 0, evaluate=False)),
-        prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", within(), sp.Le(product(1), 0, evaluate=False)),
+        prove(r"$\Phi_-\cdot n_S\geqslant 0$ on $S_0$", within(), signed(product(-1), ">=")),
+        prove(r"$\Phi_+\cdot n_S\leqslant 0$ on $S_0$", within(), signed(product(1), "<=")),
     ]
 
 
@@ -92,7 +91,7 @@ def _products() -> tuple[str, ...]:
         plus_below=_at_guard(1, ">", -1),
         minus_below=_at_guard(-1, ">", -1),
         width=width(),
-        normal=equal("n_S", sp.Matrix([0, 1, -1]), lambda: sp.Matrix(normal())),
+        normal=equal("n_S", Matrix([0, 1, -1]), lambda: Matrix(normal())),
         kernel="rate-above rate-below transversal-beyond",
     ),
 )
@@ -225,16 +224,16 @@ def sliding_region() -> Case:
 def return_alternatives() -> Case:
     """From Omega_- a trajectory can only arrive where Phi_-.n >= 0; at the ends of that strip it need not enter S0."""
     contact = edge_contact(1)
-    arrives = sp.Ge(product(-1), 0, evaluate=False)
+    arrives = signed(product(-1), ">=")
     touches = identity("at $x_1=L$ the arrival is tangential, $\\Phi_-\\cdot n_S=0$", contact.first)
     turns = prove(
         "on $\\ell_+$ the second derivative of $v_1-v_2$ along $\\Phi_-$ is negative",
-        [sp.Gt(v1, 0)],
+        [v1 > 0],
         signed(contact.second, "<"),
     )
     slips = identity(
         "the slip with $\\dot z<0$ solves (3), (4), before and after",
-        sp.Matrix(residual(solution("slip-", Regime.UNDAMPED))),
+        residual(solution("slip-", Regime.UNDAMPED)),
     )
     return because(
         r"""
@@ -243,7 +242,7 @@ def return_alternatives() -> Case:
         reaches 0 its rate $\Phi_-\cdot n_S$ is not negative: the point has $x_1\leqslant L$. On $S_-$ both products
         are positive and the crossing is transversal; the rest is $S_0$. At a point of $\ell_+$ the trajectory touches
         $S$ and goes on in $\Omega_-$, and through $\ell_-$ it crosses into $\Omega_+$, at a point that is not in
-        $S_-$. Only starts on a curve lead there; for all others the sentence holds as it stands.
+        $S_-$. Only starts on surfaces lead there; for all others the sentence holds as it stands.
         """,
         counterexample(
             r"""
@@ -282,7 +281,7 @@ def return_alternatives() -> Case:
             "tangent",
             prove(
                 "on $\\ell_-$ the second derivative of $v_1-v_2$ along $\\Phi_+$ is positive",
-                [sp.Lt(v1, 0)],
+                [v1 < 0],
                 signed(edge_contact(-1).second, ">"),
             ),
         ),

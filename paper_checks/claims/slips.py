@@ -18,6 +18,7 @@ from paper_checks.decide.balls import precision, shown
 from paper_checks.decide.roots import enclosed_root
 from theory.excursion import guard_factors, h, half_tangent_form
 from theory.linear import root
+from theory.power_series import taylor
 from theory.return_map import (
     contact_condition,
     contact_slope,
@@ -34,7 +35,6 @@ from theory.return_map import (
     return_map_residuals,
 )
 from theory.scaling import to_si
-from theory.symbols import m1, m2, q, r, theta
 
 
 @cache
@@ -58,7 +58,7 @@ def one_contact() -> Steps:
     """The last factor rises from below zero to infinity."""
     push_slope, gap_slope = contact_slope()
     at_zero = sp.limit(contact_condition().subs(gap, 1), theta, 0, "+")
-    at_turn = sp.limit(contact_condition().subs({gap: 1, push: 0}), theta, 2 * sp.pi, "-")
+    at_turn = sp.limit(contact_condition().subs({gap: 1, push: 0}), theta, 2 * pi, "-")
     return (
         stating(
             vanishes(
@@ -70,10 +70,10 @@ def one_contact() -> Steps:
             EvidenceKind.EXACT,
             "sympy",
             r"from $-\infty$ (from $-\nu<0$, if $d=0$) at $\theta=0$ to $\infty$ at $\theta=2\pi$: one zero, and there only the guard ends",
-            (at_zero, at_turn) == (-sp.oo, sp.oo),
+            (at_zero, at_turn) == (-oo, oo),
             2,
             "both limits at d = 1 are unbounded with these signs"
-            if (at_zero, at_turn) == (-sp.oo, sp.oo)
+            if (at_zero, at_turn) == (-oo, oo)
             else "other limits",
         ),
     )
@@ -97,20 +97,20 @@ def landings() -> Steps:
     )
 
 
-def cusa_huygens() -> sp.Expr:
+def cusa_huygens() -> Expr:
     """Return theta (2 + cos theta) - 3 sin theta, which the inequality of Cusa and Huygens says is positive."""
-    return theta * (2 + sp.cos(theta)) - 3 * sp.sin(theta)
+    return theta * (2 + cos(theta)) - 3 * sin(theta)
 
 
 @cache
 def rise_is_convex() -> Steps:
     """h'' > 0 by the inequality of Cusa and Huygens, itself proved here."""
-    slope = 4 * sp.sin(theta / 2) * (sp.sin(theta / 2) - theta / 2 * sp.cos(theta / 2))
-    difference = (sp.diff(cusa_huygens(), theta) - slope).subs(theta, 2 * theta)
+    slope = 4 * sin(theta / 2) * (sin(theta / 2) - theta / 2 * cos(theta / 2))
+    difference = (diff(cusa_huygens(), theta) - slope).subs(theta, 2 * theta)
     return (
         vanishes(
             r"$h''=\frac{\theta(2+\cos\theta)-3\sin\theta}{(1-\cos\theta)^2}$",
-            sp.diff(h(), theta, 2) - cusa_huygens() / (1 - sp.cos(theta)) ** 2,
+            diff(h(), theta, 2) - cusa_huygens() / (1 - cos(theta)) ** 2,
         ),
         vanishes(
             r"""
@@ -126,21 +126,21 @@ def rise_is_convex() -> Steps:
 @cache
 def depth_grows() -> Steps:
     """c' = h > 0 from 0 to infinity; c is concave in y = h^2."""
-    limits = sp.limit(depth(), theta, 0, "+"), sp.limit(depth(), theta, 2 * sp.pi, "-")
-    slope = half_tangent_form(sp.diff(in_trigonometry(depth()), theta) / sp.diff(h() ** 2, theta))
+    limits = taylor(in_trigonometry(depth()), theta, 1), sp.limit(depth(), theta, 2 * pi, "-")
+    slope = half_tangent_form(diff(in_trigonometry(depth()), theta) / diff(h() ** 2, theta))
     return (
         stating(vanishes("$c'=h>0$", depth_slope_residual()), form("c", depth())),
         Evidence(
             EvidenceKind.EXACT,
             "sympy",
             r"$c\to 0$ as $\theta\to 0$ and $c\to\infty$ as $\theta\to 2\pi$",
-            limits == (0, sp.oo),
+            limits == (0, oo),
             2,
-            "0 and unbounded" if limits == (0, sp.oo) else "other limits",
+            "0 and unbounded" if limits == (0, oo) else "other limits",
         ),
         vanishes(
             r"$\frac{dc}{dy}=\frac{1}{2h'}$ with $y=h^2$, which falls as $h'$ rises: $c$ is concave in $y$, and $c/y$ falls, as $c(0)=0$",
-            slope - half_tangent_form(1 / (2 * sp.diff(h(), theta))),
+            slope - half_tangent_form(1 / (2 * diff(h(), theta))),
         ),
     )
 
@@ -153,7 +153,7 @@ def turning_angle() -> arb:
 @cache
 def turns_back() -> Steps:
     """V' = sqrt(q)(h - theta) changes its sign once, at theta_v."""
-    velocity = sp.sin(theta) - theta * sp.cos(theta)
+    velocity = sin(theta) - theta * cos(theta)
     with precision():
         root = turning_angle()
         share = 2 / (1 + (1 + root * root).sqrt())
@@ -161,15 +161,15 @@ def turns_back() -> Steps:
     return (
         vanishes(
             r"at re-entry $V'=\sqrt q\,(h-\theta)=-\sqrt q\,\frac{\sin\theta-\theta\cos\theta}{1-\cos\theta}$",
-            (landing().push.subs(push, h()) * (1 - sp.cos(theta)) + velocity),
+            (landing().push.subs(push, h()) * (1 - cos(theta)) + velocity),
         ),
         identity(
             r"""
             $\sin\theta-\theta\cos\theta$, with the derivative $\theta\sin\theta$, rises from $0$ on $(0,\pi)$ and
             falls to $-2\pi$ on $(\pi,2\pi)$: one zero, $\tan\theta_v=\theta_v$
             """,
-            [sp.diff(velocity, theta), velocity.subs(theta, 0), velocity.subs(theta, 2 * sp.pi)],
-            [theta * sp.sin(theta), 0, -2 * sp.pi],
+            [diff(velocity, theta), velocity.subs(theta, 0), velocity.subs(theta, 2 * pi)],
+            [theta * sin(theta), 0, -2 * pi],
         ),
         enclosed(r"$\theta_v\in(\pi,3\pi/2)$", bool(inside), f"theta_v = {shown(root)}"),
         enclosed(
@@ -183,16 +183,16 @@ def turns_back() -> Steps:
 @cache
 def stays_or_crosses() -> Steps:
     """X' = 1 - q c meets -1 at one angle beyond pi; inside S0 above E_cr the velocity keeps its sign."""
-    position, velocity = sp.symbols("X V", real=True)
+    position, velocity = symbols("X V", real=True)
     return (
         identity(
             r"$c(\pi)=2$ and $X'=1-q\,c$: with $c$ rising to $\infty$, $X'=-1$ at one angle $\theta_c(q)\in(\pi,2\pi)$",
-            depth().subs(theta, sp.pi),
+            depth().subs(theta, pi),
             2,
         ),
         prove(
             r"on $S_0$ above $E_{cr}$, $X^2+V^2>1$ with $|X|\leqslant 1$: $V\neq 0$, so the stick moves on to the edge that $V'$ points to",
-            [sp.Gt(position**2 + velocity**2, 1), sp.Le(position**2, 1)],
+            [position**2 + velocity**2 > 1, position**2 <= 1],
             sp.Ne(velocity, 0),
         ),
     )
@@ -201,11 +201,11 @@ def stays_or_crosses() -> Steps:
 def first_factor_positive() -> Evidence:
     """The factor divided out has no zero inside (0, 2 pi)."""
     return identity(
-        r"the factor divided out is $\sqrt q\,(1-\cos\theta)>0$", guard_factors()[0], sp.sqrt(q) * (1 - sp.cos(theta))
+        r"the factor divided out is $\sqrt q\,(1-\cos\theta)>0$", guard_factors()[0], sqrt(q) * (1 - cos(theta))
     )
 
 
-def _crossing_depth() -> sp.Expr:
+def _crossing_depth() -> Expr:
     """Return the depth at which a slip from a ray ends at the other edge, X' = -1."""
     return root(1 + q * landing().gap.subs({gap: 0, depth(): C}) + 1, C)
 
@@ -241,7 +241,7 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
         «rise».
         """,
         contact=in_angle(r"\nu", H - gap * sp.cot(theta / 2), lambda: root(contact_condition(), push)),
-        rise=equal("h", (theta - sp.sin(theta)) / (1 - sp.cos(theta)), h),
+        rise=equal("h", (theta - sin(theta)) / (1 - cos(theta)), h),
     ),
     clause(
         "landing",
@@ -266,7 +266,7 @@ def exits_twice_by(share: Fraction, excess: Fraction, same: bool) -> Evidence:
         having re-entered with $w'>0$ the pair leaves by the opposite ray if $\theta<\theta_v$,
         $\tan\theta_v=\theta_v$, «turn», and by the same ray if $\theta>\theta_v$.
         """,
-        turn=Formula(r"\theta_v", "=...", sp.Rational("4.4934"), decimal(_turning_angle)),
+        turn=Formula(r"\theta_v", "=...", Rational("4.4934"), decimal(_turning_angle)),
     ),
 )
 def excursion_closed_form() -> Case:
@@ -310,7 +310,7 @@ def excursion_closed_form() -> Case:
         «rise» increases from $0$ to $\infty$ on $(0,2\pi)$ and is convex; the condition that ends a slip is monotone
         in $\theta$ for every start on $S$;
         """,
-        rise=equal("h", (theta - sp.sin(theta)) / (1 - sp.cos(theta)), h),
+        rise=equal("h", (theta - sin(theta)) / (1 - cos(theta)), h),
     ),
     clause(
         "depth",
@@ -321,7 +321,7 @@ def excursion_closed_form() -> Case:
         slope=equal(
             "c'",
             H,
-            lambda: half_tangent_form(sp.diff(in_trigonometry(depth()), theta)),
+            lambda: half_tangent_form(diff(in_trigonometry(depth()), theta)),
             lambda: {H: half_tangent_form(h())},
         ),
     ),

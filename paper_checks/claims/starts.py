@@ -5,7 +5,6 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-import sympy as sp
 from flint import arb
 
 from numerics.linear.modes import EventKind, Mode
@@ -34,7 +33,6 @@ from theory.closed_forms import Regime, rate, solution
 from theory.energy import critical_energy, energy
 from theory.filippov import half_width, transversality
 from theory.model import CASE_STUDY, branch_named, stick
-from theory.symbols import a1, a2, b, free, m1, m2, t, total_mass, undamped, v1, v1_0, v2, x1, x1_0
 
 
 def _event(scene: str, number: int) -> Callable[[], arb]:
@@ -50,7 +48,7 @@ def _event(scene: str, number: int) -> Callable[[], arb]:
 
 def time(letter: str, digits: str, scene: str, number: int) -> Formula:
     """Return the time of an event of a scene, s."""
-    return Formula(letter, "=...", sp.Rational(digits), decimal(_event(scene, number)))
+    return Formula(letter, "=...", Rational(digits), decimal(_event(scene, number)))
 
 
 ALTERNATION = (Mode.STICK, Mode.SLIP_PLUS, Mode.STICK, Mode.SLIP_MINUS)
@@ -70,7 +68,7 @@ def point_of(scene: Scene) -> Point:
     """Return the parameters and the initial state of an undamped scene as exact values of theory's symbols."""
     pair, at = scene.pair, scene.initial
     values = {m1: pair.m1, m2: pair.m2, a2: pair.a2, b: pair.b, x1: at.x1, v1: at.v1, v2: at.v2}
-    return {a1: sp.Integer(0), **{symbol: sp.Rational(value) for symbol, value in values.items()}}
+    return {a1: Integer(0), **{symbol: Rational(value) for symbol, value in values.items()}}
 
 
 @claim(
@@ -90,8 +88,8 @@ def point_of(scene: Scene) -> Point:
             width=width(),
             here=equal(
                 "L",
-                sp.Rational(1, 200),
-                lambda: half_width().subs(CASE_STUDY).subs(b, sp.Rational(1, 2)),
+                Rational(1, 200),
+                lambda: half_width().subs(CASE_STUDY).subs(b, Rational(1, 2)),
             ),
             kernel="sticks-from-rest slips-beyond",
         ),
@@ -101,8 +99,8 @@ def point_of(scene: Scene) -> Point:
             At $x_1(0)=0.006$ m it slips at once; as it starts on $S$ with «energy» J above «level» J and
             $m_1/m_2=1>\mu^*$ (critical-mass-ratio), its energy stays above $E_{cr}$, and it slips infinitely often.
             """,
-            energy=equal("E(0)", sp.Rational(9, 2500), lambda: energy().subs(START_AT_6MM)),
-            level=equal("E_{cr}", sp.Rational(1, 400), lambda: critical_energy().subs(START_AT_6MM)),
+            energy=equal("E(0)", Rational(9, 2500), lambda: energy().subs(START_AT_6MM)),
+            level=equal("E_{cr}", Rational(1, 400), lambda: critical_energy().subs(START_AT_6MM)),
             kernel="slips-from-6-mm turning-point critical-mass-ratio-digits heavy-never-merges sticks-iff contact",
         ),
         clause(
@@ -118,11 +116,11 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
     broken = branch_named("broken adhesion")
     witnesses = (
         exhibit(
-            f"at the start $|\\ddot x_1|={value_at(sp.Abs(free(stick().acceleration1)), point)}>{value_at(b / m2, point)}=b/m_2$: the stiction bracket of (4) is "
+            f"at the start $|\\ddot x_1|={value_at(Abs(free(stick().acceleration1)), point)}>{value_at(b / m2, point)}=b/m_2$: the stiction bracket of (4) is "
             "broken, and (3), (4) give $\\ddot z=-0.6$",
             point,
-            (sp.Abs(free(stick().acceleration1)), ">", b / m2),
-            (free(broken.acceleration1 - broken.acceleration2), "=", -sp.Rational(3, 5)),
+            (Abs(free(stick().acceleration1)), ">", b / m2),
+            (free(broken.acceleration1 - broken.acceleration2), "=", -Rational(3, 5)),
         ),
         exhibit(
             "at the start both fields point into $\\Omega_-$, $\\Phi_+\\cdot n_S<0$ and $\\Phi_-\\cdot n_S<0$: no solution stays on $S$",
@@ -138,7 +136,7 @@ def permanent_stiction(start: Fraction = Fraction(6, 1000)) -> Case:
     return because(
         (
             f"That is a solution of (11)–(12), not their only one, and none of (3)–(4) or Coulomb's law. The start $x_1={value_at(x1, point)}$ m is outside the sliding region, whose half width is $L={value_at(half_width(), point)}$ m. Sticking would take a force of "
-            f"{value_at(sp.Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
+            f"{value_at(Abs(m2 * free(stick().acceleration1)), point)} N through an interface that carries {value_at(b, point)} N. Under (3)–(4) and in "
             f"Filippov's sense the pair slips at once, sticks first at {rounded(slipping.events[0].t, 4)} s, and then sticks and slips in turn for ever. Only (11)–(12) read literally, with sgn(0) = 0 and without "
             "the stiction bracket of (4), have the solution that the paper shows; it is not their only one, since the slipping "
             "solution meets (11)–(12) at all but isolated times too. Forward Euler picks the stuck one, as it starts at $\\dot z=0$ "
@@ -166,7 +164,7 @@ def _from_rest(scene: Scene) -> Steps:
         identity(
             "stuck from rest, $x_1(t)=x_1(0)\\cos\\omega t$: $|x_1(t)|\\leqslant|x_1(0)|$",
             solution("stick", Regime.UNDAMPED).x1.subs(v1_0, 0),
-            x1_0 * sp.cos(rate * t),
+            x1_0 * cos(rate * t),
         ),
         identity(
             r"""

@@ -5,7 +5,6 @@ from functools import cache
 from paper_checks.claims.words import *
 from theory.forced import load
 from theory.model import slip
-from theory.symbols import b, m1, m2
 
 
 @cache

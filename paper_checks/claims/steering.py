@@ -1,7 +1,5 @@
 """Section V: control through the interface: damping, tracking, an interface that varies."""
 
-import sympy as sp
-
 from numerics.linear.modes import Mode
 from numerics.scene import Force, Pair, Scene, State
 from paper_checks.claims import contraction, forced_modes, response, signum, stuck, tolerance, transfers
@@ -11,9 +9,8 @@ from paper_checks.decide.enclosure import ball, compare, exact, itinerary, round
 from theory import forced
 from theory.energy import energy, sigma, sigma_other
 from theory.model import stick
-from theory.symbols import a1, a2, b, m1, m2, t, total_mass, u, v1, v1_other, v2, v2_other, x1
 
-LIPSCHITZ = sp.Symbol("ell", positive=True)
+LIPSCHITZ = Symbol("ell", positive=True)
 APART = {b: 2, forced.b_other: 1, v1: 1, v2: 0, v1_other: 3, v2_other: 0}
 """Two slips forwards, the slower one where friction is larger (N, m/s)."""
 
@@ -56,12 +53,12 @@ def driven_body_steered() -> Case:
 
 def free_difference() -> Evidence:
     """Two stuck motions under one force, a1 = 0: their distance is that of a free oscillation, and constant."""
-    frequency = sp.sqrt(a2 / total_mass())
-    place = sp.cos(frequency * t)
-    difference = {x1: place, v1: sp.diff(place, t), v2: sp.diff(place, t)}
+    frequency = sqrt(a2 / total_mass())
+    place = cos(frequency * t)
+    difference = {x1: place, v1: diff(place, t), v2: diff(place, t)}
     return identity(
         r"without a damper two stuck motions that differ by a free oscillation stay at one distance",
-        sp.diff(energy().subs(difference, simultaneous=True), t),
+        diff(energy().subs(difference, simultaneous=True), t),
     )
 
 
@@ -69,25 +66,25 @@ SINE = Scene(Pair(1, 1, 1, 1, 1), State(x2="-1/4", v2="-1/4"), until=60, force=F
 """A pair under u = sin(t)/2 N; body 2 starts with the place and the velocity of the stuck response, body 1 at rest."""
 
 
-PLACE = -(sp.sin(t) + sp.cos(t)) / 4
+PLACE = -(sin(t) + cos(t)) / 4
 """That response, m: unit masses, a1 = a2 = b = 1 in SI units."""
 
 
 def is_the_response() -> Evidence:
     """The place that is called the reference solves the equation of the stuck pair, with less than all of the friction."""
-    known = {m1: 1, m2: 1, a1: 1, a2: 1, b: 1, u: sp.sin(t) / 2, x1: PLACE, v1: sp.diff(PLACE, t)}
+    known = {m1: 1, m2: 1, a1: 1, a2: 1, b: 1, u: sin(t) / 2, x1: PLACE, v1: diff(PLACE, t)}
     return identity(
         r"$x_{\mathrm{ref}}=-(\sin t+\cos t)/4$ is stuck under $u=\frac12\sin t$, with $\ddot x_{\mathrm{ref}}^2=(1+\sin 2t)/16<1$",
-        [stick().acceleration1.subs(known), sp.diff(PLACE, t, 2) ** 2],
-        [sp.diff(PLACE, t, 2), (1 + 2 * sp.sin(t) * sp.cos(t)) / 16],
+        [stick().acceleration1.subs(known), diff(PLACE, t, 2) ** 2],
+        [diff(PLACE, t, 2), (1 + 2 * sin(t) * cos(t)) / 16],
     )
 
 
 def off_the_place() -> Steps:
     """The pair solved in balls: at the end velocities agree with the reference, body 2 is away from it."""
     run = solved(SINE)
-    end, time = run.sol(SINE.until), sp.Rational(SINE.until)
-    place, velocity = ball(PLACE.subs(t, time)), ball(sp.diff(PLACE, t).subs(t, time))
+    end, time = run.sol(SINE.until), Rational(SINE.until)
+    place, velocity = ball(PLACE.subs(t, time)), ball(diff(PLACE, t).subs(t, time))
     return (
         is_the_response(),
         itinerary("the pair slips with $\\dot z>0$, then sticks", run, [Mode.SLIP_PLUS, Mode.STICK]),
@@ -95,9 +92,9 @@ def off_the_place() -> Steps:
             "after 60 s body 2 has the velocity of the reference (difference, m/s)",
             abs(end[3] - velocity),
             "<",
-            exact(sp.Rational(1, 10**6)),
+            exact(Rational(1, 10**6)),
         ),
-        compare("and is far from its place (m)", abs(end[2] - place), ">", exact(sp.Rational(1, 4))),
+        compare("and is far from its place (m)", abs(end[2] - place), ">", exact(Rational(1, 4))),
     )
 
 
@@ -133,7 +130,7 @@ def off_the_place() -> Steps:
 )
 def damping_for_tracking() -> Case:
     """What a damper adds to the force under which the stuck pair follows a reference, and what it leaves."""
-    apart = solved(SINE).sol(SINE.until)[2] - ball(PLACE.subs(t, sp.Rational(SINE.until)))
+    apart = solved(SINE).sol(SINE.until)[2] - ball(PLACE.subs(t, Rational(SINE.until)))
     offset = off_the_place()
     return because(
         r"""
@@ -221,7 +218,7 @@ def damping_for_tracking() -> Case:
             """,
             place=equal(
                 r"\gamma",
-                LIPSCHITZ * sp.sqrt((m1 + m2) / (m1 * m2 * a2)),
+                LIPSCHITZ * sqrt((m1 + m2) / (m1 * m2 * a2)),
                 lambda: forced.growth_by_place(LIPSCHITZ),
             ),
             speed=equal(

@@ -10,26 +10,25 @@ from paper_checks.claims.words import *
 from theory import forced_response as response
 from theory.forced_response import amplitude, multiple, omega
 from theory.model import stick
-from theory.symbols import a1, a2, t, total_mass, u, v1, x1
 
 
 @cache
 def geometric() -> Evidence:
     """The size of what one factor of the series has at an integer."""
-    angle = sp.Symbol("psi", real=True)
+    angle = Symbol("psi", real=True)
     return identity(
         r"$|1-e^{i\psi}|^2=4\sin^2(\psi/2)$ with $\psi=\pi(\Omega/\omega+1)$: the ratio of the geometric mean is $1$ for odd $\Omega/\omega$ only",
-        (1 - sp.cos(angle)) ** 2 + sp.sin(angle) ** 2,
-        4 * sp.sin(angle / 2) ** 2,
+        (1 - cos(angle)) ** 2 + sin(angle) ** 2,
+        4 * sin(angle / 2) ** 2,
     )
 
 
 @cache
 def stuck_response() -> Evidence:
     """The stuck pair's response to the sine, and the friction that it needs."""
-    place = amplitude * sp.sin(omega * t) / (a2 - total_mass() * omega**2)
-    undamped = sp.diff(place, t, 2) - stick().acceleration1.subs(
-        {a1: 0, u: amplitude * sp.sin(omega * t), x1: place, v1: sp.diff(place, t)}, simultaneous=True
+    place = amplitude * sin(omega * t) / (a2 - total_mass() * omega**2)
+    undamped = diff(place, t, 2) - stick().acceleration1.subs(
+        {a1: 0, u: amplitude * sin(omega * t), x1: place, v1: diff(place, t)}, simultaneous=True
     )
     return argument(
         r"The stuck pair is one body of mass $M$: its response has $|x_1|=U/|Z|$, $Z=a_2-M\omega^2+ia_1\omega$, and needs the friction $m_2\omega^2|x_1|\leqslant b$.",
@@ -60,10 +59,10 @@ def sticks_for_ever() -> Evidence:
 @cache
 def harmonic_curve() -> Evidence:
     """cos(phi) - share cos(n phi) is largest at pi/(2 n)."""
-    phi = sp.Symbol("phi", real=True)
-    share = sp.sin(sp.pi / (2 * multiple)) / multiple
-    curve = sp.cos(phi) - share * sp.cos(multiple * phi)
-    quotient = multiple * sp.cos(multiple * phi) * sp.sin(phi) - sp.sin(multiple * phi) * sp.cos(phi)
+    phi = Symbol("phi", real=True)
+    share = sin(pi / (2 * multiple)) / multiple
+    curve = cos(phi) - share * cos(multiple * phi)
+    quotient = multiple * cos(multiple * phi) * sin(phi) - sin(multiple * phi) * cos(phi)
     return argument(
         r"""
         On $(0,\pi/2n)$ the quotient $\sin n\varphi/\sin\varphi$ falls, to $1/\sin(\pi/2n)$; beyond, $\sin
@@ -71,21 +70,16 @@ def harmonic_curve() -> Evidence:
         n\varphi$ rises up to $\pi/2n$, falls from there to $0$ at $\pi/2$ ($n$ odd), and is even in $\varphi$ and odd
         beside $\pi/2$: its largest size is $\cos(\pi/2n)$.
         """,
-        identity(
-            r"its slope is $\sin(\pi/2n)\sin n\varphi-\sin\varphi$", sp.diff(curve, phi), response.harmonic_slope()
-        ),
+        identity(r"its slope is $\sin(\pi/2n)\sin n\varphi-\sin\varphi$", diff(curve, phi), response.harmonic_slope()),
         identity(
             r"the numerator of the quotient's rate starts at $0$ and has the rate $(1-n^2)\sin n\varphi\sin\varphi<0$",
-            [quotient.subs(phi, 0), sp.diff(quotient, phi)],
-            [0, (1 - multiple**2) * sp.sin(multiple * phi) * sp.sin(phi)],
+            [quotient.subs(phi, 0), diff(quotient, phi)],
+            [0, (1 - multiple**2) * sin(multiple * phi) * sin(phi)],
         ),
         identity(
             r"at $\pm\pi/2n$ a free oscillation adds opposite values: any $A\cos n\varphi+B\sin n\varphi$ has the sum $0$ there",
             sum(
-                (
-                    sp.cos(multiple * one) + sp.sin(multiple * one)
-                    for one in (sp.pi / 2 / multiple, -sp.pi / 2 / multiple)
-                ),
+                (cos(multiple * one) + sin(multiple * one) for one in (pi / 2 / multiple, -pi / 2 / multiple)),
                 sp.S.Zero,
             ),
         ),

@@ -2,13 +2,10 @@
 
 from functools import cache
 
-import sympy as sp
-
 from paper_checks.claims.words import *
 from theory.energy import critical_energy
 from theory.filippov import half_width
 from theory.forced_response import omega
-from theory.symbols import a1, a2, b, m1, m2
 
 
 @cache
@@ -71,7 +68,7 @@ def stuck_ellipses() -> Case:
 @cache
 def one_quadratic() -> Evidence:
     """In the frame of the friction the force is D_M + i p D in units of f/(m2 omega^2)."""
-    p = sp.Symbol("p", nonnegative=True)
+    p = Symbol("p", nonnegative=True)
     alone, both = (a2 - m * omega**2 for m in (m1, m1 + m2))
     return identity(
         r"$|D_M+ipD|^2=|D_M|^2+2a_1m_2\omega^3p+|D|^2p^2$, $p=m_2\omega\rho/f$",
@@ -111,15 +108,12 @@ def one_quadratic() -> Evidence:
         """,
         kernel="rotating-characteristic",
     ),
-    open=(
-        "That with a damper every motion tends to this one is not proved here.",
-        "That $X(0)<0$ makes the motion repel its neighbours is not proved here.",
-    ),
+    open=("That $X(0)<0$ makes the motion repel its neighbours is not proved here.",),
 )
 def rotating_force() -> Case:
     """A force that goes round meets a friction that goes round with it."""
     return because(
-        "Under a force that goes round a motion that goes round with it sticks up to one threshold and slips at one speed above it: in axes that turn with the force it rests, and its equations are one quadratic for that speed. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$.",
+        "Under a force that goes round a motion that goes round with it sticks up to one threshold and slips at one speed above it: in axes that turn with the force it rests, and its equations are one quadratic for that speed. At the amplitude at which sticking asks for more than $b$ that speed leaves $0$. With a damper every motion tends to this one: see forced-periodic-response.",
         one_quadratic(),
         figure="rotating-force",
     )

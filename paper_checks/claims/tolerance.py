@@ -15,7 +15,6 @@ from theory import forced
 from theory import forced_control as control
 from theory.energy import critical_energy, on_surface, sigma
 from theory.forced_control import ring_ratio
-from theory.symbols import a1, a2, b, m1, m2, total_mass, u, v1, v2, x1, x2
 
 
 @cache
@@ -42,7 +41,7 @@ def ring_contains() -> Evidence:
         identity(
             r"$\sqrt\kappa\,\varepsilon$ is the largest relative velocity in the ellipsoid $N\leqslant\varepsilon$",
             control.ring_radius(),
-            sp.sqrt(control.ring_ratio()) * control.tolerance,
+            sqrt(control.ring_ratio()) * control.tolerance,
         ),
     )
 
@@ -52,7 +51,7 @@ def blind_to_x2() -> Evidence:
     """No acceleration depends on x2."""
     return identity(
         r"no acceleration depends on $x_2$: a start moved by $c$ in $x_2$ keeps $c$ for ever",
-        sp.Matrix([sp.diff(entry, x2) for entry in forced.forced_system(sigma)]),
+        [diff(entry, x2) for entry in forced.forced_system(sigma)],
     )
 
 
@@ -106,9 +105,9 @@ def heavy_damping() -> Evidence:
     )
 
 
-REST, ENERGY, LAST_ENERGY = sp.symbols(r"z_{\infty} E E_{\infty}", real=True)
-KAPPA, DISTANCE = sp.Symbol("kappa", positive=True), sp.Symbol("N", nonnegative=True)
-OTHER_PLACE = sp.Symbol(r"\tilde{x}_2", real=True)
+REST, ENERGY, LAST_ENERGY = symbols(r"z_{\infty} E E_{\infty}", real=True)
+KAPPA, DISTANCE = Symbol("kappa", positive=True), Symbol("N", nonnegative=True)
+OTHER_PLACE = Symbol(r"\tilde{x}_2", real=True)
 
 
 @claim(
@@ -147,7 +146,7 @@ OTHER_PLACE = sp.Symbol(r"\tilde{x}_2", real=True)
 )
 def ring_of_tolerance() -> Case:
     """What the contraction gives of Fig. 1, and the coordinate that it does not see."""
-    start, moved = {**INSIDE, x2: 0}, {**INSIDE, x2: sp.Rational("0.001")}
+    start, moved = {**INSIDE, x2: 0}, {**INSIDE, x2: Rational("0.001")}
     return because(
         """
         With a damper the ring of Fig. 1 is reached and not left, in the relative velocity and around the one
@@ -172,7 +171,7 @@ def ring_of_tolerance() -> Case:
             exhibit(
                 "their relative displacements stay 1 mm apart",
                 {**start, OTHER_PLACE: moved[x2]},
-                (sp.Abs((x1 - x2) - (x1 - OTHER_PLACE)), "=", sp.Rational("0.001")),
+                (Abs((x1 - x2) - (x1 - OTHER_PLACE)), "=", Rational("0.001")),
             ),
         ),
         carried("response", response.one_response(), entered_once()),
@@ -198,7 +197,7 @@ def ring_of_tolerance() -> Case:
         r"In the tube the relative velocities differ by at most «radius», «kappa»: «within», and no smaller factor will do.",
         radius=equal(
             r"r_\varepsilon",
-            sp.sqrt(KAPPA) * control.tolerance,
+            sqrt(KAPPA) * control.tolerance,
             control.ring_radius,
             lambda: {KAPPA: control.ring_ratio()},
         ),
@@ -210,7 +209,7 @@ def ring_of_tolerance() -> Case:
             implied(
                 where=lambda: {
                     KAPPA: control.ring_ratio(),
-                    DISTANCE: sp.sqrt(a2 * x1**2 + m1 * v1**2 + m2 * v2**2),
+                    DISTANCE: sqrt(a2 * x1**2 + m1 * v1**2 + m2 * v2**2),
                 }
             ),
         ),
@@ -228,10 +227,10 @@ def ring_of_tolerance() -> Case:
         "centre",
         r"Without a force $x_1-x_2$ has a limit $z_\infty$, and with the energy $E$ at a time there is «near» then, $E_\infty=\lim E$.",
         near=sharp(
-            sp.Abs(x1 - x2 - REST),
+            Abs(x1 - x2 - REST),
             "<=",
             (ENERGY - LAST_ENERGY) / b,
-            lambda: (sp.Abs(x1 - x2 - REST), "<=", (ENERGY - LAST_ENERGY) * control.path_per_energy()),
+            lambda: (Abs(x1 - x2 - REST), "<=", (ENERGY - LAST_ENERGY) * control.path_per_energy()),
         ),
         kernel="displacement-limit displacement-paid",
     ),
@@ -271,7 +270,7 @@ def tolerance_ring() -> Case:
         start.
         """,
         creeps=Formula(r"a_2x_1+a_1v_1", "->", -b * sigma, equals(forced.creeping_load)),
-        time=Formula("T", "->", m2 * sp.Abs(v2) / b, equals(lambda: sp.Abs(v2) / control.strongest())),
+        time=Formula("T", "->", m2 * Abs(v2) / b, equals(lambda: Abs(v2) / control.strongest())),
     ),
 )
 def damping_can_desynchronise() -> Case:

@@ -10,7 +10,6 @@ from theory import forced
 from theory import forced_control as control
 from theory.energy import sigma
 from theory.forced_control import angle, reduced, strength
-from theory.symbols import a1, a2, b, m2, t, total_mass, u, v1, x1
 
 
 @cache
@@ -81,9 +80,9 @@ def least_time() -> Evidence:
         followed(),
         identity(
             r"both halves meet at half the time: place and velocity",
-            sp.Matrix(
-                [control.bang(True) - control.bang(False), sp.diff(control.bang(True) + control.bang(False), t)]
-            ).subs(t, turn),
+            Matrix([control.bang(True) - control.bang(False), diff(control.bang(True) + control.bang(False), t)]).subs(
+                t, turn
+            ),
         ),
     )
 
@@ -91,14 +90,14 @@ def least_time() -> Evidence:
 @cache
 def nothing_breaks() -> Evidence:
     """A weak force does not break the pair within half a turn."""
-    share = sp.Symbol("c", real=True)
+    share = Symbol("c", real=True)
     return prove(
         r"$|M\ddot x_1|\leqslant U(2-\cos\Omega t)\leqslant 3U\leqslant bM/m_2$ (here $c=\cos\Omega t$)",
         [
             sp.Ge(share, -1, evaluate=False),
             sp.Le(3 * strength * m2, b * total_mass(), evaluate=False),
         ],
-        sp.Le(m2 * control.pressed().subs(sp.cos(angle), share), b * total_mass(), evaluate=False),
+        sp.Le(m2 * control.pressed().subs(cos(angle), share), b * total_mass(), evaluate=False),
     )
 
 
@@ -119,7 +118,7 @@ def weak_force() -> Evidence:
         """,
         identity(
             r"the arcs meet on both circles, and turn by these angles",
-            [sp.cos(first) - (1 - meets), sp.cos(second) * (1 + reduced) - (meets + 1)],
+            [cos(first) - (1 - meets), cos(second) * (1 + reduced) - (meets + 1)],
         ),
         identity(
             r"$X=d/2+d^2/4$ is on both circles",

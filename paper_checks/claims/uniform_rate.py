@@ -17,7 +17,6 @@ from theory.long_time import abel_defect, leading_coefficient, logarithm_weight,
 from theory.near_critical import cycle
 from theory.rate_bounds import first_depth, first_excess
 from theory.return_map import depth
-from theory.symbols import epsilon, q, r, tau, theta, w
 from theory.symbols import r as share_of_q
 from theory.uniform_rate import (
     crossing_loss,
@@ -29,7 +28,7 @@ from theory.uniform_rate import (
     upper_bound,
 )
 
-EXCESS, SHARE, LOST = sp.symbols("y_0 r s", positive=True)
+EXCESS, SHARE, LOST = symbols("y_0 r s", positive=True)
 
 
 @cache
@@ -50,14 +49,14 @@ def one_more_cycle() -> Evidence:
         identity(
             r"$\frac{1}{\alpha y'}-\frac{1}{\alpha y}=\frac{4}{9}\,\frac{s/y}{1-rs}$ with $\alpha=\frac{9r}{4}$",
             (1 / after - 1 / EXCESS) / first,
-            sp.Rational(4, 9) * LOST / EXCESS / (1 - r * LOST),
+            Rational(4, 9) * LOST / EXCESS / (1 - r * LOST),
         ),
-        identity(r"$\frac{\pi}{\alpha y}=\frac{C}{w}$", sp.pi / first * q, leading_coefficient()),
+        identity(r"$\frac{\pi}{\alpha y}=\frac{C}{w}$", pi / first * q, leading_coefficient()),
         identity(r"$G=O(y^2)$", abel_defect()),
         identity(
             r"$F=O(y^{3/2})$",
-            sp.Matrix([sp.expand(cycle().cycle_duration).coeff(epsilon, n) for n in range(3)]),
-            sp.Matrix([sp.pi, 0, 0]),
+            [expand(cycle().cycle_duration).coeff(epsilon, n) for n in range(3)],
+            [pi, 0, 0],
         ),
     )
 
@@ -95,9 +94,9 @@ def law_with_error() -> Evidence:
 
 def bounds_error(formula: Formula) -> Evidence:
     """Decide a bound of R_n of the form (A y0 + B sqrt(y0))/r: A and B exceed what the cycles can add, or fall short of it."""
-    scaled = sp.expand(sp.sympify(formula.right) * SHARE)
-    factors = [scaled.coeff(EXCESS), scaled.coeff(sp.sqrt(EXCESS))]
-    rest = sp.simplify(scaled - factors[0] * EXCESS - factors[1] * sp.sqrt(EXCESS))
+    scaled = expand(sp.sympify(formula.right) * SHARE)
+    factors = [scaled.coeff(EXCESS), scaled.coeff(sqrt(EXCESS))]
+    rest = sp.simplify(scaled - factors[0] * EXCESS - factors[1] * sqrt(EXCESS))
     (low, high), (short, long) = ranges()
     with precision(25):
         at_most, at_least = (high, -short), (low, -long)
@@ -114,18 +113,18 @@ def bounds_error(formula: Formula) -> Evidence:
     return enclosed(f"${formula.latex}$", passed, f"least and largest: {text}", 2)
 
 
-def point_of(value: sp.Rational) -> arb:
+def point_of(value: Rational) -> arb:
     """Return a ball around a rational number of sympy."""
     return point(int(value.p)) / point(int(value.q))
 
 
-DEEP, GAP, EDGE = sp.symbols("c d k", positive=True)  # k = 1/q
+DEEP, GAP, EDGE = symbols("c d k", positive=True)  # k = 1/q
 
 
 @cache
 def few_crossings() -> Evidence:
     """Each slip that crosses S loses a fixed part of y."""
-    crosses = [sp.Ge(DEEP + GAP, 2 * EDGE)]
+    crosses = [DEEP + GAP >= 2 * EDGE]
     return argument(
         r"""
         A slip that crosses has $c+d\geqslant 2/q$ and loses $r\,c\,(c+2d)$ of $y$. If $d\leqslant 1/q$ that is at
@@ -139,19 +138,19 @@ def few_crossings() -> Evidence:
         *depth_grows(),
         prove(
             r"$c+d\geqslant 2/q$ and $d\leqslant 1/q$ give $c\,(c+2d)\geqslant 2/q^2$ (here $k=1/q$)",
-            [*crosses, sp.Le(GAP, EDGE)],
+            [*crosses, GAP <= EDGE],
             sp.Ge(DEEP * (DEEP + 2 * GAP), 2 * EDGE**2, evaluate=False),
         ),
         prove(
             r"$d\geqslant 1/q$ gives $c\,(c+2d)\geqslant 2c/q$",
-            [sp.Ge(GAP, EDGE)],
+            [GAP >= EDGE],
             sp.Ge(DEEP * (DEEP + 2 * GAP), 2 * DEEP * EDGE, evaluate=False),
         ),
     )
 
 
 @cache
-def upper() -> Evidence:
+def from_above() -> Evidence:
     """The bound of w from above."""
     return argument(
         r"""
@@ -172,13 +171,13 @@ def upper() -> Evidence:
     )
 
 
-RHO, LATE_TIME, CONTACT, LOSS = sp.symbols("rho tau^* tau_1 l", positive=True)
+RHO, LATE_TIME, CONTACT, LOSS = symbols("rho tau^* tau_1 l", positive=True)
 DEPTH = sp.Function("c")
 
 
-def _depths() -> dict[sp.Basic, sp.Basic]:
+def _depths() -> dict[Basic, Basic]:
     """Return what the letters r and c(...) of the least loss stand for."""
-    angle = 2 * sp.acot(q * (sp.sqrt(first_excess) + sp.pi / 2))
+    angle = 2 * sp.acot(q * (sqrt(first_excess) + pi / 2))
     return {R: share_of_q, DEPTH(angle): depth().subs(theta, angle)}
 
 
@@ -191,10 +190,10 @@ def _depths() -> dict[sp.Basic, sp.Basic]:
         «leading» and «weight», at the $n$-th exit after it, at $\tau_n$, $\frac{C}{w_n}+\pi
         B\ln\frac{w_n}{w_0}=\frac{C}{w_0}+\tau_n+R_n$ with «lower» and «upper» for all $n$.
         """,
-        leading=of_share("C", 4 * sp.pi * q / (9 * R), leading_coefficient),
+        leading=of_share("C", 4 * pi * q / (9 * R), leading_coefficient),
         weight=of_share("B", 1 - 2 / (5 * R), logarithm_weight),
-        lower=Formula("R_n", ">=", -sp.Rational(9, 20) * (first_excess + sp.sqrt(first_excess)) / R, bounds_error),
-        upper=Formula("R_n", "<=", (5 * first_excess + sp.sqrt(first_excess) / 10) / R, bounds_error),
+        lower=Formula("R_n", ">=", -Rational(9, 20) * (first_excess + sqrt(first_excess)) / R, bounds_error),
+        upper=Formula("R_n", "<=", (5 * first_excess + sqrt(first_excess) / 10) / R, bounds_error),
     ),
     open=(
         "Whether the factor $1/r$ of these bounds is needed: in the numbers that were tried $R_n$ stays small for small $r$, too.",
@@ -233,18 +232,18 @@ def rate_with_error() -> Case:
         """,
         bound=equal(
             "w_+",
-            q / (1 / first_excess + RHO * sp.Max(0, (tau - LATE_TIME) / (sp.pi * (1 + 2 * sp.sqrt(q))) - 2)),
+            q / (1 / first_excess + RHO * sp.Max(0, (tau - LATE_TIME) / (pi * (1 + 2 * sqrt(q))) - 2)),
             upper_bound,
             lambda: {RHO: gain(), LATE_TIME: late()},
         ),
         gain=of_share(r"\rho", R * (first_depth / first_excess) ** 2, gain),
         late=equal(
             r"\tau^*",
-            CONTACT + 2 * sp.pi * sp.sqrt(q) * crossings,
+            CONTACT + 2 * pi * sqrt(q) * crossings,
             late,
             lambda: {CONTACT: first_contact_bound().subs(w, q * first_excess)},
         ),
-        contact=of_share(r"\tau_1", 2 * sp.sqrt((1 + w) / R), first_contact_bound),
+        contact=of_share(r"\tau_1", 2 * sqrt((1 + w) / R), first_contact_bound),
         count=equal(
             crossings,
             sp.ceiling(first_excess / LOSS),
@@ -253,7 +252,7 @@ def rate_with_error() -> Case:
         ),
         loss=equal(
             LOSS,
-            2 * R / q * sp.Min(DEPTH(2 * sp.acot(q * (sp.sqrt(first_excess) + sp.pi / 2))), 1 / q),
+            2 * R / q * sp.Min(DEPTH(2 * sp.acot(q * (sqrt(first_excess) + pi / 2))), 1 / q),
             crossing_loss,
             _depths,
         ),
@@ -276,7 +275,7 @@ def uniform_rate() -> Case:
         $E(0)$ may lose as much of it as one likes in their first slip. For starts on $S_0$ slightly above $E_{cr}$
         both constants exist (rate-one-over-t).
         """,
-        carried("upper", upper()),
+        carried("upper", from_above()),
         derivation=(
             "$$X=r,\\quad V=\\sqrt{1-r^2+\\delta},\\qquad V_1-V_2=V(\\cos\\sigma-1)-\\sqrt q\\,\\sigma<0\\quad(\\sigma>0)$$",
         ),

@@ -5,7 +5,6 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 
-import sympy as sp
 from flint import arb
 
 from numerics.linear.modes import Mode
@@ -18,7 +17,6 @@ from paper_checks.claims.words import *
 from paper_checks.decide.enclosure import compare, itinerary, rounded, solved, stuck_for_ever, within
 from theory.filippov import half_width
 from theory.model import CASE_STUDY, slip
-from theory.symbols import a2, b, free, m1, m2, total_mass, undamped, v1, x1
 
 TEETH = 10
 SLIPS = (Mode.SLIP_PLUS, Mode.SLIP_MINUS) * TEETH + (Mode.SLIP_PLUS,)
@@ -92,9 +90,9 @@ def _decrement(place: int) -> Callable[[], arb]:
     return lost
 
 
-def _in_mm(speed: Callable[[], sp.Expr]) -> Decide:
+def _in_mm(speed: Callable[[], Expr]) -> Decide:
     """Decide a speed of Fig. 5 (a), in mm/s."""
-    return equals(lambda: 1000 * speed().subs(CASE_STUDY).subs(b, sp.Rational(1, 20)))
+    return equals(lambda: 1000 * speed().subs(CASE_STUDY).subs(b, Rational(1, 20)))
 
 
 def _slope(sign: int) -> Formula:
@@ -120,9 +118,9 @@ def _slope(sign: int) -> Formula:
             of the critical orbit.
             """,
             adhesion=time("t", "4.5497", "velocities", 20),
-            first=Formula(r"\Delta_1", "=...", sp.Rational("14.128"), decimal(_decrement(0))),
-            last=Formula(r"\Delta_9", "=...", sp.Rational("13.160"), decimal(_decrement(-1))),
-            peak=Formula(r"L\Omega", "=", 5, _in_mm(lambda: half_width() * sp.sqrt(a2 / total_mass()))),
+            first=Formula(r"\Delta_1", "=...", Rational("14.128"), decimal(_decrement(0))),
+            last=Formula(r"\Delta_9", "=...", Rational("13.160"), decimal(_decrement(-1))),
+            peak=Formula(r"L\Omega", "=", 5, _in_mm(lambda: half_width() * sqrt(a2 / total_mass()))),
         ),
     ),
 )
@@ -198,8 +196,8 @@ def _linear_decay() -> Steps:
     return (
         identity(
             "in slip$\\pm$ $\\ddot x_1=-\\frac{a_2}{m_1}(x_1\\pm b/a_2)$",
-            sp.Matrix(force),
-            sp.Matrix([-a2 / m1 * (x1 + sign * b / a2) for sign in (1, -1)]),
+            force,
+            [-a2 / m1 * (x1 + sign * b / a2) for sign in (1, -1)],
         ),
         identity(
             "at a crossing the squared amplitude changes by $-4bx_1/a_2$",

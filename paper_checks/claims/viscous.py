@@ -1,7 +1,5 @@
 """Section III with a damper: the energy, and the origin."""
 
-import sympy as sp
-
 from numerics.linear.exact_start import mode_at_start
 from numerics.linear.modes import Mode
 from numerics.scene import Pair, Scene, State
@@ -16,7 +14,6 @@ from theory.energy import energy, slip_rate, stick_rate
 from theory.filippov import derivative_along, load, load_threshold, sliding_field
 from theory.model import free_system, slip, stick
 from theory.scaling import damping_ratio
-from theory.symbols import a1, a2, b, free, m1, m2, undamped, v1, v2, x1
 
 
 def _underdamped() -> Formula:
@@ -42,10 +39,10 @@ def _underdamped() -> Formula:
             "tilted-strip",
             r"it changes adhesion, whose region becomes «strip».",
             strip=sharp(
-                sp.Abs(a2 * x1 + a1 * v1),
+                Abs(a2 * x1 + a1 * v1),
                 "<=",
                 b * (m1 + m2) / m2,
-                lambda: (sp.Abs(load(damped=True)), "<=", load_threshold()),
+                lambda: (Abs(load(damped=True)), "<=", load_threshold()),
             ),
         ),
     ),
@@ -91,8 +88,8 @@ def viscous_no_direct_effect() -> Case:
             "friction-of-slip",
             identity(
                 "in slip the force on body 2 is $\\pm b$, without $a_1$",
-                sp.Matrix([free(slip(sign).force_on_second) for sign in (1, -1)]),
-                sp.Matrix([b, -b]),
+                [free(slip(sign).force_on_second) for sign in (1, -1)],
+                [b, -b],
             ),
             identity(
                 "the damper changes $\\dot E$ by $-a_1v_1^2\\leqslant 0$",
@@ -114,8 +111,8 @@ def viscous_no_direct_effect() -> Case:
         r"With viscous friction, the counterpart of (8) reads «rate».",
         rate=equal(
             r"\dot{E}",
-            -b * sp.Abs(v1 - v2) - a1 * v1**2,
-            lambda: derivative_along(free_system(sp.Abs(v1 - v2) / (v1 - v2)), energy()),
+            -b * Abs(v1 - v2) - a1 * v1**2,
+            lambda: derivative_along(free_system(Abs(v1 - v2) / (v1 - v2)), energy()),
         ),
         kernel="energy-rate",
     ),
@@ -171,7 +168,7 @@ def viscous_energy_rate() -> Case:
 def viscous_origin_stable() -> Case:
     """Global asymptotic stability for every a1 > 0; a spiral exactly below the critical damping of stick."""
     field = sliding_field(damped=True)
-    matrix = sp.Matrix(field[:2]).jacobian([x1, v1])
+    matrix = Matrix(field[:2]).jacobian([x1, v1])
     discriminant = matrix.trace() ** 2 - 4 * matrix.det()
     creeping = solved(load_scene("velocities"))
     return because(
@@ -202,12 +199,12 @@ def viscous_origin_stable() -> Case:
             identity(
                 "so the damping ratio is $a_1/(2\\sqrt{a_2M})$",
                 damping_ratio(),
-                a1 / (2 * sp.sqrt(a2 * (m1 + m2))),
+                a1 / (2 * sqrt(a2 * (m1 + m2))),
             ),
             prove(
                 "both eigenvalues have negative real part: trace $<0$, determinant $>0$",
                 [],
-                sp.And(
+                And(
                     signed(matrix.trace(), "<"),
                     signed(matrix.det(), ">"),
                     evaluate=False,

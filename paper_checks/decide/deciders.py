@@ -71,8 +71,7 @@ def condition(derived: Callable[[], sp.Rel]) -> Decide:
 
     def decide(formula: Formula) -> Evidence:
         found = derived()
-        sides = sp.Matrix([sp.sympify(formula.left) - found.lhs, sp.sympify(formula.right) - found.rhs])
-        same = identity(f"{shown(formula)}, as derived", sides, sp.zeros(2, 1))
+        same = identity(f"{shown(formula)}, as derived", [formula.left, formula.right], [found.lhs, found.rhs])
         return same if found.rel_op == formula.relation else replace(same, passed=False)
 
     return decide

@@ -6,7 +6,8 @@ The points are the check of the simplifier: they use neither the normal form nor
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, TypeAlias
 
 import sympy as sp
 from flint import acb, arb, fmpq
@@ -17,14 +18,17 @@ from paper_checks.decide.balls import precision
 from paper_checks.decide.normal_form import is_zero
 from paper_checks.evidence.evidence import Evidence, EvidenceKind
 
+Side: TypeAlias = "sp.Basic | int | Sequence[Any]"
+"""An expression, or a list or matrix of sides."""
+_MANY = sp.MatrixBase | list | tuple
 DIGITS = 45
 """Digits after the point to which a difference that is not rational at a point is enclosed."""
 
 
 def identity(
     statement: str,
-    left: sp.Basic | int | Sequence[sp.Basic | int],
-    right: sp.Basic | int | Sequence[sp.Basic | int] = 0,
+    left: Side,
+    right: Side = 0,
     *,
     seed: int = 0,
     points: int = 5,
@@ -32,11 +36,15 @@ def identity(
 ) -> Evidence:
     """Check that two sympy expressions, or lists or matrices entry by entry, are equal for all their symbols' values.
 
+    One expression on the right stands beside each entry on the left.
+
     Passed is True where every entry of the difference simplifies to 0 and vanishes at `points` seeded random
     rational points that meet the symbols' assumptions; False where it is not zero at one of them (the value
     names it); None where the simplifier does not reach zero, or no point could be evaluated.
     """
-    differences = list(_entries(left, right))
+    lefts = _entries(left)
+    rights = _entries(right if isinstance(right, _MANY) else [right] * len(lefts))
+    differences = [one - other for one, other in zip(lefts, rights, strict=True)]
     randomness = random.Random(seed)
     tried, inexact, unseen = 0, 0, 0
     for difference in differences:
@@ -75,17 +83,10 @@ def _evidence(statement: str, passed: bool | None, cases: int, value: str, assum
     return Evidence(EvidenceKind.EXACT, "sympy", statement, passed, cases, value, assumptions)
 
 
-def _entries(
-    left: sp.Basic | int | Sequence[sp.Basic | int], right: sp.Basic | int | Sequence[sp.Basic | int]
-) -> Iterator[sp.Expr]:
-    if isinstance(left, list):
-        others = right if isinstance(right, list) else [right] * len(left)
-        for one, other in zip(left, others, strict=True):
-            yield from _entries(one, other)
-    elif isinstance(left, sp.MatrixBase):
-        yield from left - (sp.zeros(*left.shape) if right == 0 else right)
-    else:
-        yield sp.sympify(left) - sp.sympify(right)
+def _entries(side: Side) -> list[sp.Expr]:
+    if isinstance(side, _MANY):
+        return [entry for part in side for entry in _entries(part)]
+    return [sp.sympify(side)]
 
 
 def _samples(

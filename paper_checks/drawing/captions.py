@@ -146,7 +146,7 @@ CAPTIONS: dict[str, tuple[str, str]] = {
     ),
     "two-motions": (
         "Two motions of one force",
-        "With a constant friction their distance never grows. Where friction falls with the speed it does.",
+        "With a constant friction their distance never grows. Where friction falls with the speed it can grow.",
     ),
     "stuck-ellipses": (
         "What sticks for ever on a surface",

@@ -146,9 +146,10 @@ def closure(steps: Iterable[Evidence]) -> Steps:
     found: dict[Evidence, None] = {}
 
     def visit(step: Evidence) -> None:
-        for below in step.rests_on:
-            visit(below)
-        found.setdefault(step)
+        if step not in found:
+            for below in step.rests_on:
+                visit(below)
+            found[step] = None
 
     for step in steps:
         visit(step)

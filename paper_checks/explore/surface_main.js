@@ -164,7 +164,7 @@ function regimeAbove(solution) {
 function turningSentence({ scene, pair, segments }) {
   const { edge, speed } = turningAnswer(pair, scene), last = segments[segments.length - 1], most = shown(scene.size);
   if (pair.zeta === 0) return `|u|/b = ${most}; up to ${shown(edge)} a stuck circle stays. Without a damper it need not be approached.`;
-  if (scene.size <= edge) return `|u|/b = ${most} is at most ${shown(edge)}: every motion comes to stick, on a circle.`;
+  if (scene.size <= edge) return `|u|/b = ${most} is at most ${shown(edge)}: every motion tends to one that goes round stuck, on a circle.`;
   const now = size(stateAbove(last, last.duration).S), near = `at the end of this run |v\u2081 \u2212 v\u2082| = ${shown(now, 6)}`;
-  return `|u|/b = ${most} is more than ${shown(edge)}: every motion comes to slip at the constant speed ${shown(speed, 6)} L\u03a9, round and round without a stop; ${near}.`;
+  return `|u|/b = ${most} is more than ${shown(edge)}: every motion tends to one that slips at the constant speed ${shown(speed, 6)} L\u03a9, round and round without a stop; ${near}.`;
 }

@@ -48,8 +48,7 @@ Proof.
   intros F G T HT e He. destruct (F T HT (e / 2)) as (d1 & H1 & K1); [lra|].
     destruct (G T HT (e / 2)) as (d2 & H2 & K2);
     [lra|].
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros l C L. pose proof (Rmin_l d1 d2).
-    pose proof (Rmin_r d1 d2).
+  smaller d1 d2. intros l C L.
   specialize (K1 l C ltac:(lra)). specialize (K2 l C ltac:(lra)).
   cut (moves (fun t => f t + g t) l <= moves f l + moves g l); [lra|]. clear. induction l as [|(p, q) l IH]; simpl;
     [lra|].
@@ -103,28 +102,6 @@ Proof.
 Qed.
 
 (** *** The theorem *)
-(** what holds at p, goes on a little from where it holds, and arrives where it held just before, holds at q *)
-Lemma creep (P : R -> Prop) p q : p <= q -> P p ->
-  (forall c, p <= c < q -> P c -> exists d, 0 < d /\ forall r, c < r < c + d -> P r) ->
-  (forall c, p < c <= q -> exists d, 0 < d /\ forall r, c - d < r < c -> p <= r -> P r -> P c) -> P q.
-Proof.
-  intros Hpq Pp On Up. set (E := fun r => p <= r <= q /\ P r).
-  destruct (completeness E) as (c & Ub & Lub).
-  { exists q. intros r (Hr & _); lra. } { exists p. split; [lra|auto]. }
-  assert (Hc : p <= c <= q). { split; [apply Ub; split; [lra|auto]|]. apply Lub. intros r (Hr & _); lra. }
-  assert (Pc : P c).
-  { destruct (Req_dec c p) as [->|Ne]; auto. destruct (Up c ltac:(lra)) as (d & Hd & K).
-    destruct (Classical_Prop.classic (exists r, c - d < r < c /\ E r)) as [(r & Hr & (Hr' & Pr))|No].
-    - apply (K r); auto; lra.
-    - destruct (Classical_Prop.classic (P c)); auto. exfalso. assert (c <= c - d); [|lra]. apply Lub. intros r Er.
-      destruct (Rle_dec r (c - d)); auto. exfalso. pose proof (Ub r Er). destruct (Req_dec r c) as [->|].
-      + destruct Er; auto.
-      + apply No. exists r. split; [lra|auto]. }
-  destruct (Req_dec c q) as [->|Ne]; auto. exfalso. destruct (On c ltac:(lra) Pc) as (d & Hd & K).
-  set (r := Rmin q (c + d / 2)). assert (r <= q) by apply Rmin_l. assert (r <= c + d / 2) by apply Rmin_r.
-  assert (c < r) by (apply Rmin_glb_lt; lra). assert (r <= c); [|lra]. apply Ub. split; [lra|]. apply K. lra.
-Qed.
-
 (** t moved into [a, b] *)
 Definition clamp a b t := Rmax a (Rmin t b).
 (** it grows with t *)
@@ -207,12 +184,13 @@ Proof.
     - destruct (D c Hc Nc) as (Df & Pf). destruct (hardly_falls c e He Df Pf) as (h & Hh & Q). exists h; split; auto.
       }
   assert (Pq : P q).
-  { apply (creep P p q); [lra| | |].
+  { apply (onward P p q); [lra| | | |lra].
     - exists [], O. simpl. repeat split; lra.
+    - intros c Hc All. destruct (Near c ltac:(lra)) as (h & Hh & Q).
+      destruct (just_before p c h) as (r & Hr & Hr'); [lra|auto|]. apply (Step r c); [lra| |apply All; lra].
+      apply Q; lra.
     - intros c Hc Pc. destruct (Near c ltac:(lra)) as (h & Hh & Q). exists h; split; auto. intros r Hr.
-      apply (Step c r); auto; [lra|]. apply Q; lra.
-    - intros c Hc. destruct (Near c ltac:(lra)) as (h & Hh & Q). exists h; split; auto. intros r Hr Hr' Pr.
-      apply (Step r c); auto; [lra|]. apply Q; lra. }
+      apply (Step c r); auto; [lra|]. apply Q; lra. }
   destruct Pq as (l & n & Ch & Ln & Mv). pose proof (LaS n).
   specialize (K l (chain_from l p 0 q Ch ltac:(lra)) ltac:(lra)).
   assert (e * (2 * (q - p + 1)) = f p - f q) by (unfold e; field; lra). nra.

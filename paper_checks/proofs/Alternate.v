@@ -7,15 +7,6 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion Rate Turning Orbit Gap.
 Local Open Scope R_scope.
 
-(** derivatives in p: h' = c (1 + k^2), k' = -(1 + k^2), c' = 2 h; so (h + 2 k/q)' = (c - 2/q)(1 + k^2) (twice the one
-    in theta) *)
-Lemma inv_sin2 p : 0 < p < PI -> 1 + ct p ^ 2 = / sin p ^ 2.
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
-    unfold Rsqr in SC. unfold ct.
-  replace (1 + (cos p / sin p) ^ 2) with ((sin p * sin p + cos p * cos p) / sin p ^ 2) by (field; lra).
-    rewrite SC. field. lra.
-Qed.
 (** k' = -(1 + k^2) *)
 Lemma derive_ct p : 0 < p < PI -> is_derive ct p (- (1 + ct p ^ 2)).
 Proof.
@@ -139,15 +130,6 @@ Proof.
   { intros t Ht. apply is_derive_Reals, derive_depth; lra. }
   pose proof (hh_pos t ltac:(lra)). assert (0 < 2 * hh t * (p' - p)) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
-(** 1 - h k = c (1 + k^2) / 2 *)
-Lemma half_depth p : 0 < p < PI -> depth p * (1 + ct p ^ 2) = 2 * (1 - hh p * ct p).
-Proof.
-  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  rewrite inv_sin2 by auto. unfold hh, ct, depth. apply Rmult_eq_reg_r with (sin p ^ 3); [|apply pow_nonzero; lra].
-  replace (2 * (1 - (p - sin p * cos p) / sin p ^ 2 * (cos p / sin p)) * sin p ^ 3)
-    with (2 * (sin p * (sin p * sin p + cos p * cos p) - p * cos p)) by (field; lra). rewrite SC. field. lra.
-Qed.
-
 Section Alternate.
 Variables q pc : R.
 Hypotheses (Hq : 0 < q) (Hpc : PI / 2 < pc < PI) (Dc : depth pc = 2 / q).

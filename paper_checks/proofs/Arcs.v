@@ -8,18 +8,9 @@ Local Open Scope R_scope.
 (** a right derivative sees only what comes next *)
 Lemma rderiv_near f g t l d : 0 < d -> (forall u, t <= u < t + d -> f u = g u) -> rderiv f t l -> rderiv g t l.
 Proof.
-  intros Hd E F e He. destruct (F e He) as (d' & Hd' & K). exists (Rmin d d'); split; [apply Rmin_glb_lt; auto|].
-  intros h Hh. pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). rewrite <- !E by lra. apply K; lra.
+  intros Hd E F e He. destruct (F e He) as (d' & Hd' & K). smaller d d'. intros h Hh. rewrite <- !E by lra.
+  apply K; lra.
 Qed.
-
-(** of a function that runs later *)
-Lemma rderiv_later f t l T : rderiv f (t - T) l -> rderiv (fun u => f (u - T)) t l.
-Proof. intros F. eapply little_ext; [|exact F]. intros h; simpl. replace (t + h - T) with (t - T + h) by ring. auto.
-  Qed.
-
-(** of a function that runs earlier *)
-Lemma rderiv_earlier f t l T : rderiv f (T + t) l -> rderiv (fun u => f (T + u)) t l.
-Proof. intros F. eapply little_ext; [|exact F]. intros h; simpl. rewrite Rplus_assoc. auto. Qed.
 
 (** continuity along a path of times that never runs faster than time *)
 Lemma cont_path f c : (forall t, 0 <= t -> 0 <= c t) -> (forall r t, Rabs (c t - c r) <= Rabs (t - r)) -> cont f ->
@@ -69,17 +60,6 @@ Proof.
   intros u Hu. symmetry. apply join_after; lra.
 Qed.
 
-(** a right derivative of size at most K on [r, t) *)
-Lemma lip_between f f' K r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t ->
-  rderiv f u (f' u) /\ - K <= f' u <= K) ->
-  Rabs (f t - f r) <= K * (t - r).
-Proof.
-  intros C Hr F. apply Rabs_le. split.
-  - cut (-1 * f t - -1 * f r <= K * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
-    intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|apply rderiv_scal; eauto]. lra.
-  - apply (dini_slope f); auto. intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|eauto]. lra.
-Qed.
-
 Section Arcs.
 Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -90,26 +70,14 @@ Lemma forced_shift U x v1 v2 s t0 : 0 <= t0 -> forced U x v1 v2 s ->
   forced (fun u => U (t0 + u)) (fun u => x (t0 + u)) (fun u => v1 (t0 + u)) (fun u => v2 (t0 + u)) (fun u => s (t0 +
     u)).
 Proof.
-  intros Ht [L P N CU CX CV X V W]. constructor; auto using cont_shift.
-  - intros r t Hr. replace (t - r) with (t0 + t - (t0 + r)) by ring. apply L; lra.
-  - intros; apply rderiv_earlier, P; [lra|auto].
-  - intros; apply rderiv_earlier, N; [lra|auto].
-  - intros; apply rderiv_earlier, X; lra.
-  - intros t Hu. apply (rderiv_earlier (fun u => m1 * v1 u + b * s u - U u)), V; lra.
-  - intros t Hu. rewrite Rplus_0_r. rewrite (W (t0 + t)), (W t0) by lra. auto.
+  unfold forced. rewrite !forced_moves. intros Ht (CU & H). split; [apply cont_shift; auto|apply moves_later; auto].
 Qed.
 
 (** the mirror image of a motion is one under the opposite force: all terms are odd *)
 Lemma forced_mirror U x v1 v2 s : forced U x v1 v2 s ->
-  forced (fun t => -1 * U t) (fun t => -1 * x t) (fun t => -1 * v1 t) (fun t => -1 * v2 t) (fun t => -1 * s t).
+  forced (fun t => - U t) (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) (fun t => - s t).
 Proof.
-  intros [L P N CU CX CV X V W]. constructor; auto using cont_scal, rderiv_scal.
-  - intros r t Hr. replace (-1 * s t - -1 * s r) with (- (s t - s r)) by ring. rewrite Rabs_Ropp; auto.
-  - intros t Ht Hv. apply rderiv_eq with (-1 * -1); [ring|]. apply rderiv_scal, N; lra.
-  - intros t Ht Hv. apply rderiv_eq with (-1 * 1); [ring|]. apply rderiv_scal, P; lra.
-  - intros t Ht. apply rderiv_ext with (fun u => -1 * (m1 * v1 u + b * s u - U u)); [intros; ring|].
-    apply rderiv_eq with (-1 * - (a2 * x t + a1 * v1 t)); [ring|]. apply rderiv_scal; auto.
-  - intros t Ht. specialize (W t Ht). lra.
+  unfold forced. rewrite !forced_moves. intros (CU & H). split; [apply cont_opp; auto|apply moves_mirror; auto].
 Qed.
 
 (** A smooth arc that obeys the law of friction on [0, T) under the force u: g is a selection of the set-valued sign. *)
@@ -200,17 +168,24 @@ Proof.
     rewrite Rplus_0_r; congruence.
 Qed.
 
+(** under a force that repeats with the opposite sign the mirror image of the later motion is one *)
+Lemma forced_half_turn U x v1 v2 s T : 0 <= T -> (forall t, 0 <= t -> U (T + t) - U T = - (U t - U 0)) ->
+  forced U x v1 v2 s -> forced U (fun t => - x (T + t)) (fun t => - v1 (T + t)) (fun t => - v2 (T + t))
+    (fun t => - s (T + t)).
+Proof.
+  intros HT PU H. apply (forced_ext m1 m2 a1 a2 b (fun t => - U (T + t))).
+  - intros t Ht. specialize (PU t Ht). rewrite Rplus_0_r. lra.
+  - apply (forced_mirror (fun t => U (T + t)) (fun t => x (T + t)) (fun t => v1 (T + t)) (fun t => v2 (T + t))
+      (fun t => s (T + t))), forced_shift; auto.
+Qed.
+
 (** under a force that repeats with the opposite sign, a motion whose state does so once does so for ever *)
 Theorem antiperiodic U x v1 v2 s T : 0 <= T -> (forall t, 0 <= t -> U (T + t) - U T = - (U t - U 0)) ->
   forced U x v1 v2 s -> x T = - x 0 -> v1 T = - v1 0 -> v2 T = - v2 0 ->
   forall t, 0 <= t -> x (T + t) = - x t /\ v1 (T + t) = - v1 t /\ v2 (T + t) = - v2 t.
 Proof.
-  intros HT PU H E0 E1 E2 t Ht. pose proof (forced_mirror _ _ _ _ _ H) as Mi.
-  pose proof (forced_shift _ _ _ _ _ T HT H) as Sh.
-  assert (Sh' : forced (fun t => -1 * U t) (fun t => x (T + t)) (fun t => v1 (T + t)) (fun t => v2 (T + t)) (fun t =>
-    s (T + t))).
-  { apply (forced_ext m1 m2 a1 a2 b (fun t => U (T + t))); auto. intros r Hr. rewrite Rplus_0_r, PU by auto. ring. }
-  pose proof (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 Sh' Mi) as Q. cbv beta in Q.
+  intros HT PU H E0 E1 E2 t Ht. pose proof (forced_half_turn U x v1 v2 s T HT PU H) as Ha.
+  pose proof (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 Ha H) as Q. cbv beta in Q.
   rewrite Rplus_0_r in Q. specialize (Q (Rle_refl _) ltac:(lra) ltac:(lra) ltac:(lra) t Ht). lra.
 Qed.
 End Arcs.

@@ -98,79 +98,38 @@ Section Edge.
 Variables (k c : R) (Hk : k = 1 \/ k = -1) (Hc : 0 <= c < T).
 Hypothesis Ahead : forall q, c <= q <= T -> 0 <= k * w q.
 Let p := beyond m1 m2 a1 a2 b u x v1 T k.
-Let y t := k * x t - (k * x T + k * v1 T * (t - T) + b / m2 * (t - T) ^ 2 / 2).
-Let y' t := k * v1 t - (k * v1 T + b / m2 * (t - T)).
-Let ahead2 t := k * (v2 t - v2 T) - b / m2 * (t - T).
-Let E t := m1 * (k * w t) + M * ahead2 t.
+Let y := place m2 b x v1 T k.
+Let y' := lead m2 b v1 T k.
+Let E := gain m1 m2 b v1 v2 T k.
 Let F t := p t - a1 * y' t - a2 * y t.
-
-(** F is what the load exceeds the edge by, on the scale of the force *)
-Lemma excess_of_load t : k * load t - b = m2 / M * F t.
-Proof. unfold F, p, y, y', beyond, load, Mode.load, M. field. lra. Qed.
-
-(** the momentum has the rate F in every mode *)
-Lemma rate_E t : 0 <= t -> rderiv E t (F t).
-Proof.
-  intros Ht. apply rderiv_ext with (fun r => k * ((m1 * v1 r + b * s r - U r) + U r + (m2 * v2 0 - b * s 0))
-    - (M * (k * v2 T) + M * (b / m2) * (r - T))).
-  - intros r Hr. rewrite <- (f_v2 _ _ _ _ _ _ _ _ _ _ H r) by lra. unfold E, w, ahead2, M. ring.
-  - eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_scal, rderiv_plus; [apply rderiv_plus;
-    [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H);
-      auto|apply DU; auto]|apply rderiv_const]|apply rderiv_of_derive; auto_derive; auto; reflexivity]].
-    unfold F, p, beyond, y, y', M. field. lra.
-Qed.
-
-(** it is continuous, and 0 at T *)
-Lemma cont_E : cont E.
-Proof.
-  assert (C2 : cont v2) by exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H).
-  apply cont_plus; apply cont_scal; [apply cont_scal, Cw|]. apply cont_minus; [apply cont_scal, cont_minus;
-    auto using cont_const|].
-  apply cont_of_derive with (fun _ => b / m2). intros; auto_derive; auto; ring.
-Qed.
-Lemma E_at_T : E T = 0.
-Proof. unfold E, w, ahead2. rewrite Meet. ring. Qed.
-
-(** before T body 2 is ahead of that motion, as friction gives it at most the acceleration b/m2 *)
-Lemma ahead2_pos t : 0 <= t <= T -> 0 <= ahead2 t.
-Proof.
-  intros Ht. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t T H ltac:(lra) ltac:(lra)) as V.
-  pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t T Ht) as L. apply Rabs_inv in L.
-  assert (b / m2 * (k * (s T - s t)) <= b / m2 * (T - t)).
-  { apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; auto|]. destruct Hk as [Q|Q]; rewrite Q; lra. }
-  unfold ahead2. replace (v2 t - v2 T) with (- (b / m2 * (s T - s t))) by lra. lra.
-Qed.
+Let rate_E t : 0 <= t -> rderiv E t (F t).
+Proof. intros Ht. apply (gain_rate m1 m2 a1 a2 b Hm2 U u x v1 v2 s T H k t Ht (DU t Ht)). Qed.
+Let place_rate t : 0 <= t -> rderiv y t (y' t).
+Proof. apply (place_rate m1 m2 a1 a2 b Hm2 U x v1 v2 s T H k t). Qed.
+Let cont_y : cont y.
+Proof. exact (cont_place m1 m2 a1 a2 b Hm2 U x v1 v2 s T H k). Qed.
 
 (** so is body 1, by what the momentum allows *)
 Lemma lead_bounds t : c <= t <= T -> 0 <= y' t /\ m1 * y' t <= E t.
 Proof.
-  intros Ht. assert (y' t = k * w t + ahead2 t) by (unfold y', w, ahead2; rewrite Meet; ring).
-  pose proof (Ahead t Ht). pose proof (ahead2_pos t ltac:(lra)) as A.
-  assert (0 <= m2 * ahead2 t) by (apply Rmult_le_pos; lra).
-  split; [lra|]. unfold E, M. nra.
+  intros Ht. assert (Sp : y' t = k * w t + ahead2 m2 b v2 T k t) by exact (lead_split m2 b v1 v2 T Meet k t).
+  pose proof (Ahead t Ht). pose proof (proj1 (ahead2_sign m1 m2 a1 a2 b Hm2 Hb U x v1 v2 s T H ltac:(lra) k t Hk
+    ltac:(lra)) ltac:(lra)) as A. assert (0 <= m2 * ahead2 m2 b v2 T k t) by (apply Rmult_le_pos; lra).
+  split; [lra|]. unfold E, gain. fold (w t) M. rewrite Sp. unfold M. nra.
 Qed.
 
 (** and its place is behind *)
-Lemma place_rate t : 0 <= t -> rderiv y t (y' t).
-Proof.
-  intros Ht. apply rderiv_minus; [apply rderiv_scal, (f_x _ _ _ _ _ _ _ _ _ _ H); lra|].
-  apply rderiv_of_derive. auto_derive; auto. field; lra.
-Qed.
-Lemma cont_y : cont y.
-Proof.
-  apply cont_minus; [apply cont_scal, (f_cx _ _ _ _ _ _ _ _ _ _ H)|].
-  apply cont_of_derive with (fun t => k * v1 T + b / m2 * (t - T)). intros t. auto_derive; auto. field; lra.
-Qed.
 Lemma place_behind t : c <= t <= T -> y t <= 0.
 Proof.
-  intros Ht. assert (YT : y T = 0) by (unfold y; field; lra). assert (-1 * y T <= -1 * y t); [|lra].
+  intros Ht. assert (YT : y T = 0) by (unfold y, place; field; lra). assert (-1 * y T <= -1 * y t); [|lra].
   apply (dini_mono (fun r => -1 * y r)); [apply cont_scal, cont_y|lra|].
   intros r Hr. destruct (lead_bounds r ltac:(lra)). eapply rderiv_dini; [|apply rderiv_scal, place_rate; lra]. lra.
 Qed.
 (** but not far *)
 Lemma place_not_far t B : c <= t <= T -> (forall q, t <= q < T -> y' q <= B) -> - (B * (T - t)) <= y t.
 Proof.
-  intros Ht Up. assert (YT : y T = 0) by (unfold y; field; lra). pose proof (dini_slope y B t T cont_y ltac:(lra)) as Q.
+  intros Ht Up. assert (YT : y T = 0) by (unfold y, place; field; lra).
+  pose proof (dini_slope y B t T cont_y ltac:(lra)) as Q.
   rewrite YT in Q. assert (0 - y t <= B * (T - t)); [|lra]. apply Q.
   intros r Hr. eapply rderiv_dini; [|apply place_rate; lra]. apply Up; lra.
 Qed.
@@ -203,9 +162,11 @@ Qed.
 (** where the force asks at least b - z, the weighted momentum is at most z times the time left: it ends at 0 *)
 Lemma momentum_up_to z q : c <= q <= T -> 0 <= z -> (forall r, q <= r < T -> - z <= p r) -> g q * E q <= z * (T - q).
 Proof.
-  intros Hq Hz Low. assert (Q : -1 * (g T * E T) - -1 * (g q * E q) <= z * (T - q)); [|rewrite E_at_T in Q; lra].
+  intros Hq Hz Low. assert (Q : -1 * (g T * E T) - -1 * (g q * E q) <= z * (T - q)); [|rewrite (gain_0 m1 m2 b v1 v2 T
+    Meet k : E T = 0) in Q; lra].
   apply (dini_slope (fun r => -1 * (g r * E r))); [|lra|].
-  - apply cont_scal, cont_mult; [|exact cont_E]. apply cont_of_derive with (fun r => a1 / m1 * g r).
+  - apply cont_scal, cont_mult; [|exact (cont_gain m1 m2 a1 a2 b Hm2 U x v1 v2 s T H k)].
+    apply cont_of_derive with (fun r => a1 / m1 * g r).
     intros r. unfold g. auto_derive; auto. unfold Rminus. ring.
   - intros r Hr. destruct (weighted_rate r ltac:(lra)) as (D & Ge). destruct (weight r ltac:(lra)) as (G1 & _).
     specialize (Low r ltac:(lra)). pose proof (exp_pos (a1 / m1 * (r - T))). fold (g r) in *.
@@ -263,7 +224,8 @@ Proof.
   { assert (0 <= a1 * y' t) by (apply Rmult_le_pos; auto). assert (a2 * - (B * (T - t)) <= a2 * y t) by (apply
     Rmult_le_compat_l; lra).
     unfold F. unfold z in Small. lra. }
-  pose proof (excess_of_load t) as X. assert (0 < m2 / M) by (apply Rdiv_lt_0_compat; unfold M; lra). nra.
+  pose proof (excess_of_load m1 m2 a1 a2 b Hm1 Hm2 u x v1 T k t : k * load t - b = m2 / M * F t) as X.
+  assert (0 < m2 / M) by (apply Rdiv_lt_0_compat; unfold M; lra). nra.
 Qed.
 End Edge.
 

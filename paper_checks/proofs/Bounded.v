@@ -5,29 +5,6 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced Response.
 Local Open Scope R_scope.
 
-(** a function that does not increase where it is at least C stays below C *)
-Lemma barrier_until W C r t : cont W -> 0 <= r <= t -> W r <= C -> (forall u, r <= u < t -> C <= W u -> dini_le W u
-  0) ->
-  W t <= C.
-Proof.
-  intros CW Hr W0 D. destruct (Rle_dec (W t) C) as [|N]; auto. exfalso.
-  destruct (last_nonneg (fun u => C - W u) r t) as (p & Hp & Wp & Ab); try lra.
-    { apply cont_minus; auto using cont_const. }
-  destruct (Rlt_dec (W p) C) as [L|L].
-  - destruct (CW p ltac:(lra) (C - W p)) as (d & Hd & K); [lra|]. set (h := Rmin (d / 2) (t - p)).
-    assert (h <= d / 2) by apply Rmin_l. assert (h <= t - p) by apply Rmin_r.
-      assert (0 < h) by (apply Rmin_glb_lt; lra).
-    specialize (K (p + h) ltac:(lra)). assert (Q : Rabs (p + h - p) < d) by (rewrite Rabs_pos_eq; lra).
-      specialize (K Q).
-    apply Rabs_def2 in K. specialize (Ab (p + h) ltac:(lra)). lra.
-  - assert (W t <= W p); [|lra]. apply dini_mono; auto; [lra|]. intros u Hu. apply D; [lra|].
-    destruct (Req_dec u p) as [->|]; [lra|]. specialize (Ab u ltac:(lra)). lra.
-Qed.
-(** for ever *)
-Corollary barrier W C : cont W -> W 0 <= C -> (forall t, 0 <= t -> C <= W t -> dini_le W t 0) -> forall t, 0 <= t ->
-  W t <= C.
-Proof. intros CW W0 D t Ht. apply (barrier_until W C 0 t); auto; [lra|]. intros u Hu. apply D. lra. Qed.
-
 Section Bounded.
 Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 < a1) (Ha2 : 0 < a2) (Hb : 0 < b).

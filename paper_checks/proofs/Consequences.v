@@ -12,11 +12,8 @@ Variables m1 m2 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
-Let E0 : 0 < Ecr. Proof. apply Ecr_pos; auto. Qed.
 Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
-Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let w t := v1 t - v2 t.
 Let CW : cont w.
 Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 0 a2 b Hm2 _ _ _ _ H)]. Qed.
@@ -25,31 +22,8 @@ Proof. apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 
 Lemma first_contact t : 0 <= t -> w t <> 0 -> exists t1, t < t1 /\ w t1 = 0 /\ forall u, t <= u < t1 -> 0 < w t * w u.
 Proof.
   intros Ht Hw. destruct (contact m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb x v1 v2 s t H Ht) as (tc & Tc & Ec).
-  set (A := fun y => t <= y /\ forall u, t <= u <= y -> 0 < w t * w u).
-  assert (At : A t). { split; [lra|]. intros u Hu. replace u with t by lra. nra. }
-  assert (Bd : bound A). { exists tc. intros y (Hy & Q). destruct (Rle_dec y tc); auto. exfalso.
-    specialize (Q tc ltac:(lra)). unfold w in Q at 2. rewrite Ec in Q. lra. }
-  destruct (completeness A Bd (ex_intro _ t At)) as (t1 & Ub & Lub). exists t1.
-  assert (T1 : t <= t1) by (apply Ub, At).
-  assert (Below : forall u, t <= u < t1 -> 0 < w t * w u).
-  { intros u Hu. apply Classical_Prop.NNPP. intros N. assert (t1 <= u); [|lra]. apply Lub. intros y (Hy & Q).
-    destruct (Rle_dec y u); auto. exfalso. apply N, Q. lra. }
-  assert (Z : w t1 = 0).
-  { apply Classical_Prop.NNPP. intros N. destruct (CW t1 ltac:(lra) (Rabs (w t1) / 2)) as (d & Hd & K).
-    { assert (0 < Rabs (w t1)) by (apply Rabs_pos_lt; auto). lra. }
-    assert (Same : forall u, 0 <= u -> Rabs (u - t1) < d -> 0 < w t1 * w u).
-    { intros u Hu Hn. specialize (K u Hu Hn). apply Rabs_def2 in K. unfold Rabs in K; destruct Rcase_abs; nra. }
-    assert (S1 : 0 < w t * w t1).
-    { destruct (Req_dec t t1) as [<-|]; [nra|]. set (u := Rmax t (t1 - d / 2)).
-      assert (Hu : t <= u < t1 /\ t1 - d / 2 <= u) by (unfold u; pose proof (Rmax_l t (t1 - d / 2));
-        pose proof (Rmax_r t (t1 - d / 2)); split; [split; [lra|apply Rmax_lub_lt; lra]|lra]).
-      pose proof (Below u ltac:(lra)) as B1. pose proof (Same u ltac:(lra) ltac:(apply Rabs_def1; lra)) as B2.
-      assert (0 < (w t * w u) * (w t1 * w u)) by (apply Rmult_lt_0_compat; auto). nra. }
-    assert (A (t1 + d / 2)); [|assert (t1 + d / 2 <= t1) by (apply Ub; auto); lra].
-    split; [lra|]. intros u Hu. destruct (Rlt_dec u t1) as [l|l]; [apply Below; lra|].
-    pose proof (Same u ltac:(lra) ltac:(apply Rabs_def1; lra)) as B2.
-    assert (0 < (w t * w t1) * (w t1 * w u)) by (apply Rmult_lt_0_compat; auto). nra. }
-  split; [|split; auto]. destruct (Req_dec t t1) as [Q|]; [|lra]. exfalso. rewrite <- Q in Z. auto.
+  assert (Z : w tc = 0) by (unfold w; lra).
+  destruct (first_zero w t tc CW) as (t1 & Q & R); [lra|rewrite Z; lra|auto|]. exists t1. split; [lra|auto].
 Qed.
 
 (** a stay below S does not end at x > L: there the relative velocity falls *)

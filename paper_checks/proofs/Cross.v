@@ -2,23 +2,9 @@
     they land. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap.
+From InertialPair Require Import Dini Pair Stick Limit Excursion Rate Turning Slip Cycle Orbit Sharp Law Gap
+  Alternate.
 Local Open Scope R_scope.
-
-(** with no gap the level is that of the return map *)
-Lemma level_0 m1 m2 p : 0 < m1 -> 0 < m2 -> 0 < p < PI -> level m1 m2 p 0 = hh p ^ 2 - m2 / (m1 + m2) * depth p ^ 2.
-Proof.
-  intros Hm1 Hm2 Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
-    unfold Rsqr in SC.
-  assert (I : 2 * (1 - hh p * ct p) = (ct p ^ 2 + 1) * depth p).
-  { unfold hh, ct, depth. apply Rmult_eq_reg_r with (sin p ^ 3); [|apply pow_nonzero; lra].
-    replace (2 * (1 - (p - sin p * cos p) / sin p ^ 2 * (cos p / sin p)) * sin p ^ 3)
-      with (2 * (sin p * (sin p * sin p + cos p * cos p) - p * cos p)) by (field; lra).
-    replace (((cos p / sin p) ^ 2 + 1) * (2 * (sin p - p * cos p) / sin p) * sin p ^ 3)
-      with ((sin p * sin p + cos p * cos p) * 2 * (sin p - p * cos p)) by (field; lra). rewrite SC. ring. }
-  assert (Q : m2 / (m1 + m2) = 1 - m1 / (m1 + m2)) by (field; lra). unfold level. cbv zeta.
-    rewrite Rplus_0_r, I, Q. ring.
-Qed.
 
 Section Cross.
 Variables m1 m2 a2 b : R.
@@ -78,39 +64,6 @@ Proof.
     rewrite A, B. auto.
 Qed.
 
-(** on S0 above E_cr it sticks until it reaches one of the two rays, at the same level *)
-Lemma to_ray_left y w1 w2 z t u : solution m1 m2 0 a2 b y w1 w2 z -> 0 <= t -> w1 t = w2 t -> - L <= y t <= L ->
-  w1 t < 0 -> 0 < u ->
-  energy m1 m2 a2 (y t) (w1 t) (w2 t) = Ecr * (1 + q * u ^ 2) ->
-  exists t2, t <= t2 < t + PI / om /\ on_ray m1 m2 a2 b (-1) u y w1 w2 t2 /\ forall t', t <= t' <= t2 ->
-    w1 t' = w2 t' /\ - L <= y t' <= L.
-Proof.
-  intros S Ht Ev Hx Hv Hu En.
-  destruct (stick m1 m2 a2 b Hm1 Hm2 Ha2 Hb y w1 w2 z t (y t / L) u S Ht Hu) as (T1 & R1 & I1); auto.
-  { fold L. field. lra. }
-  { split; apply Rmult_le_reg_r with L; auto; replace (y t / L * L) with (y t) by (field; lra); lra. }
-  match type of R1 with on_ray _ _ _ _ _ _ _ _ _ (t + ?TT) => set (T := TT) in * end. fold om in T1.
-  exists (t + T). split; [lra|]. split; [auto|]. intros t' Ht'. specialize (I1 (t' - t) ltac:(lra)).
-    replace (t + (t' - t)) with t' in I1 by ring. exact I1.
-Qed.
-(** either ray: the mirror image of the left one, and at rest the energy would be at most E_cr *)
-Lemma to_ray t u : 0 <= t -> v1 t = v2 t -> - L <= x t <= L -> 0 < u -> E t = Ecr * (1 + q * u ^ 2) ->
-  exists k t2, (k = 1 \/ k = -1) /\ t <= t2 < t + PI / om /\ on_ray m1 m2 a2 b k u x v1 v2 t2 /\
-    forall t', t <= t' <= t2 -> v1 t' = v2 t' /\ - L <= x t' <= L.
-Proof.
-  intros Ht Ev Hx Hu En. destruct (Rtotal_order (v1 t) 0) as [N|[Z|P]].
-  - destruct (to_ray_left x v1 v2 s t u H) as (t2 & A); auto. exists (-1), t2. tauto.
-  - exfalso. pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ q0 (pow_lt _ 2 Hu))) as Q.
-    assert (HE : Ecr < E t) by (rewrite En; lra).
-    unfold E, energy in HE. rewrite <- Ev, Z in HE. unfold Ecr in HE. rewrite Ecr_L in HE by auto. fold L in HE.
-    assert (x t ^ 2 <= L ^ 2) by nra. clear Q En. nra.
-  - assert (Em : energy m1 m2 a2 (- x t) (- v1 t) (- v2 t) = E t) by (unfold E, energy; field).
-    destruct (to_ray_left _ _ _ _ t u (mirror m1 m2 a2 b _ _ _ _ H) Ht) as (t2 & A1 & A2 & A3); try (cbv beta;
-      rewrite ?Em; auto; lra).
-    exists 1, t2. split; [auto|]. split; [auto|]. split; [apply ray_mirror; exact A2|]. intros t' Ht'.
-      specialize (A3 t' Ht'). cbv beta in A3. lra.
-Qed.
-
 (** Re-entry: D = depth + d <= 2/q. It lands in S0 at the level y'; it sticks there for ever exactly if y' <= 0,
     and otherwise it sticks until a ray with the push sqrt y'. *)
 Theorem reentry k t0 d p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 <= d -> 0 < p < PI ->
@@ -138,9 +91,10 @@ Proof.
   - intros Y. apply (capture m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t1 H); auto. fold Ecr. apply Iff; auto.
   - intros Y. split. { destruct (Rlt_dec Ecr (E t1)) as [|n]; auto. exfalso. apply Rnot_lt_le in n.
     apply Iff in n. lra. }
-    destruct (to_ray t1 (sqrt y)) as (k' & t2 & A1 & A2 & A3 & A4); auto.
+    destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t1 (sqrt y)) as (k' & t2 & A1 & A2 & A3 & A4); auto.
     + apply sqrt_lt_R0; auto.
-    + rewrite En. do 2 f_equal. replace (sqrt y ^ 2) with (sqrt y * sqrt y) by ring. rewrite sqrt_sqrt by lra. auto.
+    + change (E t1 = Ecr * (1 + q * sqrt y ^ 2)). rewrite En. do 2 f_equal.
+      replace (sqrt y ^ 2) with (sqrt y * sqrt y) by ring. rewrite sqrt_sqrt by lra. auto.
     + exists k', t2. repeat (split; [auto; fail|]). intros t Hu. apply A4; auto.
 Qed.
 
@@ -178,7 +132,9 @@ Theorem first_slip t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L -> 0 < p 
     v1 t <> v2 t) /\ v1 t2 = v2 t2 /\
     (sticks t2 <-> hh p ^ 2 <= r * depth p ^ 2).
 Proof.
-  intros Ht Ev Hx Hp En. destruct (to_ray t0 (hh p) Ht Ev Hx (hh_pos p Hp) En) as (k & t1 & Hk & T1 & HR & St).
+  intros Ht Ev Hx Hp En.
+  destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p Hp) En)
+    as (k & t1 & Hk & T1 & HR & St).
   destruct (merges_at_first_landing k t1 p Hk ltac:(lra) Hp HR) as (Sg & Ev2 & _ & _ & Iff & _).
   assert (T0 : 0 < 2 * p / o1) by (apply Rdiv_lt_0_compat; lra).
   exists t1, (t1 + 2 * p / o1). split; [lra|]. split; [lra|]. split; [intros; apply St; auto|]. split; [|auto].

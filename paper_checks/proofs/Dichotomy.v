@@ -22,27 +22,6 @@ Let X := X m1 m2 a2.
 Let V := V m1 m2 a2.
 Let distance x0 v0 t := energy m1 m2 a2 (x t - X x0 v0 t) (v1 t - V x0 v0 t) (v2 t - V x0 v0 t).
 
-(** what is paid for by energy converges *)
-Lemma paid_limit (F : R -> R) l : (forall t, 0 <= t -> l <= E t) ->
-  (forall r t, 0 <= r <= t -> Rabs (F t - F r) <= kap * (E r - E t)) -> 0 < kap ->
-  exists a, forall t, 0 <= t -> Rabs (F t - a) <= kap * (E t - l).
-Proof.
-  intros Hl HF Hk.
-  assert (Nest : forall t r, 0 <= t -> 0 <= r -> F t - kap * (E t - l) <= F r + kap * (E r - l)).
-  { intros t r Ht Hr. pose proof (Hl t Ht). pose proof (Hl r Hr).
-    assert (0 <= kap * (E t - l)) by (apply Rmult_le_pos; lra).
-      assert (0 <= kap * (E r - l)) by (apply Rmult_le_pos; lra).
-    destruct (Rle_dec r t).
-    - pose proof (HF r t ltac:(lra)) as Q. apply Rabs_inv in Q. lra.
-    - pose proof (HF t r ltac:(lra)) as Q. apply Rabs_inv in Q. lra. }
-  destruct (completeness (fun y => exists t, 0 <= t /\ y = F t - kap * (E t - l))) as (a & Ub & Lub).
-  { exists (F 0 + kap * (E 0 - l)). intros y (t & Ht & ->). apply Nest; lra. }
-  { exists (F 0 - kap * (E 0 - l)), 0; split; [lra|auto]. }
-  exists a. intros t Ht. apply Rabs_le. split.
-  - assert (a <= F t + kap * (E t - l)); [|lra]. apply Lub. intros y (u & Hu & ->). apply Nest; auto.
-  - assert (F t - kap * (E t - l) <= a); [|lra]. apply Ub. exists t; auto.
-Qed.
-
 (** A, B and E converge, so the solution tends to the stuck motion with those values *)
 Theorem convergence : exists x0 v0, energy m1 m2 a2 x0 v0 v0 <= Ecr m1 m2 a2 b /\
   (forall t, 0 <= t -> energy m1 m2 a2 x0 v0 v0 <= E t) /\
@@ -58,8 +37,8 @@ Proof.
   pose proof (limit_not_above m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H l Hl Hlim) as HL.
   change (forall t, 0 <= t -> l <= E t) in Hl.
     change (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> E t <= l + e) in Hlim.
-  destruct (paid_limit A l Hl (A_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) kap_pos) as (a & HA).
-  destruct (paid_limit B l Hl (B_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H) kap_pos) as (c & HB).
+  destruct (paid_limit E A kap l (Rlt_le _ _ kap_pos) Hl (A_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H)) as (a & HA).
+  destruct (paid_limit E B kap l (Rlt_le _ _ kap_pos) Hl (B_paid m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H)) as (c & HB).
   exists a, (om * c).
   assert (En : energy m1 m2 a2 a (om * c) (om * c) = a2 / 2 * (a ^ 2 + c ^ 2)).
   { unfold energy. rewrite Ma. unfold M. field. }

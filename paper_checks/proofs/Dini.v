@@ -6,6 +6,14 @@ Local Open Scope R_scope.
 Lemma Rabs_inv x a : Rabs x <= a -> - a <= x <= a.
 Proof. intros H. pose proof (Rle_abs x). pose proof (Rle_abs (- x)). rewrite Rabs_Ropp in *. lra. Qed.
 
+(** the smaller of two positive numbers serves where each of them does *)
+Ltac smaller a b :=
+  exists (Rmin a b); pose proof (Rmin_l a b); pose proof (Rmin_r a b); split; [apply Rmin_glb_lt; auto; lra|].
+
+(** from squares to absolute values *)
+Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
+Proof. intros; split; nra. Qed.
+
 (** f (h) = o(h) for h -> 0+ *)
 Definition little (f : R -> R) :=
   forall eps, 0 < eps -> exists d, 0 < d /\ forall h, 0 < h < d -> Rabs (f h) <= eps * h.
@@ -34,8 +42,7 @@ Proof. intros e He; exists 1; split; [lra|]. intros h Hh; rewrite Rabs_R0; nra. 
 Lemma little_plus f g : little f -> little g -> little (fun h => f h + g h).
 Proof.
   intros F G e He. destruct (F (e/2)) as (d1 & ? & K1); [lra|]. destruct (G (e/2)) as (d2 & ? & K2); [lra|].
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh.
-  pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
+  smaller d1 d2. intros h Hh.
   assert (Rabs (f h) <= e/2*h) by (apply K1; lra). assert (Rabs (g h) <= e/2*h) by (apply K2; lra).
   pose proof (Rabs_triang (f h) (g h)). lra.
 Qed.
@@ -133,6 +140,10 @@ Proof. intros F G. eapply little_ext; [|exact (little_plus _ _ F G)]. intros; si
 Lemma rderiv_scal c f t l : rderiv f t l -> rderiv (fun u => c * f u) t (c * l).
 Proof. intros F. eapply little_ext; [|exact (little_scal c _ F)]. intros; simpl; ring. Qed.
 
+(** of the opposite *)
+Lemma rderiv_opp f t l : rderiv f t l -> rderiv (fun u => - f u) t (- l).
+Proof. intros F. eapply little_ext; [|exact (little_scal (-1) _ F)]. intros; simpl; ring. Qed.
+
 (** of a difference *)
 Lemma rderiv_minus f g t l k : rderiv f t l -> rderiv g t k -> rderiv (fun u => f u - g u) t (l - k).
 Proof. intros F G. eapply little_ext; [|exact (little_minus _ _ F G)]. intros; simpl; ring. Qed.
@@ -149,6 +160,15 @@ Proof.
     (big_mult _ _ (rderiv_big _ _ _ F) (rderiv_big _ _ _ G)))].
   intros; simpl; ring.
 Qed.
+
+(** of a function that runs later *)
+Lemma rderiv_later f t l T : rderiv f (t - T) l -> rderiv (fun u => f (u - T)) t l.
+Proof. intros F. eapply little_ext; [|exact F]. intros h; simpl. replace (t + h - T) with (t - T + h) by ring. auto.
+  Qed.
+
+(** of a function that runs earlier *)
+Lemma rderiv_earlier f t l T : rderiv f (T + t) l -> rderiv (fun u => f (T + u)) t l.
+Proof. intros F. eapply little_ext; [|exact F]. intros h; simpl. rewrite Rplus_assoc. auto. Qed.
 
 (** of an equal value *)
 Lemma rderiv_eq f t l k : l = k -> rderiv f t l -> rderiv f t k.
@@ -170,8 +190,7 @@ Lemma cont_plus f g : cont f -> cont g -> cont (fun u => f u + g u).
 Proof.
   intros F G t Ht e He. destruct (F t Ht (e/2)) as (d1 & ? & K1); [lra|].
     destruct (G t Ht (e/2)) as (d2 & ? & K2); [lra|].
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros s Hs Hd.
-  pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
+  smaller d1 d2. intros s Hs Hd.
   assert (Rabs (f s - f t) < e/2) by (apply K1; lra). assert (Rabs (g s - g t) < e/2) by (apply K2; lra).
   replace (f s + g s - (f t + g t)) with ((f s - f t) + (g s - g t)) by ring.
   pose proof (Rabs_triang (f s - f t) (g s - g t)). lra.
@@ -185,8 +204,7 @@ Proof.
   assert (0 < e / (2 * k)) by (apply Rdiv_lt_0_compat; unfold k; lra).
   assert (0 < e1) by (apply Rmin_glb_lt; lra).
   destruct (F t Ht e1) as (d1 & ? & K1); auto. destruct (G t Ht e1) as (d2 & ? & K2); auto.
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros s Hs Hd.
-  pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
+  smaller d1 d2. intros s Hs Hd.
   assert (A : Rabs (f s - f t) < e1) by (apply K1; lra). assert (B : Rabs (g s - g t) < e1) by (apply K2; lra).
   replace (f s * g s - f t * g t) with ((f s - f t) * (g s - g t) + (f s - f t) * g t + f t * (g s - g t)) by ring.
   eapply Rle_lt_trans. { eapply Rle_trans; [apply Rabs_triang|]. apply Rplus_le_compat_r. apply Rabs_triang. }
@@ -219,6 +237,10 @@ Proof.
   rewrite <- !E by auto. auto.
 Qed.
 
+(** of the opposite *)
+Lemma cont_opp f : cont f -> cont (fun t => - f t).
+Proof. intros C. apply cont_ext with (fun t => -1 * f t); [intros; ring|apply cont_scal; auto]. Qed.
+
 (** of a function shifted in time *)
 Lemma cont_shift f s : 0 <= s -> cont f -> cont (fun u => f (s + u)).
 Proof.
@@ -241,50 +263,93 @@ Proof.
   nra.
 Qed.
 
-(** ** Dini: a continuous function with upper right derivative <= 0 never increases. *)
-Lemma dini_eps f s t e : 0 < e -> cont f -> 0 <= s <= t -> (forall r, s <= r < t -> dini_le f r 0) ->
-  f t <= f s + e * (t - s).
+(** ** What holds at a time, of what came before, and for a while after each time at which it holds, holds for ever *)
+Lemma onward (P : R -> Prop) a c : a <= c -> P a ->
+  (forall t, a < t <= c -> (forall u, a <= u < t -> P u) -> P t) ->
+  (forall t, a <= t < c -> P t -> exists d, 0 < d /\ forall u, t < u < t + d -> P u) -> forall t, a <= t <= c -> P t.
 Proof.
-  intros He C Hst D.
-  set (P := fun r => s <= r <= t /\ forall u, s <= u <= r -> f u <= f s + e * (u - s)).
-  assert (Ps : P s). { split; [lra|]. intros u Hu. replace u with s by lra. lra. }
-  destruct (completeness P) as (c & Cub & Club).
-  { exists t. intros r (Hr & _); lra. } { exists s; auto. }
-  assert (Hc : s <= c <= t). { split; [apply Cub; auto|]. apply Club. intros r (Hr & _); lra. }
-  assert (Below : forall u, s <= u < c -> f u <= f s + e * (u - s)).
-  { intros u Hu. destruct (Rle_dec (f u) (f s + e * (u - s))) as [|N]; auto. exfalso.
-    assert (c <= u); [|lra]. apply Club. intros r (Hr & Q). destruct (Rle_dec r u); auto. exfalso; apply N, Q; lra. }
-  assert (Pc : P c).
-  { split; auto. intros u Hu. destruct (Req_dec u c) as [->|]; [|apply Below; lra].
-    destruct (Rle_dec (f c) (f s + e * (c - s))) as [|N]; auto. exfalso.
-    destruct (C c) with (eps := f c - (f s + e * (c - s))) as (d & Hd & K); try lra.
-    assert (s < c). { destruct (Req_dec s c) as [E|]; [|lra]. subst c. lra. }
-    set (u0 := Rmax s (c - d / 2)). assert (s <= u0) by apply Rmax_l. assert (c - d/2 <= u0) by apply Rmax_r.
-    assert (u0 < c) by (unfold u0; apply Rmax_lub_lt; lra).
-    specialize (K u0). assert (Rabs (f u0 - f c) < f c - (f s + e * (c - s))).
-    { apply K; [lra|]. rewrite Rabs_left; lra. }
-    apply Rabs_def2 in H3. pose proof (Below u0). nra. }
-  destruct (Req_dec c t) as [->|Hne]. { apply Pc; lra. }
-  exfalso. destruct (D c) with (eps := e) as (d & Hd & K); try lra.
-  set (h := Rmin (d / 2) (t - c)). assert (0 < h) by (apply Rmin_glb_lt; lra).
-  assert (h <= d/2) by apply Rmin_l. assert (h <= t - c) by apply Rmin_r.
-  assert (P (c + h)).
-  { split; [lra|]. intros u Hu. destruct (Rle_dec u c); [apply Pc; lra|].
-    specialize (K (u - c)). replace (c + (u - c)) with u in K by ring.
-    destruct Pc as (_ & Pc). specialize (Pc c). assert (f u - f c <= (0 + e) * (u - c)) by (apply K; lra).
-    assert (f c <= f s + e * (c - s)) by (apply Pc; lra). lra. }
-  pose proof (Cub _ H2). lra.
+  intros Hac Pa Lim Step. set (A := fun r => a <= r <= c /\ forall u, a <= u <= r -> P u).
+  assert (Aa : A a) by (split; [lra|intros u Hu; replace u with a by lra; auto]).
+  destruct (completeness A) as (m & Ub & Lub); [exists c; intros r (Hr & _); lra|exists a; auto|].
+  assert (Hm : a <= m <= c) by (split; [auto|apply Lub; intros r (Hr & _); lra]).
+  assert (Below : forall u, a <= u < m -> P u).
+  { intros u Hu. apply Classical_Prop.NNPP. intros N. assert (m <= u); [|lra]. apply Lub. intros r (Hr & Q).
+    apply Rnot_lt_le. intros L. apply N, Q. lra. }
+  assert (Upto : forall u, a <= u <= m -> P u).
+  { intros u Hu. destruct (Req_dec u m) as [->|]; [|apply Below; lra].
+    destruct (Req_dec a m) as [<-|]; [auto|apply Lim; [lra|auto]]. }
+  destruct (Req_dec m c) as [<-|]; [exact Upto|]. exfalso. destruct (Step m) as (d & Hd & Q); [lra|apply Upto; lra|].
+  set (r := Rmin (m + d / 2) c). assert (r <= m + d / 2) by apply Rmin_l. assert (r <= c) by apply Rmin_r.
+  assert (m < r) by (apply Rmin_glb_lt; lra). assert (r <= m); [|lra]. apply Ub. split; [lra|]. intros u Hu.
+  destruct (Rle_dec u m); [apply Upto|apply Q]; lra.
 Qed.
+
+(** there are times just before a time *)
+Lemma just_before a t d : a < t -> 0 < d -> exists u, a <= u < t /\ t - d < u.
+Proof.
+  intros Ha Hd. exists (Rmax a (t - d / 2)). pose proof (Rmax_l a (t - d / 2)). pose proof (Rmax_r a (t - d / 2)).
+  split; [split; [auto|apply Rmax_lub_lt; lra]|lra].
+Qed.
+
+(** a bound before a time is one at that time *)
+Lemma cont_le f k a t : cont f -> 0 <= a < t -> (forall u, a <= u < t -> f u <= k) -> f t <= k.
+Proof.
+  intros C Ha B. apply Rnot_lt_le. intros N. destruct (C t ltac:(lra) (f t - k)) as (d & Hd & K); [lra|].
+  destruct (just_before a t d) as (u & Hu & Near); [lra|auto|]. specialize (K u ltac:(lra) ltac:(apply Rabs_def1; lra)).
+  apply Rabs_def2 in K. specialize (B u ltac:(lra)). lra.
+Qed.
+
+(** the first zero of a function that changes its sign *)
+Lemma first_zero w t q : cont w -> 0 <= t <= q -> w t * w q <= 0 -> w t <> 0 ->
+  exists c, t < c <= q /\ w c = 0 /\ forall u, t <= u < c -> 0 < w t * w u.
+Proof.
+  intros C Hq N Nt. apply Classical_Prop.NNPP. intros No. apply (Rle_not_lt _ _ N).
+  assert (Cg : forall k, cont (fun u => k * w u)) by auto using cont_mult, cont_const.
+  apply (onward (fun u => 0 < w t * w u) t q); [lra|nra| | |lra].
+  - intros c Hc All. apply Rnot_le_lt. intros Nc. apply No. exists c. split; [lra|]. split; auto.
+    assert (- w t * w c <= 0) by (apply (cont_le _ 0 t c (Cg (- w t))); [lra|intros u Hu; specialize (All u Hu); lra]).
+    nra.
+  - intros c Hc Pc. destruct (Cg (w t) c ltac:(lra) _ Pc) as (d & Hd & K). exists d; split; auto. intros u Hu.
+    specialize (K u ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K. lra.
+Qed.
+
+(** a zero between two signs *)
+Lemma cont_IVT f p q : cont f -> 0 <= p <= q -> f p * f q <= 0 -> exists c, p <= c <= q /\ f c = 0.
+Proof.
+  intros C Hp Hs. destruct (Req_dec (f p) 0); [exists p; split; [lra|auto]|].
+  destruct (first_zero f p q C Hp Hs) as (c & Hc & Z & _); auto. exists c. split; [lra|auto].
+Qed.
+
+(** ** Dini: what does not rise where it is at a level or above does not pass it *)
+Lemma barrier_until f k s t : cont f -> 0 <= s <= t -> f s <= k -> (forall u, s <= u < t -> k <= f u -> dini_le f u 0)
+  ->
+  f t <= k.
+Proof.
+  intros C Hst Fs D. apply le_epsilon. intros q Hq. set (e := q / (t - s + 1)).
+  assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
+  assert (Cl : cont (fun u => f u - e * (u - s))).
+  { apply cont_minus; auto. apply (lip_cont _ e); [lra|]. intros r u Hr.
+    replace (e * (u - s) - e * (r - s)) with (e * (u - r)) by ring. rewrite Rabs_pos_eq; nra. }
+  apply Rle_trans with (k + e * (t - s)).
+  2: { replace q with (e * (t - s + 1)) by (unfold e; field; lra). nra. }
+  apply (onward (fun u => f u <= k + e * (u - s)) s t); try lra.
+  - intros c Hc Below. assert (f c - e * (c - s) <= k); [|lra].
+    apply (cont_le _ k s c Cl); [lra|]. intros u Hu. specialize (Below u Hu). cbv beta in *. lra.
+  - intros c Hc Fc. destruct (Rlt_dec (f c) k) as [L|L].
+    + destruct (C c ltac:(lra) (k - f c)) as (d & Hd & K); [lra|]. exists d; split; auto. intros u Hu.
+      specialize (K u ltac:(lra) ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in K. nra.
+    + destruct (D c ltac:(lra) ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros u Hu.
+      specialize (K (u - c) ltac:(lra)). replace (c + (u - c)) with u in K by ring. lra.
+Qed.
+
+(** for ever *)
+Corollary barrier f k : cont f -> f 0 <= k -> (forall t, 0 <= t -> k <= f t -> dini_le f t 0) ->
+  forall t, 0 <= t -> f t <= k.
+Proof. intros C F0 D t Ht. apply (barrier_until f k 0 t); auto; [lra|]. intros u Hu. apply D. lra. Qed.
 
 (** an upper right derivative <= 0 everywhere: the function does not increase *)
 Theorem dini_mono f s t : cont f -> 0 <= s <= t -> (forall r, s <= r < t -> dini_le f r 0) -> f t <= f s.
-Proof.
-  intros C Hst D. apply le_epsilon. intros e He.
-  apply Rle_trans with (f s + e / (t - s + 1) * (t - s)).
-  { apply dini_eps; auto. apply Rdiv_lt_0_compat; lra. }
-  apply Rplus_le_compat_l. replace e with (e / (t - s + 1) * (t - s + 1)) at 2 by (field; lra).
-  apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat|]; lra.
-Qed.
+Proof. intros C Hst D. apply (barrier_until f (f s) s t); auto; lra. Qed.
 
 (** with a constant slope bound *)
 Corollary dini_slope f k s t : cont f -> 0 <= s <= t -> (forall r, s <= r < t -> dini_le f r k) ->
@@ -303,3 +368,63 @@ Qed.
 Corollary rderiv_mono f s t l : cont f -> 0 <= s <= t -> (forall r, s <= r < t -> rderiv f r (l r) /\ l r <= 0) ->
   f t <= f s.
 Proof. intros C H D. apply dini_mono; auto. intros r Hr. destruct (D r Hr). eapply rderiv_dini; eauto. Qed.
+
+(** a right derivative of size at most K on [r, t) *)
+Lemma lip_between f f' K r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u (f' u) /\ - K <= f' u <= K)
+  ->
+  Rabs (f t - f r) <= K * (t - r).
+Proof.
+  intros C Hr F. apply Rabs_le. split.
+  - cut (-1 * f t - -1 * f r <= K * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
+    intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|apply rderiv_scal; eauto]. lra.
+  - apply (dini_slope f); auto. intros u Hu. destruct (F u Hu). eapply rderiv_dini; [|eauto]. lra.
+Qed.
+
+(** one everywhere: a Lipschitz constant *)
+Lemma lip_of_rderiv f f' K r t : cont f -> (forall u, 0 <= u -> rderiv f u (f' u) /\ Rabs (f' u) <= K) -> 0 <= r <= t ->
+  Rabs (f t - f r) <= K * (t - r).
+Proof.
+  intros C F Hr. apply (lip_between f f'); auto. intros u Hu. destruct (F u ltac:(lra)). auto using Rabs_inv.
+Qed.
+
+(** a constant right derivative: a line *)
+Lemma rderiv_line f k r t : cont f -> 0 <= r <= t -> (forall u, r <= u < t -> rderiv f u k) -> f t - f r = k * (t - r).
+Proof.
+  intros C Hr F. apply Rle_antisym.
+  - apply dini_slope; auto. intros u Hu. apply (rderiv_dini _ _ k); [lra|auto].
+  - assert (-1 * f t - -1 * f r <= - k * (t - r)); [|lra]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
+    intros u Hu. apply (rderiv_dini _ _ (-1 * k)); [lra|auto using rderiv_scal].
+Qed.
+
+(** ** What decreases and is not negative has a limit *)
+Lemma dec_limit f : (forall r t, 0 <= r <= t -> f t <= f r) -> (forall t, 0 <= t -> 0 <= f t) ->
+  exists l, 0 <= l /\ (forall t, 0 <= t -> l <= f t) /\ forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
+    f t <= l + e.
+Proof.
+  intros Mo P. destruct (completeness (fun y => exists t, 0 <= t /\ y = - f t)) as (m & U & L).
+  { exists 0. intros y (t & Ht & ->). specialize (P t Ht). lra. } { exists (- f 0), 0. split; lra. }
+  exists (- m). split; [|split].
+  - cut (m <= 0); [lra|]. apply L. intros y (t & Ht & ->). specialize (P t Ht). lra.
+  - intros t Ht. cut (- f t <= m); [lra|]. apply U. exists t; auto.
+  - intros e He. apply Classical_Prop.NNPP. intros No. cut (m <= m - e); [lra|]. apply L. intros y (t & Ht & ->).
+    apply Rnot_lt_le. intros N. apply No. exists t; split; auto. intros u Hu. specialize (Mo t u ltac:(lra)). lra.
+Qed.
+
+(** and what moves only at its cost has one, too *)
+Lemma paid_limit (E F : R -> R) k l : 0 <= k -> (forall t, 0 <= t -> l <= E t) ->
+  (forall r t, 0 <= r <= t -> Rabs (F t - F r) <= k * (E r - E t)) ->
+  exists a, forall t, 0 <= t -> Rabs (F t - a) <= k * (E t - l).
+Proof.
+  intros Hk Hl HF.
+  assert (Nest : forall t r, 0 <= t -> 0 <= r -> F t - k * (E t - l) <= F r + k * (E r - l)).
+  { intros t r Ht Hr. assert (0 <= k * (E t - l)) by (specialize (Hl t Ht); apply Rmult_le_pos; lra).
+    assert (0 <= k * (E r - l)) by (specialize (Hl r Hr); apply Rmult_le_pos; lra).
+    destruct (Rle_dec r t); [pose proof (HF r t ltac:(lra)) as Q|pose proof (HF t r ltac:(lra)) as Q];
+    apply Rabs_inv in Q; lra. }
+  destruct (completeness (fun y => exists t, 0 <= t /\ y = F t - k * (E t - l))) as (a & Ub & Lub).
+  { exists (F 0 + k * (E 0 - l)). intros y (t & Ht & ->). apply Nest; lra. }
+  { exists (F 0 - k * (E 0 - l)), 0; split; [lra|auto]. }
+  exists a. intros t Ht. apply Rabs_le. split.
+  - assert (a <= F t + k * (E t - l)); [|lra]. apply Lub. intros y (u & Hu & ->). apply Nest; auto.
+  - assert (F t - k * (E t - l) <= a); [|lra]. apply Ub. exists t; auto.
+Qed.

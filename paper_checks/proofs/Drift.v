@@ -5,24 +5,15 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Response Bounded Arcs Periodic.
 Local Open Scope R_scope.
 
-(** a function with the derivative 0 on [0, +oo) keeps its value *)
-Lemma keeps_value f t : cont f -> 0 <= t -> (forall r, 0 <= r -> rderiv f r 0) -> f t = f 0.
-Proof.
-  intros C Ht D. apply Rle_antisym.
-  - apply (dini_mono f); auto; [lra|]. intros r Hr. eapply rderiv_dini; [|apply D; lra]. lra.
-  - cut (-1 * f t <= -1 * f 0); [lra|]. apply (dini_mono (fun r => -1 * f r)); auto using cont_scal; [lra|].
-    intros r Hr. eapply rderiv_dini; [|apply rderiv_scal, D; lra]. lra.
-Qed.
-
 (** the place z of body 2 *)
 Theorem drift v2 z t : cont v2 -> cont z -> (forall r, 0 <= r -> rderiv z r (v2 r)) -> 0 <= t -> z t - z 0 = integral
   v2 t.
 Proof.
-  intros C Cz Dz Ht. pose proof (keeps_value (fun r => z r - integral v2 r) t) as Q. cbv beta in Q.
-  rewrite integral_0 in Q.
-  assert (z t - integral v2 t = z 0 - 0); [|lra]. apply Q; auto.
-  - apply cont_minus; auto using integral_cont.
-  - intros r Hr. replace 0 with (v2 r - v2 r) by ring. apply rderiv_minus; auto using integral_rderiv.
+  intros C Cz Dz Ht. assert (Q : (z t - integral v2 t) - (z 0 - integral v2 0) = 0 * (t - 0)).
+  { apply (rderiv_line (fun r => z r - integral v2 r)); [apply cont_minus; auto using integral_cont|lra|].
+    intros r Hr. replace 0 with (v2 r - v2 r) by ring.
+    apply rderiv_minus; [apply Dz; lra|apply integral_rderiv; auto; lra]. }
+  rewrite integral_0 in Q. lra.
 Qed.
 
 (** a force that changes its sign after half a period, and its periodic response: that changes its sign, too, and
@@ -37,21 +28,20 @@ Theorem no_drift m1 m2 a1 a2 b U G T x v1 v2 s z : 0 < m1 -> 0 < m2 -> 0 < a1 ->
 Proof.
   intros Hm1 Hm2 Ha1 Ha2 Hb HG HT LU Anti H Pe Cz Dz.
   (* the mirror image of the later motion is a motion under this force *)
-  assert (H' : forced m1 m2 a1 a2 b U (fun t => -1 * x (T + t)) (fun t => -1 * v1 (T + t)) (fun t => -1 * v2 (T + t))
-    (fun t => -1 * s (T + t))).
-  { apply (forced_ext m1 m2 a1 a2 b (fun t => -1 * U (T + t))).
-    - intros t Ht. specialize (Anti t Ht). rewrite Rplus_0_r. lra.
-    - apply (forced_mirror m1 m2 a1 a2 b (fun t => U (T + t)) (fun t => x (T + t))), forced_shift; auto; lra. }
-  assert (Same : forall t, 0 <= t -> x t = -1 * x (T + t) /\ v1 t = -1 * v1 (T + t) /\ v2 t = -1 * v2 (T + t)).
+  assert (H' : forced m1 m2 a1 a2 b U (fun t => - x (T + t)) (fun t => - v1 (T + t)) (fun t => - v2 (T + t))
+    (fun t => - s (T + t))).
+  { apply forced_half_turn; auto; lra. }
+  assert (Same : forall t, 0 <= t -> x t = - x (T + t) /\ v1 t = - v1 (T + t) /\ v2 t = - v2 (T + t)).
   { apply (periodic_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ G (2 * T) H H' HG LU); [lra| |];
     intros t Ht.
     - rewrite Rplus_comm. apply Pe; auto.
     - destruct (Pe (T + t) ltac:(lra)) as (E1 & E2 & E3). replace (T + (t + 2 * T)) with (2 * T + (T + t)) by ring.
       lra. }
   split; [intros t Ht; specialize (Same t Ht); lra|].
-  pose proof (keeps_value (fun r => z (T + r) + z r) T) as Q. cbv beta in Q. rewrite Rplus_0_r in Q.
-  replace (T + T) with (2 * T) in Q by ring. assert (z (2 * T) + z T = z T + z 0); [|lra]. apply Q; [|lra|].
-  - apply cont_plus; [apply cont_shift|]; auto; lra.
-  - intros r Hr. replace 0 with (v2 (T + r) + v2 r) by (specialize (Same r Hr); lra).
-    apply rderiv_plus; [apply rderiv_earlier, Dz; lra|apply Dz; auto].
+  assert (Q : (z (T + T) + z T) - (z (T + 0) + z 0) = 0 * (T - 0)).
+  { apply (rderiv_line (fun r => z (T + r) + z r)); [|lra|].
+    - apply cont_plus; [apply cont_shift|]; auto; lra.
+    - intros r Hr. replace 0 with (v2 (T + r) + v2 r) by (specialize (Same r ltac:(lra)); lra).
+      apply rderiv_plus; [apply rderiv_earlier, Dz; lra|apply Dz; lra]. }
+  rewrite Rplus_0_r in Q. replace (T + T) with (2 * T) in Q by ring. lra.
 Qed.

@@ -18,7 +18,6 @@ Variables m1 m2 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Let L := L m1 m2 a2 b.
 Let Ecr := Ecr m1 m2 a2 b.
-Let L0 : 0 < L. Proof. apply L_pos; auto. Qed.
 Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).

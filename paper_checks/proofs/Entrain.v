@@ -185,10 +185,7 @@ Proof.
     assert (W : - (e * d / 2) <= w u <= e * d / 2) by (apply sq_le_abs; auto).
     unfold w in W. apply Rabs_le. split; apply Rmult_le_reg_l with e; nra. }
   assert (P0 := PI_RGT_0). assert (Pp : 0 < 2 * PI / om) by (apply Rdiv_lt_0_compat; lra).
-  destruct (nat_above (T / (2 * PI / om))) as (n & Hn).
-  assert (HnT : T <= INR n * (2 * PI / om)).
-  { apply Rmult_lt_compat_r with (1 := Pp) in Hn.
-    replace (T / (2 * PI / om) * (2 * PI / om)) with T in Hn by (field; lra). lra. }
+  destruct (nat_above T (2 * PI / om) Pp) as (n & Hn).
   rewrite <- (rV_period n t), <- (rV_period n r). set (p := INR n * (2 * PI / om)) in *.
   pose proof (Near (t + p) ltac:(lra)) as N1. pose proof (Near (r + p) ltac:(lra)) as N2.
     pose proof (Lv (r + p) (t + p) ltac:(lra)) as L.

@@ -23,18 +23,6 @@ Proof.
   eapply Rle_lt_trans; [apply Rabs_triang_inv2|]. auto.
 Qed.
 
-(** a bounded right derivative is a Lipschitz constant *)
-Lemma lip_of_rderiv f f' K r t : cont f -> (forall u, 0 <= u -> rderiv f u (f' u) /\ Rabs (f' u) <= K) -> 0 <= r <= t ->
-  Rabs (f t - f r) <= K * (t - r).
-Proof.
-  intros C F Hr. apply Rabs_le. split.
-  - cut (-1 * f t - -1 * f r <= K * (t - r)); [lra|]. apply (dini_slope (fun u => -1 * f u)); auto using cont_scal.
-    intros u Hu. destruct (F u ltac:(lra)) as (Q & B). apply Rabs_inv in B.
-      eapply rderiv_dini; [|apply rderiv_scal, Q]. lra.
-  - apply (dini_slope f); auto. intros u Hu. destruct (F u ltac:(lra)) as (Q & B). apply Rabs_inv in B.
-    eapply rderiv_dini; [|exact Q]. lra.
-Qed.
-
 (** sqrt is concave: it carries an upper right derivative over without a condition on the increment *)
 Lemma sqrt_dini y t k : (forall u, 0 < y u) -> dini_le y t k -> dini_le (fun u => sqrt (y u)) t (k / (2 * sqrt (y t))).
 Proof.
@@ -85,8 +73,7 @@ Proof.
         specialize (K h Hh). fold l in K. unfold y. lra. }
       destruct (sqrt_dini y u _ yP0 Fy (q / 2)) as (d1 & Hd1 & K1); [lra|]. destruct (Ju (q / 2)) as (d2 & Hd2 & K2);
         [lra|].
-      exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2).
-      pose proof (Rmin_r d1 d2). specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
+      smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2.
       assert (B : 2 * l / (2 * sqrt (y u)) <= j u).
       { pose proof (sqrt_lt_R0 _ (yP0 u)) as Sy. apply Rmult_le_reg_r with (sqrt (y u)); auto.
         replace (2 * l / (2 * sqrt (y u)) * sqrt (y u)) with l by (field; lra). apply Rmult_le_compat_l; auto.
@@ -117,13 +104,20 @@ Record forced (U x v1 v2 s : R -> R) : Prop := {
   f_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + b * s r - U r) t (- (a2 * x t + a1 * v1 t));
   f_v2 : forall t, 0 <= t -> m2 * v2 t - b * s t = m2 * v2 0 - b * s 0 }.
 
+(** a motion with a continuous impulse, and no other *)
+Lemma forced_moves U x v1 v2 s : forced U x v1 v2 s <-> cont U /\ moves m1 m2 a1 a2 b 1 U x v1 v2 s.
+Proof.
+  split.
+  - intros []. split; auto. constructor; auto using opposes_both. intros. rewrite Rmult_1_l. auto.
+  - intros (CU & [L P CX CV X V W]). constructor; auto.
+    + intros r t Hr. rewrite <- (Rmult_1_l (t - r)). auto.
+    + intros t Ht Sl. apply P; auto; lra.
+    + intros t Ht Sl. apply P; auto; lra.
+Qed.
+
 (** no force: the solutions of the free pair, and only they *)
 Theorem free_case x v1 v2 s : forced (fun _ => 0) x v1 v2 s <-> solution m1 m2 a1 a2 b x v1 v2 s.
-Proof.
-  split; intros []; constructor; auto using cont_const; intros t Ht.
-  - apply rderiv_ext with (fun u => m1 * v1 u + b * s u - 0); auto. intros; ring.
-  - apply rderiv_ext with (fun u => m1 * v1 u + b * s u); auto. intros; ring.
-Qed.
+Proof. rewrite forced_moves, solution_moves. split; [tauto|auto using cont_const]. Qed.
 
 (** only the increments of the impulse matter: a constant force impulse is no force *)
 Lemma forced_ext U U' x v1 v2 s : (forall t, 0 <= t -> U' t - U' 0 = U t - U 0) -> forced U x v1 v2 s ->
@@ -137,72 +131,59 @@ Proof.
     apply rderiv_eq with (- (a2 * x t + a1 * v1 t) + 0); [ring|]. apply rderiv_plus; [auto|apply rderiv_const].
 Qed.
 
-(** the impulse of friction is continuous *)
+(** so: the impulse of friction is continuous *)
 Lemma forced_cs U x v1 v2 s : forced U x v1 v2 s -> cont s.
-Proof. intros H. apply (lip_cont s 1); [lra|]. intros. rewrite Rmult_1_l. apply (f_lip _ _ _ _ _ H); auto. Qed.
+Proof. rewrite forced_moves. intros (_ & H). exact (moves_cs _ _ _ _ _ _ _ _ _ _ _ H). Qed.
 
 (** body 2 is moved by friction only *)
 Lemma forced_v2 U x v1 v2 s r t : forced U x v1 v2 s -> 0 <= r -> 0 <= t -> v2 t - v2 r = b / m2 * (s t - s r).
-Proof.
-  intros H Hr Ht. pose proof (f_v2 _ _ _ _ _ H r Hr). pose proof (f_v2 _ _ _ _ _ H t Ht).
-  apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * (s t - s r))) with (b * (s t - s r)) by (field;
-    lra). lra.
-Qed.
+Proof. rewrite forced_moves. intros (_ & H). exact (moves_v2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H r t). Qed.
 
 (** v2 is continuous *)
 Lemma forced_cv2 U x v1 v2 s : forced U x v1 v2 s -> cont v2.
-Proof.
-  intros H. apply cont_ext with (fun u => (v2 0 - b / m2 * s 0) + b / m2 * s u).
-  { intros u Hu. pose proof (forced_v2 _ _ _ _ _ 0 u H ltac:(lra) Hu). lra. }
-  apply cont_plus; [apply cont_const|]. apply cont_scal, (forced_cs _ _ _ _ _ H).
-Qed.
+Proof. rewrite forced_moves. intros (_ & H). exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H). Qed.
 
-(** friction, as it pushes body 2 *)
-Lemma forced_pushes U x v1 v2 s t : forced U x v1 v2 s -> 0 <= t -> pushes s (v1 t - v2 t) t.
-Proof.
-  intros H Ht. split; [|split; intros W; [apply (f_pos _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ H)]; lra].
-  intros h Hh. apply Rabs_inv. replace h with (t + h - t) at 2 by ring. apply (f_lip _ _ _ _ _ H). lra.
-Qed.
+(** friction acts against the slip *)
+Lemma forced_opposes U x v1 v2 s t k : forced U x v1 v2 s -> 0 <= t -> k = 1 \/ k = -1 -> 0 < k * (v1 t - v2 t) ->
+  rderiv s t k.
+Proof. rewrite forced_moves. intros (_ & H) Ht. exact (q_slip _ _ _ _ _ _ _ _ _ _ _ H t Ht k). Qed.
+
+(** the relative velocity changes by the load, and by friction *)
+Lemma forced_relative U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rderiv U t u ->
+  rderiv (fun r => v1 r - v2 r + b * (M / (m1 * m2)) * s r) t ((u - a2 * x t - a1 * v1 t) / m1).
+Proof. rewrite forced_moves. intros (_ & H). exact (moves_slip _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u). Qed.
+Lemma forced_rate U x v1 v2 s t u l : forced U x v1 v2 s -> 0 <= t -> rderiv U t u -> rderiv s t l ->
+  rderiv (fun r => v1 r - v2 r) t (M / (m1 * m2) * (m2 * (u - a2 * x t - a1 * v1 t) / M - b * l)).
+Proof. rewrite forced_moves. intros (_ & H). exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u l). Qed.
 
 (** increments of the impulse are O(h) *)
 Lemma big_s U x v1 v2 s t : forced U x v1 v2 s -> 0 <= t -> big (fun h => s (t + h) - s t).
-Proof. intros H Ht. exact (pushes_big _ _ _ (forced_pushes _ _ _ _ _ t H Ht)). Qed.
+Proof. rewrite forced_moves. intros (_ & H). exact (moves_big _ _ _ _ _ _ _ _ _ _ _ H t). Qed.
+
+(** during a slip the impulse of friction is the time *)
+Lemma forced_slip U x v1 v2 s r t k : forced U x v1 v2 s -> 0 <= r <= t -> k = 1 \/ k = -1 ->
+  (forall u, r <= u < t -> 0 < k * (v1 u - v2 u)) -> s t - s r = k * (t - r).
+Proof. rewrite forced_moves. intros (_ & H). exact (moves_impulse _ _ _ _ _ _ _ _ _ _ _ H r t k). Qed.
+
+(** *** Energy: E' = u v1 - a1 v1^2 - b |v1 - v2| wherever the impulse has the right derivative u *)
+Theorem forced_energy_rate U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rderiv U t u ->
+  rderiv (fun t => energy (x t) (v1 t) (v2 t)) t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
+Proof. rewrite forced_moves. intros (_ & H). exact (moves_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ H t u). Qed.
 
 Section Two.
 Variables U x v1 v2 s U' x' v1' v2' s' : R -> R.
 Hypotheses (H : forced U x v1 v2 s) (H' : forced U' x' v1' v2' s').
 Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
+Let Mo := proj2 (proj1 (forced_moves _ _ _ _ _) H).
+Let Mo' := proj2 (proj1 (forced_moves _ _ _ _ _) H').
 
 (** the energy distance is continuous *)
 Lemma forced_cont_D : cont D.
-Proof.
-  pose proof (forced_cv2 _ _ _ _ _ H). pose proof (forced_cv2 _ _ _ _ _ H'). destruct H, H'.
-  assert (cont (fun t => x t - x' t)) by (apply cont_minus; auto).
-  assert (cont (fun t => v1 t - v1' t)) by (apply cont_minus; auto).
-  assert (cont (fun t => v2 t - v2' t)) by (apply cont_minus; auto).
-  apply cont_ext with (fun t => a2 / 2 * ((x t - x' t) * (x t - x' t)) + m1 / 2 * ((v1 t - v1' t) * (v1 t - v1' t))
-    + m2 / 2 * ((v2 t - v2' t) * (v2 t - v2' t))).
-  { intros; unfold D, energy, Pair.energy; field. }
-  repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
-Qed.
-
+Proof. exact (moves_cD _ _ _ _ _ Hm2 _ _ _ _ _ _ _ _ _ _ Mo Mo'). Qed.
 (** D' <= du dv1 - a1 dv1^2: the impulses of the two forces enter only through their difference *)
 Lemma forced_D_dini t du : 0 <= t -> rderiv (fun r => U r - U' r) t du ->
   dini_le D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2).
-Proof.
-  intros Ht HU e He.
-  assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t (du - (a2 * (x t - x' t) + a1 * (v1 t - v1'
-    t)))).
-  { eapply little_ext; [|exact (little_plus _ _ (little_minus _ _ (f_v1 _ _ _ _ _ H t Ht) (f_v1 _ _ _ _ _ H' t Ht))
-    HU)].
-    intros h; simpl; ring. }
-  destruct (distance_dini m1 m2 a2 b Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ (f_x _ _ _ _ _ H t Ht) (f_x _ _ _ _ _ H' t Ht) V
-    (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H' Ht
-      ltac:(lra)) (forced_pushes _ _ _ _ _ t H Ht) (forced_pushes _ _ _ _ _ t H' Ht) e He) as (d & Hd & K).
-  exists d; split; auto. intros h Hh. specialize (K h Hh). unfold D, energy.
-  replace (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2) with
-    ((du - (a2 * (x t - x' t) + a1 * (v1 t - v1' t)) + a2 * (x t - x' t)) * (v1 t - v1' t)) by ring. exact K.
-Qed.
+Proof. exact (moves_D_dini _ _ _ _ _ Hm1 Hm2 Hb _ _ _ _ _ _ _ _ _ _ Mo Mo' t du). Qed.
 
 (** *** Input to state: the energy distance grows at most by the L1 norm of the difference of the forces *)
 Let N t := sqrt (2 * D t).
@@ -234,15 +215,9 @@ Theorem forced_contraction U x v1 v2 s x' v1' v2' s' r t : forced U x v1 v2 s ->
   0 <= r <= t ->
   energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
 Proof.
-  intros H H' Hr.
-  apply (dini_mono (fun t => energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t))); auto. { eapply forced_cont_D; eauto. }
-  intros u Hu e He.
-  assert (Z : rderiv (fun r => U r - U r) u 0) by (apply rderiv_ext with (fun _ => 0); [intros;
-    ring|apply rderiv_const]).
-  destruct (forced_D_dini _ _ _ _ _ _ _ _ _ _ H H' u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto.
-    intros h Hh.
-  specialize (K h Hh). simpl in K. pose proof (pow2_ge_0 (v1 u - v1' u)).
-  assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h) by (apply Rmult_le_pos; [apply Rmult_le_pos; auto|lra]). lra.
+  intros H H'. apply forced_moves in H, H'.
+  exact (moves_contraction m1 m2 a1 a2 b Hm1 Hm2 Ha1 Hb _ _ _ _ _ _ _ _ _ _ (proj2 H) (proj2 H') r t (fun _ =>
+    eq_refl)).
 Qed.
 
 (** equal states stay equal *)
@@ -250,9 +225,7 @@ Theorem forced_unique U x v1 v2 s x' v1' v2' s' t0 : forced U x v1 v2 s -> force
   x t0 = x' t0 -> v1 t0 = v1' t0 -> v2 t0 = v2' t0 -> forall t, t0 <= t -> x t = x' t /\ v1 t = v1' t /\ v2 t = v2' t.
 Proof.
   intros H H' Ht X V W t Hu. pose proof (forced_contraction _ _ _ _ _ _ _ _ _ t0 t H H' ltac:(lra)) as C.
-  rewrite X, V, W in C. replace (energy (x' t0 - x' t0) (v1' t0 - v1' t0) (v2' t0 - v2' t0)) with 0 in C by
-    (unfold energy, Pair.energy; field).
-  apply (energy_zero m1 m2 a2 Hm1 Hm2 Ha2) in C. lra.
+  rewrite X, V, W in C. exact (energy_apart m1 m2 a2 Hm1 Hm2 Ha2 _ _ _ _ _ _ _ _ _ C).
 Qed.
 
 (** for continuous forces the norm of the difference is an integral *)
@@ -267,19 +240,6 @@ Proof.
   rewrite integral_0, Rminus_0_r in Q. apply Q; auto using integral_cont; [| |lra]; intros r Hr.
   - apply rderiv_minus; apply integral_rderiv; auto.
   - apply (integral_rderiv (fun r => Rabs (u r - u' r))); auto.
-Qed.
-
-(** *** Energy: E' = u v1 - a1 v1^2 - b |v1 - v2| wherever the impulse has the right derivative u *)
-Theorem forced_energy_rate U x v1 v2 s t u : forced U x v1 v2 s -> 0 <= t -> rderiv U t u ->
-  rderiv (fun t => energy (x t) (v1 t) (v2 t)) t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
-Proof.
-  intros H Ht HU. pose proof (forced_pushes _ _ _ _ _ t H Ht) as S.
-  assert (V : rderiv (fun r => m1 * v1 r + b * s r) t (u - (a2 * x t + a1 * v1 t))).
-  { eapply little_ext; [|exact (little_plus _ _ (f_v1 _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
-  eapply little_ext; [|exact (little_minus _ _ (energy_increment m1 m2 a2 b Hm1 Hm2 x v1 v2 s t _ (f_x _ _ _ _ _ H t
-    Ht) V (fun h Hh => forced_v2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) (pushes_big _ _ _ S)) (little_scal b _
-      (friction_power _ _ _ S)))].
-  intros h. unfold energy. cbv beta. ring.
 Qed.
 
 (** *** What body 2 can follow *)

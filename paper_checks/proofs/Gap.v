@@ -2,7 +2,7 @@
     u. *)
 From Coq Require Import Reals Lra Psatz Nsatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle.
 Local Open Scope R_scope.
 
 (** k = cot p *)
@@ -265,3 +265,73 @@ Proof.
     split; [intros t Hu; specialize (S2 t Hu); lra|]. destruct Hk; subst k; lra.
 Qed.
 End Gap.
+
+(** derivatives in p: h' = c (1 + k^2), k' = -(1 + k^2), c' = 2 h; so (h + 2 k/q)' = (c - 2/q)(1 + k^2) (twice the one
+    in theta) *)
+Lemma inv_sin2 p : 0 < p < PI -> 1 + ct p ^ 2 = / sin p ^ 2.
+Proof.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC.
+    unfold Rsqr in SC. unfold ct.
+  replace (1 + (cos p / sin p) ^ 2) with ((sin p * sin p + cos p * cos p) / sin p ^ 2) by (field; lra).
+    rewrite SC. field. lra.
+Qed.
+(** 1 - h k = c (1 + k^2) / 2 *)
+Lemma half_depth p : 0 < p < PI -> depth p * (1 + ct p ^ 2) = 2 * (1 - hh p * ct p).
+Proof.
+  intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
+  rewrite inv_sin2 by auto. unfold hh, ct, depth. apply Rmult_eq_reg_r with (sin p ^ 3); [|apply pow_nonzero; lra].
+  replace (2 * (1 - (p - sin p * cos p) / sin p ^ 2 * (cos p / sin p)) * sin p ^ 3)
+    with (2 * (sin p * (sin p * sin p + cos p * cos p) - p * cos p)) by (field; lra). rewrite SC. field. lra.
+Qed.
+
+(** the level after a slip is the level before it minus r c (c + 2 d) *)
+Lemma level_loss m1 m2 p d : 0 < m1 -> 0 < m2 -> 0 < p < PI ->
+  level m1 m2 p d = push d p ^ 2 + 2 * d + m1 / (m1 + m2) * d ^ 2 - m2 / (m1 + m2) * (depth p * (depth p + 2 * d)).
+Proof.
+  intros H1 H2 Hp. pose proof (half_depth p Hp) as I. unfold level, push. cbv zeta.
+  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra). set (q := m1 / (m1 + m2)).
+  set (c := depth p) in *. set (h := hh p) in *. set (k := ct p) in *. clearbody c h k q.
+  apply Rminus_diag_uniq. rewrite <- (Rmult_0_r (c + 2 * d)).
+  replace 0 with (c * (1 + k ^ 2) - 2 * (1 - h * k)) at 1 by lra. ring.
+Qed.
+(** with no gap that of the return map *)
+Lemma level_0 m1 m2 p : 0 < m1 -> 0 < m2 -> 0 < p < PI -> level m1 m2 p 0 = hh p ^ 2 - m2 / (m1 + m2) * depth p ^ 2.
+Proof. intros H1 H2 Hp. rewrite level_loss, push_0 by auto. ring. Qed.
+
+(** *** From the right exit ray, without a gap: every solution slips until the half angle p with hh p = u *)
+Section Ray.
+Variables m1 m2 a2 b : R.
+Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
+Let M := m1 + m2.
+Let q := m1 / M.
+Let r := m2 / M.
+Let o1 := o1 m1 a2.
+Let L := L m1 m2 a2 b.
+Let Ecr := Ecr m1 m2 a2 b.
+Let ray := ray m1 m2 a2 b.
+Let on_ray := on_ray m1 m2 a2 b.
+
+Theorem slip x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < p < PI -> on_ray 1 (hh p) x v1 v2 t0 ->
+  (forall u, 0 < u < 2 * p / o1 -> v1 (t0 + u) < v2 (t0 + u)) /\
+  x (t0 + 2 * p / o1) = L * (1 - q * depth p) /\
+  v1 (t0 + 2 * p / o1) = ray (hh p - 2 * p) /\ v2 (t0 + 2 * p / o1) = ray (hh p - 2 * p).
+Proof.
+  intros H Ht Hp HR. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR)
+    as (_ & Sg & A & B & C & _).
+  pose proof (next_push 0 p Hp) as N. rewrite push_0 in N. rewrite <- N in B, C. rewrite Rplus_0_r in A.
+  fold o1 in Sg, A, B, C. fold L M in A. fold q in A. unfold ray, Cycle.ray in *.
+  split; [intros u Hu; specialize (Sg (t0 + u) ltac:(lra)); lra|]. repeat split; lra.
+Qed.
+
+(** the return map, from the energy at the landing *)
+Lemma slip_level x v1 v2 s t0 p : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> 0 < p < PI -> on_ray 1 (hh p) x v1 v2
+  t0 ->
+  let t1 := t0 + 2 * p / o1 in
+  energy m1 m2 a2 (x t1) (v1 t1) (v2 t1) = Ecr * (1 + q * (hh p ^ 2 - r * depth p ^ 2)).
+Proof.
+  intros H Ht Hp HR t1. apply ray_gap in HR. rewrite <- (push_0 p) in HR.
+  destruct (gap_slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb 1 x v1 v2 s t0 0 p (or_introl eq_refl) H Ht (Rle_refl 0) Hp HR)
+    as (_ & _ & _ & _ & _ & En). rewrite level_0 in En by auto. exact En.
+Qed.
+End Ray.

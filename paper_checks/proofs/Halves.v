@@ -77,13 +77,11 @@ Proof.
     pose proof (Rmult_le_pos _ (2 * T) (pos_INR n) ltac:(lra)).
     destruct (Pe (INR n * (2 * T) + t) ltac:(lra)) as (_ & -> & ->). auto. }
   set (U := wave F om phi) in *.
-  assert (H' : forced m1 m2 a1 a2 b U (fun t => -1 * x (T + t)) (fun t => -1 * v1 (T + t)) (fun t => -1 * v2 (T + t))
-    (fun t => -1 * s (T + t))).
-  { apply (forced_ext m1 m2 a1 a2 b (fun t => -1 * U (T + t))).
-    - intros t Ht. rewrite Rplus_0_r. pose proof (wave_half F om phi t Hom) as Q. fold U T in Q. lra.
-    - apply (forced_mirror m1 m2 a1 a2 b (fun t => U (T + t)) (fun t => x (T + t))), forced_shift; auto; lra. }
-  exists (mean x (fun t => -1 * x (T + t))), (mean v1 (fun t => -1 * v1 (T + t))), (mean v2 (fun t => -1 * v2 (T + t))),
-    (mean s (fun t => -1 * s (T + t))). split; [|split].
+  assert (H' : forced m1 m2 a1 a2 b U (fun t => - x (T + t)) (fun t => - v1 (T + t)) (fun t => - v2 (T + t))
+    (fun t => - s (T + t))).
+  { apply forced_half_turn; auto; [lra|]. intros t Ht. exact (wave_half F om phi t Hom). }
+  exists (mean x (fun t => - x (T + t))), (mean v1 (fun t => - v1 (T + t))), (mean v2 (fun t => - v2 (T + t))),
+    (mean s (fun t => - s (T + t))). split; [|split].
   - apply forced_mean; auto. intros t Ht. destruct (nfloor_ex (t / (2 * T))) as (n & Hn).
     { apply Rmult_le_pos; [auto|apply Rlt_le, Rinv_0_lt_compat; lra]. }
     assert (Q : t / (2 * T) * (2 * T) = t) by (field; lra).

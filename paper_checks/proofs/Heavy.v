@@ -124,10 +124,9 @@ Proof.
   { induction n as [|n [All|(t & Hn & A)]]; [right; exists t1; simpl; split; [lra|auto]|left; exact All|].
     destruct (next_above t A) as [All|(t' & Hn' & A')]; [left; exact All|right]. exists t'. rewrite S_INR.
       split; [lra|auto]. }
-  destruct (nat_above ((T - t1) / tau)) as (n & Hn).
+  destruct (nat_above (T - t1) tau P3) as (n & Hn).
     destruct (Far n) as [All|(t & Hn' & (_ & _ & _ & Up))]; [apply All; lra|].
-  apply Rlt_le_trans with (1 := Up). apply Emono. split; [lra|]. apply Rle_trans with (2 := Hn').
-  apply Rmult_lt_compat_r with (r := tau) in Hn; auto. unfold Rdiv in Hn. rewrite Rmult_assoc, Rinv_l in Hn by lra. lra.
+  apply Rlt_le_trans with (1 := Up). apply Emono. split; [lra|]. apply Rle_trans with (2 := Hn'). lra.
 Qed.
 End Heavy.
 End Rounds.

@@ -42,45 +42,21 @@ Section Paid.
 Variables (E : R -> R) (c : R).
 Hypotheses (Ep : forall t, 0 <= t -> 0 <= E t) (Em : forall r t, 0 <= r <= t -> E t <= E r) (Hc : 0 < c).
 
-(** the energy has a limit *)
-Lemma energy_limit : exists l, (forall t, 0 <= t -> l <= E t) /\
-  forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> E t <= l + e.
-Proof.
-  destruct (completeness (fun y => exists t, 0 <= t /\ y = - E t)) as (k & Ub & Lub).
-  { exists 0. intros y (t & Ht & ->). specialize (Ep t Ht). lra. }
-  { exists (- E 0), 0; split; [lra|auto]. }
-  exists (- k). split. { intros t Ht. assert (- E t <= k); [|lra]. apply Ub. exists t; auto. }
-  intros e He. apply Classical_Prop.NNPP. intros N. assert (k <= k - e); [|lra]. apply Lub. intros y (T & HT & ->).
-  destruct (Rle_dec (E T) (- k + e)); [|lra]. exfalso. apply N. exists T; split; auto. intros t Ht.
-  specialize (Em T t ltac:(lra)). lra.
-Qed.
-
-(** so does what moves only at its cost *)
+(** what moves only at the cost of energy has a limit *)
 Lemma paid_converges z : (forall r t, 0 <= r <= t -> c * Rabs (z t - z r) <= E r - E t) -> exists zl,
   (forall t, 0 <= t -> c * Rabs (z t - zl) <= E t) /\
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (z t - zl) <= e.
 Proof.
-  intros Pay. destruct energy_limit as (l & Lo & Lim).
-  assert (Q : forall u t, 0 <= u -> 0 <= t -> z u - (E u - l) / c <= z t + (E t - l) / c).
-  { intros u t Hu Ht. apply Rmult_le_reg_l with c; auto.
-    replace (c * (z u - (E u - l) / c)) with (c * z u - (E u - l)) by (field; lra).
-    replace (c * (z t + (E t - l) / c)) with (c * z t + (E t - l)) by (field; lra).
-    pose proof (Lo u Hu). pose proof (Lo t Ht).
-    destruct (Rle_dec u t); [pose proof (Pay u t ltac:(lra)) as P|pose proof (Pay t u ltac:(lra)) as P];
-    rewrite <- (Rabs_pos_eq c), <- Rabs_mult in P by lra; apply Rabs_inv in P; lra. }
-  destruct (completeness (fun y => exists u, 0 <= u /\ y = z u - (E u - l) / c)) as (zl & Ub & Lub).
-  { exists (z 0 + (E 0 - l) / c). intros y (u & Hu & ->). apply Q; lra. }
-  { exists (z 0 - (E 0 - l) / c), 0; split; [lra|auto]. }
-  assert (B : forall t, 0 <= t -> c * Rabs (z t - zl) <= E t - l).
-  { intros t Ht. assert (z t - (E t - l) / c <= zl) by (apply Ub; exists t; auto).
-    assert (zl <= z t + (E t - l) / c) by (apply Lub; intros y (u & Hu & ->); auto).
-    replace (E t - l) with (c * ((E t - l) / c)) by (field; lra). apply Rmult_le_compat_l; [lra|]. apply Rabs_le. lra. }
-  assert (L0 : 0 <= l).
-  { apply le_epsilon. intros e He. destruct (Lim e He) as (T & HT & K). specialize (K T ltac:(lra)). specialize (Ep T
-    HT). lra. }
-  exists zl. split. { intros t Ht. specialize (B t Ht). lra. }
+  intros Pay. destruct (dec_limit E Em Ep) as (l & L0 & Lo & Lim).
+  assert (Ic : 0 < / c) by (apply Rinv_0_lt_compat; auto).
+  assert (Back : forall u v, u <= / c * v <-> c * u <= v).
+  { intros u v. split; intros Q; [apply Rmult_le_reg_l with (/ c)|apply Rmult_le_reg_l with c]; auto;
+    rewrite <- Rmult_assoc; [rewrite Rinv_l|rewrite Rinv_r]; lra. }
+  destruct (paid_limit E z (/ c) l) as (zl & B); [lra|auto|intros r t Hr; apply Back; auto|].
+  exists zl. split. { intros t Ht. pose proof (proj1 (Back _ _) (B t Ht)). lra. }
   intros e He. destruct (Lim (c * e)) as (T & HT & K); [nra|]. exists T; split; auto. intros t Ht.
-  specialize (K t Ht). specialize (B t ltac:(lra)). apply Rmult_le_reg_l with c; auto. lra.
+  specialize (K t Ht). apply Rle_trans with (1 := B t ltac:(lra)). apply Rmult_le_reg_l with c; auto.
+  rewrite <- Rmult_assoc, Rinv_r; lra.
 Qed.
 
 (** a Lipschitz rate f of a path J that the energy pays for tends to 0 *)
@@ -89,7 +65,8 @@ Lemma paid_vanishes f J K : cont J -> (forall t, 0 <= t -> 0 <= f t /\ rderiv J 
     t) ->
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> f t <= e.
 Proof.
-  intros CJ HJ HK Lf Pay e He. destruct energy_limit as (l & Lo & Lim). assert (Hd : 0 < e / (2 * K)) by (apply
+  intros CJ HJ HK Lf Pay e He. destruct (dec_limit E Em Ep) as (l & _ & Lo & Lim).
+  assert (Hd : 0 < e / (2 * K)) by (apply
     Rdiv_lt_0_compat; lra).
   destruct (Lim (c * (e / 2 * (e / (2 * K))) / 2)) as (T & HT & Near).
   { apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [auto|apply Rmult_lt_0_compat; lra]|lra]. }
@@ -259,8 +236,7 @@ Lemma vcont_minus y z : vcont y -> vcont z -> vcont (fun t => minus (y t) (z t))
 Proof.
   intros C D t Ht e He. destruct (C t Ht (e / 2)) as (d1 & H1 & K1); [lra|]. destruct (D t Ht (e / 2)) as (d2 & H2 &
     K2); [lra|].
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros u Hu Hd. pose proof (Rmin_l d1 d2). pose proof (Rmin_r
-    d1 d2).
+  smaller d1 d2. intros u Hu Hd.
   specialize (K1 u Hu ltac:(lra)). specialize (K2 u Hu ltac:(lra)).
   eapply Rle_lt_trans with (norm (minus (y u) (y t)) + norm (minus (z u) (z t))); [|lra].
   pose proof (norm_pos (minus (y u) (y t))). pose proof (norm_pos (minus (z u) (z t))). apply norm_by; [lra|]. intros w.
@@ -289,8 +265,7 @@ Lemma drags_monotone t : 0 <= t -> forall e, 0 < e -> exists d, 0 < d /\ forall 
 Proof.
   intros Ht e He. destruct (proj2 H t Ht (y' t) (e / 2)) as (d1 & H1 & K1); [lra|].
   destruct (proj2 H' t Ht (y t) (e / 2)) as (d2 & H2 & K2); [lra|].
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1
-    d2).
+  smaller d1 d2. intros h Hh.
   specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
   rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P t) _), !ip_minus in K1.
   rewrite ip_minus, (ip_sym _ In _ (minus _ _)), (ip_sym _ In (P' t) _), !ip_minus in K2.
@@ -327,9 +302,8 @@ Proof.
     pose proof (norm_pos (minus (P' (t + h)) (P' t))). apply norm_by; [lra|]. intros w.
     pose proof (cauchy (minus (P (t + h)) (P t)) w) as C1. pose proof (cauchy_abs (minus (P' (t + h)) (P' t)) w) as C2.
     apply Rabs_inv in C2. rewrite !ip_minus in *. lra.
-  - destruct (drags_monotone t Ht (e / 2)) as (d2 & H2 & K2); [lra|]. exists (Rmin d1 d2); split; [apply Rmin_glb_lt;
-    auto|].
-    intros h Hh. pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2). specialize (K1 h ltac:(lra)). specialize (K2 h
+  - destruct (drags_monotone t Ht (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh.
+    specialize (K1 h ltac:(lra)). specialize (K2 h
       ltac:(lra)).
     cbv beta in K1. apply Rabs_inv in K1. fold (D (t + h)) (D t) in K1. lra.
 Qed.
@@ -416,8 +390,8 @@ Proof.
     (Q h Hh)].
     apply norm_by; [apply norm_pos|]. intros w. eapply Rle_trans; [|apply cauchy]. apply Req_le. lin. ring.
   - apply (driven_big _ _ _ _ t H Ht).
-  - destruct (Br t Ht (e / 2)) as (d2 & H2 & K2); [lra|]. exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|].
-    intros h Hh. pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2). specialize (K1 h ltac:(lra)). specialize (K2 h
+  - destruct (Br t Ht (e / 2)) as (d2 & H2 & K2); [lra|]. smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)).
+    specialize (K2 h
       ltac:(lra)).
     cbv beta in K1. apply Rabs_inv in K1. pose proof (Di (y t)). fold (E (t + h)) (E t) in K1. nra.
 Qed.
@@ -431,8 +405,7 @@ Proof.
   - apply cont_plus; [apply cont_energy, (d_cont _ _ _ _ H)|apply cont_scal; auto].
   - intros u Hu e He. destruct (braked_dini u ltac:(lra) (e / 2)) as (d1 & H1 & K1); [lra|].
     destruct (rderiv_scal beta _ _ _ (HJ u ltac:(lra)) (e / 2)) as (d2 & H2 & K2); [lra|].
-    exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2). pose proof (Rmin_r
-      d1 d2).
+    smaller d1 d2. intros h Hh.
     specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. nra.
 Qed.
 

@@ -73,35 +73,43 @@ Proof.
       replace (w * (9 / 4 * r / q)) with (9 / 4 * r * (w / q)) in Sm2 by (field; lra). auto.
 Qed.
 
-(** from S0 at any level above E_cr it reaches an exit ray within a half period *)
-Lemma start_level_left x v1 v2 s t0 u : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 ->
-  - L <= x t0 <= L -> v1 t0 < 0 ->
-  0 < u -> en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * u ^ 2) ->
-  exists t1, t0 <= t1 < t0 + PI / om /\ on_ray m1 m2 a2 b (-1) u x v1 v2 t1.
+(** on S0 above E_cr it sticks until it reaches one of the two rays, at the same level *)
+Lemma to_ray_left y w1 w2 z t u : solution m1 m2 0 a2 b y w1 w2 z -> 0 <= t -> w1 t = w2 t -> - L <= y t <= L ->
+  w1 t < 0 -> 0 < u ->
+  energy m1 m2 a2 (y t) (w1 t) (w2 t) = Ecr * (1 + q * u ^ 2) ->
+  exists t2, t <= t2 < t + PI / om /\ on_ray m1 m2 a2 b (-1) u y w1 w2 t2 /\ forall t', t <= t' <= t2 ->
+    w1 t' = w2 t' /\ - L <= y t' <= L.
 Proof.
-  intros H Ht Ev Hx Hv Hu En.
-  destruct (stick m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 (x t0 / L) u H Ht Hu) as (T1 & R1 & _); auto.
+  intros S Ht Ev Hx Hv Hu En.
+  destruct (stick m1 m2 a2 b Hm1 Hm2 Ha2 Hb y w1 w2 z t (y t / L) u S Ht Hu) as (T1 & R1 & I1); auto.
   { fold L. field. lra. }
-  { split; apply Rmult_le_reg_r with L; auto; replace (x t0 / L * L) with (x t0) by (field; lra); lra. }
-  match type of R1 with on_ray _ _ _ _ _ _ _ _ _ (t0 + ?TT) => set (T := TT) in * end.
-  exists (t0 + T). fold om in T1. split; [lra|]. auto.
+  { split; apply Rmult_le_reg_r with L; auto; replace (y t / L * L) with (y t) by (field; lra); lra. }
+  match type of R1 with on_ray _ _ _ _ _ _ _ _ _ (t + ?TT) => set (T := TT) in * end. fold om in T1.
+  exists (t + T). split; [lra|]. split; [auto|]. intros t' Ht'. specialize (I1 (t' - t) ltac:(lra)).
+    replace (t + (t' - t)) with t' in I1 by ring. exact I1.
 Qed.
-(** from S0 at a level above E_cr it sticks up to an exit ray, at that level *)
-Theorem start_level x v1 v2 s t0 u : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L ->
-  0 < u -> en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * u ^ 2) ->
-  exists k t1, (k = 1 \/ k = -1) /\ t0 <= t1 < t0 + PI / om /\ on_ray m1 m2 a2 b k u x v1 v2 t1.
+Section Ray.
+Variables x v1 v2 s : R -> R.
+Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
+Let E t := en (x t) (v1 t) (v2 t).
+(** either ray: the mirror image of the left one, and at rest the energy would be at most E_cr *)
+Lemma to_ray t u : 0 <= t -> v1 t = v2 t -> - L <= x t <= L -> 0 < u -> E t = Ecr * (1 + q * u ^ 2) ->
+  exists k t2, (k = 1 \/ k = -1) /\ t <= t2 < t + PI / om /\ on_ray m1 m2 a2 b k u x v1 v2 t2 /\
+    forall t', t <= t' <= t2 -> v1 t' = v2 t' /\ - L <= x t' <= L.
 Proof.
-  intros H Ht Ev Hx Hu En. destruct (Rtotal_order (v1 t0) 0) as [N|[Z|P]].
-  - destruct (start_level_left x v1 v2 s t0 u) as (t1 & A1 & A2); auto. exists (-1), t1. auto.
+  intros Ht Ev Hx Hu En. destruct (Rtotal_order (v1 t) 0) as [N|[Z|P]].
+  - destruct (to_ray_left x v1 v2 s t u H) as (t2 & A); auto. exists (-1), t2. tauto.
   - exfalso. pose proof (Rmult_lt_0_compat _ _ E0 (Rmult_lt_0_compat _ _ q_pos (pow_lt _ 2 Hu))) as Q.
-    assert (HE : Ecr < en (x t0) (v1 t0) (v2 t0)) by (rewrite En; lra).
-    unfold en, energy in HE. rewrite <- Ev, Z in HE. unfold Ecr in HE. rewrite Ecr_L in HE by auto. fold L in HE.
-    assert (x t0 ^ 2 <= L ^ 2) by nra. clear Q En. nra.
-  - assert (Em : en (- x t0) (- v1 t0) (- v2 t0) = en (x t0) (v1 t0) (v2 t0)) by (unfold en, energy; field).
-    destruct (start_level_left _ _ _ _ t0 u (mirror m1 m2 a2 b _ _ _ _ H) Ht) as (t1 & A1 & A2); try (cbv beta;
+    assert (HE : Ecr < E t) by (rewrite En; lra).
+    unfold E, en, energy in HE. rewrite <- Ev, Z in HE. unfold Ecr in HE. rewrite Ecr_L in HE by auto. fold L in HE.
+    assert (x t ^ 2 <= L ^ 2) by nra. clear Q En. nra.
+  - assert (Em : energy m1 m2 a2 (- x t) (- v1 t) (- v2 t) = E t) by (unfold E, en, energy; field).
+    destruct (to_ray_left _ _ _ _ t u (mirror m1 m2 a2 b _ _ _ _ H) Ht) as (t2 & A1 & A2 & A3); try (cbv beta;
       rewrite ?Em; auto; lra).
-    exists 1, t1. split; [auto|]. split; [auto|]. apply ray_mirror. exact A2.
+    exists 1, t2. split; [auto|]. split; [auto|]. split; [apply ray_mirror; exact A2|]. intros t' Ht'.
+      specialize (A3 t' Ht'). cbv beta in A3. lra.
 Qed.
+End Ray.
 
 (** the same at a small level, by its half angle *)
 Theorem start x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0 = v2 t0 -> - L <= x t0 <= L ->
@@ -110,7 +118,7 @@ Theorem start x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 -> v1 t0
     en (x t0) (v1 t0) (v2 t0) = Ecr * (1 + q * hh p ^ 2).
 Proof.
   intros H Ht Ev Hx HE Sm. destruct (level_angle _ HE Sm) as (p & Hp & En).
-  destruct (start_level x v1 v2 s t0 (hh p) H Ht Ev Hx (hh_pos p (ok_pi m1 m2 p Hp)) En) as (k & t1 & Hk & T1 & HR).
+  destruct (to_ray x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p (ok_pi m1 m2 p Hp)) En) as (k & t1 & Hk & T1 & HR & _).
   exists k, t1, p. auto.
 Qed.
 

@@ -6,10 +6,12 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
 Local Open Scope R_scope.
 
-(** a natural number above each real one *)
-Lemma nat_above y : exists k : nat, y < INR k.
-Proof. destruct (nfloor_ex (Rmax 0 y) (Rmax_l _ _)) as (n & _ & Hn). exists (S n). rewrite S_INR.
-  pose proof (Rmax_r 0 y). lra. Qed.
+(** Archimedes *)
+Lemma nat_above y d : 0 < d -> exists k : nat, y < INR k * d.
+Proof.
+  intros Hd. destruct (nfloor_ex (Rmax 0 (y / d)) (Rmax_l _ _)) as (n & _ & Hn). exists (S n). rewrite S_INR.
+  pose proof (Rmax_r 0 (y / d)). replace y with (y / d * d) by (field; lra). apply Rmult_lt_compat_r; lra.
+Qed.
 
 (** polar coordinates, at a time as late as one likes *)
 Lemma polar A B R om t0 : 0 < R -> 0 < om -> A ^ 2 + B ^ 2 = R ^ 2 ->
@@ -31,14 +33,12 @@ Proof.
       apply Rmult_integral in M. lra. }
     destruct D as [D|D]; [exists (acos (A / R))|exists (- acos (A / R))]; [auto|]. rewrite cos_neg, sin_neg.
       split; lra. }
-  destruct (nat_above ((om * t0 - phi) / (2 * PI))) as (k & Hk). pose proof PI_RGT_0.
+  pose proof PI_RGT_0. destruct (nat_above (om * t0 - phi) (2 * PI)) as (k & Hk); [lra|].
   exists ((phi + 2 * INR k * PI) / om).
   replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by (field; lra).
   rewrite cos_period, sin_period. repeat split; auto.
   apply Rmult_le_reg_l with om; auto. replace (om * ((phi + 2 * INR k * PI) / om)) with (phi + 2 * INR k * PI) by
-    (field; lra).
-  apply Rmult_lt_compat_r with (r := 2 * PI) in Hk; [|lra].
-  replace ((om * t0 - phi) / (2 * PI) * (2 * PI)) with (om * t0 - phi) in Hk by (field; lra). lra.
+    (field; lra). lra.
 Qed.
 
 (** and within one turn *)
@@ -216,27 +216,17 @@ Qed.
 Lemma w_falls r t g : 0 <= r <= t -> (forall u, r <= u < t -> L m1 m2 a2 b + g <= x u) ->
   w t - w r <= - (a2 / m1 * g) * (t - r).
 Proof.
-  intros Hr Hx. apply dini_slope; auto using cont_w. intros u Hu e He.
-  destruct (s_v1 _ _ _ _ _ _ _ _ _ H u ltac:(lra) (m1 * e)) as (d & Hd & K). { apply Rmult_lt_0_compat; auto. }
-  exists d; split; auto. intros h Hh. specialize (K h Hh). simpl in K. apply Rabs_inv in K.
-  pose proof (s_lip _ _ _ _ _ _ _ _ _ H u (u + h) ltac:(lra)) as Ls. apply Rabs_inv in Ls.
-  pose proof (s_v2 _ _ _ _ _ _ _ _ _ H u ltac:(lra)) as W1.
-    pose proof (s_v2 _ _ _ _ _ _ _ _ _ H (u + h) ltac:(lra)) as W2.
-  specialize (Hx u Hu). unfold w.
-  set (ds := s (u + h) - s u) in *. set (dv := v1 (u + h) - v1 u) in *.
-  assert (D2 : v2 (u + h) - v2 u = b / m2 * ds).
-  { apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * ds)) with (b * ds) by (field; lra). unfold ds; lra. }
-  replace (v1 (u + h) - v2 (u + h) - (v1 u - v2 u)) with (dv - (v2 (u + h) - v2 u)) by (unfold dv; ring). rewrite D2.
-  apply Rmult_le_reg_l with m1; auto.
-  assert (K2 : m1 * dv <= - a2 * x u * h - b * ds + m1 * e * h) by (unfold dv, ds; lra).
-  assert (C1 : - a2 * x u * h <= - a2 * (L m1 m2 a2 b + g) * h) by (apply Rmult_le_compat_r; nra).
-  assert (C2 : - (b * (m1 + m2) / m2) * ds <= (b * (m1 + m2) / m2) * h).
-  { assert (0 < b * (m1 + m2) / m2) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat|]; lra). nra. }
-  replace (m1 * (dv - b / m2 * ds)) with (m1 * dv + b * ds - (b * (m1 + m2) / m2) * ds) by (field; lra).
-  replace (m1 * ((- (a2 / m1 * g) + e) * h)) with (- a2 * g * h + m1 * e * h) by (field; lra).
-  replace (- a2 * (L m1 m2 a2 b + g) * h) with (- (b * (m1 + m2) / m2) * h - a2 * g * h) in C1 by (unfold L;
-    field; lra).
-  lra.
+  intros Hr Hx. pose proof (proj1 (solution_moves _ _ _ _ _ _ _ _ _) H) as Mo. set (k := b * ((m1 + m2) / (m1 * m2))).
+  assert (Kp : 0 < k) by (apply Rmult_lt_0_compat; [|apply Rdiv_lt_0_compat; [lra|apply Rmult_lt_0_compat]]; auto).
+  assert (Q : (w t + k * s t) - (w r + k * s r) <= - (k + a2 / m1 * g) * (t - r)).
+  { apply (dini_slope (fun u => w u + k * s u)); [|lra|].
+    { apply cont_plus; [apply cont_w|apply cont_scal, (cont_s _ _ _ _ _ _ _ _ _ H)]. }
+    intros u Hu.
+    eapply rderiv_dini; [|exact (moves_slip _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo u 0 ltac:(lra) (rderiv_const 0 u))].
+    replace (k + a2 / m1 * g) with (a2 / m1 * (L m1 m2 a2 b + g)) by (unfold k, L; field; lra).
+    replace ((0 - a2 * x u - 0 * v1 u) / m1) with (- (a2 / m1 * x u)) by (field; lra).
+    apply Ropp_le_contravar, Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; auto|auto]. }
+  pose proof (s_lip _ _ _ _ _ _ _ _ _ H r t Hr) as Ls. apply Rabs_inv in Ls. nra.
 Qed.
 
 (** so a stay outside costs energy *)
@@ -278,17 +268,7 @@ Qed.
 Lemma E_limit : exists l, 0 <= l /\ (forall t, 0 <= t -> l <= E t) /\ forall e, 0 < e -> exists T, 0 <= T /\
   forall t, T <= t -> E t <= l + e.
 Proof.
-  destruct (completeness (fun y => exists t, 0 <= t /\ y = - E t)) as (k & Ub & Lub).
-  { exists 0. intros y (t & _ & ->). pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E; lra. }
-  { exists (- E 0), 0; split; [lra|auto]. }
-  exists (- k). repeat split.
-  - assert (k <= 0); [|lra]. apply Lub. intros y (t & _ & ->).
-    pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E; lra.
-  - intros t Ht. assert (- E t <= k); [|lra]. apply Ub. exists t; auto.
-  - intros e He. apply Classical_Prop.NNPP. intros N.
-    assert (k <= k - e); [|lra]. apply Lub. intros y (t & Ht & ->).
-    destruct (Rle_dec (- E t) (k - e)) as [|G]; auto. exfalso. apply N. exists t; split; auto. intros u Hu.
-      pose proof (E_mono t u ltac:(lra)). lra.
+  apply (dec_limit E E_mono). intros t _. apply energy_pos; auto.
 Qed.
 
 (** there is a contact after every time *)

@@ -1,7 +1,7 @@
 (** The other side: which exits merge at the first landing, for solutions; the threshold of Turning.v. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp Law.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Orbit Sharp Law Cross.
 Local Open Scope R_scope.
 
 Section Merge.
@@ -9,21 +9,6 @@ Variables m1 m2 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha2 : 0 < a2) (Hb : 0 < b).
 Variables x v1 v2 s : R -> R.
 Hypothesis H : solution m1 m2 0 a2 b x v1 v2 s.
-
-(** the first landing, for every half angle p < pi and either side: on S, at the level of the return map *)
-Theorem first_landing k t0 p : k = 1 \/ k = -1 -> 0 <= t0 -> 0 < p < PI -> on_ray m1 m2 a2 b k (hh p) x v1 v2 t0 ->
-  let t1 := t0 + 2 * p / o1 m1 a2 in v1 t1 = v2 t1 /\
-  energy m1 m2 a2 (x t1) (v1 t1) (v2 t1) = Ecr m1 m2 a2 b * (1 + m1 / (m1 + m2) * (hh p ^ 2 - m2 / (m1 + m2) *
-    depth p ^ 2)).
-Proof.
-  intros Hk Ht Hp HR t1. rewrite <- (landing_energy m1 m2 a2 b Hm1 Hm2 Ha2 p Hp). destruct Hk; subst k.
-  - destruct (slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 p H Ht Hp HR) as (_ & Lx & L1 & L2). fold t1 in Lx, L1, L2.
-    rewrite Lx, L1, L2. auto.
-  - apply ray_mirror in HR. replace (- -1) with 1 in HR by ring.
-    destruct (slip m1 m2 a2 b Hm1 Hm2 Ha2 Hb _ _ _ _ t0 p (mirror m1 m2 a2 b _ _ _ _ H) Ht Hp HR) as (_ & Lx & L1 & L2).
-    cbv beta in Lx, L1, L2. fold t1 in Lx, L1, L2. rewrite <- Lx, <- L1 at 1. rewrite <- L2. split; [lra|].
-      unfold energy. field.
-Qed.
 
 (** From S0, at a level with theta <= pi (E <= E_cr (1 + q pi^2/4)): the solution never merges exactly if r c^2 <
   h^2. *)
@@ -33,10 +18,11 @@ Theorem merges_iff t0 p : 0 <= t0 -> v1 t0 = v2 t0 -> - L m1 m2 a2 b <= x t0 <= 
     m2 / (m1 + m2) * depth p ^ 2 < hh p ^ 2).
 Proof.
   intros Ht Ev Hx Hp En. assert (P : 0 < p < PI) by (pose proof PI_RGT_0; lra).
-  destruct (start_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 (hh p) H Ht Ev Hx (hh_pos p P) En) as (k & t1 & Hk
-    & T1 & HR).
+  destruct (to_ray m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H t0 (hh p) Ht Ev Hx (hh_pos p P) En)
+    as (k & t1 & Hk & T1 & HR & _).
   split.
-  - intros Up. destruct (first_landing k t1 p Hk ltac:(lra) P HR) as (_ & E1).
+  - intros Up. destruct (merges_at_first_landing m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s H k t1 p Hk ltac:(lra) P HR)
+      as (_ & _ & _ & E1 & _).
     pose proof (o1_pos m1 a2 Hm1 Ha2). assert (0 < 2 * p / o1 m1 a2) by (apply Rdiv_lt_0_compat; lra).
     specialize (Up (t1 + 2 * p / o1 m1 a2) ltac:(lra)). rewrite E1 in Up. pose proof (q_pos m1 m2 Hm1 Hm2).
       pose proof (Ecr_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb).

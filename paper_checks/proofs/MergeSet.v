@@ -4,38 +4,6 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Stick Excursion Rate Turning Orbit.
 Local Open Scope R_scope.
 
-(** h/c falls strictly while K > 0 and rises strictly while K < 0 *)
-Lemma ratio_step p q : 0 < p -> p < q -> q < PI ->
-  ((forall t, p < t < q -> 0 < K t) -> ratio q < ratio p) /\ ((forall t, p < t < q -> K t < 0) -> ratio p < ratio q).
-Proof.
-  intros H0 Hpq Hq. rewrite !ratio_AB by lra.
-  set (f := fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))).
-    change (((forall t, p < t < q -> 0 < K t) -> f q < f p) /\ ((forall t, p < t < q -> K t < 0) -> f p < f q)).
-  set (df := fun p => (2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos
-    p) ^ 2)).
-  destruct (MVT_cor2 f df p q Hpq) as (t & E & Ht). { intros t Ht. apply is_derive_Reals, derive_ratio; lra. }
-  assert (Den : 0 < / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)).
-  { apply Rinv_0_lt_compat. pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))).
-    pose proof (pow_lt _ 2 (g_pos t ltac:(lra))).
-    apply Rmult_lt_0_compat; [|auto]. lra. }
-  assert (Sq : 2 * (sin t - t * cos t) ^ 2 - (t - sin t * cos t) ^ 2 = - K t * (t - sin t * cos t + sqrt 2 * (sin
-    t - t * cos t))).
-  { unfold K. pose proof (sqrt_sqrt 2 ltac:(lra)) as Q.
-    replace (2 * (sin t - t * cos t) ^ 2) with (sqrt 2 * sqrt 2 * (sin t - t * cos t) ^ 2) by (rewrite Q; ring). ring. }
-  assert (Pos : 0 < t - sin t * cos t + sqrt 2 * (sin t - t * cos t)).
-  { pose proof (A_pos t ltac:(lra)). pose proof (g_pos t ltac:(lra)).
-    assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). nra. }
-  assert (Ed : df t = - K t * ((t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t
-    * cos t) ^ 2))).
-  { unfold df, Rdiv. rewrite Sq. ring. }
-  assert (PP := Rmult_lt_0_compat _ _ Pos Den). rewrite Ed in E.
-    set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in
-    *.
-  split; intros S; specialize (S t Ht).
-  - assert (0 < K t * w * (q - p)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; auto|lra]). lra.
-  - assert (0 < - K t * w * (q - p)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [lra|auto]|lra]). lra.
-Qed.
-
 (** h/c is above 1 for short and for long slips *)
 Lemma ratio_short : exists p, 0 < p < PI / 2 /\ 1 <= ratio p.
 Proof.

@@ -39,11 +39,7 @@ Lemma critical_root m1 m2 : 0 < m1 -> 0 < m2 -> m1 / m2 = - cos (2 * ps) -> rati
 Proof.
   intros H1 H2 E. pose proof (sin_gt_0 ps ltac:(lra) ltac:(lra)) as S. pose proof (g_pos ps Hps) as G.
   assert (Rp : 0 <= ratio ps) by (apply Rlt_le, Rdiv_lt_0_compat; [apply hh_pos|apply depth_pos]; auto).
-  rewrite <- (sqrt_pow2 (ratio ps)) by auto. f_equal. rewrite ratio_AB by auto. unfold K in Z.
-  replace (ps - sin ps * cos ps) with (sqrt 2 * (sin ps - ps * cos ps)) by lra.
-  replace ((sqrt 2 * (sin ps - ps * cos ps) / (2 * sin ps * (sin ps - ps * cos ps))) ^ 2)
-    with (sqrt 2 * sqrt 2 / (4 * sin ps ^ 2)) by (field; lra).
-  rewrite sqrt_sqrt by lra. rewrite cos_2a_sin in E.
+  rewrite <- (sqrt_pow2 (ratio ps)), (ratio_root ps) by auto. f_equal. rewrite cos_2a_sin in E.
   assert (E1 : m1 = (2 * sin ps ^ 2 - 1) * m2).
   { replace m1 with (m1 / m2 * m2) by (field; lra). rewrite E. ring. }
   rewrite E1. field. split; [nra|lra].

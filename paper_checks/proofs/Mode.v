@@ -47,14 +47,8 @@ Qed.
 Lemma rate_w t : t0 <= t < t0 + d0 ->
   little (fun h => w (t + h) - w t - kap * load t * h + b * kap * (s (t + h) - s t)).
 Proof.
-  intros Ht. pose proof (f_v1 _ _ _ _ _ _ _ _ _ _ H t ltac:(lra)) as V. pose proof (DU t Ht) as D. unfold rderiv in V,
-    D.
-  intros e He. destruct (little_scal (/ m1) _ (little_plus _ _ V D) e He) as (d & Hd & K). exists d. split; auto.
-    intros h Hh.
-  specialize (K h Hh). cbv beta in K. eapply Rle_trans; [apply Req_le|exact K]. f_equal.
-  pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t (t + h) H ltac:(lra) ltac:(lra)) as E.
-  unfold w. replace (v2 (t + h)) with (v2 t + b / m2 * (s (t + h) - s t)) by lra. unfold kap, load, M. field.
-    repeat split; lra.
+  intros Ht. pose proof (forced_relative m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s t (u t) H ltac:(lra) (DU t Ht)) as R.
+  eapply little_ext; [|exact R]. intros h. unfold w, kap, load, M. field. repeat split; lra.
 Qed.
 
 (** kappa is positive *)
@@ -82,15 +76,10 @@ Qed.
 Lemma held t k : t0 <= t < t0 + d0 -> k = 1 \/ k = -1 -> k * load t <= b -> 0 < k * w t ->
   dini_le (fun r => k * w r) t 0.
 Proof.
-  intros Ht Hk G W e He. pose proof kappa_pos as Kp. unfold w in W.
-  assert (S : rderiv s t k) by (destruct Hk; subst k; [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _
-    _ _ _ H)]; lra).
-  destruct (little_minus _ _ (rate_w t Ht) (little_scal (b * kap) _ S) e He) as (d & Hd & K). exists d. split; auto.
-    intros h Hh.
-  specialize (K h Hh). cbv beta in K. apply Rabs_inv in K.
-  assert (G' : kap * (k * load t) * h <= kap * b * h) by (apply Rmult_le_compat_r; [lra|]; apply Rmult_le_compat_l;
-    lra).
-  destruct Hk; subst k; lra.
+  intros Ht Hk G W. pose proof (forced_opposes m1 m2 a1 a2 b U x v1 v2 s t k H ltac:(lra) Hk W) as S.
+  eapply rderiv_dini; [|apply rderiv_scal, (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s t (u t) k H ltac:(lra)
+    (DU t Ht) S)].
+  fold (load t) M. fold kap. pose proof kappa_pos. destruct Hk; subst k; nra.
 Qed.
 
 (** the relative velocity is continuous *)
@@ -102,8 +91,7 @@ Theorem slips_at k : k = 1 \/ k = -1 -> b < k * load t0 -> exists d, 0 < d /\ fo
   0 < k * (v1 t - v2 t).
 Proof.
   intros Hk G. set (g := (k * load t0 - b) / 2). assert (Gp : 0 < g) by (unfold g; lra). pose proof kappa_pos as Kp.
-  destruct (load_near g Gp) as (d & Hd & K). exists (Rmin d d0). pose proof (Rmin_l d d0). pose proof (Rmin_r d d0).
-  split; [apply Rmin_glb_lt; auto|]. intros t Ht.
+  destruct (load_near g Gp) as (d & Hd & K). smaller d d0. intros t Ht.
   assert (Q : -1 * (k * w t) - -1 * (k * w t0) <= - (kap * g) * (t - t0)).
   { apply (dini_slope (fun r => -1 * (k * w r))); [apply cont_scal, cont_scal, cont_w|lra|]. intros r Hr.
     apply driven; [lra|auto|].
@@ -133,7 +121,7 @@ Proof.
   intros G. pose proof (Rle_abs (load t0)). pose proof (Rle_abs (- load t0)) as A. rewrite Rabs_Ropp in A.
   destruct (not_ahead 1 (or_introl eq_refl) ltac:(lra)) as (d & Hd & K).
   destruct (not_ahead (-1) (or_intror eq_refl) ltac:(lra)) as (d' & Hd' & K').
-  exists (Rmin d d'). pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). split; [apply Rmin_glb_lt; lra|]. intros t Ht.
+  smaller d d'. intros t Ht.
   specialize (K t ltac:(lra)). specialize (K' t ltac:(lra)). lra.
 Qed.
 
@@ -143,6 +131,61 @@ Qed.
 Definition beyond k t := k * u t - a2 * (k * x t0 + k * v1 t0 * (t - t0) + b / m2 * (t - t0) ^ 2 / 2)
   - a1 * (k * v1 t0 + b / m2 * (t - t0)) - (m1 + m2) * (b / m2).
 
+(** beside that motion: where and how fast body 1 is ahead of it, and body 2 *)
+Definition place k t := k * x t - (k * x t0 + k * v1 t0 * (t - t0) + b / m2 * (t - t0) ^ 2 / 2).
+Definition lead k t := k * v1 t - (k * v1 t0 + b / m2 * (t - t0)).
+Definition ahead2 k t := k * (v2 t - v2 t0) - b / m2 * (t - t0).
+(** their momentum *)
+Definition gain k t := m1 * (k * w t) + M * ahead2 k t.
+(** what the load exceeds the edge by, on the scale of the force *)
+Definition excess k t := beyond k t - a1 * lead k t - a2 * place k t.
+
+Lemma excess_of_load k t : k * load t - b = m2 / M * excess k t.
+Proof. unfold excess, lead, place, beyond, load, M. field. lra. Qed.
+Lemma lead_split k t : lead k t = k * w t + ahead2 k t.
+Proof. unfold lead, w, ahead2. rewrite Meet. ring. Qed.
+Lemma place_rate k t : 0 <= t -> rderiv (place k) t (lead k t).
+Proof.
+  intros Ht. apply rderiv_minus; [apply rderiv_scal, (f_x _ _ _ _ _ _ _ _ _ _ H); lra|].
+  apply rderiv_of_derive. auto_derive; auto. field; lra.
+Qed.
+Lemma cont_place k : cont (place k).
+Proof.
+  apply cont_minus; [apply cont_scal, (f_cx _ _ _ _ _ _ _ _ _ _ H)|].
+  apply cont_of_derive with (fun t => k * v1 t0 + b / m2 * (t - t0)). intros t. auto_derive; auto. field; lra.
+Qed.
+(** the momentum has the rate of the excess in every mode, and is 0 at the contact *)
+Lemma gain_rate k t : 0 <= t -> rderiv U t (u t) -> rderiv (gain k) t (excess k t).
+Proof.
+  intros Ht HU. apply rderiv_ext with (fun r => k * ((m1 * v1 r + b * s r - U r) + U r + (m2 * v2 0 - b * s 0))
+    - (M * (k * v2 t0) + M * (b / m2) * (r - t0))).
+  - intros r Hr. rewrite <- (f_v2 _ _ _ _ _ _ _ _ _ _ H r) by lra. unfold gain, w, ahead2, M. ring.
+  - eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_scal, rderiv_plus; [apply rderiv_plus;
+      [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); auto|exact HU]|apply rderiv_const]|
+      apply rderiv_of_derive; auto_derive; auto; reflexivity]].
+    unfold excess, beyond, place, lead, M. field. lra.
+Qed.
+Lemma cont_gain k : cont (gain k).
+Proof.
+  assert (C2 : cont v2) by exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H).
+  apply cont_plus; apply cont_scal; [apply cont_scal, cont_w|].
+  apply cont_minus; [apply cont_scal, cont_minus; auto using cont_const|].
+  apply cont_of_derive with (fun _ => b / m2). intros; auto_derive; auto; ring.
+Qed.
+Lemma gain_0 k : gain k t0 = 0.
+Proof. unfold gain, w, ahead2. rewrite Meet. ring. Qed.
+(** body 2 was ahead and falls behind, as friction gives it at most the acceleration b/m2 *)
+Lemma ahead2_sign k t : k = 1 \/ k = -1 -> 0 <= t -> (t <= t0 -> 0 <= ahead2 k t) /\ (t0 <= t -> ahead2 k t <= 0).
+Proof.
+  intros Hk Ht. assert (P : 0 < b / m2) by (apply Rdiv_lt_0_compat; auto).
+  replace (ahead2 k t) with (b / m2 * (k * (s t - s t0) - (t - t0))).
+  2: { unfold ahead2. rewrite (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t0 t H Ht0 Ht). ring. }
+  pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L. split; intros Hl.
+  - specialize (L t t0 ltac:(lra)). apply Rabs_inv in L. apply Rmult_le_pos; [lra|]. destruct Hk; subst k; lra.
+  - specialize (L t0 t ltac:(lra)). apply Rabs_inv in L.
+    assert (k * (s t - s t0) - (t - t0) <= 0) by (destruct Hk; subst k; lra). nra.
+Qed.
+
 (** a product of a function with an upper right derivative and one that is not negative *)
 Lemma dini_mult f g t l g1 : dini_le f t l -> big (fun h => f (t + h) - f t) -> rderiv g t g1 -> 0 <= g t ->
   dini_le (fun r => f r * g r) t (l * g t + f t * g1).
@@ -151,8 +194,7 @@ Proof.
   destruct (little_plus _ _ (big_mult _ _ B (rderiv_big _ _ _ G)) (little_scal (f t) _ G) (e / 2)) as (d1 & D1 & K1);
     [lra|].
   destruct (F (e / 2 / (g t + 1))) as (d2 & D2 & K2); [apply Rdiv_lt_0_compat; lra|].
-  exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2).
-    pose proof (Rmin_r d1 d2).
+  smaller d1 d2. intros h Hh.
   specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K1. cbv beta in K1.
   assert (Q : (f (t + h) - f t) * g t <= (l + e / 2 / (g t + 1)) * h * g t) by (apply Rmult_le_compat_r; lra).
   assert (e / 2 / (g t + 1) * g t <= e / 2).
@@ -177,28 +219,18 @@ Proof.
     split; [repeat apply Rmin_glb_lt; lra|]. repeat split; try lra.
     replace (/ 2) with (c * / (2 * c)) by (field; lra). apply Rmult_le_compat_l; lra. }
   split; [lra|]. intros T HT.
-  set (W := fun t => k * w t). set (y := fun t => k * x t - (k * x t0 + k * v1 t0 * (t - t0) + b / m2 * (t - t0) ^ 2 /
-    2)).
-  set (y' := fun t => k * v1 t - (k * v1 t0 + b / m2 * (t - t0))).
+  set (W := fun t => k * w t). set (y := place k). set (y' := lead k).
   set (A := fun t => 1 - c * (T - t)). set (B := fun t => - (a2 / m1) * ((T - t) - c * (T - t) ^ 2 / 2)).
-  assert (Dy : forall t, t0 <= t -> rderiv y t (y' t)).
-  { intros t Ht. apply rderiv_minus; [apply rderiv_scal, (f_x _ _ _ _ _ _ _ _ _ _ H); lra|].
-    apply rderiv_of_derive. auto_derive; auto. field; lra. }
   assert (DA : forall t, rderiv A t c) by (intros t; apply rderiv_of_derive; unfold A; auto_derive; auto; ring).
   assert (DB : forall t, rderiv B t (a2 / m1 * A t)).
   { intros t. apply rderiv_of_derive. unfold A, B. auto_derive; auto. field; lra. }
   assert (Wn : forall t, t0 <= t < T -> 0 <= W t) by (intros t Ht; specialize (NA t ltac:(lra)); unfold W, w; lra).
   assert (Yw : forall t, t0 <= t -> y' t <= W t).
-  { intros t Ht. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t0 t H Ht0 ltac:(lra)) as E.
-    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t0 t ltac:(lra)) as L. apply Rabs_inv in L.
-    assert (b / m2 * (k * (s t - s t0)) <= b / m2 * (t - t0)).
-    { apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; auto|]. destruct Hk; subst k; lra. }
-    assert (k * (v2 t - v2 t0) = b / m2 * (k * (s t - s t0))) by (rewrite E; ring). unfold y', W, w. rewrite Meet.
-      lra. }
+  { intros t Ht. unfold y', W. rewrite lead_split. pose proof (proj2 (ahead2_sign k t Hk ltac:(lra)) Ht). lra. }
   assert (Gain : forall t, t0 <= t < T -> dini_le (fun r => -1 * W r) t (- ((beyond k t - a2 * y t - a1 * y' t) / m1))).
   { intros t Ht. replace (- ((beyond k t - a2 * y t - a1 * y' t) / m1)) with (- (kap * (k * load t - b))).
     - apply driven; [lra|auto|]. lra.
-    - unfold beyond, y, y', load, kap, M. field. repeat split; lra. }
+    - rewrite excess_of_load. unfold excess, y, y', kap, M. field. repeat split; lra. }
   assert (BW : forall t, t0 <= t < T -> big (fun h => -1 * W (t + h) - -1 * W t)).
   { intros t Ht. pose proof (little_big _ (rate_w t ltac:(lra))) as R.
     pose proof (big_s m1 m2 a1 a2 b _ _ _ _ _ t H ltac:(lra)) as S.
@@ -215,12 +247,12 @@ Proof.
   { intros t Ht. assert (At : 0 <= A t <= 1) by (unfold A; split; nra).
     pose proof (dini_mult _ A t _ c (Gain t Ht) (BW t Ht) (DA t) ltac:(lra)) as Q1.
     assert (Q2 : rderiv (fun t => y t * - B t) t (y' t * - B t + y t * - (a2 / m1 * A t))).
-    { apply (rderiv_mult y (fun r => - B r)); [apply Dy; lra|]. apply rderiv_ext with (fun r => -1 * B r); [intros;
+    { apply (rderiv_mult y (fun r => - B r)); [apply place_rate; lra|].
+      apply rderiv_ext with (fun r => -1 * B r); [intros;
       ring|].
       eapply rderiv_eq; [|apply rderiv_scal, DB]. ring. }
     intros e He. destruct (Q1 (e / 2)) as (e1 & E1 & K1); [lra|]. destruct (Q2 (e / 2)) as (e2 & E2 & K2); [lra|].
-    exists (Rmin e1 e2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l e1 e2).
-      pose proof (Rmin_r e1 e2).
+    smaller e1 e2. intros h Hh.
     specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). apply Rabs_inv in K2. cbv beta in K1. unfold Phi.
     assert (Rate : - ((beyond k t - a2 * y t - a1 * y' t) / m1) * A t + -1 * W t * c + (y' t * - B t + y t * - (a2 /
       m1 * A t)) <= - (A t * beyond k t / m1)); [|nra].
@@ -246,11 +278,10 @@ Proof.
   { assert (CA : cont A) by (apply cont_of_derive with (fun _ => c); intros; unfold A; auto_derive; auto; ring).
     assert (CB : cont B) by (apply cont_of_derive with (fun t => a2 / m1 * A t); intros; unfold A, B; auto_derive;
       auto; field; lra).
-    assert (Cy : cont y). { apply cont_minus; [apply cont_scal, (f_cx _ _ _ _ _ _ _ _ _ _ H)|].
-      apply cont_of_derive with (fun t => k * v1 t0 + b / m2 * (t - t0)). intros t. auto_derive; auto. field; lra. }
+    assert (Cy : cont y) by exact (cont_place k).
     apply cont_plus; apply cont_mult; auto; [apply cont_scal, cont_scal, cont_w|].
     apply cont_ext with (fun r => -1 * B r); [intros; ring|apply cont_scal; auto]. }
-  assert (P0 : Phi t0 = 0) by (unfold Phi, W, y, w; rewrite Meet; field; lra).
+  assert (P0 : Phi t0 = 0) by (unfold Phi, W, y, place, w; rewrite Meet; field; lra).
   assert (PT : Phi T = - W T) by (unfold Phi, A, B; replace (T - T) with 0 by ring; field; lra).
   assert (Ap : forall t, t0 <= t < T -> 0 < A t) by (intros t Ht; unfold A; nra).
   assert (Q0 : beyond k t0 = 0).
@@ -284,12 +315,12 @@ Proof.
   - apply cont_minus; [apply cont_scal, cont_w|]. apply cont_of_derive with (fun _ => r).
     intros; auto_derive; auto; ring.
   - intros z Hz Wz. assert (Up : 0 <= r * (z - t0)) by (apply Rmult_le_pos; lra). assert (Wp : 0 < k * w z) by lra.
-    specialize (G z ltac:(lra) Wp). unfold w in Wp. assert (S : rderiv s z k).
-    { destruct Hk; subst k; [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _ _ _ _ H)]; lra. }
-    intros e' He'. destruct (little_minus _ _ (rate_w z ltac:(lra)) (little_scal (b * kap) _ S) e' He') as (q & Hq &
-      Near).
-    exists q. split; auto. intros h Hh. specialize (Near h Hh). cbv beta in Near. apply Rabs_inv in Near.
-    assert (kap * (k * load z - b) * h <= r * h) by (apply Rmult_le_compat_r; lra). destruct Hk; subst k; lra.
+    specialize (G z ltac:(lra) Wp).
+    pose proof (forced_opposes m1 m2 a1 a2 b U x v1 v2 s z k H ltac:(lra) Hk Wp) as S.
+    apply rderiv_dini with (k * (kap * (load z - b * k)) - r); [destruct Hk; subst k; lra|].
+    apply rderiv_minus; [apply rderiv_scal, (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s z (u z) k H
+      ltac:(lra) (DU z ltac:(lra)) S)|].
+    apply rderiv_of_derive. auto_derive; auto; ring.
 Qed.
 
 (** where the force asks ever less than b right after, the pair sticks: what the spring and the damper give back is
@@ -314,41 +345,20 @@ Proof.
     pose proof (Rmin_l 1 (/ (4 * (K * (c + 2))))). pose proof (Rmin_r 1 (/ (4 * (K * (c + 2))))).
     split; [repeat apply Rmin_glb_lt; lra|]. repeat split; try lra.
     replace (/ 4) with (K * (c + 2) * / (4 * (K * (c + 2)))) by (field; split; lra). apply Rmult_le_compat_l; lra. }
-  set (W := fun t => k * w t). set (q := fun t => k * (v2 t - v2 t0) - b / m2 * (t - t0)).
-  set (y := fun t => k * x t - (k * x t0 + k * v1 t0 * (t - t0) + b / m2 * (t - t0) ^ 2 / 2)).
-  set (y' := fun t => k * v1 t - (k * v1 t0 + b / m2 * (t - t0))). set (f := fun t => - (a1 * y' t + a2 * y t)).
-  set (E := fun t => m1 * W t + M * q t).
-  assert (Split : forall t, y' t = W t + q t) by (intros t; unfold y', W, w, q; rewrite Meet; ring).
-  assert (Dy : forall t, t0 <= t -> rderiv y t (y' t)).
-  { intros t Ht. apply rderiv_minus; [apply rderiv_scal, (f_x _ _ _ _ _ _ _ _ _ _ H); lra|].
-    apply rderiv_of_derive. auto_derive; auto. field; lra. }
-  assert (Cy : cont y). { apply cont_minus; [apply cont_scal, (f_cx _ _ _ _ _ _ _ _ _ _ H)|].
-    apply cont_of_derive with (fun t => k * v1 t0 + b / m2 * (t - t0)). intros t. auto_derive; auto. field; lra. }
-  assert (Y0 : y t0 = 0) by (unfold y; field; lra).
+  set (W := fun t => k * w t). set (q := ahead2 k). set (y := place k). set (y' := lead k). set (E := gain k).
+  set (f := fun t => - (a1 * y' t + a2 * y t)).
+  assert (Split : forall t, y' t = W t + q t) by exact (lead_split k).
+  assert (Dy : forall t, t0 <= t -> rderiv y t (y' t)) by (intros t Ht; apply place_rate; lra).
+  assert (Cy : cont y) by exact (cont_place k).
+  assert (Y0 : y t0 = 0 /\ y' t0 = 0) by (unfold y, y', place, lead; split; field; lra).
   assert (Load : forall t, kap * (k * load t - b) = (beyond k t + f t) / m1).
-  { intros t. unfold beyond, f, y, y', load, kap, M. field. repeat split; lra. }
-  assert (Qn : forall t, t0 <= t -> q t <= 0).
-  { intros t Ht. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t0 t H Ht0 ltac:(lra)) as V.
-    pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H t0 t ltac:(lra)) as L. apply Rabs_inv in L.
-    assert (b / m2 * (k * (s t - s t0)) <= b / m2 * (t - t0)).
-    { apply Rmult_le_compat_l; [apply Rlt_le, Rdiv_lt_0_compat; auto|]. destruct Hk; subst k; lra. }
-    unfold q. rewrite V. lra. }
+  { intros t. rewrite excess_of_load. unfold excess, f, y, y', kap, M. field. repeat split; lra. }
+  assert (Qn : forall t, t0 <= t -> q t <= 0) by (intros t Ht; apply ahead2_sign; auto; lra).
   assert (Wn : forall t, t0 <= t < t0 + d -> 0 <= W t) by (intros t Ht; specialize (NA t ltac:(lra)); unfold W, w; lra).
   assert (DE : forall t, t0 <= t < t0 + d0 -> rderiv E t (beyond k t + f t)).
-  { intros t Ht. apply rderiv_ext with (fun r => k * ((m1 * v1 r + b * s r - U r) + U r + (m2 * v2 0 - b * s 0)) - (M
-    * (k * v2 t0)
-      + M * (b / m2) * (r - t0))).
-    - intros r Hr. rewrite <- (f_v2 _ _ _ _ _ _ _ _ _ _ H r) by lra. unfold E, W, w, q, M. ring.
-    - eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_scal, rderiv_plus; [apply rderiv_plus;
-      [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H);
-        lra|apply DU; lra]|apply rderiv_const]|apply rderiv_of_derive; auto_derive; auto; reflexivity]].
-      unfold beyond, f, y, y', M. field; lra. }
-  assert (CE : cont E).
-  { assert (C2 : cont v2) by exact (forced_cv2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ H).
-    apply cont_plus; apply cont_scal; [apply cont_scal, cont_w|]. apply cont_minus.
-    - apply cont_scal, cont_minus; [auto|apply cont_const].
-    - apply cont_of_derive with (fun _ => b / m2). intros; auto_derive; auto; ring. }
-  assert (E0 : E t0 = 0) by (unfold E, W, w, q; rewrite Meet; ring).
+  { intros t Ht. apply rderiv_eq with (excess k t); [unfold excess, f, y, y'; ring|].
+    apply gain_rate; [lra|apply DU; lra]. }
+  assert (CE : cont E) by exact (cont_gain k). assert (E0 : E t0 = 0) by exact (gain_0 k).
   assert (B0 : beyond k t0 = 0).
   { replace (beyond k t0) with (M / m2 * (k * load t0 - b)) by (unfold beyond, load, M; field; lra). rewrite Tie.
     ring. }
@@ -390,7 +400,8 @@ Proof.
     { intros t Ht. apply Rmult_le_reg_l with M; auto. pose proof (El t Ht) as E1. pose proof (W1 t Ht) as W2.
       assert (m1 * W t <= S * (t - t0)).
       { replace (S * (t - t0)) with (m1 * (S / m1 * (t - t0))) by (field; lra). apply Rmult_le_compat_l; lra. }
-      unfold E in E1. replace (M * - (G * (t - t0))) with (- ((pi + c * S) * (t - t0)) - S * (t - t0)) by (unfold G;
+      unfold E, gain in E1. fold (W t) (q t) in E1.
+      replace (M * - (G * (t - t0))) with (- ((pi + c * S) * (t - t0)) - S * (t - t0)) by (unfold G;
         field; lra). lra. }
     assert (Gs' : forall t, t0 <= t < T -> G * (t - t0) <= G) by (intros t Ht; rewrite <- (Rmult_1_r G) at 2;
       apply Rmult_le_compat_l; lra).
@@ -444,8 +455,8 @@ Proof.
   assert (W t <= 0 * (t - t0)).
   { apply (rise_le k 0 d Hk); [lra|lra| |lra]. intros r Hr _. rewrite Load.
     destruct (Req_dec r t0) as [->|N].
-    - rewrite B0. unfold f. rewrite Y0. unfold y'. replace ((0 + - (a1 * (k * v1 t0 - (k * v1 t0 + b / m2 * (t0 -
-      t0))) + a2 * 0)) / m1) with 0 by (field; lra). lra.
+    - rewrite B0. unfold f. destruct Y0 as (-> & ->). replace ((0 + - (a1 * 0 + a2 * 0)) / m1) with 0 by (field; lra).
+      lra.
     - pose proof (Low r ltac:(lra)). pose proof (Mono t0 r ltac:(lra) ltac:(lra)).
       assert (beyond k r + f r <= 0) by lra. assert (0 < / m1) by (apply Rinv_0_lt_compat; auto).
       apply Rmult_le_0_r; lra. }

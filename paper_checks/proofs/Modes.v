@@ -35,21 +35,13 @@ Lemma modes_by_compactness v1 v2 T : 0 <= T ->
   (forall t, 0 <= t < T -> exists d, 0 < d /\ one_mode v1 v2 t (t + d)) ->
   (forall t, 0 < t <= T -> exists d, 0 < d /\ one_mode v1 v2 (t - d) t) -> finitely_many_modes v1 v2 0 T.
 Proof.
-  intros HT After Before. set (F := fun t => 0 <= t <= T /\ finitely_many_modes v1 v2 0 t).
-  assert (F0 : F 0) by (split; [lra|]; exists O, (fun _ => 0); repeat split; intros; lia).
-  destruct (completeness F) as (c & Ub & Lub); [exists T; intros t (Ht & _); lra|exists 0; auto|].
-  assert (Hc : 0 <= c <= T) by (split; [apply Ub; auto|apply Lub; intros t (Ht & _); lra]).
-  assert (Fc : F c).
-  { destruct (Req_dec c 0) as [->|Nc]; auto. destruct (Before c ltac:(lra)) as (d & Hd & M).
-    destruct (classic (exists t, F t /\ c - d < t)) as [(t & (Ht & Ft) & Near)|No].
-    - assert (t <= c) by (apply Ub; split; auto). split; auto. apply (modes_append v1 v2 0 t); auto.
-      apply (one_mode_within v1 v2 (c - d) c); auto; lra.
-    - exfalso. assert (c <= c - d); [|lra]. apply Lub. intros t Ft. apply Rnot_lt_le. intros N. apply No. exists t.
-      auto. }
-  destruct (Req_dec c T) as [<-|N]; [apply Fc|]. exfalso. destruct (After c ltac:(lra)) as (d & Hd & M).
-  set (q := Rmin (c + d) T). assert (q <= c + d) by apply Rmin_l. assert (q <= T) by apply Rmin_r.
-  assert (c < q) by (apply Rmin_glb_lt; lra). assert (q <= c); [|lra]. apply Ub. split; [lra|].
-  apply (modes_append v1 v2 0 c); [apply Fc|lra|]. apply (one_mode_within v1 v2 c (c + d)); auto; lra.
+  intros HT After Before. apply (onward (finitely_many_modes v1 v2 0) 0 T); [auto| | | |lra].
+  - exists O, (fun _ => 0). repeat split; intros; lia.
+  - intros c Hc All. destruct (Before c ltac:(lra)) as (d & Hd & M).
+    destruct (just_before 0 c d) as (t & Ht & Near); [lra|auto|].
+    apply (modes_append v1 v2 0 t); [apply All; lra|lra|]. apply (one_mode_within v1 v2 (c - d) c); auto; lra.
+  - intros c Hc Fc. destruct (After c ltac:(lra)) as (d & Hd & M). exists d; split; auto. intros u Hu.
+    apply (modes_append v1 v2 0 c); [auto|lra|]. apply (one_mode_within v1 v2 c (c + d)); auto; lra.
 Qed.
 
 (** one motion after another *)

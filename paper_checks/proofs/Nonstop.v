@@ -88,14 +88,9 @@ Proof.
   { apply rderiv_near with (fun r => s p + (r - p)) (q - p); [lra|intros; symmetry; apply Clock; lra|].
     apply rderiv_of_derive. auto_derive; auto; ring. }
   set (l := u - a2 * x p - a1 * v1 p - (m1 + m2) * (b / m2)).
-  assert (Rw : rderiv (fun t => m1 * v1 t - m1 * v2 t) p l).
-  { apply rderiv_ext with (fun t => (m1 * v1 t + b * s t - U t) + U t - (b + m1 * (b / m2)) * s t - m1 * (v2 p - b /
-    m2 * s p)).
-    - intros t Ht. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ p t H ltac:(lra) ltac:(lra)).
-      replace (v2 t) with (v2 p + b / m2 * (s t - s p)) by lra. ring.
-    - eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_minus; [apply rderiv_plus;
-      [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|
-        exact DU]|apply rderiv_scal, Ds]|apply rderiv_const]]. unfold l. field; lra. }
+  assert (Rw : rderiv (fun t => m1 * (v1 t - v2 t)) p l).
+  { eapply rderiv_eq; [|apply rderiv_scal, (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s p u 1 H ltac:(lra) DU Ds)].
+    unfold l. field; lra. }
   apply Rnot_lt_le. intros N. assert (Nl : l < 0) by (unfold l; lra).
   destruct (Rw (- l / 2)) as (d & Hd & Q); [lra|]. set (h := Rmin (d / 2) ((q - p) / 2)).
     assert (h <= d / 2) by apply Rmin_l.
@@ -172,7 +167,6 @@ Variables k k' : R -> R.
 Hypotheses (Dk : forall t, is_derive k t (k' t)) (Dk' : forall t, is_derive k' t ((1 - a1 * k' t - a2 * k t) / m1))
   (Ek : k (PI / om) = - k 0) (Ek' : k' (PI / om) = - k' 0) (HZ : 0 < Z1) (Hl : 0 < leave (k 0) (k' 0)).
 Let T := PI / om.
-Let M := m1 + m2.
 
 (** half a period is positive *)
 Lemma half_pos : 0 < T.
@@ -206,6 +200,12 @@ Proof.
   set (X := fun t => A * sin (om * t) - B * cos (om * t) - b * k t).
   set (V1 := fun t => om * (A * cos (om * t) + B * sin (om * t)) - b * k' t).
   set (V2 := fun t => b / m2 * (t - T / 2)).
+  assert (OT : om * T = PI) by (unfold T; field; lra).
+  assert (Ahead : forall t, 0 < t < T -> V2 t < V1 t).
+  { intros t Ht. pose proof (Side t Ht) as Sl. unfold slipping in Sl. fold A Bs in Sl.
+    assert (0 < sin (om * t)) by (apply sin_gt_0; [nra|rewrite <- OT; apply Rmult_lt_compat_l; lra]).
+    assert (Bs * sin (om * t) <= B * sin (om * t)) by (apply Rmult_le_compat_r; lra).
+    unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra. }
   assert (Arc : forced_arc m1 m2 a1 a2 b T (fun t => F * sin (om * t + phi)) X V1 V2 (fun _ => 1)).
   { constructor.
     - intros t. unfold X, V1. auto_derive; [exists (k' t); apply Dk|].
@@ -216,22 +216,13 @@ Proof.
     - intros t Ht. split; [lra|]. split; [auto|]. intros W. exfalso. apply (Rlt_not_le _ _ W).
       destruct (Req_dec t 0) as [->|N].
       + unfold V1, V2. rewrite Rmult_0_r, cos_0, sin_0. pose proof turn_0. fold A in H. lra.
-      + pose proof (Side t ltac:(lra)) as Sl. unfold slipping in Sl. fold A Bs in Sl.
-        assert (0 < sin (om * t)).
-        { apply sin_gt_0; [nra|]. replace PI with (om * T) by (unfold T; field; lra). apply Rmult_lt_compat_l; lra. }
-        assert (Bs * sin (om * t) <= B * sin (om * t)) by (apply Rmult_le_compat_r; lra).
-        unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra. }
+      + specialize (Ahead t ltac:(lra)). lra. }
   destruct (arc_begins m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) _ X V1 V2 _ T ltac:(lra) (cont_wave F om phi
     Hom) (fun t _ => rderiv_wave F om phi t Hom) Arc) as (x & v1 & v2 & s & H & E).
   exists phi, x, v1, v2, s. destruct (E 0 ltac:(lra)) as (X0 & V10 & V20).
     destruct (E T ltac:(lra)) as (XT & V1T & V2T).
-  assert (OT : om * T = PI) by (unfold T; field; lra).
   split; [auto|]. split.
-  - intros t Ht. destruct (E t ltac:(fold T in Ht; lra)) as (_ & -> & ->). fold T in Ht.
-    pose proof (Side t Ht) as Sl. unfold slipping in Sl. fold A Bs in Sl.
-    assert (0 < sin (om * t)) by (apply sin_gt_0; [nra|rewrite <- OT; apply Rmult_lt_compat_l; lra]).
-    assert (Bs * sin (om * t) <= B * sin (om * t)) by (apply Rmult_le_compat_r; lra).
-    unfold V1, V2. replace (PI / (2 * om)) with (T / 2) in Sl by (unfold T; field; lra). nra.
+  - intros t Ht. fold T in Ht. destruct (E t ltac:(lra)) as (_ & -> & ->). auto.
   - apply (antiperiodic m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb (wave F om phi) x v1 v2 s T ltac:(lra)); auto.
     + intros t _. apply wave_half; auto.
     + rewrite XT, X0. unfold X. rewrite OT, Rmult_0_r, cos_0, sin_0, cos_PI, sin_PI. unfold T. rewrite Ek. ring.

@@ -1,18 +1,8 @@
 (** From cycle to cycle: the exits of a solution are an orbit of the return map; the cycle time. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Turning Slip Cycle Gap.
 Local Open Scope R_scope.
-
-(** *** The half slip angle as a function of the exit speed: the inverse of hh *)
-Lemma sin_half p : 0 < p <= PI / 2 -> p / 2 <= sin p.
-Proof.
-  intros Hp. pose proof (sinc_decr p (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q. rewrite sin_PI2 in Q.
-    pose proof PI_4.
-  assert (1 / 2 <= 1 / (PI / 2)).
-  { apply Rmult_le_reg_r with (PI / 2); [lra|]. replace (1 / (PI / 2) * (PI / 2)) with 1 by (field; lra). lra. }
-  assert (sin p / p * p = sin p) by (field; lra). nra.
-Qed.
 
 (** it exists, as h goes from 0 to infinity *)
 Lemma half_ex u : 0 < u -> {p | 0 < p < PI /\ hh p = u}.
@@ -73,23 +63,7 @@ Proof.
     destruct (Rlt_dec (PI / 2) ps) as [|G]; auto. exfalso.
       destruct (Req_dec ps (PI / 2)) as [E|E]; [rewrite E in Z; lra|].
     specialize (Ri (PI / 2) ltac:(lra)). lra. }
-  rewrite !ratio_AB by lra. set (f := fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))).
-    change (f q <= f p).
-  assert (Q : - f p < - f q); [|lra].
-  apply (incr_function (fun u => - f u) 0 ps (fun p => - ((2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2)
-    / (2 * sin p ^ 2 * (sin p - p * cos p) ^ 2)))); try (simpl; lra).
-  - intros u U0 U1; simpl in U0, U1. apply (is_derive_opp f u). apply derive_ratio; lra.
-  - intros u U0 U1; simpl in U0, U1. pose proof (Le u ltac:(lra)) as Ku. pose proof (g_pos u ltac:(lra)) as G.
-    pose proof (A_pos u ltac:(lra)) as A.
-    pose proof (sqrt_sqrt 2 ltac:(lra)) as S2. pose proof (sqrt_lt_R0 2 ltac:(lra)) as S0. unfold K in Ku.
-    assert (Nu : 0 < (u - sin u * cos u) ^ 2 - 2 * (sin u - u * cos u) ^ 2).
-    { set (a := u - sin u * cos u) in *. set (g := sin u - u * cos u) in *. rewrite <- S2.
-      replace (a ^ 2 - sqrt 2 * sqrt 2 * g ^ 2) with ((a - sqrt 2 * g) * (a + sqrt 2 * g)) by ring.
-        apply Rmult_lt_0_compat; [lra|]. pose proof (Rmult_lt_0_compat _ _ S0 G). lra. }
-    assert (De : 0 < / (2 * sin u ^ 2 * (sin u - u * cos u) ^ 2)).
-    { apply Rinv_0_lt_compat. pose proof (pow_lt _ 2 (sin_gt_0 u ltac:(lra) ltac:(lra))).
-      pose proof (pow_lt _ 2 G). apply Rmult_lt_0_compat; lra. }
-    unfold Rdiv. pose proof (Rmult_lt_0_compat _ _ Nu De). lra.
+  apply Rlt_le, (ratio_step p q); [lra|lra|lra|]. intros t Ht. apply Le. lra.
 Qed.
 (** so an excursion shorter than one that ends above E_cr ends above it too *)
 Lemma stays_above r p q : 0 < p -> p <= q -> q <= PI / 2 -> r * depth q ^ 2 < hh q ^ 2 -> r * depth p ^ 2 < hh p ^ 2.
@@ -182,7 +156,7 @@ Proof.
   - split; nra.
   - rewrite L1. pose proof (ray_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb (2 * p - hh p) ltac:(lra)). unfold ray in *. lra.
   - rewrite L1, L2; auto.
-  - rewrite Lx, L1, L2, E. exact (landing_energy m1 m2 a2 b Hm1 Hm2 Ha2 p Hp).
+  - rewrite E. exact (slip_level m1 m2 a2 b Hm1 Hm2 Ha2 Hb x v1 v2 s t0 p H Ht Hp HR).
   - fold om amp in St, Sr, Si. set (T :=
     (acos (- / amp (hh (next p) ^ 2)) - acos ((1 - q * depth p) / amp (hh (next p) ^ 2))) / om) in *.
     assert (C : cyc p = 2 * p / o1 + T) by reflexivity. rewrite C.

@@ -6,24 +6,21 @@ Local Open Scope R_scope.
 
 (** *** What friction and inertia do in a short time *)
 
+(** where w > 0 the impulse s rises with slope 1, and where w < 0 it falls with slope -1 *)
+Definition opposes (s : R -> R) (w t : R) := forall k, k = 1 \/ k = -1 -> 0 < k * w -> rderiv s t k.
 (** s is at the time t the impulse of the set-valued sign of w *)
-Definition pushes (s : R -> R) (w t : R) :=
-  (forall h, 0 < h -> - h <= s (t + h) - s t <= h) /\ (0 < w -> rderiv s t 1) /\ (w < 0 -> rderiv s t (-1)).
-
-(** a 1-Lipschitz impulse moves by O(h) *)
-Lemma pushes_big s w t : pushes s w t -> big (fun h => s (t + h) - s t).
-Proof. intros (L & _). exists 1, 1; repeat split; try lra. intros h Hh. apply Rabs_le. specialize (L h). lra. Qed.
+Definition pushes (s : R -> R) (w t : R) := (forall h, 0 < h -> - h <= s (t + h) - s t <= h) /\ opposes s w t.
 
 (** if w' < w then s rises at least as fast as s': either w > 0 and s rises with slope 1, or w' < 0 and s' falls with
   slope -1 *)
 Lemma friction_order s s' w w' t : pushes s w t -> pushes s' w' t -> w' < w ->
   forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d -> - e * h <= (s (t + h) - s t) - (s' (t + h) - s' t).
 Proof.
-  intros (L & P & _) (L' & _ & N') W e He. destruct (Rlt_dec 0 w) as [Pos|].
-  - destruct (P Pos e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-    specialize (L' h ltac:(lra)). apply Rabs_inv in K. lra.
-  - destruct (N' ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh. specialize (K h Hh).
-    specialize (L h ltac:(lra)). apply Rabs_inv in K. lra.
+  intros (L & P) (L' & P') W e He. destruct (Rlt_dec 0 w) as [Pos|].
+  - destruct (P 1 (or_introl eq_refl) ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+    specialize (K h Hh). specialize (L' h ltac:(lra)). apply Rabs_inv in K. lra.
+  - destruct (P' (-1) (or_intror eq_refl) ltac:(lra) e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+    specialize (K h Hh). specialize (L h ltac:(lra)). apply Rabs_inv in K. lra.
 Qed.
 
 (** friction is monotone: the increments of two impulses against the relative velocities *)
@@ -46,12 +43,13 @@ Proof.
 Qed.
 
 (** the power of friction *)
-Lemma friction_power s w t : pushes s w t -> little (fun h => (s (t + h) - s t) * w - Rabs w * h).
+Lemma friction_power s w t : opposes s w t -> little (fun h => (s (t + h) - s t) * w - Rabs w * h).
 Proof.
-  intros (_ & P & N). destruct (Rtotal_order w 0) as [Lt|[->|Gt]].
-  - eapply little_ext; [|exact (little_scal w _ (N Lt))]. intros h; simpl. rewrite Rabs_left by lra. ring.
+  intros P. destruct (Req_dec w 0) as [->|N].
   - eapply little_ext; [|exact little_0]. intros h; simpl. rewrite Rabs_R0; ring.
-  - eapply little_ext; [|exact (little_scal w _ (P Gt))]. intros h; simpl. rewrite Rabs_pos_eq by lra. ring.
+  - assert (K : exists k, (k = 1 \/ k = -1) /\ 0 < k * w /\ Rabs w = w * k).
+    { destruct (Rlt_dec w 0); [exists (-1); rewrite Rabs_left by lra|exists 1; rewrite Rabs_pos_eq by lra]; lra. }
+    destruct K as (k & Hk & Kw & ->). eapply little_ext; [|exact (little_scal w _ (P k Hk Kw))]. intros h; simpl. ring.
 Qed.
 
 Section Pair.
@@ -101,116 +99,6 @@ Proof.
   unfold energy, rest. fold (ds h). unfold dx at 1 2, dv at 1 2, dw at 1 2. unfold dx, dv, dw. field. split; lra.
 Qed.
 
-(** the energy distance of two motions: the elastic terms cancel, friction only takes away *)
-Lemma distance_dini x v1 v2 s x' v1' v2' s' t l : rderiv x t (v1 t) -> rderiv x' t (v1' t) ->
-  rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t l ->
-  (forall h, 0 < h -> v2 (t + h) - v2 t = b / m2 * (s (t + h) - s t)) ->
-  (forall h, 0 < h -> v2' (t + h) - v2' t = b / m2 * (s' (t + h) - s' t)) ->
-  pushes s (v1 t - v2 t) t -> pushes s' (v1' t - v2' t) t ->
-  dini_le (fun r => energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r)) t ((l + a2 * (x t - x' t)) * (v1 t - v1' t)).
-Proof.
-  intros X X' V W W' S S' e He.
-  destruct (energy_increment (fun r => x r - x' r) (fun r => v1 r - v1' r) (fun r => v2 r - v2' r) (fun r => s r - s' r)
-    t l) with (eps := e / 2) as (d1 & Hd1 & K1); try lra.
-  - apply rderiv_minus; auto.
-  - exact V.
-  - intros h Hh. specialize (W h Hh). specialize (W' h Hh). lra.
-  - eapply big_ext; [|exact (big_minus _ _ (pushes_big _ _ _ S) (pushes_big _ _ _ S'))]. intros h; simpl; ring.
-  - destruct (friction_monotone s s' _ _ t S S' (e / (2 * b))) as (d2 & Hd2 & K2); [apply Rdiv_lt_0_compat; lra|].
-    exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2).
-    pose proof (Rmin_r d1 d2).
-    specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). cbv beta in K1. apply Rabs_inv in K1.
-    apply Rmult_le_compat_l with (r := b) in K2; [|lra].
-    replace (b * (- (e / (2 * b)) * h)) with (- (e / 2) * h) in K2 by (field; lra).
-    match type of K1 with _ <= _ + b * ?f <= _ => match type of K2 with _ <= b * ?g => replace f with g in K1 by ring
-      end end.
-    lra.
-Qed.
-
-(** the impulse is continuous *)
-Lemma cont_s x v1 v2 s : solution x v1 v2 s -> cont s.
-Proof. intros H. apply (lip_cont s 1); [lra|]. intros. rewrite Rmult_1_l. apply (s_lip _ _ _ _ H); auto. Qed.
-
-(** v2 is continuous, as m2 v2 - b s is constant *)
-Lemma cont_v2 x v1 v2 s : solution x v1 v2 s -> cont v2.
-Proof.
-  intros H. apply cont_ext with (fun u => (v2 0 - b / m2 * s 0) + b / m2 * s u).
-  { intros u Hu. pose proof (s_v2 _ _ _ _ H u Hu). apply Rmult_eq_reg_l with m2; [|lra].
-    replace (m2 * (v2 0 - b / m2 * s 0 + b / m2 * s u)) with ((m2 * v2 0 - b * s 0) + b * s u) by (field; lra). lra. }
-  apply cont_plus; [apply cont_const|]. apply cont_scal. apply (cont_s _ _ _ _ H).
-Qed.
-
-(** body 2 is moved by friction alone *)
-Lemma driven_v2 x v1 v2 s t : solution x v1 v2 s -> 0 <= t -> forall h, 0 < h -> v2 (t + h) - v2 t = b / m2 * (s (t +
-  h) - s t).
-Proof.
-  intros H Ht h Hh. pose proof (s_v2 _ _ _ _ H (t + h) ltac:(lra)). pose proof (s_v2 _ _ _ _ H t Ht).
-  apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * (s (t + h) - s t))) with (b * (s (t + h) - s t)) by
-    (field; lra). lra.
-Qed.
-(** friction, as it pushes it *)
-Lemma solution_pushes x v1 v2 s t : solution x v1 v2 s -> 0 <= t -> pushes s (v1 t - v2 t) t.
-Proof.
-  intros H Ht. split; [|split; intros W; [apply (s_pos _ _ _ _ H)|apply (s_neg _ _ _ _ H)]; lra].
-  intros h Hh. apply Rabs_inv. replace h with (t + h - t) at 2 by ring. apply (s_lip _ _ _ _ H). lra.
-Qed.
-
-(** a solution from a later time on is a solution *)
-Lemma shift_solution x v1 v2 s t0 : 0 <= t0 -> solution x v1 v2 s ->
-  solution (fun u => x (t0 + u)) (fun u => v1 (t0 + u)) (fun u => v2 (t0 + u)) (fun u => s (t0 + u)).
-Proof.
-  intros Ht H. destruct H.
-  assert (RS : forall f t l, rderiv f (t0 + t) l -> rderiv (fun u => f (t0 + u)) t l).
-  { intros f t l F. eapply little_ext; [|exact F]. intros h; simpl. rewrite Rplus_assoc. auto. }
-  constructor.
-  - intros r t Hr. replace (t - r) with (t0 + t - (t0 + r)) by ring. apply s_lip0; lra.
-  - intros; apply RS, s_pos0; [lra|auto].
-  - intros; apply RS, s_neg0; [lra|auto].
-  - apply cont_shift; auto.
-  - apply cont_shift; auto.
-  - intros; apply RS, s_x0; lra.
-  - intros t Hu. apply (RS (fun u => m1 * v1 u + b * s u)), s_v3; lra.
-  - intros t Hu. rewrite Rplus_0_r. rewrite (s_v4 (t0 + t)), (s_v4 t0) by lra. auto.
-Qed.
-
-(** *** Contraction in the energy norm *)
-Section Two.
-Variables x v1 v2 s x' v1' v2' s' : R -> R.
-Hypotheses (H : solution x v1 v2 s) (H' : solution x' v1' v2' s').
-Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
-
-(** the energy distance is continuous *)
-Lemma cont_D : cont D.
-Proof.
-  destruct H, H'.
-  assert (cont (fun t => x t - x' t)) by (apply cont_minus; auto).
-  assert (cont (fun t => v1 t - v1' t)) by (apply cont_minus; auto).
-  assert (cont (fun t => v2 t - v2' t)) by (apply cont_minus; eapply cont_v2; eauto).
-  apply cont_ext with (fun t => a2 / 2 * ((x t - x' t) * (x t - x' t)) + m1 / 2 * ((v1 t - v1' t) * (v1 t - v1' t))
-    + m2 / 2 * ((v2 t - v2' t) * (v2 t - v2' t))).
-  { intros; unfold D, energy; field. }
-  repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
-Qed.
-
-(** its upper right derivative is at most 0: the elastic terms cancel, damping and friction only take away *)
-Lemma D_dini t : 0 <= t -> dini_le D t 0.
-Proof.
-  intros Ht e He.
-  assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t (- (a2 * (x t - x' t) + a1 * (v1 t - v1' t)))).
-  { eapply little_ext; [|exact (little_minus _ _ (s_v1 _ _ _ _ H t Ht) (s_v1 _ _ _ _ H' t Ht))].
-    intros h; simpl; ring. }
-  destruct (distance_dini _ _ _ _ _ _ _ _ _ _ (s_x _ _ _ _ H t Ht) (s_x _ _ _ _ H' t Ht) V (driven_v2 _ _ _ _ t H Ht)
-    (driven_v2 _ _ _ _ t H' Ht) (solution_pushes _ _ _ _ t H Ht) (solution_pushes _ _ _ _ t H' Ht) e He) as (d & Hd &
-      K).
-  exists d; split; auto. intros h Hh. specialize (K h Hh). unfold D. pose proof (pow2_ge_0 (v1 t - v1' t)).
-  assert (0 <= a1 * (v1 t - v1' t) ^ 2 * h) by (apply Rmult_le_pos; [apply Rmult_le_pos; auto|lra]). lra.
-Qed.
-
-(** so it never grows *)
-Theorem contraction r t : 0 <= r <= t -> D t <= D r.
-Proof. intros Hr. apply dini_mono; auto. apply cont_D. intros u Hu. apply D_dini; lra. Qed.
-End Two.
-
 (** the energy is not negative *)
 Lemma energy_pos x v1 v2 : 0 <= energy x v1 v2.
 Proof. unfold energy. pose proof (pow2_ge_0 x). pose proof (pow2_ge_0 v1). pose proof (pow2_ge_0 v2). nra. Qed.
@@ -223,76 +111,150 @@ Proof.
   repeat split; apply Rsqr_0_uniq; unfold Rsqr; lra.
 Qed.
 
-(** *** Forward uniqueness *)
-Theorem unique x v1 v2 s x' v1' v2' s' t0 : solution x v1 v2 s -> solution x' v1' v2' s' -> 0 <= t0 ->
-  x t0 = x' t0 -> v1 t0 = v1' t0 -> v2 t0 = v2' t0 ->
-  forall t, t0 <= t -> x t = x' t /\ v1 t = v1' t /\ v2 t = v2' t.
+(** no distance, no difference *)
+Lemma energy_apart x v1 v2 x' v1' v2' y w z : energy (x - x') (v1 - v1') (v2 - v2') <= energy (y - y) (w - w) (z - z) ->
+  x = x' /\ v1 = v1' /\ v2 = v2'.
 Proof.
-  intros H H' Ht X V W t Hu. pose proof (contraction _ _ _ _ _ _ _ _ H H' t0 t ltac:(lra)) as C. simpl in C.
-  rewrite X, V, W in C. replace (energy (x' t0 - x' t0) (v1' t0 - v1' t0) (v2' t0 - v2' t0)) with 0 in C by
-    (unfold energy; field).
-  apply energy_zero in C. lra.
+  intros E. replace (energy (y - y) (w - w) (z - z)) with 0 in E by (unfold energy; field). apply energy_zero in E. lra.
 Qed.
 
-(** *** Energy: dE/dt = - b |v1 - v2| - a1 v1^2 at every time (right derivative) *)
+(** *** What all motions have in common: friction with the impulse b s, no faster than c b, opposes the slip; the force
+    on body 1 has the impulse U *)
+Record moves (c : R) (U x v1 v2 s : R -> R) : Prop := {
+  q_lip : forall r t, 0 <= r <= t -> Rabs (s t - s r) <= c * (t - r);
+  q_slip : forall t, 0 <= t -> opposes s (v1 t - v2 t) t;
+  q_cx : cont x;
+  q_cv : cont v1;
+  q_x : forall t, 0 <= t -> rderiv x t (v1 t);
+  q_v1 : forall t, 0 <= t -> rderiv (fun r => m1 * v1 r + b * s r - U r) t (- (a2 * x t + a1 * v1 t));
+  q_v2 : forall t, 0 <= t -> m2 * v2 t - b * s t = m2 * v2 0 - b * s 0 }.
+
+(** the slip has either direction *)
+Lemma opposes_both s (v1 v2 : R -> R) t : (v2 t < v1 t -> rderiv s t 1) -> (v1 t < v2 t -> rderiv s t (-1)) ->
+  opposes s (v1 t - v2 t) t.
+Proof. intros P N k [->| ->] W; [apply P|apply N]; lra. Qed.
+
+(** no force: the solutions, and only they *)
+Lemma solution_moves x v1 v2 s : solution x v1 v2 s <-> moves 1 (fun _ => 0) x v1 v2 s.
+Proof.
+  assert (Z : forall t l, rderiv (fun r => m1 * v1 r + b * s r - 0) t l <-> rderiv (fun r => m1 * v1 r + b * s r) t l).
+  { intros t l. split; apply rderiv_ext; intros; ring. }
+  split; intros [].
+  - constructor; auto using opposes_both; intros; [rewrite Rmult_1_l; auto|apply Z; auto].
+  - constructor; auto; intros; [rewrite <- (Rmult_1_l (t - r)); auto|..|apply Z; auto].
+    + apply q_slip0; auto; lra.
+    + apply q_slip0; auto; lra.
+Qed.
+
 Section One.
-Variables x v1 v2 s : R -> R.
-Hypothesis H : solution x v1 v2 s.
+Variables (c : R) (U x v1 v2 s : R -> R).
+Hypothesis H : moves c U x v1 v2 s.
 Let E t := energy (x t) (v1 t) (v2 t).
 
-(** the work of friction, and of the damper *)
-Theorem energy_rate t : 0 <= t -> rderiv E t (- b * Rabs (v1 t - v2 t) - a1 * v1 t ^ 2).
+(** the impulse of friction moves by O(h) *)
+Lemma moves_big t : 0 <= t -> big (fun h => s (t + h) - s t).
 Proof.
-  intros Ht. pose proof (solution_pushes _ _ _ _ t H Ht) as S. eapply little_ext; [|exact (little_minus _ _
-    (energy_increment x v1 v2 s t _ (s_x _ _ _ _ H t Ht) (s_v1 _ _ _ _ H t Ht) (driven_v2 _ _ _ _ t H Ht) (pushes_big
-      _ _ _ S)) (little_scal b _ (friction_power _ _ _ S)))].
-  intros h. unfold E. cbv beta. ring.
+  intros Ht. exists (Rabs c + 1), 1. pose proof (Rabs_pos c). repeat split; try lra. intros h Hh.
+  pose proof (q_lip _ _ _ _ _ _ H t (t + h) ltac:(lra)). pose proof (Rle_abs c).
+  replace (t + h - t) with h in * by ring. nra.
+Qed.
+(** it is continuous *)
+Lemma moves_cs : cont s.
+Proof.
+  apply (lip_cont s c); [|apply (q_lip _ _ _ _ _ _ H)]. pose proof (q_lip _ _ _ _ _ _ H 0 1 ltac:(lra)).
+  pose proof (Rabs_pos (s 1 - s 0)). lra.
+Qed.
+(** body 2 is moved by friction alone *)
+Lemma moves_v2 r t : 0 <= r -> 0 <= t -> v2 t - v2 r = b / m2 * (s t - s r).
+Proof.
+  intros Hr Ht. pose proof (q_v2 _ _ _ _ _ _ H r Hr). pose proof (q_v2 _ _ _ _ _ _ H t Ht).
+  apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * (s t - s r))) with (b * (s t - s r)) by (field; lra).
+  lra.
+Qed.
+(** continuously *)
+Lemma moves_cv2 : cont v2.
+Proof.
+  apply cont_ext with (fun u => (v2 0 - b / m2 * s 0) + b / m2 * s u).
+  { intros u Hu. pose proof (moves_v2 0 u ltac:(lra) Hu). lra. }
+  apply cont_plus; [apply cont_const|apply cont_scal, moves_cs].
+Qed.
+(** the relative velocity, but for friction *)
+Lemma moves_slip t u : 0 <= t -> rderiv U t u ->
+  rderiv (fun r => v1 r - v2 r + b * ((m1 + m2) / (m1 * m2)) * s r) t ((u - a2 * x t - a1 * v1 t) / m1).
+Proof.
+  intros Ht HU. apply rderiv_ext with (fun r => / m1 * (m1 * v1 r + b * s r - U r + U r) - (v2 t - b / m2 * s t)).
+  { intros r Hr. pose proof (moves_v2 t r Ht ltac:(lra)). replace (v2 r) with (v2 t + b / m2 * (s r - s t)) by lra.
+    field. lra. }
+  apply rderiv_eq with (/ m1 * (- (a2 * x t + a1 * v1 t) + u) - 0); [field; lra|].
+  apply rderiv_minus; [|apply rderiv_const]. apply rderiv_scal, rderiv_plus; auto. apply (q_v1 _ _ _ _ _ _ H t Ht).
+Qed.
+(** and with it, where its impulse has the right derivative l *)
+Lemma moves_rate t u l : 0 <= t -> rderiv U t u -> rderiv s t l -> rderiv (fun r => v1 r - v2 r) t
+  ((m1 + m2) / (m1 * m2) * (m2 * (u - a2 * x t - a1 * v1 t) / (m1 + m2) - b * l)).
+Proof.
+  intros Ht HU S.
+  apply rderiv_ext with (fun r => v1 r - v2 r + b * ((m1 + m2) / (m1 * m2)) * s r - b * ((m1 + m2) / (m1 * m2)) * s r).
+  { intros; ring. }
+  apply rderiv_eq with ((u - a2 * x t - a1 * v1 t) / m1 - b * ((m1 + m2) / (m1 * m2)) * l); [field; lra|].
+  apply rderiv_minus; [apply moves_slip; auto|apply rderiv_scal; auto].
+Qed.
+(** in a slip the impulse is the time *)
+Lemma moves_impulse r t k : 0 <= r <= t -> k = 1 \/ k = -1 -> (forall u, r <= u < t -> 0 < k * (v1 u - v2 u)) ->
+  s t - s r = k * (t - r).
+Proof. intros Hr Hk O. apply rderiv_line; auto using moves_cs. intros u Hu. apply (q_slip _ _ _ _ _ _ H); auto; lra.
 Qed.
 
+(** the work of the force, of the damper and of friction *)
+Lemma moves_energy_rate t u : 0 <= t -> rderiv U t u -> rderiv E t (u * v1 t - a1 * v1 t ^ 2 - b * Rabs (v1 t - v2 t)).
+Proof.
+  intros Ht HU.
+  assert (V : rderiv (fun r => m1 * v1 r + b * s r) t (u - (a2 * x t + a1 * v1 t))).
+  { eapply little_ext; [|exact (little_plus _ _ (q_v1 _ _ _ _ _ _ H t Ht) HU)]. intros h; simpl; ring. }
+  eapply little_ext; [|exact (little_minus _ _ (energy_increment x v1 v2 s t _ (q_x _ _ _ _ _ _ H t Ht) V
+    (fun h Hh => moves_v2 t (t + h) Ht ltac:(lra)) (moves_big t Ht))
+    (little_scal b _ (friction_power _ _ _ (q_slip _ _ _ _ _ _ H t Ht))))].
+  intros h. unfold E. cbv beta. ring.
+Qed.
 (** the energy is continuous *)
-Lemma cont_E : cont E.
+Lemma moves_cE : cont E.
 Proof.
   apply cont_ext with (fun t => a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + m2 / 2 * (v2 t * v2 t)).
   { intros; unfold E, energy; field. }
-  destruct H. repeat apply cont_plus; apply cont_scal; apply cont_mult; auto; eapply cont_v2; eauto.
+  pose proof moves_cv2. destruct H. repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
+Qed.
+End One.
+
+(** *** Without a force: dE/dt = - b |v1 - v2| - a1 v1^2 at every time (right derivative) *)
+Section Free.
+Variables (c : R) (x v1 v2 s : R -> R).
+Hypothesis H : moves c (fun _ => 0) x v1 v2 s.
+Let E t := energy (x t) (v1 t) (v2 t).
+
+(** the work of friction, and of the damper *)
+Lemma free_energy_rate t : 0 <= t -> rderiv E t (- b * Rabs (v1 t - v2 t) - a1 * v1 t ^ 2).
+Proof.
+  intros Ht. eapply rderiv_eq; [|exact (moves_energy_rate _ _ _ _ _ _ H t 0 Ht (rderiv_const 0 t))]. ring.
 Qed.
 
 (** so the energy never increases *)
-Theorem energy_decreases r t : 0 <= r <= t -> E t <= E r.
+Lemma free_decreases r t : 0 <= r <= t -> E t <= E r.
 Proof.
-  intros Hr. apply (rderiv_mono E r t (fun u => - b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2)); auto. apply cont_E.
-  intros u Hu. split; [apply energy_rate; lra|]. pose proof (Rabs_pos (v1 u - v2 u)).
+  intros Hr. apply (rderiv_mono E r t (fun u => - b * Rabs (v1 u - v2 u) - a1 * v1 u ^ 2)); auto.
+  { exact (moves_cE _ _ _ _ _ _ H). }
+  intros u Hu. split; [apply free_energy_rate; lra|]. pose proof (Rabs_pos (v1 u - v2 u)).
     pose proof (pow2_ge_0 (v1 u)). nra.
 Qed.
 
-(** *** A stay off S is short *)
-Lemma slip_impulse r t k : 0 <= r <= t -> (k = 1 \/ k = -1) -> (forall u, r <= u < t -> 0 < k * (v1 u - v2 u)) ->
-  s t - s r = k * (t - r).
-Proof.
-  intros Hr Hk O.
-  assert (RD : forall u, r <= u < t -> rderiv s u k).
-  { intros u Hu. pose proof (O u Hu). destruct Hk; subst k; [apply (s_pos _ _ _ _ H)|apply (s_neg _ _ _ _ H)]; lra. }
-  pose proof (cont_s _ _ _ _ H) as C.
-  assert (s t - s r <= k * (t - r)).
-  { apply dini_slope; auto. intros u Hu. eapply rderiv_dini; [|apply RD; auto]. lra. }
-  assert (- s t - - s r <= - k * (t - r)).
-  { apply (dini_slope (fun u => - s u)); auto.
-    { apply cont_ext with (fun u => -1 * s u); [intros; ring|apply cont_scal; auto]. }
-    intros u Hu. apply rderiv_dini with (-1 * k); [lra|].
-      apply rderiv_ext with (fun u => -1 * s u); [intros; ring|]. apply rderiv_scal; auto. }
-  lra.
-Qed.
-
-(** the velocity of body 2 changes at a constant rate and is bounded by the energy *)
-Theorem dwell r t : 0 <= r <= t ->
+(** a stay off S is short: the velocity of body 2 changes at a constant rate and is bounded by the energy *)
+Lemma free_dwell r t : 0 <= r <= t ->
   (forall u, r <= u < t -> v2 u < v1 u) \/ (forall u, r <= u < t -> v1 u < v2 u) ->
-  t - r <= 2 * sqrt (2 * E r * m2) / b.
+  t - r <= 2 * sqrt (2 * (E r) * m2) / b.
 Proof.
   intros Hr O.
-  assert (Sq : (s t - s r) ^ 2 = (t - r) ^ 2).
-  { destruct O as [O|O]; [rewrite (slip_impulse r t 1)|rewrite (slip_impulse r t (-1))]; auto; try ring;
-    intros u Hu; specialize (O u Hu); lra. }
-  pose proof (energy_decreases r t Hr) as De.
+  assert (T : s t - s r = 1 * (t - r) \/ s t - s r = -1 * (t - r)).
+  { destruct O as [O|O]; [left|right]; apply (moves_impulse _ _ _ _ _ _ H); auto; intros u Hu; specialize (O u Hu);
+      lra. }
+  pose proof (free_decreases r t Hr) as De.
   assert (B : forall u, r <= u -> E u <= E r -> Rabs (m2 * v2 u) <= sqrt (2 * E r * m2)).
   { intros u _ Hu. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr.
     unfold E at 1, energy in Hu. pose proof (pow2_ge_0 (x u)). pose proof (pow2_ge_0 (v1 u)).
@@ -300,15 +262,157 @@ Proof.
     apply Rmult_le_compat_r; lra. }
   pose proof (B r ltac:(lra) ltac:(lra)) as B1. pose proof (B t ltac:(lra) De) as B2.
   apply Rabs_inv in B1. apply Rabs_inv in B2.
-  pose proof (s_v2 _ _ _ _ H r ltac:(lra)) as W1. pose proof (s_v2 _ _ _ _ H t ltac:(lra)) as W2.
-  assert (AB : b * (t - r) <= 2 * sqrt (2 * E r * m2)).
-  { assert (Z : b * (s t - s r) = m2 * v2 t - m2 * v2 r) by lra.
-    assert (T : s t - s r = t - r \/ s t - s r = - (t - r)).
-    { assert ((s t - s r - (t - r)) * (s t - s r + (t - r)) = 0) as M by nra.
-      apply Rmult_integral in M. lra. }
-    destruct T as [T|T]; rewrite T in Z; lra. }
+  pose proof (q_v2 _ _ _ _ _ _ H r ltac:(lra)) as W1. pose proof (q_v2 _ _ _ _ _ _ H t ltac:(lra)) as W2.
+  assert (Z : b * (s t - s r) = m2 * v2 t - m2 * v2 r) by lra.
   apply Rmult_le_reg_l with b; auto. replace (b * (2 * sqrt (2 * E r * m2) / b)) with (2 * sqrt (2 * E r * m2)) by
-    (field; lra). auto.
+    (field; lra). destruct T as [T|T]; rewrite T in Z; lra.
 Qed.
-End One.
+End Free.
+
+(** a motion from a later time on *)
+Lemma moves_later c U x v1 v2 s t0 : 0 <= t0 -> moves c U x v1 v2 s -> moves c (fun u => U (t0 + u))
+  (fun u => x (t0 + u)) (fun u => v1 (t0 + u)) (fun u => v2 (t0 + u)) (fun u => s (t0 + u)).
+Proof.
+  intros Ht [L P CX CV X V W]. constructor; auto using cont_shift.
+  - intros r t Hr. replace (t - r) with (t0 + t - (t0 + r)) by ring. apply L; lra.
+  - intros t Hu k Hk Sl. apply rderiv_earlier, P; auto; lra.
+  - intros; apply rderiv_earlier, X; lra.
+  - intros t Hu. apply (rderiv_earlier (fun u => m1 * v1 u + b * s u - U u)), V; lra.
+  - intros t Hu. rewrite Rplus_0_r, (W (t0 + t)), (W t0) by lra. auto.
+Qed.
+(** its mirror image, under the opposite force: all terms are odd *)
+Lemma moves_mirror c U x v1 v2 s : moves c U x v1 v2 s -> moves c (fun t => - U t)
+  (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) (fun t => - s t).
+Proof.
+  intros [L P CX CV X V W]. constructor; auto using cont_opp, rderiv_opp.
+  - intros r t Hr. replace (- s t - - s r) with (- (s t - s r)) by ring. rewrite Rabs_Ropp; auto.
+  - intros t Ht k Hk Sl. apply rderiv_eq with (- - k); [ring|]. apply rderiv_opp, P; [auto|lra|lra].
+  - intros t Ht. apply rderiv_ext with (fun u => - (m1 * v1 u + b * s u - U u)); [intros; ring|].
+    apply rderiv_eq with (- - (a2 * x t + a1 * v1 t)); [ring|]. apply rderiv_opp; auto.
+  - intros t Ht. specialize (W t Ht). lra.
+Qed.
+
+(** both of solutions *)
+Lemma solution_later x v1 v2 s t0 : 0 <= t0 -> solution x v1 v2 s ->
+  solution (fun u => x (t0 + u)) (fun u => v1 (t0 + u)) (fun u => v2 (t0 + u)) (fun u => s (t0 + u)).
+Proof. rewrite !solution_moves. apply (moves_later 1 (fun _ => 0)). Qed.
+Lemma solution_mirror x v1 v2 s : solution x v1 v2 s ->
+  solution (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) (fun t => - s t).
+Proof.
+  rewrite !solution_moves. intros H. apply moves_mirror in H. destruct H as [L P CX CV X V W]. constructor; auto.
+  intros t Ht. apply rderiv_ext with (fun r => m1 * - v1 r + b * - s r - - 0); [intros; ring|auto].
+Qed.
+
+(** *** Two motions *)
+Section Two.
+Variables U U' x v1 v2 s x' v1' v2' s' : R -> R.
+Hypotheses (H : moves 1 U x v1 v2 s) (H' : moves 1 U' x' v1' v2' s').
+Let D t := energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t).
+
+(** the energy distance is continuous *)
+Lemma moves_cD : cont D.
+Proof.
+  assert (cont (fun t => x t - x' t)) by (apply cont_minus; [apply (q_cx _ _ _ _ _ _ H)|apply (q_cx _ _ _ _ _ _ H')]).
+  assert (cont (fun t => v1 t - v1' t)) by (apply cont_minus; [apply (q_cv _ _ _ _ _ _ H)|apply (q_cv _ _ _ _ _ _ H')]).
+  assert (cont (fun t => v2 t - v2' t)) by (apply cont_minus; eapply moves_cv2; eauto).
+  apply cont_ext with (fun t => a2 / 2 * ((x t - x' t) * (x t - x' t)) + m1 / 2 * ((v1 t - v1' t) * (v1 t - v1' t))
+    + m2 / 2 * ((v2 t - v2' t) * (v2 t - v2' t))).
+  { intros; unfold D, energy; field. }
+  repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
+Qed.
+
+(** D' <= du dv1 - a1 dv1^2: the elastic terms cancel, friction only takes away, the impulses of the two forces enter
+  only
+    through their difference *)
+Lemma moves_D_dini t du : 0 <= t -> rderiv (fun r => U r - U' r) t du ->
+  dini_le D t (du * (v1 t - v1' t) - a1 * (v1 t - v1' t) ^ 2).
+Proof.
+  intros Ht HU e He.
+  assert (V : rderiv (fun r => m1 * (v1 r - v1' r) + b * (s r - s' r)) t
+    (du - (a2 * (x t - x' t) + a1 * (v1 t - v1' t)))).
+  { eapply little_ext; [|exact (little_plus _ _ (little_minus _ _ (q_v1 _ _ _ _ _ _ H t Ht) (q_v1 _ _ _ _ _ _ H' t Ht))
+    HU)]. intros h; simpl; ring. }
+  destruct (energy_increment (fun r => x r - x' r) (fun r => v1 r - v1' r) (fun r => v2 r - v2' r) (fun r => s r - s' r)
+    t _ (rderiv_minus _ _ _ _ _ (q_x _ _ _ _ _ _ H t Ht) (q_x _ _ _ _ _ _ H' t Ht)) V) with (eps := e / 2)
+    as (d1 & Hd1 & K1); try lra.
+  - intros h Hh. pose proof (moves_v2 _ _ _ _ _ _ H t (t + h) Ht ltac:(lra)).
+    pose proof (moves_v2 _ _ _ _ _ _ H' t (t + h) Ht ltac:(lra)). lra.
+  - eapply big_ext; [|exact (big_minus _ _ (moves_big _ _ _ _ _ _ H t Ht) (moves_big _ _ _ _ _ _ H' t Ht))].
+    intros h; simpl; ring.
+  - assert (Pu : forall U x v1 v2 s, moves 1 U x v1 v2 s -> pushes s (v1 t - v2 t) t).
+    { intros V1 y w1 w2 z [L P _ _ _ _ _]. split; [|auto]. intros h Hh. apply Rabs_inv.
+      replace h with (1 * (t + h - t)) at 2 by ring. apply L. lra. }
+    destruct (friction_monotone s s' _ _ t (Pu _ _ _ _ _ H) (Pu _ _ _ _ _ H') (e / (2 * b))) as (d2 & Hd2 & K2);
+      [apply Rdiv_lt_0_compat; lra|].
+    smaller d1 d2. intros h Hh. specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)). cbv beta in K1.
+    apply Rabs_inv in K1. apply Rmult_le_compat_l with (r := b) in K2; [|lra].
+    replace (b * (- (e / (2 * b)) * h)) with (- (e / 2) * h) in K2 by (field; lra).
+    match type of K1 with _ <= _ + b * ?f <= _ => match type of K2 with _ <= b * ?g => replace f with g in K1 by ring
+      end end.
+    unfold D. lra.
+Qed.
+
+(** *** Contraction in the energy norm: under one force the distance never grows *)
+Lemma moves_contraction r t : (forall u, U u = U' u) -> 0 <= r <= t -> D t <= D r.
+Proof.
+  intros E Hr. apply dini_mono; auto using moves_cD. intros u Hu e He.
+  assert (Z : rderiv (fun r => U r - U' r) u 0).
+  { apply rderiv_ext with (fun _ => 0); [intros q _; rewrite E; ring|apply rderiv_const]. }
+  destruct (moves_D_dini u 0 ltac:(lra) Z e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
+  specialize (K h Hh).
+  pose proof (pow2_ge_0 (v1 u - v1' u)). assert (0 <= a1 * (v1 u - v1' u) ^ 2 * h); [|lra].
+  apply Rmult_le_pos; [apply Rmult_le_pos; auto|lra].
+Qed.
+End Two.
+
+(** of solutions *)
+Theorem contraction x v1 v2 s x' v1' v2' s' : solution x v1 v2 s -> solution x' v1' v2' s' -> forall r t, 0 <= r <= t ->
+  energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= energy (x r - x' r) (v1 r - v1' r) (v2 r - v2' r).
+Proof.
+  intros H H' r t. apply solution_moves in H, H'.
+  exact (moves_contraction _ _ _ _ _ _ _ _ _ _ H H' r t (fun _ => eq_refl)).
+Qed.
+
+(** *** Forward uniqueness *)
+Theorem unique x v1 v2 s x' v1' v2' s' t0 : solution x v1 v2 s -> solution x' v1' v2' s' -> 0 <= t0 ->
+  x t0 = x' t0 -> v1 t0 = v1' t0 -> v2 t0 = v2' t0 ->
+  forall t, t0 <= t -> x t = x' t /\ v1 t = v1' t /\ v2 t = v2' t.
+Proof.
+  intros H H' Ht X V W t Hu. pose proof (contraction _ _ _ _ _ _ _ _ H H' t0 t ltac:(lra)) as C.
+  rewrite X, V, W in C. exact (energy_apart _ _ _ _ _ _ _ _ _ C).
+Qed.
+
+(** *** Energy: dE/dt = - b |v1 - v2| - a1 v1^2 at every time (right derivative) *)
+Section Solution.
+Variables x v1 v2 s : R -> R.
+Hypothesis H : solution x v1 v2 s.
+Let E t := energy (x t) (v1 t) (v2 t).
+Let Mo := proj1 (solution_moves _ _ _ _) H.
+
+(** the impulse is continuous *)
+Lemma cont_s : cont s.
+Proof. exact (moves_cs _ _ _ _ _ _ Mo). Qed.
+(** so is v2 *)
+Lemma cont_v2 : cont v2.
+Proof. exact (moves_cv2 _ _ _ _ _ _ Mo). Qed.
+(** and the energy *)
+Lemma cont_E : cont E.
+Proof. exact (moves_cE _ _ _ _ _ _ Mo). Qed.
+
+(** the work of friction, and of the damper *)
+Theorem energy_rate t : 0 <= t -> rderiv E t (- b * Rabs (v1 t - v2 t) - a1 * v1 t ^ 2).
+Proof. exact (free_energy_rate _ _ _ _ _ Mo t). Qed.
+(** so the energy never increases *)
+Theorem energy_decreases r t : 0 <= r <= t -> E t <= E r.
+Proof. exact (free_decreases _ _ _ _ _ Mo r t). Qed.
+(** in a slip the impulse is the time *)
+Lemma slip_impulse r t k : 0 <= r <= t -> (k = 1 \/ k = -1) -> (forall u, r <= u < t -> 0 < k * (v1 u - v2 u)) ->
+  s t - s r = k * (t - r).
+Proof. exact (moves_impulse _ _ _ _ _ _ Mo r t k). Qed.
+(** a stay off S is short *)
+Theorem dwell r t : 0 <= r <= t ->
+  (forall u, r <= u < t -> v2 u < v1 u) \/ (forall u, r <= u < t -> v1 u < v2 u) ->
+  t - r <= 2 * sqrt (2 * E r * m2) / b.
+Proof. exact (free_dwell _ _ _ _ _ Mo r t). Qed.
+End Solution.
 End Pair.

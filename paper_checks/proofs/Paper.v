@@ -1,7 +1,7 @@
 (** The last sentences of Section III, as theorems: the times of exit and entry, and c1/t <= E - E_cr <= c2/t. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Dichotomy Slip Cycle Orbit Sharp Law.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Limit Dichotomy Slip Cycle Gap Orbit Sharp Law.
 Local Open Scope R_scope.
 
 Section Paper.

@@ -60,18 +60,33 @@ Proof.
   apply Rmult_le_compat_l; auto. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rdiv_lt_0_compat; apply pow_lt; lra.
 Qed.
 
-(** sin p/p decreases *)
-Lemma sinc_decr p q : 0 < p -> p <= q -> q < PI -> sin q / q <= sin p / p.
+(** sin p/p decreases strictly *)
+Lemma sinc_strict p q : 0 < p -> p < q -> q < PI -> sin q / q < sin p / p.
 Proof.
-  intros Hp Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|].
+  intros Hp Hpq Hq.
   assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
   apply (incr_function (fun u => - (sin u / u)) 0 PI (fun u => (sin u - u * cos u) / u ^ 2)); try (simpl; lra).
   - intros t T0 T1; simpl in T0, T1. auto_derive; [lra|]. field; lra.
   - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|apply pow_lt; auto].
 Qed.
+(** sin p/p decreases *)
+Lemma sinc_decr p q : 0 < p -> p <= q -> q < PI -> sin q / q <= sin p / p.
+Proof.
+  intros Hp Hpq Hq. destruct (Req_dec p q) as [->|N]; [lra|]. apply Rlt_le, sinc_strict; lra.
+Qed.
 (** and is positive *)
 Lemma sinc_pos p : 0 < p < PI -> 0 < sin p / p.
 Proof. intros. apply Rdiv_lt_0_compat; [apply sin_gt_0|]; lra. Qed.
+
+(** *** The half slip angle as a function of the exit speed: the inverse of hh *)
+Lemma sin_half p : 0 < p <= PI / 2 -> p / 2 <= sin p.
+Proof.
+  intros Hp. pose proof (sinc_decr p (PI / 2) ltac:(lra) ltac:(lra) ltac:(lra)) as Q. rewrite sin_PI2 in Q.
+    pose proof PI_4.
+  assert (1 / 2 <= 1 / (PI / 2)).
+  { apply Rmult_le_reg_r with (PI / 2); [lra|]. replace (1 / (PI / 2) * (PI / 2)) with 1 by (field; lra). lra. }
+  assert (sin p / p * p = sin p) by (field; lra). nra.
+Qed.
 
 Section Orbit.
 Variable r : R.

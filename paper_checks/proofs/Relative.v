@@ -34,7 +34,8 @@ Proof.
   intros Hm1 Hm2 Ha1 Ha2 Hb H H' X0 V0 W0 Cz Cz' Dz Dz' t Ht.
   pose proof (forced_unique m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb _ _ _ _ _ _ _ _ _ 0 H' H (Rle_refl 0) X0 V0 W0) as Same.
   destruct (Same t Ht) as (Ex & Ev & Ew). split; [|lra].
-  assert (Q : z' t - z t = z' 0 - z 0); [|lra]. apply (keeps_value (fun r => z' r - z r)); auto; [apply cont_minus;
-    auto|].
-  intros r Hr. replace 0 with (v2' r - v2 r) by (destruct (Same r Hr) as (_ & _ & ->); ring). apply rderiv_minus; auto.
+  assert (Q : (z' t - z t) - (z' 0 - z 0) = 0 * (t - 0)); [|lra].
+  apply (rderiv_line (fun r => z' r - z r)); [apply cont_minus; auto|lra|]. intros r Hr.
+  replace 0 with (v2' r - v2 r) by (destruct (Same r ltac:(lra)) as (_ & _ & ->); ring).
+  apply rderiv_minus; [apply Dz'|apply Dz]; lra.
 Qed.

@@ -8,25 +8,6 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick Chase Forced.
 Local Open Scope R_scope.
 
-(** from squares to absolute values *)
-Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
-Proof. intros; split; nra. Qed.
-
-(** what decreases and is not negative has a limit *)
-Lemma dec_limit f : (forall r t, 0 <= r <= t -> f t <= f r) -> (forall t, 0 <= f t) ->
-  exists l, 0 <= l /\ (forall t, 0 <= t -> l <= f t) /\ forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t ->
-    f t <= l + e.
-Proof.
-  intros Mo P. destruct (completeness (fun y => exists t, 0 <= t /\ y = - f t)) as (m & U & L).
-  { exists 0. intros y (t & Ht & ->). specialize (P t). lra. } { exists (- f 0), 0. split; lra. }
-  exists (- m). split; [|split].
-  - cut (m <= 0); [lra|]. apply L. intros y (t & Ht & ->). specialize (P t). lra.
-  - intros t Ht. cut (- f t <= m); [lra|]. apply U. exists t; auto.
-  - intros e He. apply Classical_Prop.NNPP. intros No. cut (m <= m - e); [lra|]. apply L. intros y (t & Ht & ->).
-    destruct (Rle_dec (- f t) (m - e)) as [|N]; auto. exfalso. apply No. exists t; split; auto. intros u Hu.
-    specialize (Mo t u ltac:(lra)). lra.
-Qed.
-
 (** the last time at which a continuous function is not negative *)
 Lemma last_nonneg w r t : cont w -> 0 <= r <= t -> 0 <= w r -> w t < 0 ->
   exists p, r <= p < t /\ 0 <= w p /\ forall u, p < u <= t -> w u < 0.
@@ -52,22 +33,6 @@ Let energy := energy m1 m2 a2.
 Let forced := forced m1 m2 a1 a2 b.
 Let Ha : 0 <= a1. Proof. lra. Qed.
 
-(** during a slip the impulse of friction is the time *)
-Lemma forced_slip U x v1 v2 s r t k : forced U x v1 v2 s -> 0 <= r <= t -> k = 1 \/ k = -1 ->
-  (forall u, r <= u < t -> 0 < k * (v1 u - v2 u)) -> s t - s r = k * (t - r).
-Proof.
-  intros H Hr Hk O.
-  assert (RD : forall u, r <= u < t -> rderiv s u k).
-  { intros u Hu. pose proof (O u Hu). destruct Hk; subst k;
-    [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _ _ _ _ H)]; lra. }
-  pose proof (forced_cs _ _ _ _ _ _ _ _ _ _ H) as C.
-  assert (s t - s r <= k * (t - r)).
-  { apply dini_slope; auto. intros u Hu. eapply rderiv_dini; [|apply RD; auto]. lra. }
-  assert (-1 * s t - -1 * s r <= - k * (t - r)); [|lra].
-  apply (dini_slope (fun u => -1 * s u)); auto using cont_scal. intros u Hu.
-    eapply rderiv_dini; [|apply rderiv_scal, RD; auto]. lra.
-Qed.
-
 (** a bounded pair is not pulled to one side for ever *)
 Lemma no_pull U x v1 v2 s T B k : forced U x v1 v2 s -> 0 <= T -> (forall t, 0 <= t -> Rabs (v2 t) <= B) ->
   k = 1 \/ k = -1 ->
@@ -76,7 +41,7 @@ Proof.
   intros H HT HB Hk O. pose proof (HB T HT) as B0. pose proof (Rabs_pos (v2 T)).
   assert (Hbm : 0 < m2 / b) by (apply Rdiv_lt_0_compat; auto).
   set (t := T + m2 / b * (2 * B + 1)). assert (Ht : T <= t) by (unfold t; nra).
-  pose proof (forced_slip _ _ _ _ _ T t k H ltac:(lra) Hk ltac:(intros; apply O; lra)) as S.
+  pose proof (forced_slip m1 m2 a1 a2 b _ _ _ _ _ T t k H ltac:(lra) Hk ltac:(intros; apply O; lra)) as S.
   pose proof (forced_v2 _ _ _ _ _ Hm2 _ _ _ _ _ T t H HT ltac:(lra)) as V. rewrite S in V.
   replace (b / m2 * (k * (t - T))) with (k * (2 * B + 1)) in V by (unfold t; field; lra).
   pose proof (HB t ltac:(lra)) as B1. apply Rabs_inv in B0. apply Rabs_inv in B1. destruct Hk; subst k; lra.
@@ -106,9 +71,9 @@ Proof.
     { intros u Hu. split; [apply Neg; lra|]. pose proof (Gap u ltac:(lra)). pose proof (L p u ltac:(lra)) as Q.
       fold (w u) (w p) in Q. apply Rabs_inv in Q.
       assert (K * (u - p) <= K * (2 * g)) by (apply Rmult_le_compat_l; lra). lra. }
-    pose proof (forced_slip _ _ _ _ _ (p + g) (p + 2 * g) (-1) H ltac:(lra) ltac:(auto) ltac:(intros u Hu;
+    pose proof (forced_slip m1 m2 a1 a2 b _ _ _ _ _ (p + g) (p + 2 * g) (-1) H ltac:(lra) ltac:(auto) ltac:(intros u Hu;
       destruct (In u Hu); unfold w in *; lra)) as S.
-    pose proof (forced_slip _ _ _ _ _ (p + g) (p + 2 * g) 1 H' ltac:(lra) ltac:(auto) ltac:(intros u Hu;
+    pose proof (forced_slip m1 m2 a1 a2 b _ _ _ _ _ (p + g) (p + 2 * g) 1 H' ltac:(lra) ltac:(auto) ltac:(intros u Hu;
       destruct (In u Hu); unfold w' in *; lra)) as S'.
     pose proof (forced_v2 _ _ _ _ _ Hm2 _ _ _ _ _ (p + g) (p + 2 * g) H ltac:(lra) ltac:(lra)) as V.
     pose proof (forced_v2 _ _ _ _ _ Hm2 _ _ _ _ _ (p + g) (p + 2 * g) H' ltac:(lra) ltac:(lra)) as V'.
@@ -199,7 +164,7 @@ Qed.
 (** dv1 -> 0 *)
 Lemma p_to_0 e : 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (p t) <= e.
 Proof.
-  intros He. destruct p_lip as (K & HK & L). destruct (dec_limit D D_mono D_pos) as (l & _ & Low & Lim).
+  intros He. destruct p_lip as (K & HK & L). destruct (dec_limit D D_mono (fun t _ => D_pos t)) as (l & _ & Low & Lim).
   set (g := e / (2 * K)). assert (Hg : 0 < g) by (apply Rdiv_lt_0_compat; lra).
   set (cost := a1 * (e / 2) ^ 2 * g). assert (Hcost : 0 < cost) by (unfold cost; apply Rmult_lt_0_compat;
     [apply Rmult_lt_0_compat; nra|auto]).
@@ -296,7 +261,7 @@ Theorem approach_bounded U x v1 v2 s x' v1' v2' s' G B : forced U x v1 v2 s -> f
   forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> energy (x t - x' t) (v1 t - v1' t) (v2 t - v2' t) <= e.
 Proof.
   intros H H' HG LU Bd Bd' e He.
-  destruct (dec_limit _ (D_mono _ _ _ _ _ _ _ _ _ H H') (fun t => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)) as (l &
+  destruct (dec_limit _ (D_mono _ _ _ _ _ _ _ _ _ H H') (fun t _ => energy_pos m1 m2 a2 Hm1 Hm2 Ha2 _ _ _)) as (l &
     Hl & Low & Lim).
   destruct (Req_dec l 0) as [L0|L0]. { destruct (Lim e He) as (T & HT & Q). exists T; split; auto. intros t Ht.
     specialize (Q t Ht). unfold energy in *. lra. }

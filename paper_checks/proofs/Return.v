@@ -22,17 +22,6 @@ Proof.
     [apply (B' t1)|apply (B t1')]; auto.
 Qed.
 
-(** the level after a slip is the level before it minus r c (c + 2 d) *)
-Lemma level_loss m1 m2 p d : 0 < m1 -> 0 < m2 -> 0 < p < PI ->
-  level m1 m2 p d = push d p ^ 2 + 2 * d + m1 / (m1 + m2) * d ^ 2 - m2 / (m1 + m2) * (depth p * (depth p + 2 * d)).
-Proof.
-  intros H1 H2 Hp. pose proof (half_depth p Hp) as I. unfold level, push. cbv zeta.
-  replace (m2 / (m1 + m2)) with (1 - m1 / (m1 + m2)) by (field; lra). set (q := m1 / (m1 + m2)).
-  set (c := depth p) in *. set (h := hh p) in *. set (k := ct p) in *. clearbody c h k q.
-  apply Rminus_diag_uniq. rewrite <- (Rmult_0_r (c + 2 * d)).
-  replace 0 with (c * (1 + k ^ 2) - 2 * (1 - h * k)) at 1 by lra. ring.
-Qed.
-
 (** what a first re-entry is: a later contact in the strip *)
 Lemma first_reentry_in l x v1 v2 t0 t : first_reentry l x v1 v2 t0 t -> t0 < t /\ v1 t = v2 t /\ - l <= x t <= l.
 Proof.
@@ -217,9 +206,7 @@ Proof.
   { rewrite A. apply Rmult_lt_0_compat; [exact E0|]. pose proof (pow2_ge_0 u). pose proof (pow2_ge_0 d).
     assert (0 <= q * d ^ 2) by (apply Rmult_le_pos; lra).
     assert (0 <= q * (u ^ 2 + 2 * d + q * d ^ 2)) by (apply Rmult_le_pos; lra). lra. }
-  pose proof (least_cost_pos (E t0) Ep) as C. destruct (nat_above (E t0 / least_cost (E t0))) as (n & Hn).
-  destruct (returns_paid (E t0) n Ep k d u t0) as (t & F & _); auto; try lra; [|exists t; auto].
-  apply Rmult_le_reg_r with (/ least_cost (E t0)); [apply Rinv_0_lt_compat; auto|].
-  rewrite Rmult_assoc, Rinv_r by lra. unfold Rdiv in Hn. lra.
+  pose proof (least_cost_pos (E t0) Ep) as C. destruct (nat_above (E t0) _ C) as (n & Hn).
+  destruct (returns_paid (E t0) n Ep k d u t0) as (t & F & _); auto; try lra. exists t; auto.
 Qed.
 End Return.

@@ -11,15 +11,10 @@ Lemma one_entry f e r : cont f -> (forall p q, 0 <= p <= q -> f q <= f p) -> 0 <
 Proof.
   intros C Mono Hr Fr. destruct (Rle_dec (f 0) e) as [F0|F0].
   { exists 0. split; [lra|]. intros t Ht. split; intros _; [auto|]. pose proof (Mono 0 t ltac:(lra)). lra. }
-  destruct (completeness (fun t => 0 <= t /\ e < f t)) as (T & Ub & Lub).
-  { exists r. intros t (Ht & Ft). apply Rnot_lt_le. intros N. pose proof (Mono r t ltac:(lra)). lra. }
-  { exists 0. lra. }
-  assert (HT : 0 <= T) by (apply Ub; lra). exists T. split; auto. intros t Ht. split.
-  - intros Ft. apply Lub. intros p (Hp & Fp). apply Rnot_lt_le. intros N. pose proof (Mono t p ltac:(lra)). lra.
-  - intros HTt. apply Rle_trans with (f T); [apply Mono; lra|]. apply Rnot_lt_le. intros N.
-    destruct (C T HT (f T - e)) as (d & Hd & K); [lra|]. specialize (K (T + d / 2) ltac:(lra)).
-    assert (D : Rabs (T + d / 2 - T) < d) by (rewrite Rabs_pos_eq; lra). specialize (K D). apply Rabs_def2 in K.
-    assert (T + d / 2 <= T); [|lra]. apply Ub. split; lra.
+  destruct (first_zero (fun u => f u - e) 0 r) as (T & HT & Z & B); [apply cont_minus; auto using
+    cont_const|lra|nra|lra|].
+  exists T. split; [lra|]. intros t Ht. split; [|intros HTt; pose proof (Mono T t ltac:(lra)); lra].
+  intros Ft. apply Rnot_lt_le. intros N. specialize (B t ltac:(lra)). cbv beta in B. nra.
 Qed.
 
 Section Ring.

@@ -54,84 +54,34 @@ Let e0 := least_loss (E 0).
 Let Mp : 0 < M. Proof. unfold M; lra. Qed.
 Let Kp : 0 < kap. Proof. unfold kap. apply Rdiv_lt_0_compat; nra. Qed.
 
-(** the impulse is continuous *)
-Lemma jumping_cs : cont s.
+(** it moves as any motion with the friction bk, but its impulse may be faster *)
+Lemma jumping_moves : moves m1 m2 a1 a2 bk (bs / bk) (fun _ => 0) x v1 v2 s.
 Proof.
-  apply (lip_cont s (bs / bk)); [apply Rlt_le, Rdiv_lt_0_compat; lra|]. intros r t Hr. apply Rmult_le_reg_l with bk;
-    auto.
-  pose proof (j_lip _ _ _ _ H r t Hr). replace (bk * (bs / bk * (t - r))) with (bs * (t - r)) by (field; lra). auto.
+  destruct H as [[L P N CX CV X V W] _]. constructor; auto using opposes_both.
+  - intros r t Hr. apply Rmult_le_reg_l with bk; auto. replace (bk * (bs / bk * (t - r))) with (bs * (t - r)) by
+    (field; lra). auto.
+  - intros t Ht. apply rderiv_ext with (fun r => m1 * v1 r + bk * s r); [intros; ring|auto].
 Qed.
-
-(** body 2 is moved by friction alone *)
-Lemma jumping_v2 r t : 0 <= r -> 0 <= t -> v2 t = v2 r + bk / m2 * (s t - s r).
-Proof.
-  intros Hr Ht. pose proof (j_v2 _ _ _ _ H r Hr). pose proof (j_v2 _ _ _ _ H t Ht). apply Rmult_eq_reg_l with m2;
-    [|lra].
-  replace (m2 * (v2 r + bk / m2 * (s t - s r))) with (m2 * v2 r + bk * (s t - s r)) by (field; lra). lra.
-Qed.
-
-(** v2 is continuous *)
-Lemma jumping_cv2 : cont v2.
-Proof.
-  apply cont_ext with (fun u => (v2 0 - bk / m2 * s 0) + bk / m2 * s u).
-  { intros u Hu. rewrite (jumping_v2 0 u) by lra. ring. }
-  apply cont_plus; [apply cont_const|]. apply cont_scal, jumping_cs.
-Qed.
-Let Cw : cont w. Proof. apply cont_minus; [apply (j_cv _ _ _ _ H)|apply jumping_cv2]. Qed.
+Let Cs : cont s. Proof. exact (moves_cs _ _ _ _ _ _ _ _ _ _ _ jumping_moves). Qed.
+Let Cw : cont w.
+Proof. apply cont_minus; [apply (j_cv _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ jumping_moves)]. Qed.
+Let CE : cont E. Proof. exact (moves_cE _ _ _ _ _ Hm2 _ _ _ _ _ _ jumping_moves). Qed.
 
 (** in slip the relative velocity is driven by what the load has beyond bk *)
 Lemma slip_rate t k : 0 <= t -> k = 1 \/ k = -1 -> 0 < k * w t -> rderiv (fun r => k * w r) t (kap * (k * ld t - bk)).
 Proof.
-  intros Ht Hk' Hw.
-  assert (S : rderiv s t k) by (unfold w in Hw; destruct Hk'; subst k; [apply (j_pos _ _ _ _ H)|apply (j_neg _ _ _ _
-    H)]; lra).
-  apply rderiv_eq with (k * (/ m1 * (- (a2 * x t + a1 * v1 t) - bk * k) - (0 + bk / m2 * k))).
-  { replace (kap * (k * ld t - bk)) with (k * (kap * ld t) - (k * k) * (kap * bk)) by (destruct Hk'; subst k; ring).
-    unfold kap, ld, stick_load, M. field. lra. }
-  apply rderiv_scal. apply rderiv_ext with (fun r => / m1 * ((m1 * v1 r + bk * s r) - bk * s r) - ((v2 t - bk / m2 * s
-    t)
-    + bk / m2 * s r)).
-  { intros r Hr. unfold w. rewrite (jumping_v2 t r) by lra. field. lra. }
-  apply rderiv_minus.
-  - apply rderiv_scal, rderiv_minus; [apply (j_v1 _ _ _ _ H); lra|apply rderiv_scal; auto].
-  - apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto].
+  intros Ht Hk' Hw. pose proof (q_slip _ _ _ _ _ _ _ _ _ _ _ jumping_moves t Ht k Hk' Hw) as S.
+  eapply rderiv_eq; [|apply rderiv_scal, (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ jumping_moves t 0 k Ht
+    (rderiv_const 0 t) S)].
+  unfold kap, ld, stick_load, M. destruct Hk'; subst k; field; lra.
 Qed.
 
 (** the energy falls by friction and the damper *)
 Lemma jumping_energy_rate t : 0 <= t -> rderiv E t (- bk * Rabs (w t) - a1 * v1 t ^ 2).
-Proof.
-  intros Ht.
-  assert (F : little (fun h => (s (t + h) - s t) * w t - Rabs (w t) * h)).
-  { destruct (Rtotal_order (w t) 0) as [Lt|[Z|Gt]].
-    - eapply little_ext; [|exact (little_scal (w t) _ (j_neg _ _ _ _ H t Ht ltac:(unfold w in Lt; lra)))].
-      intros h; simpl. rewrite Rabs_left by lra. ring.
-    - eapply little_ext; [|exact little_0]. intros h; simpl. rewrite Z, Rabs_R0; ring.
-    - eapply little_ext; [|exact (little_scal (w t) _ (j_pos _ _ _ _ H t Ht ltac:(unfold w in Gt; lra)))].
-      intros h; simpl. rewrite Rabs_pos_eq by lra. ring. }
-  assert (B : big (fun h => s (t + h) - s t)).
-  { exists (bs / bk), 1. split; [apply Rdiv_lt_0_compat; lra|]. split; [lra|]. intros h Hh. apply Rmult_le_reg_l with
-    bk; auto. pose proof (j_lip _ _ _ _ H t (t + h) ltac:(lra)) as L. replace (t + h - t) with h in L by ring.
-    replace (bk * (bs / bk * h)) with (bs * h) by (field; lra). auto. }
-  eapply little_ext; [|exact (little_minus _ _ (energy_increment m1 m2 a2 bk Hm1 Hm2 x v1 v2 s t _ (j_x _ _ _ _ H t Ht)
-    (j_v1 _ _ _ _ H t Ht) (fun h Hh => ltac:(rewrite (jumping_v2 t (t + h)) by lra; ring)) B) (little_scal bk _ F))].
-  intros h. unfold E, w, energy. cbv beta. ring.
-Qed.
-
-(** it is continuous *)
-Lemma jumping_cE : cont E.
-Proof.
-  apply cont_ext with (fun t => a2 / 2 * (x t * x t) + m1 / 2 * (v1 t * v1 t) + m2 / 2 * (v2 t * v2 t)).
-  { intros; unfold E, energy, Pair.energy; field. }
-  pose proof (j_cx _ _ _ _ H). pose proof (j_cv _ _ _ _ H). pose proof jumping_cv2.
-  repeat apply cont_plus; apply cont_scal; apply cont_mult; auto.
-Qed.
-(** and never grows *)
+Proof. exact (free_energy_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ jumping_moves t). Qed.
+(** it never grows *)
 Lemma jumping_decreases r t : 0 <= r <= t -> E t <= E r.
-Proof.
-  intros Hr. apply (rderiv_mono E r t (fun u => - bk * Rabs (w u) - a1 * v1 u ^ 2)); auto using jumping_cE.
-  intros u Hu. split; [apply jumping_energy_rate; lra|]. pose proof (Rabs_pos (w u)). pose proof (pow2_ge_0 (v1 u)).
-    nra.
-Qed.
+Proof. exact (free_decreases _ _ _ _ _ Hm1 Hm2 Ha1 Hk _ _ _ _ _ jumping_moves r t). Qed.
 
 (** what the energy bounds *)
 Lemma root_bound y c e : 0 < c -> c * y ^ 2 / 2 <= e -> Rabs y <= sqrt (2 * e / c).
@@ -154,7 +104,7 @@ Proof.
   assert (Lv : Rabs (v1 t - v1 r) <= A * (t - r)).
   { assert (L1 : Rabs ((m1 * v1 t + bk * s t) - (m1 * v1 r + bk * s r)) <= (a2 * P + a1 * V) * (t - r)).
     { apply (lip_of_rderiv (fun u => m1 * v1 u + bk * s u) (fun u => - (a2 * x u + a1 * v1 u))); auto.
-      - apply cont_plus; apply cont_scal; [apply (j_cv _ _ _ _ H)|apply jumping_cs].
+      - apply cont_plus; apply cont_scal; [apply (j_cv _ _ _ _ H)|apply Cs].
       - intros u Hu. split; [apply (j_v1 _ _ _ _ H); auto|]. destruct (Bd u Hu) as (B1 & B2). rewrite Rabs_Ropp.
         apply Rabs_inv in B1. apply Rabs_inv in B2. apply Rabs_le. split; nra. }
     pose proof (j_lip _ _ _ _ H r t Hr) as L2. rewrite <- (Rabs_pos_eq bk), <- Rabs_mult in L2 by lra.
@@ -241,7 +191,7 @@ Proof.
   assert (Q : E (c + h0) + bk * g / 2 * (c + h0 - p) ^ 2 <= E p + bk * g / 2 * (p - p) ^ 2).
   { apply (rderiv_mono (fun t => E t + bk * g / 2 * (t - p) ^ 2) p (c + h0)
       (fun u => (- bk * Rabs (w u) - a1 * v1 u ^ 2) + bk * g * (u - p))); [| lra|].
-    - apply cont_plus; [apply jumping_cE|]. apply cont_scal.
+    - apply cont_plus; [apply CE|]. apply cont_scal.
       apply cont_ext with (fun u => (u - p) * (u - p)); [intros; ring|].
       assert (Ci : cont (fun u => u - p)) by (apply (lip_cont _ 1); [lra|]; intros r t Hr;
         replace (t - p - (r - p)) with (t - r) by ring; rewrite Rabs_pos_eq; lra). apply cont_mult; auto.
@@ -322,75 +272,34 @@ Proof.
   simpl. rewrite Rmult_0_l. apply Ep.
 Qed.
 
-(** it meets again after any time: else it would be a motion of the pair without a contact *)
+(** it meets again after any time *)
 Lemma jumping_contact T : 0 <= T -> exists t, T <= t /\ v1 t = v2 t.
 Proof.
-  intros HT. apply Classical_Prop.NNPP. intros No.
-  assert (NZ : forall t, T <= t -> w t <> 0) by (intros t Ht Z; apply No; exists t; split; [auto|unfold w in Z; lra]).
-  assert (Sg : forall t, T <= t -> 0 < w T * w t).
-  { intros t Ht. destruct (Rlt_dec 0 (w T * w t)); auto. exfalso.
-    destruct (cont_IVT w T t Cw) as (c & Hc & Z); try lra. apply (NZ c); [lra|auto]. }
-  assert (Sl : exists k, (k = 1 \/ k = -1) /\ forall t, T <= t -> 0 < k * w t).
-  { pose proof (NZ T ltac:(lra)). destruct (Rlt_dec 0 (w T)); [exists 1|exists (-1)]; (split; [auto|]); intros t Ht;
-    specialize (Sg t Ht); nra. }
-  destruct Sl as (k & Hk' & Sl).
-  assert (RD : forall t, T <= t -> rderiv s t k).
-  { intros t Ht. specialize (Sl t Ht). unfold w in Sl.
-    destruct Hk'; subst k; [apply (j_pos _ _ _ _ H)|apply (j_neg _ _ _ _ H)]; lra. }
-  assert (RS : forall f t l, rderiv f (T + t) l -> rderiv (fun u => f (T + u)) t l).
-  { intros f t l F. eapply little_ext; [|exact F]. intros h; simpl. rewrite Rplus_assoc. auto. }
-  assert (Sol : solution m1 m2 a1 a2 bk (fun u => x (T + u)) (fun u => v1 (T + u)) (fun u => v2 (T + u)) (fun u => s (T
-    + u))).
-  { pose proof (cont_shift s T HT jumping_cs) as Cs.
-    constructor.
-    - intros r t Hr. apply (Rle_trans _ (1 * (t - r))); [|lra]. apply (lip_of_rderiv (fun u => s (T + u)) (fun _ => k));
-      auto.
-      intros u Hu. split; [apply RS, RD; lra|]. destruct Hk'; subst k; unfold Rabs; destruct Rcase_abs; lra.
-    - intros t Ht W. apply RS, (j_pos _ _ _ _ H); lra.
-    - intros t Ht W. apply RS, (j_neg _ _ _ _ H); lra.
-    - apply cont_shift; [auto|apply (j_cx _ _ _ _ H)].
-    - apply cont_shift; [auto|apply (j_cv _ _ _ _ H)].
-    - intros t Ht. apply RS, (j_x _ _ _ _ H). lra.
-    - intros t Ht. apply (RS (fun u => m1 * v1 u + bk * s u)), (j_v1 _ _ _ _ H). lra.
-    - intros t Ht. rewrite Rplus_0_r. rewrite (j_v2 _ _ _ _ H (T + t)), (j_v2 _ _ _ _ H T) by lra. auto. }
-  destruct (contact m1 m2 a1 a2 bk Hm1 Hm2 Ha1 Ha2 Hk _ _ _ _ 0 Sol (Rle_refl 0)) as (t & Ht & Z).
-  apply (NZ (T + t)); [lra|]. unfold w. lra.
+  intros HT. destruct (moves_contact _ _ _ _ _ Hm1 Hm2 Ha1 Ha2 Hk _ _ _ _ _ T jumping_moves HT) as (t & Ht & Z).
+  exists t. split; [lra|auto].
 Qed.
 
 (** from a contact on: stuck for ever, or dearer *)
 Lemma stuck_or_dearer c : 0 <= c -> v1 c = v2 c ->
   (forall t, c <= t -> v1 t = v2 t) \/ exists t, c <= t /\ E t <= E c - e0.
 Proof.
-  intros Hc Meet. destruct (Classical_Prop.classic (forall t, c <= t -> v1 t = v2 t)) as [|N]; [left; auto|right].
-  apply Classical_Pred_Type.not_all_ex_not in N. destruct N as (f & N). apply Classical_Prop.imply_to_and in N.
-  destruct N as (Hf & Nf). set (A := fun y => c <= y /\ forall u, c <= u <= y -> v1 u = v2 u).
-  assert (Bd : forall y, A y -> y <= f). { intros y (Hy & Q). destruct (Rle_dec y f); auto. exfalso. apply Nf, Q. lra. }
-  assert (Ac : A c). { split; [lra|]. intros u Hu. replace u with c by lra. auto. }
-  destruct (completeness A (ex_intro _ f Bd) (ex_intro _ c Ac)) as (l & Ub & Lub).
-  assert (Hl : c <= l) by (apply Ub, Ac).
-  assert (Below : forall u, c <= u < l -> w u = 0).
-  { intros u Hu. apply Classical_Prop.NNPP. intros Nu. assert (l <= u); [|lra]. apply Lub. intros y (Hy & Q).
-    destruct (Rle_dec y u); auto. exfalso. apply Nu. unfold w. rewrite (Q u); lra. }
-  assert (Wl : w l = 0).
-  { apply Classical_Prop.NNPP. intros Nl. apply Rabs_pos_lt in Nl. destruct (Req_dec c l) as [<-|].
-    { revert Nl. unfold w. rewrite Meet, Rminus_diag_eq, Rabs_R0 by auto. lra. }
-    destruct (Cw l ltac:(lra) _ Nl) as (d & Hd & K). set (u := Rmax c (l - d / 2)).
-    assert (c <= u) by apply Rmax_l. assert (l - d / 2 <= u) by apply Rmax_r. assert (u < l) by (apply Rmax_lub_lt;
-      lra).
-    specialize (K u ltac:(lra) ltac:(apply Rabs_def1; lra)). rewrite (Below u), Rminus_0_l, Rabs_Ropp in K by lra. lra.
-      }
-  assert (Out : forall d, 0 < d -> exists u, l < u < l + d /\ v1 u <> v2 u).
-  { intros d Hd. apply Classical_Prop.NNPP. intros No. assert (A (l + d / 2)); [|specialize (Ub _ H1); lra].
-    split; [lra|]. intros u Hu. apply Classical_Prop.NNPP. intros Nu. destruct (Rlt_dec u l) as [y|y].
-    { specialize (Below u ltac:(lra)). unfold w in Below. lra. }
-    destruct (Req_dec u l) as [->|]; [unfold w in Wl; lra|]. apply No. exists u. split; [lra|auto]. }
-  destruct (leaves l ltac:(lra) ltac:(unfold w in Wl; lra) Out) as (k & Hk' & Edge).
-  destruct (Out (h0 / 2)) as (u & Hu & Nu); [lra|]. exists (l + h0). split; [lra|].
-  pose proof (jumping_decreases c l ltac:(lra)).
-  assert (Wu : 0 < k * w u).
-  { pose proof (not_back l k ltac:(lra) ltac:(unfold w in Wl; lra) Hk' Edge u ltac:(lra)).
-    assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
-  pose proof (loses l k ltac:(lra) Hk' Edge u ltac:(lra) Wu). lra.
+  intros Hc Meet. destruct (Classical_Prop.classic (exists t, c <= t /\ E t <= E c - e0)) as [|No]; [auto|left].
+  intros t Ht. assert (Z : w t = 0); [|unfold w in Z; lra].
+  assert (C2 : cont (fun u => w u * w u)) by auto using cont_mult.
+  apply (onward (fun u => w u = 0) c t); [lra|unfold w; lra| | |lra].
+  - intros l Hl All. apply Rsqr_0_uniq, Rle_antisym; [|apply Rle_0_sqr]. apply (cont_le _ 0 c l C2); [lra|].
+    intros u Hu. rewrite All; lra.
+  - intros l Hl Wl. apply Classical_Prop.NNPP. intros Nl.
+    assert (Out : forall d, 0 < d -> exists u, l < u < l + d /\ v1 u <> v2 u).
+    { intros d Hd. apply Classical_Prop.NNPP. intros Nu. apply Nl. exists d. split; auto. intros u Hu.
+      apply Classical_Prop.NNPP. intros Wu. apply Nu. exists u. split; auto. unfold w in Wu. lra. }
+    destruct (leaves l ltac:(lra) ltac:(unfold w in Wl; lra) Out) as (k & Hk' & Edge).
+    destruct (Out (h0 / 2)) as (u & Hu & Nu); [lra|]. apply No. exists (l + h0). split; [lra|].
+    pose proof (jumping_decreases c l ltac:(lra)).
+    assert (Wu : 0 < k * w u).
+    { pose proof (not_back l k ltac:(lra) ltac:(unfold w in Wl; lra) Hk' Edge u ltac:(lra)).
+      assert (w u <> 0) by (unfold w; lra). destruct Hk'; subst k; lra. }
+    pose proof (loses l k ltac:(lra) Hk' Edge u ltac:(lra) Wu). lra.
 Qed.
 
 (** *** Every motion sticks for ever from some time on *)
@@ -403,9 +312,7 @@ Proof.
     - exfalso. simpl in En. pose proof (energy_pos m1 m2 a2 Hm1 Hm2 Ha2 (x t) (v1 t) (v2 t)). unfold E, energy in *.
       lra.
     - apply (IH t); [lra|]. rewrite S_INR in En. lra. }
-  destruct (nat_above (E 0 / e0)) as (n & Hn). apply (Q n 0); [lra|]. apply Rmult_lt_compat_r with (r := e0) in Hn;
-    auto.
-  replace (E 0 / e0 * e0) with (E 0) in Hn by (field; lra). lra.
+  destruct (nat_above (E 0) e0 e0_pos) as (n & Hn). apply (Q n 0); lra.
 Qed.
 End One.
 End Robust.

@@ -32,14 +32,9 @@ Let load := load m1 m2 a1 a2 u x v1.
 Theorem slip_rate t k : 0 <= t -> rderiv U t (u t) -> k = 1 \/ k = -1 -> 0 < k * (v1 t - v2 t) ->
   rderiv (fun r => v1 r - v2 r) t ((m1 + m2) / (m1 * m2) * (load t - k * b)).
 Proof.
-  intros Ht DU Hk W. assert (S : rderiv s t k).
-  { destruct Hk; subst k; [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _ _ _ _ H)]; lra. }
-  pose proof (little_scal (/ m1) _ (little_plus _ _ (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht) DU)) as V.
-  intros e He. destruct (little_minus _ _ V (little_scal (b / m1 + b / m2) _ S) e He) as (d & Hd & K).
-  exists d. split; auto. intros h Hh. specialize (K h Hh). eapply Rle_trans; [apply Req_le|exact K]. f_equal.
-  pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) as E. cbv beta.
-  replace (v2 (t + h)) with (v2 t + b / m2 * (s (t + h) - s t)) by lra. unfold load, Mode.load. field.
-  repeat split; lra.
+  intros Ht DU Hk W. pose proof (forced_opposes m1 m2 a1 a2 b U x v1 v2 s t k H Ht Hk W) as S.
+  eapply rderiv_eq; [|exact (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s t (u t) k H Ht DU S)].
+  unfold load, Mode.load. ring.
 Qed.
 
 (** while stuck body 2 has the acceleration load/m2, and the load is within b *)

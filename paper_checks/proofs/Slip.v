@@ -32,23 +32,7 @@ Proof.
 Qed.
 
 (** The mirror image of a solution is a solution. *)
-Lemma cont_opp f : cont f -> cont (fun t => - f t).
-Proof. intros C. apply cont_ext with (fun t => -1 * f t); [intros; ring|apply cont_scal; auto]. Qed.
-(** the right derivative of the opposite *)
-Lemma rderiv_opp f t l : rderiv f t l -> rderiv (fun t => - f t) t (- l).
-Proof. intros F. apply rderiv_ext with (fun t => -1 * f t); [intros; ring|].
-  apply rderiv_eq with (-1 * l); [ring|]. apply rderiv_scal; auto. Qed.
-(** all terms are odd *)
 Lemma mirror x v1 v2 s : solution m1 m2 0 a2 b x v1 v2 s ->
   solution m1 m2 0 a2 b (fun t => - x t) (fun t => - v1 t) (fun t => - v2 t) (fun t => - s t).
-Proof.
-  intros [L P N CX CV X V W]. constructor; auto using cont_opp.
-  - intros r t Hr. replace (- s t - - s r) with (- (s t - s r)) by ring. rewrite Rabs_Ropp; auto.
-  - intros t Ht Hv. apply rderiv_eq with (- -1); [ring|]. apply rderiv_opp, N; lra.
-  - intros t Ht Hv. apply rderiv_opp, P; lra.
-  - intros t Ht. apply rderiv_opp; auto.
-  - intros t Ht. apply rderiv_ext with (fun u => - (m1 * v1 u + b * s u)); [intros; ring|].
-    apply rderiv_eq with (- - (a2 * x t + 0 * v1 t)); [ring|]. apply rderiv_opp; auto.
-  - intros t Ht. specialize (W t Ht). lra.
-Qed.
+Proof. apply solution_mirror. Qed.
 End Arc.

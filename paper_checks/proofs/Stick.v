@@ -31,52 +31,31 @@ Proof.
   exists (f' t). apply is_derive_Reals, H.
 Qed.
 
-(** the intermediate value theorem *)
-Lemma cont_IVT f p q : cont f -> 0 <= p <= q -> f p * f q <= 0 -> exists c, p <= c <= q /\ f c = 0.
-Proof.
-  intros C Hp Hs. set (g := fun u => f (Rmax 0 u)).
-  assert (CG : continuity g).
-  { intros t e He. destruct (C (Rmax 0 t) (Rmax_l _ _) e He) as (d & Hd & K). exists d; split; auto.
-    intros u (_ & Hu). apply K; [apply Rmax_l|]. eapply Rle_lt_trans; [|exact Hu]. simpl. unfold R_dist.
-    unfold Rmax; destruct (Rle_dec 0 u), (Rle_dec 0 t); unfold Rabs; repeat destruct Rcase_abs; lra. }
-  destruct (IVT_cor g p q CG) as (c & Hc & Z); try lra.
-  { unfold g. rewrite !Rmax_right by lra. auto. }
-  exists c; split; auto. unfold g in Z. rewrite Rmax_right in Z by lra. auto.
-Qed.
-
 Section Contact.
 Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
 
-(** every trajectory meets S again, within a bounded time *)
-Theorem contact x v1 v2 s T : solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= T ->
+(** every trajectory meets S again, within a bounded time, or it would stay off S for longer than that *)
+Lemma moves_contact c x v1 v2 s T : moves m1 m2 a1 a2 b c (fun _ => 0) x v1 v2 s -> 0 <= T ->
   exists t, T <= t <= T + 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b /\ v1 t = v2 t.
 Proof.
   intros H HT. set (tau := 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b).
-  assert (Ht : 0 <= tau). { unfold tau. apply Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; auto].
-    pose proof (sqrt_pos (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2)); lra. }
-  apply Classical_Prop.NNPP. intros No.
-  assert (NZ : forall t, T <= t <= T + tau -> v1 t - v2 t <> 0).
-  { intros t Hu Z. apply No. exists t; split; auto. lra. }
-  assert (CW : cont (fun t => v1 t - v2 t)).
-  { apply cont_minus; [apply (s_cv _ _ _ _ _ _ _ _ _ H)|exact (cont_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ H)]. }
-  set (w := fun t => v1 t - v2 t) in *.
-  assert (Sg : forall p q, T <= p <= q -> q <= T + tau -> 0 < w p * w q).
-  { intros p q Hp Hq. destruct (Rlt_dec 0 (w p * w q)); auto. exfalso.
-    destruct (cont_IVT w p q CW) as (c & Hc & Zc); try lra. apply (NZ c); [lra|auto]. }
-  destruct (CW (T + tau) ltac:(lra) (Rabs (w (T + tau)))) as (d & Hd & K).
-  { apply Rabs_pos_lt. unfold w. apply NZ; lra. }
-  assert (Same : forall u, T <= u < T + tau + d -> 0 < w u * w (T + tau)).
-  { intros u Hu. destruct (Rle_dec u (T + tau)); [apply Sg; lra|].
-    specialize (K u ltac:(lra)). assert (Rabs (u - (T + tau)) < d) by (rewrite Rabs_pos_eq; lra).
-    specialize (K H0). apply Rabs_def2 in K. unfold Rabs in K; destruct Rcase_abs; nra. }
-  assert (DW := dwell m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb x v1 v2 s H T (T + tau + d / 2) ltac:(lra)).
-  fold tau in DW. cut (T + tau + d / 2 - T <= tau); [lra|]. apply DW.
-  pose proof (NZ (T + tau) ltac:(lra)) as N0. fold (w (T + tau)) in N0.
-  destruct (Rlt_dec 0 (w (T + tau))) as [P|P]; [left|right]; intros u Hu; pose proof (Same u ltac:(lra)) as Q;
-    unfold w in Q, P, N0; nra.
+  set (w := fun t => v1 t - v2 t).
+  assert (Dw : forall q, T <= q -> (forall u, T <= u < q -> 0 < w T * w u) -> q - T <= tau).
+  { intros q Hq O. apply (free_dwell m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb c x v1 v2 s H); [lra|].
+    destruct (Rlt_dec 0 (w T)); [left|right]; intros u Hu; specialize (O u Hu); unfold w in *; nra. }
+  assert (Ht : 0 <= tau) by (specialize (Dw T); apply Rle_trans with (T - T); [lra|apply Dw; [lra|intros; lra]]).
+  destruct (Req_dec (w T) 0) as [Z|N]; [exists T; unfold w in Z; lra|].
+  destruct (Classical_Prop.classic (exists q, T <= q <= T + tau + 1 /\ w T * w q <= 0)) as [(q & Hq & Nq)|No].
+  - destruct (first_zero w T q) as (z & Hz & Z & O); auto; [|lra|].
+    { apply cont_minus; [apply (q_cv _ _ _ _ _ _ _ _ _ _ _ H)|exact (moves_cv2 _ _ _ _ _ Hm2 _ _ _ _ _ _ H)]. }
+    exists z. specialize (Dw z ltac:(lra) O). unfold w in Z. lra.
+  - specialize (Dw (T + tau + 1) ltac:(lra)). cut (T + tau + 1 - T <= tau); [lra|]. apply Dw. intros u Hu.
+    apply Rnot_le_lt. intros Nu. apply No. exists u. lra.
 Qed.
-
+Theorem contact x v1 v2 s T : solution m1 m2 a1 a2 b x v1 v2 s -> 0 <= T ->
+  exists t, T <= t <= T + 2 * sqrt (2 * energy m1 m2 a2 (x T) (v1 T) (v2 T) * m2) / b /\ v1 t = v2 t.
+Proof. intros H. apply solution_moves in H. exact (moves_contact 1 x v1 v2 s T H). Qed.
 End Contact.
 
 Section Stick.
@@ -176,7 +155,7 @@ Theorem capture x v1 v2 s t0 : solution m1 m2 0 a2 b x v1 v2 s -> 0 <= t0 ->
     v2 (t0 + u) = V (x t0) (v1 t0) u.
 Proof.
   intros H Ht Ev HE u Hu. rewrite <- Ev in HE.
-  pose proof (ellipse_solution _ _ HE) as HS. pose proof (shift_solution m1 m2 0 a2 b x v1 v2 s t0 Ht H) as Sh.
+  pose proof (ellipse_solution _ _ HE) as HS. pose proof (solution_later m1 m2 0 a2 b x v1 v2 s t0 Ht H) as Sh.
   apply (unique m1 m2 0 a2 b Hm1 Hm2 (Rle_refl 0) Ha2 Hb _ _ _ _ _ _ _ _ 0 Sh HS); try lra.
   - unfold X. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0. ring.
   - unfold V. rewrite Rplus_0_r, Rmult_0_r, cos_0, sin_0. ring.

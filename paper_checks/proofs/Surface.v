@@ -6,7 +6,7 @@
     motions on S that last for ever. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit Sharp Gap Cross Return.
+From InertialPair Require Import Dini Pair Stick Excursion Rate Slip Cycle Orbit Sharp Law Gap Cross Return.
 Local Open Scope R_scope.
 
 Section Surface.
@@ -30,19 +30,9 @@ Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 (** Off S: v1 - v2 has the rate of the slip of its sign. *)
 Lemma rate_by_impulse t k : 0 <= t -> rderiv s t k -> rderiv (fun u => v1 u - v2 u) t (normal_rate k (x t)).
 Proof.
-  intros Ht S. pose proof (s_v1 _ _ _ _ _ _ _ _ _ H t Ht) as A. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H) as W.
-  apply rderiv_eq with (/ m1 * (- (a2 * x t + 0 * v1 t)) + (- (b / m1 + b / m2)) * k).
-  { unfold normal_rate. field. lra. }
-  apply rderiv_ext with (fun u => (/ m1 * (m1 * v1 u + b * s u) + (- (b / m1 + b / m2)) * s u) + - (v2 0 - b / m2
-    * s 0)).
-  { intros u Hu. replace (v2 u) with (b / m2 * s u + (v2 0 - b / m2 * s 0)).
-    - field. lra.
-    - apply Rmult_eq_reg_l with m2; [|lra]. pose proof (W u ltac:(lra)).
-      replace (m2 * (b / m2 * s u + (v2 0 - b / m2 * s 0))) with (b * s u + (m2 * v2 0 - b * s 0)) by (field;
-        lra). lra. }
-  apply rderiv_eq with ((/ m1 * (- (a2 * x t + 0 * v1 t)) + (- (b / m1 + b / m2)) * k) + 0); [ring|].
-  apply rderiv_plus; [|apply rderiv_const].
-  apply rderiv_plus; apply rderiv_scal; auto.
+  intros Ht S. pose proof (proj1 (solution_moves _ _ _ _ _ _ _ _ _) H) as Mo.
+  eapply rderiv_eq; [|exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 k Ht (rderiv_const 0 t) S)].
+  unfold normal_rate. field. lra.
 Qed.
 (** with the sign +1 above S *)
 Theorem rate_above t : 0 <= t -> v2 t < v1 t -> rderiv (fun u => v1 u - v2 u) t (normal_rate 1 (x t)).

@@ -24,32 +24,13 @@ Proof. unfold kap, M. apply Rdiv_lt_0_compat; nra. Qed.
 (** off contact |w| falls at the rate kappa g at least *)
 Lemma slip_falls t k : T <= t -> k = 1 \/ k = -1 -> 0 < k * w t -> dini_le (fun r => k * w r) t (- (kap * g)).
 Proof.
-  intros Ht Hk Hw. assert (Mp : 0 < M) by (unfold M; lra).
-  assert (S : rderiv s t k).
-  { unfold w in Hw. destruct Hk; subst k;
-    [apply (f_pos _ _ _ _ _ _ _ _ _ _ H)|apply (f_neg _ _ _ _ _ _ _ _ _ _ H)]; lra. }
-  pose proof (Load t Ht) as L. set (l := u t - a2 * x t - a1 * v1 t) in *.
-  assert (B : k * l <= M * (b - g) / m2).
-  { apply Rabs_inv in L. apply Rmult_le_reg_l with (m2 / M); [apply Rdiv_lt_0_compat; auto|].
-    replace (m2 / M * (M * (b - g) / m2)) with (b - g) by (field; lra).
-      replace (m2 / M * (k * l)) with (k * (m2 * l / M)) by (field; lra).
-    destruct Hk; subst k; lra. }
-  apply rderiv_dini with (k * (/ m1 * (- (a2 * x t + a1 * v1 t) - b * k + u t) - b / m2 * k)).
-  - replace (k * (/ m1 * (- (a2 * x t + a1 * v1 t) - b * k + u t) - b / m2 * k)) with (/ m1 * (k * l) - (k * k) *
-    (b / m1 + b / m2)) by (unfold l; field; lra).
-    replace (k * k) with 1 by (destruct Hk; subst k; ring).
-    assert (0 < / m1) by (apply Rinv_0_lt_compat; auto).
-      assert (/ m1 * (k * l) <= / m1 * (M * (b - g) / m2)) by (apply Rmult_le_compat_l; lra).
-    replace (- (kap * g)) with (/ m1 * (M * (b - g) / m2) - 1 * (b / m1 + b / m2)) by (unfold kap, M; field; lra). lra.
-  - apply rderiv_scal. apply rderiv_ext with (fun r => / m1 * ((m1 * v1 r + b * s r - U r) - b * s r + U r) - ((v2
-    t - b / m2 * s t) + b / m2 * s r)).
-    { intros r Hr. pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t r H ltac:(lra) ltac:(lra)). unfold w.
-      replace (v2 r) with (v2 t + b / m2 * (s r - s t)) by lra. field. lra. }
-    apply rderiv_eq with (/ m1 * (- (a2 * x t + a1 * v1 t) - b * k + u t) - (0 + b / m2 * k)); [ring|].
-    apply rderiv_minus.
-    + apply rderiv_scal, rderiv_plus; [|apply HU; lra].
-      apply rderiv_minus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H); lra|apply rderiv_scal; auto].
-    + apply rderiv_plus; [apply rderiv_const|apply rderiv_scal; auto].
+  intros Ht Hk Hw. assert (Mp : 0 < M) by (unfold M; lra). assert (Kp : 0 < kap) by (apply Rdiv_lt_0_compat; nra).
+  pose proof (forced_opposes m1 m2 a1 a2 b U x v1 v2 s t k H ltac:(lra) Hk Hw) as S. pose proof (Load t Ht) as L.
+  eapply rderiv_dini; [|apply rderiv_scal, (forced_rate m1 m2 a1 a2 b Hm1 Hm2 U x v1 v2 s t (u t) k H ltac:(lra) (HU t
+    ltac:(lra)) S)].
+  fold M. fold kap. set (l := m2 * (u t - a2 * x t - a1 * v1 t) / M) in *. apply Rabs_inv in L.
+  replace (k * (kap * (l - b * k))) with (kap * (k * l - b)) by (destruct Hk; subst k; ring).
+  rewrite <- Ropp_mult_distr_r_reverse. apply Rmult_le_compat_l; [lra|]. destruct Hk; subst k; lra.
 Qed.
 
 (** the relative velocity is continuous *)

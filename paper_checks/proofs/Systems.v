@@ -218,8 +218,7 @@ Proof.
   - intros t Ht e He. assert (He' : 0 < e / (a2 + m1 + m2 + 1)) by (apply Rdiv_lt_0_compat; lra).
     destruct (f_x _ _ _ _ _ _ _ _ _ _ H t Ht _ He') as (d1 & H1 & K1).
     destruct (f_v1 _ _ _ _ _ _ _ _ _ _ H t Ht (e / (a2 + m1 + m2 + 1) * m1)) as (d2 & H2 & K2); [nra|].
-    exists (Rmin d1 d2); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d1 d2). pose proof (Rmin_r
-      d1 d2).
+    smaller d1 d2. intros h Hh.
     specialize (K1 h ltac:(lra)). specialize (K2 h ltac:(lra)).
     replace (e * h) with ((a2 + m1 + m2 + 1) * (e / (a2 + m1 + m2 + 1) * h)) by (field; lra).
     assert (0 <= e / (a2 + m1 + m2 + 1) * h) by nra.
@@ -231,9 +230,11 @@ Proof.
         lra.
     + pose proof (forced_v2 m1 m2 a1 a2 b Hm2 _ _ _ _ _ t (t + h) H Ht ltac:(lra)) as W.
       match goal with |- Rabs ?c <= _ => replace c with 0 by lra end. rewrite Rabs_R0. auto.
-  - intros t Ht z e He. pose proof (forced_pushes m1 m2 a1 a2 b _ _ _ _ _ t H Ht) as S. pose proof S as (L & _).
-    destruct (friction_power _ _ _ S (e / b)) as (d & Hd & K); [apply Rdiv_lt_0_compat; auto|]. exists d; split; auto.
-    intros h Hh. specialize (K h Hh). apply Rabs_inv in K. specialize (L h ltac:(lra)). destruct z as ((z1, z2), z3).
+  - intros t Ht z e He. pose proof (f_lip _ _ _ _ _ _ _ _ _ _ H) as L.
+    destruct (friction_power s (v1 t - v2 t) t (fun k => forced_opposes m1 m2 a1 a2 b _ _ _ _ _ t k H Ht) (e / b)) as
+      (d & Hd & K); [apply Rdiv_lt_0_compat; auto|]. exists d; split; auto.
+    intros h Hh. specialize (K h Hh). apply Rabs_inv in K. specialize (L t (t + h) ltac:(lra)). apply Rabs_inv in L.
+    destruct z as ((z1, z2), z3).
     rewrite !pair_minus. unfold pair_ip, pair_friction; simpl. set (ds := s (t + h) - s t) in *.
     match goal with |- ?a <= _ => replace a with (b * (ds * (z2 - z3)) - b * (ds * (v1 t - v2 t))) by (unfold ds; field;
       lra) end.

@@ -28,16 +28,18 @@ Let q := m1 / (m1 + m2).
 Let r := m2 / (m1 + m2).
 Let om := omega m1 m2 a2.
 
-(** the depth and the speed at re-entry *)
-Lemma back_identity p : 0 < p < PI -> (2 * p - hh p) ^ 2 = hh p ^ 2 + 2 * depth p - depth p ^ 2.
+(** the depth, the push and the half angle *)
+Lemma depth_hh p : 0 < p < PI -> depth p ^ 2 - 2 * depth p - 4 * p * hh p + 4 * p ^ 2 = 0.
 Proof.
   intros Hp. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (sin2_cos2 p) as SC. unfold Rsqr in SC.
-  assert (I : depth p ^ 2 - 2 * depth p - 4 * p * hh p + 4 * p ^ 2 = 0); [|lra].
   unfold depth, hh. apply Rmult_eq_reg_r with (sin p ^ 2); [|apply pow_nonzero; lra].
   replace (((2 * (sin p - p * cos p) / sin p) ^ 2 - 2 * (2 * (sin p - p * cos p) / sin p) -
     4 * p * ((p - sin p * cos p) / sin p ^ 2) + 4 * p ^ 2) * sin p ^ 2)
     with (4 * p ^ 2 * (sin p * sin p + cos p * cos p - 1)) by (field; lra). rewrite SC. ring.
 Qed.
+(** the depth and the speed at re-entry *)
+Lemma back_identity p : 0 < p < PI -> (2 * p - hh p) ^ 2 = hh p ^ 2 + 2 * depth p - depth p ^ 2.
+Proof. intros Hp. pose proof (depth_hh p Hp). lra. Qed.
 
 (** an arc cosine up to pi/2 and its sine *)
 Lemma acos_first z : 0 <= z <= 1 -> 0 <= acos z <= PI / 2 /\ sin (acos z) = sqrt (1 - z ^ 2).

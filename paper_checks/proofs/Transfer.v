@@ -9,8 +9,7 @@ Local Open Scope R_scope.
 Lemma dini_plus f g t k l : dini_le f t k -> rderiv g t l -> dini_le (fun u => f u + g u) t (k + l).
 Proof.
   intros F G e He. destruct (F (e / 2)) as (d & Hd & K); [lra|]. destruct (G (e / 2)) as (d' & Hd' & K'); [lra|].
-  exists (Rmin d d'); split; [apply Rmin_glb_lt; auto|]. intros h Hh. pose proof (Rmin_l d d').
-    pose proof (Rmin_r d d').
+  smaller d d'. intros h Hh.
   specialize (K h ltac:(lra)). specialize (K' h ltac:(lra)). apply Rabs_inv in K'. lra.
 Qed.
 
@@ -25,8 +24,7 @@ Proof.
   intros Ht Hd L P D e He.
   pose proof (little_plus _ _ (little_scal F _ (big_mult _ _ big_id (rderiv_big _ _ _ D))) (little_scal (U t) _ D)) as
     Li.
-  destruct (Li e He) as (d' & Hd' & K). exists (Rmin d d'); split; [apply Rmin_glb_lt; auto|]. intros h Hh.
-  pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). specialize (K h ltac:(lra)). apply Rabs_inv in K.
+  destruct (Li e He) as (d' & Hd' & K). smaller d d'. intros h Hh. specialize (K h ltac:(lra)). apply Rabs_inv in K.
   pose proof (L t (t + h) ltac:(lra)) as B. apply Rabs_inv in B. pose proof (P (t + h) ltac:(lra)) as Ph.
   assert ((U (t + h) - U t) * G (t + h) <= F * (t + h - t) * G (t + h)) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
@@ -55,34 +53,19 @@ Qed.
 Definition stuck_force t := (m1 + m2) * push m2 b half_time t + a1 * bang m2 b half_time t
   + a2 * (run m2 b half_time t - run m2 b half_time 0).
 
+(** in each of its phases the sides of the kinks are known *)
+Ltac phase := unfold stuck_force; fold tau; unfold push, bang, run, side; fold be; repeat (destruct Rle_dec; try lra);
+  unfold Rabs; repeat (destruct Rcase_abs; try lra); field.
 (** while it accelerates *)
 Lemma force_first t : 0 <= t < tau -> stuck_force t = (m1 + m2) * be + a1 * (be * t) + a2 * (be * t ^ 2 / 2).
-Proof.
-  intros Ht. unfold stuck_force. fold tau. unfold push, bang, run, side. fold be.
-  destruct (Rle_dec 0 (t - 2 * tau)); [lra|]. destruct (Rle_dec 0 (t - 0)); [|lra]. destruct (Rle_dec 0 (t - tau));
-    [lra|].
-  rewrite (Rabs_left (t - 2 * tau)), (Rabs_pos_eq (t - 0)), (Rabs_left (t - tau)), (Rabs_left (0 - 2 * tau)),
-    (Rabs_left (0 - tau)), (Rminus_0_r 0), Rabs_R0 by lra. field.
-Qed.
+Proof. intros Ht. phase. Qed.
 (** while it brakes *)
 Lemma force_then t : tau <= t < 2 * tau ->
   stuck_force t = - ((m1 + m2) * be) + a1 * (be * (2 * tau - t)) + a2 * (D - be * (2 * tau - t) ^ 2 / 2).
-Proof.
-  intros Ht. pose proof tau_pos. rewrite <- tau_sq. unfold stuck_force. fold tau. unfold push, bang, run, side. fold be.
-  destruct (Rle_dec 0 (t - 2 * tau)); [lra|]. destruct (Rle_dec 0 (t - 0)); [|lra]. destruct (Rle_dec 0 (t - tau));
-    [|lra].
-  rewrite (Rabs_left (t - 2 * tau)), (Rabs_pos_eq (t - 0)), (Rabs_pos_eq (t - tau)), (Rabs_left (0 - 2 * tau)),
-    (Rabs_left (0 - tau)), (Rminus_0_r 0), Rabs_R0 by lra. field.
-Qed.
+Proof. intros Ht. pose proof tau_pos. rewrite <- tau_sq. phase. Qed.
 (** at the target *)
 Lemma force_last t : 2 * tau <= t -> stuck_force t = a2 * D.
-Proof.
-  intros Ht. pose proof tau_pos. rewrite <- tau_sq. unfold stuck_force. fold tau. unfold push, bang, run, side. fold be.
-  destruct (Rle_dec 0 (t - 2 * tau)); [|lra]. destruct (Rle_dec 0 (t - 0)); [|lra]. destruct (Rle_dec 0 (t - tau));
-    [|lra].
-  rewrite (Rabs_pos_eq (t - 2 * tau)), (Rabs_pos_eq (t - 0)), (Rabs_pos_eq (t - tau)), (Rabs_left (0 - 2 * tau)),
-    (Rabs_left (0 - tau)), (Rminus_0_r 0), Rabs_R0 by lra. field.
-Qed.
+Proof. intros Ht. pose proof tau_pos. rewrite <- tau_sq. phase. Qed.
 
 (** its amplitude: the push just before the middle, the hold, and, with little damping, the largest push while it
     brakes *)

@@ -27,16 +27,6 @@ Proof.
   { intros t _. apply is_derive_Reals, derive_K. } exists t; auto.
 Qed.
 
-(** sin p/p decreases strictly *)
-Lemma sinc_strict p q : 0 < p -> p < q -> q < PI -> sin q / q < sin p / p.
-Proof.
-  intros Hp Hpq Hq.
-  assert (Q : (fun u => - (sin u / u)) p < (fun u => - (sin u / u)) q); [|simpl in Q; lra].
-  apply (incr_function (fun u => - (sin u / u)) 0 PI (fun u => (sin u - u * cos u) / u ^ 2)); try (simpl; lra).
-  - intros t T0 T1; simpl in T0, T1. auto_derive; [lra|]. field; lra.
-  - intros t T0 T1; simpl in T0, T1. apply Rdiv_lt_0_compat; [apply g_pos; lra|apply pow_lt; auto].
-Qed.
-
 (** the factor is positive and then negative *)
 Lemma turn : exists p1, 0 < p1 < PI /\ (forall t, 0 < t < p1 -> 0 < k t) /\ (forall t, p1 < t < PI -> k t < 0).
 Proof.
@@ -116,42 +106,56 @@ Proof.
   rewrite <- Main. replace (1 + - (1 * c * c + s * (1 * - s))) with (2 * s * s) by lra. field. lra.
 Qed.
 
+(** h/c falls strictly while K > 0 and rises strictly while K < 0 *)
+Lemma ratio_step p q : 0 < p -> p < q -> q < PI ->
+  ((forall t, p < t < q -> 0 < K t) -> ratio q < ratio p) /\ ((forall t, p < t < q -> K t < 0) -> ratio p < ratio q).
+Proof.
+  intros H0 Hpq Hq. rewrite !ratio_AB by lra.
+  set (f := fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))).
+    change (((forall t, p < t < q -> 0 < K t) -> f q < f p) /\ ((forall t, p < t < q -> K t < 0) -> f p < f q)).
+  set (df := fun p => (2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos
+    p) ^ 2)).
+  destruct (MVT_cor2 f df p q Hpq) as (t & E & Ht). { intros t Ht. apply is_derive_Reals, derive_ratio; lra. }
+  assert (Den : 0 < / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)).
+  { apply Rinv_0_lt_compat. pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))).
+    pose proof (pow_lt _ 2 (g_pos t ltac:(lra))).
+    apply Rmult_lt_0_compat; [|auto]. lra. }
+  assert (Sq : 2 * (sin t - t * cos t) ^ 2 - (t - sin t * cos t) ^ 2 = - K t * (t - sin t * cos t + sqrt 2 * (sin
+    t - t * cos t))).
+  { unfold K. pose proof (sqrt_sqrt 2 ltac:(lra)) as Q.
+    replace (2 * (sin t - t * cos t) ^ 2) with (sqrt 2 * sqrt 2 * (sin t - t * cos t) ^ 2) by (rewrite Q; ring). ring. }
+  assert (Pos : 0 < t - sin t * cos t + sqrt 2 * (sin t - t * cos t)).
+  { pose proof (A_pos t ltac:(lra)). pose proof (g_pos t ltac:(lra)).
+    assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). nra. }
+  assert (Ed : df t = - K t * ((t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t
+    * cos t) ^ 2))).
+  { unfold df, Rdiv. rewrite Sq. ring. }
+  assert (PP := Rmult_lt_0_compat _ _ Pos Den). rewrite Ed in E.
+    set (w := (t - sin t * cos t + sqrt 2 * (sin t - t * cos t)) * / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in
+    *.
+  split; intros S; specialize (S t Ht).
+  - assert (0 < K t * w * (q - p)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; auto|lra]). lra.
+  - assert (0 < - K t * w * (q - p)) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [lra|auto]|lra]). lra.
+Qed.
+
 (** so it is least at the zero of K *)
 Theorem ratio_least p q : K p = 0 -> 0 < p < PI -> (forall u, 0 < u < p -> 0 < K u) -> (forall u, p < u <= PI ->
   K u < 0) ->
   0 < q < PI -> ratio p <= ratio q.
 Proof.
-  intros Z Hp Le Ri Hq. rewrite !ratio_AB by auto.
-  set (f := fun p => (p - sin p * cos p) / (2 * sin p * (sin p - p * cos p))). change (f p <= f q).
-  set (df := fun p => (2 * (sin p - p * cos p) ^ 2 - (p - sin p * cos p) ^ 2) / (2 * sin p ^ 2 * (sin p - p * cos
-    p) ^ 2)).
-  assert (D : forall t, 0 < t < PI -> is_derive f t (df t)) by (intros; apply derive_ratio; auto).
-  assert (Den : forall t, 0 < t < PI -> 0 < / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)).
-  { intros t Ht. apply Rinv_0_lt_compat. pose proof (pow_lt _ 2 (sin_gt_0 t ltac:(lra) ltac:(lra))).
-    pose proof (pow_lt _ 2 (g_pos t Ht)). nra. }
-  assert (Sq : forall t, 2 * (sin t - t * cos t) ^ 2 - (t - sin t * cos t) ^ 2 = - K t * (t - sin t * cos t + sqrt
-    2 * (sin t - t * cos t))).
-  { intros t. unfold K. pose proof (sqrt_sqrt 2 ltac:(lra)) as Q.
-    replace (2 * (sin t - t * cos t) ^ 2) with (sqrt 2 * sqrt 2 * (sin t - t * cos t) ^ 2) by (rewrite Q; ring). ring. }
-  assert (Pos : forall t, 0 < t < PI -> 0 < t - sin t * cos t + sqrt 2 * (sin t - t * cos t)).
-  { intros t Ht. pose proof (A_pos t Ht). pose proof (g_pos t Ht). assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra).
-    nra. }
-  assert (Mvt : forall u v, 0 < u -> u < v -> v < PI -> exists t, u <= t <= v /\ f v - f u = df t * (v - u)).
-  { intros u v Hu Huv Hv. destruct (MVT_gen f u v df) as (t & Ht & E).
-    - rewrite Rmin_left, Rmax_right by lra. intros; apply D; lra.
-    - rewrite Rmin_left, Rmax_right by lra. intros t Ht. apply derivable_continuous_pt. exists (df t).
-      apply is_derive_Reals, D; lra.
-    - rewrite Rmin_left, Rmax_right in Ht by lra. exists t; auto. }
-  destruct (Rtotal_order q p) as [Lt|[->|Gt]]; [|lra|].
-  - destruct (Mvt q p) as (t & Ht & E); try lra. assert (df t <= 0); [|nra].
-    unfold df, Rdiv. rewrite Sq. assert (0 <= K t). { destruct (Req_dec t p) as [->|]; [lra|]. apply Rlt_le, Le; lra. }
-    pose proof (Den t ltac:(lra)). pose proof (Pos t ltac:(lra)).
-    assert (0 <= K t * (t - sin t * cos t + sqrt 2 * (sin t - t * cos t))) by (apply Rmult_le_pos; lra).
-    set (X := / (2 * sin t ^ 2 * (sin t - t * cos t) ^ 2)) in *. nra.
-  - destruct (Mvt p q) as (t & Ht & E); try lra. assert (0 <= df t); [|nra].
-    unfold df, Rdiv. rewrite Sq. assert (K t <= 0). { destruct (Req_dec t p) as [->|]; [lra|]. apply Rlt_le, Ri; lra. }
-    pose proof (Den t ltac:(lra)). pose proof (Pos t ltac:(lra)).
-    apply Rmult_le_pos; [apply Rmult_le_pos; lra|lra].
+  intros Z Hp Le Ri Hq. destruct (Rtotal_order q p) as [Lt|[->|Gt]]; [|lra|]; apply Rlt_le.
+  - apply (ratio_step q p); [lra|lra|lra|]. intros t Ht. apply Le. lra.
+  - apply (ratio_step p q); [lra|lra|lra|]. intros t Ht. apply Ri. lra.
+Qed.
+
+(** there it is known *)
+Lemma ratio_root p : 0 < p < PI -> K p = 0 -> ratio p ^ 2 = / (2 * sin p ^ 2).
+Proof.
+  intros Hp Z. pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp) as G.
+  rewrite ratio_AB by auto. unfold K in Z. replace (p - sin p * cos p) with (sqrt 2 * (sin p - p * cos p)) by lra.
+  replace ((sqrt 2 * (sin p - p * cos p) / (2 * sin p * (sin p - p * cos p))) ^ 2) with (sqrt 2 * sqrt 2 / (4 *
+    sin p ^ 2)) by (field; lra).
+  rewrite sqrt_sqrt by lra. field. lra.
 Qed.
 
 (** merging from a ray: y1 = h^2 - r c^2 <= 0 for some excursion, exactly if r >= 1/(2 sin^2 p) *)
@@ -162,11 +166,7 @@ Theorem threshold : exists p, 0 < p < PI /\ K p = 0 /\ (forall q, 0 < q <= PI ->
 Proof.
   destruct root as (p & Hp' & Z & Le & Ri).
   pose proof (sin_gt_0 p ltac:(lra) ltac:(lra)) as S. pose proof (g_pos p Hp') as G.
-  assert (R2 : ratio p ^ 2 = / (2 * sin p ^ 2)).
-  { rewrite ratio_AB by auto. unfold K in Z. replace (p - sin p * cos p) with (sqrt 2 * (sin p - p * cos p)) by lra.
-    replace ((sqrt 2 * (sin p - p * cos p) / (2 * sin p * (sin p - p * cos p))) ^ 2) with (sqrt 2 * sqrt 2 / (4 *
-      sin p ^ 2)) by (field; lra).
-    rewrite sqrt_sqrt by lra. field. lra. }
+  pose proof (ratio_root p Hp' Z) as R2.
   assert (Rel : forall q, 0 < q < PI -> hh q ^ 2 = ratio q ^ 2 * depth q ^ 2).
   { intros q Hq. pose proof (depth_pos q Hq). unfold ratio. field. lra. }
   exists p. split; [auto|]. split; [auto|]. split.

@@ -4,7 +4,7 @@
     the slip and the load stays within b in the stick. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Entrain Arcs Nonstop.
+From InertialPair Require Import Dini Pair Stick Chase Forced ForcedExistence Entrain Arcs Nonstop Rule.
 Local Open Scope R_scope.
 
 Section TwoStop.
@@ -100,18 +100,9 @@ Proof.
     rewrite (Clock t) in Q by lra.
     lra. }
   assert (Load : forall t, ts <= t < T -> Rabs (m2 * (u t - a2 * x t - a1 * v1 t) / M) <= b).
-  { intros t Ht. assert (D : rderiv v2 t ((u t - a2 * x t - a1 * v1 t) / M)).
-    { apply rderiv_near with (fun r => / M * ((m1 * v1 r + b * s r - wave F om phi r) + wave F om phi r + (m2 * v2 0 -
-      b * s 0))) (T - t); [lra| |].
-      - intros r Hr. pose proof (f_v2 _ _ _ _ _ _ _ _ _ _ H r ltac:(lra)) as Q. rewrite (St r) by lra.
-        apply Rmult_eq_reg_l with M; [|lra]. rewrite <- Rmult_assoc, Rinv_r by lra. unfold M. lra.
-      - eapply rderiv_eq; [|apply rderiv_scal, rderiv_plus; [apply rderiv_plus; [apply (f_v1 _ _ _ _ _ _ _ _ _ _ H);
-        lra| apply rderiv_wave; auto]|apply rderiv_const]]. fold (u t). field; lra. }
-    assert (L : forall p q, 0 <= p <= q -> Rabs (v2 q - v2 p) <= b / m2 * (q - p)).
-    { intros p q Hp. exact (only_gentle m1 m2 a1 a2 b Hm2 Hb _ _ _ _ _ p q H Hp). }
-    pose proof (lip_rderiv v2 (b / m2) t _ L ltac:(lra) D) as B.
-    replace (m2 * (u t - a2 * x t - a1 * v1 t) / M) with (m2 * ((u t - a2 * x t - a1 * v1 t) / M)) by (field; lra).
-    replace b with (m2 * (b / m2)) by (field; lra). apply abs_scal; lra. }
+  { intros t Ht. apply (Rule.stuck_load m1 m2 a1 a2 b Hm1 Hm2 Hb (wave F om phi) u x v1 v2 s H t (T - t)); try lra.
+    - apply rderiv_wave; auto.
+    - intros r Hr. apply St. lra. }
   split; [|split; [auto|split; [|exact Load]]].
   - apply Rle_antisym.
     + (* the load just before pi/om, where all has the opposite sign *)

@@ -117,9 +117,7 @@ Theorem settles e l : Ecr < l -> exists T, 0 <= T /\ forall x v1 v2 s, solution 
   energy (x 0) (v1 0) (v2 0) <= e -> energy (x T) (v1 T) (v2 T) <= l.
 Proof.
   intros Hl. set (d := toll m1 m2 a2 b l). assert (D : 0 < d) by (apply toll_pos; auto).
-  set (W := Rabs (spell m1 m2 a2 b e l)). destruct (nat_above (e / d)) as (n & Hn).
-  assert (Hn' : e < INR n * d). { apply Rmult_lt_compat_r with (r := d) in Hn; auto.
-    replace (e / d * d) with e in Hn by (field; lra). lra. }
+  set (W := Rabs (spell m1 m2 a2 b e l)). destruct (nat_above e d D) as (n & Hn).
   assert (W0 : 0 <= W) by apply Rabs_pos. exists (INR n * W). split; [apply Rmult_le_pos; [apply pos_INR|auto]|].
   intros x v1 v2 s H HE. set (E := fun t => energy (x t) (v1 t) (v2 t)). change (E 0 <= e) in HE.
     change (E (INR n * W) <= l).
@@ -147,9 +145,7 @@ Theorem enters e l : 0 < e -> Ecr < l -> exists T, 0 <= T /\ forall x v1 v2 s, s
 Proof.
   intros He Hl. destruct (settles e l Hl) as (T & HT & Set_).
   pose proof (least_cost_pos m1 m2 a2 b Hm1 Hm2 Ha2 Hb e He) as C. set (c := least_cost m1 m2 a2 b e) in *.
-  destruct (nat_above (e / c)) as (n & Hn).
-  assert (Hn' : e < INR n * c). { apply Rmult_lt_compat_r with (r := c) in Hn; auto.
-    replace (e / c * c) with e in Hn by (field; lra). lra. }
+  destruct (nat_above e c C) as (n & Hn).
   assert (O : 0 < o1) by (apply o1_pos; auto). pose proof PI_RGT_0 as P0. pose proof (pos_INR n) as N0.
   assert (R0 : 0 <= (INR n + 1) * (2 * PI / o1)) by (apply Rmult_le_pos; [lra|]; apply Rlt_le, Rdiv_lt_0_compat; lra).
   assert (D0 : 0 <= 2 * sqrt (2 * e * m2) / b).

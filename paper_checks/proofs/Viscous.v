@@ -5,10 +5,6 @@ From Coquelicot Require Import Coquelicot.
 From InertialPair Require Import Dini Pair Stick.
 Local Open Scope R_scope.
 
-(** from squares to absolute values *)
-Lemma sq_le_abs y z : 0 <= z -> y ^ 2 <= z ^ 2 -> - z <= y <= z.
-Proof. intros; split; nra. Qed.
-
 Section Captive.
 Variables m1 m2 a1 a2 b : R.
 Hypotheses (Hm1 : 0 < m1) (Hm2 : 0 < m2) (Ha1 : 0 <= a1) (Ha2 : 0 < a2) (Hb : 0 < b).
@@ -38,24 +34,15 @@ Hypothesis H : solution m1 m2 a1 a2 b x v1 v2 s.
 Let E t := energy m1 m2 a2 (x t) (v1 t) (v2 t).
 Let w t := v1 t - v2 t.
 
-Let split_w t u : 0 <= t <= u -> / m1 * (m1 * v1 u + b * s u) - (b / m1 + b / m2) * s u - (v2 0 - b / m2 * s 0) = w u.
-Proof.
-  intros Hu. pose proof (s_v2 _ _ _ _ _ _ _ _ _ H u ltac:(lra)) as Q. unfold w.
-  replace (v2 u) with (b / m2 * s u + (v2 0 - b / m2 * s 0)); [field; lra|].
-  apply Rmult_eq_reg_l with m2; [|lra]. replace (m2 * (b / m2 * s u + (v2 0 - b / m2 * s 0))) with (b * s u + (m2
-    * v2 0 - b * s 0)) by (field; lra). lra.
-Qed.
+Let Mo := proj1 (solution_moves _ _ _ _ _ _ _ _ _) H.
 
 (** the relative acceleration in slip *)
 Lemma slip_rate k t : 0 <= t -> (k = 1 \/ k = -1) -> 0 < k * w t ->
   rderiv w t (- (a2 * x t + a1 * v1 t) / m1 - k * (b / m1 + b / m2)).
 Proof.
   intros Ht Hk Hw.
-  assert (S : rderiv s t k). { unfold w in Hw.
-    destruct Hk; subst k; [apply (s_pos _ _ _ _ _ _ _ _ _ H)|apply (s_neg _ _ _ _ _ _ _ _ _ H)]; lra. }
-  eapply rderiv_ext; [intros u Hu; apply (split_w t); lra|].
-  eapply rderiv_eq; [|apply rderiv_minus; [apply rderiv_minus; apply rderiv_scal;
-    [apply (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)|exact S]|apply rderiv_const]].
+  eapply rderiv_eq; [|exact (moves_rate _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 k Ht (rderiv_const 0 t)
+    (q_slip _ _ _ _ _ _ _ _ _ _ _ Mo t Ht k Hk Hw))].
   field; lra.
 Qed.
 
@@ -78,11 +65,9 @@ Proof.
   destruct (Rtotal_order (w t) 0) as [Lt|[Eq|Gt]]; [apply (Sl (-1)); auto; lra| |apply (Sl 1); auto; lra].
   apply rderiv_dini with 0; [lra|].
   assert (B : big (fun h => w (t + h) - w t)).
-  { pose proof (rderiv_big _ _ _ (s_v1 _ _ _ _ _ _ _ _ _ H t Ht)) as B1.
-    pose proof (pushes_big s _ t (solution_pushes m1 m2 _ a2 b x v1 v2 s t H Ht)) as B2.
-    destruct (big_minus _ _ (big_scal (/ m1) _ B1) (big_scal (b / m1 + b / m2) _ B2)) as (C0 & d & HC & Hd & B).
-    exists C0, d; repeat split; auto. intros h Hh. specialize (B h Hh). simpl in B.
-    rewrite <- !(split_w t) by lra. eapply Rle_trans; [|exact B]. right. f_equal. ring. }
+  { pose proof (rderiv_big _ _ _ (moves_slip _ _ _ _ _ Hm1 Hm2 _ _ _ _ _ _ Mo t 0 Ht (rderiv_const 0 t))) as B1.
+    eapply big_ext; [|exact (big_minus _ _ B1 (big_scal (b * ((m1 + m2) / (m1 * m2))) _
+      (moves_big _ _ _ _ _ _ _ _ _ _ _ Mo t Ht)))]. intros h. unfold w. cbv beta. ring. }
   intros e He. destruct (big_mult _ _ B B e He) as (d & Hd & K). exists d; split; auto. intros h Hh.
     specialize (K h Hh). simpl in K.
   rewrite Eq in *. replace (w (t + h) * w (t + h) - 0 * 0 - 0 * h) with ((w (t + h) - 0) * (w (t + h) - 0)) by

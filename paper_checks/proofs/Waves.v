@@ -251,42 +251,15 @@ Proof.
   intros Z S u Hu. destruct (val_mean f 0 u ltac:(lra)) as (c & Hc & E). specialize (S c ltac:(lra)). nra.
 Qed.
 
-(** the first root of a continuous function that is positive for a while *)
-Lemma first_root f lo hi : continuity f -> 0 < lo <= hi -> (forall u, 0 < u <= lo -> 0 < f u) -> f hi <= 0 ->
-  exists tau, lo < tau <= hi /\ f tau = 0 /\ forall u, 0 < u < tau -> 0 < f u.
-Proof.
-  intros C Hl P N. set (A := fun r => lo <= r <= hi /\ forall u, 0 < u <= r -> 0 < f u).
-  destruct (completeness A) as (c & Ub & Lub).
-  { exists hi. intros r (Hr & _); lra. } { exists lo. split; [lra|auto]. }
-  assert (Hc : lo <= c <= hi). { split; [apply Ub; split; [lra|auto]|]. apply Lub. intros r (Hr & _); lra. }
-  assert (Before : forall u, 0 < u < c -> 0 < f u).
-  { intros u Hu. destruct (Rlt_dec 0 (f u)); auto. exfalso. assert (c <= u); [|lra]. apply Lub. intros r (_ & Q).
-    destruct (Rle_dec r u); auto. exfalso. specialize (Q u ltac:(lra)). lra. }
-  assert (Z : f c = 0).
-  { destruct (Rtotal_order (f c) 0) as [Neg|[Z|Pos]]; auto; exfalso.
-    - destruct (C c (- f c) ltac:(lra)) as (d & Hd & K). set (u := Rmax (c / 2) (c - d / 2)).
-      assert (c / 2 <= u) by apply Rmax_l. assert (c - d / 2 <= u) by apply Rmax_r.
-      assert (u < c) by (apply Rmax_lub_lt; lra). specialize (Before u ltac:(lra)).
-      assert (Q : Rabs (f u - f c) < - f c).
-      { apply K. split; [split; [exact I|lra]|]. simpl. unfold R_dist. rewrite Rabs_left; lra. }
-      apply Rabs_def2 in Q. lra.
-    - assert (c < hi) by (destruct (Req_dec c hi) as [->|]; lra).
-      destruct (C c (f c) Pos) as (d & Hd & K). set (u := Rmin hi (c + d / 2)).
-      assert (u <= hi) by apply Rmin_l. assert (u <= c + d / 2) by apply Rmin_r.
-      assert (c < u) by (apply Rmin_glb_lt; lra). assert (u <= c); [|lra]. apply Ub. split; [lra|]. intros r Hr.
-      destruct (Rlt_dec r c); [apply Before; lra|]. destruct (Req_dec r c) as [->|]; auto.
-      assert (Q : Rabs (f r - f c) < f c).
-      { apply K. split; [split; [exact I|lra]|]. simpl. unfold R_dist. rewrite Rabs_pos_eq; lra. }
-      apply Rabs_def2 in Q. lra. }
-  exists c. repeat split; auto; [|lra]. destruct (Req_dec c lo) as [->|]; [|lra]. specialize (P lo ltac:(lra)). lra.
-Qed.
-
-(** the first root of a wave *)
+(** the first root of a wave that is positive for a while *)
 Lemma wave_root f lo hi : 0 < lo <= hi -> (forall u, 0 < u <= lo -> 0 < val f u) -> val f hi <= 0 ->
   exists tau, lo < tau <= hi /\ val f tau = 0 /\ forall u, 0 < u < tau -> 0 < val f u.
 Proof.
-  apply first_root. intros u. apply derivable_continuous_pt. exists (val (slope f) u). apply is_derive_Reals,
-    derive_val.
+  intros Hl P N. pose proof (P lo ltac:(lra)) as Pl.
+  destruct (first_zero (val f) lo hi) as (tau & Ht & Z & B); [|lra|nra|lra|].
+  { apply cont_of_derive with (val (slope f)), derive_val. }
+  exists tau. split; [lra|]. split; [auto|]. intros u Hu. destruct (Rle_dec u lo); [apply P; lra|].
+  specialize (B u ltac:(lra)). nra.
 Qed.
 
 (** *** The two kinds of motion *)

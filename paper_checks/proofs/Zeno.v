@@ -28,8 +28,7 @@ Proof.
   2: { destruct (apart_nearby v1 v2 t0 Cw Ht Apart) as (d & Hd & K). exists d. split; auto.
     apply no_zero_one_sign; [exact Cw|lra|]. intros t Hr. apply K; [lra|]. rewrite Rabs_pos_eq; lra. }
   assert (Cu : forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 <= h < d -> Rabs (u (t0 + h) - u t0) <= e).
-  { intros e He. destruct (analytic_continuous g t0 A e He) as (d & Hd & K). exists (Rmin d d0).
-    pose proof (Rmin_l d d0). pose proof (Rmin_r d d0). split; [apply Rmin_glb_lt; auto|]. intros h Hh.
+  { intros e He. destruct (analytic_continuous g t0 A e He) as (d & Hd & K). smaller d d0. intros h Hh.
     rewrite !E by lra. apply Rlt_le, K. replace (t0 + h - t0) with h by ring. rewrite Rabs_pos_eq; lra. }
   assert (Edge : forall k, k = 1 \/ k = -1 -> k * load t0 = b -> exists d, 0 < d /\
     ((forall t, t0 < t < t0 + d -> 0 < k * (v1 t - v2 t)) \/ (forall t, t0 <= t < t0 + d -> v1 t = v2 t))).
@@ -78,8 +77,7 @@ Proof.
   - destruct (A t ltac:(lra)) as (f & g & d & Hd & Af & _ & _ & Ef). destruct (Req_dec (v1 t) (v2 t)) as [Meet|Apart].
     + exact (mode_before m1 m2 a1 a2 b Hm1 Hm2 Ha1 Ha2 Hb U u x v1 v2 s H DU t ltac:(lra) Meet f d Hd Af Ef).
     + pose proof (cont_w m1 m2 a1 a2 b Hm2 U x v1 v2 s H) as Cw.
-      destruct (apart_nearby v1 v2 t Cw ltac:(lra) Apart) as (d' & Hd' & K). exists (Rmin d' t).
-      pose proof (Rmin_l d' t). pose proof (Rmin_r d' t). split; [apply Rmin_glb_lt; lra|].
+      destruct (apart_nearby v1 v2 t Cw ltac:(lra) Apart) as (d' & Hd' & K). smaller d' t.
       apply no_zero_one_sign; [exact Cw|lra|]. intros r Hr. apply K; [lra|]. rewrite Rabs_left; lra.
 Qed.
 

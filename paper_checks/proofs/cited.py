@@ -64,7 +64,7 @@ _FREE: dict[str, tuple[str, str]] = {
     # one slip, one stick
     "follow": ("Slip.follow", "A solution that meets the start of an explicit arc that obeys the law runs along it."),
     "slip-arc": (
-        "Cycle.slip",
+        "Gap.slip",
         r"From the right exit ray at the push $h$ of an angle every solution slips up to that angle, and lands where the closed form says.",
     ),
     "stick-arc": (
@@ -173,11 +173,11 @@ _FREE: dict[str, tuple[str, str]] = {
     ),
     "sticks-inside": ("Surface.sticks_inside", "On $S_0$, but for the exit rays, every solution sticks for a while."),
     "arc-to-ray": (
-        "Cross.to_ray",
+        "Law.to_ray",
         "On $S_0$ above $E_{cr}$ every solution sticks until it reaches one of the two exit rays.",
     ),
     "arc-to-left-ray": (
-        "Cross.to_ray_left",
+        "Law.to_ray_left",
         "On $S_0$ above $E_{cr}$ and moving to the left every solution sticks until it reaches the left exit ray, "
         "at the same level.",
     ),

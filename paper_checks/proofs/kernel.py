@@ -87,12 +87,17 @@ def cache_folder() -> Path:
 
 
 @contextmanager
-def locked(store: Path) -> Iterator[None]:
-    """Let one process at a time compile into a store, where the system can: a second one then finds all done."""
+def locked(store: Path, progress: Progress | None = None) -> Iterator[None]:
+    """Let one process at a time compile into a store, where the system can: a second one waits, says so, and finds all done."""
     files.make_private(store)
     with (store / "lock").open("wb") as file:
         if fcntl is not None:
-            fcntl.flock(file, fcntl.LOCK_EX)
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                if progress:
+                    progress(0, 0, "wait for another process that compiles them")
+                fcntl.flock(file, fcntl.LOCK_EX)
         yield
 
 

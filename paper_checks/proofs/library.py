@@ -88,7 +88,7 @@ def build(progress: Progress | None = None, jobs: int = 2, store: Path | None = 
     store = kernel.cache_folder() if store is None else store
     if reason := kernel.why_not(os.environ.get("PATH")) or kernel.cannot_keep(store):
         return _not_run(reason, pins)
-    with kernel.locked(store):
+    with kernel.locked(store, progress):
         sources = _sources(folder, store)
         compiled, untied = tied.compiled(sources, progress, jobs, store)
         facts, silence = _answers(compiled, sources, store)

@@ -135,14 +135,10 @@ def _motions() -> Iterator[Tie]:
   replace m1 with (w * w) by auto. field. lra.""",
     )
     slip = solution("slip-", Regime.UNDAMPED)
-    for name, letter, at, theirs in (
-        ("place", "x", "u t", slip.x1),
-        ("speed", "1", "u t", slip.v1),
-        ("driven", "2", "u t", slip.v2),
-    ):
-        gap_at = at if letter == "2" else f"d {at}"
-        yield _slip(f"tie_slip_{name}", f"S{letter} m1 m2 a2 b {at}", theirs, "0")
-        yield _slip(f"tie_gap_{name}", f"G{letter} m1 m2 a2 b {gap_at}", theirs, "d")
+    for name, letter, theirs in (("place", "x", slip.x1), ("speed", "1", slip.v1), ("driven", "2", slip.v2)):
+        for start, gap in (("slip", "0"), ("gap", "d")):
+            at = "u t" if letter == "2" else f"{gap} u t"
+            yield _slip(f"tie_{start}_{name}", f"G{letter} m1 m2 a2 b {at}", theirs, gap)
 
 
 def _slip(name: str, mine: str, theirs: sp.Expr, gap: str) -> Tie:

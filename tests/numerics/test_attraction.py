@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from control_scenes import referred
+from control_scenes import one_period, referred
 from flint import arb, arb_mat
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -21,7 +21,7 @@ from numerics.control.attraction import passage_at, passages, slide_left
 from numerics.control.orbit import Orbit
 from numerics.control.response import response
 from numerics.errors import EventUndecided
-from numerics.scene import Force, Pair, Piece, Scene, Sine, State
+from numerics.scene import Force, Pair, Scene, State
 
 UNEVEN = Pair(3, "0.5", 200, "0.5", 3)
 STICKS, SLIPS = "3", "5"
@@ -39,23 +39,9 @@ def in_leg(orbit: Orbit, number: int) -> arb:
     return ((leg.t + after.t) / 2).mid()
 
 
-def norm(pair: Pair, vector: np.ndarray) -> float:
-    """N of a difference (x1, v1, v2)."""
-    return math.sqrt(
-        float(pair.a2) * vector[0] ** 2 + float(pair.m1) * vector[1] ** 2 + float(pair.m2) * vector[2] ** 2
-    )
-
-
 def after_a_period(orbit: Orbit, t: Fraction, moved: np.ndarray) -> np.ndarray:
     """(x1, v1, v2) a period after a start beside the orbit at time t, by the independent reference."""
-    at = Ball.number(t)
-    x1, v1, _, v2 = (Fraction(float(one.mid())) for one in passage_at(orbit, at).state(at))
-    piece, more = orbit.drive.piece, [Fraction(float(one)) for one in moved]
-    sines = [Sine(one.amplitude, one.omega, one.phase + one.omega * t) for one in piece.sines]
-    start = State(x1=x1 + more[0], v1=v1 + more[1], v2=v2 + more[2])
-    period = Fraction(float(orbit.drive.period.mid()))
-    scene = Scene(orbit.drive.pair, start, until=period, force=Force((Piece(0, piece.polynomial, sines),)))
-    end = referred(scene).state()
+    end = referred(one_period(orbit, [Fraction(float(one)) for one in moved], t)).state()
     return np.array([float(end[0]), float(end[1]), float(end[3])])
 
 

@@ -6,6 +6,7 @@ from fractions import Fraction
 import pytest
 from hypothesis import event, example, given
 from reaching import LeftOut, reaching
+from scene_files import scenes_in
 from strategies import driven_scenes, free_scenes, viscous_scenes
 
 from numerics import Pair, Scene, State, load_scene, solve
@@ -15,15 +16,7 @@ from numerics.trajectory.comparison import distance
 from numerics.trajectory.run import run_scene
 
 EVENTS = 20
-EXACTLY_CRITICAL = [
-    Scene(Pair(1, 1, 1, 1, a1=2), State(x1=1, v1=5), until=20),  # slip
-    Scene(Pair(1, 1, 2, 1, a1=4), State("0.3", 2, 0, -3), until=20),  # stick
-]
-FAR_AND_SLOW = Scene(  # both positions have one scale, both velocities another
-    Pair("1/10", 100, "1/10", 1, "1/5"),
-    State("-1001/100", 0, 0, Fraction(-17810939411133869, 5629499534213120)),
-    Fraction(6983112751249713, 35184372088832),
-)
+FOUND = scenes_in("bounded")
 LIGHT_DRIVER = Scene(  # its contact after 1e-16 of reduced time was passed over in float64
     Pair(m1="1e-3", m2="4.2e12", a2=1, b=1, a1="409877.8"),
     State(x1="-1.00000000000000024", v2="4.8795e-7"),
@@ -67,9 +60,9 @@ def claimed(scene, arithmetic):
 def test_the_bounds_hold(kind, arithmetic):
     @reaching
     @given(kind())
-    @example(EXACTLY_CRITICAL[0])
-    @example(EXACTLY_CRITICAL[1])
-    @example(FAR_AND_SLOW)
+    @example(FOUND["critical-damping-in-slip"])
+    @example(FOUND["critical-damping-in-stick"])
+    @example(FOUND["far-and-slow"])
     @example(load_scene("relative-motion-b05"))
     def hold(scene):
         assert claimed(scene, arithmetic) <= 1.0

@@ -3,6 +3,7 @@
 Ties through square roots, nearly critical damping, motions that have died away, events on the horizon.
 """
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
+from scene_files import scenes_in
 from strategies import EXTREME, scenes
 
 from numerics.arithmetic.ball import Ball
@@ -73,23 +75,12 @@ def test_a_damped_motion_that_has_died_away_decides_nothing_by_its_signs():
     assert run.event_kinds[-1] is EventKind.ENTRY
 
 
-STARTS = {
-    "guard without extrema, A = 1": (Pair(1, 1, 100, 1), State(x1="-0.01", v1="0.1")),
-    "the same elsewhere": (Pair(1, 1, 100, 1), State(x1="-0.004", v1="0.08")),
-    "the same, body 2 moving": (Pair(1, 1, 100, 1), State(x1="-0.002", v1="0.06", v2=-1)),
-    "slip on the critical eigenline": (Pair(1, 1, 1, 1, 2), State(x1="-1.5", v1="0.5")),
-    "stick on the critical eigenline": (Pair("0.5", "0.5", 1, 1, 2), State(x1="1.9", v1="-1.9", v2="-1.9")),
-    "stick on the fast eigenvector": (Pair("0.5", "0.5", 2, 2, 3), State(x1="0.9", v1="-1.8", v2="-1.8")),
-}
-
-
-@pytest.mark.parametrize("name", STARTS)
-def test_a_zero_through_square_roots_is_no_tie(name):
-    pair, state = STARTS[name]
-    balls = solve(Scene(pair, state, until=5), digits=30, arithmetic="ball")
-    require_same_sequence(solve(Scene(pair, state, until=5)), balls)
-    nudged = State(state.x1, state.v1, state.x2, state.v2 + pair.half_width / 10**30) if state.v1 != state.v2 else state
-    require_same_sequence(solve(Scene(pair, nudged, until=5)), balls)
+@pytest.mark.parametrize("scene", scenes_in("no-ties").values())
+def test_a_zero_through_square_roots_is_no_tie(scene):
+    balls, at = solve(scene, digits=30, arithmetic="ball"), scene.initial
+    require_same_sequence(solve(scene), balls)
+    nudged = State(at.x1, at.v1, at.x2, at.v2 + scene.pair.half_width / 10**30) if at.v1 != at.v2 else at
+    require_same_sequence(solve(replace(scene, initial=nudged)), balls)
 
 
 def test_friction_work_near_the_critical_orbit_counts_every_slip():

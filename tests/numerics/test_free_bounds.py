@@ -7,7 +7,7 @@ from random import Random
 
 import numpy as np
 import pytest
-from planted_errors import ARITHMETICS, COORDINATES, draw_scene, moved, run
+from planted_errors import ARITHMETICS, COORDINATES, draw_scene, moved, run, unit_pair
 
 from numerics.linear.record import AT
 from numerics.scene import Scene, State
@@ -116,3 +116,15 @@ def test_an_excess_that_may_be_negative_is_no_certain_exit(name):
         exits += found.modes[1:2] != []
         assert not found.certain
     assert exits == 40
+
+
+@pytest.mark.parametrize(("share", "excess", "returns"), [("9/10", "0.1", 1), ("1/50", "10", -1)])
+def test_an_exit_is_off_by_what_slip_and_stick_before_it_add_up_to(share, excess, returns):
+    """And not by much less: to the other edge, and to the same one."""
+    v, off = Fraction(float(1 + Fraction(excess)) ** 0.5), Fraction(1, 10**8)
+    scene = Scene(unit_pair(Fraction(share)), State(0, v, 0, v), 30)
+    neighbour = moved(scene, {"v1": off, "v2": off})
+    found, other = run(scene, "float64", planted=neighbour).rows[1:4], run(neighbour, "float64").rows[1:4]
+    assert list(found[:, 0]) == [-1, 0, returns]
+    late = abs(found - other)[:, AT["local"]] / found[:, AT["late"]]
+    assert 0.9 < late[2] <= 1 + 1e-3

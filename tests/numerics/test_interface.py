@@ -84,7 +84,9 @@ FOR_THE_HOUSE = {
     "pieces",
     "row",
 }
-FOR_THE_HOUSE |= {f"row_{name}" for name in ("cells", "lengths", "pieces", "signs", "states", "times")}
+FOR_THE_HOUSE |= {
+    f"row_{name}" for name in ("lengths", "mode", "modes", "numbers", "pieces", "signs", "states", "times")
+}
 FOR_THE_HOUSE |= {"require_one_b", "signs"}
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "guide.md").read_text("utf-8")
 

@@ -1,7 +1,7 @@
 """Sets of errors, and what an event does to them: held against neighbours that are followed through their events."""
 
 import numpy as np
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from kernel_runs import a_scene
 from scipy.linalg import expm
@@ -75,18 +75,23 @@ class Event:
         scale, unit = np.sqrt([pair.a2, pair.m1, pair.a2, pair.m2]), 1 / (1 + pair.a1 / pair.m1 + pair.m1**-0.5)
         rising = random.normal() if mode else load * random.uniform(0.3, 1) / unit
         speeding = self.load / pair.m2 if mode == 0 else (self.load * pair.mass / pair.m2 - mode * b) / pair.m1
-        self.u = random.normal(), b * rising * pair.mass / pair.m2 + pair.a2 * v + pair.a1 * speeding
+        turning = b * rising * pair.mass / pair.m2 + pair.a2 * v + pair.a1 * speeding
+        self.u = random.normal(), random.choice([0.0, turning]) if mode else turning
         x = (self.u[0] - pair.a1 * v - self.load * pair.mass / pair.m2) / pair.a2
         self.y, self.scale = np.array([x, v, 0.0, v]), scale
         self.slope = pair.mass / (pair.m1 * pair.m2) * abs(self.load - mode * b) if mode else b * abs(rising)
         column = random.normal(size=4)
         column[3] = column[3] if mode else column[1] * scale[3] / scale[1]
-        off = abs(self.guard(self.y + column / scale)) / self.slope
-        self.column = column * 10 ** random.uniform(-6, -3) * unit / off
+        late = 10 ** random.uniform(-6, -3) * unit
+        self.column = column * late * self.slope / abs(self.guard(self.y + column / scale))
+        if mode:  # what is found of the event is off
+            self.y[1] += random.choice([0.0, 0.0, 0.3]) * self.slope * late
+        self.begun, self.is_exact = self.y, self.y[1] == self.y[3]
         self.room = make_room(tables.rows.shape[4], tables.rows.shape[5])
         self.room.scale[:], self.room.y[:, 0], self.room.E[:, 2] = scale, self.y, self.column
         ahead = Next(ROOT, 0.5, 0.0, 1, 0.1, slope=self.slope, window=0.0, own=0.0)
         self.late, self.off, _ = lateness(pair, self.room, ahead, mode, b, 1e300, 1e300)
+        self.y = self.room.y[:, 0].copy()
         self.force = self.u[0], abs(self.u[1]), abs(self.u[0]) + abs(self.u[1])
 
     def loaded(self, y, t):
@@ -102,7 +107,7 @@ class Event:
     def neighbours(self, after):
         """For both ends of the column: the state, the error after both events, and the load at the second one."""
         for sign in (1, -1):
-            start = self.y + sign * self.column / self.scale
+            start = self.begun + sign * self.column / self.scale
             t = brentq(lambda at, y=start: self.guard(y, at), -self.late, self.late, xtol=1e-17, rtol=1e-14)
             there = moving(self.pair, self.mode, self.b, self.u, t, start)
             back = moving(self.pair, after, self.b, (self.u[0] + self.u[1] * t, self.u[1]), -t, there)
@@ -110,23 +115,26 @@ class Event:
 
     def farthest(self, found):
         """How far out errors lie in the set, its edge being 1."""
+        take_in(self.room.E, self.room.R, self.room.basis, self.room.column)
         errors = np.array([error for _, error, _ in found]).T
         c = np.linalg.pinv(self.room.E, 1e-14) @ errors
         assert abs(self.room.E @ c - errors).max() <= 1e-7 * abs(errors).max()
         return abs(c).max()
 
 
+@settings(max_examples=40, derandomize=True)
 @given(seeds, st.sampled_from([1, -1]), st.sampled_from([-0.8, -0.3, 0.5, 0.9, -1.2, -3.0]))
 def test_after_the_end_of_a_slip_neighbours_are_in_the_new_set(seed, side, load):
     event = Event(np.random.default_rng(seed), side, side * load)
     after = -side if load < -1 else 0
     found = [*event.neighbours(after)]
     apart = errors_after_slip(event.pair, event.room, side, after, event.force, event.b, event.late, event.slope)
-    assert 0.5 < event.farthest(found) <= 1 + 1e-6
+    assert 0.5 * event.is_exact < event.farthest(found) <= 1 + 1e-6
     for start, *_ in found:
         assert 0.2 * apart < max(abs(event.guard(start, t)) for t in (-event.late, event.late)) <= apart
 
 
+@settings(max_examples=40, derandomize=True)
 @given(seeds, st.sampled_from([1, -1]))
 def test_after_an_exit_neighbours_are_in_the_new_set(seed, side):
     event = Event(np.random.default_rng(seed), 0, side)
@@ -139,6 +147,7 @@ def test_after_an_exit_neighbours_are_in_the_new_set(seed, side):
     assert after <= before + gained
 
 
+@settings(max_examples=40, derandomize=True)
 @given(seeds, st.sampled_from([1, -1]), st.floats(-6, -2), st.sampled_from([1, -1]))
 def test_what_follows_a_slip_is_in_doubt_where_a_neighbour_has_another_mode(seed, side, exponent, beyond):
     event = Event(np.random.default_rng(seed), side, -side * (1 + beyond * 10**exponent))
@@ -146,12 +155,9 @@ def test_what_follows_a_slip_is_in_doubt_where_a_neighbour_has_another_mode(seed
     loads = [abs(load) for *_, load in event.neighbours(0)]
     if any((load > event.b) != (beyond > 0) for load in loads):
         assert found == UNDECIDED
-    pair, (_, v, *_), at_once = (
-        event.pair,
-        event.y,
-        abs(event.loaded(event.y + event.column / event.scale, 0) - event.load),
-    )
+    pair, y = event.pair, event.y
+    at_once = abs(event.loaded(y + event.column / event.scale, 0) - event.load)
     force = abs(event.load) * pair.mass / pair.m2 + event.b
-    later = event.late * (event.force[1] + pair.a2 * abs(v) + pair.a1 * force / pair.m1) * pair.m2 / pair.mass
-    if 10**exponent * event.b > 2 * (at_once + later):
+    later = event.late * (event.force[1] + pair.a2 * abs(y[1]) + pair.a1 * force / pair.m1) * pair.m2 / pair.mass
+    if event.is_exact and 10**exponent * event.b > 3 * (at_once + later):
         assert found == (-side if beyond > 0 else 0)

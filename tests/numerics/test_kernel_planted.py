@@ -257,8 +257,9 @@ def test_an_event_may_be_as_late_as_the_window_that_holds_it(mode, window):
     """@example of a fault that survived: the window left out of a slip's lateness."""
     pair, room, _ = at_contact()
     ahead = Next(ROOT, 0.5, 0.0, 1, 0.1, slope=2.0, window=window, own=0.0)
-    late, *_ = lateness(pair, room, ahead, mode, 0.6, 1.0, 0.0)
+    late, _, added = lateness(pair, room, ahead, mode, 0.6, 1.0, 0.0)
     assert window <= late <= 2 * window
+    assert (added >= 2 * 0.6 * pair.kappa * window) == (mode != 0)  # friction may have been the other one for so long
     late, *_ = lateness(pair, room, ahead._replace(own=1e-6), mode, 0.6, 1.0, 0.0)
     assert window + 0.5e-6 <= late <= 2 * (window + 0.5e-6)
 

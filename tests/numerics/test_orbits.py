@@ -5,29 +5,27 @@ from __future__ import annotations
 from fractions import Fraction
 
 import pytest
-from control_scenes import DAMPED, under
+from control_scenes import DAMPED, middle, started, under
 from flint import arb
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from strategies import decimals
 
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import rounded, solved_again
+from numerics.control.answers import solved_again
 from numerics.control.orbit import Orbit, one_round, solve_orbit
 from numerics.control.response import Regime, response, steady_drive
 from numerics.errors import EventUndecided, NotSettled
-from numerics.linear.system import LinearMode, W
+from numerics.linear.system import LinearMode, W, is_positive_on
 from numerics.scene import Force, Pair, Piece, Scene, Sine, State
 
 
 @pytest.mark.parametrize("radius", ["0.1", "1"])
 def test_a_box_whose_motions_have_other_events_is_not_followed(radius):
     orbit = response(under(DAMPED, "0.5")).orbit
+    begin = middle(orbit)
+    start = started(orbit, begin)
     with Ball(20).context():
-        leg, after = orbit.turns[0]
-        begin = rounded((leg.t + after.t) / 2)
-        x1, v1, _, v2 = orbit.motion(leg).state(Ball.number(begin) - leg.t)
-        start = [rounded(one) for one in (x1, v1, v2)]
         assert one_round(orbit.drive, begin, start, arb("1e-6"), 4).slopes.nrows() == 3
         with pytest.raises(EventUndecided):
             one_round(orbit.drive, begin, start, arb(radius), 4)
@@ -78,3 +76,14 @@ def test_a_range_over_times_holds_the_values_at_them(m1, a1, side, length):
             wide = motion.range(row, begin.union(end), order)
             for k in range(5):
                 assert wide.overlaps(motion.range(row, begin + (end - begin) * k / 4, order))
+
+
+def test_a_slip_that_turns_back_in_between_is_not_called_a_slip():
+    """w falls below 0 and comes back: its ends alone do not say so."""
+    with Ball(20).context():
+        mode = LinearMode(Pair(1, 1, 1, "0.01"), Fraction(1, 100), 1, Piece(0, (), [Sine(1, 20)]))
+        motion = mode.motion([arb(0), arb("0.05"), arb(0), arb(0)], arb(0))
+        period = 2 * arb.pi() / 20
+        assert is_positive_on(lambda t: motion.range(W, t), arb(0), period)
+        backwards = mode.motion([arb(0), arb("0.02"), arb(0), arb("0.06")], arb(0))
+        assert not is_positive_on(lambda t: backwards.range(W, t), arb(0), period)

@@ -15,7 +15,7 @@ from numerics.scene import Force, Law, Pair, Scene, State
 from numerics.scene.file import load_scene
 from numerics.scene.plane import PlanePair, PlaneScene
 from numerics.trade import contenders
-from numerics.trade.comparisons import direct, euler_peer, switched
+from numerics.trade.comparisons import direct, forward_euler, switched
 from numerics.trade.comparisons.peer import PeerFailed, Unsupported
 from numerics.trade.comparisons.switched import Ended, SwitchedPair
 from numerics.trade.contenders import CONTENDERS, answer_of, contender
@@ -119,7 +119,7 @@ class TestEuler:
             ([1, 1, -1, -1], [2.0] * 4, 1, [(-1, 2)]),
             ([0, -1, 0, 1, 1], [2.0, 2.0, -2.0, -2.0, -2.0], -1, [(1, 2)]),
         ):
-            assert list(euler_peer._events(np.array(sign), np.array(load), 1.0, mode)) == events
+            assert list(forward_euler._events(np.array(sign), np.array(load), 1.0, mode)) == events
 
     def test_too_many_steps_are_refused(self):
         with pytest.raises(PeerFailed, match="steps"):

@@ -13,8 +13,7 @@ from three_scenes import PAPER
 from numerics.__main__ import main
 from numerics.arithmetic.ball import Ball
 from numerics.solver.solve import solve
-from numerics.trajectory.derivatives import WRT
-from numerics.trajectory.sensitivity import sensitivities
+from numerics.trajectory.sensitivity import WRT, sensitivities
 
 
 @pytest.mark.parametrize("arithmetic", ["ball", "mpmath", "float64"])

@@ -13,9 +13,9 @@ from scene_files import scenes_in
 from numerics import solve
 from numerics.arithmetic.ball import Ball, widened
 from numerics.trajectory import sensitivity
-from numerics.trajectory.derivatives import parameters
 from numerics.trajectory.legs import legs
 from numerics.trajectory.saltation import Carried, Chain
+from numerics.trajectory.sensitivity import parameters
 
 SCENES = scenes_in("followed")
 RADIUS = Fraction(1, 10**6)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from matplotlib import pyplot as plt
+from scene_files import scenes_in
 
 from numerics.arithmetic.ball import Ball
 from numerics.errors import InvalidScene, OutOfRange
@@ -50,30 +51,11 @@ def agrees(scene: Scene) -> bool:
     return np.allclose(times, expected.t, rtol=0, atol=1e-7) and np.allclose(state, expected.y, rtol=0, atol=1e-7)
 
 
-BISTABLE = Scene(
-    Pair(1, 1, 200, "0.5", "0.2"),
-    State(v1="0.8", v2="-0.3"),
-    2,
-    force=Force.sine("1.5", 8),
-    friction=Friction((), Weakening([("0.3", "0.15")], "0.1")),
-)
-CREEPING = Scene(
-    Pair(1, 1, 200, "0.5", "40"),
-    State(x2="0.001"),
-    2,
-    force=Force.ramp(0, 2, 8),
-    friction=Friction((), Weakening([("0.001", "0.3"), ("0.01", "0.35")], 5)),
-)
-JUMPING = Scene(
-    PAIR,
-    State(),
-    Fraction(11, 5),
-    force=Force.step(1, 2) + Force.step(2, -3),
-    friction=Friction([("1.5", "0.8")], BY_PLACE),
-)
+SCENES = scenes_in("weakened")
+BISTABLE, JUMPING = SCENES["bistable"], SCENES["jumping"]
 
 
-@pytest.mark.parametrize("scene", [weakened(BY_PLACE, 1, v1="0.5"), BISTABLE, CREEPING, JUMPING])
+@pytest.mark.parametrize("scene", [weakened(BY_PLACE, 1, v1="0.5"), *SCENES.values()])
 def test_the_reference_has_the_same_motion(scene: Scene):
     assert agrees(scene)
 

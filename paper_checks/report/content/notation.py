@@ -51,7 +51,7 @@ SYMBOLS = {
     "h": Symbol("h", "$(\\theta-\\sin\\theta)/(1-\\cos\\theta)$: exit speed of the slip from a ray that ends at $\\theta$, over $L\\Omega\\sqrt q$", "–", _letter("h(?!_)")),
     "c": Symbol("c", "$2-\\theta\\cot(\\theta/2)$: depth of a slip from a ray, over $qL$", "–", _letter("c(?!_)")),
     "d": Symbol("d,\\,\\nu", "start of a slip on $S$: distance beyond the edge over $qL$, velocity over $L\\Omega\\sqrt q$", "–", r"\\nu"),
-    "R": Symbol("r^*,\\,\\mu^*", "critical share $m_2/M$ and critical mass ratio $m_1/m_2$: beyond it no slip from $S$ above $E_{cr}$ merges", "–", r"r\^\*|\\mu\^\*"),
+    "R": Symbol("r^*,\\,\\mu^*", "critical share $m_2/M$ and critical mass ratio $m_1/m_2$: below that share, beyond that ratio no slip from $S$ above $E_{cr}$ merges", "–", r"r\^\*|\\mu\^\*"),
     "C": Symbol("C,\\,B", "constants of the $1/t$ law: $C=4\\pi q/(9r)$ and $B=1-2/(5r)$", "–", _letter("[CB](?!_)")),
     "load": Symbol("\\Lambda", "the load: the friction force on body 2 that sticking needs, $m_2(u-a_2x_1-a_1v_1)/M$", "N", r"\\Lambda"),
     "distance": Symbol("N", "energy distance of two motions, $N^2=a_2(x_1-\\tilde x_1)^2+m_1(v_1-\\tilde v_1)^2+m_2(v_2-\\tilde v_2)^2$", "$\\sqrt{\\mathrm J}$", _letter("N")),

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import example, given, settings
 from strategies import plane_scenes
 
-from numerics import Force, Pair, Scene, State, solve
+from numerics import Force, Pair, Piece, Scene, State, solve
 from numerics.errors import EventUndecided, NumericsError
 from numerics.plane.solve import followed
 from numerics.scene.file import load_scene
@@ -58,6 +58,12 @@ def test_equal_axes_have_their_events_together():
     pair = PlanePair(1, 1, 200, "0.5", shape="box")
     found = solve(PlaneScene(pair, 1, x1="0.02", v1="0.1"), digits=15)
     assert {one.after for one in found.events} <= {"++", "00", "--"}
+    other = solve(PlaneScene(pair, 1, x1=["0.02", "-0.02"], v1=["0.1", "-0.1"]), digits=15)
+    assert [one.after for one in other.events] == [
+        {"++": "+-", "--": "-+"}.get(one.after, "00") for one in found.events
+    ]
+    x, y = other.final_state.x1
+    assert x.overlaps(-y)
 
 
 def test_coupled_axes_with_one_event_time_are_not_decided():
@@ -83,3 +89,18 @@ def test_axes_that_one_jump_lets_go_slip_at_once_and_know_the_load_behind_it(at)
     first = solve(scene, digits=12).events[0]
     assert (first.before, first.after, first.cause) == ("00", "++", "jump")
     assert [float(x) for x in first.load] == [2, 1.5]
+
+
+@pytest.mark.parametrize(("v", "modes"), [("0.1", ["-0", "00"]), ("-0.1", ["00", "+0"])])
+def test_a_coupled_axis_that_begins_exactly_on_the_edge_leaves_it_the_way_its_load_goes(v, modes):
+    pair = PlanePair(1, 1, [[100, 1], [1, 100]], "0.5", shape="box")
+    found = solve(PlaneScene(pair, "0.6", x1=["0.01", 0], v1=[v, 0], v2=[v, 0]), digits=15)
+    assert [*found.modes[:2]] == modes
+
+
+def test_axes_with_other_data_may_stop_at_one_time_that_is_known_exactly():
+    """Body 1 rests, m2 v2' = -b: both slips end at 1 s = m2 v2/b."""
+    pair = PlanePair([1, 1], [1, 2], [1, 2], [1, 3], shape="box")
+    scene = PlaneScene(pair, 3, v2=[1, "1.5"], force=[Force([Piece(0, [-1])]), Force([Piece(0, [-3])])])
+    (event,) = solve(scene, digits=20).events
+    assert (event.t, event.before, event.after) == (1, "--", "00")

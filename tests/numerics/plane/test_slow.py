@@ -55,6 +55,28 @@ def test_circles_merge_after_one_slip_whose_time_does_not_see_the_excess():
     assert ends[0] == pytest.approx(ends[1], rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("m1", "m2", "times"),
+    [
+        ([1, "1e-6"], 1, (0.049482916423, 0.258800302582, 0.432707525554)),
+        (1, [1, "1e-6"], (0.046005759020, 0.252563273982, 0.435031547776)),
+    ],
+)
+def test_an_axis_with_a_light_body_settles_alone(m1, m2, times):
+    """Its direction settles a million times quicker than things change: few steps, and the events of Radau's method."""
+    run = Run(
+        System(
+            reduced(PlaneScene(PlanePair(m1, m2, [100, 120], "0.5"), "0.5", x1=["0.01", "0.004"], v1=["0.1", "0.2"])),
+            30,
+        ),
+        9,
+        250,
+    )
+    run.follow()
+    assert [one.after for one in run.events] == ["slip", "stick", "slip"]
+    assert [float(one.at.t.mid()) for one in run.events] == pytest.approx(times, abs=1e-11)
+
+
 def test_a_slip_that_has_settled_is_the_one_that_steps_find(monkeypatch):
     scene = load_scene("plane-circle-merges")
     settled = solve(scene, digits=15)

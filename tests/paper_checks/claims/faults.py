@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from paper_checks.decide.polynomial import RELATIONAL
 from theory.filippov import EdgeContact
 
 
@@ -45,25 +46,24 @@ def without(*symbols: Any) -> Callable[..., Any]:
     return lambda original: lambda *arguments, **named: original(*arguments, **named).subs(dict.fromkeys(symbols, 0))
 
 
-class Misread:
-    """Sympy with one relation read as another, such as `<` for `<=`, in some of its uses."""
+def confused(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
+    """Return the fault for a module's name `prove`: a relation is another one, in these of its uses or in all.
 
-    def __init__(self, original: Any, relation: str, read_as: str, uses: tuple[int, ...]) -> None:
-        """Misread the relation in these uses, counted from 0; in all, where none is named."""
-        self._original, self._relation, self._read_as, self._uses = original, relation, read_as, uses
-        self._seen = -1
+    They are counted from the first proof on, in each the assumptions before the conclusion.
+    """
 
-    def __getattr__(self, name: str) -> Any:
-        """Sympy's, but for that relation."""
-        if name == self._relation:
-            self._seen += 1
-            name = self._read_as if not self._uses or self._seen in self._uses else name
-        return getattr(self._original, name)
+    def planted(original: Any) -> Any:
+        seen = itertools.count()
 
+        def read(formula: Any) -> Any:
+            if isinstance(formula, sp.And):
+                return sp.And(*map(read, formula.args))
+            wrong = isinstance(formula, RELATIONAL[relation]) and (next(seen) in uses or not uses)
+            return RELATIONAL[read_as](formula.lhs, formula.rhs, evaluate=False) if wrong else formula
 
-def misread(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:
-    """Return the fault for a module's name `sp`."""
-    return lambda original: Misread(original, relation, read_as, uses)
+        return lambda statement, given, conclusion: original(statement, [*map(read, given)], read(conclusion))
+
+    return planted
 
 
 def mistaken(relation: str, read_as: str, *uses: int) -> Callable[..., Any]:

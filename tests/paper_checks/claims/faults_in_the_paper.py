@@ -13,6 +13,7 @@ from theory import forced, plane
 from theory.symbols import a1, a2, acceleration1, b, m1, m2, q, u, v1, v2, x1
 
 from .faults import (
+    confused,
     crossing_contact,
     doubled,
     entry,
@@ -20,7 +21,6 @@ from .faults import (
     halved,
     inwards_missed,
     limit_changed,
-    misread,
     mistaken,
     negated,
     not_strict,
@@ -104,8 +104,7 @@ FAULTS = {
         "sliding.sliding_field": doubled,
         "sliding.stick_rate": plus(-b * v1),
         "sliding.energy": plus(-a2 * x1**2),
-        "sliding.sp": misread("Ge", "Gt", 0),
-        "sliding.signed": mistaken(">=", ">"),
+        "sliding.signed": (mistaken(">=", ">"), mistaken(">=", ">", 0)),
     },
     "critical-energy": {
         "levels.critical_energy": squared,
@@ -123,7 +122,7 @@ FAULTS = {
         "levels.edge_contact": (reversed_contact, crossing_contact),
         "levels.product": negated,
         "capture.phi": lambda phi: lambda sign: phi(1),
-        "levels.sp": misread("Gt", "Ge", 0),
+        "levels.prove": confused(">", ">=", 0),
         "levels.signed": mistaken(">", ">=", 0),
         "levels.sliding_field": negated,
     },
@@ -140,7 +139,7 @@ FAULTS = {
         "capture.phi": other_sign,
         "capture.dwell_time_bound": halved,
         "capture.energy": plus(-m2 * v2**2 / 4),
-        "capture.sp": misread("Le", "Ge", 0),
+        "capture.prove": confused("<=", ">=", 2),
         "energy.slip_rate": negated,
     },
     "dichotomy": {
@@ -195,7 +194,7 @@ FAULTS = {
         "excursions.no_merging_excess": doubled,
         "excursions.excursion": inwards_missed,
         "excursions.depth": negated,
-        "excursions.sp": (misread("Ge", "Gt", 2), misread("Ge", "Le", 0), misread("Gt", "Lt", 0)),
+        "excursions.prove": (confused(">=", ">", 2), confused(">=", "<=", 0), confused(">", "<", 0)),
         "theory.return_map.depth": halved,
         "theory.return_map.r": lambda share: -share,
         "theory.return_map.h": doubled,
@@ -212,7 +211,7 @@ FAULTS = {
         "excursions.rate_constant": squared,
         "excursions.printed_rate_constant": halved,
         "excursions.critical_energy": doubled,
-        "near_critical.sp": (misread("Le", "Ge", 0), misread("Eq", "Ge", 0)),
+        "near_critical.prove": (confused("<=", ">=", 0), confused("=", ">=", 0)),
         "near_critical.enclosed_rate": lambda run: lambda q, w, n, tolerance: run(q, w, n // 100, tolerance),
     },
     "viscous-energy-rate": {
@@ -336,7 +335,7 @@ FAULTS = {
         "theory.forced_control.strongest": doubled,
     },
     "varying-interface": {
-        "contraction.sp": misread("Ge", "Le", 1),
+        "contraction.prove": confused(">=", "<=", 1),
         "theory.forced.place_dependent_rate": negated,
         "steering.APART": lambda point: {**point, forced.b_other: 3},
     },

@@ -6,11 +6,11 @@ from flint import arb
 from theory.symbols import a1, b, q, theta, v1
 
 from .faults import (
+    confused,
     doubled,
     entry,
     failing,
     halved,
-    misread,
     negated,
     plus,
     raised,
@@ -26,7 +26,7 @@ FAULTS = {
         "slips.guard_factors": entry(0, lambda one: -one),
         "slips.depth": negated,
         "slips.turning_angle": plus(1),
-        "slips.sp": misread("Gt", "Ge"),
+        "slips.prove": confused(">", ">="),
     },
     "excursion-monotone": {
         "slips.cusa_huygens": negated,
@@ -44,13 +44,13 @@ FAULTS = {
     },
     "rate-bounds-explicit": {
         "rate.stick_rotation": entry(1, lambda one: -one),
-        "rate.sp": (misread("Ge", "Le", 0), misread("Le", "Ge", 0)),
+        "rate.prove": (confused(">=", "<=", 0), confused("<=", ">=", 1)),
         "rate.bounds": lambda bounds: lambda *numbers: bounds(*numbers)[::-1],
         "rate.depth_of_angle": doubled,
     },
     "uniform-rate": {
         "uniform_rate.first_contact_bound": halved,
-        "uniform_rate.sp": misread("Ge", "Le", 0),
+        "uniform_rate.prove": confused(">=", "<=", 0),
     },
     "merging-share": {
         "merging_share.flux": doubled,
@@ -63,7 +63,7 @@ FAULTS = {
         "merging.ray_excess": plus(1),
         "merging.ratio": doubled,
         "merging.half_angle": doubled,
-        "merging.sp": (misread("Le", "Ge", 0), misread("Gt", "Lt", 0)),
+        "merging.prove": (confused("<=", ">=", 0), confused(">", "<", 0)),
         "critical_ratio.critical_share": doubled,
         "critical_ratio.critical_mass_ratio_residual": plus(theta),
         "critical_ratio.half_angle": lambda f: lambda: f() + arb("1e-40"),
@@ -89,7 +89,7 @@ FAULTS = {
     "forced-contraction": {
         "theory.forced.energy_rate": plus(a1 * v1**2),
         "theory.forced.distance_rate": doubled,
-        "contraction.sp": misread("Le", "Ge", 0),
+        "contraction.prove": confused("<=", ">=", 0),
     },
     "forced-periodic-response": {
         "theory.forced.undamped_difference": entry(1, lambda one: -one),
@@ -119,13 +119,13 @@ FAULTS = {
     "minimum-transfer-time": {
         "theory.forced_control.switching": entry(0, lambda one: one / 2),
         "theory.forced_control.pressed": doubled,
-        "signum.sp": misread("Gt", "Ge", 0),
-        "transfers.sp": misread("Ge", "Le", 0),
+        "signum.prove": confused(">", ">=", 0),
+        "transfers.prove": confused(">=", "<=", 0),
     },
     "tolerance-ring": {
         "theory.forced_control.ring_ratio": doubled,
         "theory.forced_control.ring_radius": doubled,
-        "tolerance.sp": misread("Le", "Ge", 0),
+        "tolerance.prove": confused("<=", ">=", 0),
     },
     "damping-can-desynchronise": {
         "theory.forced.creeping_load": negated,

@@ -31,7 +31,7 @@ from theory.model import RELATIVE_SIGN, STICTION_SIGN
 from theory.symbols import acceleration1, b, m2
 
 from .conftest import CHECKS
-from .faults import misread, unbounded_sign
+from .faults import confused, unbounded_sign
 
 S = sp.Symbol("s")
 
@@ -93,7 +93,7 @@ def test_a_fault_in_the_model_turns_the_claims_that_rest_on_it(plant, fault):
         ("filippov.b", lambda _: sp.Integer(0), lambda: [filippov.spurious_branches_leave()]),
         ("filippov.set_valued_sign", unbounded_sign, lambda: [filippov.never_apart()]),
         # without m2 <= m1 an excursion from a ray may merge
-        ("excursions.sp", misread("Le", "Ge", 0), lambda: [excursions.no_merging_at_any_energy()]),
+        ("excursions.prove", confused("<=", ">=", 0), lambda: [excursions.no_merging_at_any_energy()]),
         (
             "onset.subcritical_level",
             lambda level: lambda: sp.Le(level().lhs - b**2, 0, evaluate=False),

@@ -3,44 +3,25 @@
 from pathlib import Path
 
 import pytest
-from chromium import asked
+from chromium import asked, faults, planted
 from explored_scenes import FORCED_NAMES, SCENES, forced_scene
 
 from numerics import solve
 from paper_checks.explore.page import SOLVER, source
 
 CLOSE = 1e-9
-FAULTS = (
-    ("start.V2 + s * t,", "start.V2 - s * t,"),
-    ("rest = force.constant - s * r", "rest = force.constant - 1.001 * s * r"),
-    ("if (start.leaves) list[2] = s;", "if (start.leaves) list[2] = 1.001 * s;"),
-    ("side: found.which === 0 ? 1 : -1", "side: 1"),
-    ("return Math.abs(p) < 1 ? STICK : side;", "return Math.abs(p) < 1.01 ? STICK : side;"),
-    ("y[2] * y[2] + y[3] * y[3] <= 1;", "y[2] * y[2] + y[3] * y[3] <= 1.05;"),
-    ("square * size < 1 - 1e-9", "square * size < 2"),
-    ("h * (g2 / 2 - h * bound / 6)", "h * (g2 / 2 - h * bound / 60)"),
-    ("fade * -Math.expm1(-2 * lean * t) / (2 * lean)", "fade * -Math.expm1(-2 * lean * t) / lean"),
-    ("rate * side > 0 ? side", "rate * side > 0.5 ? side"),
-    ("TOUCH = 1e-13", "TOUCH = 0"),
-    ("TIE = 1e-13", "TIE = 1e-7"),
-    ("- V - 2 * pair.zeta * p;", "- V;"),
-    ("lean * t < 1e-9", "lean * t < 1e-4"),
-    ("drive = Math.abs(of.sine.amplitude) * of.sine.omega ** 3", "drive = of.sine.amplitude * of.sine.omega ** 3"),
-    ("size / rate * (fast", "size / rate * (1.0001 * fast"),
-    ("re * sine - im", "re * sine + im"),
-)
-"""Changes of the program, each of which a comparison has to see."""
+FAULTS = faults("solver")
 
 
 @pytest.fixture(scope="module")
 def answers(whole, tmp_path_factory) -> dict:
     """What the page's solver says of every scene, and the first one of which it says something else with a fault."""
     program, scenes = source(SOLVER), [one.for_page() for one in SCENES]
-    assert all(program.count(right) == 1 for right, _ in FAULTS)
-    faulty = [program.replace(right, wrong) for right, wrong in FAULTS]
     question, folder = Path(__file__).with_name("solve.js"), tmp_path_factory.mktemp("solver")
     forced = [forced_scene(name)[0] for name in FORCED_NAMES]
-    return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=faulty, FORCED=forced)
+    return asked(
+        whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=planted(program, FAULTS), FORCED=forced
+    )
 
 
 def differs(found, run) -> bool:

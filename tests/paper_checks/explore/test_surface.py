@@ -5,7 +5,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 
 import pytest
-from chromium import asked
+from chromium import asked, faults, planted
 
 from numerics import solve
 from numerics.plane.rotating import rotating_response
@@ -20,32 +20,14 @@ SCENES = (
     *(replace(one.scene, until=min(6.0, one.scene.until)) for one in OWN_SURFACES),
     *(ReducedSurface(**{"until": 8} | one) for one in KEPT["scenes"]),
 )
-FAULTS = (
-    ("at = omega * t + angle", "at = omega * t - angle"),
-    ("dot(rising, p) > TIE", "dot(rising, p) < TIE"),
-    ("V1, -2 * zeta));", "V1, -zeta));"),
-    ("/ (1 + q * (k + 1) * a.R[1])", "/ (1 + q * k * a.R[1])"),
-    ("dot(a.E[j], a.E[k - j]) / 2", "dot(a.E[j], a.E[k - j])"),
-    ("times(a.R[j], a.E[k + 1 - j])", "times(a.R[j], a.E[k - j])"),
-    ("first = leaves ? (leaves.rate > 0 ? 1 : 2) : 0", "first = leaves ? 1 : 0"),
-    ("if (numberAt(speed, length * n / LOOKS) > 0) continue;", "continue;"),
-    ("LEFT_OUT * most", "1e9 * LEFT_OUT * most"),
-    ("inside > 0 ? NEAR : NONE", "1e-4"),
-    ("pair.q * (speed + dot(p, state.S)) / inside", "pair.q * speed / inside + 1e-3"),
-    ("8 * low * high", "low"),
-    ("mostLoad(axes, t) <= 1 + TIE", "mostLoad(axes, t) <= 1.02"),
-    ("plus(start.x2, plus(X, start.X, -1))", "start.x2"),
-)
-"""Changes of the program, each of which a comparison has to see."""
+FAULTS = faults("surface")
 
 
 @pytest.fixture(scope="module")
 def answers(whole, tmp_path_factory) -> dict:
     program, scenes = source((*SOLVER, "scene_file")), [asdict(one) for one in SCENES]
-    assert all(program.count(right) == 1 for right, _ in FAULTS), [one for one, _ in FAULTS if program.count(one) != 1]
-    faulty = [program.replace(right, wrong) for right, wrong in FAULTS]
     question, folder = Path(__file__).with_name("solve_above.js"), tmp_path_factory.mktemp("above")
-    return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=faulty)
+    return asked(whole, question, folder, PROGRAM=program, SCENES=scenes, FAULTY=planted(program, FAULTS))
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from math import pi
 from pathlib import Path
 
 import pytest
-from chromium import asked
+from chromium import asked, faults, planted
 
 from numerics import Force, Pair, Scene, State, solve
 from paper_checks.explore.page import SOLVER, source
@@ -38,16 +38,7 @@ EXPECTED = {
     replace(SINE, amplitude=10.0): "Slips all the time",
     replace(SINE, amplitude=1.0, until=17.9): "Driven",  # just shorter than two periods, 17.952
 }
-FAULTS = (
-    ("excess <= pair.q * (Math.PI / 2 - 1) ** 2)", "excess <= pair.q * (Math.PI / 2) ** 2)"),
-    ("pair.q / pair.r > EXPLORE.criticalRatio", "pair.q / pair.r > 0.79"),
-    ("if (stuck === 1)", "if (stuck > 0.9)"),
-    ("repeats < 1e-6", "repeats < 1e-5"),
-    ("X: state.X - force.constant", "X: state.X"),
-    ("scene.until < 2 * period", "scene.until < period"),
-    ("forceRate(force, t, 2) - p -", "forceRate(force, t, 2) -"),
-)
-"""Changes of the program, each of which something here has to see."""
+FAULTS = faults("verdicts")
 TIE = {"pair": {"q": 0.5, "r": 0.5, "zeta": 0}, "t": pi / 2, "V": 0}
 TIES = [  # p' = 0 at the edge: p'' = f'' - p decides
     (TIE | {"force": {"constant": 0, "amplitude": -bend, "omega": 1}, "p": 1}, 1 if bend > 1 else 0)
@@ -58,12 +49,10 @@ TIES = [  # p' = 0 at the edge: p'' = f'' - p decides
 @pytest.fixture(scope="module")
 def answers(whole, tmp_path_factory) -> dict:
     program = source((*SOLVER, "regimes"))
-    assert all(program.count(right) == 1 for right, _ in FAULTS)
-    faulty = [program.replace(right, wrong) for right, wrong in FAULTS]
     scenes = [vars(one) for one in (*EXPECTED, *SETTLING)]
     question, folder = Path(__file__).with_name("verdicts.js"), tmp_path_factory.mktemp("verdicts")
     ties = [one for one, _ in TIES]
-    return asked(whole, question, folder, PROGRAM=program, FAULTY=faulty, SCENES=scenes, TIES=ties)
+    return asked(whole, question, folder, PROGRAM=program, FAULTY=planted(program, FAULTS), SCENES=scenes, TIES=ties)
 
 
 @pytest.fixture(scope="module")

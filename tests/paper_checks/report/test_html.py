@@ -4,9 +4,9 @@ import posixpath
 import re
 from dataclasses import replace
 from html import unescape
-from html.parser import HTMLParser
 
 import pytest
+from elements import Elements
 
 from paper_checks.report.content import notation
 from paper_checks.report.content.document import document
@@ -14,41 +14,6 @@ from paper_checks.report.content.phrases import place
 from paper_checks.report.formats import html, vector
 from paper_checks.report.output import pictures
 from paper_checks.report.output.files import FIGURES_OF, made
-
-VOID = {"meta", "br", "wbr", "link", "img", "input", "hr"}
-
-
-class Page(HTMLParser):
-    """Collects ids, links and references, and insists that elements close in order."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.open, self.ids, self.links, self.loaded, self.elements = [], [], [], [], []
-        self.images, self.regions = [], []
-        self.feed(text)
-        self.close()
-        assert self.open == []
-
-    def handle_starttag(self, tag, attrs):
-        self.elements.append(tag)
-        found = dict(attrs)
-        self.ids += [found["id"]] if "id" in found else []
-        self.links += [found["href"]] if tag == "a" else []
-        self.loaded += [value for name, value in attrs if name in ("src", "data") or (tag == "link" and name == "href")]
-        if tag == "img" or found.get("role") == "img":
-            self.images.append(found.get("alt") or found.get("aria-label"))
-        if found.get("class") == "wide" and tag == "div":
-            self.regions.append((found.get("role"), found.get("aria-label")))
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_startendtag(self, tag, attrs):
-        self.handle_starttag(tag, attrs)
-        if tag not in VOID:
-            self.open.pop()
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +23,7 @@ def files(rows, figures):
 
 @pytest.fixture(scope="module")
 def pages(files):
-    return {name: Page(text) for name, text in files.items() if name.endswith(".html")}
+    return {name: Elements(text).found for name, text in files.items() if name.endswith(".html")}
 
 
 @pytest.fixture(scope="module")
@@ -78,16 +43,27 @@ def test_the_first_page_is_the_last_file_and_every_row_has_a_page_and_a_line(fil
         assert f'<article class="row {row.finding.verdict.value}">' in behind(files, row.claim.id)
 
 
+def links(page):
+    return [given["href"] for tag, given in page if tag == "a"]
+
+
 def test_ids_are_unique_and_every_link_and_file_has_its_target(files, pages):
+    ids = {name: [given["id"] for _, given in page if "id" in given] for name, page in pages.items()}
     for name, page in pages.items():
-        assert len(page.ids) == len(set(page.ids)), name
+        assert len(ids[name]) == len(set(ids[name])), name
         folder = posixpath.dirname(name)
-        for link in page.links:
+        for link in links(page):
             file, _, anchor = link.partition("#")
             target = posixpath.normpath(posixpath.join(folder, file)) if file else name
             assert target in files, (name, link)
-            assert not anchor or anchor in pages[target].ids, (name, link)
-        assert all(posixpath.normpath(posixpath.join(folder, one)) in files for one in page.loaded)
+            assert not anchor or anchor in ids[target], (name, link)
+        loaded = [
+            given[key]
+            for tag, given in page
+            for key in given
+            if key in ("src", "data") or (tag, key) == ("link", "href")
+        ]
+        assert all(posixpath.normpath(posixpath.join(folder, one)) in files for one in loaded)
 
 
 def test_nothing_comes_from_a_network(files):
@@ -97,14 +73,18 @@ def test_nothing_comes_from_a_network(files):
 
 
 def test_a_reader_without_a_mouse_or_without_eyes_finds_the_way(pages):
+    images = {
+        name: [given.get("alt") or given.get("aria-label") for tag, given in page if "img" in (tag, given.get("role"))]
+        for name, page in pages.items()
+    }
     for name, page in pages.items():
-        assert all(page.images), name
-        assert all(role == "group" and label for role, label in page.regions), name
-    first = pages[html.FRONT]
-    assert first.elements.index("a") < first.elements.index("nav") < first.elements.index("main")
-    assert first.images
-    assert "#main" in first.links
-    assert html.EXPLORE in first.links
+        assert all(images[name]), name
+        regions = [given for tag, given in page if (tag, given.get("class")) == ("div", "wide")]
+        assert all(given["role"] == "group" and given["aria-label"] for given in regions), name
+    tags = [tag for tag, _ in pages[html.FRONT]]
+    assert tags.index("a") < tags.index("nav") < tags.index("main")
+    assert images[html.FRONT]
+    assert {"#main", html.EXPLORE} <= {*links(pages[html.FRONT])}
 
 
 def test_each_row_tells_the_statement_the_decisive_step_and_then_the_rest_folded(files):

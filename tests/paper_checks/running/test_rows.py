@@ -1,6 +1,5 @@
 """Rows from the cache and from other processes: the same as from this one, and never one that was not earned."""
 
-import ast
 import json
 import os
 import pickle
@@ -14,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from dying_process import dies_of_energy_rate, tells_what_ctrl_c_does
+from imported import imported_modules
 from interruption import interrupted
 
 from paper_checks.__main__ import main
@@ -212,12 +212,7 @@ def test_what_rows_can_depend_on_is_in_the_state():
 
 def imported_by(path):
     """The files of this package that a file imports, wherever in it."""
-    nodes = list(ast.walk(ast.parse(path.read_text("utf-8"))))
-    names = [one.name for node in nodes if isinstance(node, ast.Import) for one in node.names]
-    for node in nodes:
-        if isinstance(node, ast.ImportFrom) and node.module:
-            names += [node.module, *(f"{node.module}.{one.name}" for one in node.names)]
-    stems = [ROOT / name.replace(".", "/") for name in names if name.startswith("paper_checks.")]
+    stems = [ROOT / name.replace(".", "/") for name in imported_modules(path) if name.startswith("paper_checks.")]
     candidates = [*(stem.with_suffix(".py") for stem in stems), *(stem / "__init__.py" for stem in stems)]
     return [found for found in candidates if found.exists()]
 
