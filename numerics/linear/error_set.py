@@ -110,10 +110,15 @@ def take_in(E: Any, R: Any, Q: Any, v: Any) -> None:
 
 @compilable_with(forceinline=False, **_CONTRACT)
 def orthogonal(Q: Any, k: int, v: Any) -> float:
-    """Make v orthogonal to the first k columns of Q, twice for the sake of rounding; return its length."""
+    """Make v orthogonal to the first k columns of Q, again where rounding may count; return its length."""
+    square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]
     for _ in range(2):
+        before = square
         for n in range(k):
             dot = v[0] * Q[0, n] + v[1] * Q[1, n] + v[2] * Q[2, n] + v[3] * Q[3, n]
             for i in range(4):
                 v[i] -= dot * Q[i, n]
-    return math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3])
+        square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]
+        if square > 0.01 * before:  # lost no more than a digit
+            break
+    return math.sqrt(square)

@@ -35,7 +35,7 @@ ROW, END_ROW = len(COLUMNS), len(COLUMNS) + len(END)
 
 
 _EVENT, _PIECE, _LOCAL, _X1 = (AT[name] for name in ("event", "piece", "local", "x1"))
-_EXCESS, _LATE, _FRICTION = (AT[name] for name in ("excess", "late", "friction"))
+_EXCESS, _LATE, _FRICTION, _LOST = (AT[name] for name in ("excess", "late", "friction", "dissipated_error"))
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -44,6 +44,7 @@ def in_si(rows: Any, mass: int, time: int, length: int) -> None:
     for half in range(2):  # a power may be too large for a float, its root is not
         second, metre = math.ldexp(1.0, (time + half) // 2), math.ldexp(1.0, (length + half) // 2)
         speed = math.ldexp(1.0, (length - time + half) // 2)
+        energy = math.ldexp(1.0, (mass + 2 * length - 2 * time + half) // 2)
         for k in range(4):  # local and length
             rows[:, _LOCAL + k] *= second
         rows[:, _LATE] *= second
@@ -54,7 +55,7 @@ def in_si(rows: Any, mass: int, time: int, length: int) -> None:
             rows[:, _LATE + 1 + i] *= unit
         if rows.shape[1] > ROW:
             for k in range(5):
-                rows[:, _FRICTION + k] *= math.ldexp(1.0, (mass + 2 * length - 2 * time + half) // 2)
+                rows[:, _FRICTION + k] *= energy
 
 
 @compilable_with(makes_arrays=True, forceinline=False)
@@ -94,8 +95,13 @@ def rounded(record: Record) -> Record:
     for table in (rows, end[None]):
         table[:, _LATE] += abs(table[:, _LOCAL + 1])
         table[:, _LATE + 1 : _LATE + 5] += abs(table[:, _X1 + 1 : _X1 + 8 : 2])
-        table[:, _LOCAL + 1 : _X1 + 8 : 2] = 0.0
-    return record._replace(rows=rows, end=end)
+        table[:, _LATE + 5] += np.nan_to_num(abs(table[:, _EXCESS + 1]))  # nan: it is formed from the state
+        table[:, _LOCAL + 1 : _EXCESS : 2] = 0.0
+        table[:, _EXCESS + 1] *= 0.0
+    end[_LOST] += abs(end[_FRICTION + 1]) + abs(end[_FRICTION + 3])
+    end[[_FRICTION + 1, _FRICTION + 3]] = 0.0
+    lost = float(end[_FRICTION]), float(end[_FRICTION + 2]), float(end[_LOST])
+    return record._replace(rows=rows, end=end, friction=lost[0], viscous=lost[1], dissipated_error=lost[2])
 
 
 class How(IntEnum):

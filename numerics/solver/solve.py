@@ -96,8 +96,8 @@ def solve(
     sequence of events open it climbs: to double-double, then to balls of 34, 68, 136 and 560 working digits.
 
     With `digits` = N: the cheapest arithmetic that has N right digits of every event time and state, and of state,
-    energy and excess at the end: float64 (N <= 15; under a force or damping, for more than 10, its numbers are carried
-    in double-double and rounded once, as `tried` says), double-double (N <= 30), else balls, their precision raised
+    energy and excess at the end: float64 (N <= 15; where its own bounds leave fewer, its numbers are carried in
+    double-double and rounded once, as `tried` says), double-double (N <= 30), else balls, their precision raised
     until the digits are proved. Times count relative to themselves, everything else relative to the largest such
     quantity along the run (trajectory/digits.py): x1 and x2 to the largest |position|, v1 and v2 to the largest
     |velocity|.
@@ -195,7 +195,7 @@ def _solve_cheaply(scene: Scene, digits: int, limits: _Limits) -> Trajectory:
     """
     tried: list[str] = []
     guard = _GUARD_DIGITS
-    is_linear = may_round = not free_scene(scene)
+    is_linear, may_round = not free_scene(scene), True
     for arithmetic in (_FLOAT64, _DOUBLE_DOUBLE):
         name, lost = arithmetic.name, 0 if guard == _GUARD_DIGITS else guard - _SPARE_DIGITS
         if digits > _WORTH_A_TRY[name] or digits + lost > _HAS[name]:

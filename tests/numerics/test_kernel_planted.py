@@ -233,7 +233,7 @@ def test_a_jump_of_the_force_to_just_below_b_is_in_doubt_if_the_errors_reach_b(b
 )
 def test_a_slip_is_clear_where_its_guard_exceeds_what_N_may_take_of_it(order, since, low, high):
     """N takes kappa N at most of w, and kappa1 N of its slope."""
-    scene = Scene(Pair("0.4", "0.6", 1, "0.6", "0.3"), State(1, 1, 0, 0), 9)
+    scene = Scene(Pair("0.9", "0.1", 1, "0.1", "0.3"), State(1, 1, 0, 0), 9)
     pair, _, tables, *_ = prepare(scene, wide=False)
     room, h, N = make_room(tables.rows.shape[4], tables.rows.shape[5]), float(tables.h[0, 0]), 1e-3
     unit = N * h * (pair.kappa if order == 0 and since > 9 else pair.kappa1 * h)

@@ -83,7 +83,8 @@ def test_one_digit_more_than_an_arithmetic_has_is_answered_by_the_next(scene):
     has = solve(scene, arithmetic="float64").accuracy.digits
     assert solve(scene, digits=has).arithmetic.name == "float64"
     more, is_linear = solve(scene, digits=has + 1), scene.pair.a1 > 0 or scene.is_forced
-    assert (more.arithmetic.name == "float64") == is_linear == ("rounded once" in more.tried)
+    assert more.arithmetic.name == "float64"
+    assert "rounded once" in more.tried
     assert more.right_digits >= has + 1 or proved_digits(more) >= has + 1
     assert is_linear or f"float64 has {has} right digits" in more.tried
     has = min(30, solve(scene, arithmetic="double-double").accuracy.digits)
@@ -91,7 +92,7 @@ def test_one_digit_more_than_an_arithmetic_has_is_answered_by_the_next(scene):
     assert solve(scene, digits=has + 1).arithmetic.name == "ball"
 
 
-@pytest.mark.parametrize("scene", [DAMPED, FORCED])
+@pytest.mark.parametrize("scene", [DAMPED, FORCED, load_scene("velocities")])
 def test_what_is_rounded_once_is_off_by_that_and_its_bounds_say_so(scene):
     """Those of the run in double-double would not: some number is off by more than these."""
     run, pairs = solve(scene, digits=14), solve(scene, arithmetic="double-double")
