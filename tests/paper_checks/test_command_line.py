@@ -142,8 +142,9 @@ def test_the_report_takes_another_trade(small, capsys, tmp_path):
 
 def test_a_trade_that_cannot_be_read_is_one_line_before_anything_runs(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(command_line, "_rows", lambda *_: pytest.fail("the checks ran"))
-    assert main(["report", "--trade", str(tmp_path / "nowhere.json")]) == 2
-    assert capsys.readouterr().err == "paper_checks: nowhere.json cannot be read: No such file or directory\n"
+    nowhere = tmp_path / "nowhere.json"
+    assert main(["report", "--trade", str(nowhere)]) == 2
+    assert capsys.readouterr().err == f"paper_checks: {nowhere} cannot be read: No such file or directory\n"
 
 
 @pytest.mark.parametrize(
