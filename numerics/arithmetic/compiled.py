@@ -37,6 +37,8 @@ _WAITING: list[tuple[Any, Any, Any, dict[str, Any]]] = []
 _OPTIONS: dict[Any, dict[str, Any]] = {}
 _ROOMS = ("arithmetic", "linear", "free")
 """Where compilable functions are."""
+_SOON = 2.0
+"""After so many seconds of compiling a person at a terminal is told why nothing happens."""
 _ONE_AT_A_TIME = threading.RLock()
 """The threads of a batch may all ask for the same entry first, and numba's cache folder is set for the process."""
 # numpy's error model divides by zero as IEEE 754 does: a number out of range must not end a whole batch.
@@ -122,6 +124,7 @@ def _one_process_at_a_time(compile_for: Callable[..., Any], path: Path) -> Calla
 
     def locked(types: Any) -> Any:
         with ExitStack() as stack:
+            stack.enter_context(_told())
             with suppress(OSError):  # a folder that cannot be written keeps no compiled code either
                 make_private(path.parent)  # what numba keeps there is code
                 file = stack.enter_context(path.open("wb"))
@@ -133,6 +136,20 @@ def _one_process_at_a_time(compile_for: Callable[..., Any], path: Path) -> Calla
                 return compile_for(types)
 
     return locked
+
+
+@contextmanager
+def _told() -> Iterator[None]:
+    """Tell a person at a terminal what is waited for, if it takes long: what is found in the cache does not."""
+    sentence = "numba compiles the solver; that takes about a minute, once for this version"
+    teller = threading.Timer(_SOON, lambda: print(sentence, file=sys.stderr))
+    teller.daemon = True
+    if sys.stderr.isatty():
+        teller.start()
+    try:
+        yield
+    finally:
+        teller.cancel()
 
 
 @contextmanager

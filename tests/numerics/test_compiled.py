@@ -1,5 +1,6 @@
 """Compiled code has the same bits as the plain text, or the same numbers within their bounds; who compiles when."""
 
+import io
 import threading
 
 import numpy as np
@@ -89,3 +90,21 @@ def test_one_process_compiles_while_the_others_wait(tmp_path):
 def test_a_folder_that_cannot_be_written_does_not_keep_anyone_from_compiling(tmp_path):
     (tmp_path / "file").write_text("")
     assert compiling._one_process_at_a_time(str, tmp_path / "file" / "one.lock")(3) == "3"
+
+
+@pytest.mark.parametrize("at_a_terminal", [True, False])
+def test_who_waits_at_a_terminal_for_what_is_compiled_is_told(at_a_terminal, tmp_path, monkeypatch):
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return at_a_terminal
+
+        def write(self, text):
+            written.set()
+            return super().write(text)
+
+    written, terminal = threading.Event(), Terminal()
+    monkeypatch.setattr(compiling.sys, "stderr", terminal)
+    monkeypatch.setattr(compiling, "_SOON", 0)
+    slow = compiling._one_process_at_a_time(lambda _: written.wait(60 if at_a_terminal else 0), tmp_path / "one.lock")
+    assert slow(()) is at_a_terminal
+    assert terminal.getvalue().startswith("numba compiles the solver") is at_a_terminal
