@@ -104,6 +104,9 @@ def test_what_is_rounded_once_is_off_by_that_and_its_bounds_say_so(scene):
     assert (late <= run.accuracy.t).all()
     assert (off > pairs.accuracy.y).mean() > 0.5
     assert (off >= 0.2 * run.accuracy.y).mean() > 0.5
+    with truth.arithmetic.context():
+        assert abs(truth.final_energy - run.final_energy) <= run.accuracy.energy
+        assert abs(truth.final.w - run.final.w) <= run.accuracy.energy_excess
 
 
 # the ladder

@@ -104,3 +104,13 @@ def test_axes_with_other_data_may_stop_at_one_time_that_is_known_exactly():
     scene = PlaneScene(pair, 3, v2=[1, "1.5"], force=[Force([Piece(0, [-1])]), Force([Piece(0, [-3])])])
     (event,) = solve(scene, digits=20).events
     assert (event.t, event.before, event.after) == (1, "--", "00")
+
+
+def test_a_load_where_a_force_may_just_have_changed_is_that_before_and_that_behind():
+    """Axis 0 stops at 1/3 s, no binary number, by itself; the force on axis 1 jumps then, which slips on."""
+    pair = PlanePair([1, 1], [1, 1], [1, 2], [1, 3], shape="box")
+    force = [Force([Piece(0, [-1])]), Force([Piece(0, [-3]), Piece("1/3", [5])])]
+    first = solve(PlaneScene(pair, 1, v2=["1/3", 9], force=force), digits=20).events[0]
+    assert (first.before, first.after, first.cause) == ("--", "0-", "guard")
+    assert first.load[1].contains(-1.5)
+    assert first.load[1].contains(2.5)
