@@ -16,8 +16,8 @@ def dies_of_energy_rate(name: str, context: Context) -> Plain:
 
 
 def tells_what_ctrl_c_does(name: str, context: Context) -> bool:
-    """Answer each row with whether Ctrl-C is ignored, though nothing of ours has said so in this process."""
-    return signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    """Answer each row with whether Ctrl-C is blocked, though nothing of ours has said so in this process."""
+    return signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ())
 
 
 def dies_of_two_bodies(part: parts.Part, trade: Trade) -> parts.Made:

@@ -57,6 +57,8 @@ SOLVERS = {"z3": ask_z3, "cvc5": ask_cvc5}
 def main(name: str) -> None:
     """Answer the questions on stdin, one line each."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C reaches the whole group: end without a word
+    if hasattr(signal, "pthread_sigmask"):  # what started this one may not hear it
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
     answered = cache(SOLVERS[name])  # the same text, of which every third is, has the same answer
     for line in sys.stdin:
         question = json.loads(line)

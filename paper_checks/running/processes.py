@@ -14,6 +14,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass
+from multiprocessing import resource_tracker
 from typing import Any, TypeVar
 
 Task = TypeVar("Task")
@@ -44,24 +45,32 @@ def begin(modules: Sequence[str]) -> None:
         from multiprocessing.forkserver import ensure_running  # there is none on Windows
 
         context.set_forkserver_preload(list(modules))
-        with _deaf():
+        with _put_off():
             ensure_running()
 
 
 @contextmanager
-def _deaf() -> Iterator[None]:
-    """Let a process that is started here ignore Ctrl-C from its first moment: while it loads modules, it has no word.
+def _put_off() -> Iterator[None]:
+    """Put Ctrl-C off until the end, and let a process that is started here never hear it: this one ends it.
 
-    It inherits that from this one, which ends it; so this one does not hear Ctrl-C for the milliseconds that starting takes.
+    A signal that is blocked is blocked in what is started, too (where the system can block one), from its first moment.
     """
-    if threading.current_thread() is not threading.main_thread():  # another one may not say what a signal does
-        yield
-        return
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    blocks = hasattr(signal, "pthread_sigmask")
+    if blocks:
+        resource_tracker.ensure_running()  # it would be started in here, and unblocks signals when it is
+        mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    heard: list[int] = []  # another thread, numpy's, say, may be given the signal all the same
+    main = threading.current_thread() is threading.main_thread()  # another one may not say what a signal does
+    before = signal.signal(signal.SIGINT, lambda number, _: heard.append(number)) if main else None
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before or signal.SIG_DFL)
+        if main:
+            signal.signal(signal.SIGINT, before or signal.SIG_DFL)
+        if blocks:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        if heard:
+            signal.raise_signal(signal.SIGINT)
 
 
 def answers(tasks: Sequence[Task], jobs: int, answer: Answer, given: object) -> Iterator[tuple[Task, Any]]:
@@ -108,9 +117,9 @@ class _Process:
         if self._process is not None:
             return self._pool.submit(answer, task, given)
         others = set(multiprocessing.active_children())
-        with _deaf():
+        with _put_off():
             future = self._pool.submit(answer, task, given)
-        self._process = next(iter(set(multiprocessing.active_children()) - others), None)
+            self._process = next(iter(set(multiprocessing.active_children()) - others), None)
         return future
 
     def end(self) -> int | None:

@@ -9,7 +9,7 @@ from numerics.arithmetic.pair import nearest
 from numerics.linear.columns import counted
 from numerics.linear.evolve import evaluate
 from numerics.linear.next_event import refined
-from numerics.linear.table import PRECISE, UNIT, WIDE_UNIT, count_roundings, make_tables
+from numerics.linear.table import ORDERS, PRECISE, UNIT, WIDE_UNIT, count_roundings, make_tables
 
 TERMS, H = 36, 0.125
 
@@ -46,6 +46,31 @@ def test_a_value_in_pairs_is_off_by_what_is_counted_also_where_late_terms_are_la
         assert all(a <= b for a, b in zip(off, enough, strict=True))
         too_few += any(a > b for a, b in zip(off, few, strict=True))
     assert (too_few > 30) == (late > 0)
+
+
+@pytest.mark.parametrize("side", [0, 1])
+def test_the_roundings_of_a_guard_are_all_counted_at_the_ends_of_a_step_and_enough_between(side):
+    """Slip: s = v1 - v2, of both bodies; stick: the load, of the slope of v2. c_k s^k takes 2 k + n + 4 roundings."""
+    random, n = np.random.default_rng(5), 3
+    rows = random.normal(size=(2, n, TERMS)) * 4.0 ** -np.arange(TERMS)
+    tables = make_tables(1, n, TERMS)
+    tables.rows[0, side, 0], tables.count[0] = rows, n
+    count_roundings(tables, 0, side, False)
+    sizes, k = random.uniform(0.5, 2, n), np.arange(TERMS)
+    roundings = 2 * k + n + 4
+    terms = sizes @ (roundings * (k * np.abs(rows).sum(axis=0) if side == 0 else k * (k - 1) * np.abs(rows[1])))
+    for order in range(ORDERS):
+        left = terms[1 + side + order :]  # where coefficients vanish at the start, s^order is taken out
+        sums = (tables.slip_own if side == 0 else tables.load_own)[0, order]
+        for s in (0.0, 1e-3, 0.1, 0.5, 0.9, 1.0):
+            found, true = counted(sums, sizes, n, s), float(left @ s ** np.arange(len(left)))
+            assert found == pytest.approx(true, rel=1e-12) if s in {0.0, 1.0} else found > true
+        # two terms are their chord: nothing is added between the ends
+        tables.rows[0, side, 0, :, :, 3 + side + order :] = 0.0
+        count_roundings(tables, 0, side, False)
+        assert counted(sums, sizes, n, 0.25) == pytest.approx(float(left[0] + left[1] / 4), rel=1e-12)
+        tables.rows[0, side, 0] = rows
+        count_roundings(tables, 0, side, False)
 
 
 @pytest.mark.parametrize("order", [0, 2])

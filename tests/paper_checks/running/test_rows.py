@@ -273,12 +273,26 @@ def started(request, monkeypatch):
     return processes.method().get_start_method()
 
 
-def test_ctrl_c_is_ignored_by_a_process_that_still_loads_the_checks(started):
+def test_ctrl_c_is_not_heard_by_a_process_that_still_loads_the_checks(started):
     claims = [claim_named(name) for name in QUICK[:2]]
     before = signal.getsignal(signal.SIGINT)
     assert list(workers.found(claims, Context(), 1, tells_what_ctrl_c_does)) == [True, True]
     assert signal.getsignal(signal.SIGINT) is before
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
     assert started in {"forkserver", "spawn"}
+
+
+@pytest.mark.parametrize("elsewhere", [False, True])
+def test_ctrl_c_while_a_process_is_started_is_not_lost(elsewhere, monkeypatch):
+    def interrupts(*_):
+        if elsewhere:  # the system gave the signal to another thread, for which Python calls the handler here
+            signal.getsignal(signal.SIGINT)(signal.SIGINT, None)
+        else:
+            signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr(processes.ProcessPoolExecutor, "submit", interrupts)
+    with pytest.raises(KeyboardInterrupt):
+        list(processes.answers(["energy-rate"], 1, tells_what_ctrl_c_does, Context()))
 
 
 def test_what_fails_prints_its_traceback_where_that_is_asked_for(capsys):
