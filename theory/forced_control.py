@@ -13,7 +13,6 @@ from sympy import (
     expand,
     factor,
     integrate,
-    simplify,
     sin,
     solve,
     sqrt,
@@ -203,7 +202,7 @@ def ring_ratio() -> Expr:
 def ring_radius() -> Expr:
     """The largest |w| in N <= epsilon, m/s: sqrt(c^T G^-1 c) epsilon with w = c^T z and the energy metric G."""
     gradient = ImmutableMatrix([diff(guard(), one) for one in STATE])
-    return simplify(sqrt((gradient.T * metric().inv() * gradient)[0])) * tolerance
+    return sqrt((gradient.T * metric().inv() * gradient)[0]) * tolerance
 
 
 def path_per_energy() -> Expr:

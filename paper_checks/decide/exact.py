@@ -80,10 +80,13 @@ def simplifies_to_zero(expression: sp.Expr) -> bool:
 
 
 def _with_simple_roots(expression: sp.Expr) -> sp.Expr:
-    """Return the expression with what its roots are taken of rewritten, sin^2 + cos^2 as 1."""
-    return expression.replace(
-        lambda part: part.is_Pow and part.exp.is_Rational, lambda part: sp.trigsimp(part.base) ** part.exp
-    )
+    """Return the expression with 1 - cos^2 for sin^2 in what its roots are taken of."""
+
+    def rooted(part: sp.Expr) -> sp.Expr:
+        squares = {one**2: 1 - sp.cos(one.args[0]) ** 2 for one in part.base.atoms(sp.sin)}
+        return sp.expand(part.base.xreplace(squares)) ** part.exp
+
+    return expression.replace(lambda part: part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer, rooted)
 
 
 def _evidence(statement: str, passed: bool | None, cases: int, value: str, assumptions: tuple[str, ...]) -> Evidence:
