@@ -176,7 +176,7 @@ class Scene(ShortRepr):
 
     @property
     def is_forced(self) -> bool:
-        """Return whether anything acts on the paper's free pair: a force but 0, or a friction that is not one number b."""
+        """Return whether anything acts on the paper's free pair: a force but 0, or friction other than one number b."""
         pushes = any(piece.polynomial or piece.sines for piece in self.force.pieces)
         return bool(pushes or self.friction.pieces or self.friction.weakening)
 
