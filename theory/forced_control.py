@@ -7,7 +7,6 @@ from sympy import (
     ImmutableMatrix,
     Symbol,
     acos,
-    cancel,
     cos,
     diff,
     exp,
@@ -24,6 +23,7 @@ from sympy import (
 from theory.energy import metric, slip_rate
 from theory.filippov import STATE, guard
 from theory.forced_response import decline, natural, swing
+from theory.fraction import in_lowest_terms
 from theory.linear import root
 from theory.model import slip, stick
 from theory.scaling import stick_frequency
@@ -209,4 +209,4 @@ def ring_radius() -> Expr:
 
 def path_per_energy() -> Expr:
     """|dz/dE| at most, m/J: how far the free pair, z = x1 - x2, slips for its energy where no damper takes a share."""
-    return cancel(-guard() / slip_rate(1).subs(a1, 0))
+    return in_lowest_terms(-guard() / slip_rate(1).subs(a1, 0))
