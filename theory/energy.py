@@ -11,7 +11,6 @@ from sympy import (
     diff,
     factor,
     simplify,
-    solve,
     sqrt,
 )
 
@@ -73,7 +72,8 @@ def on_surface() -> Expr:
 @cache
 def level_semi_axis() -> Expr:
     """Semi-axis along x1 of the ellipse {E = E0} on S, m: where the ellipse meets v1 = v2 = 0."""
-    return max(solve(on_surface().subs(v1, 0) - E0, x1), key=lambda root: root.subs({E0: 1, a2: 1}))
+    square = Symbol("x^2", positive=True)
+    return sqrt(root(on_surface().subs({v1: 0, x1: sqrt(square)}) - E0, square))
 
 
 @cache

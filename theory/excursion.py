@@ -32,6 +32,7 @@ from sympy import (
 from theory.closed_forms import Regime, rate, rates, solution
 from theory.fraction import in_lowest_terms
 from theory.linear import root
+from theory.power_series import taylor
 from theory.scaling import canonical_pair, excess
 from theory.symbols import V1, V2, X, epsilon, h_value, overshoot, q, r, t, theta, v1_0, v2_0, x1_0
 
@@ -134,7 +135,7 @@ def half_angle_slope() -> tuple[Expr, Expr]:
 @cache
 def h_limits() -> tuple[Expr, Expr]:
     """Limits of h at both ends of (0, 2 pi)."""
-    return limit(h(), theta, 0, "+"), limit(h(), theta, 2 * pi, "-")
+    return taylor(h(), theta, 1), limit(h(), theta, 2 * pi, "-")
 
 
 @dataclass(frozen=True)
@@ -157,7 +158,7 @@ class Excursion:
 @cache
 def displacement_of_angle() -> Expr:
     """D(theta): the relative displacement of an excursion over q, from the integral of the guard."""
-    path = integrate(-slip_from_ray().guard * sqrt(q), (theta, 0, theta))
+    path = integrate(expand(-slip_from_ray().guard * sqrt(q)), (theta, 0, theta))
     return on_circle(expand(path / q).subs(epsilon, sqrt(q) * h()))
 
 

@@ -91,7 +91,7 @@ def size_squared(impedance: Expr) -> Expr:
 def entrained_amplitude() -> Expr:
     """U*, N: the amplitude at which the stuck response needs all of the friction, omega^2 |x1| = b/m2."""
     place = amplitude / sqrt(size_squared(stuck_impedance()))
-    return solve(m2 * omega**2 * place - b, amplitude)[0]
+    return root(m2 * omega**2 * place - b, amplitude)
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Rational expressions as quotients of polynomials without a common factor: exact, and much quicker than sympy's `cancel`.
+"""Rational expressions as quotients of polynomials without a common factor: exact, much quicker than sympy's `cancel`.
 
 Sympy expands whole numerators and denominators before it looks for common factors; here every sum and product on the
 way is reduced at once, in a field of fractions.

@@ -68,7 +68,9 @@ def to_si(expression: Expr) -> Expr:
 def reduced_field(field: ImmutableMatrix) -> ImmutableMatrix:
     """A field on (x1, v1, v2) as d(X, V1, V2)/dtau, dimensionless: no unit may remain."""
     units = (L * Omega, L * Omega**2, L * Omega**2)
-    return ImmutableMatrix([in_lowest_terms(to_reduced(entry) / unit) for entry, unit in zip(field, units, strict=True)])
+    return ImmutableMatrix(
+        [in_lowest_terms(to_reduced(entry) / unit) for entry, unit in zip(field, units, strict=True)]
+    )
 
 
 @cache

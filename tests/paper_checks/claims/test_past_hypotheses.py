@@ -115,3 +115,30 @@ def test_a_body_2_at_rest_is_met_before_the_heavy_damper_has_settled():
     assert run.modes == (Mode.SLIP_MINUS, Mode.STICK)
     place, velocity = run.events[0].y[:2]
     assert 0.9 < abs(float(place) + 1000 * float(velocity)) / 2 < 1
+
+
+def landing(share, excess):
+    """Return y = w/q at the first re-entry of a pair with r = share that left a ray with y = excess; by bisection."""
+    q, gap, push = 1 - share, 0.0, math.sqrt(excess)
+    while True:
+        low, high = 1e-9, 2 * math.pi - 1e-9
+        for _ in range(60):
+            angle = (low + high) / 2
+            rise = (angle - math.sin(angle)) / (1 - math.cos(angle))
+            low, high = (low, angle) if rise > push + gap / math.tan(angle / 2) else (angle, high)
+        k = 1 / math.tan(angle / 2)
+        reach = 2 - angle * k + gap
+        if reach <= 2 / q:
+            return rise**2 - 2 * (1 - rise * k) * reach + (k**2 + q) * reach**2
+        gap, push = reach - 2 / q, rise + k * reach
+
+
+def test_at_the_critical_share_more_than_one_energy_merges_in_the_end():
+    """The one energy that merges by its first slip is where another one lands, between y = 25 and y = 36 on the ray."""
+    share, angle = 0.557839090721526312, 2 * 1.89863787162680043
+    merging = ((angle - math.sin(angle)) / (1 - math.cos(angle))) ** 2
+    assert landing(share, merging) == pytest.approx(0, abs=1e-12)
+    assert landing(share, 25) < merging < landing(share, 36)
+    assert "at $r^*$ it does from some energies" in (
+        Path(__file__).parents[3] / "notebooks" / "past_the_paper.py"
+    ).read_text(encoding="utf-8")
