@@ -49,7 +49,7 @@ class Dense:
             end = self.of.end_time
             wrong = given[~((given >= 0) & (given <= end))]
             if wrong.size:
-                self._refuse(f"{wrong.flat[0]:g}")
+                self._refuse(str(wrong.flat[0]).removesuffix(".0"))
             return given
         given = np.asarray(t, dtype=object)
         found = np.empty(given.shape, dtype=float if self.in_floats else object)
@@ -67,12 +67,12 @@ class Dense:
             return t
         exact = exact_time(t)
         if not 0 <= exact <= max(until, Fraction(to_float(end))):
-            self._refuse(f"{float(exact):g}")
+            self._refuse(str(t)[:40])
         return self.arithmetic.number(exact)
 
     def _refuse(self, t: str) -> None:
         end = self.arithmetic.to_float(self.of.end_time)
-        raise ValueError(f"t = {t} s is outside the solved time [0, {end:g}] s")
+        raise ValueError(f"t = {t} s is outside the solved time [0, {end:g}] s; solve further")
 
     def middle(self, x: Number) -> Number:
         """Return x itself, or the midpoint of a ball: a float would not tell the ends of a short slip apart."""

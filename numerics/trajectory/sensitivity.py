@@ -240,7 +240,7 @@ def _time(trajectory: Trajectory, t: Any) -> arb:
     """Return a time (s) as a ball. Raises ValueError outside [0, end]."""
     end, time = trajectory.end_time, _ball(t if isinstance(t, arb) or hasattr(t, "man_exp") else exact_time(t))
     if time < 0 or time > _ball(trajectory.scene.until if trajectory.reached else end):
-        raise ValueError(f"t = {float(time):g} s is outside the solved time [0, {float(end):g}] s; solve further")
+        raise ValueError(f"t = {str(t)[:40]} s is outside the solved time [0, {float(end):g}] s; solve further")
     return time
 
 
