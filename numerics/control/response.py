@@ -17,7 +17,7 @@ from flint import acb, arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball
-from numerics.control.answers import KEPT_DIGITS, Claim, Tell, most_digits, number, rounded, silent
+from numerics.control.answers import KEPT_DIGITS, Claim, Tell, most_digits, number, require_digits, rounded, silent
 from numerics.control.coexisting import MAX_EVENTS, search
 from numerics.control.orbit import Drive, Orbit, solve_orbit
 from numerics.control.stuck import (
@@ -148,13 +148,14 @@ def response(
 
     Raises InvalidScene (a force that is not periodic, friction by place), EventUndecided (nothing was proved at the cap
     on digits, by default 16 times as many as are asked for), NotSettled (a period has too many events),
-    PrecisionExhausted, TypeError (no scene).
+    PrecisionExhausted, TypeError (no scene), ValueError (digits).
 
     >>> from numerics import load_scene
     >>> found = response(load_scene("forced-sine-stick-slip"), digits=8)
     >>> found.regime.name, found.attraction, found.thresholds.entrainment.str(6, radius=False)
     ('STICK_SLIP', 'every motion tends to it', '0.300167')
     """
+    require_digits(digits, max_digits=max_digits, max_events=max_events)
     if isinstance(scene, PlaneScene):
         if amplitude is None or omega is None:
             size, rate = rotating_force(scene, digits)

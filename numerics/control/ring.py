@@ -21,7 +21,7 @@ from flint import arb
 
 from numerics.arithmetic.attempts import to_digits
 from numerics.arithmetic.ball import Ball, precision, undecided, working_digits
-from numerics.control.answers import Tell, most_digits, not_negative, number, silent
+from numerics.control.answers import Tell, most_digits, not_negative, number, require_digits, silent
 from numerics.control.attraction import Passage, distance, passage_at, passages, slide_left
 from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
@@ -76,13 +76,14 @@ def ring_entry(
     """Return when the relative motion enters for good the ring of a radius (m) > 0; w counts as w/rate, rate (1/s) > 0.
 
     `tell` hears what is being done. Raises InvalidScene, EventUndecided (the motion touches the ring), NotSettled (it
-    settles too late, or not for certain), PrecisionExhausted, TypeError. max_digits is as in `response`.
+    settles too late, or not for certain), PrecisionExhausted, TypeError, ValueError. max_digits is as in `response`.
 
     >>> from numerics import load_scene
     >>> ring_entry(load_scene("velocities"), "0.001").entry.str(8, radius=False)
     '4.7556413'
     """
     require_kind("ring_entry", scene, Scene, BUILD)
+    require_digits(digits, max_digits=max_digits)
     size, per = exact_decimal(radius, "radius"), exact_decimal(rate, "rate")
     for name, one in (("radius", size), ("rate", per)):
         if one <= 0:

@@ -108,6 +108,23 @@ def test_every_function_says_what_it_raises_and_has_an_example(name):
     assert "Raise" in told or name == "scene_text"
 
 
+@pytest.mark.parametrize("wrong", [{"digits": 0}, {"digits": "9"}, {"max_digits": 1.5}])
+@pytest.mark.parametrize(
+    ("name", "of"),
+    {
+        "solve": (PAPER,),
+        "response": (numerics.load_scene("forced-sine-stick-slip"),),
+        "thresholds": (PAPER.pair, 5),
+        "track": (numerics.load_scene("at-rest"), numerics.load_reference("s-curve")),
+        "fastest_transfer": (numerics.load_scene("at-rest"), "0.1"),
+        "ring_entry": (PAPER, "0.001"),
+    }.items(),
+)
+def test_digits_that_are_no_whole_number_are_refused_by_name(name, of, wrong):
+    with pytest.raises(ValueError, match=next(iter(wrong)) + " = "):
+        getattr(numerics, name)(*of, **wrong)
+
+
 @pytest.mark.parametrize("given", [PAPER.pair, None, "velocities"])
 def test_what_is_no_scene_is_told_how_to_build_one(given):
     with pytest.raises(TypeError, match=r"build Scene\(Pair\(\.\.\.\)"):
