@@ -79,12 +79,13 @@ def _text_and_file(name_or_path: Any, folder: str, what: str, form: str) -> tupl
         shown = f"{str(name_or_path)[:40]!r}, {type(name_or_path).__name__}"
         raise InvalidScene(f"a {what} is named by text or a path, not {shown}; give {form} or a shipped name")
     name, known = os.fspath(name_or_path), _names_in(folder)
+    shipped = ", ".join(known) if len(known) < 9 else "those that `inertial-pair scenes` lists"
     if not name:
-        raise InvalidScene(f"the name of the {what} is empty; give {form} or one of: {', '.join(known)}")
+        raise InvalidScene(f"the name of the {what} is empty; give {form} or one of {shipped}")
     if name in known:
         return (resources.files("numerics") / "scene" / folder / f"{name}.toml").read_text("utf-8"), ""
     near = difflib.get_close_matches(name, known, n=3, cutoff=0.6)
-    remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of: {', '.join(known)}"
+    remedy = f"did you mean {', '.join(near)}?" if near else f"give {form} or one of {shipped}"
     return _text_of(Path(name), what, remedy), "standard input" if name == "-" else repr(name)
 
 
