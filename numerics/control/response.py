@@ -254,7 +254,9 @@ def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
     why = "every motion tends to it, and sticks after a finite time"
     if not drive.has_one_motion and pair.a1 > 0:
         why = "motions next to it tend to it, and stick after a finite time"
-    if pair.a1 == 0:
+    touches = len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0
+    others = known is not None and known.exception is not None
+    if pair.a1 == 0 and (others or not touches):
         why = "not all motions tend to it: a free oscillation of the stuck pair stays"
         if known is not None and known.exception is not None:
             up_to = f"up to {known.exception.str(6, radius=False)} N, as Omega/omega is odd"
@@ -262,7 +264,7 @@ def _entrained(drive: Drive, known: Thresholds | None, digits: int) -> Response:
                 "not all motions do; the response breaks, but with a free oscillation that flattens the load's peaks"
             )
             why = f"{why}; others stick {up_to}" if entrained(drive) else f"{breaks} they stick {up_to}"
-    elif len(sines) == 1 and load_margin(pair, sines[0].amplitude, sines[0].omega) == 0:
+    elif touches:
         tend = "every motion tends to it" if drive.has_one_motion else "what tends to it is open"
         multipliers, why = None, f"{tend}; its load touches the limit"
     return Response(drive, Regime.ENTRAINED, known, None, multipliers, arb(0), arb(0), why, digits)

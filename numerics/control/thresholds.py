@@ -1,4 +1,4 @@
-"""Thresholds of a force U sin(omega t + phase): up to U* it may stick for ever, only from U** on slip for ever.
+"""Thresholds of a force U sin(omega t + phase): sticking for ever needs U <= U*, slip with two turns a period U >= U**.
 
 With beta = b/m2, M = m1 + m2 and Z(m) = |a2 - m omega^2 + i a1 omega|:
 

@@ -81,7 +81,7 @@ def parameters(scene: Scene) -> dict[str, Fraction]:
     `friction[0].b`; `weakening.speed[0].w` (`b`), `weakening.place[0].z` (`c`), `weakening.last_slope`.
     """
     found = {name: getattr(scene.initial if name in WRT[:4] else scene.pair, name) for name in WRT}
-    if not scene.is_forced:
+    if not (scene.force.pieces or scene.is_forced):
         return found
     found["until"] = scene.until
     for index, piece in enumerate(scene.force.pieces):

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from mpmath.ctx_mp import MPContext
 
-from numerics.linear.pieces import particular
+from numerics.linear.pieces import particular, pieces_of
 from numerics.scene import Pair, Scene
 
 SHORT = 2.0**-11
@@ -93,14 +93,11 @@ class Spell(NamedTuple):
 def spells(scene: Scene) -> Iterator[Spell]:
     """Yield the spells that begin before the end."""
     pair = scene.pair
-    starts = {Fraction(0), *scene.force.starts, *scene.friction.starts}
-    for start in sorted(one for one in starts if one < scene.until):
-        piece = scene.force.piece_at(start)
-        nothing = Fraction(0)
+    nothing = Fraction(0)
+    for piece in pieces_of(scene):
         tones = tuple(Tone(one.amplitude, nothing, nothing, nothing, one.omega, one.phase) for one in piece.sines)
         force = Steady(piece.start, piece.polynomial, tones)
-        b = next((b for at, b in reversed(scene.friction.pieces) if at <= start), pair.b)
-        yield Spell(start, b, force, _answer(pair, pair.m1, force), _answer(pair, pair.mass, force))
+        yield Spell(piece.start, piece.b, force, _answer(pair, pair.m1, force), _answer(pair, pair.mass, force))
 
 
 def _answer(pair: Pair, mass: Fraction, force: Steady) -> Steady:
