@@ -151,7 +151,8 @@ def parse_scene(text: str, file: str = "") -> Scene:
     if on_surface:  # what is asked of a Scene is refused by its type
         if weakening:
             raise InvalidScene("[weakening] is for bodies on one line; leave it out, or give scalars in [pair]")
-        return cast("Scene", plane_scene(tables, lambda one, number: _in_place(_force_piece, one, number)))
+        changes = [_in_place(_start_and_b, one, number, "friction") for number, one in enumerate(friction, start=1)]
+        return cast("Scene", plane_scene(tables, lambda one, number: _in_place(_force_piece, one, number), changes))
     return Scene(
         Pair(**pair),
         State(**initial),
@@ -195,8 +196,12 @@ def _force_piece(table: dict[str, Any]) -> Piece:
 
 def _friction_piece(table: dict[str, Any]) -> tuple[Fraction, Fraction]:
     """Return one piece of friction, checked by itself."""
-    ((start, b),) = Friction([(_given(table, "from", "friction"), _given(table, "b", "friction"))]).pieces
+    ((start, b),) = Friction([_start_and_b(table)]).pieces
     return start, b
+
+
+def _start_and_b(table: dict[str, Any]) -> tuple[Any, Any]:
+    return _given(table, "from", "friction"), _given(table, "b", "friction")
 
 
 def _list(table: dict[str, Any], key: str) -> list[Any]:

@@ -10,6 +10,7 @@ import reprlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from fractions import Fraction
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,7 +23,7 @@ from numerics.scene import Force, Friction, Law, Pair, Piece, Scene, Sine, State
 from numerics.scene.decimals import require_function, require_whole
 from numerics.scene.model import NO_FORCE, SAME_FRICTION
 from numerics.solver.batch import SI, Batch
-from numerics.solver.rows import Chunk, Columns, room
+from numerics.solver.rows import Chunk, Columns, form_ledgers, room
 from numerics.tasks import available_cores
 from numerics.trajectory.run import MAX_EVENTS
 
@@ -233,21 +234,30 @@ def _solved(
             return exact(start + row)
 
         chunks.append(Chunk(own, exact_here, ends[part], kept[part], literal, limits.max_events))
-    for count in _in_threads(chunks, limits.jobs):
+    for count in _in_threads([chunk.solve for chunk in chunks], limits.jobs):
         done += count
         if limits.progress is not None:
             limits.progress(done, len(table))
-    return Batch(table, ends, kept, shape)
+    form = None if columns is None else partial(_form_ledgers, columns, literal, limits.max_events, limits.jobs)
+    return Batch(table, ends, kept, shape, form)
 
 
-def _in_threads(chunks: list[Chunk], jobs: int | None) -> Iterator[int]:
+def _form_ledgers(columns: Columns, literal: bool, max_events: int, jobs: int | None, ends: Table) -> None:
+    """Form the ledgers that the runs have left out, in chunks."""
+    size = _chunk(len(ends), jobs)
+    parts = [slice(start, start + size) for start in range(0, len(ends), size)]
+    tasks = [partial(form_ledgers, columns.part(one), literal, max_events, ends[one]) for one in parts]
+    list(_in_threads(tasks, jobs))
+
+
+def _in_threads(tasks: Sequence[Callable[[], int]], jobs: int | None) -> Iterator[int]:
     """Yield how many scenes each chunk had, as they finish; compiled code runs in threads, Python in turn."""
-    if jobs == 1 or len(chunks) <= 1 or not can_compile():
-        yield from map(Chunk.solve, chunks)
+    if jobs == 1 or len(tasks) <= 1 or not can_compile():
+        yield from (task() for task in tasks)
         return
-    pool = ThreadPoolExecutor(min(jobs or available_cores(), len(chunks)))
+    pool = ThreadPoolExecutor(min(jobs or available_cores(), len(tasks)))
     try:
-        futures: list[Future[int]] = [pool.submit(chunk.solve) for chunk in chunks]
+        futures: list[Future[int]] = [pool.submit(task) for task in tasks]
         for future in as_completed(futures):
             yield future.result()
     finally:

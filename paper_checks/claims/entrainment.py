@@ -156,7 +156,7 @@ def _gain() -> Expr:
 
 OPEN = (
     "That each amplitude between $U_*$ and $U_{**}$ has just one motion with two stops, and that its conditions hold on the whole branch, is not proved.",
-    "Motions that slip for ever and turn at other times than after each half period of the force are not treated for $a_1=0$.",
+    "Motions that slip for ever and turn at other times than after each half period of the force are not treated, with a damper or without: whether $U_{**}$ is the least amplitude for those, too, is open.",
 )
 
 

@@ -78,6 +78,7 @@ FOR_THE_HOUSE = {
     "dense",
     "energy_of",
     "event_rows",
+    "floats",
     "frame",
     "made",
     "of",

@@ -142,3 +142,28 @@ def test_at_the_critical_share_more_than_one_energy_merges_in_the_end():
     assert "at $r^*$ it does from some energies" in (
         Path(__file__).parents[3] / "notebooks" / "past_the_paper.py"
     ).read_text(encoding="utf-8")
+
+
+def late_rest(share, count):
+    """Return the rest R_n of the 1/t law for r = share from y_0 = (pi/2 - 1)^2, its cycles summed one by one."""
+    q, y, angle, rest = 1 - share, (math.pi / 2 - 1) ** 2, math.pi / 2, 0.0
+    for _ in range(count):
+        push = math.sqrt(y)
+        for _ in range(3):
+            versine, depth = 2 * math.sin(angle / 2) ** 2, 2 - angle / math.tan(angle / 2)
+            angle -= ((angle - math.sin(angle)) / versine - push) * versine / depth
+        depth = 2 - angle / math.tan(angle / 2)
+        lost = share * depth**2
+        place, speed = 1 - q * depth, math.sqrt(q) * (push - angle)
+        time = math.sqrt(q) * angle - math.atan(math.sqrt(q * (y - lost))) + math.atan(speed / place)
+        gain = 4 * lost / (9 * share * y * (y - lost)) - 1 + (1 - 2 / (5 * share)) * math.log1p(-lost / y)
+        rest, y = rest + math.pi * gain - time, y - lost
+    return rest
+
+
+def test_the_lower_bound_of_the_rest_needs_its_factor():
+    """From r = 0.02 to 0.01 the rest falls by what pi/r times the integral of 4/(9 y^2) + 2/(5 y) - 1/c^2 falls by."""
+    integral = -0.0136878 / math.pi  # over all y up to (pi/2 - 1)^2, from 30 digits
+    fallen = late_rest(0.01, 8000) - late_rest(0.02, 4000)
+    assert fallen == pytest.approx(math.pi * integral * (100 - 50), rel=0.05)
+    assert "The lower one does" in " ".join(claim_named("rate-with-error").open)
