@@ -160,7 +160,7 @@ def _from_rest(scene: Scene) -> Steps:
     needed = m2 * undamped(free(stick().acceleration1))
     edge = scene.pair.half_width
     hair = replace(
-        scene, initial=State(x1=edge + Fraction(1, 10**300)), until=1
+        scene, initial=State(x1=edge + Fraction(1, 10**300)), until=Fraction(1)
     )  # a second has the events that are shown
     return (
         identity(
