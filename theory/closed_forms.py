@@ -17,7 +17,6 @@ from sympy import (
     cosh,
     diff,
     exp,
-    expand,
     integrate,
     sin,
     sinh,
@@ -143,7 +142,7 @@ def residual(found: ModeSolution) -> tuple[Expr, ...]:
     system = equations + tuple(entry.subs(t, 0) for entry in initial)
     known = coefficients(found.mode, found.regime)
     # Linear in the independent functions t, exp, cos, ... with rational coefficients: cancelling decides.
-    return tuple(in_lowest_terms(expand(entry.subs(known, simultaneous=True))) for entry in system)
+    return tuple(in_lowest_terms(entry.subs(known, simultaneous=True)) for entry in system)
 
 
 @cache

@@ -10,7 +10,6 @@ from sympy import (
     diag,
     diff,
     factor,
-    simplify,
     sqrt,
 )
 
@@ -157,4 +156,4 @@ def dwell_time_bound() -> Expr:
     """
     largest = sqrt(2 * E0 / diff(energy(), v2, 2))
     rate = undamped(slip(1).field)[2]
-    return simplify(2 * largest / rate)
+    return 2 * largest / rate

@@ -30,7 +30,7 @@ from sympy import (
 )
 
 from theory.closed_forms import Regime, rate, rates, solution
-from theory.fraction import in_lowest_terms
+from theory.fraction import factored, in_lowest_terms
 from theory.linear import root
 from theory.power_series import taylor
 from theory.scaling import canonical_pair, excess
@@ -49,7 +49,7 @@ def half_tangent_form(expression: Expr) -> Expr:
     """
     k = half_tangent
     circle = {sin(theta): 2 * k / (1 + k**2), cos(theta): (1 - k**2) / (1 + k**2)}
-    return factor(in_lowest_terms(expand_trig(expression).xreplace(circle)))
+    return factored(expand_trig(expression).xreplace(circle))
 
 
 def on_circle(expression: Expr) -> Expr:

@@ -7,7 +7,7 @@ way is reduced at once, in a field of fractions.
 from collections.abc import Mapping
 from typing import Any
 
-from sympy import ZZ, Expr, Rational
+from sympy import ZZ, Expr, Rational, factor
 from sympy.polys.fields import FracField
 
 
@@ -23,6 +23,11 @@ def in_lowest_terms(expression: Expr) -> Expr:
     field = FracField(letters, ZZ)
     found = _value(expression, dict(zip(letters, field.gens, strict=True)), field)
     return found.numer.as_expr() / found.denom.as_expr()
+
+
+def factored(expression: Expr) -> Expr:
+    """The expression in lowest terms, numerator and denominator as products; exact."""
+    return factor(in_lowest_terms(expression))
 
 
 def _letters(part: Expr) -> dict[Expr, None]:

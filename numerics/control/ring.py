@@ -27,8 +27,6 @@ from numerics.control.orbit import Drive, Orbit
 from numerics.control.response import last_drive, response
 from numerics.errors import EventUndecided, InvalidScene, NotSettled
 from numerics.free.resting_place import creeping_place
-from numerics.linear.cells import mode_in
-from numerics.linear.pieces import pieces_of
 from numerics.linear.system import X1, X2, Row, W
 from numerics.scene import Scene
 from numerics.scene.decimals import Exact, exact_decimal, short
@@ -221,11 +219,7 @@ def periodic_settled(trajectory: Trajectory, orbit: Orbit, near: float) -> Settl
 
 def stretches(trajectory: Trajectory) -> list[Passage]:
     """Return the motions of a trajectory in balls, from t = 0 to its horizon; in the arithmetic's context."""
-    scene, pieces = trajectory.scene, pieces_of(trajectory.scene)
-    return [
-        Passage(one.start, one.end, mode_in(scene, pieces[one.piece], one.side, one.cell).motion(one.state, one.start))
-        for one in legs(trajectory)
-    ]
+    return [Passage(one.start, one.end, one.motion(trajectory.scene)) for one in legs(trajectory)]
 
 
 def _last_on_ring(trajectory: Trajectory, known: Settled, radius: Fraction, rate: Fraction) -> arb:

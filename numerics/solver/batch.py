@@ -116,7 +116,7 @@ class Batch:
     def _how(self) -> NDArray[np.int64]:
         return self.ends[:, AT["how"]].astype(np.int64).reshape(self.shape)
 
-    @property
+    @cached_property
     def _gone(self) -> NDArray[np.bool_]:
         return np.asarray(self._how == How.OUT_OF_RANGE)
 

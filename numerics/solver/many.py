@@ -28,6 +28,7 @@ from numerics.tasks import available_cores
 from numerics.trajectory.run import MAX_EVENTS
 
 _POSITIVE = ("m1", "m2", "a2", "b", "until")
+_FLOATS = np.finfo(np.float64)
 _CHUNK = 4096
 """Scenes in a chunk at most: their rows fit into a core's cache."""
 _TOO_FEW = 256
@@ -276,9 +277,11 @@ def _columns(named: dict[str, ArrayLike], terms: int) -> tuple[Columns, tuple[in
     arrays = {name: np.asarray(_numbers(name, values)) for name, values in named.items()}
     shape = _common_shape(arrays)
     wide = np.zeros((*shape, len(arrays)))
-    for index, (name, array) in enumerate(arrays.items()):
+    for index, array in enumerate(arrays.values()):
         wide[..., index] = array
-        _refuse(name, array)
+    if not (wide.size and _allowed(wide, np.array([_least(name) for name in arrays])).all()):
+        for name, array in arrays.items():
+            _refuse(name, array)
     flat = wide.reshape(-1, len(arrays))
     table = np.zeros((len(flat), 2 * len(SI)))
     table[:, ::2] = flat[:, : len(SI)]
@@ -315,10 +318,21 @@ def _numbers(name: str, values: Any) -> Table | float:
 
 def _refuse(name: str, array: Table) -> None:
     """Raise InvalidScene, naming the first number that is out of bounds, if there is one."""
-    positive = name in _POSITIVE or name.endswith(".omega")
-    wrong = ~np.isfinite(array) | ((array <= 0) if positive else (array < 0) & (name == "a1"))
+    least = _least(name)
+    wrong = ~_allowed(array, least)
     if np.any(wrong):
         first = tuple(int(i) for i in np.argwhere(wrong)[0])
         place = f"{name}{list(first) if first else ''} = {array[first]:g}"
-        bound = "> 0 and finite" if positive else ">= 0 and finite" if name == "a1" else "finite"
+        bound = "finite" if least < 0 else ">= 0 and finite" if least == 0 else "> 0 and finite"
         raise InvalidScene(f"{place} must be {bound}; correct it, or leave that scene out")
+
+
+def _least(name: str) -> float:
+    """Return the least number that a quantity may be."""
+    if name in _POSITIVE or name.endswith(".omega"):
+        return float(_FLOATS.smallest_subnormal)
+    return 0.0 if name == "a1" else float(_FLOATS.min)
+
+
+def _allowed(array: Table, least: Any) -> NDArray[np.bool_]:
+    return np.asarray((array >= least) & (array <= _FLOATS.max))

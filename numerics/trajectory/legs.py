@@ -8,7 +8,11 @@ from typing import NamedTuple
 from flint import arb
 
 from numerics.arithmetic.ball import Ball
+from numerics.linear.cells import mode_in
+from numerics.linear.pieces import pieces_of
 from numerics.linear.record import Knot
+from numerics.linear.system import Motion
+from numerics.scene import Scene
 from numerics.trajectory.trajectory import Trajectory
 
 
@@ -28,6 +32,10 @@ class Leg(NamedTuple):
     """Whether its piece begins there."""
     cell: tuple[int, int]
     """Of a slip whose friction depends on the state (linear/cells.py)."""
+
+    def motion(self, scene: Scene) -> Motion:
+        """Return the motion from its start on, of the scene to which it belongs."""
+        return mode_in(scene, pieces_of(scene)[self.piece], self.side, self.cell).motion(self.state, self.start)
 
 
 def legs(trajectory: Trajectory) -> list[Leg]:
