@@ -67,7 +67,7 @@ class Dense:
             return t
         exact = exact_time(t)
         if not 0 <= exact <= max(until, Fraction(to_float(end))):
-            self._refuse(f"{float(exact):g}")
+            self._refuse(short(exact))
         return self.arithmetic.number(exact)
 
     def _refuse(self, t: str) -> None:
