@@ -4,12 +4,13 @@ import math
 from fractions import Fraction
 
 import pytest
-from flint import arb
+from flint import arb, arb_poly
 
-from numerics import Force
+from numerics import Force, Piece
 from numerics.arithmetic.ball import Ball
 from numerics.errors import EventUndecided
 from numerics.plane.coupled import BoxRun
+from numerics.plane.polynomial import first_root
 from numerics.plane.reduced import reduced
 from numerics.plane.run import Run
 from numerics.plane.states import States
@@ -96,3 +97,55 @@ def test_an_end_right_after_the_beginning_of_another_slip_is_in_doubt(after, is_
     else:
         with pytest.raises(EventUndecided, match="which axis"):
             said(scene, 1e-9)
+
+
+def test_where_a_slip_ends_with_a_load_that_may_just_be_outside_is_in_doubt():
+    """The load of axis 0 falls at 200 N/s and is 7e-8 N inside when the slip ends, which is known to 7e-10 s."""
+    pair = PlanePair(1, 1, [[200, 1], [1, 200]], "0.5", shape="box")
+
+    def ends(push):
+        force = [Force([Piece(0, [push, -400])])]
+        return PlaneScene(pair, "0.002", v1=["0.0018", "0.5"], force=force)
+
+    def missed(push):
+        """By how much the load at the end of the slip is not where it is to be."""
+        return Fraction(float(said(ends(push))[0][0].load[0].mid())) - Fraction(-1, 2) - Fraction(7, 10**8)
+
+    push, before = Fraction("-0.6"), Fraction("-0.59")
+    for _ in range(4):
+        found, gap = missed(push), push - before
+        push, before = push - found * gap / (found - missed(before)), push
+    assert said(ends(push))[0][0].after == "0+"
+    with pytest.raises(EventUndecided, match="where the slip ends"):
+        said(ends(push), 1e-9)
+
+
+def test_what_slips_moves_body_2_while_an_event_is_late():
+    """Body 1 is at rest: only the slip says how far body 2 gets."""
+    scene = changed(ROUND, v1=[0, 0], v2=["0.3", "0.1"])
+    late, system = Fraction(1, 10**5), System(reduced(scene), 16)
+    run, (_, true, _) = Run(system, 9, 9), said(changed(scene, v1=[0, 0], v2=["0.3", "0.1"], until=late))
+    with system.fine():
+        states = States(scene, system, [])
+        near = states.enclosed(run.at, arb(0), system.still, Ball.number(late))
+        assert all(x.contains(y) for p, q in zip(near, true, strict=True) for x, y in zip(p, q, strict=True))
+        assert near.x2[0].rad() < 1e-5
+
+
+@pytest.mark.parametrize(("error", "off"), [("0.01", None), ("0.004", 0.004)])
+def test_a_root_counts_where_the_function_surely_falls_below_0(error, off):
+    """1 - 1.005 x comes to -0.005: what it gives to 0.01 may stay positive."""
+    found = first_root(arb_poly([1, arb("-1.005")]), arb(error))
+    assert found is False if off is None else found[1] >= off / 1.005
+
+
+def test_with_a_damper_a_slip_from_the_edge_is_not_sure_for_long():
+    """The load rises by little, and the slip itself takes some of that: to second order in the window."""
+    start = {"x1": ["0.003", "0.004"], "v1": ["0.02046", "0.02728"]}
+    scene = PlaneScene(PlanePair(1, 1, 200, "0.5", 10), 1, **start, v2=start["v1"])
+    run = Run(System(reduced(scene), 16), 9, 9)
+    with run.system.fine():
+        normal = run.load()
+        assert run.leaves(normal, arb(1e-6), 2)
+        assert normal @ run.around(arb(1e-4)).drift > 0
+        assert not run.leaves(normal, arb(1e-4), 2)
