@@ -122,7 +122,7 @@ def _solve_one(scene: Scene, max_events: int, kept: Table, end: Table) -> None:
             return
         found = run_scene(scene, _FLOAT64, max_events)
     except (EventUndecided, OutOfRange) as error:
-        end[:] = np.nan
+        kept[:] = end[:] = np.nan  # also what a run wrote, in units of its own, before it ended so
         end[AT["how"]] = How.OUT_OF_RANGE if isinstance(error, OutOfRange) else How.DOUBT
         end[AT["mode"]] = end[AT["events"]] = end[AT["certain"]] = 0.0
         return
