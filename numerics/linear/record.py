@@ -120,7 +120,10 @@ class How(IntEnum):
 
 
 class Knot(NamedTuple):
-    """One row in the numbers of an arithmetic that has no columns for them; the names are those of the columns."""
+    """One row in the numbers of an arithmetic that has no columns for them; the names are those of the columns.
+
+    It has no bounds: the numbers of balls are their own, those of mpmath have none.
+    """
 
     mode: int
     order: int
@@ -134,12 +137,6 @@ class Knot(NamedTuple):
     x2: Any
     v2: Any
     excess: Any = None
-    late: Any = 0
-    x1_error: Any = 0
-    v1_error: Any = 0
-    x2_error: Any = 0
-    v2_error: Any = 0
-    excess_error: Any = 0
     cell: Any = (0, 0)
     """Of a slip whose friction depends on the state (cells.py); a row starts at a crossing of a knot, too."""
 

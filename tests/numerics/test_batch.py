@@ -134,6 +134,16 @@ def test_rows_under_a_force_are_what_their_scenes_give_by_themselves_in_any_orde
             assert one.accuracy.digits - 1 <= found.digits[k] <= one.accuracy.digits + 1
 
 
+def test_a_sweep_of_amplitudes_may_begin_at_0():
+    """There the row is one of the free pair, and so is the scene: a sine of amplitude 0 is no force."""
+    found = solve_many(1, 1, 200, "0.5", x1=0.02, until=3, sines=[([0, 1], 5, 0)])
+    for row, amplitude in enumerate([0, 1]):
+        force = Force.sine(amplitude, 5)
+        scene = Scene(Pair(1, 1, 200, "0.5"), State(x1=Fraction(0.02)), until=3, force=force)
+        assert scene.is_forced == bool(amplitude)
+        assert tuple(solve(scene, arithmetic="float64").final_state) == tuple(found.y[:, row])
+
+
 def test_scenes_of_any_pieces_are_what_they_are_by_themselves():
     """Forces and frictions by pieces, one pair with several forces among them: the same bits."""
     scenes = [a_scene(np.random.default_rng((7, k))) for k in range(60)]

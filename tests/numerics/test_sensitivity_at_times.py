@@ -1,7 +1,5 @@
 """Derivatives of the state at any time: against differences of solves, and against those of events and ends."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np
