@@ -12,6 +12,7 @@ from typing import NamedTuple
 from flint import arb, arb_poly, arb_series
 
 from numerics.plane.polynomial import integral_bound, least, midpoints, total
+from numerics.plane.series import Point
 from numerics.plane.system import Drive, System
 from numerics.plane.vector import Vector
 
@@ -27,6 +28,13 @@ class Curve(NamedTuple):
     z: Vector
     impulse: Vector
 
+    @classmethod
+    def of(cls, at: Point, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector) -> Curve:
+        """Return a piece of the path from a point, with z = q1 - q2 along it."""
+        rate = t.derivative()
+        z = Vector(midpoints((x * rate).integral() + z) for x, z in zip(s, at.z, strict=True))
+        return cls(at.piece, t, q1, v2, s, z, impulse)
+
 
 class Defect(NamedTuple):
     """What a curve adds to N, and the loads along it with what they are off beside what N says."""
@@ -39,7 +47,7 @@ class Defect(NamedTuple):
 def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     """Return the defect of a curve; friction_off: bounds on int |impulse - f dt|, f in dh(s), by axes."""
     drive, rate = system.pieces[curve.piece], curve.t.derivative()
-    u, u_off = _force(drive, curve.t, max(system.degree, curve.q1[0].length()) + 2)
+    u, u_off = force_along(drive, curve.t, max(system.degree, curve.q1[0].length()) + 2)
     v1 = curve.v2 + curve.s
 
     def whole(off: Vector) -> Vector:
@@ -53,7 +61,7 @@ def defect(system: System, curve: Curve, friction_off: Vector) -> Defect:
     return Defect(norm, system.load(u, curve.q1, v1), system.share * u_off)
 
 
-def _force(drive: Drive, t: arb_poly, degree: int) -> tuple[Vector, Vector]:
+def force_along(drive: Drive, t: arb_poly, degree: int) -> tuple[Vector, Vector]:
     """Return u(t(x)) as polynomials on [0, 1], and bounds on what they are off, by axes.
 
     A cosine and a sine are the Taylor polynomials of the path; their defect bounds their errors.
@@ -70,10 +78,8 @@ def _force(drive: Drive, t: arb_poly, degree: int) -> tuple[Vector, Vector]:
     return drive.force(t, swing), errors
 
 
-def slip_defect(
-    system: System, curve: Curve, slip: Vector, size: arb_poly, by: arb | None = None
-) -> tuple[Defect, arb]:
-    """Return the defect of a slip along S, size g about h(S) (t' = by g, if given), and a lower bound of h(S).
+def slip_defect(system: System, curve: Curve, slip: Vector, size: arb_poly) -> tuple[Defect, arb]:
+    """Return the defect of a slip along S, size g about h(S), and a lower bound of h(S), 0 if there is none.
 
     With r = g^2 - h(S)^2: |impulse - f t'| <= |impulse g - B^2 S t'|/g + b (t'/g) |r|/g, and |g - h(S)| <= |r|/g.
     """
@@ -81,6 +87,6 @@ def slip_defect(
     if not smallest > 0:
         return Defect(arb("inf"), system.still, system.still), arb(0)
     missing = size * size - slip * slip @ drive.b_squared
-    off = drive.b * (integral_bound(missing) * (total(rate) / smallest if by is None else by))
+    off = drive.b * (integral_bound(missing) * total(rate) / smallest)
     off = (off + (curve.impulse * size - slip * drive.b_squared * rate).each(integral_bound)) / smallest
     return defect(system, curve, off), (smallest - total(missing) / smallest).lower()

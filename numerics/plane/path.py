@@ -11,7 +11,7 @@ from flint import arb, arb_poly
 
 from numerics.errors import EventUndecided, NotSettled
 from numerics.plane.defect import Curve, Defect, defect
-from numerics.plane.polynomial import first_root, midpoints, scaled
+from numerics.plane.polynomial import first_root, scaled
 from numerics.plane.series import Point, Series, linear_series
 from numerics.plane.system import System, highest
 from numerics.plane.vector import Vector, exact, wide
@@ -178,12 +178,6 @@ class Path:
         left = (self.system.pieces[self.at.piece].length - self.at.t).mid()
         return (left, True) if h >= left else (h, False)
 
-    def curve(self, t: arb_poly, q1: Vector, v2: Vector, s: Vector, impulse: Vector) -> Curve:
-        """Return a piece of the path, with z = q1 - q2 along it."""
-        rate = t.derivative()
-        z = Vector(midpoints((x * rate).integral() + z) for x, z in zip(s, self.at.z, strict=True))
-        return Curve(self.at.piece, t, q1, v2, s, z, impulse)
-
     def linear(self, friction: Sequence[arb | None], degree: int) -> tuple[Series, arb]:
         """Return a series by time where friction on an axis is constant or (None) holds it, and how far it reaches."""
         series = linear_series(self.system, self.at, friction, degree)
@@ -194,7 +188,7 @@ class Path:
         q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
         held = v2.each(arb_poly.derivative) * self.system.m2
         impulse = Vector(x if f is None else arb_poly([f * h]) for x, f in zip(held, friction, strict=True))
-        curve = self.curve(arb_poly([self.at.t, h]), q1, v2, s, impulse)
+        curve = Curve.of(self.at, arb_poly([self.at.t, h]), q1, v2, s, impulse)
         found = defect(self.system, curve, self.system.still)
         return curve, found, (self.norm + found.norm).upper()
 

@@ -24,12 +24,13 @@ from numerics.plane.passage import Drawn, drawn_to, end_direction
 from numerics.plane.path import AGAIN, LATE, SHORT, SLIP, STICK, Path, exactly_on_edge, log2, two_to
 from numerics.plane.polynomial import first_root, midpoints, rise, scaled
 from numerics.plane.series import Series, slip_series
+from numerics.plane.slip import own_clock
 from numerics.plane.system import System, highest
 from numerics.plane.vector import Vector, wide
 
 _FALL = 2.0**-7
 """A step takes no more of h(s) than that: where a slip ends is known that well."""
-_OFTEN = 8
+_OFTEN = 16
 """Steps of a slip between two questions whether it has settled."""
 _QUICK = 256
 """It is asked where a direction settles so many times in the time in which things change."""
@@ -98,24 +99,24 @@ class Run(Path):
         while not scaled(series.size, h)(1) > series.size[0] * _FALL:
             h = (h * 0.75).mid()
         clock = scaled(t, h)
-        if ends := bool(clock(1) > drive.length):
-            h = (h * rise(clock, drive.length)).mid()
+        if clock(1) > drive.length:
+            h = h.min(h * rise(clock, drive.length) * AGAIN).mid()
         for halving in range(60):
             q1, v2, s = (Vector(scaled(x, h) for x in part) for part in series[:3])
-            clock = scaled(t, h)
-            curve = self.curve(clock, q1, v2, s, s * (drive.b_squared * h))
-            found, slowest = slip_defect(system, curve, s, clock.derivative() * (1 / h), h)
-            norm = (self.norm + found.norm).upper()
-            if slowest > drive.reach * norm:
+            found = own_clock(system, at, q1, v2, s, h, self.norm)
+            if found.slowest > drive.reach * found.norm:
                 break
-            if slowest > 0 and halving > 5:
+            if found.slowest > 0 and halving > 5:
                 self.stop()
                 return
-            h, ends = (h / 2).mid(), False
+            h = (h / 2).mid()
         else:
             raise self.undecided("does the slip turn or end")
-        self.stride = clock(1) - at.t
-        self.go_on(curve, SLIP, arb(1), norm, ends=ends)
+        clock = found.curve.t
+        ends = bool(clock(1) >= drive.length)
+        end = rise(clock, drive.length) if ends else arb(1)
+        self.stride = clock(end) - at.t
+        self.go_on(found.curve, SLIP, end, found.norm, ends=ends)
         if not ends:
             self.land()
 
@@ -181,7 +182,7 @@ class Run(Path):
         """Return the curve of a slip s = weight S on [0, h], its defect, and a lower bound of h(S) (0: none)."""
         q1, v2 = (Vector(scaled(x[: top + 1], h) for x in part) for part in series[:2])
         impulse = v2.each(arb_poly.derivative) * self.system.m2
-        curve = self.curve(arb_poly([self.at.t, h]), q1, v2, slip * weight, impulse)
+        curve = Curve.of(self.at, arb_poly([self.at.t, h]), q1, v2, slip * weight, impulse)
         return curve, *slip_defect(self.system, curve, slip, size)
 
     def land(self) -> None:
@@ -199,7 +200,7 @@ class Run(Path):
         v2 = Vector(arb_poly([x, (y * h).mid()]) for x, y in zip(at.v2, middle / system.m2, strict=True))
         s = at.s.each(lambda x: arb_poly([x, -x]))
         q1 = ((v2 + s).each(lambda x: midpoints((x * h).integral())) + at.q1).each(midpoints)
-        curve = self.curve(arb_poly([at.t, h]), q1, v2, s, middle.each(lambda x: arb_poly([x * h])))
+        curve = Curve.of(at, arb_poly([at.t, h]), q1, v2, s, middle.each(lambda x: arb_poly([x * h])))
         found = defect(system, curve, f.each(arb.rad) * h)
         norm = (self.norm + found.norm).upper()
         if not (found.norm < 2 * enough and 4 * drive.reach * norm < size * self.narrow):

@@ -48,9 +48,15 @@ class Series(NamedTuple):
     size: Coefficients
 
 
-def convolved(one: Sequence[arb], two: Sequence[arb], k: int, first: int = 0) -> arb:
-    """Return the coefficient k of a product, without the terms in one[j], j < first, and those it mirrors."""
-    return sum(map(mul, one[first : k + 1 - first], two[k - first : (first - 1 if first else None) : -1]), arb(0))
+def convolved(one: Sequence[arb], two: Sequence[arb], k: int) -> arb:
+    """Return the coefficient k of a product."""
+    return sum(map(mul, one[: k + 1], two[k::-1]), arb(0))
+
+
+def squared(one: Sequence[arb], k: int, first: int = 0) -> arb:
+    """Return the coefficient k of a square, without the terms in one[j], j < first, and those they mirror."""
+    half = sum(map(mul, one[first : (k + 1) // 2], one[k - first : k // 2 : -1]), arb(0))
+    return 2 * half if k % 2 else 2 * half + one[k // 2] * one[k // 2]
 
 
 class Forcing:
@@ -88,9 +94,9 @@ def slip_series(system: System, at: Point, degree: int) -> Series:
     v1, pushes = ([list[arb]() for _ in axes] for _ in range(2))
     forcing = Forcing(drive, t)
     for k in range(degree):
-        square = sum((b * convolved(one, one, k) for b, one in zip(drive.b_squared, s, strict=True)), arb(0))
+        square = sum((b * squared(one, k) for b, one in zip(drive.b_squared, s, strict=True)), arb(0))
         if k:
-            rate.append(((square - convolved(rate, rate, k, 1)) / (2 * rate[0])).mid())
+            rate.append(((square - squared(rate, k, 1)) / (2 * rate[0])).mid())
         else:
             rate.append(square.sqrt().mid())
         t.append((rate[k] / (k + 1)).mid())
